@@ -24,27 +24,27 @@
 
 namespace lippmann {
 
-inline constexpr double kGltfFramesPerSecond = 30.0;  ///< used if the keys suit no other rate; glTF stores seconds, not frames
+inline constexpr double kGltfFramesPerSecond = 30.0;  ///< used if no rate fits the keys; glTF stores seconds, not frames
 
 /// Resource limits of one scene. Exceeding one is an Error.
 struct GltfLimits {
-  std::uint64_t file_bytes = 0xffff'ffff;        ///< of each file; the maximum of a .glb's 32-bit length
+  std::uint64_t file_bytes = 0xffff'ffff;        ///< size of each file; the largest 32-bit length of a .glb
   std::uint64_t json_values = 20'000'000;        ///< about 2 GB of parsed JSON at worst
-  std::uint64_t json_objects = 2'000'000;        ///< nodes, meshes, accessors, ...
+  std::uint64_t json_objects = 2'000'000;        ///< number of nodes, meshes, accessors, ...
   int json_depth = 64;                           ///< glTF itself needs 9
-  std::uint64_t unpacked_bytes = 8'000'000'000;  ///< total of meshes, instances and key frames
+  std::uint64_t unpacked_bytes = 8'000'000'000;  ///< total size of meshes, instances and key frames
   int texture_side = 16384;                      ///< pixels
   int frames = 1'000'000;                        ///< most frames of an animation
 };
 
 /// Loads a file. The timeline shows frame f at f / options.frames_per_second and has as many frames as fit the animation's
-/// length without repeating the first one, at least one. If frames_per_second is 0, it is the first of 30, 24, 25 and 60 at
-/// which every key falls on a frame, else 30. Ignores options.camera_path. Throws Error naming the file and the element
-/// ("Box.glb: accessors[3]: ...").
+/// length without repeating the first one, at least one. If options.frames_per_second is 0, the rate is the first of 30, 24, 25
+/// and 60 at which every key falls on a frame, or 30 if there is none. Ignores options.camera_path. Throws Error naming the
+/// file and the element ("Box.glb: accessors[3]: ...").
 Scene load_gltf(const std::filesystem::path& path, const LoadOptions& options, const Context& context,
                 const GltfLimits& limits = {});
 
-/// Does the same for a file's contents. `path` names them in messages; files they refer to are searched in its folder.
+/// Like load_gltf(), but for the contents of a file. `path` names the file in messages; side files are searched in its folder.
 Scene parse_gltf(std::vector<std::byte> contents, const std::filesystem::path& path, const LoadOptions& options,
                  const Context& context, const GltfLimits& limits = {});
 

@@ -15,7 +15,7 @@ namespace {
 
 // ---- Layout ---------------------------------------------------------------------------------------------------------
 
-/// Returns 0 for a type that glTF does not define.
+/// Returns the size of a component, or 0 for a type that glTF does not define.
 std::size_t component_bytes(ComponentType type) {
   switch (type) {
     case ComponentType::kByte:
@@ -121,7 +121,7 @@ void with_component(ComponentType type, const F& use) {
   }
 }
 
-/// All unpacked number types have four bytes.
+/// The number of components of T. All number types of unpacked components have four bytes.
 template <class T>
 constexpr std::size_t kComponents = sizeof(T) / 4;
 
@@ -183,7 +183,7 @@ std::string_view type_name(std::size_t components) {
 
 const Accessor& accessor_of_type(const Document& document, int index, std::size_t components) {
   const Accessor& a = document.accessor(index);
-  const bool square = a.matrix_side == 2;  // four components, but not a VEC4
+  const bool square = a.matrix_side == 2;  // MAT2 also has four components, but is not a VEC4
   if (static_cast<std::size_t>(a.components) != components || square)
     document.report.fail(element("accessors", static_cast<std::size_t>(index)), "has the wrong type for its use",
                          std::string(type_name(components)));

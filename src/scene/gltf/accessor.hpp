@@ -20,7 +20,7 @@ void check_accessors(const Document& document);
 template <class T>
 std::vector<T> unpack(Document& document, int accessor);
 
-/// Returns elements of one unsigned integer (vertex indices) or of four (joints).
+/// Returns the accessor's elements as unsigned integers: one per element (vertex indices) or four (joints).
 template <class T>
 std::vector<T> unpack_unsigned(Document& document, int accessor);
 

@@ -31,7 +31,7 @@ class AnimationReader {
   AnimationReader(Document& document, const NodeMap& nodes, Scene& scene)
       : document_(document), report_(document.report), nodes_(nodes), scene_(scene) {}
 
-  /// Time of the last key of all channels read, in seconds.
+  /// The time of the last key of all channels read so far, in seconds.
   double duration = 0.0;
 
   void read(std::size_t index) {
@@ -45,7 +45,7 @@ class AnimationReader {
  private:
   void read_channel(Value sampler, Value animated, const std::string& where) {
     const int file_node = animated["node"].index();
-    if (file_node < 0) return;  // an extension defines the target
+    if (file_node < 0) return;  // the target is not a node; an extension defines it
     const int node = nodes_.scene_node[static_cast<std::size_t>(file_node)];
     if (node < 0) return;
     const std::string& path = animated["path"].text();
@@ -122,8 +122,8 @@ class AnimationReader {
   std::map<int, std::size_t> animation_of_node_;
 };
 
-/// Returns a frame rate at which all keys fall on frames, preferring the usual one. Exporters write a key per frame, or every
-/// few frames.
+/// Returns a frame rate at which all keys fall on frames, preferring kGltfFramesPerSecond. Exporters write a key per frame, or
+/// every few frames.
 double rate_of_keys(const Timeline& timeline) {
   for (const double rate : {kGltfFramesPerSecond, 24.0, 25.0, 60.0})
     if (keys_fall_on_frames(timeline, rate)) return rate;
@@ -147,7 +147,7 @@ void read_animation(Document& document, const NodeMap& nodes, const std::string&
   const double rate = frames_per_second > 0.0 ? frames_per_second : rate_of_keys(scene.timeline);
   scene.timeline.frames_per_second = rate;
 
-  // The last frame would repeat the first one in a loop, so there is no "+ 1".
+  // No "+ 1": in a loop, one more frame would repeat the first one.
   const double frames = std::round(reader.duration * rate);
   if (frames > document.limits.frames)
     document.report.fail(element("animations", chosen),

@@ -29,7 +29,7 @@ int attribute(Value primitive, const std::string& name);
 template <class T>
 std::vector<T> read_attribute(Document& document, PrimitiveId id, const std::string& name, std::size_t vertices);
 
-/// Returns one value per vertex from an accessor; -1: empty. `name` is used in messages.
+/// Returns one value per vertex from an accessor; empty if `accessor` is -1. `name` names the attribute in messages.
 template <class T>
 std::vector<T> read_per_vertex(Document& document, PrimitiveId id, int accessor, const std::string& name, std::size_t vertices);
 
@@ -40,7 +40,8 @@ void warn_about_unread_attributes(Document& document, PrimitiveId id);
 /// opaque.
 void read_colors(Document& document, PrimitiveId id, Mesh& mesh);
 
-/// Reads TANGENT, normalised, with +-1 in w. Leaves tangents empty, with a warning, if any has zero length.
+/// Reads TANGENT into mesh.tangents, normalised, with +-1 in w. Leaves them empty, with a warning, if a tangent has zero
+/// length.
 void read_tangents(Document& document, PrimitiveId id, Mesh& mesh);
 
 }  // namespace lippmann::gltf

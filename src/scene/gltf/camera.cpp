@@ -25,7 +25,7 @@ float distance_to_centre(const Affine3f& node_from_world, const Bounds3f& bounds
   return distance > 0.0f && std::isfinite(distance) ? distance : otherwise;
 }
 
-/// Returns half the height, in the node's units, that shows the whole scene from any direction.
+/// Returns half the height of a view that shows the whole scene from any direction, in the node's units.
 float half_extent(const Affine3f& node_from_world, const Bounds3f& bounds) {
   if (bounds.empty()) return 1.0f;
   const float half = 0.5f * glm::length(transform_vector(node_from_world, bounds.upper - bounds.lower));

@@ -52,7 +52,7 @@ class Demand {
 
   std::uint64_t count_of(int accessor) const { return document_.accessor(accessor).count; }
 
-  /// Elements are unpacked to floats or 4-byte integers.
+  /// Adds an accessor's unpacked size. Its elements are unpacked to floats or 4-byte integers.
   void add_floats(int index) {
     if (index < 0) return;
     const Accessor& accessor = document_.accessor(index);
@@ -60,7 +60,7 @@ class Demand {
           element("accessors", static_cast<std::size_t>(index)));
   }
 
-  /// Counts the decoder's tables and its output.
+  /// Adds the sizes of the Draco decoder's tables and output.
   void add_draco(PrimitiveId id) {
     const Value primitive = primitive_of(document_, id), packed = primitive.extension(kDraco);
     const int indices = primitive["indices"].index(), position = attribute(primitive, "POSITION");
@@ -89,7 +89,7 @@ class Demand {
     }
   }
 
-  /// Returns how often the node shows its mesh.
+  /// Adds the size of a node's instances (EXT_mesh_gpu_instancing). Returns how often the node shows the mesh.
   std::uint64_t add_copies(Value node, int file_node) {
     const Value instancing = node.extension(kInstancing);
     if (!instancing || node["skin"]) return 1;
@@ -133,7 +133,7 @@ class Demand {
   const NodeMap& nodes_;
   Budget left_;
   std::set<int> draco_views_, draco_accessors_;
-  std::set<std::pair<PrimitiveId, int>> shapes_;  ///< by primitive and skin
+  std::set<std::pair<PrimitiveId, int>> shapes_;  ///< shapes added so far, by primitive and skin
 };
 
 }  // namespace

@@ -100,8 +100,8 @@ std::string_view advice_on(const std::string& extension) {
               accepted);
 }
 
-/// Returns the objects that use an extension, with their names: " (materials[2] 'Silk', materials[4] and 3 more)". Empty if it
-/// only occurs in extensionsUsed.
+/// Returns the objects that use an extension, with their names: " (materials[2] 'Silk', materials[4] and 3 more)". Returns
+/// nothing if the extension occurs only in extensionsUsed.
 std::string users_of(const ExtensionUse& use) {
   std::string text;
   for (const ExtensionUse::User& user : use.users) {
@@ -122,7 +122,8 @@ void check_extensions(const Json& root, UsedExtensions used, Report& report) {
       report.warn(fmt::format("the extension {} is not supported yet and is ignored{}", printable(name), users_of(use)));
 }
 
-/// Loads the file or data of a buffer. `left` counts down the bytes that buffers may still load.
+/// Loads the file or the embedded data of a buffer. `left` is the number of bytes that buffers may still load; the loaded bytes
+/// are deducted.
 Bytes fetch_buffer(Value buffer, const std::string& where, std::uint64_t& left, Document& document) {
   const std::string& uri = buffer["uri"].text();
   document.loaded.push_back(fetch(uri, document.folders, left, where, document.report));

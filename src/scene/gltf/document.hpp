@@ -80,7 +80,7 @@ struct Document {
   Budget unpacked;
   Value root;
   std::vector<Bytes> buffers;
-  std::vector<BufferView> buffer_views;                 ///< the file's, followed by those of decompressed data
+  std::vector<BufferView> buffer_views;                 ///< the file's buffer views, followed by those of decompressed data
   std::vector<std::optional<PackedView>> packed_views;  ///< one per buffer view of the file
   std::vector<Accessor> accessors;
 
@@ -102,7 +102,7 @@ void read_document(std::vector<std::byte> contents, Document& document);
 /// Decompresses packed data and checks all byte ranges.
 void unpack_document(Document& document);
 
-/// Returns why the file of an image cannot be used (missing, or not permitted); empty: it can.
+/// Returns why the file of an image cannot be used (missing, or not permitted). Returns an empty text if it can be used.
 std::string image_problem(const Document& document, std::size_t image);
 
 /// Returns the encoded bytes of an image. `storage` holds them if they are not in a buffer.

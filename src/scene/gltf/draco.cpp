@@ -23,13 +23,14 @@
 namespace lippmann::gltf {
 namespace {
 
-/// Callbacks with the resources that decoding is about to need. They throw if these exceed the limits.
+/// Callbacks that the decoder calls before it allocates memory for the stated counts. They throw if the counts exceed the
+/// limits.
 struct Allowance {
   std::function<void(std::uint64_t faces, std::uint64_t points)> connectivity;
   std::function<void(std::uint64_t bytes)> attributes;
 };
 
-/// Draco's decoder of one method, with checks of the allowance.
+/// Draco's decoder of one encoding method, which calls the allowance before it allocates memory.
 template <class Decoder>
 class CarefulDecoder final : public Decoder {
  public:
@@ -160,7 +161,8 @@ class PrimitiveUnpacker {
     return *mesh;
   }
 
-  /// Returns whether the accessor, which must have `count` elements, still has to be filled from this view and attribute.
+  /// Returns whether the accessor still has to be filled from this view and attribute. Throws Error unless it has `count`
+  /// elements.
   bool begin(int accessor, int view, int unique_id, std::uint64_t count, const std::string& where) {
     const auto [known, is_new] = filled_.try_emplace(accessor, std::pair(view, unique_id));
     if (!is_new && known->second == std::pair(view, unique_id)) return false;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* kExtension = "EXT_lights_ies";
 
-/// Reads the light of each profile, before a node's colour and multiplier apply.
+/// Reads each profile as a light, to which a node's colour and multiplier still have to be applied.
 class ProfileReader {
  public:
   ProfileReader(Document& document, Scene& scene) : document_(document), scene_(scene) {}

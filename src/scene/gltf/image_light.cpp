@@ -8,7 +8,6 @@
 // computes both effects. The specification does not define the colour encoding; we assume sRGB, as in its JPEG images and in
 // the RGBD of Babylon.js, whose authors wrote the extension. We read its "flipped about its vertical axis" as: each image shows
 // its face as seen from inside the cube.
-// face as one sees it who stands in the middle of the cube.
 #include "scene/gltf/image_light.hpp"
 
 #include <fmt/format.h>
@@ -28,7 +27,7 @@ namespace {
 
 constexpr const char* kImageBased = "EXT_lights_image_based";
 
-/// Directions of the middle and of the upper edge of a face's image.
+/// The directions from the cube's centre to the middle of a face (ahead), and from there to the upper edge of its image (up).
 struct FaceAxes {
   Vec3f ahead, up;
 };
@@ -62,7 +61,7 @@ Image linear_light(const Texture& picture) {
   return light;
 }
 
-/// Bilinear lookup with clamping; x, y in [0, 1] from the upper left.
+/// Looks up a face bilinearly, clamped at its edges. x and y are in [0, 1] from the upper left.
 Vec3f look_up(const Image& face, float x, float y) {
   const float last = static_cast<float>(face.width - 1);
   const float px = std::clamp(x * static_cast<float>(face.width) - 0.5f, 0.0f, last);
@@ -87,13 +86,13 @@ Vec3f look_up(const CubeMap& cube, Vec3f d) {
   return look_up(cube[face], 0.5f + 0.5f * across, 0.5f - 0.5f * upwards);
 }
 
-/// Returns the direction at a place in a panorama (x, y in [0, 1]), as EnvironmentMap defines it.
+/// Returns the direction of a point of a panorama (x, y in [0, 1]), as EnvironmentMap defines it.
 Vec3f direction_at(float x, float y) {
   const float azimuth = (x - 0.5f) * 2.0f * kPi, polar = y * kPi;
   return {std::sin(polar) * std::cos(azimuth), std::cos(polar), std::sin(polar) * std::sin(azimuth)};
 }
 
-/// Matches the resolution at the centres of the cube's faces, within limits.
+/// Returns a width at which the panorama has about the resolution of the cube's faces, within limits.
 int width_of_panorama(int face) {
   constexpr int kNarrowest = 64, kWidest = 4096;
   return std::clamp(4 * face, kNarrowest, kWidest);

@@ -92,7 +92,7 @@ class LimitedBuilder : public Json::json_sax_t {
   const GltfLimits& limits_;
   const Report& report_;
   std::uint64_t values_ = 0, objects_ = 0;
-  std::string key_;  ///< of the latest property
+  std::string key_;  ///< name of the latest property
   std::vector<Json*>
       open_;  ///< containers around the next value, outermost first; their addresses are stable until they are closed
 };

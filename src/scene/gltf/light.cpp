@@ -14,13 +14,13 @@ namespace {
 constexpr const char* kPunctual = "KHR_lights_punctual";
 
 /// Blender's exporter by default converts watts to candela and lux with the luminous efficacy that the specification suggests,
-/// but does not convert emission. Without undoing this, its lamps would be 683 times too bright relative to emission.
+/// but does not convert emission. Unless this is undone, the lamps of such files are 683 times too bright relative to emission.
 constexpr float kLumensPerWatt = 683.0f;
 
 using Version = std::array<int, 3>;
 
-/// The first exporter that converts units (October 2022, released with Blender 3.4). Earlier ones wrote Blender's own numbers:
-/// watts, over 4 pi steradians, for point and spot lamps, and watts per square metre for suns.
+/// The first exporter that converts units (October 2022, released with Blender 3.4). Earlier exporters wrote Blender's own
+/// numbers: watts for point and spot lamps (emitted into 4 pi steradians), and watts per square metre for suns.
 constexpr Version kFirstInLumens{3, 4, 39};
 
 /// Parses "... v3.4.50"; missing numbers are 0.
@@ -36,7 +36,7 @@ Version version_in(std::string_view generator) {
   return version;
 }
 
-/// Detects the exporter's name before version 1.0.0, which had no version number.
+/// Returns whether the generator is Blender's exporter before version 1.0.0. Its name had no version number.
 bool is_unnumbered_exporter(std::string_view generator) {
   return generator.find("Khronos Blender glTF 2.0 I/O") != generator.npos;
 }

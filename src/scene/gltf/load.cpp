@@ -155,7 +155,7 @@ class InstanceReader {
   Scene& scene_;
   MaterialTable materials_;
   SkinReader skins_;
-  ResolvedScene rest_;                                 ///< while the timeline is still empty
+  ResolvedScene rest_;                                 ///< the scene's rest pose, computed while the timeline is still empty
   std::map<std::pair<PrimitiveId, int>, int> shapes_;  ///< by primitive and skin
 };
 

@@ -118,7 +118,7 @@ class MaterialReader {
     surface.clearcoat_normal_scale = static_cast<float>(normal["scale"].number(1.0));
   }
 
-  /// Reads the extensions, and leaves them out if none has an effect.
+  /// Reads the extensions into surface.extensions. Leaves it empty if no extension has an effect.
   void read_extensions(Value from, MetallicRoughness& surface) {
     SurfaceExtensions e;
     read_sheen(from.extension("KHR_materials_sheen"), e.sheen);

@@ -11,7 +11,7 @@ namespace lippmann::gltf {
 
 /// The mesh attributes that a material needs.
 struct MaterialNeeds {
-  std::array<int, 2> uv_sets{0, -1};  ///< the TEXCOORD_n for Mesh::uvs and uvs_1; -1: none
+  std::array<int, 2> uv_sets{0, -1};  ///< the n of the TEXCOORD_n for Mesh::uvs and uvs_1; -1: none
   bool tangents = false;
 };
 
@@ -20,7 +20,7 @@ struct MaterialTable {
   int default_material = -1;         ///< for primitives without a material; added to the Scene on first use
 };
 
-/// Fills scene.materials, with the file's indices, and scene.textures.
+/// Fills scene.materials, in the file's order, and scene.textures.
 MaterialTable read_materials(Document& document, Scene& scene);
 
 /// Returns the Scene's material for a primitive; -1 in the file means glTF's default material.

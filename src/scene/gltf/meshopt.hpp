@@ -7,7 +7,7 @@
 
 namespace lippmann::gltf {
 
-/// Returns the extension's data of a buffer view; none if it is not compressed.
+/// Returns the extension's data of a buffer view, or nothing if the view is not compressed.
 std::optional<PackedView> packed_view(Value view);
 
 /// Returns whether a buffer is only a fallback for readers without the extension. It may lack data, and the reader does not

@@ -15,7 +15,7 @@ struct NodeMap {
   std::vector<int> file_node;              ///< per Scene node: parents before children, siblings in file order
   std::vector<int> scene_node;             ///< per file node; -1: not in the default scene
   std::vector<Affine3d> parent_from_node;  ///< per Scene node, in double precision
-  std::vector<bool> hidden;                ///< per Scene node: it or an ancestor is invisible (KHR_node_visibility)
+  std::vector<bool> hidden;                ///< per Scene node: the node or an ancestor is invisible (KHR_node_visibility)
 };
 
 /// Returns the index of the scene to read. The file must have at least one.

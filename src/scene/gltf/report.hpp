@@ -27,7 +27,7 @@ class Report {
   /// Throws Error at the element.
   [[noreturn]] void fail(std::string_view element, const std::string& problem, const std::string& accepted = {}) const;
 
-  /// Warns about the whole file. Each text is reported once. After 50 texts it reports only that more are left out.
+  /// Warns about the whole file. Each text is reported once. After 50 texts, one last warning says that more are left out.
   void warn(const std::string& text);
 
   /// Warns once about a problem that may occur in many elements, naming the first one.

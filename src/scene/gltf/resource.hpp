@@ -16,7 +16,8 @@ namespace lippmann::gltf {
 std::vector<std::byte> fetch(std::string_view uri, const SideFolders& folders, std::uint64_t limit, std::string_view element,
                              const Report& report);
 
-/// Returns why a URI cannot be fetched; empty: it can, or it holds data. `where` is used in Errors about the folder itself.
+/// Returns why a URI cannot be fetched. Returns an empty text if it can, or if it holds data. Errors about the folder itself
+/// name `where`.
 std::string uri_problem(std::string_view uri, const SideFolders& folders, const std::string& where);
 
 }  // namespace lippmann::gltf

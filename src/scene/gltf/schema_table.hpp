@@ -21,20 +21,20 @@ enum class Kind {
   kNumber,
   kNumbers,
   kInteger,
-  kIndex,       ///< into the array `refers_to` of the root
+  kIndex,       ///< an index into the array `refers_to` of the root
   kIndices,     ///< an array of distinct indices
   kIndexLists,  ///< an array of arrays of `length` indices
   kIndexMap,    ///< an object whose values are indices
   kIntegerMap,  ///< an object whose values are integers
-  kIndexMaps,   ///< an array of such objects
-  kObject,      ///< with the properties `object`
-  kObjects,     ///< an array of such objects
+  kIndexMaps,   ///< an array of objects whose values are indices
+  kObject,      ///< an object with the properties `object`
+  kObjects,     ///< an array of objects with the properties `object`
 };
 
 enum Need {
   kOptional,
   kRequired,
-  kIfKindMatches,  ///< ignored if it has another type; for extras, which any tool may write
+  kIfKindMatches,  ///< optional, and ignored if of another type; for extras, which any tool may write
 };
 
 struct Property {
@@ -42,7 +42,7 @@ struct Property {
   Kind kind = Kind::kObject;
   Need need = kOptional;
   double lower = -FLT_MAX, upper = FLT_MAX;  ///< the range of numbers and integers, both ends included
-  int multiple_of = 1;                       ///< integers must be multiples of it
+  int multiple_of = 1;                       ///< integers must be multiples of this number
   std::size_t length = 0;                    ///< exact length of a number array; 0: any
   std::string_view refers_to{};
   std::string_view choices{};  ///< accepted strings: "|A|B|"; empty: any

@@ -23,14 +23,15 @@ class SkinReader {
   std::map<int, int> known_;
 };
 
-/// Reads all sets JOINTS_0, WEIGHTS_0, JOINTS_1, ... Weights are normalised to a sum of 1; vertices without weights follow the
-/// first joint. `joints`: number of joints of the skin.
+/// Reads the joints and weights of all sets (JOINTS_0, WEIGHTS_0, JOINTS_1, ...). Weights are normalised to a sum of 1;
+/// vertices without weights follow the first joint. `joints`: number of joints of the skin.
 void read_skin_weights(Document& document, PrimitiveId id, std::size_t joints, Mesh& mesh);
 
 /// Reads the primitive's morph targets. Skips normals and tangents if the mesh has none.
 void read_targets(Document& document, PrimitiveId id, Mesh& mesh);
 
-/// Returns the node's weights, or its mesh's, or zeros, one per morph target of the mesh. Throws Error if their number differs.
+/// Returns one weight per morph target of the node's mesh: those of the node, otherwise those of the mesh, otherwise zeros.
+/// Throws Error if their number differs from that of the targets.
 std::vector<float> read_morph_weights(Document& document, int file_node);
 
 }  // namespace lippmann::gltf

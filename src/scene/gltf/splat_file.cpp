@@ -18,7 +18,8 @@ using Json = nlohmann::json;
 
 constexpr std::string_view kSplatExtension = "KHR_gaussian_splatting";
 
-/// Returns the JSON of a file: the first chunk of a .glb, or the whole file. Truncated files give as much as there is.
+/// Returns the JSON of a file: the first chunk of a .glb, or the whole file. For a truncated file, returns the part that
+/// exists.
 std::string leading_json(const std::filesystem::path& path, std::uint64_t limit) {
   RegularFile file(path);
   std::array<char, 20> start{};  // the headers of a .glb and of its first chunk

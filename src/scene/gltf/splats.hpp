@@ -15,8 +15,8 @@ bool is_splats(Value primitive);
 /// Returns whether a document has primitives and all of them are splats. The document may be malformed.
 bool is_of_splats_alone(const nlohmann::json& document);
 
-/// Reads the splats of a primitive. Returns none, with a warning, if none of them are valid. Throws Error for missing
-/// attributes, wrong types or counts, and unknown kernels and colour spaces.
+/// Reads the splats of a primitive. Returns nothing, with a warning, if no splat is valid. Throws Error for missing attributes,
+/// wrong types or counts, and unknown kernels and colour spaces.
 std::optional<Splats> read_splats(Document& document, PrimitiveId id);
 
 }  // namespace lippmann::gltf

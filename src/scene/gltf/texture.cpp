@@ -25,7 +25,8 @@ Wrap wrap_mode(Value mode, const std::string& where, const Report& report) {
   }
 }
 
-/// Returns the image of a texture; -1: none. WebP takes precedence because the other image is a fallback.
+/// Returns the image of a texture; -1: none. A WebP image takes precedence, because the texture's other image is then a
+/// fallback.
 int image_of(Value texture) {
   const Value webp = texture.extension("EXT_texture_webp");
   return (webp ? webp : texture)["source"].index();

@@ -12,7 +12,8 @@
 
 namespace lippmann::gltf {
 
-/// Collects the textures in use, then decodes all at once: each image once per combination of wrap modes and encoding.
+/// Collects the textures in use and decodes all of them at the end. An image is decoded once per combination of wrap modes and
+/// encoding.
 class TextureReader {
  public:
   TextureReader(Document& document, Scene& scene)
@@ -37,7 +38,7 @@ class TextureReader {
   PendingTextures pending_;
   std::map<int, std::string> problems_;  ///< by image
   std::map<std::tuple<int, Wrap, Wrap, bool>, int> known_;
-  std::map<std::pair<int, float>, int> roughness_;  ///< by texture index in the Scene and factor
+  std::map<std::pair<int, float>, int> roughness_;  ///< by texture index in the Scene and glossiness factor
 };
 
 }  // namespace lippmann::gltf

@@ -12,11 +12,11 @@ namespace lippmann::gltf {
 /// true for colours, false for data.
 TextureMap read_map(Value info, bool srgb, TextureReader& textures);
 
-/// Does the same with a custom function that maps the file's texture index to the Scene's.
+/// Like read_map(), but with a function that returns the Scene's texture index for the file's.
 TextureMap read_map_from(Value info, const std::function<int(int)>& read);
 
-/// Chooses the TEXCOORD_n for Mesh::uvs and uvs_1 (-1: none) and renumbers the uv_set of the surface's maps. Warns about more
-/// than two sets and uses the first instead.
+/// Returns the n of the TEXCOORD_n for Mesh::uvs and uvs_1 (-1: none) and renumbers the uv_set of the surface's maps. If the
+/// maps use more than two sets, warns and uses the first set for the others.
 std::array<int, 2> choose_uv_sets(MetallicRoughness& surface, const std::string& where, Report& report);
 
 }  // namespace lippmann::gltf

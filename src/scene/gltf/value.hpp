@@ -35,7 +35,7 @@ class Value {
   std::size_t count() const;
   /// Returns an index into one of the document's arrays; -1 if absent.
   int index() const { return integer(-1); }
-  /// Returns a boolean or whether a number is non-zero.
+  /// Returns a boolean. For a number, returns whether it is not zero.
   bool flag(bool otherwise) const;
   /// Returns a string; empty if absent.
   const std::string& text() const;

@@ -14,8 +14,8 @@ std::vector<std::string> variant_names(const Document& document);
 /// names if there is no match.
 int choose_variant(const std::vector<std::string>& names, const std::string& wanted);
 
-/// Returns the file's material of a primitive for the variant (-1: no variant); -1: glTF's default. `where` names the
-/// primitive.
+/// Returns the file's index of a primitive's material in a variant (-1: no variant), or -1 for glTF's default material. `where`
+/// names the primitive.
 int material_in(Value primitive, int variant, const std::string& where, const Report& report);
 
 }  // namespace lippmann::gltf
