@@ -10,7 +10,7 @@
 namespace lippmann {
 namespace {
 
-constexpr std::size_t kStripPixels = 8192;  // processed at a time
+constexpr std::size_t kStripPixels = 8192;  // number of pixels processed at a time
 
 constexpr std::size_t kAveragedBlock = 64;  // pixels; the compiler vectorises loops of this fixed length
 
@@ -32,14 +32,15 @@ struct Landed {
   const float* color(std::uint64_t key) const { return film + 3 * std::size_t{SplatBuffer::source(key)}; }
 };
 
-/// Mixes the colours of pixels first ... end without branches, which would be unpredictable. Lists the pixels that need another
-/// treatment in ascending order: those without a point from both frames, those whose colour changes, and some at the end of the
-/// range. Returns their number. `special` must have room for all pixels.
+/// Mixes the colours of pixels first ... end without branches, which would be unpredictable. Lists, in ascending order, the
+/// pixels that must be computed separately: those without a point from both frames, those whose colour changes, and some at the
+/// end of the range. Returns the number of listed pixels. `special` must have room for all pixels.
 LIPPMANN_MULTIVERSION std::size_t mix_plainly(const Landed& a, const Landed& b, float weight_b, std::size_t first,
                                               std::size_t end, Image& film, std::uint32_t* special) {
   const std::uint64_t *keys_a = a.keys, *keys_b = b.keys;
   const float *film_a = a.film, *film_b = b.film;
-  const auto last = static_cast<std::uint32_t>(film.data.size() / 3 - 1);  // has no next float to read; kNoSource is larger
+  const auto last =
+      static_cast<std::uint32_t>(film.data.size() / 3 - 1);  // the last pixel has no next float to read; kNoSource is larger
   std::size_t count = 0, p = first;
   for (; p + kAveragedBlock < end; p += kAveragedBlock) {
     alignas(64) std::uint32_t source_a[kAveragedBlock], source_b[kAveragedBlock], is_special[kAveragedBlock];
@@ -51,7 +52,7 @@ LIPPMANN_MULTIVERSION std::size_t mix_plainly(const Landed& a, const Landed& b, 
       is_special[i] = nearest_last >= last ? 1u : changes;
       source_a[i] = at_a < last ? at_a : 0u, source_b[i] = at_b < last ? at_b : 0u;
     }
-    for (std::size_t i = 0; i < kAveragedBlock; ++i) {  // prefetch all at once
+    for (std::size_t i = 0; i < kAveragedBlock; ++i) {  // prefetch the colours of the whole block
       __builtin_prefetch(film_a + 3 * std::size_t{source_a[i]});
       __builtin_prefetch(film_b + 3 * std::size_t{source_b[i]});
     }
@@ -66,7 +67,7 @@ LIPPMANN_MULTIVERSION std::size_t mix_plainly(const Landed& a, const Landed& b, 
   return count;
 }
 
-/// The colours between the samples of one frame, for pixels whose colour changes.
+/// Interpolated colours of one frame, for pixels whose colour changes between neighbouring samples.
 class ColorsBetween {
  public:
   ColorsBetween(const SplatSource& source, const EpipolarSampler* sampler, std::span<const std::uint32_t> pixels) {
@@ -92,7 +93,7 @@ class ColorsBetween {
   }
 
  private:
-  std::unique_ptr<float[]> colors_;  ///< three per pixel
+  std::unique_ptr<float[]> colors_;  ///< three floats per pixel
   const float* next_ = nullptr;
 };
 
@@ -121,7 +122,7 @@ struct MovedPoint {
   std::uint32_t object = kMissedObject;
 };
 
-/// Returns the point that has landed on a pixel, with its depth at the new moment from the key.
+/// Returns the point that has landed on a pixel. The key gives its depth at the new moment.
 MovedPoint moved_point(const SplatSource& source, std::size_t pixel) {
   const std::uint64_t key = source.landed.keys[pixel];
   if (key == 0) return {};

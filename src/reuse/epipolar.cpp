@@ -9,11 +9,11 @@
 namespace lippmann {
 namespace {
 
-constexpr float kContrast = 0.15f;  // share of the image's range; smaller steps are not worth the search
-constexpr int kViews = 3;           // on each side
+constexpr float kContrast = 0.15f;  // share of the image's range; smaller colour steps are not worth the search
+constexpr int kViews = 3;           // number of views searched on each side
 constexpr float kViewCost = 0.03f;  // penalty in lenses per view of distance
-constexpr float kExact = 1e-3f;     // lenses; landings closer to the centre use the sample's colour
-constexpr float kFar = 9.0f;        // lenses; farther than any candidate
+constexpr float kExact = 1e-3f;     // in lenses; points that land closer to the sample's centre use its colour
+constexpr float kFar = 9.0f;        // in lenses; farther than any candidate
 
 template <class T>
 LIPPMANN_INLINE void gather(const T* from, const std::int32_t* index, T* to) {
@@ -32,10 +32,10 @@ struct alignas(64) Ids {
   std::uint32_t v[kPointLanes];
 };
 
-/// The best candidate on one side of the place.
+/// The best candidate on one side of the place searched for.
 struct Side {
   Floats cost;   ///< distance from the place in lenses, plus the penalty for the view's distance
-  Floats extra;  ///< the penalty
+  Floats extra;  ///< the penalty for the distance of the view; included in `cost`
   Floats column;
 };
 
@@ -46,7 +46,7 @@ LIPPMANN_INLINE void take_if(bool better, float cost, float extra, float column,
   side.column.v[i] = better ? column : old_column;
 }
 
-/// The best sample of other views on one side.
+/// The best sample of other views on one side of the place searched for.
 struct Candidate {
   Floats cost, column;
 };
@@ -60,19 +60,20 @@ LIPPMANN_INLINE void offer(float cost, float column, Candidate& best, int i) {
 /// The state of a search for kPointLanes colours. Each step fills the inputs of the next one.
 struct Search {
   Ints source, row_begin;  ///< pixel of the sample, and first pixel of its row
-  Floats row, column;      ///< place of the sample
-  Floats beside, behind;   ///< column of its neighbour, and of the rear one of the two
+  Floats row, column;      ///< position of the sample's pixel
+  Floats beside, behind;   ///< column of the sample's neighbour, and of the one of the two that is farther from the viewer
   Ids object, object_beside, layer;
   Floats view, place,
-      off;       ///< place: the place searched for, in samples of the view; off: offset of the landing from the sample's centre
-  Floats slope;  ///< slope of the view's rays
-  Floats depth;  ///< depth of the layer, mm
-  Floats per_view;   ///< shift of its points per view, in samples
-  Side left, right;  ///< the best of the own view, later of all views
+      off;  ///< place: where the match is searched for, in samples of the view; off: offset of the projected point from the
+            ///< centre of its nearest sample
+  Floats slope;      ///< slope of the view's rays
+  Floats depth;      ///< depth of the layer, mm
+  Floats per_view;   ///< shift of the layer's points from view to view, in samples
+  Side left, right;  ///< the best samples of the pixel's own view, later of all views
   Candidate other_left, other_right;
 };
 
-/// The two pixels that a colour is interpolated between.
+/// The two pixels between which a colour is interpolated.
 struct Samples {
   Ints left, right;
   Floats left_weight;
@@ -87,9 +88,9 @@ EpipolarSampler::EpipolarSampler(const Optics& optics, Encoding encoding)
 
 namespace {
 
-/// Sets differs[x] if float x of a row differs from the one `ahead` floats on by more than about kContrast of the image's
-/// range. Display-referred films are compared by value. Linear films are compared by their square roots: |sqrt(a) - sqrt(b)| >
-/// c is nearly equivalent to (a - b)^2 > 2 c^2 (a + b).
+/// Sets differs[x] if floats x and x + ahead of a row differ by more than about kContrast of the image's range.
+/// Display-referred films are compared by value. Linear films are compared by their square roots: |sqrt(a) - sqrt(b)| > c is
+/// nearly equivalent to (a - b)^2 > 2 c^2 (a + b).
 LIPPMANN_MULTIVERSION void compare_floats(const float* row, int count, int ahead, bool linear, std::uint32_t* differs) {
   const float fixed = linear ? 0.0f : kContrast * kContrast, relative = linear ? 2.0f * kContrast * kContrast : 0.0f;
   for (int x = 0; x < count; ++x) {
@@ -128,7 +129,7 @@ void EpipolarSampler::find_contrast(PointImage& image, const ThreadPool& pool) c
 
 namespace {
 
-/// The lines of a GridLanding in closed form, by lens and view.
+/// The place and slope of a pixel's rays (see GridLanding), computed from its lens and view.
 struct SampleAxis {
   float per_lens, per_pixel;  ///< pixels per lens, and its inverse
   float place, pitch;         ///< position of lens 0, and distance between lenses, mm
@@ -177,13 +178,13 @@ LIPPMANN_INLINE float coordinate(const Constants& c, float x, float z, float slo
   return (x + slope * z) / (1.0f - z * c.vergence) * c.samples_per_mm + c.shift;
 }
 
-/// Sets rows and columns of the sources.
+/// Sets the rows and columns of the source pixels.
 LIPPMANN_INLINE void start(const Constants& c, const std::uint32_t* sources, Search& s) {
   const std::int32_t width = static_cast<std::int32_t>(c.width);
   const double rows_per_pixel = 1.0 / static_cast<double>(c.width);
   for (int i = 0; i < kPointLanes; ++i) {
     const std::int32_t source = static_cast<std::int32_t>(sources[i]);
-    // exact: never closer to an integer than half a pixel
+    // exact, because the value is always at least half a pixel away from an integer
     const std::int32_t row = static_cast<std::int32_t>((static_cast<double>(source) + 0.5) * rows_per_pixel);
     s.source.v[i] = source;
     s.row_begin.v[i] = row * width;
@@ -193,7 +194,7 @@ LIPPMANN_INLINE void start(const Constants& c, const std::uint32_t* sources, Sea
   }
 }
 
-/// Looks up depth and object of the pixels at these columns.
+/// Looks up the depths and objects of the pixels at the given columns.
 LIPPMANN_INLINE void look_up(const PrimaryPoints& points, const Ints& row_begin, const Floats& column, Floats& z, Ids& object) {
   Ints pixel;
   for (int i = 0; i < kPointLanes; ++i) pixel.v[i] = row_begin.v[i] + static_cast<std::int32_t>(column.v[i]);
@@ -201,8 +202,8 @@ LIPPMANN_INLINE void look_up(const PrimaryPoints& points, const Ints& row_begin,
   gather(points.object.data(), pixel.v, object.v);
 }
 
-/// Step 1. Computes the offset of the landing from its sample's centre, and the view's own sample on the other side of the
-/// place.
+/// Step 1. Computes the offset of the projected point from its sample's centre, and finds the sample of the same view on the
+/// other side of the place.
 LIPPMANN_INLINE void locate(const Constants& constants, const PrimaryPoints& points, const Motion& motion, Search& s) {
   const Constants c = constants;
   Positions p;
@@ -232,7 +233,7 @@ LIPPMANN_INLINE void locate(const Constants& constants, const PrimaryPoints& poi
   }
 }
 
-/// Selects the layer: the sample or its neighbour, whichever is nearer to the viewer.
+/// Selects the layer, which is that of the sample or of its neighbour, whichever is nearer to the viewer.
 LIPPMANN_INLINE void choose_layer(const Constants& constants, const PrimaryPoints& points, Search& s) {
   const Constants c = constants;
   Floats z_beside;
@@ -258,8 +259,8 @@ LIPPMANN_INLINE void choose_layer(const Constants& constants, const PrimaryPoint
   }
 }
 
-/// Step 2. Offers the samples on both sides of the place of the view `step` views to the right, assuming the layer's depth for
-/// all of them.
+/// Step 2. Considers the view `step` views to the right: its samples on both sides of the place become candidates, at the
+/// layer's depth.
 LIPPMANN_INLINE void offer_view(const Constants& constants, float step, Search& s) {
   const Constants c = constants;
   const float extra = std::abs(step) * kViewCost;
@@ -274,8 +275,8 @@ LIPPMANN_INLINE void offer_view(const Constants& constants, float step, Search& 
   }
 }
 
-/// Step 3. Looks up the best sample of other views on one side (-1 left, 1 right). Takes it if it is better than the own view's
-/// samples.
+/// Step 3. Looks up the best sample of other views on one side (-1 left, 1 right). Takes that sample if it is better than the
+/// samples of the pixel's own view.
 LIPPMANN_INLINE void look_at(const Constants& constants, const PrimaryPoints& points, const Candidate& best, float side,
                              Search& s) {
   const Constants c = constants;
@@ -302,7 +303,8 @@ LIPPMANN_INLINE void look_at(const Constants& constants, const PrimaryPoints& po
   }
 }
 
-/// Step 4. Computes weights by distance alone, without view penalties. Background has no position and uses the sample's colour.
+/// Step 4. Computes the weights of both samples from their distances, without view penalties. Background has no position, so it
+/// keeps the sample's colour.
 LIPPMANN_INLINE void weigh(const Search& s, Samples& out) {
   for (int i = 0; i < kPointLanes; ++i) {
     const bool exact = (std::abs(s.off.v[i]) < kExact) | (s.object.v[i] >= kMissedObject);

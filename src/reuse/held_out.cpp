@@ -28,7 +28,7 @@ class Runs {
     for (std::uint32_t level = 0; level < kUncertaintyLevels; ++level) begin(level);
   }
 
-  /// Returns whether the next pixel of a level is the sample of its run.
+  /// Returns whether the next patch of a level is the sample of its run.
   bool draw(std::uint32_t level) {
     Run& run = runs_[level];
     const bool drawn = run.place == run.sample;

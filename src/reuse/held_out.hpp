@@ -1,4 +1,5 @@
-// Held-out patches: a sample of an in-between frame's predictions that is traced to estimate the error of the others.
+// Held-out patches are a sample of an in-between frame's patches. They are traced to estimate the error of the other, predicted
+// patches.
 //
 // Patches (patches.hpp) are sorted into levels by their uncertainty (uncertainty.hpp), and each level is sampled separately:
 // one patch of each run of R consecutive patches of a level, at a position hashed from seed, frame, level and run. Each patch
@@ -34,13 +35,14 @@ namespace lippmann {
 
 /// Levels of uncertainty: 0, 1, 2, 3, then with a width of about the square root of 2.
 inline constexpr int kUncertaintyLevels = 24;
-/// The largest uncertainty of each level.
+/// The largest uncertainty that belongs to each level.
 inline constexpr std::array<std::uint8_t, kUncertaintyLevels> kLevelEnd{0,  1,  2,  3,  4,  5,  6,  8,  10, 12,  14,  17,
                                                                         20, 24, 28, 34, 40, 48, 57, 68, 81, 114, 161, 255};
 
 int level_of(std::uint8_t uncertainty);
 
-/// Root mean square over a patch, in codes; an error in one pixel counts a quarter.
+/// Lowest assumed error of a sample that was not drawn: the root mean square over a patch, in codes. An error in only one pixel
+/// of 16 counts a quarter.
 inline constexpr double kUnseenError = 12.0;
 
 /// The sample of one frame.
@@ -51,10 +53,10 @@ struct HeldOut {
   std::array<std::uint64_t, kUncertaintyLevels> drawn;       ///< number of sampled patches by level
 };
 
-/// Returns R for a number of patches per frame: about 400 samples, with R within 4 ... 64.
+/// Returns the run length R for a number of patches per frame. It gives about 400 samples, but R stays within 4 ... 64.
 std::uint32_t patches_per_sample(std::size_t patches);
 
-/// Draws the sample. uncertainty: by patch.
+/// Draws the sample of a frame. `uncertainty` has one entry per patch.
 HeldOut hold_out(std::span<const std::uint8_t> uncertainty, std::uint32_t seed, int frame);
 
 /// Weight of a patch of the learning frame, in samples: its errors are correlated with those of its neighbours, and other
@@ -69,26 +71,26 @@ struct Evidence {
   };
   std::array<Level, kUncertaintyLevels> levels;
 
-  /// Adds samples. `squared_errors`: one per held-out patch.
+  /// Adds samples. `squared_errors` has one entry per held-out patch.
   void add(const HeldOut& held_out, std::span<const double> squared_errors);
   void add(const Evidence& other);
   /// Scales the weight of all samples.
   void weigh(double weight);
 };
 
-/// Mean squared errors, in codes.
+/// Mean squared errors of a frame, in squared codes.
 struct ErrorEstimate {
-  double mse = 0.0;    ///< M
-  double bound = 0.0;  ///< U
+  double mse = 0.0;    ///< M, the estimate
+  double bound = 0.0;  ///< U, the upper bound
 };
 
-/// Returns estimates whose entry h is the error that levels 0 ... h leave in the frame of `held_out`. `evidence`: that sample,
-/// and optionally others.
+/// Returns estimates whose entry h is the error that levels 0 ... h leave in the frame of `held_out`. `evidence` contains the
+/// errors of that sample, and optionally others.
 std::array<ErrorEstimate, kUncertaintyLevels> estimate_errors(const HeldOut& held_out, const Evidence& evidence);
 
-/// Returns the number of lowest levels that can be trusted with the frame's error at or below `mse`: the bounds of all of them
-/// are. Levels are tested in a fixed order until one fails, so the probability of trusting too many is 5 %, regardless of the
-/// number of tests.
+/// Returns the number of lowest levels that can be trusted to keep the frame's error at or below `mse`. The bounds of all these
+/// levels are at or below `mse`. Levels are tested in a fixed order until one fails, so the probability of trusting too many is
+/// 5 %, regardless of the number of tests.
 int trusted_levels(const std::array<ErrorEstimate, kUncertaintyLevels>& errors, double mse);
 
 }  // namespace lippmann

@@ -7,11 +7,11 @@
 namespace lippmann {
 namespace {
 
-/// Interpolates the weights of the two frames between equal weights (0) and nearness in time (1). Nearness lets light and
-/// shadow change evenly; equal weights average out sampling errors of both frames. An intermediate value has the lowest error.
+/// Sets how the two frames are weighted: equally (0), by nearness in time (1), or in between. Nearness lets light and shadow
+/// change evenly; equal weights average out sampling errors of both frames. An intermediate value has the lowest error.
 constexpr float kNearness = 0.7f;
 
-/// Returns the weight of the following frame.
+/// Returns the weight of the following frame for a position between the two frames.
 float weight_at(float position) { return 0.5f + kNearness * (position - 0.5f); }
 
 bool has_size(const Image& film, Vec2i size) { return film.width == size.x && film.height == size.y && film.channels == 3; }
@@ -57,7 +57,7 @@ InBetweenMaker::InBetweenMaker(const Scene& scene, const Optics& optics, const F
 }
 
 Image& InBetweenMaker::film_of(PointImage& frame) const {
-  // otherwise each pixel is overwritten
+  // an image of the right size is reused because each pixel is overwritten
   if (!has_size(frame.film, film_size_)) frame.film = Image(film_size_.x, film_size_.y, 3);
   return frame.film;
 }

@@ -18,8 +18,8 @@ namespace lippmann {
 enum class Provenance : std::uint8_t;
 
 enum class SplatSampling {
-  kPixel,     ///< the colour of the point that lands on a pixel, anywhere within the pixel, as in the paper
-  kEpipolar,  ///< changing colours are interpolated between samples (epipolar.hpp); for arrays with whole pixels per lens only
+  kPixel,     ///< pixels get the colour of the point that lands anywhere within them, as in the paper
+  kEpipolar,  ///< changing colours are interpolated between samples (epipolar.hpp); only for arrays with whole pixels per lens
 };
 
 struct ForwardParams {
@@ -28,7 +28,7 @@ struct ForwardParams {
   MissedFill fill = MissedFill::kInterpolate;
   std::optional<FloorParams> floor;       ///< for make_to_floor()
   RayOrder order = RayOrder::kViewTiles;  ///< the order in which pixels are traced; only used with a floor
-  bool wants_provenance = false;          ///< made frames get PointImage::provenance
+  bool wants_provenance = false;          ///< whether PointImage::provenance of made frames is filled
 };
 
 struct InBetweenCounts {
@@ -44,7 +44,7 @@ struct SourcePair {
   float position;  ///< share of the way from the previous to the following frame, 0 ... 1
 };
 
-/// Reuses its memory from frame to frame. Use one object per animation, by one caller at a time.
+/// Makes in-between frames and reuses memory from frame to frame. Use one object per animation; it is not thread-safe.
 class InBetweenMaker {
  public:
   /// `scene` and `optics` must be those of the traced frames. With SplatMode::kLens, or optics that do not suit kEpipolar,
@@ -58,20 +58,20 @@ class InBetweenMaker {
   InBetweenCounts make(const SourcePair& between, bool as_source, const TracePixels& trace, const ThreadPool& pool,
                        PointImage& frame);
 
-  /// Predicts the film of a traced frame, and returns what its errors imply for other frames between the same two. `number`: of
-  /// the frame in its animation. The previous frame must have ray counts.
+  /// Predicts the film of a traced frame, compares it with the traced film, and returns the evidence for other frames between
+  /// the same two. `number` is the frame's number in its animation. The previous frame must have ray counts.
   FloorLesson learn_floor(const SourcePair& between, int number, const PointImage& traced, const ThreadPool& pool);
 
-  /// Makes the film of the frame with a PSNR of at least params.floor, or finds that the frame is better traced completely;
-  /// then the film is unusable.
+  /// Makes the film of the frame with a PSNR of at least params.floor, or finds that tracing the whole frame costs less; then
+  /// the film is unusable.
   FloorOutcome make_to_floor(const SourcePair& between, int number, const Evidence& learned, const TracePackets& trace,
                              const ThreadPool& pool, PointImage& frame, InBetweenCounts& counts);
 
  private:
   Image& film_of(PointImage& frame) const;
-  /// Sets the provenance of a frame with the missed pixels missed_, whose colours come from `missed`.
+  /// Sets the provenance of a frame. The colours of the pixels in missed_ have the provenance `missed`.
   void set_provenance(Provenance missed, PointImage& frame) const;
-  /// Fills frame.film and uncertainty_.
+  /// Fills frame.film with the prediction, and uncertainty_.
   void predict(const SourcePair& between, const ThreadPool& pool, PointImage& frame, InBetweenCounts& counts);
 
   ForwardParams params_;

@@ -1,8 +1,8 @@
 // Projects a moved point back to a pixel: in the same directional view, or below the same lens.
 //
-// Both are closed-form inverses of the optics. A point lands on at most one pixel. (X, Y, Z) is the moved point in display mm.
-// Symbols as in optics/lens_axis.hpp: lens l, offset o of a pixel from the centre of its lens's cell, m / g, viewing distance
-// V, and the eye e to which the cells converge.
+// Both projections are closed-form inverses of the optics. A point lands on at most one pixel. (X, Y, Z) is the moved point in
+// display mm. Symbols as in optics/lens_axis.hpp: lens l, offset o of a pixel from the centre of its lens's cell, m / g,
+// viewing distance V, and the eye e to which the cells converge.
 //
 // Same view (`SplatMode::kView`). Rays with one offset o below every lens form a parallel (V = inf) or perspective image of the
 // scene with one sample per lens: the ray through lens position l has the slope -o m/g - (l - e)/V, so the point is seen
@@ -32,13 +32,13 @@
 
 namespace lippmann {
 
-/// A landing on one axis: the pixel index, below 0 if there is none, and the point's offset from that sample's centre, in steps
-/// between samples of the same view (lenses, rows), -0.5 ... 0.5.
+/// A projected position on one axis: the pixel index, below 0 if the point is not visible, and the point's offset from the
+/// centre of that pixel's sample. The offset is -0.5 ... 0.5 steps between samples of the same view (lenses or rows).
 struct AxisLanding {
   float pixel, off;
 };
 
-/// A landing on both axes. Either index is below 0 if the point is not visible.
+/// A projected position on both axes. If the point is not visible, at least one index is below 0.
 struct PointLanding {
   float column, row, off_x, off_y;
 };
@@ -83,7 +83,7 @@ struct GridLanding {
   struct Row {
     Constants c;
     const float *place, *slope, *first, *low, *high;  ///< by column
-    GridLine line;                                    ///< the line of the row
+    GridLine line;                                    ///< the rays of the row's pixels, in y
   };
 
   Constants c;
@@ -118,7 +118,7 @@ LIPPMANN_INLINE PointLanding land(const GridLanding::Row& r, int i, float x, flo
 /// A pixel's position on a lens axis.
 struct CellPlace {
   float lens;    ///< index of the lens
-  float offset;  ///< from the centre of its cell, in pixels
+  float offset;  ///< distance from the centre of the lens's cell, in pixels
 };
 
 LIPPMANN_INLINE CellPlace place_in_cell(const LensAxis<float>& axis, float s_px) {
@@ -146,7 +146,7 @@ LIPPMANN_INLINE CellLanding land_in_view(const LensAxis<float>& axis, CellPlace 
   return {lens, from_eye > 0.0f ? from.offset : kNotSeen, t - lens};
 }
 
-/// The offset is not yet limited to the cell.
+/// Returns the offset below the lens at which a point is seen. It may lie outside the lens's cell.
 LIPPMANN_INLINE float offset_below_lens(const LensAxis<float>& axis, CellPlace from, float x, float z) {
   const float l = axis.lens0_mm + from.lens * axis.pitch_mm;
   const bool in_plane = std::abs(z) * axis.slope_per_px * axis.cell_px <= 1e-3f * axis.pitch_mm;
@@ -199,7 +199,7 @@ struct SheetLanding {
   }
 };
 
-/// Returns a point on the optics' own line, which is given at z = 0.
+/// Returns the point at depth z on a ray given by its position at z = 0 and its slopes.
 LIPPMANN_INLINE Vec3f point_on(const Crossing& line, float z) {
   return {line.x + z * line.slope_x, line.y + z * line.slope_y, z};
 }
@@ -253,7 +253,7 @@ struct HexagonLanding {
 
 /// Lens and offset (in pixels) of a position on the panel.
 struct HexagonPlace {
-  float column, row;  ///< the column counts half steps in odd rows
+  float column, row;  ///< in odd rows, columns are offset by half a step
   float offset_x, offset_y;
 };
 

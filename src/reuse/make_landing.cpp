@@ -73,7 +73,7 @@ GridLanding microlens_grid(const Panel& panel, const MicrolensConstants<double>&
   return grid;
 }
 
-/// Padding belongs to the adjacent view.
+/// Returns the grid of an image of several views. Padding pixels belong to the adjacent view.
 GridLanding views_grid(const Panel& panel, const MultiView& views) {
   const MultiViewRays c = make_multi_view(panel, views, 0.0f);
   const int tile_width = panel.width / views.columns, tile_height = panel.height / views.rows;
@@ -95,7 +95,8 @@ GridLanding views_grid(const Panel& panel, const MultiView& views) {
   for (int j = 0; j < panel.height; ++j) {
     const int row = std::max(0, j - padding) / tile_height, first = padding + row * tile_height;
     grid.set_of_row[static_cast<std::size_t>(j)] = row;
-    const float eye = c.first_eye_mm.y + static_cast<float>(views.rows - 1 - row) * c.baseline_mm;  // up; lines count down
+    const float eye =
+        c.first_eye_mm.y + static_cast<float>(views.rows - 1 - row) * c.baseline_mm;  // eyes count upwards, lines downwards
     grid.lines[static_cast<std::size_t>(j)] =
         plain_line(grid.c.down, eye * c.inverse_distance, j, first, row == 0 ? 0 : first, first + tile_height - 1);
   }
@@ -159,7 +160,7 @@ AnyLanding landing(const Panel& panel, const SlantedPanel& slanted, SplatMode mo
                          0.5f * height, blue_first ? -1.0f : 1.0f, 0.0f, 0.0f}};
 }
 
-/// Models without a landing rule.
+/// Optics models without a landing rule.
 template <class Model>
 AnyLanding landing(const Panel&, const Model&, SplatMode) {
   throw usage_error("reuse", "interpolate needs optics that can project points", "`reuse` copy, light, none or auto");

@@ -14,7 +14,7 @@ namespace {
 /// Neighbours belong to different layers if their depths differ by more than this factor times (1 mm + the depth).
 constexpr float kSameLayer = 0.1f;
 
-/// The landed point of a pixel, from the source whose point is nearer to the viewer.
+/// The visible point of a pixel; if both sources have one, the point nearer to the viewer.
 struct Seen {
   std::uint32_t pixel;
   float z;  ///< -inf for background
@@ -23,7 +23,7 @@ struct Seen {
   std::uint32_t object() const { return by->image.points.object[SplatBuffer::source(by->landed.keys[pixel])]; }
 };
 
-/// Returns nothing if neither source has a point.
+/// Returns the visible point of a pixel, or nothing if neither source has a point there.
 std::optional<Seen> seen_at(const SplatPair& pair, std::uint32_t pixel) {
   const std::uint64_t previous = pair.previous.landed.keys[pixel], following = pair.following.landed.keys[pixel];
   if ((previous | following) == 0) return std::nullopt;
@@ -37,7 +37,7 @@ struct Neighbour {
   float distance_px;
 };
 
-/// Indexed like kStepDirections.
+/// The nearest neighbours of a pixel in the directions of kStepDirections.
 using Surroundings = std::array<std::optional<Neighbour>, 4>;
 
 Surroundings look_around(const SplatPair& pair, const ViewSteps& steps, std::uint32_t pixel) {
@@ -79,7 +79,7 @@ Vec3f interpolated(const SplatPair& pair, std::uint32_t pixel, const Surrounding
     if (neighbour) farthest = std::min(farthest, neighbour->seen.z);
   if (farthest == kInfinity)
     return 0.5f * (color_at(pair.previous.image.film, pixel) + color_at(pair.following.image.film, pixel));
-  // the background (-inf) is a single layer
+  // all background (-inf) belongs to one layer
   const float layer_end = farthest == -kInfinity ? farthest : farthest + kSameLayer * (1.0f + std::abs(farthest));
   Vec3f sum(0.0f);
   float weights = 0.0f;
@@ -96,7 +96,7 @@ Vec3f interpolated(const SplatPair& pair, std::uint32_t pixel, const Surrounding
 
 MissedCauses resolve_missed(const SplatPair& pair, const Splatter& splatter, const ViewSteps& steps,
                             std::span<const std::uint32_t> missed, const ThreadPool& pool, Image* film) {
-  constexpr std::size_t kPiece = 256;  // pixels per task
+  constexpr std::size_t kPiece = 256;  // number of pixels per task
   std::vector<std::uint64_t> covered((missed.size() + kPiece - 1) / kPiece);
   pool.for_each(covered.size(), [&](std::size_t piece) {
     for (const std::uint32_t pixel : missed.subspan(piece * kPiece, std::min(kPiece, missed.size() - piece * kPiece))) {

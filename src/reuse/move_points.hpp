@@ -1,4 +1,4 @@
-// Transforms a small group of points to another moment: the inner step of projection and sampling.
+// Transforms a small group of points to another moment. This is the inner step of projection and sampling.
 #pragma once
 
 #include <cstring>
@@ -15,7 +15,7 @@ struct alignas(64) Positions {
   float x[kPointLanes], y[kPointLanes], z[kPointLanes];
 };
 
-/// -1 for points that stay exactly in place, otherwise 0.
+/// Lane masks: -1 for points that stay exactly in place, otherwise 0.
 struct alignas(64) StillLanes {
   std::int32_t lane[kPointLanes];
 };

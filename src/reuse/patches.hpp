@@ -1,8 +1,8 @@
-// Divides the panel into patches: pixels that are traced as one packet, 16 neighbours in the ray order
+// Divides the panel into patches. A patch is the 16 pixels of a packet, which are neighbours in the ray order
 // (trace/trace_packets.hpp).
 //
-// Scattered pixels cost two to three times as much per pixel as whole packets of coherent rays. Thus patches, not pixels, are
-// trusted or traced.
+// Scattered pixels cost two to three times as much per pixel as whole packets of coherent rays. For this reason a frame's
+// predictions are kept or retraced by patch, not by pixel.
 #pragma once
 
 #include <cstdint>
@@ -33,14 +33,14 @@ class Patches {
   void root_mean_squares(std::span<const std::uint8_t> of_pixels, const ThreadPool& pool,
                          std::vector<std::uint8_t>& of_patches) const;
 
-  /// Returns the estimated cost of tracing each patch, in mean patches, from the ray counts of blocks of patches in another
-  /// frame (TouchedBlocks::rays).
+  /// Returns the estimated cost of tracing each patch, relative to the mean patch. The estimate uses the ray counts of blocks
+  /// of patches in another frame (TouchedBlocks::rays).
   std::vector<float> costs(std::span<const std::uint32_t> rays_of_blocks) const;
 
  private:
-  std::size_t per_strip_ = 0;          ///< number of patches
+  std::size_t per_strip_ = 0;          ///< number of patches per strip
   std::vector<std::uint32_t> pixels_;  ///< sorted by patch
-  std::vector<std::size_t> begin_;     ///< offset of each patch in pixels_, and the end of the last one
+  std::vector<std::size_t> begin_;     ///< offset of each patch in pixels_, and the end of the last patch
 };
 
 }  // namespace lippmann

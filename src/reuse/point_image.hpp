@@ -1,7 +1,7 @@
-// The point image of a frame: point and colour of each pixel. Other frames are made from it.
+// The point image of a frame holds a point and a colour for each pixel. Other frames are made from it.
 //
-// After the paper's point image. A pixel without a point ("missed", the paper's status -1) has a colour from elsewhere, which
-// is not passed on to other frames.
+// Based on the paper's point image. A pixel without a point ("missed", the paper's status -1) has a colour, but the colour is
+// not used for other frames.
 #pragma once
 
 #include <cstdint>
@@ -32,7 +32,7 @@ struct PointImage {
   Moment moment;
   PrimaryPoints points;                  ///< at `moment`; kNoObject: background, kMissedObject: unknown
   Image film;                            ///< 3 channels, linear
-  std::vector<std::uint8_t> contrast;    ///< by pixel, bits as above; empty: not computed
+  std::vector<std::uint8_t> contrast;    ///< by pixel, the bits kRightDiffers and kLeftDiffers; empty: not computed
   std::vector<std::uint8_t> provenance;  ///< by pixel, values of Provenance; empty: all pixels were traced, or not recorded
   std::vector<std::uint32_t> rays;       ///< by block of rays traced together (TouchedBlocks::rays); empty: not counted
 };

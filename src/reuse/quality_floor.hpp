@@ -1,12 +1,11 @@
-// Traces as much of a predicted frame as its PSNR needs to stay at or above a floor.
+// Traces as much of a predicted frame as is needed to keep its PSNR at or above a floor.
 //
-//   1. The errors of patches by level of uncertainty come from a nearby frame that was predicted and completely traced
-//      (learn_floor), and from held-out patches of this frame, which are traced. Together they bound with 95 % confidence the
-//      error that each level leaves in the frame (held_out.hpp).
-//   2. The largest number of lowest levels that keeps the bound within the floor's mean squared error, and also the errors
-//      estimated from this frame's own sample, is trusted. All other patches are traced.
-//   3. If that would cost about as much as the whole frame, tracing stops: the frame is better traced completely.
-// The selection depends only on the predictions, the keys' rays, the seed and the frame's number.
+// 1. The errors of patches by level of uncertainty come from a nearby frame that was predicted and completely traced
+// (learn_floor), and from held-out patches of this frame, which are traced. Together they bound with 95 % confidence the error
+// that each level leaves in the frame (held_out.hpp). 2. As many of the lowest levels as possible are trusted: both the bound
+// and the error estimated from this frame's own sample must stay within the floor's mean squared error. All other patches are
+// traced. 3. If that would cost about as much as the whole frame, tracing stops: the frame is better traced completely. The
+// selection depends only on the predictions, the keys' rays, the seed and the frame's number.
 #pragma once
 
 #include <span>
@@ -27,16 +26,16 @@ struct FloorParams {
 /// A frame is traced completely if its untrusted patches would cost more than this, in traced frames (tracing_costs.hpp).
 inline constexpr double kMostCost = 0.9;
 
-/// A predicted frame without its film.
+/// The description of a predicted frame, without its film.
 struct Predicted {
   int number;                                 ///< number in the animation
   std::span<const std::uint8_t> uncertainty;  ///< by pixel
-  const Patches& patches;                     ///< the division of its pixels
+  const Patches& patches;                     ///< the division of its pixels into patches
   std::span<const float> costs;               ///< by patch (Patches::costs)
   Encoding encoding;                          ///< encoding of the codes whose errors are measured
 };
 
-/// The findings from a frame that was both predicted and completely traced.
+/// The errors and costs learned from a frame that was both predicted and completely traced.
 struct FloorLesson {
   Evidence evidence;
   double cost = 1.0;  ///< cost of tracing part of a similar frame, including held-out patches; in traced frames

@@ -1,8 +1,8 @@
 // Exact temporal reuse: following frames copy blocks of pixels that provably do not change.
 //
 // A block of a key frame is settled while none of its rays (to surfaces, to lights, along mirrors) hits a box around a moving
-// object: it then sees, and is lit by, the same objects, and tracing it again would give the same bits. The duration is divided
-// into horizons, numbers of frames from the key on; nearer horizons have smaller boxes.
+// object: the objects that it shows and that light it are then unchanged, and tracing it again would give the same bits. Blocks
+// are tested for several horizons, which are numbers of frames counted from the key; shorter horizons have smaller boxes.
 #pragma once
 
 #include <cstdint>
@@ -31,15 +31,15 @@ class SettledBlocks {
   /// frame. Returns 1 if reuse does not pay off.
   int choose_span(const TouchedBlocks& blocks, int key, int last_frame) const;
 
-  /// Returns, by block, 1 for blocks to trace in the frame `ahead` frames after the key, because they are not settled that
-  /// long.
+  /// Returns 1 for each block that must be traced in the frame `ahead` frames after the key, because it is not settled for that
+  /// long, and 0 for the others.
   std::vector<std::uint8_t> unsettled(const TouchedBlocks& blocks, int ahead) const;
 
  private:
   int horizon_of(int ahead) const;
 
   SweptBoxes swept_;
-  std::vector<int> horizons_;  ///< frames, including the key; ascending
+  std::vector<int> horizons_;  ///< numbers of frames, including the key; ascending
   bool fixed_;
 };
 

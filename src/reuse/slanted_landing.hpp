@@ -1,13 +1,13 @@
 // Projects a moved point to a slanted panel, where no two rows share their directions.
 //
-// The sub-pixel's ray comes from the eye at (e, h, D). From there, the point (X, Y, Z) appears in the plane z = 0 at
-//   s = (X - e Z / D) / (1 - Z / D),   y = (Y - h Z / D) / (1 - Z / D),
-// in the row that contains y. Of the sub-pixels of that row with the phase of the point's own, one below each lens, the nearest
-// to s is used: if d is the difference between the phase at s and that phase, it lies at s - (d - round(d)) lenses. Its
-// direction is the same to within half the distance between two sub-pixels, and it is at most half a lens from s. Static points
-// stay in place. Only striped sub-pixels are supported, because otherwise a sub-pixel's place does not follow from its number.
+// The sub-pixel's ray comes from the eye at (e, h, D). From there, the point (X, Y, Z) appears in the plane z = 0 at s = (X - e
+// Z / D) / (1 - Z / D),   y = (Y - h Z / D) / (1 - Z / D), in the row that contains y. That row has one sub-pixel below each
+// lens with the phase of the original sub-pixel; the one nearest to s is used. If d is the difference between the phase at s
+// and that phase, it lies at s - (d - round(d)) lenses. Its ray has the same direction to within half the distance between two
+// sub-pixels, and it is at most half a lens from s. Static points stay in place. Only striped sub-pixels are supported, because
+// otherwise a sub-pixel's place does not follow from its number.
 //
-// Symbols as in optics/slanted_panel.hpp. Like landing.hpp, inlined into loops that vectorise.
+// Symbols as in optics/slanted_panel.hpp. As in landing.hpp, the functions are inlined into loops so that these vectorise.
 #pragma once
 
 #include "optics/slanted_panel.hpp"

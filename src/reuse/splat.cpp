@@ -13,22 +13,24 @@
 namespace lippmann {
 namespace {
 
-constexpr int kSplatBlock = 64;      // pixels projected at a time
-constexpr int kRowsPerStrip = 64;    // rows of a strip of sources, and of the strip of targets that one thread writes
-constexpr float kNearEnough = 0.1f;  // steps from a sample's centre within which its colour is used unchanged
-constexpr int kLeftBit = 1;          // index of the bit kLeftDiffers
+constexpr int kSplatBlock = 64;  // number of pixels projected at a time
+constexpr int kRowsPerStrip =
+    64;  // height of a strip of source pixels, and of the strip of target pixels that one thread writes
+constexpr float kNearEnough =
+    0.1f;  // distance from a sample's centre, in steps between samples, within which the sample's colour is used unchanged
+constexpr int kLeftBit = 1;  // index of the bit kLeftDiffers
 static_assert(kRightDiffers == 1 && kLeftDiffers == 1 << kLeftBit);
 constexpr std::uint32_t kBackgroundOrder = SplatBuffer::kBackgroundOrder;
 constexpr float kBackgroundBelow = std::numeric_limits<float>::lowest();
 
-/// Landings of a block of points; -1: not visible.
+/// The target pixels of a block of points; -1: the point is not visible.
 struct Block {
   alignas(64) std::int32_t target[kSplatBlock];
   alignas(64) std::uint32_t order[kSplatBlock];   ///< the upper half of SplatBuffer's keys
-  alignas(64) std::uint32_t source[kSplatBlock];  ///< the lower half
+  alignas(64) std::uint32_t source[kSplatBlock];  ///< the lower half of SplatBuffer's keys
 };
 
-/// The points of one row, from some pixel on.
+/// The points of one row, starting at pixel `first`.
 struct RowOfPoints {
   const float* z;
   const std::uint32_t* object;
@@ -59,7 +61,8 @@ LIPPMANN_INLINE void load(const T* from, int lanes, T* to) {
   }
 }
 
-/// Projects points first ... first + lanes of a row. Local arrays of a fixed size are kept in registers.
+/// Projects `lanes` points of a row, starting at point `first`. Uses local arrays of a fixed size, which the compiler keeps in
+/// registers.
 template <class Rule>
 LIPPMANN_INLINE void project_lanes(const Rule& rule, const Limits& limits, const Motion& motion, const RowOfPoints& points,
                                    int first, int lanes, Block& block) {
@@ -108,7 +111,8 @@ LIPPMANN_INLINE void project_lanes(const Rule& rule, const Limits& limits, const
   std::memcpy(block.source + first, source, sizeof(source));
 }
 
-/// Dispatches to the landing rule. std::visit would call through a table, and the loop would miss the caller's instruction set.
+/// Calls `use` with the landing rule. std::visit would call it through a table, so the loop would not be compiled for the
+/// caller's instruction set.
 template <class Use, std::size_t... I>
 LIPPMANN_INLINE void use_landing(const AnyLanding& any, const Use& use, std::index_sequence<I...>) {
   (void)((any.index() == I && (use(*std::get_if<I>(&any)), true)) || ...);
@@ -129,7 +133,7 @@ struct Stray {
   std::uint64_t key;
 };
 
-/// The points that one strip of sources sends to other strips, and the range of their targets.
+/// The points of one source strip that land in other strips, and the range of their targets.
 struct Strays {
   std::vector<Stray> points;
   std::int32_t lowest = std::numeric_limits<std::int32_t>::max(), highest = -1;

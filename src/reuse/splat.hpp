@@ -1,6 +1,6 @@
 // Projects the points of a point image to another moment, and finds the visible point of each pixel.
 //
-// After the paper's projection of point images with a z-buffer. Of all points that land on a pixel, the one nearest to the
+// Based on the paper's projection of point images with a z-buffer. Of all points that land on a pixel, the one nearest to the
 // viewer wins (largest z in the display frame); among equals, the one with the lowest source pixel. The result thus does not
 // depend on the order of processing or on threads. Background has no position: it stays in its pixel behind everything else, as
 // if it were infinitely far away and the display did not turn.
@@ -23,9 +23,10 @@ namespace lippmann {
 
 inline constexpr std::uint32_t kNoSource = 0x7fffffffu;
 
-/// The landed point of each pixel as one number; the largest wins. The upper half is the depth (0: nothing, 1:
-/// background, otherwise z at the new moment, mapped so that larger is nearer to the viewer). The lower half is the inverted
-/// source pixel; its lowest bit tells whether the colour changes on the side of the pixel's own place (PointImage::contrast).
+/// The landed point of each pixel as one number; the largest wins. The upper half is the depth (0: nothing, 1: background,
+/// otherwise z at the new moment, mapped so that larger is nearer to the viewer). The lower half is the inverted source pixel;
+/// the lowest bit is set if the colour changes on the side of the sample on which the pixel's centre lies
+/// (PointImage::contrast).
 struct SplatBuffer {
   static constexpr std::uint32_t kBackgroundOrder = 1;
 
@@ -47,7 +48,7 @@ struct SplatParams {
   bool z_buffer = true;  ///< false: the highest source pixel wins, as if painted in order; gives wrong images, for experiments
 };
 
-/// Make one per animation. Thread-safe.
+/// Projects point images for an animation. Thread-safe; make one object per animation.
 class Splatter {
  public:
   /// `optics` must pass validate().
@@ -59,8 +60,8 @@ class Splatter {
   /// Projects `image`, which must have the panel's size. `motion` moves its points to the new moment.
   void splat(const PointImage& image, const Motion& motion, const ThreadPool& pool, SplatBuffer& buffer) const;
 
-  /// Returns the pixel where a single point lands: one of `object` at depth z behind `pixel`. Returns nothing if it is not
-  /// visible.
+  /// Returns the pixel on which a single point lands after `motion`. The point belongs to `object` and lies at depth z behind
+  /// `pixel`. Returns nothing if it is not visible.
   std::optional<std::uint32_t> landing(std::uint32_t pixel, float z, std::uint32_t object, const Motion& motion) const;
 
  private:

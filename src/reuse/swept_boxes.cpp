@@ -9,8 +9,8 @@
 namespace lippmann {
 namespace {
 
-constexpr int kPartsPerAxis = 12;               // along each axis of a large mesh; smaller ones have 4
-constexpr std::size_t kTrianglesToPart = 2000;  // minimum size of a large mesh
+constexpr int kPartsPerAxis = 12;               // number of parts along each axis of a large mesh; smaller meshes have 4
+constexpr std::size_t kTrianglesToPart = 2000;  // minimum number of triangles of a large mesh
 
 const Bounds3f kEverything{Vec3f(-kInfinity), Vec3f(kInfinity)};
 
@@ -69,7 +69,7 @@ std::vector<Bounds3f> parts_of(const Shapes& shapes) {
 /// Returns one box around all visible splats: one box each would be too many.
 std::vector<Bounds3f> parts_of(const Splats& splats) { return {whole_bounds(splats, {})}; }
 
-/// Like transform_bounds(), with the absolute values of the linear part in `reach`.
+/// Transforms a box like transform_bounds(). `reach` holds the absolute values of the linear part.
 Bounds3f around_transformed(const Affine3f& a, const Mat3f& reach, const Bounds3f& box) {
   const Vec3f center = transform_point(a, box.center()), half = reach * (0.5f * box.size());
   return {center - half, center + half};
@@ -81,7 +81,8 @@ bool contains(const Bounds3f& outer, const Bounds3f& inner) {
   return glm::all(glm::lessThanEqual(outer.lower, inner.lower)) && glm::all(glm::greaterThanEqual(outer.upper, inner.upper));
 }
 
-/// Adds the boxes of one part, which does not change during its first `rests_for` frames. box_at: returns its box at a frame.
+/// Adds the boxes of one part, which does not change during its first `rests_for` frames. `box_at` returns the part's box at a
+/// frame.
 template <class BoxAt>
 void add_boxes(std::size_t frames, std::size_t rests_for, std::span<const int> horizons, std::vector<HorizonBox>& boxes,
                const BoxAt& box_at) {
@@ -126,7 +127,7 @@ std::vector<HorizonBox> SweptBoxes::around(int first, std::span<const int> horiz
   std::vector<ResolvedScene> moments;
   std::vector<HorizonBox> boxes;
   const int last = std::min(first + horizons.back() - 1, last_frame);
-  std::size_t known = horizons.size();  // the horizons before this one have boxes
+  std::size_t known = horizons.size();  // horizons with a lower index already have boxes
   for (int frame = first; frame <= last; ++frame) {
     moments.push_back(evaluate(scene_, scene_.timeline.time(frame)));
     if (!all_changes(moments.front(), moments.back())) continue;

@@ -1,7 +1,7 @@
-// World-space boxes around everything that moves during some frames of an animation.
+// Computes world-space boxes around everything that moves during some frames of an animation.
 //
-// Meshes are bounded part by part, and each part by the box that it sweeps. The space that a turning object does not pass thus
-// stays free. Parts of deforming meshes that do not change have no box.
+// Meshes are divided into parts, and each part gets the box that it sweeps, so the boxes leave out space that a turning object
+// does not pass through. Parts of deforming meshes that do not change have no box.
 #pragma once
 
 #include <span>

@@ -1,5 +1,5 @@
-// Estimates the costs of tracing frames and of making them from others. The estimates use counts only, so they are the same on
-// every machine and in every run.
+// Estimates the costs of tracing frames and of making frames from others. The estimates use counts only, so they are the same
+// on every machine and in every run.
 //
 // The costs decide which pixels are traced and thus must not depend on a clock. The weights were measured once (one thread, 512
 // x 512 pixels, one sample each) and are accurate to about a third; only their ratios matter.
@@ -21,7 +21,7 @@ double seconds_per_ray(const Scene& scene);
 /// Seconds per pixel for projection, colours and uncertainty of a predicted frame, without any tracing.
 inline constexpr double kPredictionSecondsPerPixel = 50e-9;
 
-/// Returns the cost of a prediction, in traced frames. `rays`: of a traced frame.
+/// Returns the cost of a prediction, in traced frames. `rays` are the ray counts of a traced frame.
 double prediction_cost(const Scene& scene, const RayCounts& rays, std::uint64_t pixels);
 
 /// Returns the cost of tracing part of a frame's packets, in traced frames, given their share of its rays. Uncertain packets

@@ -52,7 +52,7 @@ LIPPMANN_MULTIVERSION void take_contrast(const Byte* here, const Byte* there, in
   for (int x = 0; x < width; ++x) largest[x] = larger(largest[x], difference(here[x], there[x]));
 }
 
-/// The terms of the formula in the header, by pixel of a row.
+/// The terms of the formula in the header, for each pixel of a row.
 struct Signals {
   std::vector<Byte> around, beside, contrast, contrast_beside;
 

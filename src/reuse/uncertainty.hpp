@@ -13,7 +13,8 @@
 //       contrast.
 // The minimum is kOneKeyUncertainty if only one key frame has a landed point, and kMissedUncertainty if neither has.
 //
-// Codes are square roots for film that is encoded as sRGB (within 10 codes of it), otherwise the values themselves.
+// Codes of film that will be encoded as sRGB are approximated by square roots, with an error of up to 10 codes. Otherwise the
+// codes are the values themselves.
 #pragma once
 
 #include <cstdint>
@@ -29,13 +30,14 @@ namespace lippmann {
 
 inline constexpr std::uint8_t kOneKeyUncertainty = 48, kMissedUncertainty = 96;
 
-/// The prediction of an in-between frame from one key frame. Pixels without its landed points have the other's colour.
+/// The prediction of an in-between frame from one key frame. Pixels on which none of its points land have the colour of the
+/// other prediction.
 struct Prediction {
   const Image& colors;
   const SplatBuffer& landed;
 };
 
-/// Reuses its memory from frame to frame. Use by one caller at a time.
+/// Estimates uncertainty and reuses memory from frame to frame. Not thread-safe.
 class UncertaintyEstimator {
  public:
   /// `optics` must pass validate(). Distances between neighbours of a view are rounded to whole pixels.
