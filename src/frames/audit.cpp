@@ -30,7 +30,7 @@ constexpr std::uint32_t kPlacesSalt = 0x61756469u, kFirstSalt = 0x61756431u, kSe
 
 using Color = std::array<double, 3>;
 
-/// Divides the pixels into runs of equal length and picks one at random from each. The result is in ascending order.
+/// Divides the pixels into runs of equal length and picks one pixel at random from each run. The result is in ascending order.
 std::vector<std::uint32_t> held_out_pixels(std::size_t pixels, std::uint32_t seed) {
   const std::size_t count = std::min(pixels, std::max(kLeastHeldOut, pixels / kPixelsPerHeldOut));
   std::vector<std::uint32_t> chosen;

@@ -8,8 +8,8 @@
 
 namespace lippmann {
 
-/// Returns a maker whose frames have the same bits as frames rendered in the same number of strips. film: size of a whole
-/// frame. wanted: its layers. `context` must outlive the maker.
+/// Returns a maker whose frames have the same bits as frames rendered in the same number of strips. `film` is the size of a
+/// whole frame, `wanted` its layers. `context` must outlive the maker.
 std::unique_ptr<FrameMaker> make_banded_frames(StripMaker bands, Vec2i film, const FrameAovs& wanted, const Context& context);
 
 }  // namespace lippmann

@@ -18,8 +18,8 @@ namespace {
 
 /// Number of intervals per segment. One interval decides for the whole segment whether prediction pays off.
 constexpr int kSegmentIntervals = 8;
-/// If a prediction costs more than this share of a traced frame, it is not tried: tracing the uncertain part would cost the
-/// rest.
+/// If a prediction costs more than this share of a traced frame, it is not tried, because tracing the uncertain pixels would
+/// use up the rest.
 constexpr double kMostPredictionCost = 1.0 / 3.0;
 /// Minimum saving of a whole interval, including its key, for predicting frames. Costs are accurate to about a third.
 constexpr double kLeastIntervalSaving = 0.05;
@@ -32,7 +32,7 @@ void add_spent(const FrameReport& spent, FrameReport& report) {
   add(spent.rays, report.rays);
 }
 
-/// Returns the position of a frame between the first and the last, 0 ... 1.
+/// Returns the position of a frame within an interval: 0 for the interval's first frame, 1 for its last.
 float position(int frame, const FrameInterval& interval) {
   return static_cast<float>(frame - interval.first) / static_cast<float>(interval.last - interval.first);
 }
@@ -50,10 +50,10 @@ class ErrorBoundedFrames final : public FrameMaker {
  private:
   struct Segment {
     int length = 0;     ///< frames between keys; 0: all frames are traced
-    Evidence evidence;  ///< errors by uncertainty in the segment
+    Evidence evidence;  ///< measured errors of the segment's predictions, by uncertainty
   };
 
-  /// Renders a frame and its sources into films_ or keys_.
+  /// Renders a frame and its sources, and stores the results in films_ or keys_.
   void render(int frame);
   void render_between(int frame, const FrameInterval& interval, const Evidence& learned);
   /// Returns the segment of a frame, after trying it out on first use.
@@ -63,7 +63,7 @@ class ErrorBoundedFrames final : public FrameMaker {
   FloorLesson learn(const FrameInterval& interval);
   /// Returns whether predicting the middle frame of an interval, which is made first, paid off.
   bool middle_holds(const FrameInterval& interval, const Evidence& learned);
-  /// Returns false if the frame had to be traced.
+  /// Predicts a frame, or traces it if prediction does not pay off. Returns false if the frame was traced.
   bool predict_or_trace(int frame, const FrameInterval& interval, const Evidence& learned);
   void trace(int frame, const FrameReport& spent = {});
   const PointImage& key(int frame);
@@ -111,7 +111,7 @@ void ErrorBoundedFrames::render(int frame) {
 void ErrorBoundedFrames::render_between(int frame, const FrameInterval& interval, const Evidence& learned) {
   forget_before(interval.first);
   const bool holds = middle_holds(interval, learned);
-  if (parts_.context.cancelled || films_.contains(frame)) return;  // it is the middle frame
+  if (parts_.context.cancelled || films_.contains(frame)) return;  // the middle frame has been made already
   if (holds)
     predict_or_trace(frame, interval, learned);
   else
@@ -157,7 +157,7 @@ FloorLesson ErrorBoundedFrames::learn(const FrameInterval& interval) {
 
 bool ErrorBoundedFrames::middle_holds(const FrameInterval& interval, const Evidence& learned) {
   const int middle = middle_frame(interval);
-  if (keys_.contains(middle)) return true;  // a key since learn()
+  if (keys_.contains(middle)) return true;  // learn() has made the middle frame a key
   if (const auto known = middle_holds_.find(middle); known != middle_holds_.end()) return known->second;
   const bool holds = predict_or_trace(middle, interval, learned);
   return middle_holds_[middle] = holds;
@@ -246,8 +246,8 @@ std::unique_ptr<FrameMaker> make_error_bounded_frames(const MakerParts& parts, c
 double error_bounded_frames_bytes_per_pixel() {
   constexpr double kFilm = 3 * sizeof(float), kPoint = sizeof(float) + sizeof(std::uint32_t), kContrast = 1;
   const int halvings = halving_depth(kDefaultKeyframes);
-  const int images = 1 + halvings, films = halvings - 1;  // rarely all at once
-  // landed points, predictions from either key, and planes
+  const int images = 1 + halvings, films = halvings - 1;  // upper bounds; these images rarely all exist at the same time
+  // projected points and predictions of both keys, and the planes of the uncertainty estimate
   constexpr double kUncertainty = 2 * sizeof(std::uint64_t) + 2 * kFilm + 5;
   return images * (kFilm + kPoint + kContrast) + films * kFilm + kUncertainty;
 }

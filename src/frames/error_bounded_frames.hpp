@@ -8,8 +8,8 @@
 // are tried, unless a length was requested. If nothing pays off, all frames of the segment are traced at no further cost. In
 // each interval the middle frame is made first; if it has to be traced completely, so are the others.
 //
-// The trials and their results depend on the whole animation only, so each part of an animation has the same bytes as in the
-// whole.
+// The trials and their results depend on the whole animation only, so a part of an animation that is rendered alone has the
+// same bytes as in the whole.
 #pragma once
 
 #include <memory>

@@ -25,7 +25,7 @@ class ExactFrames final : public FrameMaker {
  private:
   RenderedFrame key(int frame);
   RenderedFrame from_key(int frame);
-  /// Fills the provenance layer, if wanted: pixels of settled blocks were copied.
+  /// Fills the provenance layer, if wanted. Marks the pixels of settled blocks as copied.
   void mark_copied(const Shot& shot, std::span<const std::uint8_t> unsettled, FrameAovs& aovs) const;
   void judge(const FrameReport& in_between);
 
@@ -35,8 +35,8 @@ class ExactFrames final : public FrameMaker {
   SettledBlocks settled_;
 
   int key_ = 0, span_ = 0;  ///< the key is used for frames key_ ... key_ + span_ - 1
-  Image film_;              ///< of the key
-  TouchedBlocks blocks_;    ///< of the key
+  Image film_;              ///< of the key frame
+  TouchedBlocks blocks_;    ///< of the key frame
 
   // Timings decide how long reuse continues. They do not affect the images.
   double full_seconds_ = 0.0, key_seconds_ = 0.0;  ///< CPU time of the last full frame and key; 0: not yet measured

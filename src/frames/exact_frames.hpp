@@ -1,5 +1,5 @@
-// Exact reuse: key frames are traced completely; of other frames, only the blocks that may differ from the key. The bits are
-// the same as if every frame were traced, whichever frames are keys.
+// Exact reuse traces key frames completely. In other frames, it traces only the blocks that may differ from the key and copies
+// the rest. The bits are the same as if every frame were traced, whichever frames are keys.
 #pragma once
 
 #include <memory>

@@ -149,7 +149,7 @@ std::unique_ptr<FrameMaker> make_forward_frames(const MakerParts& parts, const I
 
 double forward_frames_bytes_per_pixel(const Interpolate& reuse) {
   constexpr double kFilm = 3 * sizeof(float), kPoint = sizeof(float) + sizeof(std::uint32_t), kContrast = 1, kSpareFilms = 2;
-  // Two keys, one made frame per halving, the keys of two splats, and reusable films.
+  // The memory holds two key frames, one made frame per halving, the SplatBuffer keys of both sources, and reusable films.
   const int images = 2 + (reuse.halving ? halving_depth(key_frame_interval(reuse)) : 0);
   return images * (kFilm + kPoint + kContrast) + 2 * sizeof(std::uint64_t) + kSpareFilms * kFilm;
 }

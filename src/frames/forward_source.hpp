@@ -11,7 +11,7 @@ struct ForwardSource {
   FrameReport report;
 };
 
-/// Returns the parameters for frames between key frames.
+/// Returns the parameters for making frames between key frames.
 ForwardParams forward_params(const Sampling& sampling, const Interpolate& reuse);
 
 /// Returns the number of frames between key frames, or its default if it is chosen automatically.
@@ -20,7 +20,7 @@ inline int key_frame_interval(const Interpolate& reuse) { return reuse.keyframes
 /// Traces a key frame with its points and prepares it for `maker`. The result is incomplete if the context is cancelled.
 ForwardSource trace_source(const MakerParts& parts, const Interpolate& reuse, int frame, const InBetweenMaker& maker);
 
-/// Returns the report of a frame made from others, without times.
+/// Returns the report, without times, of a frame that was made from other frames.
 FrameReport in_between_report(int frame, const InBetweenCounts& counts, const RayCounts& rays, Vec2i film);
 
 }  // namespace lippmann

@@ -63,7 +63,7 @@ struct ExposureTime {
   SampleShare share;
 };
 
-/// Returns times spread evenly over the open time of the shutter, with the pixel's samples in order.
+/// Returns times spread evenly over the open time of the shutter, each with its share of the samples of every pixel.
 std::vector<ExposureTime> exposure_times(const Sampling& sampling, const Timeline& timeline, int frame);
 
 /// Returns the layers that a frame needs.
@@ -83,8 +83,8 @@ TraceParams trace_params(const Sampling& sampling, const Stage& stage);
 void add_first_hits(const Stage& stage, const Sampling& sampling, const Moment& moment, int frame, const ThreadPool& pool,
                     FrameAovs& aovs);
 
-/// Moves the device scene to the frame's time and traces the frame. `touched` as for trace_frame(). The result is incomplete if
-/// context.cancelled is set meanwhile.
+/// Moves the device scene to the frame's time and traces the frame. `touched` has the meaning of TraceTargets::touched. The
+/// result is incomplete if context.cancelled is set meanwhile.
 RenderedFrame render_frame(Stage& stage, const Sampling& sampling, int frame, const ThreadPool& pool, const Context& context,
                            TouchedBlocks* touched = nullptr);
 

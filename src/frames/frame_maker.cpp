@@ -78,7 +78,7 @@ struct SegmentLength {
 std::unique_ptr<FrameMaker> make_frame_maker(Stage& stage, const FrameParams& params, const ThreadPool& pool,
                                              const Context& context) {
   MakerParts parts{stage, params.sampling, pool, context};
-  // a moved point belongs to a single eye
+  // a reprojected point belongs to a single eye position, so views are not filtered
   if (std::holds_alternative<Interpolate>(params.reuse)) parts.sampling.angular_filter = AngularFilter::kNone;
   return std::visit(MakerOf{parts}, resolved_reuse(params));
 }

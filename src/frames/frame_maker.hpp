@@ -1,4 +1,4 @@
-// Makes the frames of an animation in order, with a kind of reuse.
+// Makes the frames of an animation in order. Each kind of reuse (Reuse) has its own maker.
 #pragma once
 
 #include <map>
@@ -40,8 +40,8 @@ std::unique_ptr<FrameMaker> make_frame_maker(Stage& stage, const FrameParams& pa
 /// Returns the working memory for `frames` frames, in bytes per pixel, in addition to the film and layers of the current frame.
 double working_bytes_per_pixel(const FrameParams& params, int frames);
 
-/// Returns the segment length: an animation is best divided before frames whose number is a multiple of it. Frames from there
-/// on need no earlier frames, or only one key frame, which is traced on both sides of the cut. The cut does not change any
+/// Returns the segment length. An animation is best divided before frames whose number is a multiple of this length. Frames
+/// behind such a cut need no earlier frames, or only one key frame, which is then traced in both parts. Cuts do not change any
 /// image.
 int frames_per_segment(const FrameParams& params);
 

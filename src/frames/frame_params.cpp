@@ -11,20 +11,20 @@
 namespace lippmann {
 namespace {
 
-/// Larger apertures would overflow squared lengths.
+/// Maximum aperture. The squared lengths of larger apertures would overflow.
 constexpr float kMostApertureMm = 1e6f;
 
 bool has_layer(const Sampling& sampling, Aov layer) {
   return std::find(sampling.aov.begin(), sampling.aov.end(), layer) != sampling.aov.end();
 }
 
-/// Returns whether there are layers besides provenance. Such layers need every pixel to be traced; frame makers report
-/// provenance.
+/// Returns whether any layer besides provenance is wanted. Such layers need every pixel to be traced, while frame makers fill
+/// provenance themselves.
 bool has_layers_of_every_pixel(const Sampling& sampling) {
   return std::any_of(sampling.aov.begin(), sampling.aov.end(), [](Aov layer) { return layer != Aov::kProvenance; });
 }
 
-/// Returns whether there are layers that only path tracing produces.
+/// Returns whether any wanted layer is one that only path tracing produces.
 bool has_layers_of_paths(const Sampling& sampling) {
   return has_layer(sampling, Aov::kDirect) || has_layer(sampling, Aov::kIndirect);
 }
@@ -121,7 +121,7 @@ void check_sampling(const Sampling& sampling) {
     throw usage_error("aov", "the layers direct and indirect need path tracing", "`integrator` path with them");
 }
 
-/// Checks an open lens.
+/// Checks the parameters of a lens with an open aperture.
 void check_lens(const Sampling& sampling, const Optics& optics) {
   const char* const field = name_of_opening(sampling.lens);
   if (!can_have_view_lens(optics))
@@ -153,7 +153,7 @@ const char* name_of(const Reuse& reuse) {
 }
 
 Sampling completed(Sampling sampling, SceneKind scene, bool interpolates) {
-  constexpr int kSplatSamples = 4;  // more samples are the only antialiasing of splats smaller than a pixel
+  constexpr int kSplatSamples = 4;  // splats smaller than a pixel are antialiased only by more samples
   if (sampling.integrator) return sampling;
   if (scene == SceneKind::kSplats && sampling.spp == 0) sampling.spp = kSplatSamples;
   const bool paths = scene == SceneKind::kPhysical && !interpolates;

@@ -8,7 +8,7 @@
 
 namespace lippmann {
 
-/// Shares of 128 x 128 rays from the viewer through the display's frame, by what they hit.
+/// Results of tracing 128 x 128 rays from the viewer through the display's frame, as shares of these rays.
 struct SeenShare {
   double anything = 0.0;   ///< rays that hit a surface that is not fully transparent
   double subject = 0.0;    ///< rays that hit the subject of the view (FittedArray::is_subject)
@@ -18,7 +18,8 @@ struct SeenShare {
 /// Computes the shares for a frame. Moves the stage's device scene to the frame's time.
 SeenShare look_at_frame(Stage& stage, int frame, const ThreadPool& pool);
 
-/// Returns a warning with the reason as one sentence, or an empty string if the film shows something. film: of the whole frame.
+/// Returns a warning with the reason as one sentence, or an empty string if the film shows something. `film` is that of the
+/// whole frame.
 std::string doubt_about_picture(const Stage& stage, int frame, const SeenShare& seen, const Image& film);
 
 }  // namespace lippmann

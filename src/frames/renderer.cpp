@@ -16,7 +16,7 @@
 namespace lippmann {
 namespace {
 
-/// Checks a placement: one made for another scene may refer to a node that does not exist.
+/// Checks a placement, because one made for another scene may refer to a node that does not exist.
 void check(const Placement& placement, const Scene& scene) {
   const FittedArray& array = placement.array;
   const int nodes = static_cast<int>(scene.nodes.size());
@@ -49,7 +49,7 @@ Scene checked(Scene scene) {
   return scene;
 }
 
-/// Moves the settings; a Context as a whole does not move, because its flag is atomic.
+/// Moves the settings of a Context into a new one. A Context as a whole cannot be moved, because its flag is atomic.
 std::shared_ptr<const Context> moved(Context&& context) {
   const auto kept = std::make_shared<Context>();
   kept->threads = context.threads;

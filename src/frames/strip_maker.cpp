@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* kStrips = "strips";
 
-/// Replaces copying by tracing, which gives the same bits: a strip has no key frames to copy from.
+/// Replaces copying by tracing, because a strip has no key frames to copy from. Both give the same bits.
 FrameParams made_alone(FrameParams params) {
   params.reuse = resolved_reuse(params);
   if (std::holds_alternative<CopySettled>(params.reuse)) params.reuse = TraceAll{};
@@ -24,7 +24,7 @@ FrameParams made_alone(FrameParams params) {
 }
 
 /// Combines the error intervals of independent strips into that of the frame, in the form of error_interval() in
-/// frames/audit.hpp. The width, log(high / mean) times the mean, is proportional to the standard error.
+/// frames/audit.hpp. The width of an interval, log(high / mean) times the mean, is proportional to the standard error.
 void combine_estimates(const std::vector<FrameReport>& strips, const std::vector<int>& rows, FrameReport& frame) {
   const double all_rows = std::accumulate(rows.begin(), rows.end(), 0.0);
   double mean = 0.0, squared_width = 0.0;

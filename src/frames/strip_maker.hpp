@@ -18,7 +18,7 @@ class StripMaker {
 
   int strips() const { return strips_; }
 
-  /// The film rows of a strip. Strips are numbered from 0 at the top.
+  /// Returns the film rows of a strip. Strips are numbered from 0 at the top.
   FilmRows rows_of(int strip) const;
 
   /// Renders the film and layers of one strip. Strips may be made in any order. The result is incomplete if the context is
@@ -33,7 +33,7 @@ class StripMaker {
   const Context& context_;
 };
 
-/// Maximum number of strips of a frame. Rays are traced together in bands of rows, which cannot be divided.
+/// Returns the maximum number of strips of a frame. Bands of rows whose rays are traced together cannot be divided.
 int most_strips(const Optics& optics);
 
 /// Throws a usage Error if frames cannot be rendered in `strips` strips: if there are too few rows, or if a strip needs the

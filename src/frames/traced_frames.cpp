@@ -36,7 +36,7 @@ class TracedFrames final : public FrameMaker {
   void keep_rows(FilmRows rows, FramePictures& pictures) const;
 
   MakerParts parts_;
-  FilmRows traced_rows_;              ///< the stage's rows, and those around them that the denoiser reads
+  FilmRows traced_rows_;              ///< the stage's rows, and the rows above and below them that the denoiser reads
   std::optional<Denoiser> denoiser_;  ///< empty: frames are not denoised
 };
 

@@ -7,14 +7,14 @@
 
 namespace lippmann {
 
-/// Number of film rows above and below a row that affect its pixels: 0 without denoising, and the film's height for a denoised
-/// quilt with several rows of tiles.
+/// Returns the number of film rows above and below a row that affect its pixels. It is 0 without denoising, and the film's
+/// height for a denoised quilt with several rows of tiles.
 int rows_around(const Sampling& sampling, const Optics& optics);
 
 /// Makes frames by tracing all of their pixels.
 std::unique_ptr<FrameMaker> make_traced_frames(const MakerParts& parts);
 
-/// Working memory per pixel in addition to the film and the layers, in bytes.
+/// Returns the working memory in bytes per pixel, in addition to the film and the layers.
 double traced_frames_bytes_per_pixel(const Sampling& sampling);
 
 }  // namespace lippmann
