@@ -40,10 +40,10 @@ void require_regular_files(const fs::path& folder) {
   for (const char* name : {"job.toml", kReport}) is_regular_file_there(folder / name);
 }
 
-/// The contents of a folder in relation to a job.
+/// The contents of a folder, compared with a job.
 struct Contents {
-  std::optional<FolderJournal> journal;  ///< of any job
-  bool is_this_job = false;              ///< the journal is of this job and undamaged
+  std::optional<FolderJournal> journal;  ///< the folder's journal, of whichever job
+  bool is_this_job = false;              ///< whether the journal belongs to this job and is undamaged
   std::vector<std::string> foreign;      ///< foreign files, except leftovers of an interrupted run of this job
 };
 
@@ -76,7 +76,7 @@ bool is_free(const fs::path& folder, const std::string& job) {
   return is_free(contents_of(folder, job)) && !has_other_run(folder, job);
 }
 
-/// Returns e.g. "frame_0000.png and 3 more".
+/// Returns names for a message, e.g. "frame_0000.png and 3 more".
 std::string some_of(const std::vector<std::string>& names) {
   return names.size() == 1 ? names.front() : fmt::format("{} and {} more", names.front(), names.size() - 1);
 }
@@ -94,7 +94,8 @@ std::optional<JournalVideo> find_video(const FolderJournal& journal, const std::
   return found == journal.videos.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// Returns the record of the job's video. A render also records the videos of its single view, in case that folder is removed.
+/// Returns the record of the job's video. A render also records the videos of its single view, because that view's folder may
+/// be removed.
 std::optional<JournalVideo> recorded_video(const fs::path& folder, const Contents& contents, const std::string& video) {
   if (contents.is_this_job)
     if (auto own = find_video(*contents.journal, video_name(folder, video))) return own;
@@ -119,7 +120,7 @@ void require_free_video(const fs::path& folder, const Contents& contents, const 
 }
 
 /// Removes the file of a picture or view, and the folder of views once it is empty. Objects of other types are kept. Returns
-/// whether the name is free afterwards. Throws Error if the file cannot be removed.
+/// whether no object of that name is left. Throws Error if the file cannot be removed.
 bool remove_file(const fs::path& folder, const std::string& name) {
   std::error_code ignored;
   const fs::path file = folder / name, parent = fs::path(name).parent_path();
@@ -130,7 +131,7 @@ bool remove_file(const fs::path& folder, const std::string& name) {
   return true;
 }
 
-/// Removes the files of a journal, except videos, job files and reports that were changed since.
+/// Removes the files in a journal. Keeps videos, job files and reports that have changed since the journal recorded them.
 void remove_files_of(const fs::path& folder, const FolderJournal& journal) {
   for (const auto& [frame, record] : journal.frames)
     for (const auto& [name, sum] : record.files) remove_file(folder, name);
@@ -178,11 +179,11 @@ void remove_parts(const fs::path& folder, const std::vector<fs::path>& parts, co
   for (const fs::path& part : parts)
     if (part != own) remove_if_there(part);
   std::error_code ignored;
-  fs::remove(journal_folder(folder), ignored);  // fails if other files remain
+  fs::remove(journal_folder(folder), ignored);  // fails, as intended, if other files remain
   for (const fs::path& emptied : {journal_folder(folder), folder}) sync_if_there(emptied);
 }
 
-/// Removes the single view's render, unless its folder is a symbolic link.
+/// Removes the render of the single view, unless its folder is a symbolic link.
 void remove_single(const fs::path& folder) {
   std::error_code ignored;
   if (fs::is_symlink(folder, ignored)) return;

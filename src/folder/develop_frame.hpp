@@ -13,15 +13,15 @@ namespace lippmann {
 
 struct Development {
   const FrameLayout& layout;
-  const Optics& optics;  ///< the film's
+  const Optics& optics;  ///< optics of the film
   Tone tone = {};
   Encoding encoding = Encoding::kSrgb;           ///< encoding of the scene's values
   std::optional<double> crosstalk_to_undo = {};  ///< a sigma in the optics' pixels or views (optics/crosstalk.hpp)
-  bool keeps_light = false;                      ///< keeps linear light without tone, premultiplied by alpha
+  bool keeps_light = false;                      ///< keeps linear light, without tone mapping, premultiplied by alpha
 };
 
-/// Develops the film and the layers in place, without making codes. Returns the film's buffer if the picture has a new one,
-/// else an empty image.
+/// Develops the film and the layers in place, but does not convert them to codes. If the picture needs a new buffer, returns
+/// the film's old buffer; otherwise returns an empty image.
 Image develop_frame(const Development& development, RenderedFrame& rendered);
 
 }  // namespace lippmann

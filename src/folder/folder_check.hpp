@@ -16,9 +16,9 @@ std::vector<std::string> foreign_files(const std::filesystem::path& folder, cons
 
 /// The finished parts of a folder according to its journal, and the differences found.
 struct FolderCheck {
-  int frames = 0;               ///< finished frames
-  std::size_t files = 0;        ///< files of these frames and of strips of others, job.toml, report.json, videos and
-                                ///< files in the companion folders
+  int frames = 0;         ///< finished frames
+  std::size_t files = 0;  ///< files of finished frames and of strips of unfinished frames, job.toml, report.json, videos and
+                          ///< files in the companion folders
   std::vector<int> unfinished;  ///< requested frames that have not been rendered
   /// The missing strips of partly rendered frames, from 0 at the top.
   std::map<int, std::vector<int>> strips_left;

@@ -105,7 +105,7 @@ void make_frame_folder(const fs::path& folder) {
   remove_stale_temporaries(folder);
 }
 
-/// Converts to 8-bit or 16-bit codes.
+/// Converts an image to 8-bit or 16-bit codes.
 Picture codes_of(const FrameFiles& files, const Image& stack) {
   if (files.format == PictureFormat::kPng16) return to_codes16(stack, files.encoding);
   return to_codes(stack, files.encoding);

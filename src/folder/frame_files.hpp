@@ -14,7 +14,7 @@
 
 namespace lippmann {
 
-/// Data of frames that are the views of one data set, one camera per frame.
+/// Data for a render whose frames are the views of one data set, with one camera per frame.
 struct OneSet {
   int count = 1;              ///< number of frames
   double units_per_mm = 1.0;  ///< world units per millimetre of the display frame
@@ -33,16 +33,16 @@ struct FrameFiles {
   std::optional<OneSet> one_set = {};    ///< nullopt: every frame is a separate light field
 };
 
-/// "png", "tif" or "exr".
+/// Returns the file name extension "png", "tif" or "exr".
 const char* ending_of(PictureFormat format);
 
-/// Writes the files of a frame, each atomically. If names.views > 0, the views are stacked vertically in `pictures`. Extra
-/// layers go into EXR pictures, else into a separate file (layers_path). Returns the files written. Throws Error naming the
-/// file.
+/// Writes the files of a frame, each of them atomically. If names.views > 0, the views are stacked vertically in `pictures`.
+/// Extra layers go into EXR pictures, else into a separate file (layers_path). Returns the files written. Throws Error naming
+/// the file.
 std::vector<std::filesystem::path> write_frame_files(const FrameFiles& files, int frame, const FramePictures& pictures);
 
-/// Writes the views of a film in a light-field format: a folder or a picture. `pictures` holds codes (linear values for EXR),
-/// and depth if the format uses it (Aov::kDepth).
+/// Writes the views of a film in a light-field format, as a folder or as one picture. `pictures` holds codes (linear values for
+/// EXR), and depth if the format uses it (Aov::kDepth).
 std::vector<std::filesystem::path> write_light_field_files(const FrameFiles& files, int frame, const LightFieldFormat& format,
                                                            const Optics& optics, const FramePictures& pictures);
 

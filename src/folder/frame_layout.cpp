@@ -42,7 +42,7 @@ double display_aspect(const Optics& optics) {
   return static_cast<double>(window.x) / window.y;
 }
 
-/// Returns the default layout. Quilts made for displays count as quilts.
+/// Returns the default layout. If views in tiles are made for a display, this is a quilt.
 PictureLayout default_layout(const Optics& optics, const Display* display) {
   const bool is_quilt = display && view_tiles(optics);
   return is_quilt ? PictureLayout::kQuilt : PictureLayout::kIntegral;
@@ -64,7 +64,7 @@ std::optional<PictureLayout> layout_named(const std::string& format) {
   return std::nullopt;
 }
 
-/// Replaces `to` by the layout of that name, if any.
+/// If `to` is the name of a layout, selects that layout.
 PictureParams with_layout(PictureParams params) {
   if (params.layout == PictureLayout::kRgbd && params.to.empty()) params.to = "rgbd";
   if (params.to.empty()) return params;
@@ -172,7 +172,8 @@ void FrameLayout::arrange_views(const PictureParams& params, PictureLayout layou
   if (!same_places(film, wanted)) arrangement_.emplace(film, wanted, film_, "layout");
 }
 
-/// Places the film's two views side by side in the picture, squeezed to its non-square pixels.
+/// Arranges the film's two views in the stereo picture. For packings that squeeze the views, the film's views are rendered
+/// squeezed.
 void FrameLayout::pair_views(const StereoLayout& layout, const Optics& optics) {
   const ViewLayout film = film_layout(optics, "layout");
   if (film.kind != LayoutKind::kQuilt || film.grid != ViewGrid{2, 1})
@@ -216,7 +217,8 @@ Image FrameLayout::arrange(const Image& film) const {
 void FrameLayout::arrange(FrameAovs& aovs) const {
   for (std::size_t i = 0; i < kAovs; ++i) {
     if (!aovs.wanted[i]) continue;
-    const bool whole_pixels = sub_pixels_ && !is_light(static_cast<Aov>(i));  // layers of light have the colours of sub-pixels
+    const bool whole_pixels =
+        sub_pixels_ && !is_light(static_cast<Aov>(i));  // layers of light have separate colours for sub-pixels
     aovs.images[i] = whole_pixels ? middle_sub_pixels(aovs.images[i]) : arrange(aovs.images[i]);
   }
   if (mirrors_ && aovs.wants(Aov::kMotion))

@@ -1,5 +1,5 @@
-// The layout of each frame's picture: the film's native layout, its views rearranged into another layout, or one of the
-// light-field formats that convert writes.
+// Selects and applies the layout of each frame's picture. This is the native layout of the film, another layout of its views,
+// or one of the light-field formats that `lippmann convert` writes.
 #pragma once
 
 #include <cstdint>
@@ -21,8 +21,8 @@ namespace lippmann {
 
 class FrameLayout {
  public:
-  /// `display` is the display of the optics, or null. Throws a usage Error if the optics have no views of whole pixels to
-  /// rearrange, or do not fit the tiles.
+  /// `display` is the display of the optics, or null. Throws a usage Error if views must be rearranged and the optics have none
+  /// of whole pixels, or if the optics do not fit the tiles.
   FrameLayout(const PictureParams& params, const Optics& optics, const Display* display = nullptr);
 
   const FrameNames& names() const { return names_; }
@@ -39,28 +39,29 @@ class FrameLayout {
   /// Returns whether each frame is one view with its depth beside it.
   bool is_rgbd() const { return is_rgbd_; }
 
-  /// Returns the number of pictures of picture_size() per frame.
+  /// Returns the number of pictures per frame; each has picture_size().
   int pictures_per_frame() const { return pictures_per_frame_; }
 
   /// Returns the path of a video of these pictures. Quilt, stereo and RGB-D videos get a suffix.
   std::filesystem::path video_path(const std::filesystem::path& requested) const;
 
-  /// Returns the tiles and the display's aspect, for quilts.
+  /// For quilts, returns the tiles and the display's aspect.
   const std::optional<QuiltName>& quilt() const { return quilt_; }
 
-  /// Returns the arrangement of the two views, for stereo pictures.
+  /// For stereo pictures, returns the arrangement of the two views.
   const std::optional<StereoLayout>& stereo() const { return stereo_; }
 
-  /// Returns whether the film's pixels are moved.
+  /// Returns whether the picture has the film's pixels at other positions.
   bool moves() const { return stereo_ || arrangement_ || sub_pixels_ || mirrors_; }
 
-  /// Returns whether the panel shows the arranged picture, whose pixels are joined from sub-pixels, and not the film.
+  /// Returns whether the panel shows the arranged picture instead of the film. The picture's pixels are then joined from
+  /// sub-pixels.
   bool joins_sub_pixels() const { return sub_pixels_; }
 
   /// Returns the display's resolution, or 0 without a display.
   double pixels_per_mm() const { return pixels_per_mm_; }
 
-  /// Returns the size of a view, or of the whole picture if nothing is moved.
+  /// Returns the size of a view, or of the whole picture if the film's pixels are not moved.
   Vec2i picture_size() const;
 
   /// Throws a usage Error if pictures or extra layers exceed the limits of their file format.
@@ -69,7 +70,7 @@ class FrameLayout {
   /// Rearranges a film, or a layer of the same size. Views are stacked vertically if names().views > 0.
   Image arrange(const Image& film) const;
 
-  /// Arranges all layers present.
+  /// Arranges all layers that are present.
   void arrange(FrameAovs& aovs) const;
 
  private:

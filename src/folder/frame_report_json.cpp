@@ -67,7 +67,8 @@ std::optional<FrameReport> frame_report_from_json(const Json& json) try {
   if (!is_count(json.at("frame"), std::numeric_limits<int>::max())) return std::nullopt;
   json.at("frame").get_to(frame.frame);
   json.at("kind").get_to(frame.kind);
-  if (frame.kind == "shared") frame.kind = "full";  // of earlier versions: path-traced, with soft light from a cache
+  if (frame.kind == "shared")
+    frame.kind = "full";  // earlier versions wrote "shared" for path-traced frames with soft light from a cache
   json.at("seconds").get_to(frame.seconds);
   json.at("cpu_seconds").get_to(frame.cpu_seconds);
   const Json& rays = json.at("rays");

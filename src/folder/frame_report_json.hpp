@@ -12,7 +12,7 @@ nlohmann::ordered_json to_json(const RayCounts& rays);
 nlohmann::ordered_json to_json(const std::optional<Precompensation>& done);
 nlohmann::ordered_json to_json(const FrameReport& frame);
 
-/// Reads a report, also of earlier versions; nullopt if a value is missing or of the wrong type.
+/// Reads a report, also one of an earlier version. Returns nullopt if a value is missing or of the wrong type.
 std::optional<FrameReport> frame_report_from_json(const nlohmann::ordered_json& json);
 
 }  // namespace lippmann

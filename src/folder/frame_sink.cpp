@@ -22,7 +22,8 @@ namespace {
 /// Returns the number of writing threads. Writing costs less than tracing, so half as many threads suffice.
 int writing_threads(int rendering_threads) { return std::clamp(rendering_threads / 2, 1, 8); }
 
-/// Returns the capacity of the queue: one more frame than threads, so that no thread waits for the next frame.
+/// Returns the capacity of the queue. It is one more than the number of writing threads, so that no thread has to wait for its
+/// next frame.
 int queue_capacity(int rendering_threads) { return writing_threads(rendering_threads) + 1; }
 
 /// Adds the wall time of its lifetime to a sum of nanoseconds.
@@ -56,12 +57,12 @@ struct FrameSink::Impl {
   const FrameFiles files;
   std::vector<std::unique_ptr<VideoWriter>> videos;
   std::map<int, Precompensation> precompensated;
-  int first_frame = -1;  ///< of the videos; -1: there is none yet
+  int first_frame = -1;  ///< first frame of the videos; -1: no frame has been added
   std::atomic<std::int64_t> write_nanoseconds{0};
   BackgroundQueue queue;  ///< declared last, as its threads use the members above
 
-  /// Writes a frame and returns its records. Computes checksums here, in parallel with rendering, while the bytes are in
-  /// memory.
+  /// Writes a frame and returns its records. Computes the checksums at once, because the bytes are still in memory and
+  /// rendering continues in parallel.
   FileRecords write(RenderedFrame& rendered) {
     const TimedWork timed(write_nanoseconds);
     Image as_traced = develop(rendered);
@@ -77,10 +78,10 @@ struct FrameSink::Impl {
 
   bool keeps_light() const { return files.format == PictureFormat::kExr; }
 
-  /// Returns whether the codes of the PNG are kept, so that a video is the same whether its frames come from the film or from
-  /// kept pictures.
+  /// Returns whether the pictures' 8-bit codes are kept, so that a video is the same whether its frames come from the film or
+  /// from kept pictures.
   bool needs_codes() const {
-    if (settings.layout.light_field()) return false;  // its picture has separate codes, which videos read back
+    if (settings.layout.light_field()) return false;  // light-field pictures have their own codes, which videos read back
     return files.format == PictureFormat::kPng || files.format == PictureFormat::kTiff || !videos.empty();
   }
 

@@ -40,33 +40,36 @@ class FrameSink {
     FormatOptions writing = {};                 ///< options of the light-field formats
     std::vector<ExrAttribute> about = {};       ///< attributes of EXR files
     int threads = 1;                            ///< rendering threads; writing uses up to half as many more
-    std::function<void(Image)> done_with = {};  ///< receives the film of every written frame, on any thread; may be empty
-    /// Called when a frame's files are written, with their size in bytes: in order, one at a time, on any thread. May be empty.
+    std::function<void(Image)> done_with = {};  ///< called with the film of every written frame, on any thread; may be empty
+    /// Called when a frame's files are written, with their size in bytes. Calls come in the order of frames, one at a time, on
+    /// any thread. May be empty.
     std::function<void(int frame, std::uintmax_t bytes)> written = {};
     std::optional<OneSet> one_set = {};  ///< set if all frames are views of one data set
   };
 
-  /// `folder` must outlive the sink, and nothing else may record in it meanwhile. Throws Error for videos that cannot be begun.
+  /// `folder` must outlive the sink, and nothing else may record in it during the sink's lifetime. Throws Error for videos that
+  /// cannot be begun.
   FrameSink(const Settings& settings, RenderFolder& folder);
   /// Discards unwritten frames, and videos unless finish_videos() was called.
   ~FrameSink();
   FrameSink(const FrameSink&) = delete;
   FrameSink& operator=(const FrameSink&) = delete;
 
-  /// Queues a frame; frames must ascend. Blocks while the queue is full. Throws the Error of an earlier frame that could not be
-  /// written, once.
+  /// Queues a frame; frames must ascend. Blocks while the queue is full. If an earlier frame could not be written, throws its
+  /// Error, but only once.
   void add(RenderedFrame rendered);
 
-  /// Adds a frame whose picture exists. Only videos use it; they read it back. Otherwise like add().
+  /// Adds a frame whose picture exists, for the videos only, which read the picture from its file. Otherwise behaves like
+  /// add().
   void add_kept(int frame);
 
-  /// Waits until all frames are written. Throws like add().
+  /// Waits until all frames are written. Throws the same Errors as add().
   void wait();
 
-  /// Completes the videos; call after wait(). Returns whether each has a side file.
+  /// Completes the videos; call after wait(). Returns whether each of the videos has a side file.
   bool finish_videos();
 
-  /// Returns the results of undoing crosstalk by frame, after wait(); empty if not requested.
+  /// Returns the results of undoing crosstalk, by frame; call after wait(). Empty if undoing crosstalk was not requested.
   const std::map<int, Precompensation>& precompensated() const;
 
   /// Returns the seconds spent so far on encoding and writing, summed over threads.

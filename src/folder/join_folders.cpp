@@ -35,7 +35,7 @@ std::string common_job(const fs::path& folder, const std::vector<fs::path>& othe
   return job;
 }
 
-/// Links or copies a file atomically. Links it if both folders are on one file system.
+/// Makes a file available at another path, atomically: links it if both folders are on one file system, otherwise copies it.
 void take_over(const fs::path& from, const fs::path& to) {
   make_folder(to.parent_path());
   AtomicFile file(to);
@@ -46,7 +46,7 @@ void take_over(const fs::path& from, const fs::path& to) {
   file.commit();
 }
 
-/// Takes over the strips of a frame that are missing.
+/// Takes over the strips of a frame that are missing in `folder`.
 void join_strips(const fs::path& other, int frame, const JournalStrips& strips, RenderFolder& folder, JoinedFolders& joined) {
   const FolderJournal there = folder.now();
   for (const auto& [strip, record] : strips.finished) {

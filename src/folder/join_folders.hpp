@@ -12,9 +12,9 @@ struct JoinedFolders {
   std::vector<std::string> not_as_written;  ///< damaged or missing files of `others`; their frames or strips were skipped
 };
 
-/// Takes over the frames and strips of `others` that are missing or damaged in `folder`. Their files are linked, or else
-/// copied, and recorded. The other folders are not changed. Makes `folder` if necessary. Throws Error for folders without a
-/// render or of different jobs, and for files that cannot be written.
+/// Takes over the frames and strips of `others` that are missing or damaged in `folder`. Their files are linked, or copied if
+/// linking is not possible, and recorded. The other folders are not changed. Makes `folder` if necessary. Throws Error for
+/// folders without a render, for folders of different jobs, and for files that cannot be written.
 JoinedFolders join_folders(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& others);
 
 }  // namespace lippmann

@@ -37,7 +37,7 @@ std::string line_of(const Json& json) { return json_to_text(json, -1) + '\n'; }
 
 Json checksum_json(const FileChecksum& sum) { return {{"bytes", sum.bytes}, {"xxh3", sum.xxh3}}; }
 
-/// Returns the JSON shared by the records of frames and strips.
+/// Returns the JSON values that records of frames and of strips have in common.
 Json finished_json(const FrameReport& report, const FileRecords& files) {
   Json json = to_json(report);
   json["files"] = Json::object();
@@ -81,7 +81,8 @@ void add_frames(const std::vector<int>& more, std::vector<int>& frames) {
   frames = std::move(both);
 }
 
-/// Returns whether a name is that of a file for all frames together: the job, the report, or a data set's cameras.
+/// Returns whether a name belongs to a file that describes all frames together, such as the job, the report, or the cameras of
+/// a data set.
 bool is_document(const std::string& name) {
   static const std::set<std::string_view> documents{
       "job.toml",         "report.json", "transforms.json",      "transforms_train.json", "transforms_test.json",
@@ -174,7 +175,7 @@ void read_strips_of_run(const Json& json, RunReport& run) {
 void read_run(const Json& json, FolderJournal& journal) {
   RunReport run;
   json.at("host").get_to(run.host);
-  if (json.contains("cpu")) json["cpu"].get_to(run.cpu);  // missing in runs of earlier versions
+  if (json.contains("cpu")) json["cpu"].get_to(run.cpu);  // earlier versions did not record it
   json.at("unit").get_to(run.unit);
   run.frames = frames_from_json(json.at("frames"));
   if (json.contains("strips")) read_strips_of_run(json["strips"], run);
@@ -192,7 +193,7 @@ void read_job(const Json& json, FolderJournal& journal) {
   journal.job = job;
 }
 
-/// Throws LineProblem or an exception of nlohmann's.
+/// Reads one line into the journal. Throws LineProblem or an exception of nlohmann::json if the line is invalid.
 void read_line(const Json& json, bool is_first, FolderJournal& journal) {
   if (!json.is_object()) throw LineProblem("is not a JSON object");
   if (is_first)
@@ -213,7 +214,7 @@ void read_line(const Json& json, bool is_first, FolderJournal& journal) {
     read_frame(json, journal);
 }
 
-constexpr std::uintmax_t kMaxJournalBytes = std::uintmax_t{4} << 30;  // a frame of 48 views takes about 5000
+constexpr std::uintmax_t kMaxJournalBytes = std::uintmax_t{4} << 30;  // a frame of 48 views takes about 5000 bytes
 
 /// Returns the problem of a line; empty if there is none.
 std::string problem_of(const Json& json, bool is_first, FolderJournal& journal) try {
@@ -227,7 +228,7 @@ std::string problem_of(const Json& json, bool is_first, FolderJournal& journal) 
 
 /// Reads the journal file of one run. A run that was killed while writing its first line counts as empty.
 void read_part(const fs::path& path, std::uintmax_t& bytes_left, FolderJournal& journal) {
-  if (!is_regular_file_there(path)) return;  // removed since the folder was listed
+  if (!is_regular_file_there(path)) return;  // the file was removed after the folder was listed
   std::istringstream in(read_file_text(path, bytes_left, "the journal of a render"));
   bytes_left -= in.view().size();
   std::string line;
@@ -357,7 +358,8 @@ void sync_render(const fs::path& folder, const FolderJournal& journal) {
   std::vector<fs::path> files;
   for (const auto& [frame, record] : journal.frames)
     for (const auto& [name, sum] : record.files) files.push_back(folder / name);
-  if (!journal.strips.empty()) files.push_back(folder / strip_name(0, 0));  // all strips are in the same folder as this one
+  if (!journal.strips.empty())
+    files.push_back(folder / strip_name(0, 0));  // one name is enough, because all strips are in the same folder
   sync_names(folder, files);
 }
 

@@ -1,6 +1,6 @@
-// The journal of an output folder: the render's job, its finished files, and their checksums.
+// The journal of an output folder records the render's job, its finished files, and their checksums.
 //
-// Its first line claims the folder for the run's job before any other file is written.
+// The first line of a run's journal file claims the folder for the run's job before any other file is written.
 //
 // Every run writes its own file, .lippmann/TIME-HOST-PROCESS.jsonl, and never changes another run's. Several runs of one job
 // may therefore render at the same time, also on other machines, and a killed run can be resumed. All files together are the
@@ -20,7 +20,7 @@
 //   {"run": {...}}                                          the run has ended: what it took beside its frames
 //
 // A journal is untrusted input. File names must be those of files that a render writes below its folder (videos: names of
-// videos, anywhere), and numbers must be within limits.
+// videos, anywhere), and numbers must be within their limits.
 #pragma once
 
 #include <cstdint>
@@ -51,7 +51,7 @@ struct JournalEntry {
   FileRecords files;
 };
 
-/// A strip of a frame, from 0 at the top.
+/// Identifies a strip of a frame. Strips are numbered from 0 at the top.
 struct StripNumber {
   int frame = 0, strip = 0;
   int count = 1;  ///< strips per frame
@@ -59,11 +59,11 @@ struct StripNumber {
 
 struct JournalStrips {
   int count = 1;                         ///< strips per frame
-  std::map<int, JournalEntry> finished;  ///< by strip; the last of several lines counts
+  std::map<int, JournalEntry> finished;  ///< by strip; if a strip has several lines, the last one counts
 };
 
 struct JournalVideo {
-  std::vector<FileChecksum> sums;  ///< checksums of all versions written by runs; empty: a run stopped while writing it
+  std::vector<FileChecksum> sums;  ///< checksums of all written versions; empty: a run stopped while writing the video
   std::vector<int> frames;         ///< frames of the video, ascending
   std::vector<FileChecksum> side;  ///< checksums of all versions of its side file; empty: it has none
 };
@@ -91,8 +91,8 @@ struct FolderJournal {
   std::vector<int> asked;               ///< frames requested by all runs of the job, unique, ascending
   std::set<std::string> companions;     ///< companions requested by runs of the job: kSingleFolder, kPageFolder
   FileRecords page;                     ///< files of the page, by path relative to the folder
-  std::map<int, JournalEntry> frames;   ///< finished frames; the last of several lines for a frame counts
-  std::map<int, JournalStrips> strips;  ///< by frame; the files are deleted when the frame is finished
+  std::map<int, JournalEntry> frames;   ///< finished frames; if a frame has several lines, the last one counts
+  std::map<int, JournalStrips> strips;  ///< by frame; their files are deleted when the frame is finished
   std::map<std::string, std::vector<FileChecksum>> files;  ///< checksums of all written versions of job.toml, report.json
   std::map<std::string, JournalVideo> videos;              ///< by path relative to the folder
   std::vector<RunReport> runs;                             ///< finished runs
@@ -107,13 +107,13 @@ bool holds_anything(const FolderJournal& journal);
 /// Returns whether a file has one of these checksums.
 bool is_as_written(const std::filesystem::path& file, const std::vector<FileChecksum>& sums);
 
-/// Returns whether job.toml or report.json equals one of the versions that runs have written.
+/// Returns whether the file `name` (job.toml or report.json) equals one of the versions that runs have written.
 bool is_as_written(const FolderJournal& journal, const std::filesystem::path& folder, const std::string& name);
 
-/// Returns whether all these files of a folder match their records.
+/// Returns whether all files in `files` match their records.
 bool are_as_recorded(const std::filesystem::path& folder, const FileRecords& files);
 
-/// Returns the JSON form used by journals and report.json.
+/// Returns a run's figures in the JSON form of journals and report.json.
 nlohmann::ordered_json to_json(const RunReport& run);
 
 /// Returns the folder of the journal's files.
@@ -133,7 +133,7 @@ void sync_render(const std::filesystem::path& folder, const FolderJournal& journ
 /// Throws Error if the journal has a problem.
 void require_sound(const std::filesystem::path& folder, const FolderJournal& journal);
 
-/// Return lines of a journal, each with a newline.
+/// The following functions return lines of a journal, each with a newline at its end.
 std::string job_line(const std::string& job);
 std::string asked_line(const std::vector<int>& frames, const std::set<std::string>& companions = {});
 std::string frame_line(const FrameReport& frame, const FileRecords& files);

@@ -1,4 +1,4 @@
-// The journal file of one run. Appended lines are durable.
+// Writes the journal file of one run. Appended lines survive a crash of the machine.
 #pragma once
 
 #include <filesystem>
@@ -15,8 +15,8 @@ class JournalPart {
   /// written.
   JournalPart(const std::filesystem::path& folder, const std::string& job);
 
-  /// Appends a line and waits until it is on the disk. Throws Error if it cannot be written or the file was removed, and on
-  /// every later call: the incomplete line stays the end of the file.
+  /// Appends a line and waits until it is on the disk. Throws Error if it cannot be written or the file was removed. All later
+  /// calls then throw as well, so that an incomplete line stays the last one of the file.
   void add(const std::string& line);
 
   /// Renews the lease of the run (is_held). May be called in parallel with add().

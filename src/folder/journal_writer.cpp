@@ -34,7 +34,8 @@ bool with_writer(const fs::path& part, bool (*act)(const ProcessHandle&)) {
   return process.is_there() && process.writes(part) && act(process);
 }
 
-/// Returns whether this process may list the open files of the writer. A process that has ended has none.
+/// Returns whether this process may list the open files of the writer. Also true if the writer has ended, since it has no open
+/// files.
 bool can_be_seen(const JournalWriter& writer) {
   if (!writer.is_of_this_machine()) return false;
   const ProcessHandle process(writer.process);

@@ -1,7 +1,7 @@
 // Finds the process that writes a journal file, and interrupts it.
 //
-// A part is named TIME-HOST-PROCESS.jsonl (folder/journal.hpp). Process numbers are reused, so a process counts as the writer
-// only if it has that file open for writing. The system closes the file when the process ends, even by a crash.
+// A journal file (part) is named TIME-HOST-PROCESS.jsonl (folder/journal.hpp). Process numbers are reused, so a process counts
+// as the writer only if it has that file open for writing. The system closes the file when the process ends, even by a crash.
 #pragma once
 
 #include <filesystem>
@@ -18,7 +18,7 @@ struct JournalWriter {
   bool is_of_this_machine() const;
 };
 
-/// Parses the name of a part; nullopt if it is not one.
+/// Parses the name of a journal file; nullopt if it is not one.
 std::optional<JournalWriter> writer_of(const std::filesystem::path& part);
 
 /// Returns whether a process of this machine writes the part. Processes of other users may not be detected.
@@ -27,12 +27,13 @@ bool is_being_written(const std::filesystem::path& part);
 /// Duration of a run's lease after its last renewal (JournalPart::renew), if its process cannot be inspected.
 inline constexpr double kLeaseSeconds = 600.0;
 
-/// Returns whether the run that writes the part may be active. On this machine: while its process writes the part. On other
-/// machines, and for processes that cannot be inspected: until the run records its end or its lease expires.
+/// Returns whether the run that writes the part may be active. A run on this machine is active while its process writes the
+/// part. A run on another machine, or one whose process cannot be inspected, counts as active until it records its end or its
+/// lease expires.
 bool is_held(const std::filesystem::path& part);
 
-/// Interrupts the writer as Ctrl-C does. Call once: a second interrupt ends the process immediately. Returns false if there is
-/// no writer.
+/// Interrupts the writer as Ctrl-C does. Call this only once, because a second interrupt ends the process immediately. Returns
+/// false if there is no writer.
 bool interrupt_writer(const std::filesystem::path& part);
 
 }  // namespace lippmann

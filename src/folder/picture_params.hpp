@@ -16,7 +16,7 @@ enum class PictureLayout { kIntegral, kQuilt, kViews, kNative, kPrint, kStereo, 
 enum class PictureFormat { kPng, kPng16, kTiff, kExr };
 enum class ExrPixels { kHalf, kFloat };
 
-/// Depth coding of kRgbd.
+/// The coding of depth in RGB-D pictures (kRgbd).
 struct DepthParams {
   std::optional<DepthRange> range;   ///< nullopt: the visible range over the animation (job/rgbd_options.hpp)
   std::optional<DepthScale> linear;  ///< quantity in which grey is linear; nullopt: disparity
@@ -28,7 +28,7 @@ struct PictureParams {
   ToneCurve tone = ToneCurve::kNone;    ///< for encoded pictures and videos
   std::optional<PictureLayout> layout;  ///< nullopt: the native layout of the optics
   std::string to;                       ///< light-field format in place of a layout; empty: none
-  bool pseudoscopic = false;            ///< kIntegral: as recorded by a lens array, with inverted depth
+  bool pseudoscopic = false;            ///< kIntegral: rotate elemental images by 180 degrees, which inverts depth
   bool mirror = false;                  ///< kPrint: exchange left and right, for print on the back of a sheet
   Extent<int> quilt;                    ///< tiles of kQuilt; 0: native, or nearly square
   StereoLayout stereo;                  ///< for kStereo

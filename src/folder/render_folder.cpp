@@ -56,8 +56,8 @@ std::vector<fs::path> other_runs(const fs::path& folder, const std::string& job)
   return runs;
 }
 
-/// Runs that begin at the same time see each other. The run whose file has the first name stays; the others stop before they
-/// record the frames that they were to render.
+/// Waits for runs of other jobs that began at the same time to stop. Of such runs, the one whose file name comes first stays;
+/// the others stop before they record the frames that they were to render.
 void wait_for_others_to_give_way(const fs::path& folder, const std::string& job, const fs::path& own) {
   constexpr int kTries = 40;
   constexpr std::chrono::milliseconds kBetween(50);
@@ -76,7 +76,7 @@ void wait_for_others_to_give_way(const fs::path& folder, const std::string& job,
 RenderFolder::RenderFolder(fs::path folder, const std::string& job, const MakeRoom& make_room)
     : folder_(std::move(folder)), part_(made_journal_folder(folder_), job) {
   try {
-    // Checked after this run's file exists: of two runs that begin at the same time, at least one finds the other.
+    // Check after this run's file exists, so that of two runs that begin at the same time at least one finds the other.
     wait_for_others_to_give_way(folder_, job, part_.path());
     require_no_other_run(folder_, job);
     if (make_room) make_room(part_.path());

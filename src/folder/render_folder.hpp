@@ -1,8 +1,8 @@
-// The folder of a render during a run: the frames finished by earlier runs of the job, which --resume keeps, and the run's
-// journal file (folder/journal.hpp).
+// The folder of a render during a run. Finds the frames that earlier runs of the job finished, which --resume keeps, and writes
+// the run's journal file (folder/journal.hpp).
 //
-// Any number of runs of one job may use one folder at a time. They do not change each other's files, except job.toml and
-// report.json, which every run writes for all runs.
+// Any number of runs of one job may use one folder at a time. No run changes another's files, except job.toml and report.json,
+// which every run rewrites to cover all runs.
 #pragma once
 
 #include <filesystem>
@@ -20,7 +20,7 @@ namespace lippmann {
 
 class RenderFolder {
  public:
-  /// Clears the folder, except for this run's journal file `own`.
+  /// Called to clear the folder. Must keep this run's journal file `own`.
   using MakeRoom = std::function<void(const std::filesystem::path& own)>;
 
   /// Begins a run's journal in the existing `folder`. From then on, runs of other jobs are refused there. Throws Error if the
@@ -40,10 +40,10 @@ class RenderFolder {
   FolderJournal now() const;
 
   /// Returns the figures of a frame that an earlier run finished; nullopt if it is unfinished, or a file is missing or differs
-  /// from its record. Reads the files once.
+  /// from its record. Reads a frame's files only on the first call.
   std::optional<FrameReport> find(int frame);
 
-  /// Records the frames and companions (FolderJournal::companions) that the run is to render.
+  /// Records the frames and companions (FolderJournal::companions) that the run will render.
   void begin(const std::vector<int>& frames, const std::set<std::string>& companions = {}) {
     part_.add(asked_line(frames, companions));
   }
@@ -52,13 +52,14 @@ class RenderFolder {
   /// other recording functions.
   void add(const FrameReport& frame, const FileRecords& files) { part_.add(frame_line(frame, files)); }
 
-  /// Records a strip whose file is complete. Otherwise like add().
+  /// Records a strip whose file is complete. The rules of add() apply.
   void add_strip(const StripNumber& strip, const FrameReport& report, const FileRecords& files) {
     part_.add(strip_line(strip, report, files));
   }
 
-  /// Writes job.toml or report.json with the text made by `text_of` from the journal. Repeats if the journal changed the text
-  /// meanwhile: of several runs that end at the same time, the last to write includes the records of all.
+  /// Writes job.toml or report.json with the text made by `text_of` from the journal. Writes again if the journal and therefore
+  /// the text has changed in the meantime, so that if several runs end at the same time, the last one to write includes the
+  /// records of all.
   void write(const std::string& name, const std::function<std::string(const FolderJournal&)>& text_of);
 
   /// Records that a video of these frames is about to be written, which marks it as this render's.
@@ -83,7 +84,7 @@ class RenderFolder {
 /// Throws Error if a run of another job is active in `folder`. Changes nothing.
 void require_no_other_run(const std::filesystem::path& folder, const std::string& job);
 
-/// Returns the folder of the render that wrote `folder` as its companion (kSingleFolder); empty: none.
+/// Returns the folder of the render that wrote `folder` as its companion (kSingleFolder); an empty path if there is none.
 std::filesystem::path folder_of_whole(const std::filesystem::path& folder);
 
 /// Returns a video's path relative to the folder, as stored in the journal.

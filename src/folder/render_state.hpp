@@ -15,7 +15,7 @@ namespace lippmann {
 
 enum class RenderActivity {
   kRunning,    ///< at least one process of this machine writes the journal
-  kElsewhere,  ///< a run of another machine has not recorded its end: it is active or was killed
+  kElsewhere,  ///< a run on another machine has not recorded its end, so it is active or was killed
   kStopped,    ///< frames are missing and no run is active
   kFinished,   ///< all frames exist
 };
@@ -24,18 +24,18 @@ struct RenderState {
   RenderActivity activity = RenderActivity::kStopped;
   FolderJournal journal;
   std::vector<std::filesystem::path> running;  ///< journal files written by processes of this machine
-  std::string elsewhere;                       ///< the other machine's name; empty: there is none
-  std::optional<double> seconds_left;          ///< at the current speed; nullopt: unknown
+  std::string elsewhere;               ///< name of another machine whose run has not recorded its end; empty: there is none
+  std::optional<double> seconds_left;  ///< at the current speed; nullopt: unknown
 };
 
-/// Times of a run in seconds since 1970, for its speed.
+/// Times of a run, in seconds since 1970, from which its speed follows.
 struct RunPace {
   double began = 0.0, last = 0.0;  ///< start of its journal, and time of its last recorded frame
   int frames = 0;
 };
 
 /// Estimates the seconds left if all runs share the remaining frames, each at its own speed; nullopt if no run has finished a
-/// frame. At least 0.
+/// frame. The result is at least 0.
 std::optional<double> estimated_seconds_left(std::span<const RunPace> runs, int frames_left, double now);
 
 /// Polls one folder. Reads the journal again only if it has grown. Not thread-safe.

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns a layer of floats: a joined frame has the same bits as one rendered whole.
+/// Returns a layer stored as floats, so that a joined frame has the same bits as one rendered whole.
 ExrLayer float_layer(Aov aov, const Image& image) {
   const AovInfo& info = info_of(aov);
   ExrLayer layer{std::string(info.exr.layer), &image, {}, ExrSample::kFloat};
@@ -62,7 +62,8 @@ std::optional<FrameReport> find_strip(const fs::path& folder, const FolderJourna
 
 FileRecords write_strip(const fs::path& folder, int frame, int strip, const FramePictures& pictures) {
   const fs::path file = folder / strip_name(frame, strip);
-  write_exr(file, layers_of_strip(pictures), ExrCompression::kNone);  // temporary file, read once
+  write_exr(file, layers_of_strip(pictures),
+            ExrCompression::kNone);  // uncompressed, because the file is temporary and read only once
   return records_of(folder, {file});
 }
 

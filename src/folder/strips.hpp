@@ -1,4 +1,5 @@
-// Files of strips: rows of a frame's film and layers as floats, stored in the render's folder until the frame is joined.
+// Reads and writes the files of strips. A strip's file holds rows of a frame's film and layers as floats, and stays in the
+// render's folder until the frame is joined.
 #pragma once
 
 #include <filesystem>
@@ -15,8 +16,8 @@ std::optional<FrameReport> find_strip(const std::filesystem::path& folder, const
 /// Writes a strip's file atomically. Throws Error naming the file.
 FileRecords write_strip(const std::filesystem::path& folder, int frame, int strip, const FramePictures& pictures);
 
-/// Reads a strip into the rows from `first_row` of a film and its layers, which are allocated at full size. Throws Error for a
-/// file with other rows.
+/// Reads a strip into `rows` rows, starting at `first_row`, of a film and its layers, which are allocated at full size. Throws
+/// Error for a file with other rows.
 void read_strip(const std::filesystem::path& file, int first_row, int rows, FramePictures& into);
 
 /// Removes the files of all strips of a frame, recorded or not. Throws Error naming one that cannot be removed.
