@@ -5,7 +5,7 @@
 namespace lippmann {
 namespace {
 
-/// Returns the order shared by all builders: a callback knows its scene's data, but not which builder called it.
+/// Returns the task order that all builders share, because a callback cannot find out which builder called it.
 TaskOrder& order() {
   static TaskOrder order;
   return order;

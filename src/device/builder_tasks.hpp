@@ -1,4 +1,4 @@
-// Embree's builders, which call our callbacks on any thread of the calling arena.
+// Runs Embree's builders, which call our callbacks on any thread of the calling arena.
 #pragma once
 
 #include "device/embree_shim.hpp"
@@ -8,7 +8,7 @@ namespace lippmann {
 /// Builds the acceleration structure of a scene.
 void commit_scene(const EmbreeScene& scene);
 
-/// Marks a callback from a builder by its lifetime: tells ThreadSanitizer that the callback runs within commit_scene().
+/// Lives as long as a callback from a builder, to declare to ThreadSanitizer that the callback runs within commit_scene().
 class BuilderCall {
  public:
   BuilderCall();

@@ -1,4 +1,4 @@
-// Embree's device and its errors.
+// Makes Embree's device and reports its errors.
 #pragma once
 
 #include <atomic>
@@ -26,7 +26,7 @@ class EmbreeMemory {
 /// Makes a device that reports its allocations to `memory`, which must outlive it. Throws Error.
 EmbreeDevice make_embree_device(int threads, EmbreeMemory& memory);
 
-/// Throws Error if any call failed on any thread of the device since the last check.
+/// Throws Error if any call to the device has failed since the last check, on any thread.
 void check_embree(RTCDevice device, const char* doing, const EmbreeMemory& memory);
 
 /// Returns the error for one of Embree's error codes.

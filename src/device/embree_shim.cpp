@@ -87,7 +87,7 @@ LIPPMANN_MULTIVERSION LaneMask sound_lanes(const RayPacket& rays, float reach, c
 
 namespace {
 
-/// query: the arguments (Embree 4) or the context (Embree 3) of the call.
+/// `query` is the arguments (Embree 4) or the context (Embree 3) of the call.
 template <class Query>
 void intersect_packet(RTCScene scene, int native_width, const LaneMask& active, RayHitPacket& packet, Query* query) {
   if (native_width != 8) {
@@ -144,7 +144,7 @@ void occluded(RTCScene scene, int native_width, const LaneMask& active, RayPacke
   arguments.context = &context.embree;
   const auto query = &arguments;
 #else
-  rtcInitIntersectContext(&context.embree);  // not coherent: rtcOccluded16 with that flag can hang in Embree 3.13
+  rtcInitIntersectContext(&context.embree);  // without the coherent flag, with which rtcOccluded16 can hang in Embree 3.13
   const auto query = &context.embree;
 #endif
   if (native_width != 8) {

@@ -1,5 +1,5 @@
-// The only header that includes Embree: device and scene ownership, 16-ray packets, and the calls that differ between Embree
-// 3.13 and 4.
+// Wraps Embree; no other header includes it. Provides ownership of devices and scenes, 16-ray packets, and the calls that
+// differ between Embree 3.13 and 4.
 //
 // Packets are 16 rays wide everywhere. On machines with 8 native lanes (AVX2), a packet is traced as two halves, so user
 // geometry callbacks still get whole native packets. On other machines, Embree splits packets itself.
@@ -55,11 +55,11 @@ struct ShadowContext {
 #else
   RTCIntersectContext embree;
 #endif
-  // `embree` must come first: Embree passes its address to filters, which cast it to this type. A ray's id is its lane.
+  // `embree` must come first: Embree passes its address to filters, which cast it to this type. The id of a ray is its lane.
   alignas(64) float transmittance[kLanes];
   Lanes3 tint;  ///< multiplies the transmittance if is_tinted is set
   bool is_tinted = false;
-  const SceneGeometry* geometry = nullptr;  ///< filters of meshes look up hits here
+  const SceneGeometry* geometry = nullptr;  ///< used by filters of meshes to look up hits
 };
 
 /// Returns the active lanes whose rays have finite coordinates within `reach`, which is less than kLargestReach if instances

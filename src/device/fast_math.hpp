@@ -25,7 +25,7 @@ LIPPMANN_INLINE float fast_log2(float x) {
 LIPPMANN_INLINE float fast_exp2(float x) {
   const float clamped = x < -126.0f ? -126.0f : x;
   const float whole = std::floor(clamped + 0.5f);
-  const float f = (clamped - whole) * 0.693147181f;  // e^f by its series, |f| < 0.347
+  const float f = (clamped - whole) * 0.693147181f;  // the series below gives e^f, |f| < 0.347
   const float p =
       1.0f + f * (1.0f + f * (0.5f + f * (0.166666667f + f * (0.0416666667f + f * (0.00833333333f + f * 0.00138888889f)))));
   return std::bit_cast<float>((static_cast<std::int32_t>(whole) + 127) << 23) * p;

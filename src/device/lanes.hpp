@@ -16,7 +16,7 @@ constexpr std::size_t packets_of(std::size_t rays) { return (rays + kLanes - 1) 
 /// of a packet overlap and does not vectorise.
 #define LIPPMANN_FOR_LANES(i) _Pragma("GCC ivdep") for (int i = 0; i < kLanes; ++i)
 
-/// Active lanes: -1 active, 0 inactive.
+/// A mask of lanes: -1 for active lanes, 0 for inactive ones.
 struct alignas(64) LaneMask {
   int lane[kLanes];
 };

@@ -8,7 +8,7 @@
 
 namespace lippmann {
 
-/// Returns one gradient per triangle. uvs: one of the mesh's sets, not empty.
+/// Returns one gradient per triangle. `uvs` is one of the mesh's sets of texture coordinates and must not be empty.
 std::vector<UvGradient> make_uv_gradients(const Mesh& mesh, const std::vector<Vec2f>& uvs);
 
 /// Sets the mesh's vertices and gradients to the pose.

@@ -21,13 +21,14 @@ LIPPMANN_INLINE float nearest_valid(float t0, float t1, bool valid0, bool valid1
   return valid0 ? t0 : second;
 }
 
-/// Requires rays of unit length.
+/// A sphere. Intersection requires rays of unit length.
 struct WorldSphere {
   float x, y, z, radius;
 };
 
-/// The discriminant uses the part of (centre - origin) perpendicular to the ray, which stays accurate for small, far spheres:
-/// Haines, Gunther, Akenine-Moller, "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems, 2019.
+/// The intersection of a ray with a sphere. The discriminant uses the part of (centre - origin) perpendicular to the ray, which
+/// stays accurate for small, far spheres: Haines, Gunther, Akenine-Moller, "Precision Improvements for Ray/Sphere
+/// Intersection", Ray Tracing Gems, 2019.
 struct SphereCrossing {
   float middle;        ///< t of the ray's point closest to the centre
   float discriminant;  ///< squared half length of the chord; < 0: no intersection
@@ -50,13 +51,14 @@ LIPPMANN_INLINE float distance(const WorldSphere& s, const LaneRay& r) {
   return nearest_valid(t0, t1, real & (t0 > r.t_near) & (t0 < r.t_far), real & (t1 > r.t_near) & (t1 < r.t_far));
 }
 
-/// Returns whether the ray intersects the surface. Used for shadows.
+/// Returns whether the ray intersects the surface, for shadow rays.
 template <class Primitive>
 LIPPMANN_INLINE bool crosses(const Primitive& primitive, const LaneRay& r) {
   return distance(primitive, r) < kInfinity;
 }
 
-/// Avoids the square root: t0 = b - half > t_near is equivalent to b - t_near > half, and so on.
+/// Returns whether the ray intersects the sphere. Avoids the square root: t0 = b - half > t_near is equivalent to b - t_near >
+/// half, and so on.
 LIPPMANN_INLINE bool crosses(const WorldSphere& s, const LaneRay& r) {
   const auto [b, squared] = crossing(s, r);
   const float past_near = b - r.t_near, past_far = b - r.t_far;
@@ -100,7 +102,7 @@ struct WorldPlane {
 LIPPMANN_INLINE float distance(const WorldPlane& p, const LaneRay& r) {
   const float along = p.nx * r.dx + p.ny * r.dy + p.nz * r.dz;
   const float height = p.offset - (p.nx * r.ox + p.ny * r.oy + p.nz * r.oz);
-  const float t = height / along;  // parallel: +-inf or NaN, which both fail the test
+  const float t = height / along;  // +-inf or NaN for parallel rays; both fail the test
   const bool valid = (t > r.t_near) & (t < r.t_far);
   return valid ? t : kInfinity;
 }
@@ -163,10 +165,10 @@ LIPPMANN_INLINE Vec3f normal_at(const WorldCylinder& c, Vec3f p) {
 }
 LIPPMANN_INLINE Vec3f normal_at(const WorldRing& g, Vec3f) { return {g.nx, g.ny, g.nz}; }
 LIPPMANN_INLINE Vec3f normal_at(const WorldPlane& p, Vec3f) { return {p.nx, p.ny, p.nz}; }
-/// Returns the normal of the face that contains p: the axis of the largest box coordinate.
+/// Returns the normal of the face that contains p. It is the face on the axis of the largest box coordinate.
 Vec3f normal_at(const WorldBox& b, Vec3f p);
-/// Returns the normal by Tachyon's rule: the world axis of the largest |p - centre|, which differs from the face's normal on
-/// elongated boxes.
+/// Returns the normal by Tachyon's rule, which is the world axis with the largest component of |p - centre|. On elongated boxes
+/// it differs from the face's normal.
 Vec3f tachyon_box_normal(const WorldBox& b, Vec3f p);
 
 }  // namespace lippmann

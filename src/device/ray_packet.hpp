@@ -26,7 +26,7 @@ LIPPMANN_INLINE void make_ready(RayPacket& rays) {
   }
 }
 
-/// Valid in lanes with a geomID other than kNoId.
+/// The hits of a packet. A lane's values are valid if its geomID is not kNoId.
 struct alignas(64) HitPacket {
   float Ng_x[kLanes], Ng_y[kLanes], Ng_z[kLanes];  ///< normal of the facet, any length; in mesh space for placed meshes
   float u[kLanes], v[kLanes];                      ///< barycentric coordinates of a triangle's second and third corner
@@ -48,11 +48,11 @@ inline constexpr unsigned kPlaneId = 0x80000000u;
 /// Geometry ids from this value on are visible lights.
 inline constexpr unsigned kLightId = 0xC0000000u;
 
-/// Bits of RayPacket::mask. A ray intersects geometries whose mask shares a bit with the ray's. All other rays have all bits
-/// set.
+/// Bits of RayPacket::mask. A ray intersects geometries whose mask shares a bit with its own mask. Rays of other kinds have all
+/// bits set.
 inline constexpr unsigned kCameraRay = 1, kShadowRay = 2;
 
-/// Whether the rays of a packet have similar directions.
+/// States whether the rays of a packet have similar directions.
 enum class Coherence { kCoherent, kIncoherent };
 
 }  // namespace lippmann

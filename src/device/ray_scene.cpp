@@ -29,7 +29,7 @@ LIPPMANN_INLINE void record_hit(RayHitPacket& packet, const LaneMask& active, in
   packet.hit.instID[0][i] = hit ? kNoId : packet.hit.instID[0][i];
 }
 
-/// Intersects the infinite planes: shortens tfar and records hits with the id kPlaneId + index.
+/// Intersects rays with the infinite planes. Shortens tfar and records hits with the id kPlaneId + index.
 LIPPMANN_MULTIVERSION void meet_planes(const WorldPlaneRecord* planes, std::size_t count, const LaneMask& active,
                                        RayHitPacket& packet) {
   for (std::size_t p = 0; p < count; ++p) {
@@ -39,7 +39,7 @@ LIPPMANN_MULTIVERSION void meet_planes(const WorldPlaneRecord* planes, std::size
   }
 }
 
-/// Sets the masks of camera rays, so that they miss objects hidden from cameras.
+/// Sets the masks of rays, so that camera rays miss objects hidden from cameras.
 LIPPMANN_INLINE void hide(const LaneMask& of_cameras, RayPacket& rays) {
   LIPPMANN_FOR_LANES(i) rays.mask[i] = of_cameras.lane[i] != 0 ? kCameraRay : ~0u;
 }

@@ -17,7 +17,7 @@ namespace {
 // instances.
 constexpr std::size_t kFlattenTriangles = 200'000;
 
-/// Minimum reach of rays, in sizes of the scene, however much instances magnify them.
+/// Minimum reach of rays relative to the scene's size, regardless of how much instances magnify coordinates.
 constexpr float kLeastReach = 1000.0f;
 
 /// Makes a scene with robust intersection. Without it, one in ten rays along an edge shared by two triangles passes between
@@ -29,7 +29,7 @@ EmbreeScene make_scene(RTCDevice device, RTCSceneFlags flags) {
 }
 
 /// Returns a matrix that transforms normals like the inverse transpose, up to length, and keeps them on the outer side. It also
-/// works for singular matrices. Its columns are cross products of the other columns.
+/// works for singular matrices. Each column of the result is the cross product of the other two columns of m.
 Mat3f outward_normals(const Mat3f& m) {
   const Mat3f cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
   return glm::determinant(m) < 0.0f ? -cofactors : cofactors;
@@ -51,7 +51,7 @@ float reach_of(const Affine3f& mesh_from_world) {
   const Mat3f& m = mesh_from_world.linear;
   const Vec3f sums = glm::abs(m[0]) + glm::abs(m[1]) + glm::abs(m[2]), moved = glm::abs(mesh_from_world.translation);
   const float factor = std::max({1.0f, sums.x, sums.y, sums.z}), offset = std::max({moved.x, moved.y, moved.z});
-  return std::max(0.0f, (kLargestReach - offset) / factor);  // 0 for NaN
+  return std::max(0.0f, (kLargestReach - offset) / factor);  // NaN becomes 0
 }
 
 /// Attaches geometries and assigns record ids.
@@ -137,7 +137,7 @@ class SceneBuilder {
     for (Vec3f& n : world->normals) n = normalized_or(normal_matrix * n, n);
     const float turned = glm::determinant(place.linear) < 0.0f ? -1.0f : 1.0f;  // mirroring reverses the bitangent
     for (Vec4f& t : world->tangents) t = Vec4f(normalized_or(place.linear * Vec3f(t), Vec3f(t)), turned * t.w);
-    if (glm::determinant(place.linear) < 0.0f)  // mirrored: reverse the winding, so that it agrees with the normals
+    if (glm::determinant(place.linear) < 0.0f)  // reverse the winding of mirrored meshes, so that it agrees with the normals
       for (auto& triangle : world->triangles) std::swap(triangle[1], triangle[2]);
     const EmbreeGeometry geometry = make_triangles(*world, index);
     set_rays_met(geometry.get(), index);
@@ -197,7 +197,7 @@ class SceneBuilder {
       filter_shadows(geometry.get(), *caster);
       embree_.shadow_casters.push_back(std::move(caster));
     }
-    rtcSetGeometryMask(geometry.get(), ~0u);  // in Embree 4, a geometry's own mask has one bit
+    rtcSetGeometryMask(geometry.get(), ~0u);  // because Embree 4 sets only one bit by default
     rtcCommitGeometry(geometry.get());
     return geometry;
   }
@@ -284,7 +284,8 @@ class SceneBuilder {
 /// scale is then practically 0.
 void place(GeometryRecord& record, RTCGeometry geometry, const Affine3f& world_from_mesh, float least_reach) {
   record.reach = reach_of(inverse(world_from_mesh));
-  if (is_singular(world_from_mesh.linear) || !(record.reach >= least_reach)) {  // animations hide objects by scaling them to 0
+  if (is_singular(world_from_mesh.linear) ||
+      !(record.reach >= least_reach)) {  // animations may hide objects by scaling them to 0
     record.reach = kLargestReach;
     record.hidden = true;
     rtcDisableGeometry(geometry);

@@ -1,5 +1,5 @@
-// The data that hits refer to. Each geometry has one id, the index of its record. Infinite planes and visible lights have their
-// own ids (ray_packet.hpp).
+// The data that hits refer to. The id of a geometry is the index of its GeometryRecord. Infinite planes and visible lights have
+// their own ids (ray_packet.hpp).
 #pragma once
 
 #include <array>
@@ -27,16 +27,16 @@ struct UvGradient {
   Vec3f normal;  ///< unit length; 0 for degenerate triangles
 };
 
-/// The object of a geometry id.
+/// Describes the object that a geometry id stands for.
 struct GeometryRecord {
   GeometryKind kind = GeometryKind::kMesh;
-  bool placed = false;         ///< an instance of a mesh: normals and positions need world_from_mesh
-  bool hidden = false;         ///< placed, but scaled to 0
+  bool placed = false;  ///< whether this is an Embree instance of a mesh, whose normals and positions need world_from_mesh
+  bool hidden = false;  ///< whether this is a placed mesh scaled to practically 0
   std::uint32_t instance = 0;  ///< index in Scene::instances (meshes only; other kinds have one per primitive)
-  const Mesh* mesh = nullptr;  ///< in world space; in mesh space if placed
-  /// By uv set, one per triangle; null if the mesh lacks the set.
+  const Mesh* mesh = nullptr;  ///< vertices are in world space, or in mesh space if `placed` is set
+  /// Gradients per triangle, by uv set; null if the mesh lacks the set.
   std::array<const std::vector<UvGradient>*, 2> uv_gradients{};
-  const void* primitives = nullptr;  ///< PrimitiveTable of the kind
+  const void* primitives = nullptr;  ///< PrimitiveTable of this kind, for analytic shapes
   const std::vector<std::uint32_t>* instance_of_primitive = nullptr;
   bool one_material = true;     ///< all instances of this record have the same material
   float reach = kLargestReach;  ///< for placed meshes: the largest ray coordinate that stays within kLargestReach in mesh space
@@ -65,7 +65,7 @@ struct PosedMesh {
   std::uint32_t record;
   Mesh mesh;
   std::array<std::vector<UvGradient>, 2> uv_gradients;
-  bool mirrored;  ///< the triangles have the opposite winding to the scene's mesh
+  bool mirrored;  ///< whether the triangles have the opposite winding to those of the scene's mesh
 };
 
 /// The splats of one instance.

@@ -17,7 +17,7 @@ ShadowHit shadow_hit(const RTCFilterFunctionNArguments* args, const SceneGeometr
           record.placed ? record.world_from_mesh.linear * direction : direction};
 }
 
-/// Multiplies the transmittance of a lane. Ray ids are lanes.
+/// Multiplies the transmittance of a lane by the light that passes.
 void weaken(ShadowContext& context, unsigned lane, Vec3f passes) {
   if (passes.x == passes.y && passes.y == passes.z) {
     context.transmittance[lane] *= passes.x;
@@ -36,7 +36,7 @@ void weaken_shadow(const RTCFilterFunctionNArguments* args) {
   for (unsigned i = 0; i < args->N; ++i) {
     if (!args->valid[i]) continue;
     const Vec3f passes = caster.transmittance(shadow_hit(args, *context->geometry, i));
-    if (!(passes.x + passes.y + passes.z > 0.0f)) continue;  // opaque: the ray ends here
+    if (!(passes.x + passes.y + passes.z > 0.0f)) continue;  // no light passes, so the ray ends here
     weaken(*context, RTCRayN_id(args->ray, args->N, i), passes);
     args->valid[i] = 0;
   }

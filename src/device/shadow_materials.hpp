@@ -1,4 +1,4 @@
-// The interface to materials for shadow rays: how much light passes surfaces straight on.
+// The interface through which shadow rays find out how much light passes straight through surfaces.
 #pragma once
 
 #include <cstdint>

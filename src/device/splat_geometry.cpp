@@ -35,7 +35,8 @@ void splat_bounds(const RTCBoundsFunctionArguments* args) {
   const glm::dmat3 rows = glm::transpose(glm::inverse(to_splat));
   const Vec3f center(splat.x, splat.y, splat.z);
   const Vec3f half = std::sqrt(splat.reach) * Vec3f(glm::length(rows[0]), glm::length(rows[1]), glm::length(rows[2]));
-  // Pad for rounding errors, for grazing rays and flat splats.
+  // Pad the bounds by more than the rounding errors, because grazing rays could otherwise miss them, and those of flat splats
+  // may have no thickness.
   const Vec3f pad = 1e-4f * half + 1e-6f * (glm::abs(center) + half);
   const Vec3f lower = center - half - pad, upper = center + half + pad;
   args->bounds_o->lower_x = lower.x, args->bounds_o->upper_x = upper.x;
@@ -49,7 +50,8 @@ struct SplatMeeting {
   alignas(64) int met[kLanes];
 };
 
-/// words: a packet in Embree's layout, arrays of n words. Returns whether any lane hits the splat.
+/// Returns whether any lane hits the splat. `words` is a packet of n rays in Embree's layout, which consists of arrays of n
+/// words.
 LIPPMANN_INLINE int meet_in_lanes(const WorldSplat& splat, const int* valid, const float* words, unsigned n,
                                   SplatMeeting& meeting) {
   int any = 0;
@@ -77,7 +79,7 @@ LIPPMANN_MULTIVERSION int meet_splat(const WorldSplat& splat, const int* valid, 
   return meet_in_lanes(splat, valid, words, n, meeting);
 }
 
-/// Prefetches the splat's harmonics, which are probably not in the cache.
+/// Prefetches the splat's colour (spherical harmonics), which is probably not in the cache.
 void fetch_colour(const SplatTable& table, const WorldSplat& splat) {
   constexpr std::size_t kCacheLine = 64;
   const Splats& splats = *table.sets[splat.set].splats;

@@ -1,4 +1,4 @@
-// Splats as an Embree geometry.
+// Makes an Embree geometry of splats and collects the splats that rays hit.
 #pragma once
 
 #include "device/embree_scene.hpp"

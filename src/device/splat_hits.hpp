@@ -1,6 +1,6 @@
 // The splats along sixteen rays, nearest first.
 //
-// A ray's list ends where the transmittance falls below kDark: splats behind that point are dropped, and the search can stop
+// A ray's list ends where the transmittance falls below kDark. Splats behind that point are dropped, and the search can stop
 // there. The final list does not depend on the order in which splats are found: a splat is only dropped if the splats before it
 // are opaque enough, and more splats before it only lower the transmittance.
 #pragma once
@@ -19,12 +19,12 @@ inline constexpr float kDark = 1.0f / 1024.0f;
 
 struct SplatHit {
   float t;              ///< distance of the splat's maximum along the ray
-  float alpha;          ///< opacity at this point
+  float alpha;          ///< opacity at distance t
   float left;           ///< transmittance of this splat and all before it
   std::uint32_t splat;  ///< index in SplatTable::splats
 };
 
-/// Reuses its memory from packet to packet.
+/// Holds the lists of a packet's lanes. Reuses its memory from packet to packet.
 class SplatHits {
  public:
   void clear() {

@@ -15,7 +15,8 @@ struct Slab {
   float enter, leave;
 };
 
-/// A direction of 0 counts as a tiny one: a ray in the plane of the slab lies within it.
+/// Intersects a ray with the slab between two parallel planes. A direction of 0 counts as a tiny one, so that rays parallel to
+/// the slab are handled.
 LIPPMANN_INLINE Slab cross(float lower, float upper, float origin, float direction) {
   const float inverse = std::copysign(1.0f / std::max(std::abs(direction), 1e-20f), direction);
   const float a = (lower - origin) * inverse, b = (upper - origin) * inverse;
@@ -26,7 +27,7 @@ LIPPMANN_INLINE float larger(float a, float b) { return a > b ? a : b; }
 LIPPMANN_INLINE float smaller(float a, float b) { return a < b ? a : b; }
 
 /// Intersects n rays in Embree's layout (arrays of n words) with a box. Rays that hit a box with horizon 0 end there, because
-/// no box can be lower; other rays continue. `lowest` holds the lowest horizon per ray.
+/// no horizon can be lower; other rays continue. `lowest` holds the lowest horizon per ray.
 LIPPMANN_INLINE void meet_lanes(const Vec3f lower, const Vec3f upper, float horizon, const int* valid, float* words, unsigned n,
                                 float* lowest) {
   const auto* id = reinterpret_cast<const unsigned*>(words + 10 * n);
@@ -65,7 +66,7 @@ void TouchProbe::Boxes::bounds(const RTCBoundsFunctionArguments* args) {
   *args->bounds_o = {box.lower.x, box.lower.y, box.lower.z, 0.0f, box.upper.x, box.upper.y, box.upper.z, 0.0f};
 }
 
-/// The context's transmittance array holds the lowest horizons.
+/// Called by Embree for rays that may hit a box. The context's transmittance array holds the lowest horizon of each ray.
 void TouchProbe::Boxes::meet(const RTCOccludedFunctionNArguments* args) {
   const Box& box = static_cast<const Box*>(args->geometryUserPtr)[args->primID];
   auto* context = reinterpret_cast<ShadowContext*>(args->context);
@@ -105,7 +106,7 @@ TouchProbe::~TouchProbe() = default;
 std::uint8_t TouchProbe::lowest_met(const RayPacket& rays, const LaneMask& active) const {
   RayPacket packet = rays;
   ShadowContext context;
-  make_ready(packet);  // shadow rays that are not yet traced are not ready
+  make_ready(packet);  // sets the internal fields, which shadow rays lack before they are traced
   std::fill_n(context.transmittance, kLanes, static_cast<float>(everything_));
   if (!boxes_->boxes.empty())
     occluded(boxes_->scene.get(), boxes_->native_width, sound_lanes(packet, kLargestReach, active), packet, context);

@@ -10,7 +10,7 @@
 
 namespace lippmann {
 
-/// The boxes in a form for ray tests. Thread-safe.
+/// Tests rays against a set of boxes. Thread-safe.
 class TouchProbe {
  public:
   /// Uses the device of `scene`, which must outlive this object.
@@ -28,7 +28,7 @@ class TouchProbe {
   std::uint8_t everything_ = TouchedBlocks::kNever;  ///< lowest horizon of the infinite boxes
 };
 
-/// The lowest horizon that the rays of one block have hit so far.
+/// Collects the lowest horizon that the rays of one block have hit so far.
 class BlockProbe {
  public:
   explicit BlockProbe(const TouchProbe& probe) : probe_(probe) {}

@@ -3,7 +3,7 @@
 // A block is the unit of tracing: neighbouring packets, and the mirror and refracted rays that follow from them. Retracing a
 // block, alone or with others, gives the same bits. (Retracing single pixels does not, because the rays that share a packet
 // affect rounding.) With boxes around everything that moves in the following frames, the blocks without hits provably stay
-// unchanged: their rays see, and are lit by, static objects only. After the voxels of D. A. Jevans, "Object space temporal
+// unchanged: their rays meet only static objects and their light. Based on the voxels of D. A. Jevans, "Object space temporal
 // coherence for ray tracing", Graphics Interface 1992.
 #pragma once
 

@@ -5,7 +5,8 @@
 
 namespace lippmann {
 
-/// The product of white and tint. Most see-through surfaces attenuate all channels equally, so most packets never use the tint.
+/// The transmittance of a lane is the product of `white` and `tint`. Most see-through surfaces attenuate all channels equally,
+/// so most packets never use the tint.
 struct Transmittance {
   Lanes white;             ///< 1 for new rays
   Lanes3 tint;             ///< valid if is_tinted is set

@@ -12,7 +12,7 @@ void bounds_callback(const RTCBoundsFunctionArguments* args) {
   Bounds3f b = bounds(table.primitives[args->primID]);
   const Vec3f size = b.size();
   const float extent = size.x + size.y + size.z;
-  if (!(extent > 0.0f && std::isfinite(extent))) b = {};  // scaled to 0: no ray hits it
+  if (!(extent > 0.0f && std::isfinite(extent))) b = {};  // empty bounds, because no ray can hit a primitive scaled to 0
   // Pad by 10^-6, so that a ray that grazes the exact surface does not miss the rounded box.
   const Vec3f pad = 1e-6f * glm::max(glm::abs(b.lower), glm::abs(b.upper));
   args->bounds_o->lower_x = b.lower.x - pad.x, args->bounds_o->upper_x = b.upper.x + pad.x;
@@ -73,7 +73,8 @@ LIPPMANN_INLINE void intersect_callback(const RTCIntersectFunctionNArguments* ar
     intersect_lanes(primitive, args->valid, packet, args->N, args->primID, args->geomID, inst);
 }
 
-/// Lets shadow rays pass a see-through primitive and attenuates them at each crossing. Ray ids are lanes (see ShadowContext).
+/// Lets shadow rays pass a see-through primitive and attenuates them at each crossing. The id of a ray is its lane (see
+/// ShadowContext).
 template <class Primitive>
 void filter_lanes(const RTCOccludedFunctionNArguments* args, const Primitive& primitive, float transmittance) {
   const PacketView packet{reinterpret_cast<float*>(args->ray), args->N};
@@ -103,7 +104,7 @@ LIPPMANN_INLINE void occluded_callback(const RTCOccludedFunctionNArguments* args
     occlude_lanes(primitive, args->valid, packet, args->N);
 }
 
-// Multiversioned functions cannot be templates, so each kind has its own pair.
+// Multiversioned functions cannot be templates, so each kind of primitive has its own two functions.
 LIPPMANN_MULTIVERSION void intersect_sphere(const RTCIntersectFunctionNArguments* a) { intersect_callback<WorldSphere>(a); }
 LIPPMANN_MULTIVERSION void occlude_sphere(const RTCOccludedFunctionNArguments* a) { occluded_callback<WorldSphere>(a); }
 LIPPMANN_MULTIVERSION void intersect_cylinder(const RTCIntersectFunctionNArguments* a) { intersect_callback<WorldCylinder>(a); }

@@ -7,13 +7,14 @@
 
 namespace lippmann {
 
-/// Return a committed geometry that reads `table`, which must outlive it at the same address.
+/// These functions return a committed geometry that reads `table`. The table must outlive the geometry and keep its address.
 EmbreeGeometry make_user_geometry(RTCDevice device, PrimitiveTable<WorldSphere>& table);
 EmbreeGeometry make_user_geometry(RTCDevice device, PrimitiveTable<WorldCylinder>& table);
 EmbreeGeometry make_user_geometry(RTCDevice device, PrimitiveTable<WorldRing>& table);
 EmbreeGeometry make_user_geometry(RTCDevice device, PrimitiveTable<WorldBox>& table);
 
-/// Call this after the primitives of `table` have moved and before committing the scene. Their number must not change.
+/// Updates the bounds of a geometry whose primitives have moved. Call this before committing the scene. The number of
+/// primitives must not change.
 void update_user_geometry(const EmbreeGeometry& geometry);
 
 }  // namespace lippmann

@@ -12,7 +12,7 @@
 namespace lippmann {
 
 struct WorldSplat {
-  float m[9];                 ///< maps world offsets to standard deviations; linear part, columns
+  float m[9];                 ///< columns of the matrix that maps world offsets to standard deviations
   float x, y, z;              ///< centre
   float opacity;              ///< 0 to 1
   float reach;                ///< squared distance from the centre, in standard deviations, up to which the splat is visible
@@ -20,10 +20,11 @@ struct WorldSplat {
 };
 static_assert(sizeof(WorldSplat) == 64, "one line of the cache");
 
-/// The point of a unit-length ray that is nearest to the splat in standard deviations: its `t`, and its squared distance.
+/// The point of a unit-length ray that is nearest to the splat when distances are measured in standard deviations: its `t` and
+/// its squared distance.
 ///
-/// Computed relative to the ray's point that is nearest to the centre in world space, to avoid cancellation for far eyes and
-/// flat splats.
+/// It is computed relative to the ray's point that is nearest to the centre in world space, to avoid cancellation for distant
+/// eyes and flat splats.
 struct SplatApproach {
   float t, squared;
 };
@@ -43,7 +44,7 @@ LIPPMANN_INLINE SplatApproach approach(const WorldSplat& s, const LaneRay& r) {
   return {near + along, fx * fx + fy * fy + fz * fz};
 }
 
-/// Returns the opacity at a squared distance.
+/// Returns the opacity at a squared distance from the centre, in standard deviations.
 LIPPMANN_INLINE float alpha_at(const WorldSplat& s, float squared) {
   constexpr float kHalfLog2E = 0.72134752f;
   return s.opacity * fast_exp2(-kHalfLog2E * squared);
