@@ -61,7 +61,7 @@ int kept_parts(const RenderSetup& setup, RenderFolder& folder) {
   return static_cast<int>(std::count_if(setup.parts.parts.begin(), setup.parts.parts.end(), is_finished));
 }
 
-/// Renders the parts as whole frames, or as strips only if another process joins them.
+/// Renders the parts: as whole frames, or only as strips if another process joins them.
 void make_parts(const RenderSetup& setup, const std::vector<int>& parts, FrameLoop& loop, StrippedFrames* strips) {
   if (setup.leaves_strips()) return strips->make_strips(parts);
   loop.take(frames_of_parts(parts, setup.parts.strips));
@@ -70,7 +70,7 @@ void make_parts(const RenderSetup& setup, const std::vector<int>& parts, FrameLo
 /// Claims units one by one and renders them until none is left.
 void share_parts(const Run& run, FrameLoop& loop, StrippedFrames* strips) {
   constexpr int kUnitsPerRank =
-      8;  // few, to limit the cost of starting a unit, but enough for ranks to end at about the same time
+      8;  // few, since starting a unit costs time, but enough for all ranks to end at about the same time
   const RenderSetup& setup = run.setup;
   Ranks& ranks = *setup.run.ranks;
   const std::vector<std::vector<int>> units = units_of(setup.parts.parts, setup.parts.segment, kUnitsPerRank * ranks.size());
@@ -92,12 +92,12 @@ void report_strips(const RenderSetup& setup, const StrippedFrames& strips, Rende
   }
 }
 
-/// Renders this process's share of the run. Also writes the videos if there are no ranks.
+/// Renders this process's share of the run. Also writes the videos if the run has no ranks.
 void make_run(const Run& run, FrameMaker& maker, StrippedFrames* strips) {
   const RenderSetup& setup = run.setup;
   RenderReport& report = run.report;
-  const bool writes_videos =
-      !setup.run.ranks;  // frames of other ranks arrive too late for a video that is encoded along with the frames
+  // With ranks, frames of the other ranks would arrive too late for a video that is encoded along with the frames.
+  const bool writes_videos = !setup.run.ranks;
   FrameLoop loop(run, maker, writes_videos ? setup.videos : std::vector<VideoFile>());
   run.progress.planned(setup.plan(kept_parts(setup, run.folder)));
   report.run.setup_seconds = setup.seconds();
@@ -114,7 +114,8 @@ void make_run(const Run& run, FrameMaker& maker, StrippedFrames* strips) {
   report.run.write_seconds = loop.write_seconds();
 }
 
-/// Returns whether all strips of a frame are recorded and their files exist. The strips of joined frames were deleted.
+/// Returns whether all strips of a frame are recorded and their files exist. False for a frame that was joined before, since
+/// joining deletes its strips.
 bool has_all_strips(const FolderJournal& journal, const std::filesystem::path& folder, int frame, int strips) {
   const auto recorded = journal.strips.find(frame);
   if (recorded == journal.strips.end()) return false;
@@ -123,7 +124,7 @@ bool has_all_strips(const FolderJournal& journal, const std::filesystem::path& f
   return true;
 }
 
-/// Joins the frames whose strips are complete. The other frames of an interrupted rank stay in strips.
+/// Joins the frames whose strips are complete. A frame that an interrupted rank left incomplete stays in strips.
 void join_frames(const Run& run) {
   const FolderJournal journal = run.folder.now();
   std::vector<int> frames;
@@ -166,7 +167,7 @@ RenderReport render_animation(RenderSetup& setup, const Context& context, const 
   const bool is_first = setup.run.is_first_rank();
   if (setup.parts.frames.empty())
     context.warning(fmt::format("unit {} has no frames: the job has fewer parts", write_units(*setup.run.units)));
-  if (!is_first) ranks->begin();  // after the first rank has prepared the folder
+  if (!is_first) ranks->begin();  // the first rank has prepared the folder before
   RenderFolder folder = open_folder(setup, context);
   const KeptLease lease(folder);
   RunProgress progress(observer, ranks);

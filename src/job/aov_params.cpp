@@ -24,13 +24,13 @@ void check_transparent(const RenderParams& params) {
   if (params.optics.precompensate) throw usage_error(kFlag, "cannot be combined with --precompensate", "one of the two");
 }
 
-/// Returns whether frames are written in a light-field format. The names of layouts do not count.
+/// Returns whether frames are written in a light-field format. False for formats that are names of layouts.
 bool is_light_field(const PictureParams& pictures) {
   constexpr std::array<std::string_view, 4> kLayouts{"integral", "quilt", "views", "native"};
   return !pictures.to.empty() && std::find(kLayouts.begin(), kLayouts.end(), pictures.to) == kLayouts.end();
 }
 
-/// Throws for layers other than depth, and for depth in formats that do not store it.
+/// Throws for layers other than depth, and for a depth layer in light-field formats that do not store depth.
 void check_light_field(const RenderParams& params) {
   const bool stores_depth = find_format(params.output.pictures.to, "to").uses_cameras;
   for (const Aov layer : params.sampling.aov)

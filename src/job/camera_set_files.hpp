@@ -11,8 +11,8 @@ namespace lippmann {
 void complete_camera_set(RenderParams& params);
 
 /// Writes the cameras of the frames in the folder's journal, in the format of the job: transforms.json with
-/// transforms_train.json and transforms_test.json, sparse/0, or poses_bounds.npy. Does nothing for jobs without such cameras,
-/// and before the first frame.
+/// transforms_train.json and transforms_test.json, or sparse/0, or poses_bounds.npy. Does nothing for jobs without cameras
+/// around the scene, and before the first frame is finished.
 void write_camera_set_files(const RenderSetup& setup, RenderFolder& folder);
 
 }  // namespace lippmann

@@ -77,7 +77,7 @@ void claim_dataset_folder(const DatasetParams& params) {
   if (!there) write_json(path, wanted);
 }
 
-/// Returns the sample.json of a complete sample, whose files have the recorded sizes; otherwise nullopt.
+/// Returns the sample.json of a sample if the sample is complete and its files have the recorded sizes; otherwise nullopt.
 std::optional<Json> complete_sample(const fs::path& folder) {
   std::optional<Json> json = read_optional_json(folder / "sample.json");
   if (!json || !json->is_object() || !json->contains("files") || !(*json)["files"].is_array()) return std::nullopt;
@@ -98,7 +98,7 @@ class SampleFiles {
       : folder_(std::move(folder)),
         shape_{static_cast<std::size_t>(views), static_cast<std::size_t>(size.y), static_cast<std::size_t>(size.x)} {}
 
-  /// Writes the samples of all views, with one or more values per pixel.
+  /// Writes one array with the samples of all views, with one or more values per pixel.
   template <class Sample>
   void add(const std::string& name, const std::vector<Sample>& samples) {
     std::vector<std::size_t> shape = shape_;
@@ -121,7 +121,7 @@ class SampleFiles {
   std::uint64_t bytes_ = 0;
 };
 
-/// Returns the shift of each point to the left from a view to its right neighbour, in pixels; -inf for the background.
+/// Returns by how many pixels each point shifts to the left from a view to its right neighbour; -inf for the background.
 std::vector<float> disparities(const std::vector<float>& depth_mm, const DatasetCameras& cameras) {
   std::vector<float> disparity;
   disparity.reserve(depth_mm.size());
@@ -141,7 +141,7 @@ Json sample_json(const DatasetParams& params, int index, const DatasetCameras& c
           {"files", files}};
 }
 
-/// Returns the number of bytes written, or nullopt if cancelled.
+/// Renders and writes one sample. Returns the number of bytes written, or nullopt if cancelled.
 std::optional<std::uint64_t> make_sample(const DatasetParams& params, const std::vector<Mesh>& meshes, int index,
                                          const Context& context) {
   SampleRandom random(params.seed, static_cast<std::uint32_t>(index));

@@ -1,6 +1,6 @@
 // Makes training data: light fields of random scenes with depth, disparity, normals, motion and ids, as NumPy arrays.
 //
-// FOLDER/dataset.json      what was asked for; a run with other parameters is refused
+// FOLDER/dataset.json      the parameters; a run with other parameters is refused
 // FOLDER/sample_000000/    views.npy and one array a layer, and sample.json: the cameras, and sizes and checksums of the files
 // FOLDER/manifest.json     all sample.json, once every sample is there
 //
@@ -34,11 +34,11 @@ struct DatasetParams {
 };
 
 struct DatasetReport {
-  int wanted = 0;            ///< samples of this run's units
-  int kept = 0, made = 0;    ///< samples found complete, and samples rendered
-  double seconds = 0.0;      ///< rendering and writing
-  std::uint64_t bytes = 0;   ///< written
-  bool is_complete = false;  ///< every sample and the manifest exist
+  int wanted = 0;            ///< number of samples in this run's units
+  int kept = 0, made = 0;    ///< number of samples found complete, and number rendered
+  double seconds = 0.0;      ///< time spent rendering and writing
+  std::uint64_t bytes = 0;   ///< number of bytes written
+  bool is_complete = false;  ///< whether every sample and the manifest exist
 };
 
 struct DatasetObserver {

@@ -67,7 +67,7 @@ Shape object_shape(const std::vector<Mesh>& meshes, SampleRandom& random) {
   return Boxes{{.lower = Vec3f(-0.6f), .upper = Vec3f(0.6f)}};
 }
 
-/// Moves a node linearly between two places from frame 0 to frame 1.
+/// Moves a node linearly between two positions from frame 0 to frame 1.
 void animate(Scene& scene, int node, SampleRandom& random) {
   const Transform& local = scene.nodes[static_cast<std::size_t>(node)].local;
   const std::vector<double> times{0.0, scene.timeline.time(1)};

@@ -30,7 +30,7 @@ class SampleRandom {
   std::uint32_t seed_, index_, drawn_ = 0;
 };
 
-/// A grid of cameras, and the distances that give the disparities.
+/// A grid of cameras, and the lengths that determine disparities.
 struct DatasetCameras {
   Optics optics;
   float distance_mm = 0.0f;  ///< from every camera to the plane of zero disparity
@@ -38,15 +38,15 @@ struct DatasetCameras {
   float pixel_mm = 0.0f;     ///< size of a view's pixel in that plane
 };
 
-/// Returns the triangle meshes of a scene, without skins, morph targets and materials, each fitted into the unit sphere.
+/// Returns the triangle meshes of a scene, each fitted into the unit sphere, without skins, morph targets and materials.
 std::vector<Mesh> unit_meshes_of(const Scene& scene);
 
-/// Makes a scene of two frames; frame 1 is the one rendered. Instance 0 is a wall behind everything; the others are objects
-/// made of `meshes`, spheres and boxes. The display stands in the middle, 10 units high, with a random rotation.
+/// Makes a scene of two frames, of which frame 1 is to be rendered. Instance 0 is a wall behind everything; all other instances
+/// are objects made of `meshes`, spheres and boxes. The display stands in the middle, 10 units high, with a random rotation.
 Scene dataset_scene(const std::vector<Mesh>& meshes, SampleRandom& random);
 
-/// Makes a grid of cameras, 150 to 400 mm from a plane 64 mm high. Neighbours are 0.5 to 2.5 degrees apart as seen from the
-/// plane.
+/// Makes a grid of cameras at a distance of 150 to 400 mm from the plane of zero disparity, in which the views are 64 mm high.
+/// Seen from that plane, neighbouring cameras are 0.5 to 2.5 degrees apart.
 DatasetCameras dataset_cameras(ViewGrid grid, Vec2i view_size, SampleRandom& random);
 
 }  // namespace lippmann

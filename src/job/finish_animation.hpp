@@ -14,16 +14,16 @@ namespace lippmann {
 
 struct FinishedAnimation {
   JoinedFolders joined;
-  FolderCheck check;           ///< the folder before it was finished
-  std::vector<int> to_render;  ///< frames that are missing or differ from their record, and cannot be joined from strips
+  FolderCheck check;                   ///< the folder before it was finished
+  std::vector<int> to_render;          ///< frames that are missing or damaged and cannot be joined from strips
   std::optional<RenderReport> report;  ///< report of the whole folder; nullopt if frames are missing
-  bool has_single = true;              ///< false: the job needs a render in kSingleFolder that is not complete
+  bool has_single = true;              ///< false if the job needs a render in kSingleFolder and that render is not complete
 };
 
-/// Takes over the frames of the folders `join` (join_folders) and reads all files of the folder. If all frames of the job or
-/// all of their strips exist, joins the strips and writes the videos, job.toml and report.json. Renders nothing. Finishes the
-/// job's render in kSingleFolder in the same way. The job is the folder's job.toml, or else that of the first folder in `join`.
-/// Throws Error for folders without a render, and for files that cannot be written.
+/// Takes over the frames of the folders `join` (join_folders) and reads all files of the folder. If all frames of the job
+/// exist, whole or as strips, joins the strips and writes the videos, job.toml and report.json. Renders nothing. Finishes the
+/// job's render in kSingleFolder in the same way. The job is read from the folder's job.toml, or else from the one in the first
+/// folder of `join`. Throws Error for folders without a render, and for files that cannot be written.
 FinishedAnimation finish_animation(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& join,
                                    const Context& context, const RenderObserver& observer = {});
 

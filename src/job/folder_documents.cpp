@@ -19,7 +19,7 @@ namespace {
 constexpr const char* kJobFile = "job.toml";
 constexpr const char* kReportFile = "report.json";
 
-/// Returns the total of all runs. Times add up, whether or not the runs overlapped.
+/// Returns the totals over all runs. Times add up, even if runs overlapped.
 RunReport all_of(const std::vector<RunReport>& runs) {
   RunReport all;
   for (const RunReport& run : runs) {
@@ -87,15 +87,16 @@ bool is_readable_job(const std::filesystem::path& job) try {
   return false;
 }
 
-/// Returns whether a job file that differs from the record is damaged. An edited file can still be read, and a resumed run
-/// reads the same settings from it. The single view's job file is written by its render and not meant to be edited.
+/// Returns whether a job file that differs from the record is damaged. A file that the user edited is not damaged: it can be
+/// read, and a resumed run reads the same settings from it. The job file of the single view is written by its render and not
+/// meant to be edited, so any difference is damage.
 bool is_damaged_job(const std::filesystem::path& file, const ResolvedJob& job, const RenderFolder& folder) {
   if (!job.params().resume || !folder.now().files.contains(kJobFile)) return false;
   const bool is_of_single = folder.path().filename() == kSingleFolder && has_journal(folder.path().parent_path());
   return is_of_single || !is_readable_job(file) || !differences(file, job).empty();
 }
 
-/// Returns whether earlier runs were given all frames and companions of the present runs.
+/// Returns whether earlier runs already included all requested frames and companions of this run.
 bool holds_all(const FolderJournal& before, const FolderJournal& now) {
   return before.asked == now.asked && before.companions == now.companions;
 }

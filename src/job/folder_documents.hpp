@@ -10,14 +10,14 @@
 
 namespace lippmann {
 
-/// Writes a job file for all frames, videos and companions (FolderJournal::companions) of this run and all others in the
-/// folder. A job.toml that was edited or not written by a run is kept; a resumed run replaces a damaged one. Call after the run
-/// has begun.
+/// Writes a job file for all frames, videos and companions (FolderJournal::companions) of this run and of all other runs in the
+/// folder. A job.toml that the user edited or wrote is kept; a resumed run replaces a damaged one. Call after the run has
+/// begun.
 void write_job_of_folder(const ResolvedJob& job, const std::vector<int>& frames, int frame_count, RenderFolder& folder,
                          const Context& context);
 
-/// Writes a first report when a run begins, unless the folder has one of this render. It describes the optics of the frames to
-/// readers during the render and after a crash.
+/// Writes a first report when a run begins, unless the folder already has a report of this render. Readers find the optics of
+/// the frames in it, during the render and after a crash.
 void begin_report(const RenderReport& run, RenderFolder& folder);
 
 /// Writes the report of `run` with all frames of the folder's journal and the totals of all finished runs. Call after the run's

@@ -9,9 +9,9 @@
 namespace lippmann {
 namespace {
 
-/// Expected frames per key, if any frame may be a key of copied ones. A key that does not pay off is followed by an equal
-/// number of frames without a key, and one that does by about as many copies (frames/exact_frames.cpp). The first frame of a
-/// measurement is always a key.
+/// Expected number of frames per key frame if any frame may be a key from which others are copied. A key that does not pay off
+/// is followed by an equal number of frames without a key, and one that pays off by about as many copies
+/// (frames/exact_frames.cpp). The first frame of a measurement is always a key.
 constexpr double kFramesPerFreeKey = 16.0;
 
 double mean_cost(const std::vector<double>& costs) {
@@ -26,7 +26,7 @@ double sum_of_cpu(const std::vector<FrameReport>& frames) {
   return sum;
 }
 
-/// Returns the mean costs by the frames' positions in their segments.
+/// Returns the mean cost for each position of a frame in its segment.
 std::map<int, double> costs_by_place(const std::vector<FrameReport>& frames, int segment) {
   std::map<int, std::vector<double>> costs;
   std::vector<double> free_keys;
@@ -54,8 +54,8 @@ std::set<int> segments_of(const std::vector<FrameReport>& frames, int segment) {
   return segments;
 }
 
-/// Returns the cost of the sources that a unit renders besides its own frames. Only those of its last segment count; the others
-/// are frames of the unit itself.
+/// Returns the mean cost per unit of the source frames that a unit renders besides its own frames. Sources of a measured
+/// segment that belong to the job do not count, since the unit renders them as frames anyway.
 double source_cost(const MeasuredRun& run, const std::vector<int>& of_job, int segment) {
   const std::set<int> measured = segments_of(run.frames, segment);
   double sum = 0.0;

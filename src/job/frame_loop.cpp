@@ -19,7 +19,7 @@
 namespace lippmann {
 namespace {
 
-/// Returns the EXR attributes that describe the render to readers without the report.
+/// Returns the EXR attributes that describe the render, for readers that do not have the report.
 std::vector<ExrAttribute> about_render(const RenderSetup& setup) {
   std::vector<ExrAttribute> about{{"lippmann.version", version()},
                                   {"lippmann.scene", setup.job.scene().name},
@@ -68,7 +68,7 @@ void FrameLoop::take(const std::vector<int>& frames) {
 void FrameLoop::keep(const FrameReport& kept) {
   run_.report.frames.push_back(kept);
   run_.report.frames.back().kept = true;
-  // A killed run may have left its strips.
+  // If an earlier run was killed, strips of the finished frame may be left.
   if (run_.setup.job.is_in_strips()) remove_strips(run_.setup.folder, kept.frame, run_.setup.parts.strips);
   sink_.add_kept(kept.frame);
 }
@@ -77,7 +77,7 @@ void FrameLoop::add_kept(const std::vector<int>& frames) {
   for (const int frame : frames) sink_.add_kept(frame);
 }
 
-/// Returns false if the run was cancelled.
+/// Renders one frame and passes it to the writer. Returns false if the run was cancelled.
 bool FrameLoop::make(int frame) {
   if (run_.context.cancelled) return false;
   RenderedFrame made = rendered(frame);
@@ -85,13 +85,13 @@ bool FrameLoop::make(int frame) {
   run_.report.frames.push_back(made.report);
   run_.report.run.frames.push_back(frame);
   const bool in_strips = run_.setup.job.is_in_strips();
-  if (!in_strips) run_.progress.traced(made.report);  // each strip was reported after tracing
+  if (!in_strips) run_.progress.traced(made.report);  // strips were reported one by one after tracing
   sink_.add(std::move(made));
   if (in_strips || run_.setup.memory.one_at_a_time) sink_.wait();
   return true;
 }
 
-/// Renders the frame. Warns if the job's first frame shows nothing.
+/// Renders the frame. Warns if it is the job's first frame and shows nothing.
 RenderedFrame FrameLoop::rendered(int frame) {
   RenderSetup& setup = run_.setup;
   const bool is_checked = frame == setup.parts.of_job.front() && !setup.job.is_in_strips() && !setup.job.is_test_pattern();

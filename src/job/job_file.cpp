@@ -43,7 +43,7 @@ constexpr std::uintmax_t kMaxBytesOfJob = std::uintmax_t{1} << 20;
 
 // ---- Reading --------------------------------------------------------------------------------------------------------
 
-/// Returns the text that a flag would have for a TOML value. `where` is the key's location.
+/// Returns the text that a flag would take for a TOML value. `where` is the key's location, for messages.
 std::string value_text(const toml::node& node, const std::string& where) {
   if (const auto* text = node.as_string()) return text->get();
   if (const auto* whole = node.as_integer()) return fmt::format("{}", whole->get());
@@ -108,8 +108,8 @@ bool lies_in(const fs::path& folder, const std::string& path) {
   return from != ".." && !from.starts_with("../");
 }
 
-/// Returns whether the value is a path inside `folder`, and `folder` is the render's own. Such paths are stored relative to it,
-/// so that a copied folder writes into the copy.
+/// Returns whether the value is a path inside `folder`, and `folder` is the render's output folder. Such paths are stored
+/// relative to the folder, so that a copied folder renders into the copy.
 bool is_own_file(const ParamInfo& info, const std::string& value, const RenderParams& params, const fs::path& folder) {
   const bool is_own_folder = !params.output.folder.empty() && path_from(folder, params.output.folder) == ".";
   return is_own_folder && (info.name == "output" || info.name == "video") && !value.empty() && lies_in(folder, value);

@@ -12,11 +12,12 @@
 
 namespace lippmann {
 
-/// Reads the keys of a job into `params`; other parameters keep their values. Throws Error naming file, line and, for an
-/// unknown key, the nearest known one.
+/// Reads the keys of a job file into `params`; parameters without a key keep their values. Throws Error naming the file, the
+/// line and, for an unknown key, the most similar known key.
 void read_job(const std::filesystem::path& file, RenderParams& params);
 
-/// Returns the text of a job file in `folder`: every given key, under its group's heading.
+/// Returns the text of a job file in `folder`. It has a key for every parameter that is set, below the heading of the
+/// parameter's group.
 std::string job_text(const RenderParams& params, const std::filesystem::path& folder);
 
 /// Writes job_text() atomically.

@@ -11,8 +11,8 @@
 
 namespace lippmann {
 
-/// Returns 16 hexadecimal digits that identify the parameters that affect pictures, the scene, the display and this program's
-/// version.
+/// Returns 16 hexadecimal digits that identify everything that affects the pictures: the job's parameters, the scene, the
+/// display and this program's version.
 std::string job_fingerprint(const ResolvedJob& job, const Scene& scene, const Display* display = nullptr);
 
 /// Returns the names of the picture-affecting parameters that differ between a job file and `job`; empty if the file cannot be

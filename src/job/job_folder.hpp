@@ -20,7 +20,7 @@ namespace lippmann {
 RenderFolder open_job_folder(const std::filesystem::path& path, const std::string& fingerprint, const ResolvedJob& job,
                              const std::vector<int>& frames, int frame_count, bool force, const Context& context);
 
-/// Returns the command-line words that quietly resume the render of a folder.
+/// Returns the command-line words that resume the render of a folder without progress messages.
 std::vector<std::string> words_to_resume(const std::filesystem::path& folder);
 
 /// The steps of take_frames().
@@ -31,7 +31,7 @@ struct FrameSteps {
   std::function<bool(int)> make;  ///< returns false if cancelled
 };
 
-/// Keeps or makes the frames in order until a step is cancelled.
+/// Keeps or makes the frames in order. Stops if a step is cancelled.
 void take_frames(const std::vector<int>& frames, RenderFolder& folder, const FrameSteps& steps);
 
 /// The steps of take_strips().
@@ -45,16 +45,16 @@ struct StripSteps {
 /// if a part's number overflows.
 std::vector<int> parts_of(const std::vector<int>& frames, int count);
 
-/// Returns the frames of such parts, without duplicates, ascending.
+/// Returns the frames that the parts belong to, without duplicates, ascending. `parts` and `count` are as in parts_of().
 std::vector<int> frames_of_parts(const std::vector<int>& parts, int count);
 
-/// Returns their strips, by frame.
+/// Returns the strips of each frame in `parts`.
 std::map<int, std::vector<int>> strips_of_parts(const std::vector<int>& parts, int count);
 
-/// Returns whether the part, or its whole frame, exists as recorded in `journal`. Reads the files.
+/// Returns whether the part, or the whole frame that it belongs to, exists as recorded in `journal`. Reads the files.
 bool is_finished_part(int part, int count, RenderFolder& folder, const FolderJournal& journal);
 
-/// Keeps or makes the strips in order until a step is cancelled.
+/// Keeps or makes the strips in order. Stops if a step is cancelled.
 void take_strips(const std::vector<int>& parts, RenderFolder& folder, const StripSteps& steps);
 
 /// Returns the figures of a frame's strips, from top to bottom. Throws Error naming the first strip that is missing or differs

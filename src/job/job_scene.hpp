@@ -17,7 +17,7 @@ struct SceneNotes {
 };
 
 struct JobScene {
-  Scene scene;  ///< passes validate(); the camera that sets the view comes first
+  Scene scene;  ///< the scene, which passes validate(); the camera that sets the view comes first
   SceneNotes notes;
 };
 

@@ -18,10 +18,10 @@ struct JobStage : Stage {
 
   /// Loads the scene, places the optics and builds the ray-tracing structures. Throws Error.
   JobStage(const ResolvedJob& job, const ThreadPool& pool, const Context& context);
-  /// Does the same for a loaded scene. The scene keeps its light, whatever environment the job names. Throws Error.
+  /// Makes the stage from a loaded scene. The scene keeps its light, whatever environment the job names. Throws Error.
   JobStage(JobScene loaded, const ResolvedJob& job, const ThreadPool& pool);
 
-  /// Replaces the optics by those of a job with the same scene, light and integrator. Throws Error and then changes nothing.
+  /// Replaces the optics by those of a job with the same scene, light and integrator. If it throws Error, nothing has changed.
   void place(const ResolvedJob& job);
 
  private:

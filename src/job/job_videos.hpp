@@ -20,7 +20,7 @@ void check_videos(const OutputParams& output, const FrameLayout& layout, bool is
 /// Returns the videos requested by the job.
 std::vector<VideoFile> job_videos(const ResolvedJob& job, const FrameLayout& layout, double frames_per_second);
 
-/// Returns the file names.
+/// Returns the file names of the videos.
 std::vector<std::string> names_of(const std::vector<VideoFile>& videos);
 
 /// Makes the folders of videos and removes files left by a killed run. Warns of limits of `display` (may be null) that a video
@@ -28,8 +28,8 @@ std::vector<std::string> names_of(const std::vector<VideoFile>& videos);
 void make_room_for_videos(const std::vector<VideoFile>& videos, const FrameLayout& layout, const Display* display,
                           const Context& context);
 
-/// Completes the videos of these frames, all of which `sink` has received. Records them in the folder's journal and, for a
-/// companion (kSingleFolder), in that of its light field.
+/// Completes the videos of these frames, all of which `sink` has received. Records the videos in the folder's journal and, if
+/// the folder is a companion (kSingleFolder), in the journal of the light field's folder too.
 void finish_videos(const std::vector<VideoFile>& videos, const std::vector<int>& frames, FrameSink& sink, RenderFolder& folder);
 
 }  // namespace lippmann

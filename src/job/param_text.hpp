@@ -1,7 +1,7 @@
 // Converts parameter values to and from text: numbers in a range, extents such as 64x64, names of choices.
 //
-// read_* throw a usage Error at `where` that says what would be accepted. Floats are written with the fewest digits that read
-// back to the same value.
+// The functions read_* throw a usage Error at `where` that names the accepted values. Floats are written with the fewest digits
+// that read back to the same value.
 #pragma once
 
 #include <cstdint>
@@ -34,7 +34,7 @@ std::string write_distance(std::optional<float> distance_mm);
 EyeHeight read_eye_height(std::string_view text, const std::string& where);
 std::string write_eye_height(const EyeHeight& height);
 
-/// Reads NEAR:FAR in mm, where far must be below near.
+/// Reads NEAR:FAR in mm. FAR must be less than NEAR.
 DepthRange read_depth_range(std::string_view text, const std::string& where);
 
 /// Reads the name of a choice and returns its index. The Error lists the names.

@@ -41,17 +41,18 @@ constexpr std::array<std::string_view, 7> kLayoutNames{"integral", "quilt", "vie
 constexpr std::array<std::string_view, 1> kCompanionNames{"single"};
 constexpr std::array<std::string_view, 2> kExrPixelNames{"half", "float"};
 constexpr std::array<std::string_view, 2> kDepthScaleNames{"disparity", "depth"};
-/// The layers accepted by `aov`. Alpha is selected by `transparent`.
+/// The layers accepted by `aov`. Alpha is left out, since `transparent` selects it.
 const std::span<const std::string_view> kWantedAovNames(kAovNames.data(), kAovs - 1);
 
-constexpr int kMaxCount = 1 << 20;  ///< pixels or lenses along one side; panel_size() limits the whole panel
+constexpr int kMaxCount = 1 << 20;  ///< maximum number of pixels or lenses along one side; panel_size() limits the whole panel
 
-/// Reads and writes values of one type. Each row makes its `set` and `get` from a codec.
+/// Reads and writes values of one type. Each row of the table makes its `set` and `get` from a codec.
 template <class T>
 struct Codec {
   std::function<T(std::string_view, const std::string& where)> read;
   std::function<std::string(const T&)> write;
-  std::vector<std::string_view> choices = {};  ///< the words that `read` accepts; empty: other values
+  /// The words that `read` accepts; empty: values that are not from a list of words.
+  std::vector<std::string_view> choices = {};
 };
 
 Codec<std::string> text() {
@@ -104,7 +105,7 @@ Codec<E> choice(const std::array<std::string_view, N>& names) {
       {names.begin(), names.end()}};
 }
 
-/// Accepts names used by job files of earlier versions.
+/// Also accepts names used by job files of earlier versions.
 Codec<ReuseChoice> reuse_choice() {
   Codec<ReuseChoice> codec = choice<ReuseChoice>(kReuseNames);
   codec.read = [by_name = codec.read](std::string_view value, const std::string& where) {
@@ -114,7 +115,7 @@ Codec<ReuseChoice> reuse_choice() {
   return codec;
 }
 
-/// Accepts true and false, used by job files of earlier versions.
+/// Also accepts true and false, which job files of earlier versions use.
 Codec<Denoise> denoise_choice() {
   Codec<Denoise> codec = choice<Denoise>(kDenoiseNames);
   codec.read = [by_name = codec.read](std::string_view value, const std::string& where) {
@@ -124,13 +125,13 @@ Codec<Denoise> denoise_choice() {
   return codec;
 }
 
-/// An optional flag.
+/// Reads and writes an optional flag.
 Codec<std::optional<bool>> optional_flag() {
   return {[](std::string_view value, const std::string& where) { return std::optional(read_flag(value, where)); },
           [](const std::optional<bool>& value) { return value ? std::string(*value ? "true" : "false") : std::string(); }};
 }
 
-/// An optional number.
+/// Reads and writes an optional number.
 template <class T>
 Codec<std::optional<T>> optional_number(double lowest, double highest) {
   const Codec<T> codec = number<T>(lowest, highest);
@@ -138,7 +139,7 @@ Codec<std::optional<T>> optional_number(double lowest, double highest) {
           [codec](const std::optional<T>& value) { return value ? codec.write(*value) : std::string(); }};
 }
 
-/// An optional choice.
+/// Reads and writes an optional choice.
 template <class E, std::size_t N>
 Codec<std::optional<E>> optional_choice(const std::array<std::string_view, N>& names) {
   const Codec<E> made = choice<E>(names);
@@ -170,7 +171,7 @@ Codec<std::optional<Integrator>> integrator_name() {
   return {read, write, names};
 }
 
-/// Cameras around the scene.
+/// Reads and writes cameras around the scene.
 Codec<std::optional<CameraSet>> camera_set() {
   return {[](std::string_view value, const std::string& where) {
             return std::optional(read_camera_set(std::string(value), where));
@@ -178,7 +179,7 @@ Codec<std::optional<CameraSet>> camera_set() {
           [](const std::optional<CameraSet>& value) { return value ? write_camera_set(*value) : std::string(); }};
 }
 
-/// The name of a light field format.
+/// Reads and writes the name of a light field format.
 Codec<std::string> light_field_name() {
   return {[](std::string_view value, const std::string& where) { return std::string(find_format(value, where).name); },
           [](const std::string& value) { return value; }};
@@ -198,7 +199,8 @@ auto& member_of(T& value, M Group::*member, Rest... rest) {
   return member_of(value.*member, rest...);
 }
 
-/// Makes a row for the value at the end of a path of member pointers. An empty text from the codec's `write` means "not given".
+/// Makes a row for the value at the end of a path of member pointers. If the codec's `write` returns an empty text, the
+/// parameter counts as not given.
 template <class T, class... Members>
 ParamInfo row_of(ParamKind kind, Codec<T> codec, Documentation words, Members... members) {
   ParamInfo info{words.name, words.group, words.type, words.doc, kind, true, false, {}, {}};

@@ -18,22 +18,24 @@ namespace lippmann {
 enum class ParamKind { kText, kNumber, kFlag, kList };
 
 struct ParamInfo {
-  std::string_view name;   ///< flag without dashes; key
+  std::string_view name;   ///< name of the flag, without dashes, and of the key in job files
   std::string_view group;  ///< heading in --help
   std::string_view type;   ///< placeholder of the value, e.g. "DEG"
-  std::string_view doc;    ///< one line
+  std::string_view doc;    ///< documentation, in one line
   ParamKind kind = ParamKind::kText;
-  bool changes_pictures = true;  ///< may change the pictures of the same loaded scene
-  bool is_path = false;          ///< a path: relative to the working folder as a flag, to the job file's folder as a key
+  bool changes_pictures = true;  ///< whether it may change the pictures of the same loaded scene
+  /// Whether the value is a path, relative to the working folder in a flag and to the job file's folder in a key.
+  bool is_path = false;
 
   /// Sets the value. `where` is the location shown in messages: "--spp", "job.toml:3: spp".
   std::function<void(RenderParams&, const std::vector<std::string>& values, const std::string& where)> set;
-  /// Returns the value; empty if the parameter is not given and follows from others. set(get()) changes nothing.
+  /// Returns the value; empty if the parameter is not given, so that it follows from other parameters. set(get()) changes
+  /// nothing.
   std::function<std::vector<std::string>(const RenderParams&)> get;
 
-  std::vector<std::string_view> choices = {};  ///< the accepted words; empty: other values
+  std::vector<std::string_view> choices = {};  ///< the accepted words; empty: the value is not from a list of words
   std::string_view opposite = {};              ///< for a kFlag, the name of the flag and key that sets it to false; empty: none
-  std::string_view opposite_doc = {};          ///< one line
+  std::string_view opposite_doc = {};          ///< documentation of the opposite, in one line
   std::string_view bare_value = {};            ///< value of a flag given without one; empty: a value is required
 };
 
@@ -46,7 +48,7 @@ const ParamInfo* find_param(std::string_view name);
 /// Returns the flag of a parameter: "--spp".
 std::string flag_of(std::string_view name);
 
-/// Returns the row whose `opposite` has that name, or null.
+/// Returns the row whose `opposite` has the name `name`, or null.
 const ParamInfo* find_opposite(std::string_view name);
 
 /// Returns the known name nearest to `name`, as ", did you mean ...?" for a message; empty if none is close.

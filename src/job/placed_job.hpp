@@ -18,7 +18,8 @@ struct PlacedJob {
   PlacedOptics placed;
 };
 
-/// Returns the screen of a job. The arguments must outlive it. Throws a usage Error if parameters contradict each other.
+/// Returns the screen of a job. The arguments must outlive the result. Throws a usage Error if parameters contradict each
+/// other.
 Screen screen_of(const ResolvedJob& job, const Scene& scene, const Display* display);
 
 /// Loads the job's display, fits the array to the scene, and makes the optics. Rays start at the viewer, or

@@ -25,18 +25,19 @@ struct RenderReport {
   std::string view;   ///< FittedArray::how
   std::string cut;    ///< PlacedOptics::cut
   ShownDepth depth;
-  float depth_scale = 1.0f;            ///< shown depth / true depth
+  float depth_scale = 1.0f;            ///< factor of depth: depth on the display / depth in the scene
   std::optional<double> crosstalk_px;  ///< corrected crosstalk: a sigma in the optics' pixels or views
   double frames_per_second = 25.0;
-  std::vector<FrameReport> frames;  ///< in ascending order; kept frames have the figures of their own run
-  std::vector<FrameReport> strips;  ///< strips rendered for frames that are not in `frames`
-  RunReport run;                    ///< figures of this run beside its frames, or the totals of all runs
-  std::vector<RunReport> runs;      ///< all runs that rendered into the folder; empty: only `run`
-  std::vector<std::string> videos;  ///< names of the files
-  bool interrupted = false;         ///< stopped before the last frame; the listed frames are complete
+  /// Figures of the frames, in ascending order; kept frames have the figures of the run that rendered them.
+  std::vector<FrameReport> frames;
+  std::vector<FrameReport> strips;  ///< figures of strips whose frames are not in `frames`
+  RunReport run;                    ///< figures of this run besides those of its frames, or the totals of all runs
+  std::vector<RunReport> runs;      ///< all runs that rendered into the folder; empty: `run` is the only one
+  std::vector<std::string> videos;  ///< names of the video files
+  bool interrupted = false;         ///< whether the run stopped before the last frame; the listed frames are complete
 };
 
-/// Returns the mean clipped share and the largest residual over all frames. None without crosstalk correction.
+/// Returns the mean share of clipped samples and the largest residual over all frames; nullopt without crosstalk correction.
 std::optional<Precompensation> precompensation_of(const RenderReport& report);
 
 nlohmann::ordered_json to_json(const RenderReport& report);

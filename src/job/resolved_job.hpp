@@ -14,7 +14,7 @@ namespace lippmann {
 /// apply them twice.
 class ResolvedJob {
  public:
-  /// Completes `asked`:
+  /// Makes a job from the parameters `asked`, and fills in:
   /// - the integrator: see completed() (frames/frame_params.hpp);
   /// - the depth layer for output formats that store depth;
   /// - a single view for RGB-D pictures.
@@ -29,10 +29,10 @@ class ResolvedJob {
   /// Returns whether the job renders the test pattern of a display instead of a scene.
   bool is_test_pattern() const;
 
-  /// Whether each frame is rendered in strips of rows.
+  /// Returns whether each frame is rendered in strips of rows.
   bool is_in_strips() const { return params_.strips > 1; }
 
-  /// Returns the number of rendering threads: the requested one, or that of `context`.
+  /// Returns the number of rendering threads: the requested one, or the default of `context`.
   int threads(const Context& context) const;
 
   /// Returns the frame rate of the animation and of videos: the requested one, or the scene's own.

@@ -6,7 +6,7 @@
 namespace lippmann {
 namespace {
 
-/// Returns the first flag of interpolation that differs from its default; empty if there is none.
+/// Returns the first flag of interpolation whose value differs from its default; empty if there is none.
 std::string interpolation_flag(const ReuseParams& params) {
   const ReuseParams defaults;
   if (params.splat != defaults.splat) return "--splat";
@@ -49,8 +49,9 @@ Interpolate interpolate(const ReuseParams& params) {
           params.halving,   params.no_z_buffer};
 }
 
-/// Key frames and a minimum PSNR may be given for any scene, as in jobs for many scenes. Path-traced frames have no key frames,
-/// and copied or traced pixels without noise satisfy any minimum.
+/// Returns the kind of reuse that kAuto stands for. Ignores some parameters instead of refusing them, so that one set of flags
+/// serves many scenes: key frames where no frame can be copied, and a minimum PSNR where pixels are copied or traced without
+/// noise, which satisfies any minimum.
 Reuse reuse_by_sampling(ReuseParams params, const Sampling& sampling) {
   if (can_copy_settled(sampling)) return copy_settled(params);
   params.keyframes.reset();

@@ -11,7 +11,7 @@
 namespace lippmann {
 namespace {
 
-/// Returns the eye of the written view, which is the middle one.
+/// Returns the eye of the view that is written, the middle one.
 EyeAtWindow written_eye(const Optics& optics) {
   const std::optional<RenderedViews> rendered = rendered_views(optics);
   if (!rendered || !rendered->cameras)

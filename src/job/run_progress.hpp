@@ -16,18 +16,19 @@ namespace lippmann {
 /// Progress callbacks. All may be empty. All but `written` are called on the thread that called render_animation.
 struct RenderObserver {
   std::function<void(const RenderPlan&)> planned;
-  std::function<void(const FrameReport&)> traced;  ///< a traced frame or strip, in order, before its files
-  /// Called when the pictures and layers of a frame, or a strip, are on disk, with their size; in order, one at a time, on any
-  /// thread. Not called for kept frames and for frames joined from strips.
+  /// Called for each traced frame or strip, in order, before its files are written.
+  std::function<void(const FrameReport&)> traced;
+  /// Called when the files of a frame or strip are on disk, with their size: in order, one call at a time, on any thread. Not
+  /// called for kept frames and for frames joined from strips.
   std::function<void(int frame, std::uintmax_t bytes)> written;
 };
 
 class RunProgress {
  public:
-  /// `ranks` is null for a single process. Both must outlive this object.
+  /// Forwards progress to `observer`. `ranks` is null for a single process. Both must outlive this object.
   RunProgress(const RenderObserver& observer, Ranks* ranks) : observer_(observer), ranks_(ranks) {}
 
-  /// Forwards the progress of the other ranks, on the first rank. Call before Ranks::begin().
+  /// On the first rank, begins to forward the progress of the other ranks. Call before Ranks::begin().
   void listen();
 
   void planned(const RenderPlan& plan) const;

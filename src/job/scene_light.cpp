@@ -48,7 +48,7 @@ Vec3f read_linear(std::string_view text, const std::string& where) {
   return color;
 }
 
-/// Parses a colour. Returns none if the value does not look like a colour, and throws for an invalid one.
+/// Parses a colour. Returns nullopt if the value does not look like a colour, and throws if it looks like one but is invalid.
 std::optional<Vec3f> read_color(std::string_view value, const std::string& where) {
   if (value.starts_with('#')) {
     const std::optional<Vec3f> color = parse_hexadecimal(value);
@@ -61,7 +61,8 @@ std::optional<Vec3f> read_color(std::string_view value, const std::string& where
 
 Surrounding surrounding_of(const SceneParams& params) { return {params.environment_strength, params.environment_rotation_deg}; }
 
-/// Returns the error for a name with an extension, which is a missing file, or for a word, which may be misspelt.
+/// Returns the error for an unknown environment: a missing file if the name has an extension, otherwise a word that may be
+/// misspelt.
 Error no_such_environment(const std::string& value) {
   const std::filesystem::path path(value);
   if (path.has_extension()) return Error(value, "there is no such file", kAccepted);

@@ -1,5 +1,5 @@
-// The screen that a job's images are for. Fitting the array to the scene needs its aspect, and making its optics needs the
-// fitted array.
+// The screen that shows a job's images. The array is fitted to the scene with the screen's aspect; the optics are then made
+// from the fitted array.
 #pragma once
 
 #include <functional>
@@ -14,7 +14,7 @@ namespace lippmann {
 struct Screen {
   float window_aspect = 1.0f;  ///< width / height of the visible part of the display plane: the panel, or one view of a quilt
 
-  /// Returns the optics for the viewer of an array fitted with this aspect. Throws a usage Error if there are none for this
+  /// Returns the optics for an array that was fitted with this aspect. Throws a usage Error if no optics exist for the array's
   /// viewer.
   std::function<Optics(const FittedArray&)> optics;
 

@@ -11,7 +11,7 @@
 namespace lippmann {
 namespace {
 
-constexpr Vec2i kDefaultViewPx{960, 540};  ///< default size of a whole view
+constexpr Vec2i kDefaultViewPx{960, 540};  ///< default size of a view before it is squeezed
 
 void refuse_in_stereo(bool given, std::string_view parameter) {
   if (given) throw usage_error(std::string(parameter), "has no effect on a stereo picture", "`layout` stereo without it");
@@ -25,7 +25,7 @@ void refuse_other_optics(const OpticsParams& optics) {
 
 StereoPacking packing_of(const RenderParams& params) { return params.output.pictures.stereo.packing; }
 
-/// Returns the size of a view as stored in the picture.
+/// Returns the size of a view in the picture, after squeezing.
 Vec2i stored_view(const RenderParams& params, const Display* display) {
   const StereoPacking packing = packing_of(params);
   const Extent<int> size = params.optics.size;
@@ -47,7 +47,8 @@ double eyes_distance_mm(const RenderParams& params, const FittedArray& array, co
   const double distance = params.optics.viewing_distance_mm.value_or(
       display ? static_cast<float>(viewing_distance_mm(*display))
               : array.viewing_distance / scene_units_per_mm(array, static_cast<float>(height_mm)));
-  if (!params.optics.viewing_distance_mm && !std::isfinite(distance)) return 3.0 * height_mm;  // for an orthographic camera
+  // An orthographic camera has no distance.
+  if (!params.optics.viewing_distance_mm && !std::isfinite(distance)) return 3.0 * height_mm;
   if (!std::isfinite(distance))
     throw usage_error("viewing-distance", "cannot be infinite for two eyes", "millimetres above 0, or auto");
   return distance;

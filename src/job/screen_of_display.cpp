@@ -26,7 +26,8 @@ void refuse_params_of_display(const RenderParams& params) {
          "one of the two");
 }
 
-/// Returns the display with the viewing angle, the viewing distance and, except for quilts, the size of the parameters.
+/// Returns the display after the given parameters have replaced its viewing angle, its viewing distance and, except for quilts,
+/// its size.
 Display with_params(const RenderParams& params, Display display, bool is_quilt) {
   if (params.optics.view_angle_deg) display.view_cone_deg = *params.optics.view_angle_deg;
   if (params.optics.viewing_distance_mm) display.viewing_distance_mm = *params.optics.viewing_distance_mm;
@@ -38,7 +39,7 @@ Display with_params(const RenderParams& params, Display display, bool is_quilt) 
   return display;
 }
 
-/// Returns the quilt of the parameters, or else the display's.
+/// Returns the quilt that the parameters define, or else the display's quilt.
 Optics wanted_quilt(const RenderParams& params, Display display) {
   refuse(!display.quilt && params.optics.views.x == 0, "--optics multiview", "the display has no quilt",
          "--views CxR and --size WxH");

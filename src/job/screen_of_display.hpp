@@ -1,8 +1,8 @@
-// The screen of a display chosen by name, in its own millimetres, modified by the parameters.
+// The screen of a display that is chosen by name, in the display's millimetres, with changes that the parameters request.
 //
-// Slanted panels show a quilt, or their own sub-pixels with --layout native. Sheets and microlens arrays show the image behind
-// their lenses. The viewer is at the display's viewing distance instead of the scene's camera, so that cells converge at the
-// viewer's eyes. --optics single renders what one eye in the middle sees of the display.
+// Slanted panels show a quilt or, with --layout native, an interlaced image of their sub-pixels. Sheets and microlens arrays
+// show the image behind their lenses. The viewer is at the display's viewing distance instead of the scene's camera, so that
+// cells converge at the viewer's eyes. --optics single renders the view of one eye in front of the middle of the display.
 #pragma once
 
 #include "job/params.hpp"

@@ -15,8 +15,8 @@ namespace lippmann {
 namespace {
 
 constexpr float kLensWidthMm = 1.0f;     ///< width of a cell on the panel
-constexpr float kSingleWidthMm = 64.0f;  ///< width of a view without lenses: as wide as 64 lenses
-constexpr float kViewerHeights = 3.0f;   ///< default viewing distance in window heights, as for a picture on a wall
+constexpr float kSingleWidthMm = 64.0f;  ///< width of a view without lenses, equal to that of 64 cells
+constexpr float kViewerHeights = 3.0f;   ///< default viewing distance in window heights, usual for a picture on a wall
 
 bool has_lenses(const PanelSize& size) { return size.lens_pixels > 0.0f; }
 
@@ -26,7 +26,8 @@ Panel make_panel(const OpticsParams& params, const PanelSize& size, bool is_came
   return {size.width, size.height, has_lenses(size) ? kLensWidthMm / size.lens_pixels : kSingleWidthMm / view_width};
 }
 
-/// Returns the distance at which cells converge (lens arrays) or of the eyes (other optics, which need a finite one).
+/// Returns the distance at which cells converge (lens arrays), or the distance of the eyes, which must be finite (other
+/// optics).
 float viewing_distance_mm(const OpticsParams& params, const PanelSize& size, float fitted_mm, float window_height_mm) {
   const float distance = params.viewing_distance_mm.value_or(fitted_mm);
   if (has_lenses(size) || std::isfinite(distance)) return distance;

@@ -1,4 +1,4 @@
-// The screen of a job without a display. The kind of optics makes the panel and the model from the parameters
+// The screen of a job without a display. The kind of optics makes the panel and the optical model from the parameters
 // (optics/optics_kind.hpp).
 #pragma once
 
@@ -8,8 +8,8 @@
 
 namespace lippmann {
 
-/// Returns the screen. Throws a usage Error for parameters that contradict each other (job/panel_size.hpp). Its optics() throws
-/// one if the lens pitch would be below the pixel pitch.
+/// Returns the screen. Throws a usage Error for parameters that contradict each other (job/panel_size.hpp). Screen::optics
+/// throws a usage Error if the lens pitch would be below the pixel pitch.
 Screen screen_of_params(const RenderParams& params, const Scene& scene);
 
 }  // namespace lippmann

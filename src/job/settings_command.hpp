@@ -6,11 +6,12 @@
 
 namespace lippmann {
 
-/// Returns one line for a shell. settings: as made by settings_json(). Defaults are omitted, and `resume`, which does not
-/// affect the pictures. Unknown settings become flags of their name.
+/// Returns one line for a shell. settings: as made by settings_json(). Omits defaults, and `resume`, because it does not affect
+/// the pictures. An unknown setting becomes a flag with the setting's name.
 std::string command_of_settings(const std::string& scene, const nlohmann::ordered_json& settings);
 
-/// Returns the words for one setting: a flag and its value, or several of both. Empty for a default.
+/// Returns the words for one setting: its flag, with the value if it takes one; for a list, one flag per value. Empty for a
+/// default.
 std::string flags_of_setting(const std::string& name, const nlohmann::ordered_json& value);
 
 }  // namespace lippmann

@@ -7,7 +7,7 @@
 
 namespace lippmann {
 
-/// Returns every parameter except the scene by name, in the order of --help; null: not given, follows from others.
+/// Returns every parameter except the scene by name, in the order of --help. A parameter that is not given is null.
 nlohmann::ordered_json settings_json(const RenderParams& params);
 
 }  // namespace lippmann

@@ -14,7 +14,7 @@ namespace lippmann {
 class StrippedFrames final : public FrameMaker {
  public:
   struct Settings {
-    FrameAovs wanted;             ///< layers
+    FrameAovs wanted;             ///< layers to render
     Vec2i film{0, 0};             ///< size of a whole frame
     bool keeps_finished = false;  ///< keep strips that are recorded and unchanged
     bool only_joins = false;      ///< render no strip; a missing one is an Error
@@ -26,15 +26,15 @@ class StrippedFrames final : public FrameMaker {
     FrameReport report;
   };
 
-  /// `folder`, `progress` and `context` must outlive this object. Nothing else may record in the folder while a strip or a
-  /// frame is made.
+  /// `folder`, `progress` and `context` must outlive this object. Nothing else may write to the folder's journal while a strip
+  /// or a frame is made.
   StrippedFrames(const StripMaker& strips, RenderFolder& folder, const Settings& settings, RunProgress& progress,
                  const Context& context);
 
-  /// Renders the missing strips among the parts (parts_of). Stops early if the context is cancelled.
+  /// Renders those of the parts (parts_of) whose strips are missing. Stops early if the context is cancelled.
   void make_strips(const std::vector<int>& parts);
 
-  /// Renders the missing strips of a frame and joins all of them. Throws Error if one is missing afterwards.
+  /// Renders the missing strips of a frame and joins all strips. Throws Error if a strip is still missing afterwards.
   RenderedFrame make(int frame) override;
 
   /// Returns the strips rendered so far, in order.

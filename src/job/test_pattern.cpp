@@ -9,13 +9,13 @@
 namespace lippmann {
 namespace {
 
-constexpr float kLine = 0.006f;  ///< half width of a line, in half heights
-constexpr float kGrid = 0.25f;   ///< distance between lines
+constexpr float kLine = 0.006f;  ///< half the width of a line, in half heights of the display
+constexpr float kGrid = 0.25f;   ///< distance between grid lines, in half heights of the display
 
 struct Band {
-  float end;  ///< end of the band in the zone, from 0 on the left to 1
+  float end;  ///< right end of the band in the viewing zone, from 0 on the left to 1
   Vec3f color;
-  int arrow;  ///< -1: to the left, 1: to the right, 0: none
+  int arrow;  ///< direction of the band's arrow: -1 to the left, 1 to the right, 0 for none
 };
 
 constexpr Band kBands[] = {{0.2f, {0.80f, 0.04f, 0.02f}, -1},
@@ -26,9 +26,9 @@ constexpr Band kBands[] = {{0.2f, {0.80f, 0.04f, 0.02f}, -1},
 
 bool near_line(float distance) { return std::abs(distance) < kLine; }
 
-/// Returns whether a place is in a triangle with its tip at x = -0.5 (arrow to the left) or 0.5.
+/// Returns whether a point is in the arrow, a triangle with its tip at x = -0.5 (arrow to the left) or 0.5.
 bool in_arrow(Vec2f place, int arrow) {
-  const float back = 0.5f - static_cast<float>(arrow) * place.x;  // 0 at the tip
+  const float back = 0.5f - static_cast<float>(arrow) * place.x;  // distance behind the tip
   return arrow != 0 && back > 0.0f && back < 0.6f && std::abs(place.y) < 0.7f * back;
 }
 
@@ -37,7 +37,7 @@ bool on_grid(Vec2f place) {
   return near_line(off(place.x)) || near_line(off(place.y));
 }
 
-/// Returns the position in the zone where a ray arrives; 0.5 for a single view.
+/// Returns the position in the viewing zone at which a ray arrives, from 0 to 1; 0.5 for a single view.
 float place_in_zone(const Ray& ray, Vec3f at_plane, float distance_mm, float zone) {
   if (!(zone > 0.0f)) return 0.5f;
   const float slope = ray.direction.x / ray.direction.z + (std::isinf(distance_mm) ? 0.0f : at_plane.x / distance_mm);
@@ -82,7 +82,7 @@ Vec3f test_pattern(Vec2f place, float aspect, float zone) {
 
 Image test_pattern_film(const Optics& optics, const ThreadPool& pool) {
   Optics parallel = optics;
-  parallel.z_front_mm = 1.0f;  // rays that begin near the plane have exact crossings
+  parallel.z_front_mm = 1.0f;  // rays that begin near the plane cross it with small rounding errors
   const RayGenerator generator(parallel);
   const Vec2f half = 0.5f * window_size_mm(optics);
   const float distance = viewing_distance_mm(optics), zone = viewing_zone(optics);

@@ -24,17 +24,17 @@ namespace lippmann {
 /// The name of the pattern for `render`, in place of a scene.
 inline constexpr std::string_view kTestPattern = "test-pattern";
 
-/// Returns an empty scene with one frame. The pattern is shown on its array.
+/// Returns an empty scene with one frame. The array to show the pattern on is part of the scene.
 Scene test_pattern_scene();
 
 /// Returns the linear RGB of a ray that crosses the display at `place`, in half heights from its middle (x right, y up), and
-/// arrives at `zone`, 0 (leftmost) to 1. aspect: of the display.
+/// arrives at `zone`, from 0 (leftmost) to 1. aspect: width / height of the display.
 Vec3f test_pattern(Vec2f place, float aspect, float zone);
 
-/// Returns a maker of the pattern's frames, which need no traced rays. The arguments must outlive it.
+/// Returns a maker of the pattern's frames, which traces no rays. The arguments must outlive the result.
 std::unique_ptr<FrameMaker> make_pattern_frames(const Stage& stage, const ThreadPool& pool);
 
-/// Returns the pattern as a whole film.
+/// Returns a film that shows the pattern.
 Image test_pattern_film(const Optics& optics, const ThreadPool& pool);
 
 }  // namespace lippmann

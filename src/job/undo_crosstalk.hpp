@@ -8,9 +8,9 @@
 
 namespace lippmann {
 
-/// Returns the crosstalk to undo, a sigma in the optics' pixels or views: the requested one, or the display's (in views, for a
-/// quilt). nullopt: none requested. Throws a usage Error if the value is unknown or too large, or the optics have no
-/// neighbouring pixels.
+/// Returns the crosstalk to correct, as a sigma in the optics' pixels or views: the requested value, or the display's (in
+/// views, for a quilt). Returns nullopt if no correction is requested. Throws a usage Error if the value is unknown or too
+/// large, or if the optics have no neighbouring pixels.
 std::optional<double> crosstalk_to_undo(const RenderParams& params, const Optics& optics, const Display* display);
 
 }  // namespace lippmann

@@ -18,7 +18,7 @@
 namespace lippmann {
 namespace {
 
-/// Cuts parts into units, without costs. parts: parts of frames with `strips` strips (parts_of).
+/// Divides parts into units without estimating their costs. parts: parts of frames with `strips` strips (parts_of).
 UnitPlan cut(const std::vector<int>& parts, int strips, int segment, int count) {
   UnitPlan plan;
   plan.segment = segment;
@@ -39,7 +39,7 @@ UnitPlan unmeasured_plan(const ResolvedJob& job, int count, const Context& conte
              count);
 }
 
-/// Returns the job with its own folder and only pictures and layers. Units make no videos.
+/// Returns the job with `folder` as output folder, and without videos, which units do not make.
 ResolvedJob job_in(const std::filesystem::path& folder, const ResolvedJob& job) {
   RenderParams params = job.params();
   params.output.folder = folder.string();
@@ -53,7 +53,7 @@ Neighbours neighbours_in(const ResolvedJob& job, const FrameParams& frame_settin
   return std::holds_alternative<CopySettled>(frame_settings.reuse) ? Neighbours::kCopied : Neighbours::kOthers;
 }
 
-/// Renders frames as a unit does, writes their files, and measures both.
+/// Renders a few frames as a unit would, writes their files, and estimates the costs of all units from the measured times.
 UnitPlan measured_plan(const ResolvedJob& job, int count, const Context& context) {
   const double begin = platform::process_cpu_seconds();
   const FrameParams frame_settings = frame_params(job);

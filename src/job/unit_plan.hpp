@@ -13,15 +13,16 @@ namespace lippmann {
 
 struct PlannedUnit {
   std::vector<int> frames;
-  std::map<int, std::vector<int>> strips = {};  ///< by frame; empty: whole frames
-  std::optional<double> cpu_seconds = {};       ///< estimate; nullopt: not measured
+  std::map<int, std::vector<int>> strips = {};  ///< strips to render, by frame; empty: whole frames
+  std::optional<double> cpu_seconds = {};       ///< estimated CPU time; nullopt: not measured
 };
 
 struct UnitPlan {
-  int segment = 1;  ///< frames_per_segment
+  int segment = 1;  ///< units begin at multiples of this number of frames (frames_per_segment)
   std::vector<PlannedUnit> units;
   std::optional<JobCosts> costs = {};
-  std::optional<double> join_bytes = {};  ///< estimated memory for joining a frame from strips; none: unknown or not needed
+  /// Estimated memory for joining a frame from strips; nullopt: unknown, or no frame is joined.
+  std::optional<double> join_bytes = {};
 };
 
 /// Plans `count` units, or one per segment if there are fewer segments. With `measure`, renders frames into a temporary folder
