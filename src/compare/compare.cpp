@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Throws if `b`, the frames of `path`, lacks one of `a`, the frames of `other`.
+/// Throws if `b`, the frames in `path`, lacks a frame that `a`, the frames in `other`, has.
 void check_has_all(const fs::path& path, const std::vector<std::string>& b, const fs::path& other,
                    const std::vector<std::string>& a) {
   const std::set<std::string> known(b.begin(), b.end());
@@ -51,7 +51,7 @@ struct Pair {
   FrameSource::Item reference, test;
 };
 
-/// Reads frames from both inputs in step.
+/// Reads the frames of both inputs in pairs.
 class PairSource {
  public:
   PairSource(const fs::path& reference, const fs::path& test, const std::optional<std::vector<int>>& wanted,
@@ -74,7 +74,7 @@ class PairSource {
     ++count_;
     const std::string name = reference_->kind() == SourceKind::kVideo
                                  ? b->name
-                                 : a->name;  // prefer the name of a file to the number of a video frame
+                                 : a->name;  // prefer the name of a file to the frame number of a video
     return Pair{name, std::move(*a), std::move(*b)};
   }
 

@@ -32,7 +32,7 @@ std::vector<fs::path> wanted_fields(const fs::path& path, const CompareParams& p
   return fields;
 }
 
-/// Matches frames of folders by number. Single light fields may have any names.
+/// Matches frames of folders by number. Two single light fields are matched whatever their names.
 std::vector<std::pair<fs::path, fs::path>> pairs_of_fields(const fs::path& reference, const fs::path& test,
                                                            const CompareParams& params) {
   const std::vector<fs::path> a = wanted_fields(reference, params), b = wanted_fields(test, params);
@@ -57,9 +57,9 @@ void require_same_views(const FrameViews& a, const FrameViews& b, const fs::path
                           b.view_size.x, b.view_size.y, a.grid.columns, a.grid.rows, a.view_size.x, a.view_size.y));
 }
 
-/// One frame of both inputs.
+/// The views of one frame in both inputs.
 struct ViewsPair {
-  fs::path path;  ///< of the reference
+  fs::path path;  ///< path of the reference frame
   FrameViews reference, test;
 };
 
@@ -85,7 +85,7 @@ void add_rows(const ViewsPair& pair, const MetricChoice& choice, const ThreadPoo
   });
 }
 
-/// Throws if frames are not consecutive, or if the motion layer is missing.
+/// Throws if the two frames are not consecutive, or if the motion layer is missing.
 void require_motion(const ViewsPair& before, const ViewsPair& pair) {
   if (frame_number(before.path).value_or(0) + 1 != frame_number(pair.path))
     throw usage_error("metrics", "flicker needs consecutive frames", "all frames, or `frames` without gaps");

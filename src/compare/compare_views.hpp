@@ -7,7 +7,7 @@
 
 namespace lippmann {
 
-/// Compares light fields like compare(), for CompareParams::compares_views().
+/// Compares light fields like compare(), which calls this function if CompareParams::compares_views().
 Comparison compare_views(const std::filesystem::path& reference, const std::filesystem::path& test, const Context& context,
                          const CompareParams& params);
 

@@ -16,7 +16,7 @@ std::string comparison_json(const Comparison& comparison);
 /// Returns one line per frame below a line of titles. Undefined values are empty. Names are quoted as in RFC 4180.
 std::string comparison_csv(const Comparison& comparison);
 
-/// Returns one line per frame, then the mean and the worst, with the requested columns.
+/// Returns one line per frame, then one with the means and one with the worst values, with the requested columns.
 std::string comparison_table(const Comparison& comparison, const MetricChoice& choice = {});
 
 }  // namespace lippmann

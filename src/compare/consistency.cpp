@@ -30,7 +30,7 @@ namespace {
 
 constexpr double kVisibilityFall = 50.0;
 
-/// Sums the squared difference between the changes from a0 to a1 and from b0 to b1.
+/// Returns the sum of squared differences between the change from a0 to a1 and the change from b0 to b1.
 double squared_changes(const Image8& a0, const Image8& a1, const Image8& b0, const Image8& b1) {
   std::uint64_t sum = 0;
   for (std::size_t i = 0; i < a0.rgb.size(); ++i) {
@@ -40,13 +40,13 @@ double squared_changes(const Image8& a0, const Image8& a1, const Image8& b0, con
   return static_cast<double>(sum);
 }
 
-/// Four pixels and their weights.
+/// The four pixels around a position and their bilinear weights.
 struct BilinearTaps {
   std::array<std::size_t, 4> pixels;
   std::array<double, 4> weights;
 };
 
-/// Returns false outside the image.
+/// Finds the pixels around (x, y). Returns false if the position is outside the image.
 bool find_taps(double x, double y, const Image8& image, BilinearTaps& taps) {
   if (!(x >= 0.0 && y >= 0.0 && x <= image.width - 1 && y <= image.height - 1)) return false;
   const std::size_t width = static_cast<std::size_t>(image.width), x0 = static_cast<std::size_t>(x),

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the exit code, or 127 if the program is not installed.
+/// Runs gnuplot. Returns its exit code, or 127 if the program is not installed.
 int run_gnuplot(const fs::path& script) {
   std::error_code problem;
   platform::ChildProcess process({.words = {"gnuplot", script.string()}}, problem);
@@ -30,7 +30,7 @@ std::string gnuplot_quoted(const std::string& text) {
 
 void draw_with_gnuplot(const fs::path& path, const std::string& commands) {
   AtomicFile picture(path);
-  const AtomicFile script(path.string() + ".gnuplot");  // never committed, so removed at the end
+  const AtomicFile script(path.string() + ".gnuplot");  // a temporary file: it is never committed, so its destructor removes it
   const std::string text = fmt::format("set terminal pngcairo size 960,540 noenhanced font 'sans,11'\nset output {}\n{}",
                                        gnuplot_quoted(picture.temporary_path().string()), commands);
   write_file_atomically(script.temporary_path(), std::as_bytes(std::span(text)));

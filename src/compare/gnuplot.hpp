@@ -7,7 +7,7 @@
 
 namespace lippmann {
 
-/// Quotes a string in gnuplot's single quotes, in which only the quote itself is special.
+/// Quotes a string for gnuplot in single quotes, in which only the quote itself is special.
 std::string gnuplot_quoted(const std::string& text);
 
 /// Runs `commands` in gnuplot, with the output set to a PNG of 960 x 540 pixels. Throws Error if gnuplot is not installed or

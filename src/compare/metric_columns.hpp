@@ -10,11 +10,12 @@
 namespace lippmann {
 
 struct MetricColumn {
-  std::string_view key;    ///< in JSON and CSV
-  std::string_view title;  ///< in tables
-  int digits = 4;          ///< decimals in tables
+  std::string_view key;    ///< name of the metric in JSON and CSV
+  std::string_view title;  ///< heading in tables
+  int digits = 4;          ///< number of decimals in tables
   bool worst_is_largest = false;
-  /// Returns the value; empty if not requested or undefined (too small an image, or the PSNR of equal images).
+  /// Returns the metric's value; empty if it was not requested or is undefined (too small an image, or the PSNR of equal
+  /// images).
   std::optional<double> (*of)(const PictureMetrics& metrics);
   /// Returns whether tables include the column.
   bool (*is_chosen)(const MetricChoice& choice);
@@ -22,7 +23,7 @@ struct MetricColumn {
 
 std::span<const MetricColumn> metric_columns();
 
-/// The mean and the worst value over the frames that have one; none if no frame has.
+/// Returns the mean over the frames that have a value, and worst_of() the worst value; nullopt if no frame has one.
 std::optional<double> mean_of(const MetricColumn& column, const Comparison& comparison);
 std::optional<double> worst_of(const MetricColumn& column, const Comparison& comparison);
 

@@ -14,9 +14,9 @@
 
 namespace lippmann {
 
-/// Describes a light field whose name and report.json do not, as for `convert`.
+/// Describes a light field that neither its file name nor a report.json describes, with the same options as `convert`.
 struct ViewsHints {
-  std::string from = {};  ///< name of a format
+  std::string from = {};  ///< name of the format; empty: unknown
   std::optional<ViewGrid> views = {}, tiles = {};
 };
 
@@ -24,15 +24,16 @@ struct FrameViews {
   ViewGrid grid;
   Vec2i view_size{0, 0};
   std::vector<Image8> views;
-  std::optional<Image> motion = {};  ///< a stack of the views; none: not requested, or no such layer
-  std::string_view format = {};      ///< as in layout/formats.hpp; empty: an image of a single view
+  /// Motion of the views, stacked like their pixels; nullopt: not requested, or no such layer.
+  std::optional<Image> motion = {};
+  std::string_view format = {};  ///< name of the format as in layout/formats.hpp; empty: an image of a single view
 };
 
-/// Reads an image or a folder of views. Throws Error as open_light_field.
+/// Reads an image or a folder of views. Throws Error like open_light_field().
 FrameViews read_views_of_frame(const std::filesystem::path& path, const ViewsHints& hints, bool with_motion,
                                const std::function<void(std::string_view)>& warn);
 
-/// Reads the frame to compare with a reference. A frame without a description is read like the reference.
+/// Reads the frame to compare with a reference. If the frame has no description of its own, it is read like the reference.
 FrameViews read_views_like(const FrameViews& reference, const std::filesystem::path& path, const ViewsHints& hints,
                            const std::function<void(std::string_view)>& warn);
 
