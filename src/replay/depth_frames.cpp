@@ -30,23 +30,23 @@ namespace {
 namespace fs = std::filesystem;
 
 struct RgbdFrame {
-  fs::path name;     ///< the file's name; frames of a video are called frame_0000.png, frame_0001.png, ...
+  fs::path name;     ///< name of the file; the frames of a video are named frame_0000.png, frame_0001.png, ...
   LightField field;  ///< one view with depth, or two views of a stereo image
 };
 
 /// Reads frames one at a time: RGB-D images, an RGB-D video, stereo images, or an image with a depth map.
 class RgbdFrames {
  public:
-  /// params.in: an image, a folder of images, or a video whose side file describes all frames. Throws Error if there is no such
-  /// file, or no frame in the folder.
+  /// params.in is an image, a folder of images, or a video whose side file describes all frames. Throws Error if the file does
+  /// not exist, or if the folder has no frames.
   explicit RgbdFrames(const DepthConversion& params);
 
-  /// Returns the next frame, or none after the last one. Throws Error naming the file and, for videos, the frame.
+  /// Returns the next frame, or nullopt after the last one. Throws Error naming the file and, for videos, the frame.
   std::optional<RgbdFrame> next();
 
-  /// Returns the file whose side file describes the depth of the first frame.
+  /// Returns the file whose side file describes the depth of the first frame: the first image, or the video.
   const fs::path& first() const { return files_.front(); }
-  /// Returns whether the input is one image, not a sequence.
+  /// Returns whether the input is a single image.
   bool is_one_picture() const { return one_; }
 
  private:
@@ -95,7 +95,7 @@ LightField RgbdFrames::read(const fs::path& file) const {
   return light_field_of_colours(std::move(colours), std::move(greys), file, options);
 }
 
-/// Reads two views with the screen size and distance that are assumed for images without a side file.
+/// Reads the two views of a stereo image. Assumes a screen size and distance if the image has no side file.
 LightField RgbdFrames::read_pair(const fs::path& file) const {
   LightField pair = stereo_format().read(file, params_.options);
   const Vec2d view(pair.view_size);
@@ -113,15 +113,15 @@ std::optional<RgbdFrame> RgbdFrames::next_of_video() {
                    light_field_of_rgbd(*std::exchange(picture, {}), first(), where, params_.options)};
 }
 
-/// Returns whether the display is a lens array over pixels without calibration, not a slanted panel.
+/// Returns whether the display is an array of lenses over pixels that needs no calibration, unlike a slanted panel.
 bool has_lenses(const Display& display) { return display.kind != DisplayKind::kSlantedPanel; }
 
-/// Returns whether the output is the panel image behind the display's lenses instead of views.
+/// Returns whether the output is the image for the panel behind the display's lenses, as opposed to views.
 bool is_behind_lenses(const DepthConversion& params) {
   return params.to == "integral" && params.options.display && has_lenses(*params.options.display);
 }
 
-/// Returns the optics of two eyes in front of the display, or without one of the image's own screen.
+/// Returns the optics of two eyes in front of the display, or in front of the image's own screen if there is no display.
 Optics eyes_optics(const LightField& source, const DepthConversion& params) {
   const ViewCameras& camera = *source.cameras;
   MultiView eyes{2, 1};
@@ -134,8 +134,8 @@ Optics eyes_optics(const LightField& source, const DepthConversion& params) {
   return {{2 * view.x, view.y, static_cast<float>(pixel.x)}, eyes};
 }
 
-/// Returns the optics of the display's quilt, with the number of tiles from `views` if given. A display with lenses and no
-/// quilt has the views that its lenses show.
+/// Returns the optics of the display's quilt, with the number of tiles from `views` if given. For a display with lenses but no
+/// quilt, returns as many views as its lenses show.
 Optics views_for(Display display, const std::optional<ViewGrid>& views) {
   if (has_lenses(display) && !display.quilt) return lens_views(display, views);
   if (views && display.quilt) display.quilt->columns = views->columns, display.quilt->rows = views->rows;
@@ -143,7 +143,7 @@ Optics views_for(Display display, const std::optional<ViewGrid>& views) {
   throw usage_error("display", display.name + " has no quilt", "a display with a quilt, or `views` and no `display`");
 }
 
-/// Returns views of the image's own size, in front of its own screen.
+/// Returns the optics of views with the image's size, in front of the screen that the image was made for.
 Optics own_views(const LightField& source, const DepthConversion& params) {
   LightField wanted;
   wanted.grid = params.options.views.value_or(ViewGrid{48, 1});
@@ -168,7 +168,7 @@ Optics wanted_optics(const LightField& source, const DepthConversion& params) {
   return own_views(source, params);
 }
 
-/// Warns about the depth range assumed when there is no side file.
+/// Warns about the depth range that is assumed if there is no side file.
 void warn_of_assumptions(const fs::path& first, const DepthConversion& params, const Context& context) {
   if (read_rgbd_side_file(first)) return;
   const DepthRange range = params.options.depth_range.value_or(DepthRange{});
@@ -178,7 +178,7 @@ void warn_of_assumptions(const fs::path& first, const DepthConversion& params, c
                   first.string(), range.far_mm, range.near_mm));
 }
 
-/// Returns the views with the sample type of the image. For RGB-D output, returns the image itself.
+/// Returns the views, with the sample type of the image. For RGB-D output, returns the image itself as the only view.
 DepthViews shown_views(const RgbdFrame& frame, const DepthConversion& params, const ThreadPool& pool, const Context& context) {
   const LightField& source = frame.field;
   if (params.to == kRgbdFormat) return {source};

@@ -1,9 +1,10 @@
 // Measures whether two eye views show depth in the right order: points behind the display move with the eye, points in front
 // against it.
 //
-// From eye E to eye E + b along x, a point at depth z moves by -b z / (E_z - z) over the plane z = 0, in the layout of
-// replay/eye_view.hpp. With known depths, the counterpart of each pixel in the other view is at this distance. In pseudoscopic
-// images it is at the same distance on the other side. The measure compares both candidates.
+// If the eye moves from E to E + b along x, the image of a point at depth z moves by -b z / (E_z - z) in the plane z = 0
+// (layout as in replay/eye_view.hpp). The depth of a pixel therefore determines where the same point is in the other view. In
+// pseudoscopic images the point is displaced by the same distance to the opposite side. The measure compares a pixel with the
+// other view at both positions.
 #pragma once
 
 #include "lippmann/image/image.hpp"
@@ -11,15 +12,16 @@
 namespace lippmann {
 
 struct DepthOrder {
-  double behind_db = 0.0, front_db = 0.0;  ///< by how much the squared difference is lower on the right side than on the wrong
-                                           ///< side; above 0: the right order
-  int behind_pixels = 0,
-      front_pixels = 0;  ///< number of pixels compared: shifted by at least a pixel, with both candidates inside the image
+  /// By how many dB the squared difference is lower on the expected side than on the opposite side, for points behind and in
+  /// front of the display. Above 0, the depth order is right.
+  double behind_db = 0.0, front_db = 0.0;
+  /// Number of pixels compared: those that shift by at least a pixel and have both positions inside the image.
+  int behind_pixels = 0, front_pixels = 0;
 };
 
-/// Compares `view` with `other`, which is seen from baseline_mm further right. All images have one size. depth: depth of what
-/// `view` should show, 1 channel, mm; not finite: nothing. eye_z_mm: distance of both eyes. pixel_mm: width of a pixel in the
-/// plane z = 0.
+/// Compares `view` with `other`, seen from an eye baseline_mm further to the right. All images have one size. depth: depth in
+/// mm of the points that `view` should show, 1 channel; values that are not finite mean no point. eye_z_mm: distance of both
+/// eyes. pixel_mm: width of a pixel in the plane z = 0.
 DepthOrder measure_depth_order(const Image& view, const Image& other, const Image& depth, double eye_z_mm, double baseline_mm,
                                double pixel_mm);
 

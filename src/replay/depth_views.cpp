@@ -15,15 +15,16 @@
 namespace lippmann {
 namespace {
 
-constexpr float kNoPoint = -std::numeric_limits<float>::infinity();  ///< less than any disparity
-constexpr double kSameSurfacePx = 1.5;  ///< neighbours that land within this distance belong to one surface
+/// Disparity of a pixel without a point; less than any other.
+constexpr float kNoPoint = -std::numeric_limits<float>::infinity();
+constexpr double kSameSurfacePx = 1.5;  ///< largest distance in the view between neighbouring points of one surface, in pixels
 
-/// The source, scaled to the screen of the views and reduced to at most the resolution of a view.
+/// The source image, scaled to the screen of the views and reduced to at most the resolution of a view.
 struct DepthPicture {
   Image colours;
-  Image disparity;     ///< q, mm on the screen
-  Vec2d slope{0.0};    ///< offset of its eye to the right of and above the axis, per mm of distance
-  Vec2d size_mm{0.0};  ///< the part of the window that it fills
+  Image disparity;     ///< the disparity q, in mm on the screen
+  Vec2d slope{0.0};    ///< offset of the source's eye to the right of and above the axis, per mm of distance
+  Vec2d size_mm{0.0};  ///< size of the part of the window that the source fills
 
   Vec2d place_mm(Vec2d pixel) const {
     return (pixel / Vec2d(colours.width, colours.height) - 0.5) * Vec2d(1.0, -1.0) * size_mm;
@@ -33,7 +34,7 @@ struct DepthPicture {
   }
 };
 
-/// Resamples depth by nearest neighbour: the mean of two surfaces would lie on neither.
+/// Resamples depth by nearest neighbour, because the mean of two surfaces would lie on neither.
 Image nearest_samples(const Image& picture, Vec2i size) {
   Image result(size.x, size.y, 1);
   for (int y = 0; y < size.y; ++y)
@@ -60,7 +61,7 @@ DepthPicture depth_picture(const LightField& source, Vec2d window_mm, Vec2i view
   return picture;
 }
 
-/// Makes one view.
+/// Makes one view from a source image.
 class ViewMaker {
  public:
   /// slope: offset of the view's eye from the source's, per mm of distance.
@@ -69,7 +70,7 @@ class ViewMaker {
     std::fill(disparity_.data.begin(), disparity_.data.end(), kNoPoint);
   }
 
-  /// Draws the points of the source. Pixels without a point stay open.
+  /// Draws the points of the source. Pixels of the view without a point stay open.
   void show() {
     splat();
     for (int y = 0; y < disparity_.height; ++y)
@@ -77,7 +78,7 @@ class ViewMaker {
         if (has_point(x, y)) take_colour(x, y);
   }
 
-  /// Fills open pixels with the points that `other` shows there.
+  /// Fills open pixels that have a point in `other`, a view from the same eye made from another source.
   void complete_from(const ViewMaker& other) {
     for (int y = 0; y < disparity_.height; ++y)
       for (int x = 0; x < disparity_.width; ++x) {
@@ -107,7 +108,7 @@ class ViewMaker {
   double pixel_mm() const { return window_mm_.x / colours_.width; }
   bool has_point(int x, int y) const { return disparity_.pixel(x, y)[0] != kNoPoint; }
 
-  /// Returns whether two disparities land close enough to belong to one surface.
+  /// Returns whether points with these disparities are close enough in the view to belong to one surface.
   bool same_surface(double a, double b) const { return std::abs(a - b) * glm::length(slope_) <= kSameSurfacePx * pixel_mm(); }
 
   Vec2d landing(Vec2d source_pixel, double q) const {
@@ -120,8 +121,8 @@ class ViewMaker {
                                    std::clamp(y, 0, source_.disparity.height - 1))[0];
   }
 
-  /// Interpolates between pixel centres if all four neighbours belong to the surface of pixel (i, j). Otherwise returns that
-  /// pixel's own disparity.
+  /// Returns the disparity at position `at` in the source pixel (i, j): interpolated between pixel centres if all four
+  /// neighbours belong to the pixel's surface, otherwise the pixel's own.
   double disparity_at(int i, int j, Vec2d at) const {
     const double own = source_disparity(i, j);
     const Vec2d from = at - 0.5;
@@ -137,7 +138,7 @@ class ViewMaker {
     return sum;
   }
 
-  /// Splats at least two points per pixel of the view along both axes.
+  /// Splats the points of the source, so densely that there are at least two per pixel of the view along both axes.
   void splat() {
     const Vec2i samples =
         (2 * Vec2i(colours_.width, colours_.height) + Vec2i(source_.colours.width, source_.colours.height) - 1) /
@@ -155,7 +156,8 @@ class ViewMaker {
           }
   }
 
-  /// Averages the source's pixels around the place of the pixel's point, without pixels of other surfaces.
+  /// Sets the colour of a pixel to the interpolated colour of the source at the pixel's point. Source pixels of other surfaces
+  /// do not contribute.
   void take_colour(int x, int y) {
     const double q = disparity_.pixel(x, y)[0];
     const Vec2d t = (Vec2d(x + 0.5, y + 0.5) / Vec2d(colours_.width, colours_.height) - 0.5) * Vec2d(1.0, -1.0) * window_mm_;
@@ -185,7 +187,7 @@ class ViewMaker {
     for (int c = 0; c < 3; ++c) pixel[c] = static_cast<float>(colour[c]);
   }
 
-  /// The nearest pixel with a point to one side of a hole, `steps` pixels away.
+  /// The nearest pixel with a point in one direction from a hole, at a distance of `steps` pixels.
   struct Neighbour {
     int x, y, steps;
   };
@@ -196,7 +198,8 @@ class ViewMaker {
       if (has_point(at.x, at.y)) return found.push_back({at.x, at.y, steps});
   }
 
-  /// Fills a hole with the colours of its farthest neighbours, and returns its new disparity.
+  /// Fills a hole with the mean colour of those neighbours that lie on the farthest surface. Returns the disparity of that
+  /// surface.
   float fill_colour(Vec2i hole) {
     std::vector<Neighbour> found;
     for (const int side : {-1, 1}) find_neighbour(hole, {side, 0}, found);
@@ -229,7 +232,7 @@ ViewCameras cameras_for(const Optics& optics) {
   throw Error("optics", "their views have no known cameras", "the optics of a quilt or of a camera grid");
 }
 
-/// Returns a light field with cameras and empty images for the views.
+/// Returns a light field with the cameras of the views and with black images.
 LightField empty_views(const Optics& optics, const ViewCameras& cameras) {
   const ViewLayout film = rendered_views(optics)->film;
   LightField field;

@@ -6,10 +6,11 @@
 // on a screen of the same size. This is exact, since both eyes look through the same rectangle from distance D. On a screen k
 // times as large, t, s and q are k times as large. Displays with another viewing distance show the same disparity per slope.
 //
-// Each view is made in three steps. Forward: splat the points with a z-buffer. Points between neighbours of one surface are
-// interpolated to avoid cracks. Missed pixels: find the nearest pixels with a point along the row (if there are none, along the
-// column) and continue the surface that is farther from the viewer (the rule of reuse/missed.hpp). Backward: each pixel with a
-// point takes its colour from where the source shows that point, by bilinear interpolation among pixels of the same surface.
+// Each view is made in three steps. Forward: the points are splatted with a z-buffer; points between neighbours of one surface
+// are interpolated to avoid cracks. Missed pixels: the nearest pixels with a point in the same row (if there are none, in the
+// same column) are found, and the surface that is farther from the viewer is continued (the rule of reuse/missed.hpp).
+// Backward: each pixel with a point takes its colour from where the source shows that point, by bilinear interpolation among
+// pixels of the same surface.
 #pragma once
 
 #include <span>
@@ -21,17 +22,17 @@
 namespace lippmann {
 
 struct DepthViews {
-  LightField field;           ///< views of the optics, in linear light, with cameras and depth
-  double filled_share = 0.0;  ///< share of all pixels without a point
+  LightField field;           ///< the views, in linear light, with cameras and depth
+  double filled_share = 0.0;  ///< share of all pixels that had no point and were filled
 };
 
-/// Returns the views of one image. source: one view with depth and camera. optics: optics with views (a quilt, a camera grid);
-/// the image fills their window and is cropped to its shape. depth_scale multiplies all depths. The result does not depend on
-/// the number of threads. Throws Error if the views of the optics have no cameras.
+/// Makes views from one image. source: one view with depth and camera. optics: optics with views (a quilt, a camera grid). The
+/// image fills the window of the views and is cropped to the window's shape. depth_scale multiplies all depths. The result does
+/// not depend on the number of threads. Throws Error if the views of the optics have no cameras.
 DepthViews views_from_depth(const LightField& source, const Optics& optics, double depth_scale, const ThreadPool& pool);
 
-/// Returns the views of one or more images with different eye positions. Each view uses the source with the nearest eye, then
-/// the other sources where that one has no point, then the fill of missed pixels.
+/// Makes views from one or more images with different eye positions. Each view is made from the source with the nearest eye.
+/// Pixels without a point are then taken from the other sources, and filled if no source has a point there.
 DepthViews views_from_depths(std::span<const LightField> sources, const Optics& optics, double depth_scale,
                              const ThreadPool& pool);
 

@@ -11,9 +11,9 @@
 
 namespace lippmann {
 
-/// Returns the depth in mm, for the mean distance between neighbouring eyes. Throws a usage Error naming `parameter` if the
-/// optics have no views with cameras, if there is only one view, or if the disparity is at most -b / p, the disparity at
-/// infinity.
+/// Returns the depth in mm of points with the given disparity, for the mean distance between neighbouring eyes. Throws a usage
+/// Error naming `parameter` if the optics have fewer than two views or views without cameras, or if the disparity is at most -b
+/// / p, the disparity at infinity.
 double depth_of_disparity_px(const Optics& optics, double disparity_px, const char* parameter);
 
 }  // namespace lippmann

@@ -10,21 +10,21 @@
 namespace lippmann {
 namespace {
 
-constexpr double kPanelEdgePx = 1e-3;  ///< tolerance for rounding at the edges of the panel
+constexpr double kPanelEdgePx = 1e-3;  ///< tolerance at the edges of the panel for rounding errors
 
 struct Quality {
   SampleFilter filter;
-  Vec2d crosstalk_px;  ///< sigmas along x and y (optics/crosstalk.hpp)
+  Vec2d crosstalk_px;  ///< sigmas of the crosstalk along x and y (optics/crosstalk.hpp)
 
   bool blurs() const { return crosstalk_px != Vec2d(0.0); }
 };
 
-/// Returns the taps along one axis, blurred if sigma_px > 0.
+/// Returns the pixels and weights (taps) that a position is interpolated from along one axis, blurred if sigma_px > 0.
 Taps blurred_taps(double position_px, double sigma_px, SampleFilter filter) {
   return sigma_px > 0.0 ? gaussian_taps(position_px, sigma_px) : taps_at(position_px, filter);
 }
 
-/// Returns the weighted mean of the pixels for which wanted(x, y) holds.
+/// Returns the weighted mean of those pixels for which wanted(x, y) is true.
 template <class Wanted>
 Vec3f weighted_mean(const Image& picture, const Taps& columns, const Taps& rows, const Wanted& wanted) {
   Vec3d sum(0.0);
@@ -89,7 +89,7 @@ class QuiltSampler {
     for (int axis = 0; axis < 2; ++axis)
       if (!(seen.pixel[axis] >= -kPanelEdgePx && seen.pixel[axis] <= tile[axis] + kPanelEdgePx)) return Vec3f(0.0f);
     const Taps columns = taps_at(seen.pixel.x, quality_.filter), rows = taps_at(seen.pixel.y, quality_.filter);
-    // Views are filtered like pixels: view v covers v ... v + 1.
+    // Views are filtered like pixels: view v covers the interval from v to v + 1.
     const auto views = [&](int axis) {
       return blurred_taps(seen.view[axis] + 0.5, quality_.crosstalk_px[axis], quality_.filter);
     };
@@ -150,7 +150,8 @@ class SlantedSampler {
   bool in_zone(const Viewer& viewer, Vec2d point_mm) const { return sight_.seen_from(viewer, point_mm, 0).in_zone; }
 
  private:
-  /// Interpolates between the sub-pixels of one colour below one lens. If none of them is near, returns the nearest sub-pixel.
+  /// Interpolates between the sub-pixels of one colour below one lens. If none of them is near enough, returns the nearest
+  /// sub-pixel.
   float in_row(const SlantedPoint& seen, int row, int c, double near_column) const {
     const double column = std::clamp(sight_.column_of(seen, c, row, near_column), -1e6, 1e6);
     const bool blurred = quality_.blurs();

@@ -12,8 +12,8 @@
 namespace lippmann {
 namespace {
 
-/// Returns points spread evenly over a disc. Based on: Vogel, "A better way to construct the sunflower head", Math. Biosciences
-/// 44, 1979.
+/// Returns points spread evenly over the pupil, a disc. Based on: Vogel, "A better way to construct the sunflower head", Math.
+/// Biosciences 44, 1979.
 std::vector<Vec2d> pupil_points(double diameter_mm, int count) {
   if (diameter_mm == 0.0) return {Vec2d(0.0)};
   const double golden_angle = std::numbers::pi * (3.0 - std::sqrt(5.0));
@@ -25,7 +25,8 @@ std::vector<Vec2d> pupil_points(double diameter_mm, int count) {
   return points;
 }
 
-/// Returns the number of samples across and down per pixel, for views coarser than the display.
+/// Returns the number of samples across and down in each pixel of the view; more than 1 if the view is coarser than the
+/// display.
 Vec2i samples_per_pixel(const Optics& optics, Vec2i size) {
   constexpr int kMax = 16;
   const Vec2i grid = lens_grid(optics);
@@ -60,8 +61,8 @@ Image eye_view(const RenderedPanel& rendered, const EyeView& view, const ThreadP
   const Vec2i size = view.size.x > 0 ? view.size : natural_view_size(rendered.optics);
   const Vec2i samples = samples_per_pixel(rendered.optics, size);
   const EyeSampler sampler(rendered, view.filter, view.crosstalk_px);
-  // A point that the centre of the eye sees at s appears at s - d z / (E_z - z) from pupil point d. The pupil's views are
-  // shifted to coincide at the depth of focus.
+  // A point that is at s as seen from the centre of the eye appears at s - d z / (E_z - z) from the point d of the pupil. The
+  // views of all pupil points are shifted so that they coincide at the depth of focus.
   const double shift = -view.focus_mm / (view.eye_mm.z - view.focus_mm);
   struct PupilPoint {
     Viewer viewer;

@@ -23,12 +23,12 @@ namespace fs = std::filesystem;
 
 constexpr double kWindowHeightMm = 100.0, kDistanceMm = 300.0, kConeDeg = 40.0, kGridAngleDeg = 10.0;
 
-/// Returns the panel of a quilt of all views, in the order of their grid.
+/// Returns a panel that holds all views as a quilt, in the order of their grid.
 Panel quilt_panel(const LightField& field, double pixel_mm) {
   return {field.view_size.x * field.grid.columns, field.view_size.y * field.grid.rows, static_cast<float>(pixel_mm)};
 }
 
-/// Returns the width of a pixel of views that are stretched to the assumed display.
+/// Returns the width of a pixel if the views are stretched to the assumed display.
 double pixel_width_mm(const LightField& field) { return field.aspect * kWindowHeightMm / field.view_size.x; }
 
 /// Moves the views of a field to their pixels on the panel.
@@ -39,14 +39,14 @@ Picture panel_picture(const LightField& field, const ViewLayout& film) {
   return picture;
 }
 
-/// Returns how the views of these optics are arranged on their panel.
+/// Returns where the pixels of the views are on the panel of these optics.
 ViewLayout film_of(const Optics& optics, const std::string& where) {
   if (const std::optional<RenderedViews> rendered = rendered_views(optics)) return rendered->film;
   throw Error(where, "its views cannot be moved behind lenses without a whole number of pixels",
               "pictures of `layout` integral or native");
 }
 
-/// Returns whether the image is already arranged like the panel of these optics.
+/// Returns whether the image is already arranged as the panel of these optics shows it.
 bool is_as_shown(const fs::path& picture, const std::string& layout, const Optics& optics) {
   if (is_single_view(optics)) return true;
   const std::optional<QuiltName> name = parse_quilt_name(picture);
@@ -63,7 +63,7 @@ FormatOptions options_of(const LightFieldHints& hints) {
   return options;
 }
 
-/// Makes the frames be read in the given format and rearranged for the panel.
+/// Sets the frames to be read in the format `from` and rearranged for the panel.
 LightFieldFrames rearranged(LightFieldFrames frames, const std::string& from, const FormatOptions& options) {
   const auto files = std::make_shared<std::vector<fs::path>>(frames.files);
   frames.read = [files, from, options, optics = frames.optics](std::size_t index) {
@@ -74,14 +74,14 @@ LightFieldFrames rearranged(LightFieldFrames frames, const std::string& from, co
   return frames;
 }
 
-/// Makes the frames be read unchanged, as images of the panel of their optics.
+/// Sets the frames to be read unchanged, as images of the panel of their optics.
 LightFieldFrames as_shown(LightFieldFrames frames) {
   const RenderedFrames pictures{frames.optics, frames.files, frames.frames_per_second};
   frames.read = [pictures](std::size_t index) { return read_rendered_panel(pictures, index); };
   return frames;
 }
 
-/// Completes the frames of a finished render, in any layout.
+/// Completes the description of the frames of a finished render, in any layout.
 LightFieldFrames of_render(LightFieldFrames frames, const Rendering& rendering, const LightFieldHints& hints) {
   const fs::path& first = frames.files.front();
   if (hints.display && !hints.is_other_display)
@@ -105,12 +105,14 @@ LightFieldFrames of_render(LightFieldFrames frames, const Rendering& rendering, 
   return as_shown(std::move(frames));
 }
 
-/// Completes frames without a report that are images of a display's panel.
+/// Completes the description of frames without a report that are images of a display's panel.
 LightFieldFrames of_panel(LightFieldFrames frames, const LightFieldHints& hints) {
   for (const auto& [given, flag] :
        {std::pair(hints.view_angle_deg.has_value(), "view-angle"), std::pair(hints.views.has_value(), "views"),
         std::pair(hints.tiles.has_value(), "quilt"), std::pair(hints.cone_ends, "cone-ends")})
-    if (given) throw usage_error(flag, "has no effect on the interlaced frame of a panel", "the frame without it, or views or a quilt in its place");
+    if (given)
+      throw usage_error(flag, "has no effect on the interlaced frame of a panel",
+                        "the frame without it, or views or a quilt in its place");
   frames.optics = native_optics(*hints.display), frames.is_panel = true;
   const Vec2i panel(frames.optics.panel.width, frames.optics.panel.height);
   const Vec2i size = size_of(read_picture(frames.files.front()));
@@ -122,7 +124,7 @@ LightFieldFrames of_panel(LightFieldFrames frames, const LightFieldHints& hints)
   return as_shown(std::move(frames));
 }
 
-/// Throws for flags that the reader of the format does not use.
+/// Throws for hints that the reader of the format does not use.
 void refuse_unused(const LightFieldHints& hints, const LightFieldFormat& format) {
   const auto refuse = [&](bool given, const char* flag, const char* accepted) {
     if (given) throw usage_error(flag, fmt::format("has no effect on the format {}", format.name), accepted);
@@ -131,7 +133,7 @@ void refuse_unused(const LightFieldHints& hints, const LightFieldFormat& format)
   refuse(hints.tiles && !format.reads.tiles, "quilt", "`from` quilt");
 }
 
-/// Throws for flags that contradict the cameras in the files.
+/// Throws for hints that contradict the cameras stated in the files.
 void refuse_stated_cameras(const LightFieldHints& hints, const fs::path& file) {
   const auto refuse = [&](bool given, const char* flag) {
     if (given)
@@ -143,7 +145,7 @@ void refuse_stated_cameras(const LightFieldHints& hints, const fs::path& file) {
   refuse(hints.display && !hints.is_other_display, "display");
 }
 
-/// Returns the optics of a quilt of the field's views for a display.
+/// Returns the optics of a quilt that shows the field's views on a display.
 Optics quilt_for(Display display, const LightField& field, const LightFieldHints& hints) {
   const ViewGrid& grid = field.grid;
   if (grid.rows > 1)
@@ -154,7 +156,7 @@ Optics quilt_for(Display display, const LightField& field, const LightFieldHints
   return with_cone_ends(*quilt_optics(display), hints.cone_ends);
 }
 
-/// Returns a sentence on the cameras assumed for views whose cameras are unknown or turned.
+/// Returns a sentence on the cameras assumed for views whose cameras are unknown or rotated.
 std::string assumption_about(const fs::path& file, bool are_turned, const Optics& optics, const LightFieldHints& hints) {
   std::string text =
       fmt::format("The cameras of {} are {}. Assumed: a display {:.4g} mm high, seen from {:.4g} mm", file.string(),
@@ -167,7 +169,7 @@ std::string assumption_about(const fs::path& file, bool are_turned, const Optics
   return text + ".";
 }
 
-/// Completes the frames of a light field without a report.
+/// Completes the description of the frames of a light field without a report.
 LightFieldFrames of_format(LightFieldFrames frames, const LightFieldSource& source, const LightFieldHints& hints) {
   const fs::path& first = frames.files.front();
   const LightField field = source.format->read(first, source.options);

@@ -1,12 +1,12 @@
-// Rejects inputs that are not light fields, with messages that name what was found instead.
+// Rejects inputs that are not light fields. The messages name what the input is instead.
 #pragma once
 
 #include <filesystem>
 
 namespace lippmann {
 
-/// Throws an Error naming `in` if it is a video, or a folder without frames or views: empty, with videos, with a job that has
-/// not been rendered, or with images of unknown names.
+/// Throws an Error naming `in` if it is a video, or a folder without frames or views. The message distinguishes an empty
+/// folder, one with videos, one with a job that has not been rendered, and one whose images have unknown names.
 void require_light_field(const std::filesystem::path& in);
 
 /// Throws an Error naming the file if its extension is not an image extension.

@@ -1,6 +1,6 @@
 // Corrects rendered or recorded images with inverted depth: `lippmann convert --rotate-elemental` and `--spoc`.
 //
-// Both move pixels without changing them, so integer samples keep their number of bits.
+// Both conversions move pixels without changing them, so that integer samples keep their number of bits.
 #pragma once
 
 #include <filesystem>
@@ -13,16 +13,18 @@
 namespace lippmann {
 
 struct OrthoscopicParams {
-  std::filesystem::path in;   ///< an image, or a folder of frames, beside its report.json (replay/rendered_frames.hpp)
-  std::filesystem::path out;  ///< a folder for images of the same names and a report.json with their optics
-  std::optional<SpocParams> spoc = {};  ///< none: rotate elemental images
-  // Lens array of the display; none: as the recording array.
+  /// An image or a folder of frames, with a report.json beside the images (replay/rendered_frames.hpp).
+  std::filesystem::path in;
+  /// A folder for the converted images, which keep their names, and a report.json with their optics.
+  std::filesystem::path out;
+  std::optional<SpocParams> spoc = {};  ///< parameters of --spoc; none: elemental images are rotated
+  // Lens array of the display; none: equal to the recording array.
   std::optional<double> lens_pitch_mm = {}, gap_mm = {};
   std::optional<int> lens_pixels = {};
 };
 
-/// Converts all frames. Returns the written files, report.json last. Throws Error naming the flag or file, also if `out` is the
-/// folder of `in`. Stops between frames if context.cancelled is set.
+/// Converts all frames. Returns the written files, with report.json last. Throws Error naming the flag or file, also if `out`
+/// is the folder of `in`. Stops between frames if context.cancelled is set.
 std::vector<std::filesystem::path> convert_to_orthoscopic(const OrthoscopicParams& params, const Context& context);
 
 }  // namespace lippmann

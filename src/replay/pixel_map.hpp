@@ -8,16 +8,16 @@
 
 namespace lippmann {
 
-/// Marks a pixel without source, which becomes black.
+/// Marks a pixel that copies no source pixel and becomes black.
 inline constexpr std::uint32_t kNoPixel = 0xffffffffu;
 
-/// source[i] is the index (row-major) of the source pixel that pixel i copies, or kNoPixel.
+/// source[i] is the row-major index of the source pixel that pixel i copies, or kNoPixel.
 struct PixelMap {
   int width = 0, height = 0;
   std::vector<std::uint32_t> source;
 };
 
 Picture apply(const PixelMap& map, const Picture& picture);
-Image apply(const PixelMap& map, const Image& picture);  ///< 3 channels
+Image apply(const PixelMap& map, const Image& picture);  ///< `picture` has 3 channels
 
 }  // namespace lippmann

@@ -13,7 +13,8 @@ Precompensated precompensate_frames(const PrecompensateParams& params, const Con
   RenderedFrames frames =
       params.optics ? RenderedFrames{*params.optics, pictures_of(params.in)} : find_rendered_frames(params.in);
   Image nothing;
-  precompensate(frames.optics, params.sigma_px, kFlag, nothing);  // throws on invalid parameters before anything is written
+  // Throws for invalid parameters now, before anything is written.
+  precompensate(frames.optics, params.sigma_px, kFlag, nothing);
   Precompensated result;
   Precompensation& bound = result.bound;
   PictureConversion conversion{params.in, params.out, frames.optics, {}, {}};

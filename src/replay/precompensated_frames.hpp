@@ -11,15 +11,16 @@
 namespace lippmann {
 
 struct PrecompensateParams {
-  std::filesystem::path in;           ///< an image, or a folder of frames, beside its report.json (replay/rendered_frames.hpp)
-  std::filesystem::path out;          ///< a folder for images of the same names and a report.json
-  double sigma_px = 0.0;              ///< see optics/crosstalk.hpp
-  std::optional<Optics> optics = {};  ///< optics of the images; none: those of the report.json beside them
+  /// An image or a folder of frames, with a report.json beside the images (replay/rendered_frames.hpp).
+  std::filesystem::path in;
+  std::filesystem::path out;          ///< a folder for the corrected images, which keep their names, and a report.json
+  double sigma_px = 0.0;              ///< crosstalk of the display, a sigma as in optics/crosstalk.hpp
+  std::optional<Optics> optics = {};  ///< optics of the images; none: read from the report.json beside them
 };
 
 struct Precompensated {
-  std::vector<std::filesystem::path> written;  ///< report.json last
-  Precompensation bound;                       ///< mean share of clipped samples and largest residual of all frames
+  std::vector<std::filesystem::path> written;  ///< the written files, with report.json last
+  Precompensation bound;                       ///< mean share of clipped samples and largest residual over all frames
 };
 
 /// Corrects all frames. Integer samples keep their number of bits. Throws Error naming the flag or file. Stops between frames

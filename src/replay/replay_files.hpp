@@ -28,7 +28,8 @@ class ReplayFiles {
   ReplayFiles(const ReplayFiles&) = delete;
   ReplayFiles& operator=(const ReplayFiles&) = delete;
 
-  /// Writes name.png or name.exr. in_video: also add it to the video; all frames must have one size.
+  /// Writes name.png or name.exr. in_video: whether to add the image to the video too; all frames of a video must have one
+  /// size.
   void add(const std::string& name, const Image& picture, bool in_video = false);
 
   /// Writes name.exr with one channel Z, in mm of the display frame.

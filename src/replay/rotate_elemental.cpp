@@ -28,7 +28,7 @@ PixelMap map_of(const Panel& panel, const auto& source_of) {
   return map;
 }
 
-/// Tile v becomes tile N - 1 - v. The padding on the right and at the top stays.
+/// Returns the map with which tile N - 1 - v takes the pixels of tile v. The padding on the right and at the top stays.
 PixelMap reversed_views(const Panel& panel, const ViewTiles& views) {
   const int width = panel.width / views.columns, height = panel.height / views.rows;
   const int padding = panel.height - height * views.rows;

@@ -13,8 +13,8 @@
 
 namespace lippmann {
 
-/// Returns the pixel map for images of the optics' panel. Pixels whose counterpart lies outside the panel, below a cut lens,
-/// become black. Throws Error naming `where` if the lens array has no whole number of pixels per lens.
+/// Returns the map for images of the optics' panel. Pixels below a lens that the edge of the panel cuts become black if their
+/// counterpart is outside the panel. Throws Error naming `where` if the number of pixels per lens is not whole.
 PixelMap rotated_elemental_images(const Optics& optics, const std::string& where);
 
 }  // namespace lippmann

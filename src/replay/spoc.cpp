@@ -11,7 +11,8 @@
 namespace lippmann {
 namespace {
 
-/// Finds the recorded pixel that looks at a point, through the lens nearest to where the ray meets the recording array.
+/// Finds the recorded pixel that looks at a point, preferably through the lens nearest to where the ray meets the recording
+/// array.
 template <class Sight>
 class RecordedPixels {
  public:
@@ -21,8 +22,8 @@ class RecordedPixels {
   std::uint32_t looking_at(Vec2d point_mm, Vec2d ray_meets_array_mm) const {
     constexpr int kTries = 16;
     const Viewer from_point = viewer_at({point_mm, z_});
-    // The lens that sees the point from the middle of its cell is on the line from the ray's lens to this foot point, which
-    // belongs to the viewer that the cells converge to.
+    // If the nearest lens has no such pixel, the lenses on the line to `foot` are tried. The lens there sees the point from the
+    // middle of its cell. `foot` is on the line from the point to the viewer that the cells converge to.
     const Vec2d foot = (point_mm - design_.slope_at_centre * z_) / (1.0 - design_.vergence * z_);
     for (int i = 0; i <= kTries; ++i) {
       const Vec2d at = glm::mix(ray_meets_array_mm, foot, static_cast<double>(i) / kTries);
@@ -85,8 +86,8 @@ Optics spoc_display(const Optics& recorded, const SpocDisplay& display) {
   const double rows = lenses->row_pitch_mm > 0.0 ? along * display.pixels : whole(window.y / pixel);
   optics.panel = {static_cast<int>(std::min(across * display.pixels, 1e9)), static_cast<int>(std::min(rows, 1e9)),
                   static_cast<float>(pixel)};
-  // Cell 0 begins at the panel's edge. With an even number of lenses a cell boundary is in the middle, with an odd number a
-  // lens centre.
+  // Cell 0 begins at the panel's edge. The middle of the panel is a cell boundary if the number of lenses is even, and a lens
+  // centre if it is odd.
   const Vec2f offset(std::fmod(across, 2.0) == 0.0 ? 0.5 * display.lens_pitch_mm : 0.0,
                      std::fmod(along, 2.0) == 0.0 ? 0.5 * display.lens_pitch_mm : 0.0);
   optics.model =

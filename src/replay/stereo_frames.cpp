@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Eye positions in the display frame.
+/// The positions of two eyes in the display frame.
 struct EyePair {
   Vec3d middle_mm;
   double ipd_mm;
@@ -29,7 +29,8 @@ struct EyePair {
   Vec3d eye(int i) const { return middle_mm + Vec3d((i - 0.5) * ipd_mm, 0.0, 0.0); }
 };
 
-/// Returns the eyes. If the screen has another width than the optics, the given lengths are scaled to the optics.
+/// Returns the eyes. The given lengths refer to the screen of the viewer; if its width differs from that of the optics, they
+/// are scaled.
 EyePair eye_pair(const StereoParams& params, const Optics& optics) {
   const double width = display_window(optics).size.x, scale = params.screen_width_mm ? width / *params.screen_width_mm : 1.0;
   EyePair eyes{default_eye_mm(optics), params.ipd_mm.value_or(kDefaultIpdMm) * scale};
@@ -42,7 +43,7 @@ bool is_pair(const Optics& optics) {
   return tiles && tiles->columns == 2 && tiles->rows == 1;
 }
 
-/// Throws for eye parameters, which have no effect on light fields of two views.
+/// Throws if parameters of the eyes are given, since they have no effect on light fields of two views.
 void refuse_eye_params(const StereoParams& params) {
   const auto refuse = [](bool given, const char* flag) {
     if (given) throw usage_error(flag, "has no effect: two views stay as they are", "a light field of more views");
@@ -54,7 +55,8 @@ void refuse_eye_params(const StereoParams& params) {
   refuse(params.field.cone_ends, "cone-ends");
 }
 
-/// Warns if an eye is outside the viewing zone. Returns the larger share of both eyes.
+/// Warns if an eye is outside the viewing zone. Returns the share of the display that shows an eye another zone, the larger of
+/// both eyes.
 double warn_out_of_zone(const Optics& optics, const EyePair& eyes, const Context& context) {
   const double share =
       std::max(share_out_of_zone(optics, viewer_at(eyes.eye(0))), share_out_of_zone(optics, viewer_at(eyes.eye(1))));
@@ -68,14 +70,14 @@ double warn_out_of_zone(const Optics& optics, const EyePair& eyes, const Context
   return share;
 }
 
-/// Converts to 8-bit codes, unless floats are wanted.
+/// Converts the samples to 8-bit codes, unless floats are requested.
 LightField with_codes(LightField field, bool wants_floats) {
   if (!wants_floats)
     if (const Image* light = std::get_if<Image>(&field.stack)) field.stack = to_codes(*light, Encoding::kSrgb);
   return field;
 }
 
-/// Returns whether the output has float samples, by its extension or else by the extension of the input.
+/// Returns whether the output has float samples. The extension of the output decides, or else that of the input.
 bool wants_floats(const fs::path& out, const fs::path& in) {
   return (out.has_extension() ? out.extension() : in.extension()) == ".exr";
 }

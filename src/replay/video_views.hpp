@@ -1,4 +1,5 @@
-// Reads the frames of a video as views of one moment: a camera that moves sideways past its subject, or a turntable.
+// Reads the frames of a video as the views of one moment. The camera moves sideways past the scene, or the scene turns in front
+// of it.
 #pragma once
 
 #include <filesystem>
@@ -8,9 +9,9 @@
 
 namespace lippmann {
 
-/// Reads the views; the first frame is the leftmost view. options.views Nx1: N frames, evenly spread from the first to the
-/// last; none: every frame. options.fit_view is applied to each. Throws Error naming the file if it cannot be read or has fewer
-/// than two or than N frames, and a usage Error for several rows of views.
+/// Reads the views; the first frame is the leftmost view. If options.views is Nx1, takes N frames, evenly spread from the first
+/// to the last; if it is not given, takes every frame. Applies options.fit_view to each view. Throws Error naming the file if
+/// it cannot be read or has fewer than two or fewer than N frames, and a usage Error for several rows of views.
 LightField read_video_views(const std::filesystem::path& video, const FormatOptions& options);
 
 }  // namespace lippmann
