@@ -122,7 +122,8 @@ class Interlacer {
 
 void require_own_frame(const Display& display) {
   if (display.kind != DisplayKind::kSlantedPanel)
-    throw usage_error("display", fmt::format("{} is a {}, whose pixels are not interlaced", display.name, to_string(display.kind)),
+    throw usage_error("display",
+                      fmt::format("{} is a {}, whose pixels are not interlaced", display.name, to_string(display.kind)),
                       "a slanted panel");
 }
 
