@@ -17,7 +17,8 @@ inline constexpr double kTachyonFramesPerSecond = 25.0;
 
 /// Loads a file. Searches side files (INCLUDE, TPOLYFILE, image maps) in the .dat file's folder and below asset_root, if given.
 /// A camera path of N lines gives N + 1 frames, with the last line repeated, so that frame numbers match Tachyon's own images.
-/// origin: see Scene::origin. Throws Error naming file, line and keyword, also for features that a Scene cannot express.
+/// origin: see Scene::origin. Throws Error naming file, line and keyword, also if the file uses features that a Scene cannot
+/// express.
 Scene load_tachyon(const std::filesystem::path& path, const std::optional<std::filesystem::path>& camera_path,
                    const Context& context, double frames_per_second = kTachyonFramesPerSecond,
                    const std::filesystem::path& asset_root = {}, const Vec3d& origin = Vec3d(0.0));

@@ -17,7 +17,7 @@ float positive_number(Lexer& lexer, std::string_view keyword) {
   return value;
 }
 
-/// Reads a projection, whose keyword PROJECTION is optional, and the keyword ZOOM. Both parts of the projection may be absent.
+/// Reads the projection and the keyword ZOOM. The projection's keyword PROJECTION and its name may both be absent.
 void parse_projection(Lexer& lexer, CameraRecord& record, const Context& context) {
   std::string word = upper(lexer.word("PROJECTION or ZOOM"));
   if (word == "PROJECTION") word = upper(lexer.word("PROJECTION's name"));

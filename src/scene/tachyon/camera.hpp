@@ -21,7 +21,7 @@ struct CameraPose {
   Vec3f up{0.0f, 1.0f, 0.0f};
 };
 
-/// A CAMERA statement. The defaults are Tachyon's for a scene without one.
+/// A CAMERA statement. The defaults are those of Tachyon for a scene without a CAMERA statement.
 struct CameraRecord {
   float zoom = 1.0f;  ///< the image height is 1 / zoom at distance 1, or everywhere if orthographic
   bool is_orthographic = false;

@@ -1,4 +1,4 @@
-// Reads the image of an image map as a Texture for Tachyon's projection formulas.
+// Reads the picture of a Tachyon image map as a Texture for Tachyon's projection formulas.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,5 @@
-// Tachyon's fractal landscape (SCAPE): heights on a grid by midpoint displacement, identical to Tachyon's.
+// Tachyon's fractal landscape (SCAPE): computes heights on a grid by midpoint displacement. The heights are identical to
+// Tachyon's.
 //
 // After: A. Fournier, D. Fussell, L. Carpenter, "Computer rendering of stochastic models", CACM 25(6), 1982, with Tachyon's
 // displacement, clamping, order of subdivision and random numbers: x <- 1099087573 x mod 2^32, the multiplier of G. S.

@@ -20,7 +20,7 @@ float positive(Lexer& lexer, std::string_view keyword) {
   return value;
 }
 
-/// Returns the grid points around `center`. Normals are central differences, and vertical along the border.
+/// Returns the grid points around `center`. Normals are computed by central differences; along the border they are vertical.
 std::vector<Vertex> landscape_vertices(const LandscapeSize& size, Vec3f center) {
   const std::vector<double> heights = landscape_heights(size);
   const double step_x = size.width / (size.columns - 1), step_z = size.depth / (size.rows - 1);
@@ -60,7 +60,7 @@ void add_landscape(SceneBuilder& builder, int material, const LandscapeSize& siz
 void parse_scape(Lexer& lexer, ParserState& state) {
   constexpr int kLargestSide = 2048;
   constexpr std::int64_t kMostSteps =
-      std::int64_t{2} * kLargestSide * kLargestSide;  // limit for a whole scene, so that tiny files cannot take very long
+      std::int64_t{2} * kLargestSide * kLargestSide;  // per scene, so that tiny files cannot take very long
   LandscapeSize size;
   lexer.expect("RES");
   size.columns = lexer.integer("RES", 2, kLargestSide);

@@ -8,7 +8,7 @@
 namespace lippmann::tachyon {
 namespace {
 
-/// Lights of radius 0 are invisible.
+/// Reads RAD, the radius of a light's visible bulb. Lights of radius 0 are invisible.
 float parse_visible_radius(Lexer& lexer) {
   const float radius = lexer.number_after("RAD");
   if (radius < 0.0f) throw lexer.error(fmt::format("RAD is {}", radius), "a number >= 0");

@@ -25,7 +25,7 @@ void parse_background(Lexer& lexer, ParserState& state) {
 }
 
 /// The background colour of a direction d is BOTTOMCOLOR where d.UPDIR <= BOTTOMVAL, TOPCOLOR where it is >= TOPVAL, and a
-/// blend in between. SKY_ORTHO_PLANE uses ray origins instead of directions.
+/// blend in between. For SKY_ORTHO_PLANE, d is a ray's origin instead of its direction.
 void parse_background_gradient(Lexer& lexer, ParserState& state) {
   const std::string kind = upper(lexer.word("SKY_SPHERE"));
   if (kind != "SKY_SPHERE" && kind != "SKY_ORTHO_PLANE")
@@ -131,7 +131,7 @@ Error unknown_statement(const Lexer& lexer, const std::string& word) {
                      accepted);
 }
 
-/// Reads to END_SCENE or the end of the file; the latter is an error if `must_end`.
+/// Reads statements up to END_SCENE or the end of the file. If `must_end` is set, END_SCENE is required.
 void parse_statements(Lexer& lexer, ParserState& state, bool must_end) {
   while (must_end || !lexer.at_end()) {
     const std::string word = upper(lexer.word("END_SCENE"));

@@ -1,7 +1,7 @@
 // Reads the statements of a Tachyon scene file, one function per keyword, into a SceneBuilder.
 //
-// The order of words in a statement is fixed, as in Tachyon's own reader. Functions are called after their keyword has been
-// read and read to the end of the statement. All throw Error naming file and line.
+// The order of words in a statement is fixed, as in Tachyon's own reader. Each function is called after its keyword has been
+// read, and reads the rest of the statement. All throw Error naming file and line.
 #pragma once
 
 #include <cstdint>
@@ -39,7 +39,7 @@ struct ParserState {
   Background background;               ///< BACKGROUND
   std::optional<Background> gradient;  ///< BACKGROUND_GRADIENT, which overrides BACKGROUND in any order
   bool gradient_is_plane = false;      ///< SKY_ORTHO_PLANE: values are heights in the scene, not sines
-  std::int64_t landscape_steps = 0;    ///< used so far
+  std::int64_t landscape_steps = 0;    ///< steps used so far by all landscapes
   Vec2i resolution{0, 0};
   LeftOut left_out;  ///< keywords that are read but ignored
   int include_depth = 0, includes = 0;
@@ -64,7 +64,7 @@ void apply_shader_mode(const ShaderMode& mode, Scene& scene);
 void parse_texdef(Lexer& lexer, ParserState& state);
 void parse_texalias(Lexer& lexer, ParserState& state);
 void parse_imagedef(Lexer& lexer, ParserState& state);
-/// Reads the part after TEXTURE or TEXDEF and its name. Returns the material's index.
+/// Reads the part of a texture after TEXTURE, or after TEXDEF and the name. Returns the material's index.
 int parse_texture_body(Lexer& lexer, ParserState& state, std::string name);
 /// Adds Tachyon's material for shapes with an undefined texture: matt white.
 int add_default_material(ParserState& state);

@@ -152,7 +152,7 @@ bool SceneBuilder::IndexedTriangles::add(int i0, int i1, int i2) {
     all_have_normals = all_have_normals && corners[k].normal != Vec3f(0.0f);
   }
   Mesh& mesh = colored_ ? builder_.group(material_).colored : builder_.group(material_).smooth;
-  if (!all_have_normals) {  // the missing normal depends on the triangle, so vertices cannot be shared
+  if (!all_have_normals) {  // a missing normal is replaced by the triangle's, so vertices cannot be shared
     builder_.add_corners(mesh, corners, colored_);
     return true;
   }

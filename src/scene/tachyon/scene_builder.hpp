@@ -1,4 +1,5 @@
-// Collects the elements of a Tachyon file into a Scene: mirrored (handedness.hpp), and grouped by material and kind of shape.
+// Collects the elements of a Tachyon file into a Scene, mirrors them (handedness.hpp), and groups them by material and kind of
+// shape.
 //
 // Callers pass coordinates as in the file. With one instance per material and kind, a scene of 10^5 spheres has few shapes.
 // Shapes without extent, which are invisible in Tachyon too, are dropped and counted.
@@ -29,7 +30,8 @@ class SceneBuilder {
   /// Returns the index of a white copy of a material without image, for vertex colours.
   int whitened(int material);
 
-  /// A vertex of a smooth triangle. A normal of length 0 is replaced by that of the triangle; others may have any length.
+  /// A vertex of a smooth triangle. A normal of length 0 is replaced by the triangle's normal; other normals may have any
+  /// length.
   struct Vertex {
     Vec3f position{0.0f}, normal{0.0f}, color{1.0f};
   };
@@ -58,7 +60,8 @@ class SceneBuilder {
     std::vector<int> used_;             ///< vertices whose `placed_` is set
   };
 
-  /// Adds a light at `position` along `direction` (not zero), as far as its kind uses these.
+  /// Adds a light at `position` that shines along `direction` (not zero). Kinds of light without a position or direction ignore
+  /// it.
   void add_light(Light light, Vec3f position, Vec3f direction = Vec3f(0.0f, 0.0f, 1.0f));
 
   /// Returns the number of dropped shapes without extent.

@@ -15,11 +15,11 @@ class SceneFolder {
   /// scene_file: the .dat file. asset_root: another folder that may contain side files; empty: none.
   explicit SceneFolder(const std::filesystem::path& scene_file, const std::filesystem::path& asset_root = {});
 
-  /// Looks for an image that the scene refers to as `name`, with the reason if it cannot be used.
+  /// Looks for an image that the scene refers to as `name`. The result states why the image cannot be used, if so.
   SideFile find(std::string_view name, const std::string& where) const;
 
-  /// Returns the path of a side file that the scene refers to as `name`, relative to the folder. The file need not exist.
-  /// Throws Error at `where` if it is outside the folders.
+  /// Returns the path of a side file that the scene refers to as `name`, relative to the scene's folder. The file need not
+  /// exist. Throws Error at `where` if the path lies outside both the scene's folder and the asset root.
   std::filesystem::path resolve(std::string_view name, const std::string& where) const;
 
   /// Returns the contents of a regular file. Throws Error at `where` if it cannot be read, or if the total text read through

@@ -83,7 +83,7 @@ void parse_fcylinder(Lexer& lexer, ParserState& state) {
 void parse_polycylinder(Lexer& lexer, ParserState& state) {
   lexer.expect("POINTS");
   const int count = lexer.integer("POINTS", 1, std::numeric_limits<int>::max());
-  std::vector<Vec3f> points;  // grows with the file's actual contents, not its count
+  std::vector<Vec3f> points;  // not reserved: memory must not depend on an untrusted count
   for (int i = 0; i < count; ++i) points.push_back(lexer.point("POLYCYLINDER's points"));
   const float radius = size_after(lexer, "RAD");
   const int material = parse_texture_reference(lexer, state);

@@ -15,7 +15,7 @@ namespace lippmann {
 namespace tachyon {
 namespace {
 
-/// Angle under which a viewer sees the height of an orthographic picture.
+/// The angle of view across the height of an orthographic picture, for an assumed viewer.
 constexpr double kViewerAngle = 45.0 * std::numbers::pi / 180.0;
 
 /// Adds the camera with its own node.
@@ -43,7 +43,7 @@ Background over_directions(Background plane, const CameraRecord& camera, const V
   return plane;
 }
 
-/// `origin`: subtracted from positions by the lexer.
+/// Returns the background. `origin` is the point that the lexer has subtracted from all positions.
 Background background_of(const ParserState& state, const Vec3d& origin) {
   if (!state.gradient) return state.background;
   if (!state.gradient_is_plane || !state.camera.is_orthographic) return *state.gradient;

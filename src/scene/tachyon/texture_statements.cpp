@@ -21,7 +21,7 @@ void parse_highlight(Lexer& lexer, PhongSurface& surface) {
   surface.highlight_size = lexer.number_after("PHONG_SIZE");
 }
 
-/// Reads AMBIENT to `last`, the word after the optional ones.
+/// Reads the part of a texture from AMBIENT to `last`, the keyword after the optional statements.
 void parse_coefficients(Lexer& lexer, ParserState& state, PhongSurface& surface, std::string_view last) {
   surface.ambient = lexer.number_after("AMBIENT");
   surface.diffuse = lexer.number_after("DIFFUSE");
@@ -61,8 +61,8 @@ int image_named(Lexer& lexer, ParserState& state) {
   return texture;
 }
 
-/// Cylinders and spheres stand along y, and u runs from x towards z. In our mirrored world that is towards -z, which is v_axis
-/// x u_axis.
+/// Reads the parameters of an image map. Cylinders and spheres stand along y, and u runs from x towards z in Tachyon's world.
+/// In our mirrored world it runs towards -z, which is v_axis x u_axis.
 void parse_image_map(Lexer& lexer, ParserState& state, ProjectionKind kind, PhongSurface& surface) {
   surface.texture = image_named(lexer, state);
   ImageProjection projection;
@@ -188,7 +188,7 @@ void parse_imagedef(Lexer& lexer, ParserState& state) {
   lexer.expect("ENCODING");
   lexer.expect("HEX");
   const std::int64_t pixels = std::int64_t{texture.width} * texture.height;
-  for (std::int64_t i = 0; i < pixels; ++i) {  // grows with the file's actual contents, not its resolution
+  for (std::int64_t i = 0; i < pixels; ++i) {  // no resize(): memory must not depend on an untrusted resolution
     const std::array<std::uint8_t, 3> color = parse_hex_color(lexer);
     texture.rgba.insert(texture.rgba.end(), {color[0], color[1], color[2], std::uint8_t{255}});
   }
