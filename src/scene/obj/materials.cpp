@@ -47,7 +47,7 @@ bool is_number(std::string_view word) {
 }
 
 /// Returns the file name after the options of a map statement such as "-s 1 1 1 -clamp on name", with '/' as folder separator.
-/// Options are ignored and added to `left_out`.
+/// The options have no effect; they are added to `left_out`.
 std::string map_file(std::string_view statement, const std::string& where, LeftOut& left_out) {
   std::string_view rest = statement;
   for (;;) {

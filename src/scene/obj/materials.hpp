@@ -15,10 +15,11 @@ namespace lippmann::obj {
 
 class Materials {
  public:
-  /// `folders` may contain the files. texture_bytes: as in LoadOptions. Adds materials and textures to the scene.
+  /// `folders`: those that may contain the material files and images. texture_bytes: as in LoadOptions. Adds materials and
+  /// textures to the scene.
   Materials(SideFolders folders, std::uint64_t texture_bytes, Scene& scene, const Context& context);
 
-  /// Reads the one or more files of an mtllib statement at `where`. Warns about files that cannot be used.
+  /// Reads all files that an mtllib statement at `where` names. Warns about files that cannot be used.
   void read_library(std::string_view names, const std::string& where);
 
   /// Returns the index of a material. Unknown materials are grey, with a warning; an empty name means grey.
@@ -37,7 +38,7 @@ class Materials {
   const Context& context_;
   std::map<std::string, int, std::less<>> known_;  ///< material indices by name
   std::set<std::string> read_;                     ///< names of libraries read so far
-  std::size_t text_left_;                          ///< bytes that libraries may still have
+  std::size_t text_left_;                          ///< total bytes that further libraries may have
 };
 
 }  // namespace lippmann::obj
