@@ -13,20 +13,21 @@
 namespace lippmann {
 
 struct PlyOptions {
-  SideFolders folders{};                                      ///< that may contain its textures
+  SideFolders folders{};                                      ///< folders that may contain the file's textures
   std::uint64_t texture_bytes = LoadOptions{}.texture_bytes;  ///< as in LoadOptions
   Vec3d origin{0.0};                                          ///< see Scene::origin
   double point_size = 0.0;                                    ///< as in LoadOptions
 };
 
-/// Loads a file. Sets options.folders.folder to the file's folder. Unsupported elements become warnings. Throws Error naming
-/// the file and the header's line or the element.
+/// Loads a file. Searches textures in the file's folder instead of options.folders.folder. Warns about unsupported elements.
+/// Throws Error naming the file and the header's line or the element.
 Scene load_ply(const std::filesystem::path& path, const Context& context, PlyOptions options = {});
 
-/// Parses a file's contents; `name` names them in messages.
+/// Parses the contents of a file; `name` names the file in messages.
 Scene parse_ply(const std::string& name, const std::string& contents, const Context& context, const PlyOptions& options = {});
 
-/// Returns whether a file is shown as splats, judged by its header: splats, or coloured points. False for unreadable files.
+/// Returns whether a file is shown as splats, because its header describes splats or coloured points. Returns false for
+/// unreadable files.
 bool is_ply_splat_file(const std::filesystem::path& path);
 
 }  // namespace lippmann

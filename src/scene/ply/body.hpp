@@ -10,7 +10,8 @@
 
 namespace lippmann::ply {
 
-/// All functions throw Error naming the element and its row at the end of the file or for invalid values.
+/// The values of a PLY file's body. At the end of the file and for invalid values, all functions throw Error naming the element
+/// and the row.
 class Body {
  public:
   /// `name` and `bytes` must outlive this object.
@@ -57,7 +58,7 @@ class Body {
 /// Returns whether a value is finite and within a range that is safe for computation.
 bool is_usable(double value);
 
-/// Returns the value of an integer colour component that stands for 1; 1 for floats.
+/// Returns the value that stands for a colour component of 1: the largest integer of the type, or 1 for floats.
 double full_scale(Type type);
 
 }  // namespace lippmann::ply

@@ -12,17 +12,17 @@
 
 namespace lippmann::ply {
 
-/// Columns are indices into Element::properties; -1: absent. Properties found are marked as read.
+/// Finds columns, which are indices into Element::properties; -1: absent. Marks the properties found as read.
 class Columns {
  public:
   /// `element` must outlive this object.
   explicit Columns(const Element& element) : element_(element), read_(element.properties.size(), false) {}
 
-  /// Return the first property of this name that is a single value, or a list.
+  /// Return the first property called `name` that is a single value, or that is a list.
   int value(std::string_view name) { return mark(find(name, false)); }
   int list(std::string_view name) { return mark(find(name, true)); }
 
-  /// Returns the first of these sets whose properties all exist as single values.
+  /// Returns the columns of the first set of names that all exist as single values.
   template <std::size_t N>
   std::optional<std::array<int, N>> values(std::initializer_list<std::array<std::string_view, N>> sets) {
     for (const std::array<std::string_view, N>& names : sets) {
@@ -36,7 +36,7 @@ class Columns {
     return std::nullopt;
   }
 
-  /// Return red, green and blue, and alpha.
+  /// Return the columns of red, green and blue, and the column of alpha.
   std::optional<std::array<int, 3>> color();
   int alpha();
 

@@ -27,7 +27,8 @@ struct FaceColumns {
   bool has_appearance() const { return uvs >= 0 || picture >= 0 || alpha >= 0 || color; }
 };
 
-/// Finds the columns. Vertex colours take precedence over face colours, corner texture coordinates over those of vertices.
+/// Finds the columns. Vertex colours take precedence over face colours. Texture coordinates of face corners take precedence
+/// over those of vertices.
 FaceColumns find_face_columns(const std::string& name, const Element& element, const Mesh& mesh, const Context& context) {
   Columns columns(element);
   FaceColumns found;

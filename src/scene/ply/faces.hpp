@@ -17,10 +17,11 @@ struct PlyMesh {
   std::vector<FaceAppearance> appearances;  ///< by triangle; empty: faces have no attributes
   std::vector<int> vertex_picture;          ///< texture number by vertex; empty: none
   FaceAttributes own;
-  Vec3d origin{0.0};  ///< subtracted from positions
+  Vec3d origin{0.0};  ///< the point that was subtracted from positions
 };
 
-/// Append to ply.mesh.triangles. Warn about unread properties by name. `name` names the file in messages. Throw Error.
+/// Append the triangles of faces, or of strips, to ply.mesh.triangles. Warn about unread properties by name. `name` names the
+/// file in messages. Throw Error.
 void read_faces(const std::string& name, const Element& element, Body& body, const Context& context, PlyMesh& ply);
 void read_strips(const std::string& name, const Element& element, Body& body, const Context& context, PlyMesh& ply);
 

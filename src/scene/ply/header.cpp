@@ -76,7 +76,7 @@ class HeaderReader {
     return error(fmt::format("is not a PLY file but {}", what), "a first line \"ply\"");
   }
 
-  /// Reads comments that hold information the format has no statements for.
+  /// Reads comments with information for which the format has no statements.
   void parse_comment(const std::vector<std::string_view>& words, std::string_view line) {
     if (words.size() > 2 && is_keyword(words[1], "TEXTUREFILE")) {
       const auto begin = static_cast<std::size_t>(words[2].data() - line.data());
@@ -103,8 +103,8 @@ class HeaderReader {
       header_.foreign_lines.add(words[0], fmt::format("{}:{}", name_, line_));
   }
 
-  /// Returns whether a line is a damaged or misspelt statement. Other unknown lines are comments without the keyword, as some
-  /// programs write them.
+  /// Returns whether a line is a damaged or misspelt statement. Other unknown lines count as comments, because some programs
+  /// omit the keyword `comment`.
   static bool resembles_statement(std::string_view word) {
     constexpr std::string_view kStatements[] = {"format", "element", "property", "end_header"};
     constexpr int kMisspelt = 2;

@@ -90,7 +90,7 @@ void skip(const std::string& name, const Element& element, Body& body, const Con
   body.skip(element);
 }
 
-/// Normalises normals, or removes all if one is zero.
+/// Normalises the normals. If one is zero, removes all of them.
 void tidy_normals(Mesh& mesh) {
   const auto is_zero = [](Vec3f n) { return n == Vec3f(0.0f); };
   if (std::any_of(mesh.normals.begin(), mesh.normals.end(), is_zero)) mesh.normals.clear();
@@ -169,7 +169,7 @@ void add_instance(Mesh mesh, int texture, Scene& scene) {
   scene.instances.push_back(std::move(instance));
 }
 
-/// Returns the scene textures of the file's texture numbers; -1: unusable.
+/// Returns for each texture number of the file the index of the scene's texture; -1: unusable.
 std::vector<int> find_textures(const std::string& name, const Header& header, bool has_uvs, SideTextures& textures,
                                const Context& context) {
   std::vector<int> found;

@@ -22,9 +22,9 @@ namespace {
 /// The full width at half maximum of a Gaussian, in standard deviations: 2 sqrt(2 ln 2).
 constexpr float kFullWidth = 2.3548200f;
 
-/// Diameters over the distance to the third neighbour, chosen by the pictures of points scattered on a sphere. Spheres of a
-/// diameter of k / sqrt(density) leave exp(-pi k^2 / 4) of a surface uncovered: 4 % for 2. Gaussians overlap beyond their
-/// diameter: no hole is seen from 1.6 on, and more only blurs.
+/// Diameters, relative to the distance to the third neighbour. Spheres with a diameter of k / sqrt(density) leave exp(-pi k^2 /
+/// 4) of a surface uncovered: 4 % for k = 2. Gaussians extend beyond their diameter: in pictures of points scattered on a
+/// sphere, no hole is visible from 1.6 on, and larger values only blur.
 constexpr float kSphereOverlap = 2.0f, kSplatOverlap = 1.6f;
 
 Splats read_rows(const std::string& name, const Element& element, Body& body, const Vec3d& origin, const Context& context) {
@@ -52,8 +52,8 @@ Splats read_rows(const std::string& name, const Element& element, Body& body, co
   return points;
 }
 
-/// Returns the distance of point i to its third nearest neighbour among those next to it in the sorted order; 0 if there is
-/// none. Coincident points count once.
+/// Returns the distance from point i to its third nearest neighbour, searched only among points next to i in the sorted order.
+/// Ignores points that coincide with i. Returns 0 if there are no others.
 float third_distance(const std::vector<Vec3f>& centers, std::size_t i) {
   constexpr std::size_t kBeside = 32;
   const std::size_t begin = i - std::min(i, kBeside), end = std::min(centers.size(), i + kBeside + 1);
@@ -66,8 +66,8 @@ float third_distance(const std::vector<Vec3f>& centers, std::size_t i) {
   return *third;
 }
 
-/// Returns the median distance to the third neighbour. `centers` are sorted by place (sort_by_place). For scattered points on
-/// a surface it is near 1 / sqrt(density), the spacing of a square grid of that density.
+/// Returns the median distance to the third neighbour. `centers` are sorted along a curve (sort_by_place). For points
+/// scattered on a surface, this distance is near 1 / sqrt(density), the spacing of a square grid with the same density.
 float spacing(const std::vector<Vec3f>& centers) {
   constexpr std::size_t kMostSampled = 1 << 14;
   std::vector<float> distances;

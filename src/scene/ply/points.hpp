@@ -16,9 +16,9 @@ bool has_points(const Header& header);
 /// Returns whether the points have colours. Such points are shown as unlit splats; points without colours as lit spheres.
 bool has_point_colors(const Header& header);
 
-/// Returns a scene with one instance of all points. `size`: their diameter in the file's units; 0: 1.2 times the median
-/// distance to the third neighbour. Subtracts `origin` (Scene::origin). Leaves out points that are not finite and unread
-/// properties and elements, with warnings. Throws Error.
+/// Returns a scene with one instance that holds all points. `size`: the diameter of the points in the file's units; 0: 2 times
+/// (spheres) or 1.6 times (splats) the median distance to the third neighbour. Subtracts `origin` (Scene::origin). Leaves out
+/// points that are not finite, and properties and elements that it does not read, with warnings. Throws Error.
 Scene read_points(const std::string& name, const Header& header, Body& body, double size, const Vec3d& origin,
                   const Context& context);
 

@@ -1,4 +1,4 @@
-// One row of a PLY element, with conversion to coordinates, colours and texture numbers.
+// One row of a PLY element. Converts its values to coordinates, colours and texture numbers.
 #pragma once
 
 #include <array>
@@ -34,7 +34,7 @@ class Row {
   /// Returns red, green and blue in linear light.
   Vec3f color(const std::array<int, 3>& columns);
 
-  /// Returns a texture number; -1 if the value is not a valid one.
+  /// Returns a texture number, or -1 if the value is not a valid texture number.
   int picture(int column) const;
 
   /// Warns about clamped components.

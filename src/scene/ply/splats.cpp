@@ -157,13 +157,14 @@ class SplatReader {
   Body& body_;
   Vec3d origin_;
   SplatColumns columns_;
-  bool is_floats_;  ///< all values are floats in native byte order
+  bool is_floats_;  ///< whether all values are floats in native byte order
   int degree_ = 0;
   std::vector<float> floats_;
   std::vector<double> row_;
 };
 
-/// Captures use the axes of photographs, with y down. Some files state that z points up.
+/// Returns the node that turns the file's splats upright. Captures use the axes of photographs, with y down; some files state
+/// that z points up.
 Node upright_node(bool is_z_up) {
   Node node;
   node.name = "splats";

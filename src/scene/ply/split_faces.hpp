@@ -11,13 +11,13 @@ namespace lippmann::ply {
 
 /// The face attributes of one triangle.
 struct FaceAppearance {
-  std::array<Vec2f, 3> uvs{};  ///< of the triangle's corners
+  std::array<Vec2f, 3> uvs{};  ///< texture coordinates of the triangle's corners
   Vec3f color{1.0f};           ///< linear
   float alpha = 1.0f;
   int picture = -1;  ///< texture number in the file; -1: none
 };
 
-/// The attributes that come from FaceAppearance; others come from the vertices.
+/// Marks the attributes that come from FaceAppearance; all others come from the vertices.
 struct FaceAttributes {
   bool uvs = false, colors = false, alphas = false;
 };
