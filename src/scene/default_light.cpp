@@ -11,7 +11,7 @@
 namespace lippmann {
 namespace {
 
-/// Returns the rotation part of a node's transform, for -z and y; the identity if it is degenerate.
+/// Returns the rotation of a node's transform, which turns -z and y. Returns the identity if the transform is degenerate.
 Quatf orientation(const Affine3f& world_from_node) {
   const Vec3f z = world_from_node.linear[2], x = glm::cross(world_from_node.linear[1], z);
   const float z_length = glm::length(z), x_length = glm::length(x);
@@ -55,7 +55,7 @@ bool has_lamps(const Scene& scene) {
                      [](const Light& light) { return brightest(light.color) >= std::numeric_limits<float>::min(); });
 }
 
-/// Returns the area in world units with the node's transform, ignoring skins and morph targets.
+/// Returns the area of a mesh in world units, after the node's transform. Ignores skins and morph targets.
 double area_of(const Mesh& mesh, const Affine3f& world_from_mesh) {
   double twice = 0.0;
   for (const auto& triangle : mesh.triangles) {

@@ -13,22 +13,22 @@ bool lacks_lamps(const Scene& scene);
 /// camera or the default view.
 void add_default_light(Scene& scene);
 
-/// Returns the orientation of the first camera, or of the default view: the rotation of -z and y to its view direction and its
-/// top.
+/// Returns the orientation of the first camera, or of the default view: the rotation that turns -z to the view direction and y
+/// to the top of the picture.
 Quatf viewer_orientation(const Scene& scene);
 
 /// The light sources that path tracing finds in a scene.
 enum class OwnLight {
-  kNone,          ///< none, but some surface needs light
+  kNone,          ///< no light, but some surface needs it
   kLamps,         ///< lamps, or emissive surfaces large enough to act as lamps, in front of a black background
   kSurroundings,  ///< a panorama or a sky, with or without lamps
-  kNotNeeded,     ///< none, and light would not change any surface
+  kNotNeeded,     ///< no light, and light would not change any surface
 };
 
-/// Returns the kind of light in a scene. Emissive glTF surfaces act as lamps if the emission of uniformly coloured ones,
-/// averaged over the area of all surfaces, is at least 0.02. Weaker emission (a car's tail lights) does not illuminate the
-/// scene, and emissive textures are treated as decoration. Emissive Phong surfaces and backdrops are lamps of any size because
-/// their authors have lit the scene.
+/// Returns the kind of light in a scene. Emissive glTF surfaces act as lamps if their emission, averaged over the area of all
+/// surfaces, is at least 0.02; emissive textures do not count. Weaker emission (a car's tail lights) does not illuminate the
+/// scene, and textures are usually decoration. Emissive Phong surfaces and backdrops are lamps of any size because their
+/// authors have lit the scene.
 OwnLight own_light(const Scene& scene);
 
 }  // namespace lippmann

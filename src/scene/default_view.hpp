@@ -1,4 +1,5 @@
-// The default view of scenes without a camera: from the front, slightly from above and from the right, to show depth.
+// The default view of scenes without a camera. It is from the front, slightly from above and from the right, so that it shows
+// depth.
 #pragma once
 
 #include "lippmann/core/math.hpp"

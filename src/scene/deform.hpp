@@ -27,7 +27,7 @@ struct PosedVertex {
 /// The pose of one instance, for which is_posed() is true, at one time. Thread-safe.
 class MeshPose {
  public:
-  /// Limit of coordinates. Larger ones and NaN are clamped to it.
+  /// The largest coordinate. Larger coordinates and NaN are clamped.
   static constexpr float kReach = 1e18f;
 
   /// `scene` must have passed validate(). `scene` and `resolved` must outlive this object.
@@ -54,7 +54,7 @@ class MeshPose {
   const Mesh& mesh_;
   std::vector<Weighted> targets_;  ///< targets with a non-zero weight
   bool has_skin_;
-  std::vector<Affine3f> world_from_mesh_;  ///< one per joint, or the node's only
+  std::vector<Affine3f> world_from_mesh_;  ///< one transform per joint, or only that of the node
 };
 
 }  // namespace lippmann

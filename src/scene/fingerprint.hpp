@@ -1,4 +1,4 @@
-// A hash of everything in a scene that affects its pictures; names do not.
+// A hash of everything in a scene that affects its pictures. Names are left out.
 #pragma once
 
 #include <cstdint>

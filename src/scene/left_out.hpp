@@ -18,7 +18,7 @@ class LeftOut {
   /// Returns whether nothing has been added. Only the first element needs a `where`.
   bool empty() const { return count_ == 0; }
 
-  /// Warns, at the place of the first element: "a.obj:3: the statements 'curv' and 'surf' are left out."
+  /// Warns once, naming the location of the first element: "a.obj:3: the statements 'curv' and 'surf' are left out."
   void warn(const Context& context, std::string_view singular, std::string_view plural) const;
 
  private:

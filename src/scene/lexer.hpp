@@ -24,7 +24,7 @@ class Lexer {
   /// Returns whether only white space and comments are left.
   bool at_end();
 
-  /// Returns whether no word follows on the line of the last word read.
+  /// Returns whether no further word follows on the line of the last word.
   bool at_line_end();
 
   /// Returns the next word without consuming it; empty at the end.
@@ -56,7 +56,7 @@ class Lexer {
   void set_origin(const Vec3d& origin) { origin_ = origin; }
   const Vec3d& origin() const { return origin_; }
 
-  // Read the keyword and the value after it.
+  // Read `keyword` and then a value.
   float number_after(std::string_view keyword);
   Vec3f vector_after(std::string_view keyword);
   Vec3f point_after(std::string_view keyword);

@@ -63,7 +63,7 @@ bool always_false(const fs::path&) { return false; }
 struct Format {
   std::string_view extension;  ///< lower case, with the dot
   bool takes_camera_path;
-  bool has_animations;    ///< may have several animations and material variants
+  bool has_animations;    ///< files may have several animations and material variants
   bool may_be_empty;      ///< a background alone is a valid scene
   bool is_physical;       ///< surfaces and lights are physically based, not for Whitted shading
   bool may_be_points;     ///< point clouds are supported
@@ -96,7 +96,7 @@ std::string accepted_names() {
   return names;
 }
 
-/// Suggests a built-in scene for a misspelt name, which has neither folder nor ending.
+/// Suggests a built-in scene for a misspelt name. Names of built-in scenes have no folder and no extension.
 std::string suggested_builtin(const fs::path& path) {
   if (path.has_parent_path() || path.has_extension()) return {};
   std::vector<std::string_view> names;
@@ -104,7 +104,7 @@ std::string suggested_builtin(const fs::path& path) {
   return did_you_mean(path.string(), names);
 }
 
-/// Throws Error. For formats that Blender reads, the message explains how to convert them.
+/// Throws Error for an unknown format. For formats that Blender reads, the message explains how to convert the file.
 [[noreturn]] void refuse_format(const fs::path& path) {
   constexpr std::string_view kBlenderFormats[] = {".usd", ".usda", ".usdc", ".usdz", ".abc", ".fbx", ".dae", ".stl"};
   const std::string extension = lower_extension(path);
@@ -154,8 +154,8 @@ void require_surfaces(const Scene& scene, const fs::path& path) {
   throw Error(path.string(), "has no surfaces to show", "a scene with faces or solid shapes; points and lines are not shown");
 }
 
-/// Loads a scene. If it is far from the origin, loads it again and subtracts the new origin before rounding positions to
-/// floats.
+/// Loads a scene. If the scene is far from the origin, loads it again, this time with a new origin that is subtracted before
+/// positions are rounded to floats.
 Scene load_near_origin(const Format& format, const fs::path& path, const LoadOptions& options, const Context& context) {
   Scene scene = format.load(path, options, context, Vec3d(0.0));
   const std::optional<Vec3d> origin = distant_origin(scene);
@@ -164,7 +164,8 @@ Scene load_near_origin(const Format& format, const fs::path& path, const LoadOpt
   without_warnings.threads = context.threads;
   scene = {};
   scene = format.load(path, options, without_warnings, *origin);
-  if (scene.origin == Vec3d(0.0)) move_origin(scene, *origin);  // its file holds floats
+  if (scene.origin == Vec3d(0.0))
+    move_origin(scene, *origin);  // the format holds floats, so its reader does not subtract the origin
   return scene;
 }
 
@@ -201,7 +202,7 @@ const BuiltinScene* find_builtin(const std::string& name) {
   return nullptr;
 }
 
-/// Builds a scene. Another frame rate shows the same motion at the same speed.
+/// Builds a built-in scene. The frame rate does not change the speed of its motion.
 Scene build(const BuiltinScene& builtin, const LoadOptions& options) {
   if (options.camera_path)
     throw usage_error("camera-path", fmt::format("{} has its own cameras", builtin.name), "a Tachyon .dat scene");

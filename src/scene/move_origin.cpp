@@ -73,7 +73,7 @@ class OriginMover {
   OriginMover(Scene& scene, Vec3d origin, const std::vector<Affine3d>& parent_from_node)
       : scene_(scene), origin_(origin), local_(parent_from_node) {
     for (std::size_t i = local_.size(); i < scene.nodes.size(); ++i) local_.push_back(affine_of(scene.nodes[i]));
-    reach_ = 2.0 * glm::length(origin) / kFarthest;  // animated motion reaches at most half as far
+    reach_ = 2.0 * glm::length(origin) / kFarthest;  // animated motion stays within half this distance
   }
 
   void run() {
@@ -147,7 +147,7 @@ class OriginMover {
   /// Moves each instance's shape. Copies shapes that move by different distances.
   void move_instances() {
     std::map<int, Vec3d> of_skin;
-    std::map<std::pair<int, std::array<double, 3>>, int> moved;  // shape and distance to the new shape
+    std::map<std::pair<int, std::array<double, 3>>, int> moved;  // from shape and offset to the new shape
     std::map<int, int> users;
     std::vector<std::pair<int, Vec3d>> moves;
     for (Instance& instance : scene_.instances) {
@@ -165,7 +165,7 @@ class OriginMover {
     for (std::size_t s = 0; s < scene_.skins.size(); ++s) move_skin(scene_.skins[s], of_skin[static_cast<int>(s)]);
   }
 
-  /// Returns the new origin of a skin's meshes: zero, unless they are far away from it.
+  /// Returns the new origin of a skin's meshes: their middle if they are far from zero, otherwise zero.
   Vec3d middle_of_skinned(const Instance& instance, std::map<int, Vec3d>& of_skin) const {
     const auto [known, is_new] = of_skin.try_emplace(instance.skin, Vec3d(0.0));
     if (!is_new) return known->second;
@@ -184,7 +184,7 @@ class OriginMover {
     }
   }
 
-  /// Gives elements without a node (at the old origin) a new node there.
+  /// Attaches elements without a node to a new node at the old origin.
   void attach_to_old_origin() {
     int node = -1;
     const auto place = [&](int& of) {
@@ -225,8 +225,8 @@ bool is_distant(const Bounds3f& bounds) {
   return std::isfinite(away) && std::isfinite(size) && away > kFarthest * size;
 }
 
-/// Returns the middle, rounded to the size of the bounds or to float precision at that distance, so that differences to it are
-/// exact.
+/// Returns the middle of the bounds. It is rounded to a multiple of the bounds' size, or of the precision of floats at this
+/// distance, so that differences from it are exact.
 Vec3d rounded_middle(const Bounds3f& bounds) {
   const Vec3d middle = middle_of(bounds);
   const double step = std::exp2(std::floor(std::log2(std::max(size_of(bounds), glm::length(middle) * 0x1p-22))));

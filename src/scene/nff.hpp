@@ -9,11 +9,11 @@
 
 namespace lippmann {
 
-/// Loads a file. The scene has one frame, and no camera if the file has no view. origin: see Scene::origin. Throws Error naming
-/// file and line.
+/// Loads a file. The scene has one frame. It has no camera if the file has no view. origin: see Scene::origin. Throws Error
+/// naming file and line.
 Scene load_nff(const std::filesystem::path& path, const Context& context, const Vec3d& origin = Vec3d(0.0));
 
-/// Parses text; `name` names it in messages.
+/// Parses the text of a file; `name` names the file in messages.
 Scene parse_nff(const std::string& name, std::string text, const Context& context, const Vec3d& origin = Vec3d(0.0));
 
 }  // namespace lippmann

@@ -15,14 +15,13 @@ namespace lippmann {
 
 /// Limits for textures.
 struct TextureLimits {
-  int longest_side = 16384;                           ///< of one image, in texels
-  std::uint64_t bytes = LoadOptions{}.texture_bytes;  ///< for all textures together, and for a single unreduced image
+  int longest_side = 16384;                           ///< longest side of an image, in texels
+  std::uint64_t bytes = LoadOptions{}.texture_bytes;  ///< limit for all textures together, and for each image before reduction
 };
 
 class PendingTextures {
  public:
-  /// Returns the encoded bytes of an image, which may be stored in `storage`. Called twice, from any thread, until decode()
-  /// returns.
+  /// Returns the encoded bytes of an image, and may keep them in `storage`. Called by add(), and by decode() from any thread.
   using Picture = std::function<FileBytes(std::vector<std::byte>& storage)>;
   /// Modifies a decoded texture.
   using Change = std::function<void(Texture&)>;
@@ -33,7 +32,8 @@ class PendingTextures {
   /// at `where` for unsupported or too large images.
   int add(Texture described, std::string where, Picture picture, std::vector<Texture>& textures, Change change = {});
 
-  /// Adds a modified copy of a texture added before.
+  /// Adds another texture with the picture of texture `of`, which must have been added before, and with another `change`.
+  /// Returns its index.
   int add_changed(int of, Change change, std::vector<Texture>& textures);
 
   /// Decodes all textures. Uses few of the context's threads, because decoding takes several times the memory of the texels. If

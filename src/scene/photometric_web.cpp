@@ -28,7 +28,8 @@ float along_polar(const PhotometricWeb& web, std::size_t azimuth, const WebPlace
   return row[0] + at.share * (row[1] - row[0]);
 }
 
-/// Integrals over a range of polar angles of sin, weighted by a linear ramp from 1 to 0 and one from 0 to 1.
+/// The integrals of the sine over a range of polar angles, weighted by a linear ramp from 1 to 0 (falling) and from 0 to 1
+/// (rising).
 struct PolarWeights {
   double falling, rising;
 };
@@ -39,7 +40,7 @@ PolarWeights polar_weights(double from, double to) {
   return {whole - rising, rising};
 }
 
-/// Returns the integral over polar angles at one azimuth.
+/// Returns the integral of the intensity over the polar angles at one azimuth.
 double polar_integral(const PhotometricWeb& web, std::size_t azimuth) {
   const float* row = web.intensity.data() + azimuth * web.polar.size();
   double sum = 0.0;

@@ -7,7 +7,7 @@
 namespace lippmann {
 
 /// Returns the relative intensity in a unit direction of light propagation in light space, interpolated linearly in polar angle
-/// and azimuth. 0 outside the measured range and for directions that are not finite.
+/// and azimuth. Returns 0 outside the measured range and for directions that are not finite.
 float intensity(const PhotometricWeb& web, Vec3f direction);
 
 /// Returns the mean over all directions, exact for the interpolated distribution.

@@ -12,7 +12,7 @@ namespace lippmann {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// Limit for concave polygons, which take quadratic time.
+/// The largest number of corners of concave polygons, whose triangulation takes quadratic time.
 inline constexpr std::size_t kMostConcaveCorners = 10'000;
 
 /// Returns triangles of corner indices with the winding of the polygon. Self-intersecting or non-planar polygons also give at
@@ -20,7 +20,7 @@ inline constexpr std::size_t kMostConcaveCorners = 10'000;
 /// at most kMostConcaveCorners corners.
 std::vector<Triangle> triangulate(std::span<const Vec3f> corners);
 
-/// Returns whether no two corners turn in opposite directions.
+/// Returns whether all corners turn in the same direction, as those of a convex polygon do.
 bool turns_one_way(std::span<const Vec3f> corners);
 
 }  // namespace lippmann

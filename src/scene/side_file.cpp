@@ -19,7 +19,7 @@ bool lies_in(const fs::path& path, const fs::path& folder) {
   return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
 }
 
-/// Resolves links in `folder`; empty stays empty.
+/// Returns `folder` with links resolved. An empty path stays empty.
 fs::path canonical_folder(const fs::path& folder, const std::string& where) {
   if (folder.empty()) return {};
   std::error_code failure;

@@ -14,8 +14,8 @@ namespace lippmann {
 
 class SideTextures {
  public:
-  /// folders: may contain the images. texture_bytes: as in LoadOptions. Adds textures to the scene. `scene` and `context` must
-  /// outlive this object.
+  /// folders: those that may contain the images. texture_bytes: as in LoadOptions. Adds textures to the scene. `scene` and
+  /// `context` must outlive this object.
   SideTextures(SideFolders folders, std::uint64_t texture_bytes, Scene& scene, const Context& context);
 
   /// Returns the index of the texture that a statement at `where` refers to as `name`; -1, with a warning, if the image cannot

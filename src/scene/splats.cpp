@@ -88,7 +88,7 @@ std::vector<std::size_t> sampled_splats(const Splats& splats) {
   return sampled;
 }
 
-/// Returns the box beyond which centres are outliers.
+/// Returns the box outside which centres are outliers.
 Bounds3f fence(const Splats& splats, const Affine3f& a) {
   constexpr double kTail = 0.02;
   constexpr float kMargin = 0.25f;
@@ -108,7 +108,7 @@ bool is_within(const Bounds3f& box, Vec3f p) {
   return glm::all(glm::lessThanEqual(box.lower, p)) && glm::all(glm::lessThanEqual(p, box.upper));
 }
 
-/// Returns the extent of a splat along the world axes at this many standard deviations.
+/// Returns half the extent of a splat along the world axes, at a given number of standard deviations.
 Vec3f reach_along_axes(const Splats& splats, std::size_t i, const Affine3f& a, float deviations) {
   const glm::dmat3 rows = glm::transpose(axes_of_splat(splats, i, a));
   return deviations * Vec3f(glm::length(rows[0]), glm::length(rows[1]), glm::length(rows[2]));

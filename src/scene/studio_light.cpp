@@ -1,5 +1,5 @@
-// The studio is the sum of a smooth wall and floor, and soft boxes, which are rectangles in the tangent plane around their
-// centre. The radiance is linear and equal in all three channels, so that it adds no tint.
+// The studio's light is the sum of a smooth wall and floor and of soft boxes. A soft box is a rectangle in the tangent plane
+// around its centre. The radiance is linear and equal in all three channels, so that it adds no tint.
 
 #include "scene/studio_light.hpp"
 

@@ -24,7 +24,7 @@ void append_utf8(std::string& text, char32_t c) {
     add(0xf0 | c >> 18), tail(12), tail(6), tail(0);
 }
 
-/// `low`: index of the low byte in a pair.
+/// Converts UTF-16 to UTF-8. `low`: index of the low byte in each pair of bytes.
 std::string from_utf16(std::string_view bytes, std::size_t low) {
   constexpr char32_t kReplacement = 0xfffd;
   const auto unit = [&](std::size_t i) {

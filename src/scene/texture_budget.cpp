@@ -35,7 +35,7 @@ class Curve {
   std::vector<std::uint8_t> codes_;
 };
 
-/// The fine texels that a coarse texel covers along one axis: two, or three at the end of an odd size.
+/// The range of fine texels that a coarse texel covers along one axis: two texels, or three at the end of an odd size.
 struct Covered {
   int begin, end;
 };

@@ -22,12 +22,12 @@ struct TextureExtent {
 Vec2i halved(Vec2i size);
 
 /// Returns how often to halve each texture so that all together take at most `bytes` at 4 bytes per texel. Halves the largest
-/// first; among equal ones, data before colours and later ones before earlier ones. If single texels exceed the budget, all
-/// become single texels.
+/// textures first; among textures of equal size, data before colours and later textures before earlier ones. If the budget is
+/// smaller than one texel per texture, all become single texels.
 std::vector<int> halvings_within(std::uint64_t bytes, std::span<const TextureExtent> textures);
 
-/// Halves a texture by averaging 2 x 2 texels, colours in linear light. With odd sizes the last column or row also covers the
-/// remaining one. Equal to a level of a mip pyramid (shading/texture.hpp), but rounded to bytes.
+/// Halves a texture by averaging 2 x 2 texels, colours in linear light. With odd sizes, the last column or row of the result
+/// covers three texels. The result equals a level of a mip pyramid (shading/texture.hpp), but is rounded to bytes.
 void halve(Texture& texture);
 
 }  // namespace lippmann

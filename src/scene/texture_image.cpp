@@ -48,7 +48,7 @@ struct Reader {
 constexpr Reader kReaders[] = {
     {is_png, png_header, decode_png}, {is_jpeg, jpeg_header, decode_jpeg}, {is_webp, webp_header, decode_webp}};
 
-/// Returns null for unknown formats.
+/// Returns the reader of the image's format, or null for unknown formats.
 const Reader* find_reader(FileBytes encoded) {
   for (const Reader& reader : kReaders)
     if (reader.recognises(encoded)) return &reader;

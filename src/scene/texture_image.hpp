@@ -13,7 +13,8 @@ namespace lippmann {
 constexpr std::string_view kKtx2Advice =
     "convert to PNG first, with gltf-transform ktxdecompress IN OUT (npm's @gltf-transform/cli; it needs KTX-Software)";
 
-/// Returns why the bytes cannot be decoded, based on their beginning: "is a GIF picture ..."; empty: the format is supported.
+/// Returns why the image cannot be decoded ("is a GIF picture ..."), judged by its first bytes. Returns an empty text if the
+/// format is supported.
 std::string texture_image_problem(FileBytes encoded);
 
 /// Returns width and height from the image's header. Throws Error at `where` for unsupported images.

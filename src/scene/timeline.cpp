@@ -2,8 +2,8 @@
 // (quaternions: spherical along the shorter arc) and cubic Hermite spline. Spline tangents are per second and are multiplied by
 // the length of the interval. Cubic quaternions are normalised after interpolation.
 //
-// Bounds are exact for every affine map. With linear part L and its i-th row l, a ball of radius r extends r |l| from its
-// centre along world axis i, and a disc with unit normal n extends r |l - (l . n) n|.
+// Bounds are exact for every affine map. Let l be row i of the map's linear part. Along world axis i, a ball of radius r then
+// extends r |l| from its centre, and a disc of radius r with unit normal n extends r |l - (l . n) n|.
 #include "lippmann/scene/timeline.hpp"
 
 #include <fmt/format.h>

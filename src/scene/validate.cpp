@@ -26,7 +26,7 @@ bool finite(const Affine3f& a) {
   return finite(a.linear[0]) && finite(a.linear[1]) && finite(a.linear[2]) && finite(a.translation);
 }
 
-/// Tolerance of 1 %, which covers quantised normals (8 bits per component).
+/// Returns whether a vector has unit length, with a tolerance of 1 % for quantised normals (8 bits per component).
 template <class V>
 bool unit(const V& v) {
   return std::abs(glm::dot(v, v) - 1.0f) < 0.02f;

@@ -5,7 +5,6 @@
 // angle. 3. Angles that cover a half or a quarter of the full range are completed by symmetry.
 // Beyond the standard: 1. Commas between numbers count as blanks because several programs write them. 2. Horizontal angles of
 // type C that end between 180 and 360 degrees close the circle.
-// before 360 but beyond 180 degrees close the circle.
 #include "scene/ies.hpp"
 
 #include <fmt/format.h>

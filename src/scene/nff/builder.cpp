@@ -43,7 +43,7 @@ bool has_area(Vec3f a, Vec3f b, Vec3f c) {
   return glm::cross(glm::dvec3(b) - glm::dvec3(a), glm::dvec3(c) - glm::dvec3(a)) != glm::dvec3(0.0);
 }
 
-/// Returns the polygon's normal, for corners without normals.
+/// Returns the normal of a polygon whose corners have no normals, from one of its triangles.
 Vec3f facet_normal(std::span<const Vec3f> corners, const Triangle& triangle) {
   const glm::dvec3 a(corners[triangle[0]]), b(corners[triangle[1]]), c(corners[triangle[2]]);
   return Vec3f(glm::normalize(glm::cross(b - a, c - a)));

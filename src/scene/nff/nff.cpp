@@ -62,7 +62,7 @@ void require_view(const View& view, const Lexer& lexer) {
   if (!(*view.angle > 0.0f && *view.angle < 180.0f))
     throw lexer.error(fmt::format("the view's angle is {}", *view.angle), "degrees above 0 and below 180");
   const glm::dvec3 along = glm::dvec3(*view.at) - glm::dvec3(*view.from), up(*view.up);
-  constexpr double kSine = 1e-6;  // below this, rounding of the file's digits would determine the direction
+  constexpr double kSine = 1e-6;  // for smaller sines, the rounding of the file's digits determines the direction
   if (!(glm::length(glm::cross(along, up)) > kSine * glm::length(along) * glm::length(up)))
     throw lexer.error("the view's from, at and up do not span a plane",
                       "different points from and at, and up not parallel to the view");
