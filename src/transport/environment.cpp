@@ -101,7 +101,7 @@ LIPPMANN_INLINE float mixed(float a, float b, float share) { return a * (1.0f - 
 struct PatchDraws {
   alignas(64) float x[SkyDraws::kDraws], y[SkyDraws::kDraws];          ///< column and row
   alignas(64) float u[SkyDraws::kDraws], v[SkyDraws::kDraws];          ///< random numbers in [0, 1)
-  alignas(64) float density[SkyDraws::kDraws];                         ///< per luminance
+  alignas(64) float density[SkyDraws::kDraws];                         ///< density per steradian and unit of luminance
   alignas(64) float upper[SkyDraws::kDraws], lower[SkyDraws::kDraws];  ///< cosine of the polar angle at the top and the bottom
   alignas(64) float corners[4][3][SkyDraws::kDraws];                   ///< in the order of SkyPatches::corners, by channel
 

@@ -69,7 +69,7 @@ class Environment {
   Sample sample(const PatchChoice& patches, Vec2f u) const;
 
   const Background& background_;
-  Background gradient_;  ///< the background without its map, clamped to the range of light
+  Background gradient_;  ///< the background without its map, clamped by in_light_range()
   float rotation_;       ///< rotation of the panorama, within half a turn
   SkyPatches patches_;   ///< patches of the panorama, or of a grid that follows the gradient
   PatchChoice sun_, rest_;

@@ -112,7 +112,7 @@ class PatchChoice {
     std::size_t tile;
     int tile_x, y;
     Vec2f rest;                   ///< remainder of the random numbers
-    float density_per_luminance;  ///< per steradian, for all positions in the row
+    float density_per_luminance;  ///< density per steradian and unit of luminance, anywhere in the row
   };
   /// Chooses a row. Requires !is_dark(). `sky` must be the constructor's. u in [0, 1).
   Row draw_row(const SkyPatches& sky, Vec2f u) const;
@@ -131,7 +131,7 @@ class PatchChoice {
   /// Rows of patches within a tile; one cache line.
   struct alignas(64) TileRows {
     std::array<float, SkyPatches::kTile> upto;                   ///< cumulative share of the tile's light
-    std::array<float, SkyPatches::kTile> density_per_luminance;  ///< see Row
+    std::array<float, SkyPatches::kTile> density_per_luminance;  ///< as in Row, for each row
   };
   using RowOfPatches = std::array<float, SkyPatches::kTile>;
   float add_tile(const SkyPatches& sky, int tile_x, int tile_y, const std::function<bool(std::size_t patch)>& is_of);
@@ -139,7 +139,7 @@ class PatchChoice {
   void set_densities(const SkyPatches& sky, int tile_x, int tile_y);
 
   DiscreteDistribution tile_rows_;
-  std::vector<DiscreteDistribution> tiles_;  ///< by row of tiles
+  std::vector<DiscreteDistribution> tiles_;  ///< distributions of the tiles, one per row of tiles
   std::vector<TileRows> rows_;               ///< by tile
   std::vector<std::uint8_t> own_;            ///< by tile and row within it: one bit per patch that may be drawn
 };
