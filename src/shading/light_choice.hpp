@@ -30,7 +30,7 @@ struct LightGroup {
       far;  ///< flux of near lights and irradiance of far lights across their direction; 0 for lights of the other kind
   std::vector<TreeLight> lights;  ///< the near lights, in the tree's form
   float irradiance = 0.0f;        ///< irradiance of `lights` at distance 1
-  std::size_t most_by_power = 0;  ///< up to this number, near lights are chosen by power; otherwise by a tree
+  std::size_t most_by_power = 0;  ///< largest number of near lights that are chosen by power; more use a tree
 };
 
 /// Returns the sum of the lights' powers.

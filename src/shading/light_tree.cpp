@@ -90,8 +90,8 @@ LIPPMANN_INLINE void weigh(const LightNodes& tree, std::uint32_t node, const Lig
   if (tree.faces) weigh_faces(tree.nodes[node], tree.faces[node], at, w);
 }
 
-/// A pairwise summation tree of the weights: lanes i and i + 8, then i and i + 4 of these, and so on. The last element is the
-/// total.
+/// A pairwise summation tree of the weights. It first adds lanes i and i + 8, then sums i and i + 4 of the results, and so on.
+/// The last element is the total.
 struct Sums {
   float of[kLanes];
   LIPPMANN_INLINE float all() const { return of[14]; }

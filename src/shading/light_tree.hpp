@@ -8,7 +8,8 @@
 // and the directions in which it emits.
 // 2. Sampling: each node computes the importance of all children at once, and a random number chooses a child. The remainder of
 // the number chooses at the next node.
-// 3. Probability of a given light: the product of the same shares on the way up to the root.
+// 3. Probability of a given light: the product of the children's shares in the importance, on the way from the light up to the
+// root.
 // This implementation deviates in six points: 1. Nodes have sixteen children instead of two: the lanes of one kernel, and a
 // quarter of the levels. 2. Squared distances are means over a cluster, |x - centre|^2 + variance, and cosines are smoothed by
 // the same variance, instead of bounds by boxes. The importance of points inside a cluster is thus continuous. 3. Clusters are
@@ -152,7 +153,7 @@ class LightTree {
   std::vector<LightBeams> beams_;     ///< by node; empty if all lights emit in all directions
   std::vector<LightBoxes> boxes_;     ///< by node; empty if no light has a radius
   std::vector<LightFaces> faces_;     ///< by node; empty if no light is a face
-  std::vector<std::uint32_t> slots_;  ///< by light: kLanes * node + lane; kNowhere: never chosen
+  std::vector<std::uint32_t> slots_;  ///< by light: its slot, kLanes * node + lane, or kNowhere if it is never chosen
 };
 
 }  // namespace lippmann

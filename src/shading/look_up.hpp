@@ -10,7 +10,7 @@
 
 namespace lippmann {
 
-/// Interpolates a per-vertex quantity. The barycentric coordinates are those of the triangle's second and third corner.
+/// Interpolates a per-vertex quantity. `barycentric` holds the coordinates of the triangle's second and third corner.
 template <class Value>
 Value interpolate(const std::vector<Value>& of_vertex, const std::array<std::uint32_t, 3>& corners, Vec2f barycentric) {
   return (1.0f - barycentric.x - barycentric.y) * of_vertex[corners[0]] + barycentric.x * of_vertex[corners[1]] +

@@ -30,7 +30,7 @@ class Media {
   }
 
  private:
-  std::vector<Vec3f> absorption_;           ///< by medium, per world unit
+  std::vector<Vec3f> absorption_;           ///< absorption coefficient by medium, per world unit
   std::vector<std::uint16_t> of_material_;  ///< empty without media
 };
 

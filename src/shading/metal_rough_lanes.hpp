@@ -72,7 +72,8 @@ class MetalRoughLanes {
   template <bool with_glass>
   LIPPMANN_INLINE BsdfValue evaluate(int i, const GgxAlbedo& albedo, Vec3f light) const;
   LIPPMANN_INLINE void draw_glass(int i, float lobe, Vec2f u, GlassLanes& drawn) const;
-  /// Samples a direction. Sets density and weight only for Dirac lobes; for others both are 1 until weigh().
+  /// Samples a direction. Sets the final density and weight only for Dirac lobes. For other lobes both are 1, and weigh()
+  /// replaces them.
   template <bool with_glass>
   LIPPMANN_INLINE BsdfSample draw(int i, float lobe, Vec2f u, const GlassLanes* by_glass) const;
   template <bool with_glass>

@@ -12,7 +12,7 @@ namespace lippmann {
 namespace {
 
 /// Smaller lamps count as points: their penumbra would be narrower than the offset of shadow rays.
-constexpr float kLeastRadius = 1e-5f;  // relative to the scene's size
+constexpr float kLeastRadius = 1e-5f;  // a share of the scene's size
 constexpr float kLeastHalfAngle = 2e-5f;
 
 /// The directions to a lamp. one_minus_cos is 1 minus the cosine of the cone's half angle: at most 1 outside a sphere, and 2

@@ -55,7 +55,7 @@ ShadedScene::ShadedScene(const Scene& described, const ResolvedScene& resolved, 
 void ShadedScene::update(const ResolvedScene& resolved, const ThreadPool& pool) {
   std::vector<WhittedLight> moved = make_lights(*scene, resolved);
   const bool stands = moved == lights && !any_emitter_moves();
-  if (!stands) lights = std::move(moved);  // assign in place: the table refers to this vector
+  if (!stands) lights = std::move(moved);  // assign to `lights`, because the light table refers to this vector
   RayScene::update(resolved, pool);
   if (!stands) tabulate_lights();
 }

@@ -11,7 +11,7 @@ namespace lippmann {
 struct ShadingPoint {
   Vec3f position{0.0f};
   Vec3f facet{0.0f};                      ///< normal of the facet, any length, towards the viewer
-  Vec3f normal{0.0f};                     ///< smooth normal, unit length, on the same side
+  Vec3f normal{0.0f};                     ///< smooth normal, unit length, on the side of `facet`
   const SurfacePacket* smooth = nullptr;  ///< the packet of this lane, if the mesh is smooth and opaque
   int lane = 0;
   Vec3f emission{0.0f};

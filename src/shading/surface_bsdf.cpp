@@ -25,8 +25,8 @@ bool tangent_frame(const Maps& maps, const TextureMap& map, Vec3f normal, Vec3f&
     const Vec3f edge_c = linear * (mesh.positions[corners[2]] - mesh.positions[corners[0]]);
     const Vec2f b = uvs[corners[1]] - uvs[corners[0]], c = uvs[corners[2]] - uvs[corners[0]];
     const float turned = b.x * c.y - c.x * b.y < 0.0f ? -1.0f : 1.0f;
-    tangent = turned * (edge_b * c.y - edge_c * b.y);     // along growing u
-    bitangent = -turned * (edge_c * b.x - edge_b * c.x);  // against growing v: upwards in the image
+    tangent = turned * (edge_b * c.y - edge_c * b.y);     // the direction in which u grows
+    bitangent = -turned * (edge_c * b.x - edge_b * c.x);  // the direction in which v falls: upwards in the image
     tangent -= normal * glm::dot(normal, tangent);
     bitangent -= normal * glm::dot(normal, bitangent);
   }

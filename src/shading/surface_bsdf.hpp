@@ -89,8 +89,8 @@ struct MetalRoughPoint {
   MetalRoughBsdf::Normals normals;
 };
 
-/// Applies the maps, those of the coat only if there is one. color: base colour including textures and vertex colours. channel:
-/// the path's colour channel (R, G or B), if the surface disperses.
+/// Applies the material's maps. Maps of the coat are looked up only if there is a coat. color: base colour including textures
+/// and vertex colours. channel: the path's colour channel (R, G or B), if the surface disperses.
 MetalRoughPoint metal_rough_point(const MetallicRoughness& material, Vec3f color, const Maps& maps, const SeenPoint& point,
                                   int channel);
 

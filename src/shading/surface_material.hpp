@@ -16,7 +16,7 @@ Value at_hit(const std::vector<Value>& of_vertex, const GeometryRecord& record, 
 /// The beams of a packet's rays, for texture filtering.
 struct PacketBeams {
   const BeamFootprint& footprint;
-  const Lanes& path_length;  ///< up to the rays' origins
+  const Lanes& path_length;  ///< length of each path up to its ray's origin
   const LaneMask* spread;    ///< lanes filtered over a whole pixel instead of a sample; null: none
 };
 
