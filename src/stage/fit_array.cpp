@@ -22,7 +22,7 @@ namespace lippmann {
 namespace {
 
 /// Minimum distance of the plane: a nearer plane would turn the whole scene into background.
-constexpr float kNearestPlane = 0.05f;  // in diagonals of the visible part
+constexpr float kNearestPlane = 0.05f;  // as a multiple of the visible part's diagonal
 constexpr float kDefaultFov = radians(45.0f);
 constexpr float kMargin = 1.05f;  ///< ratio of the visible size to the size of the content
 
@@ -41,7 +41,7 @@ Mat3f rotation_of(const Affine3f& similarity) { return similarity.linear / unifo
 /// The inputs of the rules that place the array.
 struct Setting {
   const Scene& scene;
-  const ResolvedScene& resolved;  ///< at frame 0
+  const ResolvedScene& resolved;  ///< the scene at frame 0
   const Subject& subject;
   float aspect;
 };
@@ -283,8 +283,8 @@ SubjectBounds bounds_in_view(const Setting& setting, const Direction& direction,
 }
 
 /// Returns the centre of width and height for a viewer at the given distance in front of the subject's middle, so that the
-/// margins on both sides are equal. An axis with room to spare is seen under a smaller angle than it was measured with. The
-/// centre stays within the limits of these angles.
+/// margins on both sides are equal. The subject may fill only one axis. Along the other axis, it is seen under a smaller angle
+/// than the one it was measured with. The centre stays within the limits of these angles.
 Vec2f middle_from(const Setting& setting, const Direction& direction, const SubjectBounds& bounds, Vec2f angle,
                   float distance) {
   constexpr int kMostPasses = 4;

@@ -116,7 +116,7 @@ class Foreground {
 
   /// The walls of one or more instances.
   struct Walls {
-    double area;    ///< of their projection from the eye to the plane z = 0
+    double area;    ///< area of their projection from the eye to the plane z = 0
     float nearest;  ///< smallest z
     int node = -1;
 
@@ -127,7 +127,7 @@ class Foreground {
   Vec2f half_;  ///< half the size of the frame on the plane z = 0
   ConvexRegion region_;
   bool any_ = false;
-  std::vector<Walls> walls_;  ///< by instance
+  std::vector<Walls> walls_;  ///< one element per instance
 };
 
 }  // namespace

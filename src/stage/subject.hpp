@@ -36,7 +36,7 @@ bool is_surrounding(InstanceRole role);
 struct Subject {
   std::vector<InstanceRole> roles;    ///< per instance
   std::optional<Bounds3f> main_part;  ///< in world space; parts outside it are left out; not set if nothing is left out
-  std::vector<bool> is_cut;           ///< per instance, if there is a main part: only the part inside it counts
+  std::vector<bool> is_cut;           ///< per instance: only its part inside main_part counts; empty without one
   bool has_surroundings() const;
   bool contains(std::size_t instance) const { return roles[instance] == InstanceRole::kSubject; }
 };
