@@ -34,7 +34,7 @@ struct GltfLimits {
   int json_depth = 64;                           ///< glTF itself needs 9
   std::uint64_t unpacked_bytes = 8'000'000'000;  ///< total size of meshes, instances and key frames
   int texture_side = 16384;                      ///< pixels
-  int frames = 1'000'000;                        ///< most frames of an animation
+  int frames = 1'000'000;                        ///< largest number of frames of an animation
 };
 
 /// Loads a file. The timeline shows frame f at f / options.frames_per_second and has as many frames as fit the animation's

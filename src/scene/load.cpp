@@ -164,8 +164,7 @@ Scene load_near_origin(const Format& format, const fs::path& path, const LoadOpt
   without_warnings.threads = context.threads;
   scene = {};
   scene = format.load(path, options, without_warnings, *origin);
-  if (scene.origin == Vec3d(0.0))
-    move_origin(scene, *origin);  // the format holds floats, so its reader does not subtract the origin
+  if (scene.origin == Vec3d(0.0)) move_origin(scene, *origin);  // the reader has not subtracted the origin
   return scene;
 }
 

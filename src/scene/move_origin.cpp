@@ -17,7 +17,7 @@
 namespace lippmann {
 namespace {
 
-constexpr double kFarthest = 64.0;  // in diagonals; see origin.hpp
+constexpr double kFarthest = 64.0;  // largest distance from the origin, in diagonals; see origin.hpp
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 

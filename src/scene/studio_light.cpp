@@ -38,7 +38,7 @@ float wall(Vec3f d) {
 
 /// Returns 1 within a box, 0 outside, with a smooth edge.
 float share_of(const SoftBox& box, Vec3f d) {
-  constexpr float kEdge = 0.2f;  // relative to the half width
+  constexpr float kEdge = 0.2f;  // width of the smooth edge, relative to the half width
   const float azimuth = radians(box.azimuth), elevation = radians(box.elevation);
   const Vec3f right(std::cos(azimuth), 0.0f, std::sin(azimuth));
   const Vec3f centre(std::sin(azimuth) * std::cos(elevation), std::sin(elevation), -std::cos(azimuth) * std::cos(elevation));

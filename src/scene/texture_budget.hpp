@@ -14,7 +14,7 @@ namespace lippmann {
 
 /// The size of a texture before reduction.
 struct TextureExtent {
-  Vec2i size{1};        ///< in texels
+  Vec2i size{1};        ///< width and height in texels
   bool is_data = true;  ///< data instead of colours; halved first among textures of equal size
 };
 

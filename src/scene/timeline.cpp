@@ -209,7 +209,7 @@ ResolvedScene evaluate(const Scene& scene, double time) {
 }
 
 bool keys_fall_on_frames(const Timeline& timeline, double frames_per_second) {
-  constexpr double kNearFrame = 0.02;  // in frames; times written with four decimals at 60 frames per second are within 0.003
+  constexpr double kNearFrame = 0.02;  // in frames; times with four decimals are within 0.003 frames at 60 frames per second
   const auto on_frames = [&](const std::vector<double>& times) {
     return std::all_of(times.begin(), times.end(), [&](double time) {
       const double frame = time * frames_per_second;

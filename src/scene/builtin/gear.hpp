@@ -26,8 +26,8 @@ struct GearBlank {
   float bevel = 0.12f;
   float bore_radius = 1.0f;
   int spokes = 0;            ///< 0: a solid disc
-  float spoke_width = 2.0f;  ///< at the hub; three quarters of that at the rim
-  float rim_width = 2.0f;    ///< from the root circle inwards
+  float spoke_width = 2.0f;  ///< width at the hub; three quarters of it at the rim
+  float rim_width = 2.0f;    ///< width of the rim, from the root circle inwards
   float hub_radius = 2.5f;
 };
 

@@ -27,7 +27,7 @@ LIPPMANN_INLINE int wrapped(int i, int period) { return i >= 0 && i < period ? i
 /// The position of a point between two lattice lines along one axis.
 struct LatticePlace {
   int before, after;  // modulo the period
-  float offset;       // from the line before
+  float offset;       // distance from the line before the point
   float weight;       // weight of the line after; the line before has 1 - weight
 };
 

@@ -50,7 +50,7 @@ struct Accessor {
   std::size_t byte_offset = 0, count = 0;
   ComponentType component_type = ComponentType::kFloat;
   bool normalized = false;
-  int components = 1;   ///< per element
+  int components = 1;   ///< number of components per element
   int matrix_side = 0;  ///< rows (and columns) of matrix elements; 0: not a matrix
   std::optional<Sparse> sparse;
 };

@@ -232,8 +232,8 @@ class PrimitiveUnpacker {
 
   Document& document_;
   Report& report_;
-  std::map<int, std::unique_ptr<draco::Mesh>> meshes_;  ///< by buffer view
-  std::map<int, std::pair<int, int>> filled_;           ///< by accessor: its view and attribute id, -1 for indices
+  std::map<int, std::unique_ptr<draco::Mesh>> meshes_;  ///< decoded meshes by buffer view
+  std::map<int, std::pair<int, int>> filled_;           ///< by accessor: the view and attribute (-1: indices) that filled it
 };
 
 }  // namespace

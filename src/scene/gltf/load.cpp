@@ -51,7 +51,7 @@ class InstanceReader {
   void read() {
     for (std::size_t i = 0; i < nodes_.file_node.size(); ++i)
       scene_.nodes[i].morph_weights = read_morph_weights(document_, nodes_.file_node[i]);
-    std::map<int, std::vector<int>> places;  // by Scene node with a mesh
+    std::map<int, std::vector<int>> places;  // places_of() for each Scene node with a mesh
     bool any_hidden = false;
     for (std::size_t i = 0; i < nodes_.file_node.size(); ++i) {
       const int file_node = nodes_.file_node[i];

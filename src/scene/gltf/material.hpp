@@ -17,7 +17,7 @@ struct MaterialNeeds {
 
 struct MaterialTable {
   std::vector<MaterialNeeds> needs;  ///< by material
-  int default_material = -1;         ///< for primitives without a material; added to the Scene on first use
+  int default_material = -1;         ///< material of primitives without one; added to the Scene on first use
 };
 
 /// Fills scene.materials, in the file's order, and scene.textures.

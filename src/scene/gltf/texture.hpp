@@ -36,7 +36,7 @@ class TextureReader {
   Document& document_;
   Scene& scene_;
   PendingTextures pending_;
-  std::map<int, std::string> problems_;  ///< by image
+  std::map<int, std::string> problems_;  ///< results of problem_of() by image
   std::map<std::tuple<int, Wrap, Wrap, bool>, int> known_;
   std::map<std::pair<int, float>, int> roughness_;  ///< by texture index in the Scene and glossiness factor
 };

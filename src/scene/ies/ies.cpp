@@ -23,7 +23,7 @@ namespace {
 
 constexpr float kMostCandelas = 1e12f;
 constexpr int kMostAngles = 100000;
-constexpr float kLeastStep = 1e-3f;  ///< between angles, in degrees
+constexpr float kLeastStep = 1e-3f;  ///< smallest distance between two angles, in degrees
 
 enum class Photometry { kC = 1, kB = 2, kA = 3 };
 

@@ -185,7 +185,7 @@ void add_camera(Scene& scene, const View& view) {
 }
 
 void add_lights(Scene& scene, const std::vector<PointLight>& lights) {
-  const float intensity = 1.0f / std::sqrt(static_cast<float>(lights.size()));  // of lights without a colour
+  const float intensity = 1.0f / std::sqrt(static_cast<float>(lights.size()));  // intensity of lights without a colour
   for (const PointLight& point : lights) {
     Node node;
     node.name = fmt::format("light {}", scene.lights.size());

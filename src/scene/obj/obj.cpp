@@ -230,9 +230,9 @@ class Reader {
   Scene& scene_;
   const Context& context_;
   Materials materials_;
-  std::vector<Vec3f> positions_, normals_, colors_;  ///< colors_: for the first positions; the others are white
+  std::vector<Vec3f> positions_, normals_, colors_;  ///< colors_ may be shorter than positions_; missing colours are white
   std::vector<Vec2f> uvs_;
-  std::vector<Corner> corners_;  ///< of the current face
+  std::vector<Corner> corners_;  ///< corners of the current face
   std::vector<Vec3f> outline_;
   std::string object_, material_;
   std::map<std::tuple<std::string, int, bool, bool>, Part> parts_;  ///< by object, material, and the attributes present

@@ -106,7 +106,7 @@ class FaceReader {
   Body& body_;
   PlyMesh& ply_;
   Row row_;
-  std::vector<std::uint32_t> corners_;  ///< of the current face
+  std::vector<std::uint32_t> corners_;  ///< corners of the current face
   std::vector<Vec3f> outline_;
   std::vector<float> uvs_;
 };
@@ -144,7 +144,7 @@ class StripReader {
 
   Body& body_;
   Mesh& mesh_;
-  std::vector<std::uint32_t> corners_;  ///< of the current strip
+  std::vector<std::uint32_t> corners_;  ///< corners of the current strip
 };
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace lippmann::tachyon {
 
 struct LandscapeSize {
   int columns = 2, rows = 2;        ///< grid points along x and z, each >= 2
-  double width = 1.0, depth = 1.0;  ///< along x and z
+  double width = 1.0, depth = 1.0;  ///< sizes along x and z
 };
 
 /// Returns heights[row * columns + column], each >= 0. Takes about (larger side)^2 steps.
