@@ -9,12 +9,13 @@ namespace lippmann {
 namespace {
 
 constexpr int kFilterSteps[] = {1, 2, 4};
-/// Added to the albedo before light is divided by it: highlights on dark surfaces do not scale with the albedo.
+/// Constant added to the albedo before light is divided by it, because highlights on dark surfaces do not scale with the
+/// albedo.
 constexpr float kLeastFactor = 0.04f;
 /// Light is clamped to this value, so that sums of its squares stay finite.
 constexpr float kMostLight = 1e15f;
 
-/// Calls fn(pixel) for every pixel of the views that shows a surface, in parallel.
+/// Calls fn(pixel), in parallel, for all pixels in the views at which a surface is visible.
 template <class Fn>
 void for_each_texel(const SortedViews& views, const Texels& texels, const ThreadPool& pool, const Fn& fn) {
   const Vec2i size = views.size();
@@ -32,7 +33,8 @@ void set_rgb(Vec3f color, float* image, std::size_t p) {
 
 Vec3f limited(Vec3f light) { return glm::clamp(light, Vec3f(-kMostLight), Vec3f(kMostLight)); }
 
-/// The film's light is this factor times Texels::light. Texels::albedo must already be divided by `met`.
+/// Returns the factor by which Texels::light is multiplied to get the film's light. Texels::albedo must already be divided by
+/// `met`.
 Vec3f factor_of(const Texels& texels, std::size_t p) { return texels.met[p] * (rgb(texels.albedo, p) + Vec3f(kLeastFactor)); }
 
 }  // namespace
@@ -40,7 +42,7 @@ Vec3f factor_of(const Texels& texels, std::size_t p) { return texels.met[p] * (r
 struct Denoiser::Impl {
   SortedViews views;
   RayGenerator rays;
-  std::uint32_t width, first_row;  ///< of the film
+  std::uint32_t width, first_row;  ///< width of the film, and first row of the frame in it
 
   Ray ray_of(std::size_t pixel) const {
     const auto p = static_cast<std::uint32_t>(pixel);

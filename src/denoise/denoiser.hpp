@@ -1,4 +1,5 @@
-// Removes the noise of path tracing from a frame of a light field, guided by noise-free features: albedo, normal, depth.
+// Removes the noise of path tracing from a frame of a light field. Noise-free features (albedo, normal and depth) guide the
+// filter.
 //
 // Light is divided by the albedo, so that textures are not blurred. Each pixel is averaged with pixels that show the same point
 // in neighbouring views; its depth gives their positions. It is then averaged with its neighbours in the same view, in passes
@@ -25,7 +26,7 @@
 
 namespace lippmann {
 
-/// The images of a NoisyFrame (trace/noisy_frame.hpp), each of the same size. Denoising overwrites all of them.
+/// The images of a NoisyFrame (trace/noisy_frame.hpp), all of the same size. Denoising overwrites them.
 struct DenoiserInput {
   Image &film, &noise, &seen, &albedo, &normal, &z, &met;
   Mat3f display_from_world{1.0f};  ///< rotates directions; its scale does not matter
@@ -42,9 +43,9 @@ class Denoiser {
   /// Returns the denoised film. Its bits depend neither on the number of threads nor on the processor.
   Image denoise(const DenoiserInput& frame, const ThreadPool& pool) const;
 
-  /// Number of film rows above and below a row that affect its result. A row gets the same bits as in the whole film if the
-  /// frame holds this many rows, or all up to the film's edge, on both sides. For quilts with several rows of tiles: the
-  /// film's height.
+  /// Returns the number of film rows above and below a row that affect its result. A row gets the same bits as in the whole
+  /// film if the frame holds this many rows, or all rows up to the film's edge, on both sides. For quilts with several rows of
+  /// tiles, the number is the film's height.
   static int rows_around(const Optics& optics);
 
   /// Working memory per pixel in addition to the frame: two estimates of light, and the film pixel of each view pixel.

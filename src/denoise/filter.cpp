@@ -12,18 +12,20 @@ namespace lippmann {
 namespace {
 
 // Standard deviations of the Gaussian weights that compare two surfaces. docs/develop/decisions/0013 has the measurements.
-constexpr float kNormalSpread = 0.2f;  ///< length of the difference of unit normals
+constexpr float kNormalSpread = 0.2f;  ///< for the length of the difference of unit normals
 constexpr float kAlbedoSpread = 0.2f;
 constexpr float kMetSpread = 0.2f;
-constexpr float kPlaneSpread = 3.0f;  ///< distance from the surface's plane, in sample distances
-/// Differences in light below this share of the light are invisible and count as equal, in addition to those due to noise.
+constexpr float kPlaneSpread = 3.0f;  ///< for the distance from the surface's plane, in sample distances
+/// Differences in light below this share of the light are invisible. They count as no difference, as do differences due to
+/// noise.
 constexpr float kRelativeSpread = 0.01f;
 
 constexpr int kViewReach = 3;  ///< number of views to the left, to the right, up and down
 
 // Thresholds for pixels that a single bright path dominates.
-constexpr float kOneHalf = 0.4f;          ///< minimum noise over light: 0.4 if one half of the samples has 70 % of the light
-constexpr float kBrighter = 2.0f;         ///< minimum light, relative to the second-brightest neighbour
+constexpr float kOneHalf =
+    0.4f;  ///< minimum ratio of noise to light; it is 0.4 if one half of the samples has 70 % of the light
+constexpr float kBrighter = 2.0f;         ///< minimum ratio of the pixel's light to that of its second-brightest neighbour
 constexpr float kSameMaterial = 4.0f;     ///< maximum material_difference()
 constexpr float kLeastNeighbours = 8.0f;  ///< minimum number of neighbours of the same material
 
@@ -31,8 +33,8 @@ constexpr float kLeastNeighbours = 8.0f;  ///< minimum number of neighbours of t
 /// highlight would spread into its surroundings.
 constexpr float kInfluence = 16.0f;
 
-/// Filtering may change light by this share of the estimated variance. The estimate is about twice the true variance
-/// (NoisyFrame::noise), and a sum over 49 pixels is accurate to about 25 %.
+/// Filtering may change light, as a squared difference, by this share of the estimated variance. The estimate is about twice
+/// the true variance (NoisyFrame::noise), and a sum over 49 pixels is accurate to about 25 %.
 constexpr float kExplained = 0.7f;
 
 constexpr float kNoNoise = 1e-10f;
@@ -47,7 +49,7 @@ struct alignas(64) SurfaceRow {
   float normal_x[kRow], normal_y[kRow], normal_z[kRow];
   float red[kRow], green[kRow], blue[kRow];  ///< albedo
   float met[kRow];
-  float there[kRow];  ///< 1: there is a surface; 0: there is none, and the other arrays are undefined
+  float there[kRow];  ///< 1: a surface is visible; 0: none is, and the other arrays are undefined
 };
 
 struct alignas(64) LightRow {
@@ -96,14 +98,14 @@ void for_each_piece(const SortedViews& views, int stride, const ThreadPool& pool
   });
 }
 
-/// A sliding window over the rows of a piece. Each row is loaded once if the piece is processed from top to bottom.
+/// A sliding window over the rows of a piece. If the piece is processed from top to bottom, each row is loaded only once.
 template <int kHeight, class Row>
 class RowWindow {
  public:
   RowWindow(const SortedViews& views, const Piece& piece) : views_(views), piece_(piece) { loaded_.fill(-1); }
 
-  /// Returns row y + d stride at index d + kHeight / 2, or null beyond the view. load(pixel, i, row) copies a pixel that shows
-  /// a surface to column i.
+  /// Returns row y + d stride at index d + kHeight / 2, or null beyond the view. load(pixel, i, row) is called for pixels at
+  /// which a surface is visible, and copies the pixel to column i of the row.
   template <class Load>
   const std::array<const Row*, kHeight>& around(int y, int margin, const float* met, const Load& load) {
     for (int d = -kHeight / 2; d <= kHeight / 2; ++d) {
@@ -138,7 +140,7 @@ class RowWindow {
   std::array<const Row*, kHeight> around_;
 };
 
-/// Calls fn(y) for every row of a piece that shows a surface.
+/// Calls fn(y) for those rows of a piece in which a surface is visible.
 template <class Fn>
 void for_each_row(const SortedViews& views, const Piece& piece, const float* met, const Fn& fn) {
   for (int row = 0; row < piece.rows; ++row) {
@@ -150,7 +152,8 @@ void for_each_row(const SortedViews& views, const Piece& piece, const float* met
   }
 }
 
-/// Calls fn(pixel, column of the piece) for every pixel of a row that shows a surface.
+/// Calls fn(pixel, column) for every pixel of row y at which a surface is visible. `column` counts from the first column of the
+/// piece.
 template <class Fn>
 void for_each_pixel(const SortedViews& views, const Piece& piece, int y, const float* met, const Fn& fn) {
   const std::uint32_t* pixels = views.row(piece.view, y) + piece.column;
@@ -158,7 +161,7 @@ void for_each_pixel(const SortedViews& views, const Piece& piece, int y, const f
     if (pixels[i] != SortedViews::kNoPixel && met[pixels[i]] > 0.0f) fn(pixels[i], i);
 }
 
-/// Rounds up to whole vectors. Results beyond the last column are not used.
+/// Rounds a number of columns up to whole vectors. Results beyond the last column are not used.
 int whole_lanes(int columns) { return (columns + 15) / 16 * 16; }
 
 #define LIPPMANN_FOR_COLUMNS(i, count) _Pragma("GCC ivdep") for (int i = 0; i < (count); ++i)
@@ -171,7 +174,7 @@ constexpr float inverse_square(float x) { return 1.0f / (x * x); }
 LIPPMANN_INLINE float least(float a, float b) { return a < b ? a : b; }
 LIPPMANN_INLINE float most(float a, float b) { return a > b ? a : b; }
 
-/// Sum of the squared differences in normal, albedo and coverage, each divided by its spread.
+/// Returns the sum of the squared differences in normal, albedo and coverage, each difference divided by its spread.
 LIPPMANN_INLINE float material_difference(const SurfaceRow& a, int i, const SurfaceRow& b, int j) {
   return squares(a.normal_x[i] - b.normal_x[j], a.normal_y[i] - b.normal_y[j], a.normal_z[i] - b.normal_z[j]) *
              inverse_square(kNormalSpread) +
@@ -188,7 +191,7 @@ LIPPMANN_INLINE float light_difference(const LightRow& a, int i, const LightRow&
   return most(difference, 0.0f) / (variance + visible);
 }
 
-/// Factor from 0 to 1 that reduces the weight of a much noisier pixel: see kInfluence.
+/// Returns a factor from 0 to 1 that reduces the weight of a much noisier pixel (kInfluence).
 LIPPMANN_INLINE float influence(float variance, float of_other) {
   return least(1.0f, kInfluence * (variance + kNoNoise) / (of_other + kNoNoise));
 }
@@ -200,7 +203,8 @@ LIPPMANN_INLINE float weight_of(float difference) {
   return power;
 }
 
-/// Scaled normals. The dot product with the offset of another point is that point's distance from the plane, in spreads.
+/// Scaled normals of a row of points. The dot product of a normal with the offset of another point is that point's distance
+/// from the plane, divided by its spread.
 struct alignas(64) PlaneRow {
   float x[kColumns], y[kColumns], z[kColumns];
 };
@@ -220,7 +224,7 @@ LIPPMANN_INLINE float plane_difference(const PlaneRow& planes, const SurfaceRow&
   return square(planes.x[i] * (b.x[j] - a.x[at]) + planes.y[i] * (b.y[j] - a.y[at]) + planes.z[i] * (b.z[j] - a.z[at]));
 }
 
-/// Weighted sums that mean() divides by the weight.
+/// Weighted sums over a pixel's neighbours. mean() divides them by the sum of the weights.
 struct alignas(64) SumRow {
   float red[kColumns], green[kColumns], blue[kColumns], variance[kColumns], weight[kColumns], squares[kColumns];
 
@@ -248,8 +252,8 @@ using RowsOfFive = std::array<const TexelRow*, kNeighbours>;
 using RowsOfSeven = std::array<const TexelRow*, 7>;
 static_assert(2 * kOutlierReach + 1 == 7 && 2 * kBlurReach + 1 == 7 && 2 * kGuideReach + 1 == kNeighbours);
 
-/// Squared light of the brightest and the second-brightest pixel of the same material within 7 x 7, and the number of such
-/// pixels.
+/// For each pixel, the squared light of the brightest and the second-brightest neighbour of the same material within 7 x 7
+/// pixels, and the number of such neighbours.
 struct alignas(64) BrightRow {
   float brightest[kColumns], second[kColumns], neighbours[kColumns];
 };
@@ -316,7 +320,7 @@ void smooth_row(const RowsOfFive& rows, int step, float distance_mm, float verge
   }
 }
 
-/// A row of pixels as gather() reads it, from its own view or another one.
+/// A row of pixels of any view, with the data that gather() reads.
 struct GatherRow {
   SurfaceRow surface{};
   LightRow light{}, guide{};
@@ -330,7 +334,8 @@ struct alignas(64) PlaceRow {
 
 LIPPMANN_INLINE float perspective(float z, float vergence) { return 1.0f / most(1.0f - z * vergence, 1e-3f); }
 
-/// `below` is 0 for the upper two of the four pixels around a point and 1 for the lower two.
+/// Finds the positions of a row's points in another view. `below` is 0 for the upper two of the four pixels around a point and
+/// 1 for the lower two.
 LIPPMANN_MULTIVERSION
 void find_places(const SurfaceRow& a, const SortedViews& views, const SortedViews::Sight& sight, int below, int count,
                  PlaceRow& places) {
@@ -351,8 +356,8 @@ void find_places(const SurfaceRow& a, const SortedViews& views, const SortedView
   }
 }
 
-/// Adds one pixel of another view to each sum. The weight falls linearly to zero at one sample distance between the pixel's ray
-/// and the point.
+/// Adds one pixel of another view to each sum. Its weight falls linearly with the distance between its ray and the point, and
+/// is zero from one sample distance on.
 LIPPMANN_MULTIVERSION
 void add_found(const GatherRow& a, const PlaneRow& planes, const GatherRow& b, const SortedViews& views,
                const SortedViews::Sight& sight, int count, SumRow& sums) {
@@ -380,7 +385,7 @@ void start_means(const GatherRow& a, float distance_mm, float vergence, int coun
   LIPPMANN_FOR_COLUMNS(i, count) add(a.light, i + kMargin, 1.0f, sums, i);
 }
 
-/// Sums over 7 x 7 pixels: the squared change in light, and the variance of the noise.
+/// For each pixel, two sums over 7 x 7 pixels: the squared change in light, and the variance of the noise.
 struct alignas(64) ChangeRow {
   float change[kRow], variance[kRow];
 };

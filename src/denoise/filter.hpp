@@ -10,7 +10,7 @@
 
 namespace lippmann {
 
-/// Light in three channels, and the sum of their variances.
+/// Light in three channels, and the sum of the variances of the channels.
 struct Estimate {
   Vec3f light{0.0f};
   float variance = 0.0f;
@@ -18,8 +18,9 @@ struct Estimate {
 
 /// The inputs of the passes: arrays of one or three numbers per pixel. Entries are valid only where met > 0.
 struct Texels {
-  float* light;   ///< light divided by albedo, 3 numbers
-  float* place;   ///< 3 numbers: x and y of the visible point, in mm in the display frame; mean variance of light around it
+  float* light;  ///< light divided by albedo, 3 numbers
+  float*
+      place;  ///< 3 numbers: x and y of the visible point, in mm in the display frame, and the mean variance of light around it
   float* normal;  ///< in the display frame, 3 numbers; shorter than 1 if the samples differ
   float* albedo;  ///< 3 numbers
   float* z;       ///< z of the visible point, in mm in the display frame
@@ -27,9 +28,9 @@ struct Texels {
 };
 
 /// Finds fireflies: pixels with most of their light in one half of their samples, and much brighter than all but one of the
-/// surrounding pixels of the same material. Unfiltered they would stay as white dots, and filtered they would become blotches.
-/// `estimates` holds the variance of every pixel on entry. The pass sets light.x to the factor that reduces the pixel to its
-/// second-brightest neighbour, or to 1 for all other pixels.
+/// surrounding pixels of the same material. Without filtering they would remain as white dots; filtering would turn them into
+/// blotches. `estimates` holds the variance of every pixel on entry. The pass sets light.x to the factor that reduces the pixel
+/// to its second-brightest neighbour, or to 1 for all other pixels.
 void find_outliers(const SortedViews& views, const Texels& texels, const ThreadPool& pool, std::vector<Estimate>& estimates);
 
 /// Averages light and variance over 5 x 5 neighbours on the same surface. gather() compares the light of `guides` between
@@ -47,11 +48,11 @@ void smooth(const SortedViews& views, const Texels& texels, const ThreadPool& po
             const std::vector<Estimate>& light, std::vector<Estimate>& smoothed);
 
 /// Finds blurred pixels: those where the filter has changed light, summed over 7 x 7 pixels, by more than the noise explains.
-/// Sets share[p].variance to the share of the pixel's change that should be kept, from 0 to 1.
+/// Sets share[p].variance to the share, from 0 to 1, of the filter's change of pixel p that should be kept.
 void find_blur(const SortedViews& views, const Texels& texels, const ThreadPool& pool, const std::vector<Estimate>& filtered,
                std::vector<Estimate>& share);
 
-// Number of rows that a pass reads above and below its own.
+// Number of rows that a pass reads above and below the row that it computes.
 inline constexpr int kOutlierReach = 3, kGuideReach = 2, kBlurReach = 3;
 inline constexpr int kNeighbours = 5;    ///< width and height of the window of smooth()
 inline constexpr int kMostRowsAway = 8;  ///< gather() ignores pixels of other views that are more rows away

@@ -36,11 +36,11 @@ void for_each_line(const Optics& optics, double vergence, const Fn& fn) {
   }
 }
 
-/// Column and row of the pixel within its cell. The small offset keeps positions that repeat below many lenses away from the
-/// boundaries between pixels, where rounding errors would decide.
+/// Returns the column and row of the pixel within its cell. The small offset keeps positions that repeat below many lenses away
+/// from the boundaries between pixels, where rounding errors would decide.
 Vec2i in_cell_px(const LensCells::Cell& cell) { return Vec2i(glm::floor(cell.in_cell + 0.0137)); }
 
-/// The ranges of lenses, and of pixels below a lens.
+/// The ranges of the lens indices, and of the pixel indices below a lens.
 struct LensBounds {
   std::map<int, Vec2i> columns_of_rows;
   Vec2i first_px{std::numeric_limits<int>::max()}, last_px{std::numeric_limits<int>::min()};
@@ -84,7 +84,7 @@ void SortedViews::sort_by_tiles(const Optics& optics, RowRange rows) {
   const ViewLayout layout = view_tiles(optics) ? film_layout(optics, "denoise") : ViewLayout{LayoutKind::kStack, {1, 1}, {}};
   grid_ = layout.grid;
   const Vec2i size = view_size(layout, film, "denoise"), middle = size / 2;
-  const bool one_row = size.y == film.y;  // the quilt has one row of tiles
+  const bool one_row = size.y == film.y;  // true if a quilt has only one row of tiles
   first_row_ = one_row ? rows.first : 0;
   size_ = {size.x, one_row ? rows.end - rows.first : size.y};
   shifts_.assign(static_cast<std::size_t>(size_.y + 2 * kBeyond), 0.0f);
@@ -119,7 +119,7 @@ int SortedViews::free_view(Vec2i at, int x, int y) const {
 void SortedViews::sort_by_lenses(const Optics& optics, const LensCells& cells, RowRange rows) {
   const auto is_in_rows = [rows](const PixelLine& line) { return line.row >= rows.first && line.row < rows.end; };
   LensBounds bounds;
-  Vec2i lens_rows(std::numeric_limits<int>::max(), std::numeric_limits<int>::min());  // first and last row
+  Vec2i lens_rows(std::numeric_limits<int>::max(), std::numeric_limits<int>::min());  // first and last row of lenses
   for_each_line(optics, vergence_, [&](const PixelLine& line) {
     const LensCells::Cell cell = cells.cell_of(line.place, line.k, line.row);
     bounds.add(cell, line.row);
@@ -146,7 +146,7 @@ void SortedViews::sort_by_lenses(const Optics& optics, const LensCells& cells, R
     if (!is_in_rows(line)) return;
     const int y = cell.lens.y - lens_rows.x, x = cell.lens.x - bounds.columns_of_rows[cell.lens.y].x;
     const int view = free_view(px, x, y);
-    if (view < 0) return;  // the pixel stays as traced; no known optics get here
+    if (view < 0) return;  // the pixel is not denoised; this does not happen with any known optics
     pixels_[slot(view, y) + static_cast<std::size_t>(x)] = line.pixel - before;
     shifts_[static_cast<std::size_t>(y + kBeyond)] = static_cast<float>(at.x - cell.in_lens - x);
   });

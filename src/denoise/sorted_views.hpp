@@ -1,6 +1,6 @@
 // Sorts the pixels of a film into views: grids of pixels whose rays have about the same direction.
 //
-// A ray is x(z) = l + s z, and V is the viewing distance. k = l / V + s is the same for all rays of a view. The view shows a
+// A ray is at x(z) = l + s z, and V is the viewing distance. All rays of a view have the same k = l / V + s. The view shows a
 // point (X, z) at (X - k z) / (1 - z / V) in the plane z = 0 (optics/view_place.hpp). Lengths are in mm in the display frame,
 // with y up.
 //
@@ -30,17 +30,17 @@ class SortedViews {
  public:
   static constexpr std::uint32_t kNoPixel = 0xffffffff;
 
-  /// `rows` are the rows of the film that a frame holds; pixel indices start at the first of them. The views are those of the
-  /// whole film, without the rows that have no pixel in the frame. `optics` must pass validate().
+  /// `rows` are the rows of the film that a frame holds; pixel indices count from the first pixel of these rows. The views are
+  /// those of the whole film, without the rows that have no pixel in the frame. `optics` must pass validate().
   SortedViews(const Optics& optics, RowRange rows);
 
-  /// Width and height of a view.
+  /// Returns the width and height of a view.
   Vec2i size() const { return size_; }
-  /// Columns and rows of views; view v = row * columns + column.
+  /// Returns the columns and rows of views; the view in a column and row has the index row * columns + column.
   const ViewGrid& grid() const { return grid_; }
   int views() const { return grid_.count(); }
 
-  /// The pixel indices in row y of a view, one per column; kNoPixel marks a gap.
+  /// Returns the pixel indices in row y of a view, one per column; kNoPixel marks a gap.
   const std::uint32_t* row(int view, int y) const { return pixels_.data() + slot(view, y); }
 
   /// Maps a place in the plane z = 0 to a pixel of the view: column = samples_per_mm.x place.x - first.x - shifts()[row], and
@@ -50,14 +50,14 @@ class SortedViews {
     Vec2f k{0.0f}, first{0.0f};
   };
   const Sight& sight(int view) const { return sights_[static_cast<std::size_t>(view)]; }
-  /// Offset of each row's first lens, in columns. Valid indices are -kBeyond to size().y + kBeyond - 1.
+  /// Returns the offset of each row's first lens, in columns. Valid indices are -kBeyond to size().y + kBeyond - 1.
   const float* shifts() const { return shifts_.data() + kBeyond; }
   static constexpr int kBeyond = 2;
   int first_row() const { return first_row_; }  ///< row 0 of these views, as a row in the views of the whole film
   float vergence() const { return vergence_; }  ///< 1 / V, per mm
   Vec2f samples_per_mm() const { return samples_per_mm_; }
 
-  /// Distance between neighbouring samples of a view in the plane z = 0, the larger of both axes.
+  /// Returns the distance between neighbouring samples of a view in the plane z = 0, on the axis on which it is larger.
   float sample_distance_mm() const { return std::max(1.0f / samples_per_mm_.x, 1.0f / samples_per_mm_.y); }
 
  private:
