@@ -96,7 +96,7 @@ const Series& chosen_series(const std::string& from, const std::map<std::string,
               "a pattern that names one");
 }
 
-/// Returns the side file that all frames share, or none if one lacks it or they differ.
+/// Returns the contents of the frames' side files if all are equal, or none if a frame has no side file or the files differ.
 std::optional<RgbdSideFile> common_side_file(const std::vector<NumberedFrame>& frames) {
   const std::optional<RgbdSideFile> first = read_rgbd_side_file(frames.front().path);
   const auto is_alike = [&](const NumberedFrame& frame) { return read_rgbd_side_file(frame.path) == first; };
@@ -143,7 +143,7 @@ void describe_depth_of(const std::vector<NumberedFrame>& frames, const fs::path&
   if (frames.empty() || !has_rgbd_name(frames.front().path)) return;
   if (const std::optional<RgbdSideFile> side = common_side_file(frames)) return write_rgbd_side_file(out, *side);
   std::error_code ignored;
-  fs::remove(rgbd_side_path(out), ignored);  // of another video
+  fs::remove(rgbd_side_path(out), ignored);  // the file may be that of an earlier video
   context.warning(
       fmt::format("The side files of the frames do not all say the same, so that grey means another depth from frame to frame, "
                   "and {} has none. `depth-range` gives all frames one range when they are made.",

@@ -17,16 +17,17 @@ struct NumberedFrame {
   std::filesystem::path path;
 };
 
-/// Finds frames. from: a folder that contains frame_0000.png, ... or a single series of numbered images, including quilts; or a
-/// file name pattern, in which * or %04d stands for the number. wanted: the frame numbers in order; empty: all from the lowest
-/// to the highest. Throws Error naming the folder and the first missing frame.
+/// Finds frames. `from` is a folder that contains frame_0000.png, ... or a single series of numbered images, including quilts.
+/// It may also be a file name pattern, in which * or %04d stands for the number. `wanted` holds the frame numbers in order; if
+/// it is empty, all frames from the lowest to the highest number are wanted. Throws Error naming the folder and the first
+/// missing frame.
 std::vector<NumberedFrame> find_frames(const std::string& from, std::vector<int> wanted = {});
 
 /// Returns `out` with the quilt suffix of the frames, unless it has one already: room.mp4 of frame_0000_qs8x6a0.75.png, ...
 /// becomes room_qs8x6a0.75.mp4. Does the same for stereo images, room_2x1.mp4, and RGB-D, room_rgbd.mp4.
 std::filesystem::path video_path(const std::filesystem::path& out, const std::vector<NumberedFrame>& frames);
 
-/// Returns the stereo layout of the frames from their names, or none if they are not stereo images.
+/// Returns the stereo layout that the names of the frames state, or none if they are not stereo images.
 std::optional<StereoLayout> stereo_of(const std::vector<NumberedFrame>& frames);
 
 /// Writes the side file of an RGB-D video, a copy of the frames' side file. Warns if frames have none or differ. Does nothing

@@ -21,10 +21,10 @@ struct EncoderSettings {
   std::filesystem::path path;  ///< named in errors
   std::string temporary;       ///< the file that is written
   VideoCodec codec = VideoCodec::kH264;
-  const char* muxer = nullptr;          ///< FFmpeg's names
-  const char* encoder = nullptr;        ///< accepted by has_encoder()
-  int width = 0, height = 0;            ///< of every frame, pixels
-  int crf = 0;                          ///< ignored by lossless codecs
+  const char* muxer = nullptr;          ///< FFmpeg's name of the container
+  const char* encoder = nullptr;        ///< FFmpeg's name of the encoder, accepted by has_encoder()
+  int width = 0, height = 0;            ///< size of every frame, in pixels
+  int crf = 0;                          ///< constant rate factor; ignored by lossless codecs
   int numerator = 25, denominator = 1;  ///< frames per second
   int threads = 1;
   std::optional<StereoLayout> stereo = {};  ///< written as metadata if the container supports it
@@ -53,7 +53,7 @@ class VideoModule {
   virtual std::unique_ptr<VideoDecoder> decoder(const std::filesystem::path& path) const = 0;
 };
 
-/// Increment this with every change of this header: a module of another version is rejected.
+/// Version of this interface. Increment it with every change of this header, so that modules of other versions are rejected.
 inline constexpr int kVideoModuleVersion = 2;
 
 /// Loads the module on the first call. Thread-safe. Throws Error if the module or a library that it needs is missing; the

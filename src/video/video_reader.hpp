@@ -1,6 +1,6 @@
 // Reads the frames of a video file in any format that FFmpeg supports, in presentation order, as 8-bit RGB codes.
 //
-// YUV is converted by the matrix and range given in the stream, or BT.601 limited range, FFmpeg's default.
+// YUV is converted with the matrix and range that the stream states, or with FFmpeg's default, BT.601 limited range.
 #pragma once
 
 #include <filesystem>

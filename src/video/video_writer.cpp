@@ -18,7 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the fraction nearest to a positive value, from its continued fraction, with terms up to a million.
+/// Returns the fraction nearest to a positive value, with numerator and denominator up to a million, from the value's continued
+/// fraction.
 FrameRate nearest_fraction(double value) {
   constexpr double kLargest = 1e6;
   double before[2] = {0.0, 1.0}, last[2] = {1.0, 0.0};  // numerator, denominator

@@ -1,12 +1,10 @@
 // Writes frames as a video file, for viewing (H.264, HEVC, VP9, AV1) or without loss (FFV1).
 //
-//   .mp4, .mov  H.264, HEVC (.mp4 also VP9, AV1); index at the start
-//   .webm       VP9, AV1
-//   .mkv        FFV1 version 3, lossless RGB; also the other codecs
-// All codecs except FFV1 use yuv420p in BT.709 limited range, and are tagged accordingly. An odd width or height is padded by
-// repeating the last column or row. Chroma has half the resolution of luma, so neighbouring views of an integral image share
-// their colour. Equal frames and options give equal bytes: the file contains no dates and no version strings that vary between
-// runs.
+// .mp4, .mov  H.264, HEVC (.mp4 also VP9, AV1); the index is at the start of the file .webm       VP9, AV1 .mkv        FFV1
+// version 3, lossless RGB; also the other codecs All codecs except FFV1 use yuv420p in BT.709 limited range, and are tagged
+// accordingly. An odd width or height is padded by repeating the last column or row. Chroma has half the resolution of luma, so
+// neighbouring views of an integral image share their colour. Equal frames and options give equal bytes: the file contains no
+// dates and no version strings that vary between runs.
 #pragma once
 
 #include <filesystem>
@@ -21,19 +19,19 @@
 
 namespace lippmann {
 
-/// frames per second = numerator / denominator, both > 0.
+/// A frame rate: frames per second = numerator / denominator, both > 0.
 struct FrameRate {
   int numerator = 25, denominator = 1;
 };
 
-/// Returns the nearest fraction. The usual rounded rates (29.97, 23.976) become exact (30000/1001, 24000/1001).
+/// Returns the fraction nearest to a frame rate. The usual rounded rates (29.97, 23.976) become exact (30000/1001, 24000/1001).
 FrameRate frame_rate(double frames_per_second);
 
 struct VideoOptions {
   FrameRate rate{};
-  std::optional<VideoCodec> codec = {};     ///< none: from the file ending and the frame size (video_codec.hpp)
+  std::optional<VideoCodec> codec = {};     ///< none: chosen by the file ending and the frame size (video_codec.hpp)
   std::optional<int> crf = {};              ///< constant rate factor, 0 (best) ... 51 or 63; none: the codec's default
-  std::optional<StereoLayout> stereo = {};  ///< stereo frames, tagged for players (video/ffmpeg/stereo_tags.hpp)
+  std::optional<StereoLayout> stereo = {};  ///< layout of stereo frames, written as metadata (ffmpeg/stereo_tags.hpp)
   int threads = 1;  ///< encoder threads; H.264 output depends on this, so do not derive it from the machine
 };
 

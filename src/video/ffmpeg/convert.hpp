@@ -14,19 +14,19 @@ class ToFrame {
   /// Sets the frame size. Smaller images are padded by repeating their last column and row.
   ToFrame(int width, int height, AVPixelFormat format);
 
-  /// The frame is overwritten by the next call, unless someone else holds a reference to it.
+  /// Converts an image. The next call overwrites the returned frame, unless another reference to it exists.
   AVFrame& convert(const Image8& picture);
 
  private:
   FfmpegPtr<AVFrame> rgb_, frame_;
-  FfmpegPtr<SwsContext> scaler_;  // null for BGR0
+  FfmpegPtr<SwsContext> scaler_;  // null for BGR0, which needs no scaler
 };
 
 /// Converts decoded frames to images. Size and format may change between frames.
 class ToPicture {
  public:
-  /// Converts YUV by the frame's matrix and range, or BT.601 limited range by default. Throws Error naming `path` if FFmpeg
-  /// cannot convert it.
+  /// Converts a frame. YUV is converted with the frame's matrix and range, or with BT.601 limited range if the frame states
+  /// none. Throws Error naming `path` if FFmpeg cannot convert it.
   Image8 convert(const std::filesystem::path& path, const AVFrame& frame);
 
  private:

@@ -147,9 +147,10 @@ class FfmpegDecoder : public VideoDecoder {
   FfmpegPtr<AVFrame> frame_ = own(av_frame_alloc());
   FfmpegPtr<AVPacket> packet_ = own(av_packet_alloc());
   const AVStream* stream_ = nullptr;
-  Vec2i size_{0, 0};                                      // the first frame's
-  std::int64_t frames_ = 0, packets_ = 0, end_time_ = 0;  // decoded; read; end of the last packet in stream time units
-  bool ended_ = false;                                    // no packets are left; the decoder may still hold frames
+  Vec2i size_{0, 0};  // size of the first frame
+  std::int64_t frames_ = 0, packets_ = 0,
+               end_time_ = 0;  // number of decoded frames; number of packets read; end of the last packet in stream time units
+  bool ended_ = false;         // no packets are left; the decoder may still hold frames
 };
 
 }  // namespace

@@ -8,7 +8,7 @@
 
 namespace lippmann {
 
-/// Decodes a regular file.
+/// Returns a decoder for a video, which must be a regular file.
 std::unique_ptr<VideoDecoder> make_decoder(const std::filesystem::path& path);
 
 }  // namespace lippmann

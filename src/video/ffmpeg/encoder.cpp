@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 int round_up(int value, int multiple) { return (value + multiple - 1) / multiple * multiple; }
 
-/// Closes its file before it is destroyed.
+/// Owns FFmpeg's muxer and closes its file before the muxer is freed.
 struct Muxer {
   AVFormatContext* context = nullptr;
 

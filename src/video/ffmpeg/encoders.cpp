@@ -25,7 +25,7 @@ void tag_colours(AVCodecContext& context) {
 
 void configure_h264(AVCodecContext& context, int crf) {
   set(context, "crf", crf);
-  // x264's macroblock tree reads uninitialised memory (seen with x264 164), so two encodings in one process differ.
+  // x264's macroblock tree reads uninitialised memory (seen with x264 164), so two encodings in one process would differ.
   set(context, "mbtree", 0);
 }
 
@@ -40,7 +40,7 @@ void configure_vp9(AVCodecContext& context, int crf) {
   set(context, "crf", crf);
   set(context, "deadline", "good");
   set(context, "cpu-used", 3);
-  set(context, "tile-columns", 2);  // for threads; limited by the width
+  set(context, "tile-columns", 2);  // allows more threads; the encoder limits the number by the width
 }
 
 void configure_av1(AVCodecContext& context, int crf) {
@@ -52,9 +52,9 @@ void configure_av1(AVCodecContext& context, int crf) {
 
 void configure_ffv1(AVCodecContext& context) {
   context.level = 3;
-  context.gop_size = 1;  // every frame can be decoded by itself
+  context.gop_size = 1;  // every frame can be decoded without other frames
   context.slices =
-      std::min(context.width, context.height) < 16 ? 1 : 4;  // independent of the threads, which must not change the output
+      std::min(context.width, context.height) < 16 ? 1 : 4;  // fixed, because the number of threads must not change the output
   set(context, "slicecrc", 1);
 }
 

@@ -24,7 +24,7 @@ struct FfmpegDeleter {
 template <class T>
 using FfmpegPtr = std::unique_ptr<T, FfmpegDeleter>;
 
-/// Returns the pointer. Throws bad_alloc for null, because FFmpeg allocators return null without memory.
+/// Takes ownership of a pointer from an FFmpeg allocator. Throws bad_alloc for null, which means that memory has run out.
 template <class T>
 FfmpegPtr<T> own(T* p) {
   if (!p) throw std::bad_alloc();
