@@ -1,7 +1,7 @@
 // Shares work among the processes of one MPI job (mpirun -n N lippmann ...).
 //
-// A thread of rank 0 hands out numbers while rank 0 also renders. The thread polls for messages, because a blocking wait in
-// Open MPI occupies a whole processor. Only processes started by mpirun load the library.
+// A thread of rank 0 hands out the numbers of units of work, while rank 0 also renders. The thread polls for messages, because
+// a blocking wait in Open MPI occupies a whole processor. Only processes started by mpirun load the library.
 #pragma once
 
 #include <cstdint>
@@ -15,11 +15,11 @@ struct WorkDone {
   int frame = 0;
   double seconds = 0.0;  ///< render time
   std::uint64_t rays = 0;
-  std::uint64_t bytes = 0;  ///< size of its files, which are complete
+  std::uint64_t bytes = 0;  ///< size of the frame's files, which are complete
 };
 
-/// Every rank constructs one and calls begin(), next() until no work is left, and end(), in this order. If a process exits
-/// without end(), mpirun ends the whole job, so no rank waits for it.
+/// The connection of one rank to the job. Every rank constructs one object and calls begin(), then next() until no work is
+/// left, then end(). If a process exits without end(), mpirun ends the whole job, so no rank waits for it.
 class Ranks {
  public:
   virtual ~Ranks() = default;
@@ -31,7 +31,7 @@ class Ranks {
   /// Call before begin().
   virtual void listen(std::function<void(const WorkDone&)> listener) = 0;
 
-  /// Returns at once on rank 0. Other ranks wait until rank 0 has called it.
+  /// Returns at once on rank 0. Other ranks wait until rank 0 has called begin().
   virtual void begin() = 0;
   virtual bool has_begun() const = 0;
 
@@ -41,7 +41,7 @@ class Ranks {
   /// Reports finished work to rank 0. Does nothing on rank 0.
   virtual void tell(const WorkDone& done) = 0;
 
-  /// Waits until all ranks have called it.
+  /// Waits until all ranks have called end().
   virtual void end() = 0;
 };
 
@@ -59,7 +59,7 @@ int local_rank_count();
 /// module is not installed, or they cannot connect.
 std::unique_ptr<Ranks> join_ranks();
 
-/// Increment this with every change of this header: a module of another version is rejected.
+/// Version of this interface. Increment it with every change of this header, so that modules of other versions are rejected.
 inline constexpr int kRanksVersion = 1;
 
 }  // namespace lippmann

@@ -13,13 +13,13 @@ struct Units {
   int count = 1;
 };
 
-/// Reads "7/200", or "1-3,5/200" for several units. Throws a usage Error that names `where`.
+/// Parses text such as "7/200", or "1-3,5/200" for several units. Throws a usage Error that names `where`.
 Units read_units(std::string_view text, const std::string& where);
 std::string write_units(const Units& units);
 
-/// Divides ascending frames into `count` units, or one per segment if there are fewer segments. Cuts are only before multiples
-/// of `segment` (frames_per_segment). No unit is empty, and the numbers of segments differ by at most one. The result depends
-/// only on the arguments.
+/// Divides ascending frames into `count` units, or into one unit per segment if there are fewer segments. The frames between
+/// two multiples of `segment` (frames_per_segment) stay in one unit. No unit is empty, and the numbers of segments differ by at
+/// most one. The result depends only on the arguments.
 std::vector<std::vector<int>> units_of(const std::vector<int>& frames, int segment, int count);
 
 /// Returns the frames of these units. Units beyond the number of segments have no frames.

@@ -78,7 +78,7 @@ class MpiRanks final : public Ranks {
     wait(request);
   }
 
-  /// Answers messages until a stop is requested and no message is left.
+  /// Answers the messages of other ranks until a stop is requested and no message is left.
   void serve(const std::stop_token& stop) {
     for (;;) {
       const bool is_last_look = stop.stop_requested();
