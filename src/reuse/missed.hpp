@@ -1,11 +1,11 @@
 // Finds out why no point landed on a pixel of an in-between frame, and chooses the pixel's colour.
 //
-// The paper names two causes. The cause follows from the surface that the pixel shows. It is estimated from the nearest pixels
-// with a point to the left and right in the same view (or below the same lens): the farther one from the viewer is used,
+// The paper names two causes. The cause follows from the surface that the pixel shows. This surface is taken from the nearest
+// pixels with a point to the left and right in the same view (or below the same lens). The one farther from the viewer is used,
 // because newly visible parts come from behind. The point of that surface behind the pixel is moved to both source frames:
-// newly visible  the point lies within the image (of its view, or its lens) of at least one source: something nearer occluded
-// it there. This also includes gaps of whole pixels in a stretched surface. not covered    the point lies outside both images.
-// This also includes pixels without neighbours.
+//   newly visible  the point lies within the image (of its view, or its lens) of at least one source: something nearer occluded
+//                  it there. This also includes gaps of whole pixels in a stretched surface.
+//   not covered    the point lies outside both images. This also includes pixels without neighbours.
 #pragma once
 
 #include <cstdint>

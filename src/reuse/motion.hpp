@@ -1,8 +1,9 @@
 // Describes motion between two moments relative to the display, with one transform per group of objects that move together.
 //
-// A point p (display mm at moment a) of an object on node n moves at moment b to p' = display_from_world(b) world_from_n(b)
-// n_from_world(a) world_from_display(a) p. The product is composed in double precision, because the world may be large compared
-// to a pixel. All static objects form one group. If only the camera moves, there is no other group.
+// A point p (display mm at moment a) of an object on node n moves at moment b to
+//   p' = display_from_world(b) world_from_n(b) n_from_world(a) world_from_display(a) p.
+// The product is composed in double precision, because the world may be large compared to a pixel. All static objects form one
+// group. If only the camera moves, it is the only group.
 #pragma once
 
 #include <array>

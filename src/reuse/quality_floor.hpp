@@ -1,11 +1,13 @@
 // Traces as much of a predicted frame as is needed to keep its PSNR at or above a floor.
 //
-// 1. The errors of patches by level of uncertainty come from a nearby frame that was predicted and completely traced
-// (learn_floor), and from held-out patches of this frame, which are traced. Together they bound with 95 % confidence the error
-// that each level leaves in the frame (held_out.hpp). 2. As many of the lowest levels as possible are trusted: both the bound
-// and the error estimated from this frame's own sample must stay within the floor's mean squared error. All other patches are
-// traced. 3. If that would cost about as much as the whole frame, tracing stops: the frame is better traced completely. The
-// selection depends only on the predictions, the keys' rays, the seed and the frame's number.
+//   1. The errors of patches by level of uncertainty come from a nearby frame that was predicted and completely traced
+//      (learn_floor), and from held-out patches of this frame, which are traced. Together they bound with 95 % confidence the
+//      error that each level leaves in the frame (held_out.hpp).
+//   2. As many of the lowest levels as possible are trusted. Both their bound and the error estimated from this frame's own
+//      sample must stay within the mean squared error that the floor allows. All other patches are traced.
+//   3. If that would cost about as much as the whole frame, tracing stops, because it is better to trace the frame
+//      completely.
+// The selection depends only on the predictions, the keys' rays, the seed and the frame's number.
 #pragma once
 
 #include <span>

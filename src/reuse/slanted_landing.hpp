@@ -1,11 +1,12 @@
 // Projects a moved point to a slanted panel, where no two rows share their directions.
 //
-// The sub-pixel's ray comes from the eye at (e, h, D). From there, the point (X, Y, Z) appears in the plane z = 0 at s = (X - e
-// Z / D) / (1 - Z / D),   y = (Y - h Z / D) / (1 - Z / D), in the row that contains y. That row has one sub-pixel below each
-// lens with the phase of the original sub-pixel; the one nearest to s is used. If d is the difference between the phase at s
-// and that phase, it lies at s - (d - round(d)) lenses. Its ray has the same direction to within half the distance between two
-// sub-pixels, and it is at most half a lens from s. Static points stay in place. Only striped sub-pixels are supported, because
-// otherwise a sub-pixel's place does not follow from its number.
+// The sub-pixel's ray comes from the eye at (e, h, D). From there, the point (X, Y, Z) appears in the plane z = 0 at
+//   s = (X - e Z / D) / (1 - Z / D),   y = (Y - h Z / D) / (1 - Z / D),
+// in the row that contains y. That row has one sub-pixel below each lens with the phase of the original sub-pixel; the one
+// nearest to s is used. If d is the difference between the phase at s and that phase, it lies at s - (d - round(d)) lenses. Its
+// ray has the same direction to within half the distance between two sub-pixels, and it is at most half a lens from s. Static
+// points stay in place. Only striped sub-pixels are supported, because otherwise a sub-pixel's place does not follow from its
+// number.
 //
 // Symbols as in optics/slanted_panel.hpp. As in landing.hpp, the functions are inlined into loops so that these vectorise.
 #pragma once

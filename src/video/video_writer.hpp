@@ -1,10 +1,12 @@
 // Writes frames as a video file, for viewing (H.264, HEVC, VP9, AV1) or without loss (FFV1).
 //
-// .mp4, .mov  H.264, HEVC (.mp4 also VP9, AV1); the index is at the start of the file .webm       VP9, AV1 .mkv        FFV1
-// version 3, lossless RGB; also the other codecs All codecs except FFV1 use yuv420p in BT.709 limited range, and are tagged
-// accordingly. An odd width or height is padded by repeating the last column or row. Chroma has half the resolution of luma, so
-// neighbouring views of an integral image share their colour. Equal frames and options give equal bytes: the file contains no
-// dates and no version strings that vary between runs.
+//   .mp4, .mov  H.264, HEVC (.mp4 also VP9, AV1); the index is at the start of the file
+//   .webm       VP9, AV1
+//   .mkv        FFV1 version 3, lossless RGB; also the other codecs
+// All codecs except FFV1 use yuv420p in BT.709 limited range, and are tagged accordingly. An odd width or height is padded by
+// repeating the last column or row. Chroma has half the resolution of luma, so neighbouring views of an integral image share
+// their colour. Equal frames and options give equal bytes: the file contains no dates and no version strings that vary between
+// runs.
 #pragma once
 
 #include <filesystem>

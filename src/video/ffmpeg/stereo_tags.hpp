@@ -1,8 +1,8 @@
 // Writes metadata about the stereo layout of the frames. Private to the module.
 //
-// .mkv, .webm  StereoMode; for half packings the display size has the aspect ratio of one view .mp4         st3d (Spherical
-// Video V2) for left eye first, side by side or one above the other; .mov files get no tag H.264        the frame packing
-// message in the stream itself, for left eye first
+//   .mkv, .webm  StereoMode; for half packings the display size has the aspect ratio of one view
+//   .mp4         st3d (Spherical Video V2) for left eye first, side by side or one above the other; .mov files get no tag
+//   H.264        the frame packing message in the stream itself, for left eye first
 #pragma once
 
 #include "lippmann/layout/stereo.hpp"
