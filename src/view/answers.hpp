@@ -1,7 +1,7 @@
-// Answers the requests of a page, without knowledge of sockets.
+// Answers the HTTP requests of a page, without knowledge of sockets.
 //
-// Requests name images by number; text of a request never becomes part of a file path. The server refuses requests from pages
-// of other origins, requests for another host (DNS rebinding), requests without the token, and range requests.
+// Requests name images by number, and text of a request never becomes part of a file path. The server refuses requests from
+// pages of other origins, requests for another host (DNS rebinding), requests without the token, and range requests.
 #pragma once
 
 #include <memory>
@@ -20,9 +20,10 @@ namespace lippmann {
 
 struct PageRequest {
   std::string method = "GET";
-  std::string path = "/";                               ///< decoded, without the query
-  std::string host = {}, origin = {}, fetch_site = {};  ///< headers: Host, Origin, Sec-Fetch-Site; empty: missing
-  std::string body = {};                                ///< content of a POST
+  std::string path = "/";  ///< decoded, without the query
+  /// Values of the headers Host, Origin and Sec-Fetch-Site; empty: the header is missing.
+  std::string host = {}, origin = {}, fetch_site = {};
+  std::string body = {};  ///< content of a POST
 };
 
 struct PageAnswer {
@@ -32,17 +33,17 @@ struct PageAnswer {
 };
 
 struct PageAccess {
-  std::vector<std::string> hosts = {};  ///< accepted hosts, with port; empty: any, since the token protects the server
-  std::string token = {};               ///< required first part of all paths; empty: no token
+  std::vector<std::string> hosts = {};  ///< accepted Host headers, with port; empty: any, since the token protects the server
+  std::string token = {};               ///< secret that must be the first part of all paths; empty: no token is required
 };
 
-/// A scene set up from the page (live/live_page.hpp). Handles paths below "live/". Thread-safe.
+/// Answers the requests of a page on which a scene is set up (live/live_page.hpp), for paths below "live/". Thread-safe.
 class LivePage {
  public:
   virtual ~LivePage() = default;
 
-  virtual nlohmann::ordered_json field() const = 0;  ///< as field_json()
-  virtual nlohmann::ordered_json about() const = 0;  ///< facts sent to the page once
+  virtual nlohmann::ordered_json field() const = 0;  ///< description of the light field, as by field_json()
+  virtual nlohmann::ordered_json about() const = 0;  ///< facts that are sent to the page once
   virtual InterlaceParams interlace() const = 0;     ///< how views are interlaced on panels
   virtual PageAnswer get(std::string_view path) = 0;
   virtual PageAnswer post(std::string_view path, const std::string& body) = 0;
@@ -64,22 +65,24 @@ class PageAnswers {
   PageAnswers(std::vector<std::unique_ptr<PageField>> fields, PageAccess access, std::optional<PageDisplay> display = {},
               std::size_t cache_bytes = kDefaultCacheBytes);
 
-  /// Shows a live scene. Changes need the token and a request from the page itself.
+  /// Answers for a live scene. Requests that change it need the token and must come from the page itself.
   PageAnswers(std::unique_ptr<LivePage> live, PageAccess access);
 
-  /// Shows a render that is running or stopped. Pages may stop and resume it under the same conditions, below "run/":
+  /// Answers for a render that is running or was stopped. The page may stop and resume it with these requests, which need the
+  /// token and must come from the page itself:
   ///   GET  run/state/KNOWN   RunningRender::state_after
   ///   POST run/stop, run/resume
   PageAnswers(std::unique_ptr<PageField> field, std::shared_ptr<RunningRender> render, PageAccess access);
 
-  /// Shows images dropped on the page, initially none. `access` must have a token, so that no stranger can fill the disk.
+  /// Answers for images that are dropped on the page, at first none. `access` must have a token, so that no stranger can fill
+  /// the disk.
   ///   POST drop/...  DroppedPictures::post
   PageAnswers(std::shared_ptr<DroppedPictures> dropped, PageAccess access);
 
   PageAnswer answer(const PageRequest& request);
 
-  /// Returns the answer to a request that is refused before its body is read: it has a wrong origin, host or token, or is a
-  /// POST to a path that accepts none.
+  /// Returns the answer if a request is refused before its body is read: because its origin, host or token is wrong, or because
+  /// it is a POST to a path that accepts none. Otherwise returns nullopt.
   std::optional<PageAnswer> refusal(const PageRequest& request) const;
 
  private:
@@ -100,8 +103,8 @@ class PageAnswers {
   std::vector<std::unique_ptr<PageField>> fields_;
   std::unique_ptr<LivePage> live_;
   std::shared_ptr<RunningRender> render_;
-  std::shared_ptr<PagePrints> prints_;        ///< null: prints are not available
-  std::shared_ptr<DroppedPictures> dropped_;  ///< null: dropping is not available
+  std::shared_ptr<PagePrints> prints_;        ///< null if prints are not available
+  std::shared_ptr<DroppedPictures> dropped_;  ///< null if images cannot be dropped
   PageAccess access_;
   std::optional<PageDisplay> display_;
   ByteCache cache_;
@@ -111,8 +114,8 @@ class PageAnswers {
 struct PagePicture {
   std::string bytes, type;
 };
-/// Encodes an image as WebP, or as PNG if it is too large for WebP. effort: 0 (fast) ... 9 (small). page_picture() selects the
-/// image by kind: "views", "preview", "depth", "provenance" or "panel". Throws Error.
+/// Encodes an image as WebP, or as PNG if it is too large for WebP. effort: from 0 (fast) to 9 (small). Throws Error.
+/// page_picture() encodes the image of a given kind: "views", "preview", "depth", "provenance" or "panel".
 PagePicture encoded_picture(const Image8& picture, int effort);
 PagePicture page_picture(const PageField& field, std::string_view kind, std::size_t frame, int effort);
 
@@ -120,8 +123,8 @@ struct PageOffers {
   bool prints = false, drops = false;
 };
 
-/// Returns fields.json: the version, field_json() of each light field, the display that they are played on, and the services
-/// offered: prints with the known displays, and dropping images.
+/// Returns fields.json: the version, field_json() of each light field, the display that they are played on, and the available
+/// services: prints, with the known displays, and dropping images.
 std::string fields_text(const std::vector<std::unique_ptr<PageField>>& fields, const std::optional<PageDisplay>& display = {},
                         PageOffers offers = {});
 

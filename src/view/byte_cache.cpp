@@ -7,7 +7,7 @@ namespace lippmann {
 Bytes ByteCache::get(const std::string& key, const std::function<std::string()>& make) {
   if (Bytes found = find(key)) return found;
   const std::lock_guard lock(making_);
-  if (Bytes found = find(key)) return found;  // another thread made it in the meantime
+  if (Bytes found = find(key)) return found;  // another thread has made the entry in the meantime
   const Bytes made = std::make_shared<const std::string>(make());
   keep(key, made);
   return made;

@@ -1,4 +1,4 @@
-// Caches byte strings made on demand, with eviction of the least recently used.
+// Caches byte strings that are made on demand. The least recently used entries are evicted.
 #pragma once
 
 #include <cstddef>
@@ -13,12 +13,14 @@ namespace lippmann {
 
 using Bytes = std::shared_ptr<const std::string>;
 
-/// Thread-safe. Only one thread at a time makes a missing entry, which bounds the memory in use.
+/// A cache of byte strings by key. Thread-safe. Only one thread at a time makes a missing entry, which bounds the memory in
+/// use.
 class ByteCache {
  public:
   explicit ByteCache(std::size_t most_bytes) : most_bytes_(most_bytes) {}
 
-  /// Returns the entry of `key`, made by `make` if it is missing. Exceptions of `make` are passed on, and nothing is cached.
+  /// Returns the entry of `key`. If it is missing, `make` is called to make it. If `make` throws, the exception is passed on
+  /// and nothing is cached.
   Bytes get(const std::string& key, const std::function<std::string()>& make);
 
  private:
@@ -33,7 +35,7 @@ class ByteCache {
   const std::size_t most_bytes_;
   std::mutex making_;
   std::mutex entries_mutex_;
-  std::list<Entry> entries_;  ///< the most recently used first
+  std::list<Entry> entries_;  ///< the entries, most recently used first
   std::map<std::string, std::list<Entry>::iterator> by_key_;
   std::size_t bytes_ = 0;
 };

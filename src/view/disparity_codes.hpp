@@ -10,11 +10,11 @@
 
 namespace lippmann {
 
-/// Returns w of a depth. vergence: 1 / V, per mm. parallax: shown depth / true depth.
+/// Returns the disparity w of a point at depth z. vergence: 1 / V, per mm. parallax: factor of depth: depth shown / true depth.
 double disparity_mm(double z_mm, double vergence, double parallax);
 
-/// Returns w of each pixel. depth: 1 channel, z in mm of the display frame. Pixels with nothing in front of them (z = -inf)
-/// show the surroundings, which move like infinitely far points: w = -V, or -inf if V is infinite.
+/// Returns the disparity w of each pixel. depth: 1 channel, z in mm of the display frame. Pixels with nothing in front of them
+/// (z = -inf) show the surroundings, which move like infinitely far points: w = -V, or -inf if V is infinite.
 Image disparities_mm(const Image& depth, double vergence, double parallax);
 
 /// Returns the codes of disparities (1 channel). Values that are not finite get code 0. scale_mm > 0.

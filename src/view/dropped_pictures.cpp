@@ -47,7 +47,7 @@ void replace_all(std::string& text, const std::string& from, const std::string& 
     text.replace(at, from.size(), to);
 }
 
-/// Returns the rank of each name in natural order.
+/// Returns the position of each name in the natural order of all names.
 std::vector<std::size_t> ranks_of(const std::vector<std::string>& names) {
   std::vector<std::size_t> order(names.size()), ranks(names.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -61,12 +61,12 @@ std::vector<std::size_t> ranks_of(const std::vector<std::string>& names) {
 struct DroppedPictures::Received {
   ScratchFolder folder;
   std::string title;
-  std::vector<std::string> names;  ///< as sent by the page
-  std::vector<fs::path> files;     ///< in the same order
+  std::vector<std::string> names;  ///< file names, as sent by the page
+  std::vector<fs::path> files;     ///< stored files, in the order of `names`
   std::vector<std::uintmax_t> sizes;
-  std::uintmax_t bytes = 0;  ///< of all files
+  std::uintmax_t bytes = 0;  ///< total size of all files
 
-  /// Replaces the names of stored files in a message by the page's names.
+  /// Replaces the names of stored files in a message by the names that the page sent.
   std::string with_page_names(std::string message) const {
     for (std::size_t i = 0; i < files.size(); ++i) {
       replace_all(message, files[i].string(), printable(names[i]));
@@ -77,7 +77,7 @@ struct DroppedPictures::Received {
   }
 };
 
-/// Keeps the folder until nobody uses its images.
+/// The images shown. Keeps their folder until nobody uses the images.
 struct DroppedPictures::Shown {
   Shown(std::shared_ptr<const Received> from, std::unique_ptr<PageField> field)
       : received(std::move(from)), answers(list_of(std::move(field)), PageAccess{}) {}
@@ -134,7 +134,7 @@ void DroppedPictures::append(std::string_view path, const std::string& bytes) {
   const auto at = whole_number<std::uintmax_t>(path.substr(std::min(slash + 1, path.size())));
   if (!index || !at || *index >= received.files.size()) throw Error("drop", "there is no such picture");
   std::uintmax_t& size = received.sizes[*index];
-  if (*at + bytes.size() == size) return;  // a repeated piece, whose answer was lost
+  if (*at + bytes.size() == size) return;  // a chunk that was sent again because its answer was lost
   if (*at != size) throw Error(printable(received.names[*index]), "a piece of it is missing", "dropping the pictures again");
   size += bytes.size();
   received.bytes += bytes.size();

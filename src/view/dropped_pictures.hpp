@@ -1,7 +1,9 @@
-// Receives images dropped on a page in pieces, keeps them in a temporary folder, and shows them as views of a light field.
+// Receives images that are dropped on a page, in chunks. Stores them in a temporary folder and shows them as the views of a
+// light field.
 //
-// The page's file names set the order of the views and appear in messages; the stored files have names of our own. The folders
-// of the images shown and of those being received are removed when they are replaced, and by the destructor. Thread-safe.
+// The file names sent by the page determine the order of the views and appear in messages; the stored files have other,
+// generated names. There is one folder for the images shown and one for the images being received. Each is removed when newer
+// images replace it, and by the destructor. Thread-safe.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +20,7 @@ namespace lippmann {
 class DroppedPictures {
  public:
   static constexpr std::size_t kMaxPictures = 1000;
-  static constexpr std::uintmax_t kMostBytes = std::uintmax_t{4} << 30;  ///< of all images together
+  static constexpr std::uintmax_t kMostBytes = std::uintmax_t{4} << 30;  ///< limit for the size of all images together
 
   /// `context` must outlive this object. most_bytes: limit for all images together.
   explicit DroppedPictures(const Context& context, std::uintmax_t most_bytes = kMostBytes);
@@ -31,7 +33,7 @@ class DroppedPictures {
   /// Throws Error.
   void post(std::string_view path, const std::string& body);
 
-  /// Returns the answers for the images shown; null before the first.
+  /// Returns the object that answers requests for the images shown; null before any are shown.
   std::shared_ptr<PageAnswers> shown() const;
 
  private:

@@ -10,7 +10,7 @@ namespace {
 
 using std::chrono::seconds;
 
-/// Time for discarding the rest of an unread body.
+/// Time during which the rest of an unread body is discarded.
 constexpr seconds kEndPatience{1};
 constexpr std::size_t kPiece = std::size_t{16} << 10;
 
@@ -40,7 +40,7 @@ void HttpConnection::ready() {
   read_requests();
 }
 
-/// Reads on while requests are answered immediately.
+/// Reads requests as long as they can be answered immediately.
 void HttpConnection::read_requests() {
   do read_request();
   while (state_ == State::kIdle && !input_.empty());
@@ -53,7 +53,7 @@ void HttpConnection::receive() {
   if (state_ != State::kEnding) input_.append(piece.data(), bytes);
 }
 
-/// Reads a request from the bytes received so far.
+/// Reads a request from the bytes that were received.
 void HttpConnection::read_request() {
   if (state_ == State::kIdle && !input_.empty()) enter(State::kHead, terms_.head);
   if (state_ == State::kHead) {
@@ -74,7 +74,7 @@ void HttpConnection::read_request() {
 void HttpConnection::begin_body(const RequestHead& head) {
   head_ = head;
   if (const std::optional<PageAnswer> refusal = terms_.refusal(head_.page)) {
-    // The body is not read, so no further request can follow.
+    // The body is not read, so no further request can be found after it.
     if (head_.body_bytes > 0 || head_.body_refusal != 0) head_.keeps_alive = false;
     begin_answer(*refusal);
     return;
@@ -85,7 +85,7 @@ void HttpConnection::begin_body(const RequestHead& head) {
   if (head_.awaits_continue && input_.size() < head_.body_bytes) socket_.send(go_on, false);
 }
 
-/// Sends a refusal and closes the connection, whose input cannot be parsed further.
+/// Sends a refusal and closes the connection, because further input cannot be parsed.
 void HttpConnection::refuse(const PageAnswer& refusal) {
   head_.keeps_alive = false;
   begin_answer(refusal);

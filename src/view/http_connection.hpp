@@ -1,7 +1,7 @@
 // Reads requests from one client and sends the answers, without blocking.
 //
-// The poller of the socket calls ready() after each event. Memory is bounded by the head and the body of one request. A body is
-// read only after the request's head has been accepted.
+// The thread that polls the socket calls ready() after each event. Memory is bounded by the limits for the head and the body of
+// one request. A body is read only after the request's head has been accepted.
 #pragma once
 
 #include <chrono>
@@ -21,11 +21,12 @@ class HttpConnection {
   using Clock = std::chrono::steady_clock;
 
   struct Terms {
-    std::chrono::seconds idle{15};  ///< until the first byte of a request
-    std::chrono::seconds head{3};   ///< from then until the head is complete: one packet and some round trips on a bad network
-    std::chrono::seconds body{10};  ///< until the body is complete: 1 MB at 1 Mbit/s
-    std::chrono::seconds send{15};  ///< without any progress of an answer; browsers pause tabs
-    /// Returns the answer to a request that is refused regardless of its body. Called before the body is read.
+    std::chrono::seconds idle{15};  ///< time until the first byte of a request
+    std::chrono::seconds head{
+        3};  ///< time from the first byte until the head is complete: one packet, and some round trips on a bad network
+    std::chrono::seconds body{10};  ///< time from the end of the head until the body is complete: 1 MB at 1 Mbit/s
+    std::chrono::seconds send{15};  ///< time without any progress in sending an answer; long, because browsers pause tabs
+    /// Returns the answer to a request that is refused whatever its body is. Called before the body is read.
     std::function<std::optional<PageAnswer>(const PageRequest&)> refusal;
   };
 
@@ -34,20 +35,20 @@ class HttpConnection {
   HttpConnection(const HttpConnection&) = delete;
   HttpConnection& operator=(const HttpConnection&) = delete;
 
-  /// Returns the event to wait for before ready().
+  /// Returns the socket and the event to wait for before ready() is called.
   platform::WatchedSocket watched() const { return {socket_.handle(), event()}; }
 
-  /// Continues after the event of watched(), or after a failure of the socket.
+  /// Continues to read or send. Call after the event of watched(), or after a failure of the socket.
   void ready();
 
-  /// Returns a complete request, once. The caller must then call answer().
+  /// Returns a request when it is complete, once. The caller must then call answer().
   std::optional<PageRequest> take_request();
   void answer(const PageAnswer& answer);
 
   /// Returns whether to close the connection: the client closed it, an error occurred, or the client missed the deadline.
   bool is_over() const { return state_ == State::kOver || (waits_for_client() && Clock::now() >= deadline_); }
 
-  /// Returns whether the connection waits for the client; since() is the start of the current state.
+  /// Returns whether the connection waits for the client. since() returns when the current state began.
   bool waits_for_client() const { return state_ != State::kAnswering && state_ != State::kComplete; }
   Clock::time_point since() const { return since_; }
 
@@ -59,7 +60,7 @@ class HttpConnection {
     kComplete,  ///< the request waits for take_request()
     kAnswering,
     kSending,
-    kEnding,  ///< all is sent; further input is discarded, since closing early could lose the answer
+    kEnding,  ///< the answer is sent; further input is discarded, since closing at once could make the client lose the answer
     kOver,
   };
 
@@ -80,9 +81,9 @@ class HttpConnection {
   Clock::time_point since_, deadline_;
   std::string input_;  ///< received bytes that are not yet part of a request
   RequestHead head_;
-  std::string output_;  ///< head of the answer
+  std::string output_;  ///< head of the answer, to be sent
   Bytes body_;
-  std::size_t sent_ = 0;  ///< bytes sent of head and body
+  std::size_t sent_ = 0;  ///< number of bytes sent of the answer's head and body
 };
 
 }  // namespace lippmann

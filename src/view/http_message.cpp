@@ -10,7 +10,7 @@
 namespace lippmann {
 namespace {
 
-/// Pages load only content of this server, and other pages cannot embed or read it.
+/// Headers of every answer. Pages load only content of this server, and other pages cannot embed or read them.
 constexpr std::string_view kSafeHeaders =
     "Content-Security-Policy: default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob: data:; "
     "connect-src 'self'; frame-ancestors 'self'; base-uri 'none'; form-action 'none'\r\n"
@@ -70,7 +70,7 @@ std::string_view trimmed(std::string_view text) {
   return from == std::string_view::npos ? std::string_view() : text.substr(from, text.find_last_not_of(" \t") - from + 1);
 }
 
-/// Removes a line from the front and returns it.
+/// Removes the first line of `text` and returns it.
 std::string_view cut_line(std::string_view& text) {
   const std::size_t end = text.find("\r\n");
   const std::string_view line = text.substr(0, end);
@@ -148,11 +148,11 @@ std::optional<PageAnswer> read_first_line(std::string_view line, RequestHead& he
   return std::nullopt;
 }
 
-/// Reads the length of the body. Returns whether it is unambiguous.
+/// Reads the length of the body from the headers. Returns whether the length is unambiguous.
 bool read_body_length(const Headers& headers, RequestHead& head) {
   if (headers.has("transfer-encoding")) {
     head.body_refusal = 411;
-    return !headers.has("content-length");  // both headers could hide a second request: RFC 9112, 6.1
+    return !headers.has("content-length");  // with both headers, a second request could be hidden in the body: RFC 9112, 6.1
   }
   if (headers.count("content-length") > 1) return false;
   const std::string_view text = headers.value("content-length");

@@ -14,28 +14,29 @@
 
 namespace lippmann {
 
-/// Servers limit heads to 8 KiB (Apache's LimitRequestFieldSize) or 16 KiB (Node's --max-http-header-size); browsers send about
-/// 1 KiB.
+/// Largest head of a request. Servers limit heads to 8 KiB (Apache's LimitRequestFieldSize) or 16 KiB (Node's
+/// --max-http-header-size); browsers send about 1 KiB.
 inline constexpr std::size_t kMaxHeadBytes = std::size_t{16} << 10;
-/// A calibration has about 10 kB, settings less than 1 kB.
+/// Largest body of a request. A calibration has about 10 kB, settings have less than 1 kB.
 inline constexpr std::size_t kMaxBodyBytes = std::size_t{1} << 20;
 
 struct RequestHead {
-  PageRequest page;            ///< without its body
+  PageRequest page;            ///< the request without its body
   std::size_t body_bytes = 0;  ///< size of the body that follows; at most kMaxBodyBytes
   int body_refusal = 0;        ///< status of the answer if the body is refused: 411, 413 or 415; 0: accepted
   bool keeps_alive = true;
-  bool awaits_continue = false;  ///< the client sends the body only after "100 Continue"
+  bool awaits_continue = false;  ///< whether the client sends the body only after an answer "100 Continue"
 };
 
-/// Parses the head of a request, without the empty line that ends it. Returns an answer with status 400 or 505 if it is
+/// Parses the head of a request, without the empty line that ends it. Returns an answer with status 400 or 505 if the head is
 /// malformed.
 std::variant<RequestHead, PageAnswer> read_head(std::string_view head);
 
-/// Returns a refusal in plain text.
+/// Returns an answer with this status, which refuses a request in plain text.
 PageAnswer refusal_of(int status);
 
-/// Returns the status line and headers, with the empty line. keeps_alive: the connection stays open.
+/// Returns the status line and headers of an answer, with the empty line after them. keeps_alive: whether the connection stays
+/// open.
 std::string head_of(const PageAnswer& answer, bool keeps_alive);
 
 }  // namespace lippmann

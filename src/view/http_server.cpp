@@ -22,14 +22,14 @@
 namespace lippmann {
 namespace {
 
-/// A page opens six connections: RFC 9112, 9.4, leaves the number to browsers, which all use six.
+/// Limit for open connections. A page opens six: RFC 9112, 9.4, leaves the number to browsers, which all use six.
 constexpr std::size_t kMaxConnections = 128;
-/// Up to eight of them wait for changes of a scene (live/live_page.cpp).
+/// Number of threads that answer requests. Up to eight of them wait for changes of a scene (live/live_page.cpp).
 constexpr int kAnsweringThreads = 32;
-/// Interval between checks of the deadlines and of `stopped`.
+/// Interval at which deadlines and `stopped` are checked.
 constexpr std::chrono::milliseconds kTick{50};
 
-/// Threads that answer complete requests.
+/// A pool of threads that answer complete requests.
 class AnswerPool {
  public:
   /// `answers` must outlive this object.
@@ -37,7 +37,7 @@ class AnswerPool {
     try {
       for (int i = 0; i < kAnsweringThreads; ++i) threads_.emplace_back([this] { work(); });
     } catch (const std::system_error&) {
-      if (threads_.empty()) throw;  // otherwise go on with the threads that could be started
+      if (threads_.empty()) throw;  // if some threads were started, they are enough
     }
   }
 
@@ -84,7 +84,8 @@ class AnswerPool {
     }
   }
 
-  /// A request that fails, for example for lack of memory, does not end the program.
+  /// Returns the answer. A request that fails, for example for lack of memory, gets an error as answer instead of ending the
+  /// program.
   PageAnswer answer_or_error(const PageRequest& request) {
     try {
       return answers_.answer(request);
@@ -103,7 +104,7 @@ class AnswerPool {
   std::vector<std::thread> threads_;
 };
 
-/// All open connections, by numbers that are never reused.
+/// All open connections, by number. Numbers are never reused.
 class Connections {
  public:
   Connections(const platform::Socket& listener, HttpConnection::Terms terms, AnswerPool& pool)
@@ -142,7 +143,7 @@ class Connections {
 
   void accept_one() {
     if (open_.size() >= kMaxConnections && !close_slowest()) {
-      std::this_thread::sleep_for(kTick);  // all connections wait for answers
+      std::this_thread::sleep_for(kTick);  // all connections wait for answers, so none can be closed
       return;
     }
     bool is_full = false;
@@ -153,7 +154,7 @@ class Connections {
       std::this_thread::sleep_for(kTick);
   }
 
-  /// Closes the connection that has waited longest for its client. Returns false if no connection waits for its client.
+  /// Closes the connection that has waited longest for its client. Returns false if no connection is waiting for its client.
   bool close_slowest() {
     auto slowest = open_.end();
     for (auto one = open_.begin(); one != open_.end(); ++one)

@@ -1,7 +1,7 @@
-// The panel that a page plays light fields on, with the phases that let the page's shader reproduce `interlace`
-// (layout/interlace.hpp).
+// The panel on which a page plays light fields. It includes the phases with which the page's shader computes the same image as
+// `interlace` (layout/interlace.hpp).
 //
-// Only this module parses calibrations: the page sends the text of a dropped file and receives the phases.
+// Only this module parses calibrations: the page sends the text of a file that was dropped on it, and receives the phases.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -18,17 +18,17 @@ struct PageDisplay {
   InterlaceParams interlace = {};
 };
 
-/// Throws a usage Error naming `views` if the views have more than one row, which panels cannot interlace.
+/// Throws a usage Error naming `views` if the views have more than one row, because panels cannot interlace them.
 void require_one_row(const PageFacts& facts);
 
-/// Returns which view each sub-pixel shows. web/README.md lists the keys.
+/// Describes which view each sub-pixel shows. web/README.md lists the keys.
 nlohmann::ordered_json phases_json(const ViewPhases& phases);
 
-/// Returns the phases of a panel with its name, its size and the view filter.
+/// Describes a panel: its phases, name, size and view filter.
 nlohmann::ordered_json page_display_json(const PageDisplay& shown);
 
-/// Parses the text of a visual.json sent by the page. otherwise: how views are interlaced. Throws Error naming "the
-/// calibration".
+/// Parses the text of a visual.json that the page sent. otherwise: how the panel interlaces views, since the file does not
+/// define it. Throws Error naming "the calibration".
 PageDisplay dropped_calibration(std::string_view text, const InterlaceParams& otherwise);
 
 }  // namespace lippmann

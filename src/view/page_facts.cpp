@@ -11,12 +11,12 @@
 namespace lippmann {
 namespace {
 
-/// Limit for the pixels of all eyes of one frame, which take a second or two.
+/// Largest number of pixels in the views of all eyes of one frame. Computing this number takes a second or two.
 constexpr double kMaxEyePixels = 6e6;
 constexpr int kMaxEyesAcross = 48, kMaxEyesUp = 9;
 
-/// Returns a grid that is not much wider than high, since textures have a maximum size. For a prime number of views the last
-/// tiles stay empty.
+/// Returns the arrangement of the views as tiles. It is not much wider than high, since textures have a maximum size. If it has
+/// more tiles than views, as for a prime number of views, the last tiles stay empty.
 ViewGrid tiles_for(int views) {
   const ViewGrid full = squarest_tiles(views);
   if (full.columns <= 3 * full.rows) return full;
@@ -24,7 +24,8 @@ ViewGrid tiles_for(int views) {
   return {columns, (views + columns - 1) / columns};
 }
 
-/// Sets the views of a panel without whole pixels per lens: one eye per distinguishable direction, within the pixel limit.
+/// Describes the views of a panel without whole pixels per lens: one view for each eye position with a distinguishable
+/// direction, within the pixel limit.
 void describe_eyes(const Optics& optics, PageFacts& facts) {
   const Vec2i counts = glm::min(view_counts(optics), Vec2i(kMaxEyesAcross, kMaxEyesUp));
   facts.grid = {counts.x, counts.y};
@@ -46,7 +47,7 @@ void describe_views(const Optics& optics, const ViewLayout& film, PageFacts& fac
   facts.lens_samples_up = lenses && lenses->row_pitch_mm > 0.0;
 }
 
-/// Returns whether every view has a pixel below every lens; prints may end within a lens.
+/// Returns whether every view has a pixel below every lens. A print may not, since it may end within a lens.
 bool has_whole_lenses(const ViewLayout& film, Vec2i picture) {
   return film.kind != LayoutKind::kIntegral || (picture.x % film.grid.columns == 0 && picture.y % film.grid.rows == 0);
 }

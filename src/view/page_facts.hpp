@@ -1,8 +1,8 @@
 // Describes a light field for the page, and makes its views as one image (a quilt) from the panel's image.
 //
-// Panels with whole pixels per lens provide the views as their own pixels. For slanted, hexagonal and fractional lenses,
-// `EyeSampler` computes what eyes in all distinguishable directions see, one sample per pixel, with the resolution reduced to
-// take at most a second or two.
+// Panels with whole pixels per lens contain the views as their own pixels. For slanted, hexagonal and fractional lenses,
+// `EyeSampler` computes what eyes in all distinguishable directions see, with one sample per pixel. Their resolution is reduced
+// so that this takes at most a second or two.
 #pragma once
 
 #include <optional>
@@ -20,9 +20,10 @@ namespace lippmann {
 
 /// How the page derives the panel's image from the views.
 enum class PanelPicture {
-  kIntegral,  ///< cells of grid.columns x grid.rows pixels, one from each view, rotated (layout/view_layout.hpp)
-  kQuilt,     ///< it is the quilt of the views
-  kOwn,       ///< it cannot: the panel has an image of its own
+  kIntegral,  ///< the image has cells of grid.columns x grid.rows pixels, one pixel from each view, rotated
+              ///< (layout/view_layout.hpp)
+  kQuilt,     ///< the image is the quilt of the views
+  kOwn,       ///< the page cannot derive it, since the panel has an image of its own
 };
 
 struct PageFrame {
@@ -34,32 +35,33 @@ struct PageFacts {
   std::string title;
   ViewGrid grid;          ///< number of views across and up
   ViewGrid tiles;         ///< arrangement of the views in the quilt, view 0 at the bottom left
-  Vec2i view_size{0, 0};  ///< pixels
-  Window window;          ///< the part of z = 0 that every view shows
+  Vec2i view_size{0, 0};  ///< size of a view, in pixels
+  Window window;          ///< the part of the plane z = 0 that every view shows
   ViewAxes axes;
-  bool lens_samples_across = false, lens_samples_up = false;  ///< one sample of a view covers a whole lens in that direction
+  /// Whether one sample of a view covers a whole lens in that direction.
+  bool lens_samples_across = false, lens_samples_up = false;
   PanelPicture panel = PanelPicture::kOwn;
-  Vec2i panel_size{0, 0};            ///< pixels of the panel's image
-  std::optional<ViewPhases> phases;  ///< of the panel's sub-pixels; none: the panel has no calibration
+  Vec2i panel_size{0, 0};            ///< size of the panel's image, in pixels
+  std::optional<ViewPhases> phases;  ///< which view each sub-pixel of the panel shows; none: the panel has no calibration
   Vec3d eye_mm{0.0};                 ///< design viewing position of the display
   double depth_budget_mm = 0.0;
   bool has_depth = false;
-  bool has_provenance = false;      ///< provenance of every pixel of the views
+  bool has_provenance = false;      ///< whether the provenance of every pixel of the views is known
   double disparity_scale_mm = 1.0;  ///< scale of the disparity codes (view/disparity_codes.hpp)
   double frames_per_second = 25.0;
   std::vector<PageFrame> frames;
-  std::string assumption;  ///< sentence on assumed cameras; empty: nothing was assumed
+  std::string assumption;  ///< a sentence on assumed cameras; empty: no cameras were assumed
 };
 
-/// Returns the facts that follow from the optics; all others (title, frames, depth, frame rate) have their defaults.
+/// Returns the facts that follow from the optics. All other members (title, frames, depth, frame rate) have their defaults.
 PageFacts page_facts(const Optics& optics);
 
 /// Returns the eye of a view.
 Viewer eye_of_view(const PageFacts& facts, int view);
 
-/// Returns the quilt of the views in sRGB codes, facts.tiles of facts.view_size. crosstalk_px: sigma of the eyes' view
-/// (optics/crosstalk.hpp); ignored for views that are the panel's own pixels. Throws Error naming `where` if the image does not
-/// have the size of the optics.
+/// Returns the views as a quilt in sRGB codes: facts.tiles tiles of facts.view_size. crosstalk_px: sigma of the crosstalk that
+/// eyes see (optics/crosstalk.hpp); ignored for views that are the panel's own pixels. Throws Error naming `where` if the image
+/// does not have the size of the optics.
 Image8 views_quilt(const RenderedPanel& rendered, const PageFacts& facts, const ThreadPool& pool, const std::string& where,
                    double crosstalk_px = 0.0);
 

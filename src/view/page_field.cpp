@@ -144,7 +144,8 @@ RenderedPanel PageField::read(std::size_t frame) const {
   return coming_ ? find_light_field_frames(file, hints_).read(0) : frames_.read(frame);
 }
 
-/// Views whose grid or size differs from the first frame's have no layers.
+/// Reads the views of a frame with their layers. If their grid or size differs from those of the first frame, layers are left
+/// out.
 PageField::Layered PageField::layered(std::size_t frame) const {
   const fs::path file = file_of(frame);
   require_within(root_, file);

@@ -1,7 +1,7 @@
-// Makes prints for a page: the image for a display from the views of a frame, as `lippmann convert` makes it, and what eyes see
-// of it through the display's lenses.
+// Makes prints for a page: from the views of a frame, the image for a display as `lippmann convert` makes it, and the views
+// that eyes see of this image through the display's lenses.
 //
-// One print is made at a time, with at most kMaxPrintPixels. Only the last print is kept. Thread-safe.
+// Makes one print at a time, with at most kMaxPrintPixels pixels. Keeps only the last print. Thread-safe.
 #pragma once
 
 #include <memory>
@@ -17,7 +17,7 @@
 
 namespace lippmann {
 
-/// An A4 page at 1000 dpi has 97 million pixels. Making a print takes 15 bytes per pixel.
+/// Largest number of pixels of a print. An A4 page at 1000 dpi has 97 million pixels. Making a print takes 15 bytes per pixel.
 inline constexpr double kMaxPrintPixels = 100e6;
 
 struct PrintRequest {
@@ -27,8 +27,8 @@ struct PrintRequest {
   double view_shift_px = 0.0;         ///< as in ViewFitter
 };
 
-/// Parses {"frame", "display", "file": {"name", "text"}, "fit", "view_shift_px"}. The display is a name, a sheet in one line,
-/// or the text of a file, never the path of a file. Throws Error naming the key.
+/// Parses {"frame", "display", "file": {"name", "text"}, "fit", "view_shift_px"}. The display is given by name, as a sheet in
+/// one line, or by the text of a file, but never by the path of a file. Throws Error naming the key.
 PrintRequest read_print_request(const std::string& text);
 
 class PagePrints {
@@ -36,14 +36,14 @@ class PagePrints {
   /// `field` must outlive this object and must have plain views.
   explicit PagePrints(const PageField& field);
 
-  /// Makes a print. Returns its number `id`, its `description`, how its views were `fitted`, its `pixels`, and `field`, the
+  /// Makes a print. Returns its number `id`, its `description`, how its views were `fitted`, its `pixels`, and as `field` the
   /// light field that eyes see of it (field_json). Throws Error.
   nlohmann::ordered_json make(const std::string& request);
 
-  /// Returns an image of the print with that number: "views" (what eyes see), "panel" or "file" (the print itself). Null if
-  /// there is none.
+  /// Returns an image of the print with number `id`: "views" (what eyes see), "panel" or "file" (the print itself). Null if
+  /// there is no such print.
   Bytes picture(std::string_view kind, std::size_t id) const;
-  /// Returns whether a newer print has replaced that one.
+  /// Returns whether a newer print has replaced the print with number `id`.
   bool is_outdated(std::size_t id) const;
 
  private:

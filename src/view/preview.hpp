@@ -9,10 +9,11 @@
 
 namespace lippmann {
 
-/// Returns the size of a view in the preview, pixels. None if the quilt is small enough without a preview.
+/// Returns the size of a view in the preview, in pixels; nullopt if the quilt is so small that it needs no preview.
 std::optional<Vec2i> preview_view_size(const PageFacts& facts);
 
-/// Returns the block means of the quilt described by `facts`. Needs preview_view_size(facts).
+/// Returns a preview of the quilt that `facts` describes, in which each pixel is the mean of a block. Needs
+/// preview_view_size(facts).
 Image8 preview_of(const Image8& quilt, const PageFacts& facts);
 
 /// Returns preview_of() encoded as lossy WebP ("image/webp").

@@ -1,7 +1,7 @@
-// Saves the page with its light fields, in a folder for any web server that can also be opened from disk, or in one file.
+// Saves the page with its light fields: in a folder, which can be put on any web server or opened from disk, or in one file.
 //
-// Pages opened from disk cannot read files beside them, but they can run scripts. Each image is therefore a script that passes
-// its bytes to the page in base64. This adds a third to the size and works for both uses.
+// Pages opened from disk cannot read the files beside them, but they can run scripts. Each image is therefore saved as a script
+// that passes the image's bytes to the page in base64. This adds a third to the size, but works on a server and from disk.
 #pragma once
 
 #include <filesystem>
@@ -15,19 +15,19 @@
 namespace lippmann {
 
 struct SavedPage {
-  std::filesystem::path index;  ///< the file to open
+  std::filesystem::path index;  ///< the file to open in a browser
   std::uintmax_t bytes = 0;     ///< total size of all files
   std::vector<std::filesystem::path> files = {};
 };
 
-/// Saves the page to a folder, which is created if necessary. Replaces the files of an earlier saved page. Throws Error naming
-/// a file, also if the folder contains another page. Stops between frames if context.cancelled is set, without writing
+/// Saves the page to a folder, which is created if necessary. Replaces the files of a page saved there before. Throws Error
+/// naming a file, also if the folder contains another page. If context.cancelled is set, stops between frames without writing
 /// index.html.
 SavedPage save_page(const std::vector<std::unique_ptr<PageField>>& fields, const std::filesystem::path& folder,
                     const Context& context);
 
-/// Returns the page with all data in one document. Throws Error if it exceeds 1 GB, which browsers cannot open. Stops between
-/// frames if context.cancelled is set, and returns an empty string then.
+/// Returns the page with all data as one document. Throws Error if it exceeds 1 GB, because browsers cannot open such files. If
+/// context.cancelled is set, stops between frames and returns an empty string.
 std::string page_as_file(const std::vector<std::unique_ptr<PageField>>& fields, const Context& context);
 
 /// Writes page_as_file() to a file. Throws Error naming the file, also if it exists and is not a saved page.

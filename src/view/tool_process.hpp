@@ -1,4 +1,4 @@
-// Runs the tool as a child process. Its standard output is discarded, its messages are kept.
+// Runs the command-line tool as a child process. Its standard output is discarded; its messages (stderr) are kept.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@
 namespace lippmann {
 
 struct ToolCommand {
-  std::filesystem::path program;   ///< the tool
+  std::filesystem::path program;   ///< path of the command-line tool
   std::vector<std::string> words;  ///< its arguments
 };
 
@@ -37,7 +37,7 @@ class ToolProcess {
  private:
   void end(int exit_code);
 
-  std::unique_ptr<platform::ChildProcess> process_;  ///< null: it has ended
+  std::unique_ptr<platform::ChildProcess> process_;  ///< null after the process has ended
   bool is_interrupted_ = false;
   std::filesystem::path messages_;  ///< the file that receives stderr
   std::string failure_;

@@ -10,7 +10,7 @@
 
 namespace lippmann {
 
-/// The views that an eye beyond the outermost views sees.
+/// What an eye sees that is beyond the outermost views.
 enum class BeyondZone {
   kRepeats,   ///< the views of the next cone
   kNextLens,  ///< the views of the neighbouring lens
@@ -31,7 +31,8 @@ struct ViewAxes {
   double vergence = 0.0;  ///< 1 / distance of the eyes, per mm
 };
 
-/// Returns the axes of the views of whole pixels that these optics have, or else of eyes in all distinguishable directions.
+/// Returns the axes of the optics' views if these consist of whole pixels, otherwise the axes of eyes in all distinguishable
+/// directions.
 ViewAxes view_axes(const Optics& optics, ViewGrid grid);
 
 }  // namespace lippmann
