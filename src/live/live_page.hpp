@@ -1,4 +1,4 @@
-// Handles the requests of a page for a scene that is set up live, without knowledge of sockets.
+// Answers the requests of a page for a scene that is set up live, without knowledge of sockets.
 //
 //   GET  live/state/SERIAL   LiveScene::state_after, as JSON; waits up to a second for changes
 //   GET  live/views/ID, live/depth/ID, live/panel/ID   an image; empty (204) if it is not the latest
@@ -18,7 +18,7 @@ namespace lippmann {
 
 class LiveAnswers : public LivePage {
  public:
-  /// plays: the page starts with the image of the panel.
+  /// plays: whether the page starts with the image of the panel.
   explicit LiveAnswers(std::unique_ptr<LiveScene> scene, bool plays = false) : scene_(std::move(scene)), plays_(plays) {}
 
   nlohmann::ordered_json field() const override;

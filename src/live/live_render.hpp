@@ -1,4 +1,4 @@
-// A render started from the page, which runs in a thread, reports its progress and can be cancelled.
+// A render that is started from the page. It runs in a thread, reports its progress and can be cancelled.
 #pragma once
 
 #include <functional>
@@ -16,7 +16,7 @@ namespace lippmann {
 class LiveRender {
  public:
   LiveRender() = default;
-  /// Cancels the render and waits until it has ended.
+  /// Cancels the render, if one is running, and waits until it has ended.
   ~LiveRender();
   LiveRender(const LiveRender&) = delete;
   LiveRender& operator=(const LiveRender&) = delete;
@@ -24,13 +24,13 @@ class LiveRender {
   /// Runs render_animation in a thread and calls `ended` afterwards. Throws an Error if a render is running.
   void start(const ResolvedJob& job, std::function<void()> ended);
 
-  /// Stops the render like Ctrl-C: finished frames remain, for `lippmann render job.toml --resume`.
+  /// Stops the render like Ctrl-C. Finished frames remain, so that `lippmann render job.toml --resume` can continue.
   void cancel();
 
   bool is_running() const;
 
-  /// Returns "state" (running, finished, stopped, failed), "frames", "done", "share" (of the whole render), "seconds_left"
-  /// (null: not known yet), "folder" and "error"; null before the first render.
+  /// Returns the state of the render for the page: "state" (running, finished, stopped, failed), "frames", "done", "share" (of
+  /// the whole render), "seconds_left" (null if not known yet), "folder" and "error". Returns null before the first render.
   nlohmann::ordered_json json() const;
 
  private:
@@ -41,7 +41,7 @@ class LiveRender {
   Context context_;
   std::string state_, folder_, error_;
   int frames_ = 0, done_ = 0;
-  double share_ = 0.0;  ///< traced share of the current frame
+  double share_ = 0.0;  ///< traced share of the current frame, from 0 to 1
   double started_ = 0.0;
 };
 

@@ -1,7 +1,7 @@
-// Renders a scene while its settings change: coarse images at once, and finer ones until the next change.
+// Renders a scene while its settings change: first a coarse image, then finer ones until the settings change again.
 //
-// One thread renders. A change cancels its work and starts anew. While a job is rendered (LiveRender), only coarse images are
-// made, so that the job has the processor.
+// One thread renders. A change cancels its work, and it starts again. While a job is rendered (LiveRender), only coarse images
+// are made, so that the job has the processor.
 #pragma once
 
 #include <atomic>
@@ -26,46 +26,47 @@
 
 namespace lippmann {
 
-/// Thread-safe.
+/// A scene that is rendered live. Thread-safe.
 class LiveScene {
  public:
-  /// Loads the scene and starts rendering. Saves jobs to job_file (LiveJobFile). warn: receives warnings, as Context::warn.
-  /// interlace: how a panel mixes views. Throws Error if the scene cannot be shown.
+  /// Loads the scene and starts rendering. Jobs are saved to job_file (LiveJobFile). warn: called with warnings, as
+  /// Context::warn. interlace: how a panel interlaces views. Throws Error if the scene cannot be shown.
   LiveScene(const LiveSettings& settings, std::filesystem::path job_file, std::function<void(std::string_view)> warn,
             const InterlaceParams& interlace = {});
   ~LiveScene();
   LiveScene(const LiveScene&) = delete;
   LiveScene& operator=(const LiveScene&) = delete;
 
-  /// Applies {"settings": {NAME: text or null}, "frame": N, "plane_mm": z}, each of them optional. plane_mm moves the display
-  /// plane to that depth in the shown image. Throws a usage Error and changes nothing if a value is invalid. Returns the
-  /// version of the settings.
+  /// Applies {"settings": {NAME: text or null}, "frame": N, "plane_mm": z}, in which each key is optional. plane_mm moves the
+  /// display plane to that depth in the shown image. Throws a usage Error and changes nothing if a value is invalid. Returns
+  /// the version of the settings.
   std::uint64_t change(const nlohmann::ordered_json& changes);
 
-  /// Returns the state for the page as soon as it differs from that of `serial`, or after `patience`. web/README.md lists
-  /// the keys.
+  /// Returns the state for the page as soon as its serial number differs from `serial`, or after `patience`. web/README.md
+  /// lists the keys.
   nlohmann::ordered_json state_after(std::uint64_t serial, std::chrono::milliseconds patience) const;
 
   /// Returns the facts of the light field of the latest image.
   nlohmann::ordered_json field() const;
 
-  /// Returns the slanted panel of the settings, as page_display_json(). Null for other displays or none.
+  /// Describes the slanted panel that the settings select, as page_display_json(). Null for other displays, and without a
+  /// display.
   nlohmann::ordered_json display() const;
   const InterlaceParams& interlace() const { return interlace_; }
 
   /// Throws a usage Error if the views have more than one row, which panels cannot interlace.
   void require_playable() const;
 
-  /// Returns "views", "depth" or "panel" of the image with that number. Null unless it is the latest.
+  /// Returns the image with number `id` of this kind: "views", "depth" or "panel". Null unless it is the latest image.
   Bytes picture(std::string_view kind, std::uint64_t id) const;
 
-  /// Returns whether a newer image has replaced the image with that number.
+  /// Returns whether a newer image has replaced the image with number `id`.
   bool is_outdated(std::uint64_t id) const;
 
   /// Saves the job and returns the file. Throws Error, also if the settings cannot be rendered.
   std::filesystem::path save();
 
-  /// Starts a render of the whole job, or of the current frame. Throws as save().
+  /// Starts a render of the whole job, or of the current frame only. Throws as save() does.
   void render(bool all_frames);
   void cancel_render() { render_.cancel(); }
 
@@ -101,22 +102,23 @@ class LiveScene {
 
   mutable std::mutex mutex_;
   mutable std::condition_variable changed_;
-  WorkerContext context_;  ///< cancelled by changes
+  WorkerContext context_;  ///< cancelled when the settings change
   LiveStage live_;         ///< used by the render thread only
   const InterlaceParams interlace_;
   LiveSettings settings_;
   LiveJobFile job_file_;
   LiveRender render_;
-  // Facts, placement and distance belong to the version started last.
+  // The facts, the placement and the distance are those of the version that the render thread began last.
   PageFacts facts_;
   nlohmann::ordered_json facts_json_, placement_;
-  double distance_ = 0.0, world_per_shown_mm_ = 0.0;  ///< world units; distance_: from the viewer to the plane, inf: none
+  double distance_ = 0.0, world_per_shown_mm_ = 0.0;  ///< distance_: from the viewer to the display plane, in world units;
+                                                      ///< world_per_shown_mm_: per mm of shown depth
   std::uint64_t serial_ = 1, version_ = 1, done_version_ = 0, broken_version_ = 0, next_id_ = 1;
-  bool is_whole_ = false, ending_ = false;  ///< is_whole_: the latest version has completed all passes
+  bool is_whole_ = false, ending_ = false;  ///< is_whole_: whether all passes of the latest version are complete
   std::string pass_, error_, saved_;
   std::atomic<double> share_{0.0};
   Picture picture_;
-  std::thread worker_;  ///< last, since the thread uses the members above
+  std::thread worker_;  ///< the last member, since the thread uses the members above
 };
 
 }  // namespace lippmann

@@ -1,6 +1,7 @@
 // The settings that a page may change in a live scene: render parameters by name, and the current frame.
 //
-// A page names no files: displays are presets, environments are words or colours, or else those of the command line.
+// A page cannot name files. Displays must be presets, and environments must be words or colours; the files that the command
+// line names remain available.
 #pragma once
 
 #include <map>
@@ -19,31 +20,31 @@ std::span<const std::string_view> live_setting_names();
 
 class LiveSettings {
  public:
-  /// base: parameters of the command line.
+  /// base: the parameters given on the command line.
   LiveSettings(RenderParams base);  // NOLINT(google-explicit-constructor): parameters are unchanged settings
 
-  /// The page starts with `first`, which differs from `base` only in its optics, until it sets optics or a display.
+  /// Until the page sets optics or a display, uses the parameters `first`, which differ from `base` only in their optics.
   LiveSettings(RenderParams base, RenderParams first);
 
-  /// Sets a parameter, or resets it to the command line (null). Throws a usage Error naming it and what is accepted, and
-  /// changes nothing then.
+  /// Sets a parameter, or resets it to the value of the command line if `value` is null. Throws a usage Error that names the
+  /// parameter and what is accepted, and changes nothing then.
   void set(const std::string& name, const std::string* value);
 
-  /// Sets the frame, 0 ... frame_count - 1. Throws a usage Error outside of this range.
+  /// Sets the current frame, from 0 to frame_count - 1. Throws a usage Error for other values.
   void set_frame(int frame, int frame_count);
 
-  /// Returns the job with all settings.
+  /// Returns the job that the settings define.
   ResolvedJob job() const;
   int frame() const { return frame_; }
 
-  /// Returns the text of each parameter in force by name, empty if it follows from others.
+  /// Returns the text of each parameter's current value, by name; empty if the value follows from other parameters.
   nlohmann::ordered_json values() const;
 
-  /// Returns the names of parameters that differ from the command line.
+  /// Returns the names of the parameters that the page has set.
   nlohmann::ordered_json changed() const;
 
  private:
-  /// Returns the parameters that `changes` apply to.
+  /// Returns the parameters to which `changes` are applied.
   const RenderParams& changed_params(const std::map<std::string, std::string>& changes) const;
   RenderParams applied(const std::map<std::string, std::string>& changes) const;
 

@@ -12,7 +12,7 @@
 namespace lippmann {
 namespace {
 
-/// Returns a key of the settings that require loading the scene, its light and its tables.
+/// Returns a text that differs for settings for which the scene, its light or its tables must be loaded again.
 std::string scene_key(const ResolvedJob& job) {
   RenderParams key;
   key.scene = job.scene();
@@ -21,7 +21,8 @@ std::string scene_key(const ResolvedJob& job) {
   return job_text(key, {});
 }
 
-/// Returns the parameters for a single frame: copying settled pixels needs a search, and tracing them gives the same bits.
+/// Returns the parameters for a single frame. Settled pixels are not copied: that would need a search, and tracing them gives
+/// the same bits.
 FrameParams params_of_one_frame(const ResolvedJob& job) {
   FrameParams frame_settings = frame_params(job);
   if (std::holds_alternative<CopySettled>(resolved_reuse(frame_settings))) frame_settings.reuse = TraceAll{};
@@ -54,7 +55,7 @@ std::optional<RenderedFrame> LiveStage::frame(int frame) {
   last_frame_ = frame;
   RenderedFrame made = maker_->make(frame);
   if (!context_.cancelled) return made;
-  maker_.reset();  // its shared data is unfinished too
+  maker_.reset();  // the maker's shared data is unfinished too, so that it cannot be used again
   return std::nullopt;
 }
 

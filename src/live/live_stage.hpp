@@ -19,8 +19,8 @@ class LiveStage {
   /// Loads the scene. `context` must outlive this object. Throws Error.
   LiveStage(const ResolvedJob& job, const Context& context);
 
-  /// Applies settings: fits the array and makes the optics, and reloads the scene if it, its light or its integrator changed.
-  /// On failure throws Error and leaves the stage unchanged.
+  /// Applies settings: fits the array and makes the optics. Reloads the scene only if the scene, its light or its integrator
+  /// changed. On failure throws Error and leaves the stage unchanged.
   void set(const ResolvedJob& job);
 
   const ResolvedJob& job() const { return job_; }
@@ -28,8 +28,9 @@ class LiveStage {
   const JobStage& stage() const { return *stage_; }
   const ThreadPool& pool() const { return pool_; }
 
-  /// Renders a frame as `lippmann render` does. Data shared by frames is kept while only the frame number changes, which works
-  /// best in ascending order. Returns none if cancelled. Throws Error for parameters that contradict each other.
+  /// Renders a frame as `lippmann render` does. Data that frames share is kept as long as only the frame number changes, which
+  /// works best if frames are requested in ascending order. Returns nullopt if cancelled. Throws Error for parameters that
+  /// contradict each other.
   std::optional<RenderedFrame> frame(int frame);
 
   /// Returns the facts of the light field, with the scene's title, frames and depth.
@@ -40,8 +41,8 @@ class LiveStage {
   ThreadPool pool_;
   ResolvedJob job_;
   std::unique_ptr<JobStage> stage_;
-  std::unique_ptr<FrameMaker> maker_;  ///< for the current job; null: not made yet
-  int last_frame_ = 0;                 ///< the frame made last by maker_
+  std::unique_ptr<FrameMaker> maker_;  ///< makes the frames of the current job; null: not made yet
+  int last_frame_ = 0;                 ///< the frame that maker_ made last
 };
 
 }  // namespace lippmann

@@ -11,7 +11,7 @@
 namespace lippmann {
 namespace {
 
-/// Makes the ray of a view's pixel from the view's eye. Eye slopes are multiplied by `parallax` (with_parallax).
+/// Makes the ray of a view's pixel as seen from the view's eye. Eye slopes are multiplied by `parallax` (with_parallax).
 class EyeRays {
  public:
   EyeRays(const PlacedOptics& placed, const PageFacts& facts)
@@ -36,7 +36,7 @@ class EyeRays {
   double parallax_, z_front_;
 };
 
-/// Makes the ray of the film pixel that shows this place of the view.
+/// Makes the ray of the film pixel that shows a given point of the view.
 class PixelRays {
  public:
   PixelRays(const Optics& optics, const ViewLayout& film, const PageFacts& facts)
@@ -55,7 +55,7 @@ class PixelRays {
   std::vector<std::uint32_t> pixels_;
 };
 
-/// Makes the rays of a quilt. Tiles beyond the last view repeat it.
+/// Makes the rays of a quilt. Tiles without a view repeat the last view.
 template <class Rays>
 RayTable quilt_of(const Rays& rays, const PageFacts& facts, const Panel& panel, Vec2i view_size) {
   const ViewGrid& tiles = facts.tiles;
