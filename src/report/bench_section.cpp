@@ -22,7 +22,7 @@ std::string value_text(const Json& value) {
   return value.is_string() ? value.get<std::string>() : json_to_text(value, -1);
 }
 
-/// Returns the keys of all rows, since rows may lack keys that others have.
+/// Returns the keys of all rows together, since a row may lack keys that other rows have.
 std::vector<std::string> keys_of(const Json& rows) {
   std::vector<std::string> keys;
   for (const Json& row : rows)
@@ -31,7 +31,7 @@ std::vector<std::string> keys_of(const Json& rows) {
   return keys;
 }
 
-/// Returns the largest absolute value of a column, which scales its bars; 0: no bars.
+/// Returns the largest absolute value of a column, to which its bars are scaled; 0 if the column has no bars.
 double largest_in(const Json& rows, const std::string& key) {
   double largest = 0.0;
   for (const Json& row : rows)

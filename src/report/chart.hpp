@@ -1,5 +1,5 @@
-// Charts of figures over frames, as lines or stacked bars. The page contains them as JSON, and its script draws them
-// (web/src/report.ts).
+// Charts of figures over the frames of a render, as lines or stacked bars. The page contains their data as JSON, and the page's
+// script draws them (web/src/report.ts).
 #pragma once
 
 #include <optional>
@@ -10,31 +10,31 @@ namespace lippmann {
 
 struct ChartSeries {
   std::string name;
-  int color = 0;                              ///< 0 ... 7: --c0 ... --c7 of the page's style
-  std::vector<std::optional<double>> values;  ///< one per frame; none: unknown
+  int color = 0;                              ///< index of the colour, 0 to 7, for --c0 to --c7 of the page's style
+  std::vector<std::optional<double>> values;  ///< one value per frame; none: unknown
 };
 
-/// A reference level: a horizontal line with its name.
+/// A horizontal line with a name, which marks a reference value.
 struct ChartLevel {
   std::string name;
   double value = 0.0;
 };
 
-/// All text is plain.
+/// A chart. All text is plain, not HTML.
 struct Chart {
   std::string title = {}, unit = {};
-  std::vector<int> frames = {};  ///< in ascending order
+  std::vector<int> frames = {};  ///< numbers of the frames, in ascending order
   std::vector<ChartSeries> series = {};
   std::vector<ChartLevel> levels = {};
-  bool is_stacked = false;         ///< bars instead of lines
-  bool starts_at_zero = true;      ///< of the value axis; bars always start at zero
-  std::optional<double> top = {};  ///< end of the value axis; none: above the largest value
+  bool is_stacked = false;         ///< whether the series are drawn as stacked bars instead of lines
+  bool starts_at_zero = true;      ///< whether the value axis starts at zero; with bars it always does
+  std::optional<double> top = {};  ///< end of the value axis; none: just above the largest value
 };
 
-/// Returns HTML; empty if no series has a finite value. Values keep six digits.
+/// Returns the HTML of a chart; empty if no series has a finite value. Values are stored with six digits.
 std::string chart_html(const Chart& chart);
 
-/// Returns the charts that have values, side by side if there is room.
+/// Returns the HTML of those charts that have values, placed side by side if there is room.
 std::string charts_html(const std::vector<Chart>& charts);
 
 }  // namespace lippmann

@@ -25,7 +25,7 @@ std::vector<int> frame_numbers(const RenderFigures& render) {
   return numbers;
 }
 
-/// Returns sentences on what limits the comparison.
+/// Returns sentences that state why the renders cannot be compared exactly.
 std::vector<std::string> caveats(const std::vector<RenderFigures>& renders) {
   const RenderFigures& first = renders.front();
   const auto differs = [&](const auto& of) {

@@ -9,8 +9,8 @@
 
 namespace lippmann {
 
-/// Returns HTML for at least two renders. names: one per render, plain text. Savings are relative to the first render. Lists
-/// what limits the comparison, such as different scenes, frames, sizes or machines.
+/// Returns the HTML for two or more renders. names: one per render, plain text. Savings are relative to the first render.
+/// States what makes the comparison inexact, such as different scenes, frames, sizes or machines.
 std::string comparison_section(const std::vector<RenderFigures>& renders, const std::vector<std::string>& names);
 
 }  // namespace lippmann

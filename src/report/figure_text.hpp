@@ -1,4 +1,4 @@
-// Formats figures for people, with three digits and a suitable unit. Unknown figures are a dash.
+// Formats figures for the user, with three digits and a suitable unit. An unknown figure becomes a dash.
 #pragma once
 
 #include <optional>
@@ -9,9 +9,9 @@ namespace lippmann {
 inline constexpr const char* kNotKnown = "–";
 
 std::string seconds_text(double seconds);                  ///< "12.3 ms", "1.50 s", "2 min 5 s", "3 h 12 min"
-std::string percent_text(std::optional<double> share);     ///< 0.123 is "12.3 %"
+std::string percent_text(std::optional<double> share);     ///< 0.123 becomes "12.3 %"
 std::string decibel_text(std::optional<double> decibels);  ///< "34.50 dB"
 std::string count_text(double count);                      ///< "950", "12.3 k", "1.25 M"
-std::string memory_text(double bytes);                     ///< a dash for 0, which means not recorded
+std::string memory_text(double bytes);  ///< 0 becomes a dash, since it means that the memory was not recorded
 
 }  // namespace lippmann

@@ -44,7 +44,7 @@ void add_psnr_levels(const RenderFigures& render, Chart& chart) {
 
 std::optional<double> percent(std::optional<double> share) { return share ? std::optional(100.0 * *share) : std::nullopt; }
 
-/// All frames of any of the renders, with a line for each render.
+/// A chart with one line for each render, over all frames that any of the renders has.
 struct Comparison {
   std::set<int> numbers;
   std::vector<std::map<int, const FrameReport*>> by_number;

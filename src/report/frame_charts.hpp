@@ -9,31 +9,32 @@
 
 namespace lippmann {
 
-/// PSNR in dB, the mean over the frames of the paper's teapot: Eljdid, Aggoun, Youssef, "Enhanced Techniques 3D Integral Images
-/// Video Computer Generated".
+/// The PSNR in dB that a paper reports, the mean over the frames of its teapot: Eljdid, Aggoun, Youssef, "Enhanced Techniques
+/// 3D Integral Images Video Computer Generated".
 inline constexpr double kPaperPsnrDb = 34.5;
 
-/// Returns the estimated PSNR and its bounds, the requested minimum, and the paper's figure if frames were interpolated.
+/// Returns a chart of the estimated PSNR and its bounds, with the requested minimum and, if frames were interpolated, the
+/// figure of the paper (kPaperPsnrDb).
 Chart psnr_chart(const RenderFigures& render);
-/// Returns the share of pixels by Origin, in percent, without origins that no frame has.
+/// Returns a chart of the shares of pixels by Origin, in percent. Origins that no frame has are left out.
 Chart origin_chart(const RenderFigures& render);
-/// Returns the CPU seconds of the frames, with fully traced frames as a separate series.
+/// Returns a chart of the CPU seconds of the frames. Fully traced frames are a series of their own.
 Chart time_chart(const RenderFigures& render);
-/// Returns the CPU time saved, in percent of a fully traced frame, for frames that were not fully traced.
+/// Returns a chart of the CPU time saved, in percent of that of a fully traced frame, for frames that were not fully traced.
 Chart saving_chart(const RenderFigures& render);
-/// Returns rays per pixel by kind, or millions of rays if the frame size is unknown.
+/// Returns a chart of the rays per pixel by kind, or of millions of rays if the frame size is unknown.
 Chart ray_chart(const RenderFigures& render);
 
-// Charts of several renders with one line each, over all frames of any render. names: one per render.
+// The comparison charts have one line per render, over all frames that any render has. names: one per render.
 Chart psnr_comparison(const std::vector<RenderFigures>& renders, const std::vector<std::string>& names);
 Chart time_comparison(const std::vector<RenderFigures>& renders, const std::vector<std::string>& names);
-/// Returns the CPU time saved, in percent of the same frame of the first render.
+/// Returns a chart of the CPU time saved, in percent of that of the same frame in the first render.
 Chart saving_comparison(const std::vector<RenderFigures>& renders, const std::vector<std::string>& names);
 
-/// Returns the minimum PSNR that the settings request.
+/// Returns the minimum PSNR that the settings request; none if they request none.
 std::optional<double> wanted_psnr_db(const RenderFigures& render);
-/// Returns the PSNR that quality is judged by: the lower bound, or else the estimate. None if the frame is exact or has no
-/// estimate.
+/// Returns the PSNR with which a frame is judged: the lower bound of the estimate or, without one, the estimate. None if the
+/// frame is exact or has no estimate.
 std::optional<double> sure_psnr_db(const FrameReport& frame);
 
 }  // namespace lippmann

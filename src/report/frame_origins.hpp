@@ -11,7 +11,7 @@
 namespace lippmann {
 
 enum class Origin { kTraced, kCopied, kInterpolated, kFilled };
-/// Names, indexed by Origin.
+/// The names of the origins, indexed by Origin.
 inline constexpr std::array<std::string_view, 4> kOriginNames{"traced", "copied", "interpolated", "filled"};
 using OriginShares = std::array<double, kOriginNames.size()>;
 
@@ -22,13 +22,14 @@ using OriginShares = std::array<double, kOriginNames.size()>;
 ///   filled         no point landed there: filled from neighbours (reuse interpolate, fill interpolate)
 std::optional<OriginShares> origins_of(const FrameReport& frame, const RenderFigures& render);
 
-/// Returns whether the frame is of kind full or key.
+/// Returns whether all pixels of the frame were traced, which is so for the kinds full and key.
 bool is_traced_whole(const FrameReport& frame);
 
 /// Returns the mean CPU seconds of fully traced frames (kinds full and key); none without such frames.
 std::optional<double> traced_cpu_seconds(const RenderFigures& render);
 
-/// Returns 1 - seconds / traced_seconds; negative if it took longer. None unless both are positive.
+/// Returns the saved share of the time, 1 - seconds / traced_seconds; negative if `seconds` is longer. None unless both times
+/// are positive.
 std::optional<double> saving(double seconds, std::optional<double> traced_seconds);
 
 }  // namespace lippmann

@@ -57,7 +57,7 @@ std::vector<Column> frame_columns(const RenderFigures& render) {
 
 }  // namespace
 
-/// Omits columns that are empty or 0 in all frames.
+/// Makes the table without columns that are empty or 0 in all frames.
 std::string frame_table(const RenderFigures& render) {
   HtmlTable table;
   table.rows.resize(render.frames.size());

@@ -9,7 +9,7 @@
 namespace lippmann {
 namespace {
 
-/// The JSON writer replaces invalid UTF-8, and parsing undoes its escapes.
+/// Returns valid UTF-8. Uses the JSON writer, which replaces invalid bytes, and a parser, which removes the writer's escapes.
 std::string as_utf8(std::string_view text) {
   const std::string json = json_to_text(nlohmann::ordered_json(std::string(text)), -1);
   return json_from_text(json).get<std::string>();

@@ -8,20 +8,20 @@
 
 namespace lippmann {
 
-/// Escapes text for element content and quoted attributes. Invalid UTF-8 becomes U+FFFD, control characters become spaces.
+/// Escapes text for use in elements and quoted attributes. Invalid UTF-8 becomes U+FFFD, control characters become spaces.
 std::string escaped(std::string_view text);
 
-/// Returns an invisible element with data for the page's script, which cannot run.
+/// Returns an invisible element that holds data for the page's script. The data cannot run as a script itself.
 std::string data_html(const nlohmann::ordered_json& data);
 
-/// Cells are HTML. Rows may be shorter than the head.
+/// A table. Cells are HTML. Rows may be shorter than the head.
 struct HtmlTable {
   std::vector<std::string> head = {};
   std::vector<std::vector<std::string>> rows = {};
-  std::string style = {};  ///< classes
+  std::string style = {};  ///< CSS classes
 };
 
-/// Returns the table in a box that scrolls in narrow windows. The first cell of a row is its heading.
+/// Returns the table in a box that scrolls in narrow windows. The first cell of each row is the row's heading.
 std::string table_html(const HtmlTable& table);
 
 /// Returns a list of plain-text sentences; empty without sentences.

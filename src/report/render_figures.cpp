@@ -48,7 +48,7 @@ RunFigures run_figures(const Json& run) {
   return figures;
 }
 
-/// Skips frames that cannot be parsed and counts them.
+/// Reads the frames of a report. Frames that cannot be parsed are left out and counted.
 void read_frame_list(const Json& list, RenderFigures& figures) {
   std::size_t left_out = 0;
   for (const Json& json : list)

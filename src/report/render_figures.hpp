@@ -1,7 +1,7 @@
 // Reads the figures of a render from its report.json.
 //
-// The file may come from another machine or version, or from a stopped render. Missing figures are listed as sentences, and all
-// others are read.
+// The file may come from another machine or another version, or from a render that was stopped. Figures that are missing are
+// listed in sentences, and all others are read.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace lippmann {
 
-/// One of the runs that rendered frames.
+/// Figures of one of the runs that rendered frames.
 struct RunFigures {
   std::string host, cpu, unit, frames;  ///< empty: not recorded
   double setup_seconds = 0.0, write_seconds = 0.0;
@@ -24,19 +24,19 @@ struct RunFigures {
 };
 
 struct RenderFigures {
-  std::filesystem::path report;  ///< the file
-  std::string title;             ///< name of the folder that contains it
+  std::filesystem::path report;  ///< path of the report
+  std::string title;             ///< name of the folder that contains the report
   std::string version, scene, light, view, reuse;
   nlohmann::ordered_json settings = nlohmann::ordered_json::object();
   double frames_per_second = 25.0;
   bool interrupted = false;
   std::vector<FrameReport> frames;  ///< in ascending order
   std::vector<RunFigures> runs;
-  std::optional<double> pixels;  ///< of a frame's film; none: the optics cannot be read
-  double source_frames = 0.0;    ///< frames rendered only to make others from them
-  double cpu_seconds = 0.0;      ///< of all frames and source frames
+  std::optional<double> pixels;  ///< number of pixels of a frame's film; none: the optics cannot be read
+  double source_frames = 0.0;    ///< number of frames that were rendered only as sources for other frames
+  double cpu_seconds = 0.0;      ///< CPU time of all frames and source frames
   double setup_seconds = 0.0, write_seconds = 0.0, peak_memory_bytes = 0.0;
-  std::vector<std::string> missing;  ///< sentences for people
+  std::vector<std::string> missing;  ///< sentences about missing figures, for the user
 };
 
 /// Reads the figures. report: the parsed content of `path`. Throws Error naming the file if it has no list of frames.

@@ -56,7 +56,7 @@ std::string about_html(const RenderFigures& render) {
   return "<dl class=\"about\">" + html + "</dl>\n";
 }
 
-/// Totals of the runs on one machine.
+/// Totals of all runs on one machine.
 struct MachineRow {
   std::size_t runs = 0, frames = 0;
   double setup_seconds = 0.0, write_seconds = 0.0, peak_memory_bytes = 0.0;
@@ -66,7 +66,7 @@ std::size_t frames_in(const std::string& ranges) {
   try {
     return ranges.empty() ? 0 : frames_of(read_frames(ranges, {})).size();
   } catch (const Error&) {
-    return 0;  // untrusted reports may contain any text
+    return 0;  // an untrusted report may contain any text here
   }
 }
 

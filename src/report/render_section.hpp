@@ -8,7 +8,7 @@
 
 namespace lippmann {
 
-/// Returns HTML.
+/// Returns the HTML of the section.
 std::string render_section(const RenderFigures& render, const Thumbnails& thumbnails);
 
 }  // namespace lippmann

@@ -27,9 +27,10 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kAccepted = "the folder of a render, its report.json, or what `lippmann-bench` prints as JSON";
-constexpr std::uintmax_t kMostBytes = std::uintmax_t{256} << 20;  // a frame takes about 600 bytes
+constexpr std::uintmax_t kMostBytes = std::uintmax_t{256}
+                                      << 20;  // limit for the size of an input; a frame takes about 600 bytes
 constexpr std::size_t kMaxPictures = 6;
-/// Identifies a report page written earlier, which may be replaced.
+/// Text that identifies a report page. A file that contains it may be replaced.
 constexpr std::string_view kMark = "<meta name=\"generator\" content=\"lippmann report\">";
 
 bool is_folder(const fs::path& path) {
@@ -46,7 +47,7 @@ Json read_json(const fs::path& file) {
   return json;
 }
 
-/// Returns the titles of the renders, or paths for titles that occur twice.
+/// Returns the titles of the renders. Renders with equal titles get their paths instead.
 std::vector<std::string> names_of(const std::vector<RenderFigures>& renders) {
   std::vector<std::string> names;
   for (const RenderFigures& render : renders) {

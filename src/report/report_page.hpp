@@ -1,7 +1,7 @@
-// Makes a page of figures of renders and benchmarks: one HTML file that opens from disk, loads nothing, and runs one script to
-// draw the charts.
+// Makes a page with the figures of renders and benchmarks. It is one HTML file that opens from disk, loads no other file, and
+// runs one script, which draws the charts.
 //
-// The page contains images of some frames and the source of each figure. Untrusted names are escaped.
+// The page contains images of some frames, and states where each figure comes from. Untrusted names are escaped.
 #pragma once
 
 #include <filesystem>
@@ -14,17 +14,18 @@ namespace lippmann {
 
 struct ReportPage {
   std::string html;
-  std::vector<std::string> missing;  ///< sentences on missing figures, each beginning with the name of its render
+  std::vector<std::string> missing;  ///< sentences on missing figures, each beginning with the name of the render
 };
 
-/// inputs: one or more folders of renders, report.json files, or JSON files printed by `bench`. With several renders, each is
-/// compared with the first. Throws Error naming an input of another kind.
+/// Makes the page. inputs: one or more folders of renders, report.json files, or JSON files printed by `bench`. With several
+/// renders, each is compared with the first. Throws Error naming an input that is none of these.
 ReportPage make_report_page(const std::vector<std::filesystem::path>& inputs, const Context& context);
 
-/// Returns the default file: in the folder if there is only one input, otherwise in the working folder.
+/// Returns the default path of the page: in the input's folder if there is only one input, otherwise in the working folder.
 std::filesystem::path default_report_file(const std::vector<std::filesystem::path>& inputs);
 
-/// Writes the page and creates its folder. Throws Error naming the file, also if it exists and is not a report page.
+/// Writes the page, and makes its folder if necessary. Throws Error naming the file, also if it exists and is not a report
+/// page.
 void write_report_page(const ReportPage& page, const std::filesystem::path& file);
 
 }  // namespace lippmann

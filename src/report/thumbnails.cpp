@@ -16,9 +16,9 @@
 namespace lippmann {
 namespace {
 
-/// Largest side of a thumbnail, in pixels.
+/// Longer side of a thumbnail, in pixels.
 constexpr int kMostSide = 240;
-/// The page is written once and read often.
+/// Compression effort of thumbnails, which are written once and read often.
 constexpr int kThumbnailEffort = 6;
 
 /// Returns the middle view in linear light.
@@ -52,7 +52,7 @@ Thumbnail thumbnail_of(const PageField& field, std::size_t frame) {
 
 Thumbnails read_thumbnails(const std::filesystem::path& report, std::size_t most, const Context& context) {
   Thumbnails found;
-  Context quiet;  // a report page shows no warnings about the light field
+  Context quiet;  // without warnings about the light field, which a report page does not show
   quiet.threads = context.threads;
   try {
     LightFieldHints hints;

@@ -1,4 +1,4 @@
-// Thumbnails of some frames of a render: the middle view of each, from the position of an eye in front of the display.
+// Thumbnails of some frames of a render. Each shows the middle view, as an eye in front of the display sees it.
 #pragma once
 
 #include <filesystem>
@@ -11,17 +11,17 @@ namespace lippmann {
 
 struct Thumbnail {
   std::string label;    ///< label of the frame, from its file name
-  std::string source;   ///< a data: URL
-  double aspect = 1.0;  ///< displayed width / height; pixels may be non-square
+  std::string source;   ///< the image as a data: URL
+  double aspect = 1.0;  ///< width / height as displayed; pixels may be non-square
 };
 
 struct Thumbnails {
   std::vector<Thumbnail> pictures;
-  std::string problem;  ///< why images are missing; empty: all are present
+  std::string problem;  ///< sentence that states why images are missing; empty: none is missing
 };
 
-/// Returns thumbnails of at most `most` frames, evenly spaced including the first and the last, from the folder of a render's
-/// report. Sets `problem` if some cannot be read.
+/// Returns thumbnails of at most `most` frames, evenly spaced including the first and the last. Reads the frames from the
+/// folder of the report. Sets `problem` if some of them cannot be read.
 Thumbnails read_thumbnails(const std::filesystem::path& report, std::size_t most, const Context& context);
 
 }  // namespace lippmann
