@@ -2,8 +2,9 @@
 // a medium of index n focuses distant paraxial light from air at depth f = n r / (n - 1). A print at f = t is therefore sharp
 // for r = t (n - 1) / n.
 //
-// The viewing angle is that of rays through the vertex of a lens. They reach p / 2 at depth t at angle a, with tan a = p / 2 t,
-// and leave at angle b, with sin b = n sin a (Snell).
+// The viewing angle is that between the outermost rays through the vertex of a lens. Inside the lens they make an angle a with
+// its axis, with tan a = (p / 2) / t, so that they reach the edge of the strip, p / 2, at depth t. They leave the lens at an
+// angle b, with sin b = n sin a (Snell).
 #include "sheet/lens_heights.hpp"
 
 #include <fmt/format.h>
@@ -19,7 +20,7 @@
 namespace lippmann {
 namespace {
 
-/// Returns the height of the cap above its edges.
+/// Returns the height of the lens surface above the edges of the lens, at distance x_mm from its axis.
 double cap_mm(const LensShape& shape, double x_mm) {
   const double r = shape.radius_mm, half = 0.5 * shape.pitch_mm;
   return std::sqrt(std::max(0.0, r * r - x_mm * x_mm)) - std::sqrt(std::max(0.0, r * r - half * half));
@@ -75,7 +76,8 @@ HeightMap lens_heights(const Display& sheet, const LensShape& shape, const Threa
   const Vec2i size = sheet.pixels;
   check_image_size("paper", size.x, size.y, 1);
   const LensStrips strips = lens_strips(sheet);
-  // Lenses are narrower than strips and agree with them at the centre of the print. Stretched about it, they coincide.
+  // Lenses are narrower than the strips of the print, and agree with them at the centre of the print. Stretched about this
+  // centre, positions relative to the lenses become positions relative to the strips.
   const double stretch = strips.cell_px / (shape.pitch_mm / sheet.pixel_mm());
   const Vec2d centre = 0.5 * Vec2d(size);
   const auto code_at = [&](int x, int y) {

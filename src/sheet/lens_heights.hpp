@@ -13,24 +13,25 @@
 
 namespace lippmann {
 
-/// Exactly one of the three optional values defines the shape.
+/// Defines the shape of a lens. Exactly one of the three optional values must be given.
 struct LensSpec {
   std::optional<double> radius_mm, height_mm;
-  std::optional<double> thickness_mm;  ///< from the top of a lens to the print, on which it focuses
-  double refractive_index = 1.5;       ///< of the lens; about 1.5 for UV inks
+  std::optional<double> thickness_mm;  ///< distance from the top of a lens to the print, at which the lens focuses
+  double refractive_index = 1.5;       ///< refractive index of the lens; about 1.5 for UV inks
 };
 
 struct LensShape {
   double pitch_mm = 0.0, radius_mm = 0.0, height_mm = 0.0;
   double thickness_mm = 0.0;    ///< the thickness at which distant light focuses on the print
-  double view_angle_deg = 0.0;  ///< full angle over which a lens of that thickness shows its strip
+  double view_angle_deg = 0.0;  ///< full angle over which a lens of that thickness shows its strip of the print
 };
 
 /// Returns the shape of the lenses. Throws a usage Error naming `radius-mm`, `height-mm` or `thickness-mm` if the cap would
-/// exceed half a cylinder, and naming `thickness-mm` unless exactly one value is given.
+/// exceed half a cylinder, and naming `thickness-mm` unless exactly one of the three values is given.
 LensShape lens_shape(double pitch_mm, const LensSpec& spec);
 
-/// Returns the height map: 0 at the lens edges, 65535 at the tops. The result does not depend on the number of threads.
+/// Returns the height map, with codes from 0 at the lens edges to 65535 at the tops. The result does not depend on the number
+/// of threads.
 HeightMap lens_heights(const Display& sheet, const LensShape& shape, const ThreadPool& pool);
 
 }  // namespace lippmann

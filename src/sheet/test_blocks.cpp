@@ -18,14 +18,15 @@ namespace {
 constexpr double kMarginMm = 3.0, kGapMm = 1.0, kCapitalMm = 2.0;
 constexpr double kHalfBar = 0.5, kThirdBar = 1.0 / 3.0;
 
-/// Layout of a test, in pixels. "Across" counts across the bars, "along" along them.
+/// Layout of a test print, in pixels. "Across" is the direction across the bars, "along" the direction along them.
 struct BlockLayout {
   bool is_vertical = true;
-  int scale = 1;                            ///< of text
-  Vec2i header{0, 0};                       ///< corner of the line above all blocks
-  int first_across = 0, end_across = 0;     ///< of the bars
-  int first_along = 0, pitch = 0, gap = 0;  ///< of the blocks; pitch includes gap
-  int label_across = 0;                     ///< start of the labels
+  int scale = 1;                         ///< size of the text, in pixels per unit of the font
+  Vec2i header{0, 0};                    ///< corner of the heading above all blocks
+  int first_across = 0, end_across = 0;  ///< start and end of the bars
+  /// Along the bars: start of the first block, distance between the starts of blocks, and gap between blocks.
+  int first_along = 0, pitch = 0, gap = 0;
+  int label_across = 0;  ///< start of the labels
 
   PixelBox block(int number) const {
     const int from = first_along + number * pitch, to = from + pitch - gap;
@@ -44,8 +45,8 @@ Vec2i largest_units(const std::vector<std::string>& labels) {
   return largest;
 }
 
-/// Returns the layout. Text is 2 mm high, or lower if a label would not fit beside its block or would take more than a third of
-/// the image.
+/// Returns the layout. Text is 2 mm high, or lower if a label would otherwise not fit beside its block or would take more than
+/// a third of the image.
 BlockLayout block_layout(const Display& sheet, const std::string& header, const std::vector<std::string>& labels,
                          BarDirection bars) {
   const auto px = [&](double mm) { return static_cast<int>(std::lround(mm / sheet.pixel_mm())); };
@@ -60,7 +61,8 @@ BlockLayout block_layout(const Display& sheet, const std::string& header, const 
   const int unit_along = layout.is_vertical ? units.y : units.x,
             unit_across = layout.is_vertical ? units.x : units.y + kTextLine;
   const int header_lines = layout.is_vertical ? 1 : 0;
-  // Solves count * (unit_along scale + gap) + header <= room along, unit_across scale <= a third of the room across.
+  // Finds the largest scale with count * (unit_along scale + gap) + header <= room_along and unit_across scale <= room_across /
+  // 3.
   const int by_along = (room_along - count) / (count * unit_along + header_lines * kTextLine);
   layout.scale = std::min({wish, by_along, room_across / 3 / unit_across, (size.x - 2 * margin) / text_units(header).x});
   if (layout.scale < 1)
@@ -76,7 +78,7 @@ BlockLayout block_layout(const Display& sheet, const std::string& header, const 
   return layout;
 }
 
-/// The part of each strip that is black or white.
+/// The part of each strip that the bars fill.
 struct Bars {
   double from = 0.0, to = kHalfBar;
   bool is_black_inside = true;
@@ -99,7 +101,7 @@ void draw_bars(Picture& picture, const TestBlock& block, const LensStrips& sheet
   });
 }
 
-/// A block before its layout.
+/// A block before the layout is known.
 struct PlannedBlock {
   TestBlock block;
   std::string label;
@@ -109,7 +111,7 @@ struct TestPlan {
   std::string header;
   std::vector<PlannedBlock> blocks;
   Bars bars;
-  bool starts_at_block = false;  ///< strips begin at the edge of the block instead of the image
+  bool starts_at_block = false;  ///< whether strips begin at the edge of the block instead of the edge of the image
 };
 
 BlockTest drawn(const TestPlan& plan, const Display& sheet, BarDirection bars, const ThreadPool& pool) {
@@ -138,7 +140,8 @@ int room_across(const Display& sheet, BarDirection bars) {
   return bars == BarDirection::kVertical ? sheet.pixels.x : sheet.pixels.y;
 }
 
-/// Labels have one line beside vertical bars, two above horizontal ones.
+/// Returns the separator between the parts of a label, which has one line beside vertical bars and two lines above horizontal
+/// ones.
 const char* separator(BarDirection bars) { return bars == BarDirection::kVertical ? "  " : "\n"; }
 
 std::string header_of(const char* name, const Display& sheet) {

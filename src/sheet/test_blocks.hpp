@@ -21,7 +21,7 @@ namespace lippmann {
 
 enum class BarDirection { kVertical, kHorizontal };
 
-/// Difference of the pitch between consecutive blocks.
+/// The difference of the pitch from one block to the next.
 struct PitchStep {
   double size = 0.1;
   enum class Unit { kPixels, kLensesPerInch } unit = Unit::kPixels;
@@ -32,7 +32,7 @@ PitchStep read_pitch_step(const std::string& text);
 
 struct TestBlock {
   double pitch_px = 0.0;
-  double phase_px = 0.0;  ///< start of a strip, from the edge of the image across the bars
+  double phase_px = 0.0;  ///< distance from the edge of the image to the start of a strip, across the bars
   bool is_nominal = false;
   PixelBox bars = {};
 };
@@ -42,12 +42,12 @@ struct BlockTest {
   std::vector<TestBlock> blocks;
 };
 
-/// Returns a pitch test. sheet: a sheet with the nominal pitch and the size of the image. The strips of each block begin at its
-/// edge. Throws a usage Error naming `step` if a block would have fewer than 2 pixels per lens or be narrower than a lens, and
-/// naming `blocks` if they do not fit on the paper. The result does not depend on the number of threads.
+/// Returns a pitch test. sheet: a sheet with the nominal pitch and the size of the image. In each block, strips begin at the
+/// block's edge. Throws a usage Error naming `step` if a block would have fewer than 2 pixels per lens or be narrower than a
+/// lens, and naming `blocks` if the blocks do not fit on the paper. The result does not depend on the number of threads.
 BlockTest pitch_test(const Display& sheet, int blocks, const PitchStep& step, BarDirection bars, const ThreadPool& pool);
 
-/// Returns a phase test. Throws as pitch_test(), but naming `lpi` for the pitch.
+/// Returns a phase test. Throws as pitch_test() does, but errors of the pitch name `lpi`.
 BlockTest phase_test(const Display& sheet, int blocks, BarDirection bars, const ThreadPool& pool);
 
 }  // namespace lippmann

@@ -17,13 +17,13 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-/// Returns the angle of a view's centre. Eyes are spread evenly along a line parallel to the sheet.
+/// Returns the angle of the centre of a view. Eyes are spread evenly along a line parallel to the sheet.
 double middle_angle_deg(const Display& sheet, int view, int views) {
   const double side = 2.0 * (view + 0.5) / views - 1.0;
   return std::atan(side * std::tan(0.5 * sheet.view_cone_deg * kDegree)) / kDegree;
 }
 
-/// Returns a colour from red (place 0) over grey (1/2) to blue (1), light enough for black text.
+/// Returns a colour from red (place 0) over grey (place 1/2) to blue (place 1), light enough for black text.
 Rgb8 tint(double place) {
   constexpr std::array<std::array<double, 3>, 3> kTints{{{255, 130, 115}, {235, 235, 235}, {120, 165, 255}}};
   const auto first = static_cast<std::size_t>(place < 0.5 ? 0 : 1);
@@ -34,7 +34,8 @@ Rgb8 tint(double place) {
   return colour;
 }
 
-/// Number of repetitions of the number, and its size. Three across, or fewer if the text would not fit.
+/// How often the number of a view is repeated, and its size. There are three numbers across, or fewer if the text would not
+/// fit.
 struct Tiling {
   Vec2i tiles;
   int scale;
@@ -59,12 +60,12 @@ std::string angle_text(double angle_deg) {
   return rounded == 0 ? "0 deg" : fmt::format("{:+} deg", rounded);
 }
 
-/// Draws one view, with one sample per lens and rows at the same spacing.
+/// Draws one view. It has one sample per lens, and its rows have the same spacing as its columns.
 Picture numbered_view(Vec2i size, int view, int views, double angle_deg) {
   Picture picture = blank(Image8{}, size);
   fill_box(picture, {Vec2i(0), size}, tint(views > 1 ? static_cast<double>(view) / (views - 1) : 0.5));
   const std::string number = fmt::format("{}", view + 1), angle = angle_text(angle_deg);
-  // The number is twice as large as the angle below it.
+  // The number of the view is twice as large as the angle below it.
   const Vec2i number_units(2 * text_units(number).x, 2 * kTextCapital + 4), angle_units = text_units(angle);
   const Tiling tiling = tiling_for(size, {text_units("-00 deg").x, number_units.y + angle_units.y});
   for (int row = 0; row < tiling.tiles.y; ++row)

@@ -14,10 +14,11 @@ namespace lippmann {
 
 struct ViewingZoneTest {
   Picture picture;
-  std::vector<double> angles_deg;  ///< of the centres of the views, negative on the left
+  std::vector<double> angles_deg;  ///< angles of the centres of the views, negative on the left
 };
 
-/// Returns an odd number up to 9, with about 2 pixels per view below a lens; 2 for fewer than 5 pixels.
+/// Returns a default number of views: odd, up to 9, with about 2 pixels per view below a lens; 2 if a lens has fewer than 5
+/// pixels.
 int default_zone_views(const Display& sheet);
 
 /// Returns the test print. Throws a usage Error naming `views` if there are more views than pixels below a lens. The result
