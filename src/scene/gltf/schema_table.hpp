@@ -305,15 +305,15 @@ constexpr Property kOrthographic[] = {
     number("znear", -FLT_MAX, FLT_MAX, kRequired),
 };
 constexpr Property kCameraExtras[] = {
-    number("shift_x", -100.0, 100.0, kIfOfThisKind),
-    number("shift_y", -100.0, 100.0, kIfOfThisKind),
+    number("shift_x", -100.0, 100.0, kIfKindMatches),
+    number("shift_y", -100.0, 100.0, kIfKindMatches),
 };
 constexpr Property kCamera[] = {
     string("name"),
     string("type", kRequired, "|perspective|orthographic|"),
     object("perspective", kPerspective),
     object("orthographic", kOrthographic),
-    object("extras", kCameraExtras, kIfOfThisKind),
+    object("extras", kCameraExtras, kIfKindMatches),
 };
 
 constexpr Property kLightExtras[] = {
