@@ -20,7 +20,7 @@ namespace {
 
 /// Walls that cover at least this share of the frame limit the visible space.
 constexpr double kWallShare = 0.25;
-constexpr float kBeforeWall = 0.999f;  ///< start of the rays, as a share of the way from the fitted viewer to the wall
+constexpr float kBeforeWall = 0.999f;  ///< start of the rays, as a share of the way from the near clipping plane to the wall
 
 /// Names at most this many walls.
 constexpr std::size_t kNamed = 3;
@@ -60,7 +60,7 @@ class Foreground {
   }
 
  private:
-  /// Returns the names of instances whose walls cover more than nothing and at least `enough`.
+  /// Returns the names of the instances whose walls have an area above 0 and of at least `enough`.
   std::string names(const Scene& scene, double enough) const {
     std::vector<std::string> names;
     for (const Walls& walls : walls_) {
