@@ -15,7 +15,7 @@ void add_scenes(CLI::App& command, Request& request, const std::string& help) {
   command.add_option("SCENE,--scene", request.scenes, help)->type_name("SCENE");
 }
 
-/// Most benchmarks measure single frames of built-in scenes or files.
+/// Adds the option of most benchmarks, which measure single frames of built-in scenes or files.
 void add_scenes_with_default(CLI::App& command, Request& request, const std::string& default_scenes) {
   add_scenes(command, request, "Scenes to measure: names of built-in scenes or files; default: " + default_scenes);
 }

@@ -1,5 +1,6 @@
-// Measures path-traced frames with and without denoising at 4, 16 and 64 samples per pixel against converged ones: PSNR,
-// flicker from view to view, CPU time. One frame of each scene through 64 lenses of 8 pixels, and one as a quilt of 8 views.
+// Compares path-traced frames, with and without denoising at 4, 16 and 64 samples per pixel, with converged ones. Measures
+// PSNR, flicker from view to view, and CPU time. Each scene has one frame through 64 lenses of 8 pixels, and one as a quilt of
+// 8 views.
 #include <fmt/core.h>
 
 #include "bench/benchmarks.hpp"

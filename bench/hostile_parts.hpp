@@ -27,9 +27,9 @@ MetallicRoughness glowing(Vec3f radiance);
 int add_material(Scene& scene, const MetallicRoughness& surface);
 int add_textured(Scene& scene, MetallicRoughness surface, Texture texture);
 
-/// A checkerboard of two by two squares.
+/// Returns a checkerboard of two by two squares.
 Texture checker(Vec3f light, Vec3f dark);
-/// Noise with detail of every size down to a texel.
+/// Returns noise with detail of every size down to a texel.
 Texture grain(Vec3f color, std::uint32_t seed);
 
 // ---- Shapes -------------------------------------------------------------------------------------------------------------
@@ -42,8 +42,8 @@ void show(Scene& scene, Shape shape, int material, int node = -1);
 /// Adds a floor in y = 0 around the origin; its texture repeats every `tile` metres.
 void add_floor(Scene& scene, float half_size, int material, float tile = 1.0f);
 
-/// Six walls seen from inside: floor y = 0, ceiling y = height, the viewer's end at z = front. A material of -1 leaves the wall
-/// out.
+/// A room of six walls, seen from inside. The floor is at y = 0, the ceiling at y = height, and the wall at the viewer's end at
+/// z = front. A wall with the material -1 is left out.
 struct Room {
   float half_width = 1.6f, height = 2.0f, back = -1.5f, front = 4.0f;
   int floor = -1, ceiling = -1, left = -1, right = -1, rear = -1, viewer_end = -1;
@@ -57,7 +57,7 @@ Room painted_room(Scene& scene);
 void add_lamp(Scene& scene, Vec3f center, float half_size, Vec3f radiance, int node = -1);
 /// Adds a glowing ball.
 void add_ball_lamp(Scene& scene, float radius, Vec3f radiance, int node);
-/// Adds a point light at the node; falls off with the squared distance.
+/// Adds a point light at the node. Its light falls off with the squared distance.
 void add_point_light(Scene& scene, Vec3f color, int node);
 
 // ---- Motion. `of_frame` returns the value at frames 0 to kHostileFrames - 1. -----------------------------------------------
@@ -69,10 +69,11 @@ void turn(Scene& scene, int node, Vec3f axis, const std::function<float(float fr
 
 // ---- The view -----------------------------------------------------------------------------------------------------------
 
-/// Adds an array of this height around `center`, seen from `yaw` to the right and `pitch` above. Returns its node.
+/// Adds a lens array of the given height around `center`. It is seen from `yaw` to the right and `pitch` above. Returns the
+/// array's node.
 int look_at(Scene& scene, Vec3f center, float yaw, float pitch, float height, float distance);
 
-/// Scales all lengths by `factor`. The picture of scenes without lights that fall off with distance stays the same.
+/// Scales all lengths by `factor`. The picture stays the same if no light of the scene falls off with distance.
 Scene scaled(Scene scene, float factor);
 
 }  // namespace lippmann::bench

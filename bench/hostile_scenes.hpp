@@ -1,7 +1,7 @@
-// Scenes that are hard to denoise, built in code; each has one difficulty.
+// Scenes that are hard to denoise. They are built in code, and each has one difficulty.
 //
-// Lengths are metres, +y is up, materials are glTF's. Each is an animation of 16 frames, 25 per second, in which objects move
-// by several pixels per frame.
+// Lengths are metres, +y is up, materials are those of glTF. Each scene is an animation of 16 frames, 25 per second, in which
+// objects move by several pixels per frame.
 #pragma once
 
 #include <functional>
@@ -16,7 +16,7 @@ namespace lippmann::bench {
 struct HostileScene {
   std::string name;
   std::string difficulty;        ///< one line on the difficulty
-  std::function<Scene()> build;  ///< passes validate()
+  std::function<Scene()> build;  ///< builds the scene, which passes validate()
   RenderParams params;           ///< optics, size and samples of path tracing
   int frames = 16;
 };

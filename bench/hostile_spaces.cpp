@@ -110,7 +110,7 @@ Scene furnished_room() {
   Scene scene = empty_scene("furnished");
   Room room = painted_room(scene);
   room.left = room.ceiling;
-  room.right = -1;  // opening for the sun
+  room.right = -1;  // an opening that lets in the sun
   room.floor = add_material(scene, matte({0.5f, 0.35f, 0.2f}));
   add_room(scene, room);
   const int wood = add_material(scene, glossy({0.4f, 0.22f, 0.1f}, 0.5f)),

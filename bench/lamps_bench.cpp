@@ -1,5 +1,5 @@
-// Measures the cost of many lamps: path-traced frames of one room below 10, 100, 1,000 and 10,000 lamps of the same total
-// power, and the CPU time that each needs for the error of the frame with ten lamps.
+// Measures the cost of many lamps. Renders path-traced frames of one room below 10, 100, 1,000 and 10,000 lamps of the same
+// total power, and computes the CPU time that each needs to reach the error of the frame with ten lamps.
 //
 // The squared error is inversely proportional to the number of samples, so the product of squared error and CPU time measures
 // efficiency. Both come from the same run; the time is the minimum of several runs. References use another seed.
@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kLampsSamples = 64, kLampsReferenceSamples = 1024, kQuickLampsReferenceSamples = 64, kLampsRepetitions = 3;
 constexpr std::uint32_t kLampsReferenceSeed = 77;
-constexpr float kLampsPower = 12.0f;  ///< radiant intensity of all lamps of a room
+constexpr float kLampsPower = 12.0f;  ///< total radiant intensity of all lamps of a room
 
 // The eye looks slightly down at the middle of the picture from five times the picture's height away. Anything more than
 // kLampsFront in front of the middle, such as the wall behind the viewer, is invisible.
@@ -77,9 +77,9 @@ Vec3f lamps_eye() {
          kLampsPictureHeight * kLampsEyeMm / kLampsPanelMm * Vec3f(0.0f, std::sin(kLampsPitch), std::cos(kLampsPitch));
 }
 
-/// Adds squares with this total area, in one mesh per hue. The eye lies in the plane of each and so sees none: visible lamps
-/// are far smaller than pixels and far brighter than white, and the noise of their edges, which does not depend on the choice
-/// of lights, would hide the result.
+/// Adds squares with this total area, in one mesh per hue. The eye lies in the plane of each square and so sees none of them.
+/// Visible lamps would be far smaller than pixels and far brighter than white, and the noise of their edges, which does not
+/// depend on the choice of lights, would hide the result.
 void add_square_lamps(Scene& scene, int count, LampPlaces& places) {
   Mesh meshes[4];
   const float half = std::min(0.05f, 0.4f / std::sqrt(static_cast<float>(count)));

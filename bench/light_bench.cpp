@@ -2,7 +2,8 @@
 // converged references.
 //
 // The benchmark fails if a frame has a NaN, or if the mean light of the denoised frames differs from the references by more
-// than kMeanLight. It reports whether their PSNR, for all pixels and for pixels at edges, is at most kCloseDb below 64 samples.
+// than kMeanLight. It reports whether the PSNR of the denoised frames, for all pixels and for pixels at edges, is at most
+// kCloseDb below that of 64 samples.
 #include <fmt/core.h>
 
 #include <algorithm>

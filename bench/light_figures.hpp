@@ -2,8 +2,8 @@
 // frames.
 //
 // Frames are vertical stacks of views (layout/light_field.hpp). Each view is divided into blocks of 8 x 8 pixels from its upper
-// left corner; incomplete blocks at its edges are ignored. The mean of a block has 1/8 of the standard deviation of independent
-// pixel noise, but the full error that neighbouring pixels share.
+// left corner; incomplete blocks at its edges are ignored. In the mean of a block, independent pixel noise has 1/8 of its
+// standard deviation, while errors that neighbouring pixels share keep their size.
 #pragma once
 
 #include <array>

@@ -50,7 +50,8 @@ LightReferences::LightReferences(Stage& stage, Sampling sampling, fs::path folde
       context_(context),
       say_(std::move(say)) {}
 
-/// Renders one half. The fingerprint covers the film's bits, which depend on the scene, the optics and the program.
+/// Renders one half of a reference. The fingerprint is that of the film's bits, which depend on the scene, the optics and the
+/// program.
 Image8 LightReferences::render(int frame, std::uint32_t seed, int spp, std::uint64_t* fingerprint) {
   Sampling sampling = sampling_;
   sampling.seed = seed, sampling.spp = spp, sampling.denoise = Denoise::kNone;

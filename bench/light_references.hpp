@@ -41,7 +41,7 @@ class LightReferences {
   const ThreadPool& pool_;
   const Context& context_;
   std::function<void(std::string_view)> say_;
-  int rendered_ = 0, kept_ = 0;  ///< number of halves
+  int rendered_ = 0, kept_ = 0;  ///< number of halves that were rendered, and that were read from the folder
 };
 
 }  // namespace lippmann::bench

@@ -27,7 +27,7 @@ struct LightCase {
 /// neither a row, a built-in scene nor a file.
 std::vector<LightCase> light_cases(const Request& request, const Context& context);
 
-/// Returns a list of the rows for people, one per line.
+/// Returns a readable list of the rows, one per line.
 std::string light_row_list();
 
 }  // namespace lippmann::bench

@@ -1,5 +1,5 @@
-// Renders the frames of a row with several samplings, and measures CPU time, and error, mean light and flicker relative to
-// converged references.
+// Renders the frames of a row with several samplings. Measures CPU time, and, relative to converged references, error, mean
+// light and flicker.
 //
 // CPU seconds are the rendering time of all threads together. Each frame is rendered with all samplings before the next frame,
 // so that changes in the machine's speed affect all of them equally.
@@ -22,8 +22,8 @@ namespace lippmann::bench {
 struct LightFigures {
   double cpu_seconds = 0.0;
   double psnr_db = 0.0, block_psnr_db = 0.0, edge_psnr_db = 0.0;  ///< from the mean squared error of all frames together
-  double mean_light = 1.0;                                        ///< relative to the references
-  double view_flicker = 0.0, frame_flicker = 0.0;                 ///< minus that of the references, in codes
+  double mean_light = 1.0;                                        ///< mean light divided by that of the references
+  double view_flicker = 0.0, frame_flicker = 0.0;                 ///< flicker minus that of the references, in codes
   std::vector<FrameReport> reports;                               ///< one per frame
   std::vector<double> psnr_db_by_frame;
   Frames frames;

@@ -73,7 +73,8 @@ Error wrong_usage(const CLI::App& root, const CLI::ParseError& refusal) {
   return usage_error(commands.front()->get_name(), refusal.what());
 }
 
-/// Results and errors of frames that were stopped half-way are wrong, so a cancelled run ends with `interrupted()`.
+/// Runs a benchmark. A cancelled run throws interrupted(), because results and errors from frames that were stopped half-way
+/// are meaningless.
 Report run_to_the_end(const Benchmark& benchmark, const Request& request, const Context& context) {
   try {
     Report report = benchmark.run(request, context);
@@ -85,7 +86,7 @@ Report run_to_the_end(const Benchmark& benchmark, const Request& request, const 
   }
 }
 
-/// Returns the exit code.
+/// Runs a benchmark, prints its report, and returns the exit code.
 int run_benchmark(const std::string& name, const Options& options, const Context& context) {
   const auto benchmark = std::find_if(benchmarks().begin(), benchmarks().end(), [&](const auto& b) { return b.name == name; });
   const Report report = run_to_the_end(*benchmark, options.request, context);

@@ -3,7 +3,8 @@
 // the panel.
 //
 // The panel is an eighth of a Looking Glass Portrait in width and height, with its pixels and lenses and the same ratio of tile
-// pixels to panel pixels. PSNR is of 8-bit codes. CPU time is of rendering alone; the quilt also needs interlacing.
+// pixels to panel pixels. PSNR is computed from 8-bit codes. CPU time is that of rendering alone, although the quilt also needs
+// interlacing.
 #include <fmt/core.h>
 
 #include "bench/benchmarks.hpp"
@@ -32,7 +33,7 @@ Display small_portrait() {
   return display;
 }
 
-/// Returns the display with 512 views, each with the panel's pixels.
+/// Returns the display with 512 views, each with as many pixels as the panel.
 Display with_many_views(Display display) {
   display.quilt->columns = 32, display.quilt->rows = 16;
   display.quilt->width = 32 * display.pixels.x, display.quilt->height = 16 * display.pixels.y;

@@ -1,4 +1,4 @@
-// The tables of the paper that this project is based on, for the built-in scenes and Tachyon's own.
+// Makes the tables of the paper that this project is based on, for the built-in scenes and for Tachyon's scenes.
 #include <fmt/core.h>
 
 #include <cmath>
@@ -30,7 +30,7 @@ std::vector<ReuseMethod> forward_methods(RenderParams params) {
   std::vector<ReuseMethod> methods;
   for (const bool halving : {false, true})
     for (const int interval : {2, 4, 8}) {
-      if (halving && interval == 2) continue;  // same as without halving
+      if (halving && interval == 2) continue;  // halving an interval of 2 makes the same frames as no halving
       params.reuse.halving = halving;
       params.reuse.keyframes = interval;
       methods.push_back({halving ? "forward, halving" : "forward", params});
@@ -75,7 +75,7 @@ Json frames_of(const ReuseRun& run) {
   return frames;
 }
 
-/// Times one frame of a scene, its first lens and the whole frame, in one style.
+/// Measures the time to trace the first lens of a frame and the whole frame, in one style of pixel tracing.
 class StyleTimer {
  public:
   StyleTimer(const BenchScene& scene, const ThreadPool& pool, const Context& context)
@@ -128,7 +128,7 @@ class StyleTimer {
   Image film_;
 };
 
-/// Measures on one thread, whose CPU time is the wall time.
+/// Measures the styles on one thread, so that CPU time equals wall time.
 std::vector<StyleRow> measure_styles(const Request& request, const Context& context) {
   const ThreadPool pool(1);
   std::vector<StyleRow> rows;

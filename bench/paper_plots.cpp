@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Writes a block of data; key frames and frames without an error leave gaps.
+/// Returns a data block for gnuplot. Key frames and frames without an error leave gaps.
 template <class Fn>
 std::string data(const std::string& name, const ReuseRun& run, const Fn& value) {
   std::string text = "$" + name + " << EOD\n";

@@ -14,8 +14,8 @@ Reproduced figures_of(const ReuseRun& run) {
   return {run.scene, run.keyframes, run.saving(), run.mean_psnr(), papers_saving(run.scene), papers_psnr_db(run.scene)};
 }
 
-/// Returns whether `b` is the better reproduction: it saves as much as the paper at a shorter interval, or otherwise more than
-/// `a`.
+/// Returns whether `b` is the better reproduction of the paper: it saves as much as the paper at a shorter interval than `a`,
+/// or otherwise saves more than `a`.
 bool is_better(const Reproduced& b, const Reproduced& a) {
   const auto saves_enough = [](const Reproduced& r) { return r.paper_saving && r.saving >= *r.paper_saving; };
   if (saves_enough(a) != saves_enough(b)) return saves_enough(b);

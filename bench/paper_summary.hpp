@@ -9,13 +9,13 @@
 
 namespace lippmann::bench {
 
-/// One animation. The paper does not state the interval between its key frames, so ours is the shortest interval that saves as
-/// much as the paper, or else the one that saves most.
+/// The comparison for one animation. The paper does not state the interval between its key frames, so we use the shortest
+/// interval that saves as much as the paper, or else the interval that saves most.
 struct Reproduced {
   std::string scene;
   int keyframes = 0;
   double saving = 0.0;                       ///< saved share of full tracing's CPU seconds, key frames included
-  std::optional<double> psnr_db = {};        ///< mean of the in-between frames
+  std::optional<double> psnr_db = {};        ///< mean PSNR of the in-between frames
   std::optional<double> paper_saving = {};   ///< no value: the paper has no such animation
   std::optional<double> paper_psnr_db = {};  ///< no value: the paper states none
 

@@ -69,7 +69,7 @@ std::string line_of(const ReuseFrame& frame, int keyframes) {
   return line + '\n';
 }
 
-/// The paper's table is of its teapot: uses Tachyon's, else our own, else the first scene.
+/// Returns the scene for table 1, which in the paper shows a teapot: Tachyon's teapot, else our own, else the first scene.
 std::string scene_of_table_1(const std::vector<ReuseRun>& runs) {
   for (const std::string_view name : {"tachyon teapot", "teapot"})
     for (const ReuseRun& run : runs)
@@ -77,7 +77,8 @@ std::string scene_of_table_1(const std::vector<ReuseRun>& runs) {
   return runs.front().scene;
 }
 
-/// Selects the frames of the paper's table if there are any, else the first few.
+/// Returns whether table 1 lists a frame. It lists the frames of the paper's table if the run has any of them, else the first
+/// few frames.
 bool is_listed(const ReuseRun& run, const ReuseFrame& frame) {
   const int from = std::begin(kTable1)->frame, to = std::prev(std::end(kTable1))->frame;
   const bool has_them = run.frames.front().frame <= from && run.frames.back().frame >= to;

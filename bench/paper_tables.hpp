@@ -1,4 +1,4 @@
-// The paper's three tables, with its figures beside ours.
+// Prints the paper's three tables, with the paper's figures beside ours.
 #pragma once
 
 #include <optional>
@@ -21,11 +21,11 @@ std::optional<double> papers_saving(const std::string& scene);
 /// Returns the mean PSNR that the paper states for an animation; no value except for the teapot.
 std::optional<double> papers_psnr_db(const std::string& scene);
 
-/// Errors and PSNR of single frames: those listed in the paper, if the runs have them.
+/// Returns table 1: errors and PSNR of single frames. These are the frames listed in the paper, if the runs have them.
 std::string table_1(const std::vector<ReuseRun>& runs);
-/// Seconds, savings and PSNR of whole animations.
+/// Returns table 2: seconds, savings and PSNR of whole animations.
 std::string table_2(const std::vector<ReuseRun>& runs);
-/// Pixel-tracing styles.
+/// Returns table 3: the times of the pixel-tracing styles.
 std::string table_3(const std::vector<StyleRow>& rows);
 
 }  // namespace lippmann::bench

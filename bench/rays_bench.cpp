@@ -3,7 +3,8 @@
 //
 // The bare loop gets prepared packets: it copies a packet's rays, traces it and keeps the hit in registers, without ray
 // generation, shading or picture. It is timed strip by strip with the strip's packets in cache, so that it does not wait for
-// memory that our side never touches. One thread. Each row is the median over repetitions of ratios within one repetition.
+// memory that our side never touches. All measurements use one thread. Each row is the median, over several repetitions, of the
+// ratio measured within one repetition.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -25,7 +26,7 @@ namespace {
 
 constexpr int kRaysRepetitions = 7;
 
-/// The packets of a strip, also kept in `log` if there is one.
+/// Makes the packets of a strip, and also records them in `log` if there is one.
 struct LoggedStrip {
   StripPackets packets;
   RayLog* log = nullptr;
@@ -54,7 +55,8 @@ LIPPMANN_MULTIVERSION void store_hits(const RayHitPacket& packet, float* t, floa
   }
 }
 
-/// The primary pass: stores the hits of camera rays, packet by packet; for lanes without a hit, t is the end of the ray.
+/// An integrator for the primary pass. Stores the hits of camera rays, packet by packet; for lanes without a hit, t is the end
+/// of the ray.
 class StoredHits {
  public:
   explicit StoredHits(const PacketSource& source) {
@@ -69,7 +71,7 @@ class StoredHits {
   }
   void finish() {}
 
-  std::vector<float> t;  ///< along the ray from its origin
+  std::vector<float> t;  ///< distance along the ray from its origin
 
  private:
   std::size_t at_ = 0;

@@ -1,4 +1,5 @@
-// Compares eye views through the arrays of the built-in room, from 25 eyes inside the viewing zone, with direct pinhole views.
+// Compares the views of 25 eyes inside the viewing zone, seen through lens arrays that show the built-in room, with direct
+// pinhole views.
 //
 // Both have one sample per lens (for a sheet: per lens and panel row), at the lens's centre. PSNR is of 8-bit codes, for all
 // pixels and by the depth in the direct view, relative to the depth budget N g: up to a quarter, up to a half, up to all of it,
@@ -29,13 +30,14 @@
 namespace lippmann::bench {
 namespace {
 
-constexpr int kEyes = 5;               ///< per axis of the zone; squared for parallax in one direction
+constexpr int kEyes = 5;               ///< number of eyes per axis of the zone; squared for parallax in one direction
 constexpr double kBaseline = 1.0 / 5;  ///< distance of two eyes, as a share of the zone
 
-using Layers = std::array<double, 4>;  ///< up to 1/4, 1/2, 1 of the depth budget; beyond
+/// One value per range of depth: up to 1/4, 1/2 and 1 of the depth budget, and beyond it.
+using Layers = std::array<double, 4>;
 constexpr Layers kLayerEnds{0.25, 0.5, 1.0, kInfinity};
 
-/// The expected view of an eye: colours and depths, of every n-th column if a lens has n columns.
+/// The expected view of an eye: its colours and depths. If a lens has n columns, only every n-th column is kept.
 struct DirectView {
   Image film, depth;
 };
@@ -61,7 +63,7 @@ class ReplayBench {
 
   const Optics& optics() const { return recorded_.optics; }
 
-  /// Returns the eye at these shares of the zone, from its left and lower end.
+  /// Returns the eye at the given shares of the zone, counted from its left and lower end.
   Vec3d eye_at(double across, double along) const {
     const double up = parallax_of(optics()).along ? zone_x_mm(optics(), along, eye_z_mm_) : 0.0;
     return {zone_x_mm(optics(), across, eye_z_mm_), up, eye_z_mm_};
@@ -73,7 +75,8 @@ class ReplayBench {
     return eye_view(panel, view, pool_);
   }
 
-  /// Traced in square pixels. If a lens has an even number of them, its centre lies between two, and samples are moved there.
+  /// Returns the direct view of an eye, traced in square pixels. If a lens has an even number of pixels, its centre lies
+  /// between two of them, and samples are moved to the centre.
   DirectView direct(Vec3d eye_mm) const {
     const int per_lens =
         std::max(1, static_cast<int>(std::lround(static_cast<double>(grid_.y) / grid_.x * display_window(optics()).size.x /

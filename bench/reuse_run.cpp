@@ -139,7 +139,7 @@ double ReuseRun::missed_share() const {
 
 namespace {
 
-/// Throws if cancelled: frames that were stopped half-way must not be compared.
+/// Throws if the context is cancelled, because frames that were stopped half-way must not be compared.
 void stop_if_cancelled(const Context& context) {
   if (context.cancelled) throw interrupted();
 }

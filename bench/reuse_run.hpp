@@ -1,8 +1,8 @@
 // Renders an animation fully traced and with several kinds of reuse, and compares them frame by frame: CPU time and error.
 //
-// CPU seconds are the rendering time of all threads. All methods render eight frames in turn, so that changes of the machine
-// affect all of them; with several rounds, the minimum counts for each frame and method. The baseline of all savings is our
-// fastest full tracing.
+// CPU seconds are the rendering time of all threads. The methods take turns of eight frames each, so that changes in the
+// machine's speed affect all of them. With several rounds, the minimum counts for each frame and method. The baseline of all
+// savings is our fastest full tracing.
 #pragma once
 
 #include <map>

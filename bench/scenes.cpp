@@ -38,7 +38,7 @@ Error no_tachyon_scenes(const Request& request) {
           "a folder with Tachyon's scenes (--tachyon-scenes DIR); Debian has them in the package tachyon-doc"};
 }
 
-/// Throws Error for an unknown animation, and for one that only Tachyon has if its files are missing.
+/// Throws Error for an unknown animation, and for an animation that exists only in Tachyon's files if these are missing.
 void require_animations(const Request& request) {
   std::string known;
   for (const BuiltinScene& builtin : builtin_scenes()) known += std::string(builtin.name) + ", ";
@@ -53,7 +53,8 @@ void require_animations(const Request& request) {
   }
 }
 
-/// Measuring continues without Tachyon's files, because the built-in teapot and room have the names of two of its scenes.
+/// Warns of missing files of Tachyon. Measuring continues without them, because the built-in teapot and room have the names of
+/// two of Tachyon's scenes.
 void warn_of_missing_tachyon_files(const Request& request, const Context& context) {
   const std::vector<std::string> missing = missing_tachyon_files(request);
   if (missing.empty()) return;

@@ -1,4 +1,5 @@
-// The scenes of benchmarks: every built-in scene behind the default lens array, at a moment when all objects have moved.
+// The scenes of benchmarks. Every built-in scene is shown behind the default lens array, at a moment when all objects have
+// moved.
 #pragma once
 
 #include <string>
@@ -9,7 +10,8 @@
 
 namespace lippmann::bench {
 
-/// Returns the parameters that benchmarks start from: a scene's full depth, whatever a display can resolve, as in the paper.
+/// Returns the parameters that benchmarks start from. As in the paper, scenes keep their full depth, even if it exceeds what a
+/// display can resolve.
 RenderParams params_of(const std::string& scene);
 
 struct BenchScene {
@@ -23,16 +25,16 @@ std::vector<BenchScene> bench_scenes(const Request& request, const Context& cont
 
 /// The frames of an animation for measuring reuse, which start at a key frame of every interval up to 8.
 struct BenchAnimation {
-  std::string name;      ///< Tachyon's own are named "tachyon teapot" and so on
+  std::string name;      ///< animations of Tachyon's scenes are named "tachyon teapot" and so on
   RenderParams params;   ///< as in BenchScene
   int first = 0, count;  ///< frames; `first` is a multiple of 8
 };
 
-/// Returns the requested ones of all built-in scenes and of Tachyon's own three with their camera paths, if its files are
-/// found; with --large also the large teapot, 384 lenses of 10 pixels. Throws Error.
+/// Returns the requested animations. They may be of all built-in scenes and, if Tachyon's files are found, of its three scenes
+/// with camera paths; with --large also of the large teapot, 384 lenses of 10 pixels. Throws Error.
 std::vector<BenchAnimation> bench_animations(const Request& request, const Context& context);
 
-/// Returns the requested ones of Tachyon's teapot, room and smallballs (.dat) that the folder contains.
+/// Returns those of Tachyon's scenes teapot, room and smallballs (.dat) that are requested and that the folder contains.
 std::vector<BenchScene> tachyon_scenes(const Request& request);
 
 }  // namespace lippmann::bench

@@ -1,5 +1,5 @@
-// Compares spheres as our user geometry, tested against whole packets, with RTC_GEOMETRY_TYPE_SPHERE_POINT: the same spheres
-// and primary packets, one thread, timing only the two Embree calls.
+// Compares spheres as our user geometry, tested against whole packets, with RTC_GEOMETRY_TYPE_SPHERE_POINT. Both sides get the
+// same spheres and primary packets on one thread, and only the Embree calls are timed.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -66,8 +66,8 @@ std::vector<float> distances(const EmbreeScene& scene, int native_width, const P
   return result;
 }
 
-/// Returns the CPU seconds of Embree's calls alone. Packets are prepared a strip at a time before the clock runs, so that they
-/// are in cache.
+/// Returns the CPU seconds of Embree's calls alone. Each strip of packets is prepared before the clock runs, so that its
+/// packets are in the cache.
 double seconds_to_trace(const EmbreeScene& scene, int native_width, const Packets& packets) {
   constexpr std::size_t kStrip = 256;
   std::vector<RayHitPacket> ready(kStrip);

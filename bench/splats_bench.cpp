@@ -1,8 +1,9 @@
 // Measures the cost of splats: a synthetic capture, with splats of typical sizes on the surfaces of a few shapes, in a quilt of
 // 48 views.
 //
-// The CPU time of a whole frame is compared with finding the nearest hits of the same camera rays when each splat is replaced
-// by two triangles, the cost of opaque surfaces in Embree alone. Both run on one thread; the minimum of several runs counts.
+// The CPU time of a whole frame is compared with the time that Embree alone needs to find the nearest hits of the same camera
+// rays on opaque surfaces, for which each splat is replaced by two triangles. Both run on one thread; the minimum of several
+// runs counts.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -66,8 +67,8 @@ class Capture {
     return {{x, y, z}, {0.0f, 1.0f, 0.0f}, dark ? Vec3f(0.25f, 0.3f, 0.35f) : Vec3f(0.7f, 0.7f, 0.65f)};
   }
 
-  /// Adds a splat that is flat along the normal and about as wide as the distance to the next; a few are far larger, most are
-  /// dense.
+  /// Adds a splat that is flat along the normal and about as wide as the distance to the next splat. A few splats are far
+  /// larger, and most are dense.
   void add(const SurfacePlace& at) {
     const float size = spacing_ * std::exp(number(-0.7f, 0.7f)) * (number(0.0f, 1.0f) < 0.01f ? 4.0f : 1.0f);
     splats_.centers.push_back(at.position + 0.1f * size * number(-1.0f, 1.0f) * at.normal);
@@ -145,7 +146,8 @@ CameraPackets packets_of_strip(const PacketSource& source, int strip) {
   return packets;
 }
 
-/// Checks that a few rays pass the same light as computed from all splats.
+/// Checks for a few rays that the transmitted light equals the light computed from all splats, without an acceleration
+/// structure.
 void check_rays(const ShadedScene& scene, const PacketSource& source) {
   const CameraPackets packets = packets_of_strip(source, source.strips() / 2);
   SplatHits hits;

@@ -56,7 +56,7 @@ std::optional<double> tachyon_seconds_per_frame(const BenchAnimation& animation,
   const int size = static_cast<int>(std::lround(std::sqrt(pixels)));
   try {
     const double both = seconds(scene, cameras, size) - seconds(scene, cameras, kTinySize);
-    return both / (animation.count + 1);  // it renders the last frame twice
+    return both / (animation.count + 1);  // tachyon renders the last frame twice
   } catch (const Error&) {
     return std::nullopt;
   }

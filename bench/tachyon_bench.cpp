@@ -1,9 +1,9 @@
-// Compares the CPU time per pixel of our Whitted frames with the program tachyon, on its own scenes and cameras, one thread
-// each.
+// Compares the CPU time per pixel of our Whitted frames with the program tachyon, on tachyon's own scenes and cameras, with one
+// thread each.
 //
 // tachyon's time is the difference between a large and a tiny picture, which excludes reading the scene and building its
-// structures, as ours does. Two frames of ours: the same single view of the same size, and the integral image of our default
-// array around the same camera (the same pixels of the scene, seen from 8 directions each).
+// structures, as ours does. Two of our frames are measured: the same single view of the same size, and the integral image of
+// our default array around the same camera (the same pixels of the scene, seen from 8 directions each).
 #include <fmt/core.h>
 
 #include <filesystem>
