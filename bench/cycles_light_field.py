@@ -28,10 +28,10 @@ import fixtures  # noqa: E402
 import peers  # noqa: E402
 
 HERE = pathlib.Path(__file__).parent
-VERTICES = 8  # of a path, for both
+VERTICES = 8  # vertices per path, the same for both renderers
 COLUMNS, ROWS, CONE_DEG = 8, 6, 40.0
 VIEWS = COLUMNS * ROWS
-FAN = VIEWS // 3  # a row of this many views has the eyes of every third view; our converged views come from such rows
+FAN = VIEWS // 3  # number of views in a row with the eyes of every third view; our converged views are rendered as such rows
 LIKENESS_DB = 30.0
 BAR = 20.0
 

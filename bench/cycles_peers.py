@@ -20,7 +20,7 @@ import fixtures  # noqa: E402
 import peers  # noqa: E402
 
 HERE = pathlib.Path(__file__).parent
-VERTICES = 8  # of a path, for both
+VERTICES = 8  # vertices per path, the same for both renderers
 
 
 def ours(tool, scene, panorama, size, spp, folder, threads):

@@ -20,7 +20,7 @@ import cv2
 import numpy as np
 
 LENS_PIXELS = 8  # the default array of `lippmann render`
-BEYOND = 4  # extra keys: minterpolate looks ahead and ends early
+BEYOND = 4  # number of extra keys, because minterpolate looks ahead and ends early
 
 
 def run(*command, cwd=None):
@@ -57,7 +57,7 @@ def dis_flow(keys):
     for before, after in zip(keys, keys[1:]):
         between = np.empty_like(before)
         for view in range(LENS_PIXELS):
-            # A view has one column per lens: wide pixels, scaled to squares for the search.
+            # A view has one column per lens, so its pixels are wide. They are scaled to squares for the search.
             a, b = (cv2.resize(key[:, view::LENS_PIXELS], (before.shape[1], before.shape[0])) for key in (before, after))
             gray_a, gray_b = (cv2.cvtColor(picture, cv2.COLOR_BGR2GRAY) for picture in (a, b))
             forth, back = dis.calc(gray_a, gray_b, None), dis.calc(gray_b, gray_a, None)

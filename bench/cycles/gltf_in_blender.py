@@ -24,7 +24,7 @@ if not hasattr(np, "bool"):
 
 LAYERS = {"KHR_materials_sheen", "KHR_materials_anisotropy", "KHR_materials_iridescence", "KHR_materials_diffuse_transmission",
           "KHR_materials_dispersion", "KHR_materials_pbrSpecularGlossiness", "KHR_materials_unlit"}
-GLOSS = {"specularTexture", "specularColorFactor", "specularColorTexture"}  # of KHR_materials_specular
+GLOSS = {"specularTexture", "specularColorFactor", "specularColorTexture"}  # features of KHR_materials_specular
 ROUGHNESSES = (0.0, 0.25, 0.5, 0.75, 1.0)  # tabulated values for the light below a gloss whose roughness is textured
 COAT_IOR = 1.5
 LATER = {"Specular": "Specular IOR Level", "Transmission": "Transmission Weight", "Clearcoat": "Coat Weight", "Clearcoat Roughness": "Coat Roughness",
@@ -42,7 +42,7 @@ def below_gloss(roughness, f0, stops=24):
     alpha2 = max(roughness, 0.03)**4
     u = (np.arange(4096) + 0.5) / 4096
     turn = 2 * np.pi * ((np.arange(4096) * 0.6180339887) % 1.0)
-    cosine_h = np.sqrt((1 - u) / (1 + (alpha2 - 1) * u))  # facets sampled by their distribution
+    cosine_h = np.sqrt((1 - u) / (1 + (alpha2 - 1) * u))  # sample the facets by their distribution
     sine_h = np.sqrt(1 - cosine_h**2)
     shares = []
     for place in np.linspace(0, 1, stops):
@@ -108,7 +108,7 @@ class Surface:
         return self.node("ShaderNodeMixRGB", {0: 1.0, 1: color, 2: factor}, blend_type="MULTIPLY")
 
     def mixed(self, shader, make_other, share):
-        """Mixes two shaders by a share. The other is made only if the share is above 0."""
+        """Mixes two shaders by a share. The second shader is made only if the share is above 0."""
         if share == 0.0:
             return shader
         other = make_other()
@@ -129,19 +129,19 @@ class Surface:
     def plastic(self):
         """Plastic. Fresnel's term applies to facets: the gloss of a black Principled surface, and the remaining light below it."""
         f0 = self.specular * ((self.ior - 1) / (self.ior + 1))**2
-        of_ior = LATER["Specular"] in self.principled.inputs  # relative to twice the reflection of the index of refraction, not
-                                                              # to 0.08
+        of_ior = LATER["Specular"] in self.principled.inputs  # the input is then relative to twice the reflection of the
+                                                              # index of refraction, instead of to 0.08
         gloss = self.gloss(Base_Color=[0, 0, 0], Specular=0.5 * self.specular if of_ior else f0 / 0.08)
         return self.node("ShaderNodeAddShader", {0: gloss, 1: self.diffuse(self.times(self.input("Base Color"), self.left(f0)))})
 
     def left(self, f0):
-        """Returns the share of light that passes the gloss."""
-        facing = self.node("ShaderNodeLayerWeight", {"Blend": 0.5, "Normal": self.normal()}, output=1)  # 1 - cosine
+        """Returns the share of light that passes through the gloss."""
+        facing = self.node("ShaderNodeLayerWeight", {"Blend": 0.5, "Normal": self.normal()}, output=1)  # the output is 1 - cosine
         roughness = self.input("Roughness")
         if isinstance(roughness, float):
             return self.ramp(facing, below_gloss(roughness, f0))
         total = 0.0
-        for level in ROUGHNESSES:  # hat functions, which sum to 1
+        for level in ROUGHNESSES:  # the weights are hat functions, which sum to 1
             away = self.math("MULTIPLY", self.math("ABSOLUTE", self.math("SUBTRACT", roughness, level), 0.0), len(ROUGHNESSES) - 1.0)
             weight = self.math("MAXIMUM", self.math("SUBTRACT", 1.0, away), 0.0)
             total = self.math("ADD", total, self.math("MULTIPLY", weight, self.ramp(facing, below_gloss(level, f0))))

@@ -13,7 +13,7 @@ import one_file
 
 HERE = pathlib.Path(__file__).resolve().parent
 PATH = "/usr/bin:/bin"  # Blender needs Debian's Python
-BLENDER = os.environ.get("BLENDER", "blender")  # may name another version
+BLENDER = os.environ.get("BLENDER", "blender")  # the variable may name another version
 
 
 class Failed(SystemExit):

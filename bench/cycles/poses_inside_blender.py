@@ -30,7 +30,7 @@ def load(index):
     animations = []
     restore = BlenderAnimation.restore_animation
 
-    def restore_ours(gltf, _):  # replaces the first scene before it changes values that ours does not animate
+    def restore_ours(gltf, _):  # selects our animation instead of the first one, which would change values that ours does not animate
         for animation in gltf.data.animations:
             ends = [gltf.data.accessors[animation.samplers[channel.sampler].input].max[0] for channel in animation.channels]
             animations.append((animation.track_name, max(ends), {sampler.interpolation for sampler in animation.samplers}))
@@ -61,7 +61,7 @@ def slerp_rotations(times):
 
 
 def slerp_rotation(curves, frames):
-    keys = np.array([[key.co for key in curve.keyframe_points] for curve in curves])  # curve, key, (frame, value)
+    keys = np.array([[key.co for key in curve.keyframe_points] for curve in curves])  # axes: curve, key, (frame, value)
     for frame in frames:
         after = int(np.searchsorted(keys[0, :, 0], frame))
         if after in (0, keys.shape[1]) or np.abs(keys[0, :, 0] - frame).min() < 0.02:  # Blender merges nearer keys
@@ -115,7 +115,7 @@ def errors(ours, theirs, diagonal):
 
 
 def measure(index, name, end):
-    # Avoids keys, at which a step would fall on either side by rounding.
+    # Avoid the times of keys, because rounding would decide on which side of a step they fall.
     times = [end * (k + 0.618034) / int(count) for k in range(int(count))]
     unchanged = [pose_by_blender(t) for t in times]
     slerp_rotations(times)

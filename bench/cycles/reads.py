@@ -1,6 +1,6 @@
 """Finds the features of a glTF file that a renderer does not read."""
 
-SILENT = {"KHR_xmp", "KHR_xmp_json_ld"}  # invisible extensions
+SILENT = {"KHR_xmp", "KHR_xmp_json_ld"}  # extensions without effect on pictures
 COLOURED_GLOSS = "KHR_materials_specular's colour"
 FIRST_WITH_COLOURED_GLOSS = (4, 0, 0)  # earlier Principled surfaces of Blender had only a scalar tint
 

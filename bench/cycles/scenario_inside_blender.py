@@ -36,7 +36,7 @@ def main():
     job = json.loads(pathlib.Path(sys.argv[sys.argv.index("--") + 1]).read_text())
     scene = show(job)
     unread = gltf.unread(job["file"])
-    scene.render.use_persistent_data = True  # the first render includes the set-up of all
+    scene.render.use_persistent_data = True  # only the first render includes the time to set up the scene
     gltf.render(scene, 1, 0, job["renders"][0]["out"])
     for item in job["renders"]:
         before = gltf.cpu_seconds()

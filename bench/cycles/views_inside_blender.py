@@ -34,7 +34,7 @@ class Views:
         self.camera.data.clip_start, self.camera.data.clip_end = 1e-3 * job["distance"], 1e4 * job["distance"]
         self.scene.collection.objects.link(self.camera)
         self.scene.camera = self.camera
-        self.window = job["window_height"] * max(1.0, job["width"] / job["height"])  # its longer side
+        self.window = job["window_height"] * max(1.0, job["width"] / job["height"])  # the longer side of the window
         self.frames_per_frame = self.scene.render.fps / job["frames_per_second"]  # the importer's unit of time
 
     def show(self, frame, view):

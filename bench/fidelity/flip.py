@@ -8,7 +8,7 @@ weight of colour (4.3).
 
 import numpy as np
 
-PIXELS_PER_DEGREE = 67.0206  # the paper's: 0.7 m from a monitor 0.7 m wide with 3840 pixels
+PIXELS_PER_DEGREE = 67.0206  # as in the paper: 0.7 m from a monitor 0.7 m wide with 3840 pixels
 RGB_TO_XYZ = np.array([[10135552 / 24577794, 8788810 / 24577794, 4435075 / 24577794],
                        [2613072 / 12288897, 8788810 / 12288897, 887015 / 12288897],
                        [1425312 / 73733382, 8788810 / 73733382, 70074185 / 73733382]])
@@ -72,7 +72,7 @@ def as_seen(channel, gaussians):
 
 
 def color_difference(a, b):
-    """Returns differences from 0 to 1; a, b: YCxCz."""
+    """Returns the differences of two pictures in YCxCz, from 0 to 1."""
     seen = [np.stack([as_seen(p[..., i], SENSITIVITY[i]) for i in range(3)], axis=-1) for p in (a, b)]
     labs = [hunt_lab(np.clip(from_opponent(p), 0, 1)) for p in seen]
     most = hyab(*hunt_lab(np.array([[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])))**COLOR_POWER

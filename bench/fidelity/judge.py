@@ -1,4 +1,4 @@
-"""Compares each renderer's picture of a scenario with the median of the others'.
+"""Compares each renderer's picture of a scenario with the median of the other renderers' pictures.
 
 Only pixels that some picture covers count: an empty background says nothing about a renderer. Pictures are RGBA codes (pictures.py),
 compared over plain grey.
@@ -16,7 +16,7 @@ def decibels(mean_square):
 
 
 def psnr(a, b, counted):
-    """Returns the PSNR of RGB codes over the counted pixels."""
+    """Returns the PSNR of RGB codes over the pixels that are selected."""
     return decibels(np.mean((a[counted].astype(float) - b[counted])**2))
 
 

@@ -29,14 +29,14 @@ class Orbit:
 class Scenario:
     name: str
     model: pathlib.Path
-    lighting: pathlib.Path = None  # None: the panorama of the bench
+    lighting: pathlib.Path = None  # None: the benchmark's own panorama
     width: int = DEFAULT_SIZE
     height: int = DEFAULT_SIZE
     orbit: Orbit = None  # None: the file's camera, or the tool's default view
     target: tuple = (0.0, 0.0, 0.0)
     vertical_fov_deg: float = 45.0
     skybox: bool = False
-    references: dict = dataclasses.field(default_factory=dict)  # picture of each renderer
+    references: dict = dataclasses.field(default_factory=dict)  # reference picture of each renderer
 
     def size(self, longest):
         """Returns width and height in pixels, scaled so that the longer is at most `longest`."""
