@@ -1,7 +1,7 @@
-# LIPPMANN_BUILD_FACTS: the lines of `lippmann --version`, as definitions for one source file, so that a new commit recompiles
-# only that file and relinks the tool. Contains no time and no path: the same sources give the same bytes.
+# LIPPMANN_BUILD_FACTS holds the lines of `lippmann --version` as definitions for one source file, so that a new commit
+# recompiles only that file and relinks the tool. It contains no time and no path, so that the same sources give the same bytes.
 
-# A tarball has no repository: its packager can set -DLIPPMANN_COMMIT=...
+# A tarball has no repository, so its packager can set -DLIPPMANN_COMMIT=...
 set(LIPPMANN_COMMIT "" CACHE STRING "The commit that lippmann --version prints; default: the repository's, if there is one")
 
 # Sets OUT to the checked-out commit, and makes CMake run again when it changes.

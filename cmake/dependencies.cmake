@@ -4,7 +4,7 @@ find_package(PkgConfig REQUIRED)
 find_package(TBB REQUIRED)
 find_package(glm REQUIRED)
 find_package(fmt REQUIRED)
-find_package(embree 4 QUIET)  # Debian 13; Debian 12 has 3.13, and src/device/embree_shim.hpp hides the difference
+find_package(embree 4 QUIET)  # Debian 13 has Embree 4, Debian 12 has 3.13; src/device/embree_shim.hpp hides the difference
 if(NOT embree_FOUND)
   find_package(embree 3.13 REQUIRED)
 endif()
@@ -24,14 +24,14 @@ find_package(OpenEXR 3.1 REQUIRED CONFIG)
 find_path(STB_INCLUDE_DIR stb_image.h PATH_SUFFIXES stb REQUIRED)
 pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)
 pkg_check_modules(WebP REQUIRED IMPORTED_TARGET libwebp)
-pkg_check_modules(LCMS IMPORTED_TARGET lcms2)  # optional: colour profiles of pictures
-pkg_check_modules(LIBHEIF IMPORTED_TARGET libheif>=1.12)  # optional: HEIC and AVIF pictures
-pkg_check_modules(HDF5 IMPORTED_TARGET hdf5)  # optional: light fields of HCI in HDF5
+pkg_check_modules(LCMS IMPORTED_TARGET lcms2)  # optional, for colour profiles of pictures
+pkg_check_modules(LIBHEIF IMPORTED_TARGET libheif>=1.12)  # optional, for HEIC and AVIF pictures
+pkg_check_modules(HDF5 IMPORTED_TARGET hdf5)  # optional, for HCI light fields in HDF5 files
 pkg_check_modules(FFmpeg REQUIRED IMPORTED_TARGET libavcodec libavformat libavutil libswscale)
 pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET tomlplusplus)
 
-# Prefers the archive: Debian's shared libdraco brings in image and glTF readers, whose symbols clash with other libraries.
-# Fedora and Arch package no archive.
+# Prefer the static library, because Debian's shared libdraco brings in image and glTF readers, whose symbols clash with others.
+# Fedora and Arch package only the shared library.
 find_library(DRACO_LIBRARY NAMES libdraco.a draco REQUIRED)
 find_path(DRACO_INCLUDE_DIR draco/draco_features.h REQUIRED)
 add_library(draco::library UNKNOWN IMPORTED)
@@ -39,7 +39,8 @@ set_target_properties(draco::library PROPERTIES
   IMPORTED_LOCATION ${DRACO_LIBRARY}
   INTERFACE_INCLUDE_DIRECTORIES ${DRACO_INCLUDE_DIR})
 
-# Optional: aligning pictures. Debian's small packages of OpenCV have no CMake files; libopencv-dev has them, but brings in VTK.
+# OpenCV is optional, for aligning pictures. Debian's small packages of OpenCV have no CMake files; libopencv-dev has them, but
+# brings in VTK.
 find_path(OPENCV_INCLUDE_DIR opencv2/calib3d.hpp PATH_SUFFIXES opencv4)
 set(OPENCV_LIBRARIES "")
 foreach(component core features2d calib3d)

@@ -3,15 +3,15 @@
 add_library(lippmann_options INTERFACE)
 target_include_directories(lippmann_options INTERFACE ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src)
 target_compile_options(lippmann_options INTERFACE -Wall -Wextra -Wshadow -Wno-unknown-pragmas)
-# Designated initialisers leave other members at their defaults on purpose.
+# Allow designated initialisers that leave other members at their defaults.
 target_compile_options(lippmann_options INTERFACE -Wno-missing-field-initializers)
-# Packets passed by value have a different ABI for each instruction set. No packet crosses the library's boundary.
+# Do not warn that packets passed by value have a different ABI for each instruction set: none crosses the library's boundary.
 target_compile_options(lippmann_options INTERFACE -Wno-psabi)
-# GCC 13 assumes that a returned reference refers to a temporary argument.
+# GCC 13 warns wrongly, because it assumes that a returned reference refers to a temporary argument.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 13 AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 14)
   target_compile_options(lippmann_options INTERFACE -Wno-dangling-reference)
 endif()
-# Loops over lanes combine comparisons with & and |, which vectorise; && and || would branch.
+# Allow & and | between comparisons: they vectorise in loops over lanes, while && and || would branch.
 target_compile_options(lippmann_options INTERFACE $<$<CXX_COMPILER_ID:Clang>:-Wno-bitwise-instead-of-logical>)
 
 # Clang 19 and later omit constructors that only function versions (core/multiversion.hpp) call, unless this is set.
@@ -80,9 +80,9 @@ endfunction()
 
 # lippmann_test(NAME [QUICK] [COMPUTES] [SOURCES ...] DEPENDS ...): declares a GoogleTest program of all *_test.cpp in the folder, or of
 # SOURCES.
-# QUICK: all its tests together take a few seconds. ctest runs the program once, under its name and the label quick; for other
+# QUICK: all tests of the program together take a few seconds. ctest runs the program once, under its name and the label quick; for other
 # programs, ctest runs each test under its own name.
-# COMPUTES: its own code takes time, such as comparing many pixels.
+# COMPUTES: the program's own code takes time, such as comparing many pixels.
 function(lippmann_test name)
   cmake_parse_arguments(TEST "QUICK;COMPUTES" "" "SOURCES;DEPENDS" ${ARGN})
   if(NOT TEST_SOURCES)

@@ -53,7 +53,7 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS lippmann-video)
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "Lippmann as a library: headers, shared object, CMake and pkg-config files")
 set(CPACK_DEBIAN_PYTHON3_PACKAGE_NAME python3-lippmann)
 set(CPACK_DEBIAN_PYTHON3_PACKAGE_SECTION python)
-# The module is for one minor version of Python. NumPy is imported by name, which shlibdeps does not detect.
+# The module works with one minor version of Python only. It imports NumPy by name, which shlibdeps does not detect.
 set(CPACK_DEBIAN_PYTHON3_PACKAGE_DEPENDS
   "python3 (>= ${LIPPMANN_PYTHON_VERSION}), python3 (<< ${LIPPMANN_PYTHON_NEXT_VERSION}), python3-numpy")
 set(CPACK_DEBIAN_PYTHON3_PACKAGE_SUGGESTS python3-xarray)

@@ -23,7 +23,7 @@ function(lippmann_precompiled_headers name)
   target_precompile_headers(${name} PRIVATE ${PCH_HEADERS})
 endfunction()
 
-# lippmann_use_precompiled(TARGET NAME): compiles TARGET with the precompiled headers, if they are on.
+# lippmann_use_precompiled(TARGET NAME): compiles TARGET with the precompiled headers, if these are enabled.
 function(lippmann_use_precompiled target name)
   if(LIPPMANN_PCH)
     target_precompile_headers(${target} REUSE_FROM ${name})
