@@ -50,7 +50,7 @@ copy_licences() {
   done >"$2"
 }
 
-# Packages of archives and headers that are compiled into the program.
+# Packages of static libraries and headers that are compiled into the program.
 # shellcheck disable=SC2034
 compiled_in=(libcli11-dev libdraco-dev libfmt-dev libglm-dev libmeshoptimizer-dev libstb-dev libtomlplusplus-dev libxxhash-dev
   nlohmann-json3-dev)
@@ -74,6 +74,6 @@ The source of each package: apt-get source NAME=VERSION on the Debian release, o
 NOTES
 }
 
-# Time stamp of all files, so that the same inputs give the same bytes: that of the last commit, or $SOURCE_DATE_EPOCH.
+# Time stamp of all files. It is $SOURCE_DATE_EPOCH or the time of the last commit, so that the same inputs give the same bytes.
 SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct 2>/dev/null || echo 1000000000)}
 export SOURCE_DATE_EPOCH

@@ -16,7 +16,7 @@ def decibels(mean_square):
 
 
 def psnr(a, b, counted):
-    """Returns the PSNR of RGB codes over the pixels that are selected."""
+    """Returns the PSNR of RGB codes over the pixels in the mask `counted`."""
     return decibels(np.mean((a[counted].astype(float) - b[counted])**2))
 
 
