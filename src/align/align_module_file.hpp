@@ -1,4 +1,4 @@
-// Tells whether image alignment is available.
+// Determines whether image alignment is available.
 #pragma once
 
 namespace lippmann {

@@ -1,9 +1,9 @@
-// Aligns images shot by hand or on a slider, as the views of a row of cameras.
+// Aligns images that were shot by hand or on a slider, so that they can serve as the views of a row of cameras.
 //
-// A row of cameras sees each scene point at the same height, and its horizontal motion gives its depth. Each image is rotated,
-// scaled and shifted vertically to match heights (align/similarity_fit.hpp), and all are rotated to make the line of the
-// cameras horizontal. Horizontal shifts keep the focus point still, so that points at its depth lie on the display. The images
-// are cropped to their common area.
+// A row of cameras sees each scene point at the same height, and the point's horizontal motion depends on its depth. Each image
+// is rotated, scaled and shifted vertically so that heights match (align/similarity_fit.hpp). Then all images are rotated
+// together to make the line of the cameras horizontal. Horizontal shifts keep the focus point still, so that points at its
+// depth are shown in the plane of the display. The images are cropped to their common area.
 #pragma once
 
 #include <cstddef>
@@ -19,23 +19,24 @@
 namespace lippmann {
 
 struct AlignParams {
-  std::filesystem::path in;         ///< a folder of images, in natural order of their names from left to right
-  std::filesystem::path out;        ///< a folder: view_000.png, view_001.png, ...
-  std::optional<Vec2d> focus = {};  ///< pixels of the middle image, from its top left; none: its centre
+  std::filesystem::path in;   ///< a folder of images; the natural order of their names is the order from left to right
+  std::filesystem::path out;  ///< a folder for the aligned images view_000.png, view_001.png, ...
+  /// The focus point in pixels of the middle image, from its top left; none: the centre of that image.
+  std::optional<Vec2d> focus = {};
 };
 
 struct AlignedPicture {
   std::filesystem::path in, out;
   Similarity moved;          ///< from pixels of the image to pixels of the middle image before cropping
-  double residual_px = 0.0;  ///< root mean square of the remaining vertical differences of shared points
+  double residual_px = 0.0;  ///< root mean square of the vertical differences of shared points that remain after alignment
 };
 
 struct AlignedPictures {
   std::vector<AlignedPicture> pictures;
   std::size_t middle = 0;
   Vec2i read_size{0};
-  Vec2i corner{0}, size{0};  ///< the window that is kept
-  Vec2d focus{0.0};          ///< in pixels of each written image
+  Vec2i corner{0}, size{0};  ///< the window of the middle image to which all images are cropped
+  Vec2d focus{0.0};          ///< the focus point in pixels of each written image
   Parallax parallax;
 };
 

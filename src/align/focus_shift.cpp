@@ -10,10 +10,10 @@ namespace {
 constexpr std::size_t kNearPlaces = 15;
 constexpr int kSearchPx = 3;  ///< search radius around the predicted position, in pixels of the reduced images
 constexpr int kRefinements = 12;
-constexpr double kMinLikeness = 0.7;  ///< correlation of two patches that show the same point
-constexpr double kMinContrast = 2.0;  ///< standard deviation of a patch that can be found again, codes
+constexpr double kMinLikeness = 0.7;  ///< smallest correlation of two patches that are taken to show the same point
+constexpr double kMinContrast = 2.0;  ///< smallest standard deviation, in codes, of a patch that can be found again
 
-/// Brightness around a point, minus its mean and divided by its standard deviation.
+/// Brightness of the pixels around a point, minus its mean and divided by its standard deviation.
 struct Patch {
   std::vector<double> values;
   double contrast = 0.0;
@@ -36,7 +36,7 @@ double code_at(const GreyPicture& grey, Vec2d place) {
          share.y * ((1.0 - share.x) * code(0, 1) + share.x * code(1, 1));
 }
 
-/// Searches the point in one set of images.
+/// Searches for the focus point in one set of images.
 class FocusSearch {
  public:
   FocusSearch(const RegisteredPictures& registered, Vec2d focus)
@@ -49,9 +49,9 @@ class FocusSearch {
 
   bool has_texture() const { return wanted_.contrast >= kMinContrast; }
 
-  /// Returns how far the point in `picture` is to the right of its position in the middle image, in pixels. from: the neighbour
-  /// nearer to the middle, with the shift `known`. Returns none without a matching patch; `guess` then follows from shared
-  /// points.
+  /// Returns by how many pixels the point in `picture` is to the right of its position in the middle image. from: the
+  /// neighbouring image nearer to the middle, whose shift is `known`. Returns nullopt if no patch matches; `guess` is then the
+  /// shift that follows from shared points.
   std::optional<double> find(std::size_t picture, std::size_t from, double known, double& guess) const {
     const std::vector<double> steps = near_steps(picture, from, known);
     guess = known + steps[steps.size() / 2];
@@ -67,7 +67,8 @@ class FocusSearch {
   }
 
  private:
-  /// Returns the motions of the shared points nearest to the focus from one image to the next, in ascending order.
+  /// Returns the horizontal motions, from image `from` to `picture`, of the shared points nearest to the focus, in ascending
+  /// order.
   std::vector<double> near_steps(std::size_t picture, std::size_t from, double known) const {
     const auto pair = std::find_if(registered_.shared.begin(), registered_.shared.end(), [&](const SharedPlaces& shared) {
       return shared.first == std::min(picture, from) && shared.second == std::max(picture, from);
@@ -91,7 +92,7 @@ class FocusSearch {
     return moves;
   }
 
-  /// Returns the patch of the aligned image around the point, `offset` pixels to the right.
+  /// Returns the patch of the aligned image at the point shifted by `offset` pixels to the right.
   Patch patch(std::size_t picture, double offset) const {
     const Similarity back = inverse(registered_.pictures[picture]);
     const GreyPicture& grey = registered_.greys[picture];
@@ -111,7 +112,7 @@ class FocusSearch {
     return patch;
   }
 
-  /// Minimises the difference of the patches along the row by Gauss-Newton steps.
+  /// Refines an offset by Gauss-Newton steps, which minimise the difference of the patches along the row.
   double refined(std::size_t picture, double offset) const {
     const double step = 0.5 * pixels_per_grey_, begin = offset;
     for (int round = 0; round < kRefinements; ++round) {

@@ -1,4 +1,4 @@
-// Grey images for comparison: 8-bit codes, row-major from the top left.
+// Grey images for comparisons. They have 8-bit codes, row-major from the top left.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,8 @@ struct GreyPicture {
   std::vector<std::uint8_t> codes;
 };
 
-/// Returns the mean of the channels' sRGB codes, reduced by area averaging if a side is longer than `longest` pixels.
+/// Returns the mean of the channels' sRGB codes. If a side is longer than `longest` pixels, the image is reduced by area
+/// averaging.
 GreyPicture grey_of(const Picture& picture, int longest);
 
 }  // namespace lippmann

@@ -12,7 +12,8 @@ struct Range {
   double low = 0.0, high = 0.0;
 };
 
-/// Returns how far points are to the right of their position in the middle image, from a low to a high percentile.
+/// Returns the range, from a low to a high percentile, of how far points are to the right of their position in the middle
+/// image.
 Range range_in(const RegisteredPictures& registered, const SharedPlaces& pair) {
   std::vector<double> moves;
   for (std::size_t i = 0; i < pair.in_first.size(); ++i)

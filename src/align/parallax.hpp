@@ -1,4 +1,5 @@
-// Measures how far points of aligned images move from the first image to the last, and how much of that a display resolves.
+// Measures how far points of aligned images move from the first image to the last, and how much of this motion a display
+// resolves.
 #pragma once
 
 #include <cstddef>
@@ -9,18 +10,18 @@
 
 namespace lippmann {
 
-/// Motion of the nearest and the farthest points to the left, from the first image to the last, in pixels: positive in front of
-/// the display, negative behind it. The outermost 2 % of the points at either end are ignored.
+/// Motion of the nearest and of the farthest points to the left, from the first image to the last, in pixels. Positive in front
+/// of the display, negative behind it. The 2 % of the points with the largest and the 2 % with the smallest motion are ignored.
 struct Parallax {
   double near_px = 0.0, far_px = 0.0;
 
   double total_px() const { return near_px - far_px; }
 };
 
-/// Measures the parallax from points shared with the middle image, in the outermost images that have such points.
+/// Measures the parallax by points that the middle image shares with the outermost images that have such points.
 Parallax parallax_of(const RegisteredPictures& registered);
 
-/// The parallax of images that fill a display, cropped to its shape.
+/// The parallax of images that are cropped to the display's shape and fill it.
 struct ShownParallax {
   double mm_per_px = 0.0;
   double lens_mm = 0.0;  ///< width of a lens

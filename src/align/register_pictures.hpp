@@ -16,12 +16,14 @@
 namespace lippmann {
 
 struct RegisteredPictures {
-  Vec2i size{0};                     ///< pixels of each image
-  std::size_t middle = 0;            ///< the image that the others are registered to
-  std::vector<GreyPicture> greys;    ///< images of at most 1600 pixels a side
-  std::vector<SharedPlaces> shared;  ///< of neighbours (image i and i + 1), then of images (first) and the middle one
-  std::vector<Similarity> pictures;  ///< align rows: the line of the cameras is horizontal; x is 0 at the centre
-  std::vector<double> residuals;     ///< root mean square of the remaining vertical differences, pixels
+  Vec2i size{0};                   ///< size of each image, in pixels
+  std::size_t middle = 0;          ///< index of the image to which all others are registered
+  std::vector<GreyPicture> greys;  ///< the images as grey images with at most 1600 pixels a side
+  /// Points shared by neighbours (images i and i + 1), then points shared by an image (first) and the middle one.
+  std::vector<SharedPlaces> shared;
+  /// Transforms that align the rows of the images, with a horizontal line of cameras; x is 0 at the centre.
+  std::vector<Similarity> pictures;
+  std::vector<double> residuals;  ///< root mean square of the vertical differences that remain after alignment, in pixels
 };
 
 /// Registers two or more images of one size. Throws Error naming two neighbours with too few shared points. The result does not

@@ -10,12 +10,13 @@
 namespace lippmann {
 namespace {
 
-constexpr int kSamples = 500;                      ///< with 1/3 correct matches, the chance to miss them is 1 in 10^8
+/// Number of samples; if 1/3 of the matches are correct, the chance that no sample is correct is 1 in 10^8.
+constexpr int kSamples = 500;
 constexpr double kMaxTurn = 0.5, kMaxScale = 2.0;  ///< limits of |b| and a between two images of one row
-constexpr int kRounds = 8;                         ///< enough for the weights to converge
-constexpr double kSlopeSigma = 0.02;               ///< standard deviation: a camera is mounted on its slider to about a degree
+constexpr int kRounds = 8;                         ///< number of rounds, enough for the weights to converge
+constexpr double kSlopeSigma = 0.02;  ///< standard deviation of the slope: a camera is mounted on its slider to about a degree
 
-/// The height in the first image of point `q` in the second: rotation, scale and shift.
+/// Gives the height in the first image of a point `q` of the second, for a rotation, scale and shift between the images.
 struct HeightRule {
   double b = 0.0, a = 1.0, y = 0.0;
 
@@ -75,13 +76,14 @@ class EnvelopeMatrix {
   std::vector<std::vector<double>> rows_;
 };
 
-/// The state of the fit. Lengths are in half diagonals of the images, measured from their centres.
+/// The state of the fit. Lengths are in half diagonals of the images, and positions are measured from the centres of the
+/// images.
 class PictureFit {
  public:
   PictureFit(const std::vector<SharedPlaces>& shared, std::size_t count, std::size_t fixed, Vec2i size)
       : shared_(shared), fixed_(fixed), middle_(0.5 * Vec2d(size)), unit_px_(0.5 * glm::length(Vec2d(size))), rules_(count) {}
 
-  /// Runs one round: weights from the errors of the last round, then the linear solution.
+  /// Runs one round: computes weights from the errors of the last round, then solves the linear equations.
   void solve() {
     const double sigma = std::max(1.5 * median_error(), 0.01 / unit_px_);
     EnvelopeMatrix matrix(row_begins());
@@ -117,7 +119,7 @@ class PictureFit {
  private:
   std::size_t unknowns() const { return 3 * rules_.size() - 2; }
   std::size_t slope_index() const { return unknowns() - 1; }
-  /// Returns the index of the unknown b of an image; a and y follow it. The fixed image has no unknowns.
+  /// Returns the index of the unknown b of an image; the unknowns a and y follow it. The fixed image has no unknowns.
   std::size_t index_of(std::size_t picture) const { return 3 * (picture < fixed_ ? picture : picture - 1); }
 
   std::vector<std::size_t> row_begins() const {
@@ -153,7 +155,8 @@ class PictureFit {
     return *middle;
   }
 
-  /// Adds height(first) - height(second) - slope * (side(first) - side(second)) = 0, with the sides of the last round.
+  /// Adds the equation height(first) - height(second) - slope * (side(first) - side(second)) = 0, with the sides computed in
+  /// the last round.
   void add_equation(const SharedPlaces& pair, std::size_t i, double weight, EnvelopeMatrix& matrix,
                     std::vector<double>& right) const {
     std::array<std::pair<std::size_t, double>, 7> terms{};

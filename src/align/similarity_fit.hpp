@@ -1,4 +1,4 @@
-// Fits the rotation, scale and vertical shift of images of a row of cameras to their shared points.
+// Fits a rotation, scale and vertical shift to each image of a row of cameras, such that shared points are at equal heights.
 //
 // An ideal row of cameras sees a point at depth z at the same height in all images, at a horizontal position that depends on z.
 // With q in image i and q' in image j, similarities S_i and S_j that align the images therefore satisfy
@@ -15,23 +15,25 @@
 
 namespace lippmann {
 
-/// Points shared by two images, in pixels. Equal indices are the same point.
+/// Points that two images share, in pixels. Points with equal indices are the same scene point.
 struct SharedPlaces {
   std::size_t first = 0, second = 0;  ///< indices of the images
   std::vector<Vec2d> in_first, in_second;
 };
 
-/// Removes points whose height differs by more than `tolerance` pixels from the dominant rotation, scale and vertical shift
-/// between the two images, found by a fixed sequence of samples of three points (RANSAC).
+/// Removes points that do not fit the dominant rotation, scale and vertical shift between the two images: those whose height
+/// differs by more than `tolerance` pixels. The dominant motion is found by RANSAC with a fixed sequence of samples of three
+/// points.
 void keep_consistent(SharedPlaces& shared, double tolerance);
 
 struct FittedPictures {
-  std::vector<Similarity> pictures;  ///< x is 0 at the centre: S(centre).x = centre.x
-  double slope = 0.0;                ///< t
-  std::vector<double> residuals;     ///< root mean square of the remaining vertical differences of each image, pixels
+  std::vector<Similarity> pictures;  ///< transforms that align the rows; x is 0 at the centre: S(centre).x = centre.x
+  double slope = 0.0;                ///< t, the slope of the line of the cameras
+  std::vector<double> residuals;     ///< root mean square of the vertical differences that remain in each image, in pixels
 };
 
-/// Fits `count` images of size `size`. Shared points must connect each image with image `fixed`, directly or through others.
+/// Fits `count` images of size `size`. Shared points must connect each image with the image `fixed`, directly or through other
+/// images.
 FittedPictures fit_pictures(const std::vector<SharedPlaces>& shared, std::size_t count, std::size_t fixed, Vec2i size);
 
 }  // namespace lippmann

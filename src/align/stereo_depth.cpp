@@ -25,8 +25,10 @@ namespace {
 
 constexpr int kMatchedPx = 1600, kMatchedFeatures = 3000;
 constexpr std::size_t kMinShared = 20;
-constexpr double kMaxRowError = 1.0;       ///< pixels of the matched images
-constexpr double kMaxContradiction = 1.5;  ///< pixels of the matched images
+/// Largest median row error of shared points without a warning, in pixels of the matched images.
+constexpr double kMaxRowError = 1.0;
+/// Largest difference between the disparities of both images at one point, in pixels of the matched images.
+constexpr double kMaxContradiction = 1.5;
 constexpr float kUnknown = -std::numeric_limits<float>::infinity();
 
 /// Mirrors an image horizontally.
@@ -75,7 +77,7 @@ void warn_of_rows(const SharedPlaces& shared, const std::string& name, const Con
                     name, error));
 }
 
-/// Returns the range of disparities of shared points, with a margin for surfaces between them.
+/// Returns the range of the disparities of shared points, with a margin for surfaces without such points.
 DisparityRange range_of_pair(const SharedPlaces& shared) {
   std::vector<double> moves;
   for (std::size_t i = 0; i < shared.in_first.size(); ++i) moves.push_back(shared.in_first[i].x - shared.in_second[i].x);
@@ -84,8 +86,8 @@ DisparityRange range_of_pair(const SharedPlaces& shared) {
   return {static_cast<int>(std::floor(least - margin)), static_cast<int>(std::ceil(most + margin))};
 }
 
-/// Removes disparities that the other image contradicts. sign: 1 for the left image, whose points are that far to the left in
-/// the right image; -1 for the right image.
+/// Removes disparities that the other image contradicts. sign: 1 for the left image, whose points are to the left in the right
+/// image by their disparity; -1 for the right image.
 void remove_contradictions(Image& disparity, const Image& other, int sign) {
   for (int y = 0; y < disparity.height; ++y)
     for (int x = 0; x < disparity.width; ++x) {

@@ -1,4 +1,4 @@
-// Computes the dense disparity of a stereo pair.
+// Computes a disparity for every pixel of a stereo pair.
 //
 // The pair must be aligned (align/align_pictures.hpp), with each point in the same row of both images.
 #pragma once
@@ -9,15 +9,15 @@
 
 namespace lippmann {
 
-/// x in the left image minus x in the right one, in pixels of the input images: positive in front of the display. 1 channel
-/// each, at most 1600 pixels a side. Points visible in only one image have the disparity of the surface behind.
+/// Disparities: x in the left image minus x in the right one, in pixels of the input images; positive in front of the display.
+/// 1 channel each, at most 1600 pixels a side. Points that only one image shows have the disparity of the surface behind them.
 struct StereoDisparity {
   Image of_left, of_right;
-  double least = 0.0, most = 0.0;  ///< the searched range
+  double least = 0.0, most = 0.0;  ///< range in which disparities were searched for
 };
 
-/// Computes the disparities of two images of one size. name: the name in errors and warnings. Warns if the rows do not match.
-/// Throws Error if the images share too few points.
+/// Computes the disparities of two images of one size. name: name of the pair in errors and warnings. Warns if the rows do not
+/// match. Throws Error if the images share too few points.
 StereoDisparity disparity_of_pair(const Picture& left, const Picture& right, const std::string& name, const Context& context);
 
 }  // namespace lippmann

@@ -19,7 +19,7 @@ double lanczos(double x) {
   return 3.0 * std::sin(t) * std::sin(t / 3.0) / (t * t);
 }
 
-/// Returns the weights of pixels -2 ... 3 for positions between pixels 0 and 1.
+/// Returns a table of the filter's weights for pixels -2 to 3, for positions between pixels 0 and 1.
 std::array<Taps, kPhases + 1> tap_table() {
   std::array<Taps, kPhases + 1> table{};
   for (int phase = 0; phase <= kPhases; ++phase) {
@@ -59,7 +59,7 @@ void sample(const Image& picture, const TapPlace& across, const TapPlace& down, 
     }
     for (std::size_t c = 0; c < 3; ++c) sum[c] += (*down.weights)[row] * of_row[c];
   }
-  for (std::size_t c = 0; c < 3; ++c) result[c] = std::max(sum[c], 0.0f);  // ringing can go below black
+  for (std::size_t c = 0; c < 3; ++c) result[c] = std::max(sum[c], 0.0f);  // the filter's ringing can go below black
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ namespace {
 
 static_assert(sizeof(std::array<float, 128>) == 128 * sizeof(float));
 
-/// Returns a view of the image's own codes. OpenCV only reads them.
+/// Returns an OpenCV matrix that shares the image's codes. OpenCV only reads them.
 cv::Mat matrix_of(const GreyPicture& picture) {
   return {picture.height, picture.width, CV_8UC1, const_cast<std::uint8_t*>(picture.codes.data())};
 }
@@ -27,9 +27,10 @@ cv::Mat matrix_of(const Features& features) {
           const_cast<float*>(features.descriptors.front().data())};
 }
 
-/// Returns for each feature of `from` the index of the most similar one of `to`; -1 if another is nearly as similar.
+/// Returns, for each feature of `from`, the index of the most similar feature of `to`; -1 if another one is nearly as similar.
 std::vector<int> nearest_features(const Features& from, const Features& to) {
-  constexpr float kMaxRatio = 0.8f;  // of the distances to the nearest and the second nearest feature; Lowe, section 7.1
+  // Largest ratio of the distances to the nearest and to the second nearest feature; Lowe, section 7.1.
+  constexpr float kMaxRatio = 0.8f;
   std::vector<std::vector<cv::DMatch>> found;
   cv::BFMatcher(cv::NORM_L2).knnMatch(matrix_of(from), matrix_of(to), found, 2);
   std::vector<int> nearest(found.size(), -1);
