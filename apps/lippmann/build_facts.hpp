@@ -5,7 +5,7 @@
 
 namespace lippmann::app {
 
-/// Returns lines without a final newline. Loads no module.
+/// Returns the lines, without a final newline. Loads no module.
 std::string build_facts();
 
 }  // namespace lippmann::app

@@ -1,4 +1,4 @@
-// Flags that state the cameras of a light field whose files do not.
+// Flags that define the cameras of a light field whose files do not define them.
 #pragma once
 
 #include <optional>
@@ -12,9 +12,9 @@ class Command;  // command_line.hpp
 struct CameraFlags {
   std::optional<double> baseline_mm, focal_length_mm, sensor_width_mm, focus_distance_mm;
 
-  /// Returns the name of the first flag that is given, or null.
+  /// Returns the name of the first of these flags that is given, or null.
   const char* first_given() const;
-  /// Returns nothing if no flag is given. Throws a usage Error naming a flag that is missing.
+  /// Returns the cameras, or nullopt if no flag is given. Throws a usage Error naming a flag that is missing.
   std::optional<StatedCameras> read() const;
 };
 

@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kWrongUsage = 2;
 
-/// Returns ", did you mean '...'?" with the flag or command nearest to an unknown word, or nothing.
+/// Returns ", did you mean '...'?" with the flag or command most similar to an unknown word; empty if none is similar.
 std::string suggestion(const std::string& word, const CLI::App& command) {
   std::vector<std::string> names;
   if (word.starts_with("-")) {
@@ -31,14 +31,14 @@ std::string suggestion(const std::string& word, const CLI::App& command) {
       names.push_back(sub->get_name());
   }
   const std::vector<std::string_view> candidates(names.begin(), names.end());
-  // Compares without dashes: common dashes would make any two short flags similar.
+  // Compares names without their dashes, because these would make any two short flags similar.
   const std::string_view dashes = word.starts_with("-") ? "--" : "";
   const std::string name = word.substr(std::min(word.find_first_not_of('-'), word.size()));
   const std::string nearest = nearest_name(name.substr(0, name.find('=')), candidates);
   return nearest.empty() ? std::string() : fmt::format(", did you mean '{}{}'?", dashes, nearest);
 }
 
-/// Help of two lengths: examples and the common flags, or everything.
+/// Formats help in two lengths: examples with the most common flags, or everything.
 class ShortHelp : public CLI::Formatter {
  public:
   ShortHelp(std::vector<std::string> flags, std::string examples) : flags_(std::move(flags)), examples_(std::move(examples)) {}
@@ -63,13 +63,13 @@ class ShortHelp : public CLI::Formatter {
   std::string examples_;
 };
 
-/// Returns null if there is no such command.
+/// Returns the command with this name, or null if there is none.
 const CLI::App* command_named(const std::string& name, const CLI::App& root) {
   const auto found = root.get_subcommands([&](const CLI::App* command) { return command->get_name() == name; });
   return found.empty() ? nullptr : found.front();
 }
 
-/// Reports an unknown command.
+/// Reports an unknown command. Returns the exit code.
 int refuse(const CLI::App& root, const std::string& word) {
   print_error("{}: there is no '{}'{} (see {} --help)\n", root.get_name(), word, suggestion(word, root), root.get_name());
   return kWrongUsage;
@@ -82,8 +82,8 @@ std::vector<std::string> help_words(std::vector<std::string> words) {
   return {words[1], words.size() > 2 ? words[2] : "--help"};
 }
 
-/// Adds the default value to flags that may stand alone if no value follows: "--denoise" becomes "--denoise=auto". Skips flags
-/// that take no value in this command.
+/// Adds the default value to flags that may be given without a value, if no value follows: "--denoise" becomes
+/// "--denoise=auto". A flag that takes no value in this command is left as it is.
 std::vector<std::string> with_bare_values(std::vector<std::string> words, const CLI::App& root) {
   const CLI::App* command = words.empty() ? nullptr : command_named(words.front(), root);
   for (std::size_t i = 1; command && i < words.size(); ++i) {
@@ -98,7 +98,7 @@ std::vector<std::string> with_bare_values(std::vector<std::string> words, const 
   return words;
 }
 
-/// Prints help and version on stdout (exit code 0), all else as an error on stderr (exit code 2).
+/// Prints help and the version on stdout (exit code 0), and anything else as an error on stderr (exit code 2).
 int report(const CLI::ParseError& outcome, const CLI::App& root) {
   if (outcome.get_exit_code() == 0) return root.exit(outcome);
   const CLI::App* command = &root;
@@ -220,7 +220,7 @@ std::optional<int> CommandLine::parse(int argc, char** argv) {
     const bool about_command = words.size() > 1 && words.front() == "help" && words[1] != "help";
     if (about_command && !command_named(words[1], *app_)) return refuse(*app_, words[1]);
     words = with_bare_values(help_words(words), *app_);
-    std::reverse(words.begin(), words.end());  // CLI11 expects reverse order
+    std::reverse(words.begin(), words.end());  // CLI11 expects the words in reverse order
     app_->parse(std::move(words));
   } catch (const CLI::ParseError& outcome) {
     return report(outcome, *app_);

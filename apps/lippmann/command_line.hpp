@@ -1,5 +1,5 @@
-// Declares commands: their flags, the variables that receive the values, and the text of --help. Hides CLI11 in
-// command_line.cpp, because its headers take seconds to compile.
+// Declares commands: their flags, the variables that receive the values, and the text of --help. Only command_line.cpp includes
+// CLI11, because its headers take seconds to compile.
 #pragma once
 
 #include <functional>
@@ -19,74 +19,77 @@ class Option;
 
 namespace lippmann::app {
 
-/// Replaces parameter names in backquotes, such as `min-psnr`, by their flags: --min-psnr.
+/// Replaces the names of parameters in backquotes, such as `min-psnr`, by their flags, such as --min-psnr.
 std::string with_flags(std::string_view text);
 
-/// A flag or positional argument that a command has declared. Values outside the declared range or list are wrong usage.
+/// A flag or positional argument that a command has declared. A value outside the declared range or list is a usage error.
 class Flag {
  public:
   explicit Flag(CLI::Option& option) : option_(&option) {}
 
   const Flag& required() const;
-  const Flag& type_name(const std::string& name) const;  ///< name of its value in --help
-  const Flag& group(const std::string& heading) const;   ///< heading in --help
-  const Flag& values(int count, char delimiter) const;   ///< takes a list of `count` values in one word
-  const Flag& single() const;                            ///< takes one word, although its variable is a list
-  const Flag& one_word_each() const;                     ///< each further value of the list repeats the flag
-  const Flag& range(int least, int most) const;          ///< both ends included
-  const Flag& range(double least, double most) const;    ///< both ends included
+  const Flag& type_name(const std::string& name) const;  ///< sets the name of its value in --help
+  const Flag& group(const std::string& heading) const;   ///< sets the heading below which --help lists it
+  const Flag& values(int count, char delimiter) const;   ///< makes it take a list of `count` values in one word
+  const Flag& single() const;                            ///< makes it take only one word, although its variable is a list
+  /// Makes it take one word each time it is given; for more values of the list it is repeated.
+  const Flag& one_word_each() const;
+  const Flag& range(int least, int most) const;        ///< limits the value to a range, both ends included
+  const Flag& range(double least, double most) const;  ///< limits the value to a range, both ends included
   const Flag& positive() const;
   const Flag& not_negative() const;
   const Flag& one_of(std::initializer_list<const char*> words) const;
-  bool given() const;                ///< after parsing: whether the command line has the flag
-  const Flag& show_default() const;  ///< --help prints the variable's present value
+  bool given() const;                ///< returns whether the command line has the flag; call after parsing
+  const Flag& show_default() const;  ///< makes --help print the variable's present value
 
  private:
   CLI::Option* option_;
 };
 
-/// A command, or a group of its flags below a heading of --help. CommandLine::parse writes to the variables, which must live
-/// until then. Names are written "-o,--output"; a name without dashes declares a positional argument.
+/// A command, or a group of its flags below a heading of --help. CommandLine::parse writes to the variables, so these must live
+/// until then. A flag is declared by its names, such as "-o,--output"; a name without dashes declares a positional argument.
 class Command {
  public:
   explicit Command(CLI::App& app) : app_(&app) {}
 
   Command add_command(const std::string& name, const std::string& doc) const;
   Command add_group(const std::string& heading, const std::string& doc = {}) const;
-  /// Value: std::string, int, double, an optional of these numbers, or a vector of strings or of double.
+  /// Value is std::string, int, double, an optional int or double, or a vector of std::string or double.
   template <typename Value>
   Flag add_option(const std::string& names, Value& value, const std::string& doc) const;
   Flag add_flag(const std::string& names, bool& value, const std::string& doc) const;
   Flag add_flag(const std::string& names, std::function<void()> when_given, const std::string& doc) const;
-  void footer(const std::string& text) const;  ///< last lines of --help
+  void footer(const std::string& text) const;  ///< sets the last lines of --help
   void hide() const;                           ///< leaves the command out of --help
   /// Adds --help-all and limits --help to the examples and these flags.
   void short_help(std::vector<std::string> flags, std::string examples) const;
-  void when_named(std::function<void()> then) const;  ///< called after parsing
+  /// Sets a function that is called after parsing if the command line names this command.
+  void when_named(std::function<void()> then) const;
 
  private:
   CLI::App* app_;
 };
 
-/// The tool and its commands, one of which is named on the command line.
+/// The tool and its commands. The command line names one of these.
 class CommandLine {
  public:
   CommandLine(const std::string& name, const std::string& doc, const std::string& version);
   ~CommandLine();
 
   Command root() { return Command(*app_); }
-  /// Returns nothing if a command is ready to run. Otherwise prints help or version on stdout, or an error on stderr, and
+  /// Returns nullopt if a command is ready to run. Otherwise prints help or the version on stdout, or an error on stderr, and
   /// returns the exit code.
   std::optional<int> parse(int argc, char** argv);
 
-  /// Returns the values of a flag (named without dashes) or argument that its declaration does not list.
+  /// Returns the possible values of a flag (named without dashes) or argument if its declaration does not list them.
   using ValuesOf = std::function<std::vector<std::string>(const std::string& name)>;
-  /// Returns the completions of the last word; words follow the tool's name. ":files" stands for file names.
+  /// Returns the completions of the last word. `words` are those after the tool's name. ":files" in the result stands for file
+  /// names.
   std::vector<std::string> completions(const std::vector<std::string>& words, const ValuesOf& values_of) const;
 
   /// Returns the manual page of all commands and flags, for man(1).
   std::string manual() const;
-  /// The same in Markdown, for docs/reference/command-line.md. A flag that several commands share is explained once.
+  /// Returns the same as Markdown, for docs/reference/command-line.md. A flag that several commands share is explained once.
   std::string reference() const;
 
   /// Returns the message of an Error with flags in place of parameter names.

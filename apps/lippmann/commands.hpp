@@ -1,4 +1,5 @@
-// The commands of the tool, one file each. A file declares the command's flags and what runs after parsing; it has no logic.
+// The commands of the tool, one file each. A file declares the flags of its command and the function that runs after parsing.
+// The work itself is done by the library.
 //
 // To add a command: write `add_NAME_command` in NAME_command.cpp, declare it below, and call it in main.cpp. Allocate the
 // options on the heap, because the command line keeps references to them; declare flags that write to them; assign the work to
@@ -24,10 +25,10 @@ namespace lippmann::app {
 class Command;      // command_line.hpp
 class CommandLine;  // command_line.hpp
 
-/// The work that the command line asked for. Returns the exit code of the process.
+/// The function that the chosen command runs. Returns the exit code of the process.
 using Action = std::function<int(Context& context)>;
 
-/// program: the name that the tool was called by, for commands printed in the summary.
+/// program: the name by which the tool was called, for commands that the summary prints.
 void add_render_command(const Command& root, Action& chosen, const std::string& program);
 void add_plan_command(const Command& root, Action& chosen);
 void add_submit_command(const Command& root, Action& chosen, const std::string& program);
@@ -46,7 +47,7 @@ void add_displays_command(const Command& root, Action& chosen);
 void add_sheet_command(const Command& root, Action& chosen);
 void add_view_command(const Command& root, Action& chosen);
 void add_play_command(const Command& root, Action& chosen);
-/// command_line: the commands to complete or to document.
+/// command_line: the command line whose commands are completed or documented.
 void add_complete_command(const Command& root, Action& chosen, const CommandLine& command_line);
 void add_manual_command(const Command& root, Action& chosen, const CommandLine& command_line);
 

@@ -35,7 +35,7 @@ std::vector<std::string> display_names() {
   return names;
 }
 
-/// Returns the values of flags (without dashes) and arguments that their declarations do not list.
+/// Returns the possible values of a flag (without dashes) or argument whose declaration does not list them.
 std::vector<std::string> values_of(const std::string& name) {
   if (name == "KIND") return {"pitch", "phase", "viewing-zone", "lens"};
   if (name == "SCENE") return scene_names();

@@ -17,7 +17,7 @@ Names beginning_with(const std::string& start, const Names& names) {
   return found;
 }
 
-/// Excludes groups of flags, which are commands without a name.
+/// Returns whether help lists the command. Groups of flags are commands without a name, and are not listed.
 bool is_listed(const CLI::App& command) { return !command.get_name().empty() && !command.get_group().empty(); }
 
 Names commands_of(const CLI::App& root) {
@@ -48,14 +48,14 @@ Names flags_of(const CLI::App& command) {
   return {flags.begin(), flags.end()};
 }
 
-/// Returns the flag that `word` names if a value follows it, or null.
+/// Returns the flag that `word` names if it takes a value, which is then the next word; otherwise null.
 const CLI::Option* flag_before(const CLI::App& command, const std::string& word) {
   for (const CLI::Option* option : options_of(command))
     if (word.starts_with("-") && option->check_name(word)) return option->get_items_expected_max() > 0 ? option : nullptr;
   return nullptr;
 }
 
-/// Returns the words of a type such as {a,b} or NAME:{a,b}.
+/// Returns the words that a type such as {a,b} or NAME:{a,b} lists.
 Names words_in_braces(const std::string& type) {
   const std::size_t open = type.find('{'), close = type.find('}');
   Names words;

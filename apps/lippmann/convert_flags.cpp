@@ -28,7 +28,7 @@ struct IdleRule {
   const char* accepted;
 };
 
-/// Returns whether the reader or the writer of the conversion's formats uses an option.
+/// Returns whether the format to read or the format to write uses an option.
 template <bool FormatUses::*use>
 bool is_read(const Conversion& c) {
   return c.from && c.from->reads.*use;
@@ -38,7 +38,8 @@ bool is_written(const Conversion& c) {
   return c.to && c.to->writes.*use;
 }
 
-/// Every kind of conversion reads raw plenoptic pictures through --from, except stereo, which reads its light field itself.
+/// Returns whether a raw plenoptic picture may be the input. Every kind of conversion reads these through --from, except
+/// stereo, which reads its light field itself.
 bool reads_plenoptic(const ConvertOptions&, const Conversion& c) {
   return is_read<&FormatUses::plenoptic>(c) && c.kind != ConvertKind::kStereo;
 }
@@ -48,7 +49,7 @@ bool is_for_display(const ConvertOptions&, const Conversion& c) { return c.kind 
 bool is_rearranged(const ConvertOptions& o, const Conversion& c) {
   return c.kind == ConvertKind::kRearrange || is_for_display(o, c);
 }
-/// A print is a picture that is turned or laid below a lens sheet.
+/// Returns whether the output is the picture behind a display's lenses, which may be printed.
 bool is_print(const ConvertOptions& o, const Conversion& c) { return is_for_display(o, c) && c.to->name == "integral"; }
 bool is_flip(const ConvertOptions& o, const Conversion& c) { return is_print(o, c) && o.picture.flip; }
 bool is_spoc(const ConvertOptions&, const Conversion& c) { return c.kind == ConvertKind::kSpoc; }
@@ -61,7 +62,7 @@ bool keeps_cameras(const ConvertOptions&, const Conversion& c) {
   return c.kind == ConvertKind::kRearrange && (c.to->uses_cameras || c.to->keeps_positions);
 }
 
-/// Returns whether reader and writer number views alike, so that the shape of the grid does not matter.
+/// Returns whether both formats number views in the same order, so that the shape of the grid does not matter.
 bool keeps_order(const Conversion& c) {
   constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kPairs{
       {{"views", "views"}, {"quilt", "quilt"}, {"quilt", "views"}, {"hci", "hci"}}};
@@ -74,12 +75,12 @@ bool uses_views(const ConvertOptions& options, const Conversion& c) {
   return is_read<&FormatUses::views>(c) && (!options.keep.empty() || !keeps_order(c));
 }
 
-/// Stereo output has two views, whatever the tiles of the source.
+/// Returns whether the number of tiles has an effect. Stereo output has two views, whatever the tiles of the source are.
 bool uses_tiles(const ConvertOptions& o, const Conversion& c) {
   return is_read<&FormatUses::tiles>(c) || (is_written<&FormatUses::tiles>(c) && !is_for_display(o, c));
 }
 
-/// The filter interpolates between views; frames of a flip print have their own transitions.
+/// Returns whether the filter between views has an effect. Frames of a flip print have transitions of their own instead.
 bool uses_filter(const ConvertOptions& o, const Conversion& c) {
   return is_written<&FormatUses::filter>(c) || (is_for_display(o, c) && !o.picture.flip);
 }
@@ -95,7 +96,7 @@ bool uses_view_angle(const ConvertOptions& options, const Conversion& c) {
          options.sheet.pitch_depends_on_angle(options.stereo.viewing_distance_mm.has_value());
 }
 
-/// Rules for all flags but --json and --quiet, which always have an effect.
+/// The conversions in which each flag has an effect. --json and --quiet always have one and are not listed.
 constexpr std::array kIdleRules{
     IdleRule{"--from", [](const ConvertOptions& o) { return !o.from.empty(); }, has_formats, "--to"},
     IdleRule{"--to", [](const ConvertOptions& o) { return !o.to.empty(); }, has_formats,
@@ -211,13 +212,14 @@ constexpr std::array kIdleRules{
              "RGB-D or stereo pictures converted to views, without --keep and --crop"},
 };
 
-/// A --display with --from native describes IN, not the output.
+/// Returns whether the output is the picture of a display. With --from native, --display describes IN instead.
 bool makes_display_picture(const ConvertOptions& options, const Conversion& c) {
   const std::string_view to = c.to->name;
   return options.has_display() && c.from->name != "native" && (to == "integral" || to == "quilt" || to == "native");
 }
 
-/// Returns whether the frames of a video are views. In videos of a render or with a quilt's name, each frame holds all views.
+/// Returns whether each frame of a video is one view. In videos of a render, and those with a quilt's name, each frame holds
+/// all views.
 bool is_video_of_views(const ConvertOptions& options) {
   if (!is_video_name(options.in) || !(options.from.empty() || options.from == "views")) return false;
   if (options.from.empty() && (parse_quilt_name(options.in) || rendering_of(options.in)))
@@ -229,7 +231,7 @@ bool is_video_of_views(const ConvertOptions& options) {
   return true;
 }
 
-/// Sets the format of IN. A picture with a depth map becomes RGB-D.
+/// Sets the format of IN. A picture with a depth map counts as RGB-D.
 void find_source(const ConvertOptions& options, Conversion& conversion) {
   const bool from_rgbd =
       options.from == "rgbd" || (options.from.empty() && (!options.depth.map.empty() || is_rgbd(options.in)));
@@ -246,7 +248,7 @@ bool makes_views_of_depth(const ConvertOptions& options, const Conversion& c) {
   return c.from->name == "rgbd" && (!options.depth.map.empty() || c.to->name != "rgbd");
 }
 
-/// A stereo picture has only two views, so `--views` asks for computed ones.
+/// Returns whether views are computed from a stereo picture. It has only two views, so `--views` requests computed ones.
 bool makes_views_of_pair(const ConvertOptions& options, const Conversion& c) {
   return c.from->name == "stereo" && c.to->name != "stereo" && c.to->name != "rgbd" && !options.views.empty();
 }

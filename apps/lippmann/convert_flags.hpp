@@ -34,11 +34,11 @@ struct ConvertOptions {
   PlenopticFlags plenoptic;
 
   bool has_display() const { return !display.empty() || sheet.are_given(); }
-  /// Throws a usage Error naming the flag. Requires has_display().
+  /// Reads the display. Requires has_display(). Throws a usage Error naming the flag.
   Display read_display() const;
 };
 
-/// The kind of a conversion, decided by one flag or by the pair of formats.
+/// The kind of a conversion. One flag or the pair of formats determines it.
 enum class ConvertKind {
   kRearrange,      ///< moves the pixels of views
   kDisplay,        ///< resamples views for a display
@@ -51,14 +51,16 @@ enum class ConvertKind {
 
 struct Conversion {
   ConvertKind kind = ConvertKind::kRearrange;
-  const LightFieldFormat *from = nullptr, *to = nullptr;  ///< null for the last three kinds
-  bool is_from_video = false;                             ///< the views are the frames of a video
+  const LightFieldFormat *from = nullptr, *to = nullptr;  ///< formats to read and to write; null for the last three kinds
+  bool is_from_video = false;                             ///< whether the views are the frames of a video
 };
 
-/// Throws a usage Error for a missing --to, for flags that exclude each other, and for an unknown format.
+/// Determines the conversion. Throws a usage Error for a missing --to, for flags that exclude each other, and for an unknown
+/// format.
 Conversion conversion_of(const ConvertOptions& options);
 
-/// Throws a usage Error naming a flag without effect on this conversion and the conversions that use it.
+/// Throws a usage Error for a flag that has no effect on this conversion. The error names the flag and the conversions that use
+/// it.
 void refuse_idle_flags(const ConvertOptions& options, const Conversion& conversion);
 
 }  // namespace lippmann::app

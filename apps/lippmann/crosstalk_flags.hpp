@@ -17,12 +17,12 @@ struct CrosstalkFlags {
 
 void add_crosstalk_flags(const Command& command, CrosstalkFlags& flags);
 
-/// Runs `convert --precompensate` and prints the remaining error. display: the display whose native frames the pictures are;
-/// empty: the report.json beside them describes it.
+/// Runs `convert --precompensate` and prints the remaining error. display: the display whose native frames the pictures are; if
+/// empty, the report.json beside the pictures describes it.
 int run_precompensate(const CrosstalkFlags& flags, const std::string& display, const std::string& in, const std::string& out,
                       const ResultFlags& result, const Context& context);
 
-/// Describes the share of clipped samples and the largest remaining error.
+/// Returns a sentence on the share of clipped samples and the largest remaining error.
 std::string describe_bound(double clipped_share, double largest_residual);
 
 }  // namespace lippmann::app

@@ -18,13 +18,13 @@ struct DepthFlags {
   bool near_black = false;
   std::optional<double> scale;
 
-  /// Copies the stated coding into the options. Throws a usage Error.
+  /// Copies the depth coding that the flags define into the options. Throws a usage Error.
   void add_to(FormatOptions& options) const;
 };
 
 void add_depth_flags(const Command& command, DepthFlags& flags);
 
-/// Runs `convert` of RGB-D pictures to views, and prints the share of pixels that were filled.
+/// Converts RGB-D pictures to views, and prints the share of pixels that were filled.
 int run_depth_views(const DepthConversion& params, const ResultFlags& result, const Context& context);
 
 }  // namespace lippmann::app

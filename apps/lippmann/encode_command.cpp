@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The output bytes of some codecs depend on the number of threads, so it is fixed.
+/// Number of encoder threads. It is fixed, because the bytes that some codecs write depend on it.
 constexpr int kEncoderThreads = 4;
 constexpr double kUsualRate = 25.0;
 
@@ -38,20 +38,20 @@ struct EncodeOptions {
   ResultFlags result;
 };
 
-/// Returns the rate that is given, or the one in the report beside the frames.
+/// Returns the given frame rate, or else that of the report beside the frames.
 double rate_of(const EncodeOptions& options, const std::vector<NumberedFrame>& frames) {
   if (options.fps) return *options.fps;
   const std::optional<Rendering> rendering = rendering_of(frames.front().path);
   return rendering ? rendering->frames_per_second.value_or(kUsualRate) : kUsualRate;
 }
 
-/// Returns all frames of the folder, or the given ones. Throws Error if one is missing.
+/// Returns the frames that the flags select, or all frames of the folder. Throws Error if one is missing.
 std::vector<NumberedFrame> wanted_frames(const EncodeOptions& options) {
   if (options.frames.empty()) return find_frames(options.from);
   return find_frames(options.from, frames_of(read_frames(options.frames, "--frames")));
 }
 
-/// Returns the rotation. Frames with several views cannot be rotated: players find the views by the name of the video.
+/// Returns the rotation. Throws for frames with several views, because players find the views by the name of the video.
 int turn_of(const EncodeOptions& options, const std::vector<NumberedFrame>& frames) {
   const int turn_deg = options.turn_deg.value_or(0);
   if (turn_deg % 90 != 0) throw usage_error("--rotate", "is not a multiple of 90 degrees", "90, 180 or 270");

@@ -1,4 +1,4 @@
-// Reads grids of views from flags: 8x6.
+// Reads grids of views from flags, such as 8x6.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace lippmann::app {
 
-/// Reads "COLUMNSxROWS", each from 1 to 1024. Returns nothing for an empty text. Throws a usage Error naming the flag.
+/// Reads "COLUMNSxROWS", each from 1 to 1024. Returns nullopt for an empty text. Throws a usage Error naming the flag.
 std::optional<ViewGrid> read_grid(const std::string& text, const std::string& flag);
 
 }  // namespace lippmann::app

@@ -25,7 +25,7 @@ struct InfoOptions {
   bool json = false;
 };
 
-/// A built-in scene takes precedence over a folder of the same name.
+/// Returns whether the input is a picture. The name of a built-in scene takes precedence over a folder with this name.
 bool is_picture(const std::string& in) {
   std::error_code ignored;
   return !is_builtin_scene(in) && (is_picture_name(in) || is_video_name(in) || fs::is_directory(in, ignored));

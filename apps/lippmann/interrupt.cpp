@@ -5,7 +5,7 @@
 namespace lippmann::app {
 namespace {
 
-// A signal handler takes no argument that could carry state, so these two are global.
+// Global, because a signal handler takes no argument that could carry state.
 std::atomic<std::atomic<bool>*> g_cancelled{nullptr};
 std::atomic<int> g_signal{0};
 

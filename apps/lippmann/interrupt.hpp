@@ -1,11 +1,13 @@
-// Turns Ctrl-C and `kill` into the context's `cancelled`, so that work stops between frames and leaves only complete files.
+// Turns Ctrl-C and `kill` into the `cancelled` of the context, so that work stops between frames and leaves only complete
+// files.
 #pragma once
 
 #include <atomic>
 
 namespace lippmann::app {
 
-/// While this exists, the first SIGINT or SIGTERM sets `cancelled`; a second one ends the process at once. Only one may exist.
+/// While an object of this class exists, the first SIGINT or SIGTERM sets `cancelled`, and a second one ends the process at
+/// once. Only one object may exist.
 class InterruptGuard {
  public:
   explicit InterruptGuard(std::atomic<bool>& cancelled);
@@ -13,7 +15,7 @@ class InterruptGuard {
   InterruptGuard(const InterruptGuard&) = delete;
   InterruptGuard& operator=(const InterruptGuard&) = delete;
 
-  /// Returns 128 + the signal's number, as shells report it, or 0 if no signal has arrived.
+  /// Returns 128 + the number of the signal that arrived, as shells report it, or 0 if none arrived.
   static int exit_code();
 };
 

@@ -15,18 +15,19 @@ struct LightFieldFlags {
   std::string report, from, views, quilt, display;
   std::optional<double> view_angle_deg;
   bool cone_ends = false;
-  SheetFlags sheet;  ///< in place of `display`
+  SheetFlags sheet;  ///< describes the display, instead of --display
 
-  /// The display named by --display or described by the sheet flags; empty: neither is given. Throws a usage Error for both.
+  /// Returns the display that --display names or the sheet flags describe; empty if neither is given. Throws a usage Error if
+  /// both are given.
   std::string named_display() const;
-  /// Throws a usage Error naming the flag.
+  /// Returns the properties of the light field that the flags define. Throws a usage Error naming the flag.
   LightFieldHints read() const;
 };
 
-/// Declares all but --report, --display and the sheet flags, in a group.
+/// Declares all flags except --report, --display and the sheet flags, in a group.
 void add_light_field_flags(const Command& command, LightFieldFlags& flags);
 
-/// Declares --report, --display and the sheet flags. more: end of the help of --display.
+/// Declares --report, --display and the sheet flags. more: text at the end of the help of --display.
 void add_report_flags(const Command& command, LightFieldFlags& flags, const std::string& more);
 
 }  // namespace lippmann::app

@@ -28,21 +28,23 @@ namespace {
 
 constexpr int kFailed = 1, kRemoved = 2;  ///< exit codes
 
-/// Returns the path that the tool was called by, if there is one, so that the commands it prints can be run.
+/// Returns the path by which the tool was called, or its name if it was called without a path. The tool prints it in commands,
+/// so that these can be run.
 std::string program_name(int argc, char** argv) {
   const std::string_view word = argc > 0 ? argv[0] : "";
   return word.find('/') == std::string_view::npos ? "lippmann" : shell_word(word);
 }
 
-/// The stack limit also applies to threads; a thread whose stack is too small ends the process without a message.
+/// Checks the stack limit, which also applies to threads: a thread whose stack is too small ends the process without a message.
 void check_stack_limit() {
-  constexpr std::uint64_t kLeastBytes = std::uint64_t{512} << 10;  // renders crash below 256 KB
+  constexpr std::uint64_t kLeastBytes = std::uint64_t{512} << 10;  // a margin, since renders crash below 256 KB
   if (const std::optional<std::uint64_t> bytes = platform::stack_limit_bytes(); bytes && *bytes < kLeastBytes)
     throw Error("ulimit -s", fmt::format("the stack is limited to {} KB", *bytes >> 10),
                 fmt::format("at least {} KB", kLeastBytes >> 10));
 }
 
-/// Returns the code, or failure if standard output did not accept all that was printed, as when the reader of a pipe has gone.
+/// Returns `code`, or kFailed if standard output did not accept everything that was printed, as when the reader of a pipe has
+/// gone.
 int code_after_flush(int code) {
   const bool is_written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
   if (is_written || code != 0) return code;
@@ -50,7 +52,7 @@ int code_after_flush(int code) {
   return kFailed;
 }
 
-/// Prints each warning once, although a file may be read twice.
+/// Prints each warning once, even if it is given several times because a file is read twice.
 class WarningPrinter {
  public:
   void print(const std::string& text) {
@@ -63,7 +65,7 @@ class WarningPrinter {
   std::set<std::string> printed_;
 };
 
-/// Returns the exit code. Prints Errors with flags in place of parameter names.
+/// Runs the command. Returns the exit code. Prints Errors with flags in place of parameter names.
 int run_command(const CommandLine& command_line, const Action& chosen, Context& context) {
   try {
     return chosen(context);

@@ -9,7 +9,7 @@
 namespace lippmann::app {
 namespace {
 
-/// Escapes text for roff: dashes stay copyable, and no line begins like a request.
+/// Escapes text for roff, so that dashes can be copied and no line starts with a roff request.
 std::string plain(const std::string& text) {
   std::string escaped;
   for (const char c : text) {
@@ -25,7 +25,7 @@ std::string plain(const std::string& text) {
   return escaped;
 }
 
-/// CLI11 adds help and version to every command; the page explains them once.
+/// Returns whether an option is the command's own. CLI11 adds help and version to every command; the page explains these once.
 bool is_own(const CLI::Option& option) {
   return !option.check_lname("help") && !option.check_lname("help-all") && !option.check_lname("version");
 }

@@ -22,14 +22,15 @@ struct PageServerFlags {
 
 void add_page_server_flags(const Command& command, PageServerFlags& flags);
 
-/// Prints the page's address and serves it until interrupted. display: the display that the first light field is played on. The
-/// address of a live scene contains a token even on this machine, so that its other users cannot change the scene.
+/// Prints the page's address and serves the page until interrupted. display: the display on which the first light field is
+/// played. The address of a live scene contains a token even if only this machine can reach it, so that other users of the
+/// machine cannot change the scene.
 int serve_page(std::unique_ptr<LivePage> live, const PageServerFlags& flags, const Context& context);
 int serve_page(std::vector<std::unique_ptr<PageField>> fields, std::optional<PageDisplay> display, const PageServerFlags& flags,
                const Context& context);
-/// Serves a page on which pictures are dropped. Its address contains a token, too.
+/// Serves a page on which pictures can be dropped. Its address always contains a token, too.
 int serve_page(std::shared_ptr<DroppedPictures> dropped, const PageServerFlags& flags, const Context& context);
-/// Serves a page that can stop and resume a render. Its address contains a token, too.
+/// Serves a page that can stop and resume a render. Its address always contains a token, too.
 int serve_page(std::unique_ptr<PageField> field, std::shared_ptr<RunningRender> render, const PageServerFlags& flags,
                const Context& context);
 

@@ -39,7 +39,7 @@ void add_param(const Command& command, const ParamInfo& info, std::vector<std::s
   option.one_word_each();
 }
 
-/// Returns the names of the parameters that flags set.
+/// Returns the names of the parameters that the command line sets.
 std::vector<std::string_view> given(const ParamFlags& flags) {
   std::vector<std::string_view> names;
   for (const auto& [name, texts] : flags.values)
@@ -47,7 +47,8 @@ std::vector<std::string_view> given(const ParamFlags& flags) {
   return names;
 }
 
-/// Writes the sheet of the flags as a display in one line. Its pitch depends on the angle and the distance.
+/// Writes the sheet that the flags describe to the display parameter, as a display in one line. The pitch depends on the
+/// viewing angle and the viewing distance.
 void set_sheet(const ParamFlags& flags, RenderParams& params) {
   const auto text_of = [&](std::string_view name) {
     const auto found = flags.values.find(name);

@@ -18,13 +18,13 @@ struct PlenopticFlags {
 };
 
 struct ReadPlenopticFlags {
-  std::optional<PlenopticCalibration> calibration = {};  ///< no value if no flag is given
-  std::optional<LensGridFit> fit = {};                   ///< grid found in the white picture, if no flag states it
+  std::optional<PlenopticCalibration> calibration = {};  ///< nullopt if no flag is given
+  std::optional<LensGridFit> fit = {};                   ///< the grid found in the white picture, if the flags do not define it
 };
 
 void add_plenoptic_flags(const Command& command, PlenopticFlags& flags);
 
-/// Reads the white picture and estimates the grid unless flags state it. Throws Error naming the flag or the file.
+/// Reads the white picture, and estimates the grid unless the flags define it. Throws Error naming the flag or the file.
 ReadPlenopticFlags read_plenoptic_flags(const PlenopticFlags& flags);
 
 }  // namespace lippmann::app

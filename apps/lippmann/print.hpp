@@ -1,4 +1,4 @@
-// Prints text without throwing if the reader has gone, so that work continues; main() reports at the end that standard output
+// Prints text. Does not throw if the reader has gone, so that work continues; at the end, main() reports that standard output
 // did not accept everything.
 #pragma once
 
@@ -11,7 +11,7 @@
 namespace lippmann::app {
 
 inline void print_text(std::FILE* stream, const std::string& text) {
-  std::fwrite(text.data(), 1, text.size(), stream);  // ferror() keeps a failure
+  std::fwrite(text.data(), 1, text.size(), stream);  // ferror() remembers a failure
 }
 
 /// Prints to standard output.

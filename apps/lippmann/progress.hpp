@@ -12,17 +12,18 @@ namespace lippmann::app {
 
 enum class ProgressStyle {
   kBar,       ///< redraws one line
-  kLines,     ///< prints a line after the first and the last step, and ever more rarely after or within the steps between
-  kEveryLine  ///< prints a line after every step, and within long ones
+  kLines,     ///< prints a line after the first and the last step, and between them at increasing intervals, also within a step
+  kEveryLine  ///< prints a line after every step, and within long steps
 };
 
 /// Chooses the steps that print a line, so that logs of long work stay short: the first, the last, and one whenever 30 s and a
 /// tenth of the elapsed time have passed since the last line.
 class LineSchedule {
  public:
-  /// Returns whether the line for step `done`, counted from 1, is due, and then counts it as printed.
+  /// Returns whether the line for step `done`, counted from 1, is due. If so, counts it as printed.
   bool is_due(int done, int total, double elapsed_s);
-  /// Returns the same for a step in progress, so that no one waits an hour for the first line.
+  /// Returns whether a line is due within a step, so that nobody has to wait an hour for the first line. If so, counts it as
+  /// printed.
   bool is_due_within(double elapsed_s);
 
  private:
@@ -36,7 +37,7 @@ class Progress {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// now: the clock, which tests replace.
+  /// now: returns the time; replaced in tests.
   Progress(int total, ProgressStyle style, std::function<Clock::time_point()> now = Clock::now);
   /// Ends the line of the bar.
   ~Progress();
@@ -46,16 +47,17 @@ class Progress {
   /// Counts one step as done. Without a bar, prints `line`.
   void step(const std::string& line);
 
-  /// Sets advice on how to reduce the work, printed after the first step if more than an hour is left.
+  /// Sets advice on how to reduce the work. It is printed after the first step if more than an hour is left.
   void set_advice(const std::string& advice);
 
-  /// Sets a note that follows the time left, such as the total size.
+  /// Sets a note that is shown after the time left, such as the total size.
   void set_note(const std::string& note);
 
   /// Reports that the step in progress is done up to `share`, 0 to 1. Thread-safe.
   void within(double share);
 
-  /// Redraws the bar, or prints a line if the step in progress takes long; for steps that do not report their share.
+  /// Redraws the bar, or prints a line if the current step takes long. Call regularly during steps that do not report their
+  /// share.
   void tick();
 
   static bool stderr_is_terminal();
@@ -63,14 +65,14 @@ class Progress {
  private:
   double elapsed_s() const { return std::chrono::duration<double>(now_() - start_).count(); }
   double share_done() const;
-  /// Returns "3:00 left", or "0:30 so far" while the share is unknown.
+  /// Returns the time left, as "3:00 left", or while the share is unknown the time so far, as "0:30 so far".
   std::string left_text(double elapsed_s) const;
-  /// Returns ", files: about 12 MB" or nothing.
+  /// Returns the note after a comma, as ", files: about 12 MB"; empty without a note.
   std::string note() const { return note_.empty() ? note_ : ", " + note_; }
   void draw();
   void advise();
 
-  std::mutex mutex_;  ///< guards all below
+  std::mutex mutex_;  ///< guards the members below
   int total_, done_ = 0;
   double within_ = 0.0;
   std::string note_, advice_;
@@ -91,7 +93,7 @@ class Heartbeat {
  private:
   std::mutex mutex_;
   std::condition_variable_any stopped_;
-  std::jthread thread_;  ///< declared last: stops before the members that it uses are destroyed
+  std::jthread thread_;  ///< declared last, so that it stops before the members that it uses are destroyed
 };
 
 }  // namespace lippmann::app

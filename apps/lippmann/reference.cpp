@@ -11,7 +11,8 @@
 namespace lippmann::app {
 namespace {
 
-/// Returns the name of an option's value, or its accepted words. CLI11 appends other checks, which depend on its version.
+/// Returns the name of an option's value, or the words that it accepts. Leaves out other checks that CLI11 appends, because
+/// they depend on its version.
 std::string type_in_reference(const CLI::Option& option) {
   std::string type = option.get_type_name();
   if (const std::size_t words = type.find(":{"); words != std::string::npos) {
@@ -34,7 +35,7 @@ bool is_in_reference(const CLI::Option& option) {
   return !option.check_lname("help") && !option.check_lname("help-all") && !option.get_group().empty();
 }
 
-/// The options below one heading: entries of new options, and the names of those that an earlier command has, too.
+/// The options below one heading: entries of options that are new, and the names of options that an earlier command has too.
 class ReferenceGroup {
  public:
   ReferenceGroup(std::string heading, std::string command) : heading_(std::move(heading)), command_(std::move(command)) {}
@@ -59,7 +60,8 @@ class ReferenceGroup {
 
  private:
   std::string heading_, command_, entries_;
-  std::map<std::string, std::string> repeated_;  ///< names of options, by the first command that has them
+  /// Names of options that an earlier command has, by the first command that has them.
+  std::map<std::string, std::string> repeated_;
 };
 
 std::string reference_of(const CLI::App& command, std::map<std::string, std::string>& command_of_entry) {

@@ -44,16 +44,16 @@ struct RenderOptions {
   bool force = false;
   bool json = false, quiet = false, verbose = false, dry_run = false;
 
-  /// Returns whether other runs render the rest of the job.
+  /// Returns whether this run renders only a part of the job.
   bool is_part() const { return !unit.empty() || !only_frames.empty(); }
 };
 
-/// Returns the flag that selects the part.
+/// Returns the flag that selects the part of the job to render.
 std::string part_flag(const RenderOptions& options) {
   return options.unit.empty() ? " --only-frames " + options.only_frames : " --unit " + options.unit;
 }
 
-/// The parts of the plan that the summary needs after the plan is gone.
+/// The data of the plan that the summary needs. The plan no longer exists then.
 struct Planned {
   fs::path folder;
   FrameNames names;
@@ -62,18 +62,18 @@ struct Planned {
   int kept = 0;
 };
 
-/// Returns "512x512 pixels" or "48 views of 420x560 pixels".
+/// Describes the pictures, as "512x512 pixels" or "48 views of 420x560 pixels".
 std::string describe_pictures(const Planned& plan) {
   return fmt::format("{}{}x{} pixels", plan.pictures_per_frame > 1 ? fmt::format("{} views of ", plan.pictures_per_frame) : "",
                      plan.picture_size.x, plan.picture_size.y);
 }
 
-/// Returns whether `replay` can show the pictures as an eye sees them: single views are such pictures already.
+/// Returns whether `replay` is of use for the pictures. It is not for single views, which already show what an eye sees.
 bool can_be_replayed(const RenderReport& report) {
   return !is_single_view(report.optics) && !sensor_lenses(report.optics) && !report.params.output.pictures.mirror;
 }
 
-/// Returns how the pictures were made and a flag that reduces the noise.
+/// Describes how the pictures were made, and names a flag that reduces the noise.
 std::string describe_paths(const Sampling& sampling) {
   const int samples = samples_per_pixel(sampling);
   const bool denoised = is_denoised(sampling);
@@ -88,7 +88,7 @@ std::string describe_depth(const ShownDepth& shown, const Optics& optics, float 
 
 void print_line(std::string_view name, const std::string& value) { print_out("  {:<9} {}\n", name, printable_line(value)); }
 
-/// Prints the defaults that were chosen, for renders and dry runs.
+/// Prints the values of defaults that were chosen automatically, for renders and dry runs.
 void print_choices(const Sampling& sampling, const Optics& optics, const std::string& light, const std::string& view) {
   if (const std::string spacing = view_spacing(optics); !spacing.empty()) print_line("eyes", spacing);
   if (facts_of(sampling).is_stochastic) print_line("shading", describe_paths(sampling));
@@ -96,17 +96,17 @@ void print_choices(const Sampling& sampling, const Optics& optics, const std::st
   if (!view.empty()) print_line("view", view);
 }
 
-/// Returns "frame_0000.png ... frame_0479.png", or the one name.
+/// Returns the first and the last name, as "frame_0000.png ... frame_0479.png", or one name if they are equal.
 std::string first_and_last(const std::string& first, const std::string& last) {
   return first == last ? first : first + " ... " + last;
 }
 
-/// Returns "12 frames" or "3 strips".
+/// Returns a number with its noun, as "12 frames" or "3 strips".
 std::string count_of(std::size_t number, const char* thing) {
   return fmt::format("{} {}{}", number, thing, number == 1 ? "" : "s");
 }
 
-/// Prints the results, where they are, and how to look at them. Each command stands on its own line and can be run as it is.
+/// Prints the results, their location, and commands to view them. Each command is on a line of its own and can be run as it is.
 void print_summary(const RenderReport& report, const Planned& plan, const RenderOptions& options) {
   const std::string& program = options.program;
   const auto& [folder, names, picture_size, pictures_per_frame, kept] = plan;
@@ -154,13 +154,13 @@ void print_summary(const RenderReport& report, const Planned& plan, const Render
     print_line("then", fmt::format("{} finish {}   (when all frames are there)", program, shell_word(folder.string())));
 }
 
-/// Returns "3 frames (0 to 8)".
+/// Describes the frames, as "3 frames (0 to 8)".
 std::string describe_frames(const std::vector<int>& frames) {
   if (frames.size() == 1) return fmt::format("1 frame ({})", frames.front());
   return fmt::format("{} frames ({} to {})", frames.size(), frames.front(), frames.back());
 }
 
-/// Returns ", of which layers 1.2 GB, videos 30 MB", or nothing.
+/// Returns the sizes of layers and videos, as ", of which layers 1.2 GB, videos 30 MB"; empty without such files.
 std::string describe_parts(const FileSizes& sizes) {
   std::string parts;
   if (sizes.layers > 0.0) parts += ", layers " + bytes_text(sizes.layers);
@@ -213,7 +213,7 @@ RunParams run_params(const RenderOptions& options, Ranks* ranks) {
   return run;
 }
 
-/// Prints what a render would make, and renders nothing.
+/// Prints what a render would make, without rendering.
 void plan_only(const ResolvedJob& job, const RenderOptions& options, const Context& context) {
   const RenderSetup setup(job, run_params(options, nullptr), context);
   print_plan(setup.plan(0), job.params(), options.json);
@@ -227,7 +227,7 @@ RenderProgressKind progress_kind(const RenderOptions& options, const Ranks* rank
   return options.progress == "json" ? RenderProgressKind::kJson : RenderProgressKind::kAuto;
 }
 
-/// Renders, with progress on stderr and a summary unless the options are quiet.
+/// Renders. Prints the progress on stderr and a summary, unless the options are quiet.
 RenderReport render(const ResolvedJob& job, const RenderOptions& options, Ranks* ranks, Context& context) {
   std::optional<RenderProgress> progress;
   Planned planned;
@@ -251,7 +251,7 @@ RenderReport render(const ResolvedJob& job, const RenderOptions& options, Ranks*
   return report;
 }
 
-/// Prepares one of several processes. Only the first prints.
+/// Prepares a process of an MPI job. Only the first rank prints.
 void join_in(const RenderOptions& options, const OutputParams& output, const Ranks& ranks, Context& context) {
   if (!options.unit.empty() || output.also)
     throw usage_error(options.unit.empty() ? "also" : "unit", "cannot be combined with mpirun", "one of the two");
@@ -259,8 +259,8 @@ void join_in(const RenderOptions& options, const OutputParams& output, const Ran
   if (ranks.rank() > 0) context.warn = {};
 }
 
-/// Returns whether the first rank reports the error. An error that all ranks have stops this rank soon; otherwise it reports
-/// its own.
+/// Returns whether this rank leaves the report of an error to the first rank. If all ranks have the same error, this rank is
+/// stopped soon. Otherwise it reports its own error.
 bool is_reported_by_first_rank(const Ranks* ranks, const Context& context) {
   if (is_first(ranks) || ranks->has_begun()) return false;
   constexpr int kTenths = 50;

@@ -32,7 +32,7 @@ std::string frame_line(const FrameReport& frame, bool interpolates) {
 
 std::string count_of(int number, const char* thing) { return fmt::format("{} {}{}", number, thing, number == 1 ? "" : "s"); }
 
-/// Returns "480 frames of 3360x3360 pixels to out/teapot; all files: about 4.1 GB (an estimate)".
+/// Describes the plan, as "480 frames of 3360x3360 pixels to out/teapot; all files: about 4.1 GB (an estimate)".
 std::string describe(const RenderPlan& plan, int wanted, double bytes) {
   const std::string size = fmt::format("{}x{} pixels", plan.picture_size.x, plan.picture_size.y);
   const std::string each = plan.pictures_per_frame > 1 ? count_of(plan.pictures_per_frame, "picture") + ", each of " : "";
@@ -44,7 +44,7 @@ std::string describe(const RenderPlan& plan, int wanted, double bytes) {
   return fmt::format("{} of {}{} to {}; all files: about {} (an estimate)", what, each, size, folder, bytes_text(bytes));
 }
 
-/// Prints the depth of the scene before hours are spent on it, if a default decides it.
+/// Prints the depth of the scene if a default determines it, so that it can be checked before hours are spent on the render.
 void print_fitted_depth(const RenderPlan& plan, const RenderParams& params) {
   const PlacedOptics& placed = plan.stage.placed;
   if (placed.depth_scale >= 1.0f) return;
@@ -53,7 +53,7 @@ void print_fitted_depth(const RenderPlan& plan, const RenderParams& params) {
               params.optics.fit_depth ? "" : " --full-depth shows its full depth.");
 }
 
-/// Returns the flags that make a long render shorter. Ctrl-C loses no finished frame.
+/// Returns advice for long renders: flags that reduce the work, and how to stop and continue.
 std::string advice_for_less_work(const RenderPlan& plan) {
   const int first = plan.frames.front(), last = plan.frames.back();
   const std::string fewer =
@@ -125,7 +125,7 @@ void RenderProgress::tick() {
   if (written_ < wanted_ && schedule_.is_due_within(seconds())) print_object(-1);
 }
 
-/// Extrapolates the size of the finished frames to all frames.
+/// Estimates the size of all files, from the frames that are finished.
 double RenderProgress::estimated_bytes() const {
   return written_ == 0 ? estimated_at_first_ : bytes_ / written_ * frames_ + video_bytes_;
 }

@@ -14,13 +14,13 @@
 namespace lippmann::app {
 
 enum class RenderProgressKind {
-  kAuto,     ///< a bar on a terminal, elsewhere a line from time to time
+  kAuto,     ///< a bar on a terminal, otherwise a line from time to time
   kVerbose,  ///< a line per frame
   kJson,     ///< an object per frame, and within long frames; docs/reference/formats.md lists its keys
   kNone
 };
 
-/// Receives the progress of one render. traced() and written() run in different threads.
+/// Receives the progress of one render. traced() and written() are called on different threads.
 class RenderProgress {
  public:
   /// Prints the plan.
@@ -31,7 +31,7 @@ class RenderProgress {
 
   void traced(const FrameReport& frame);
   void written(int frame, std::uintmax_t bytes);
-  /// Reports that the frame in progress is traced up to `share`, 0 to 1. Thread-safe.
+  /// Reports that the current frame is traced up to `share`, from 0 to 1. Thread-safe.
   void within(double share);
 
  private:
@@ -43,16 +43,17 @@ class RenderProgress {
 
   RenderProgressKind kind_;
   bool interpolates_;
-  int frames_ = 0, wanted_ = 0, written_ = 0;  ///< frames or strips: in the plan; to render now; of these, on disk
-  double bytes_ = 0.0;                         ///< size of the written_ frames
+  /// Numbers of frames or strips: in the plan, to be rendered by this run, and written to disk so far.
+  int frames_ = 0, wanted_ = 0, written_ = 0;
+  double bytes_ = 0.0;  ///< total size of the written frames or strips
   double estimated_at_first_ = 0.0, video_bytes_ = 0.0;
   Clock::time_point start_ = Clock::now();
-  LineSchedule schedule_;             ///< schedule of the objects within frames
-  double within_ = 0.0;               ///< traced share of the frame in progress, for objects
-  std::mutex mutex_;                  ///< guards all that changes
-  std::map<int, std::string> lines_;  ///< lines of frames that are traced and not yet written
+  LineSchedule schedule_;             ///< determines when objects are printed within frames
+  double within_ = 0.0;               ///< traced share of the current frame, for these objects
+  std::mutex mutex_;                  ///< guards all members that change
+  std::map<int, std::string> lines_;  ///< lines to print for frames that are traced but not yet written
   std::unique_ptr<Progress> progress_;
-  std::optional<Heartbeat> heartbeat_;  ///< declared last: stops before the others are destroyed
+  std::optional<Heartbeat> heartbeat_;  ///< declared last, so that it stops before the other members are destroyed
 };
 
 }  // namespace lippmann::app

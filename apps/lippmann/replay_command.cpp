@@ -31,7 +31,7 @@ struct ReplayOptions {
   ResultFlags result;
 };
 
-/// Reads WxH or "lenses".
+/// Reads a size as WxH, or the word "lenses".
 void read_size(const std::string& text, ReplayParams& params) {
   if (text.empty()) return;
   params.one_per_lens = text == "lenses";
@@ -43,7 +43,7 @@ void read_size(const std::string& text, ReplayParams& params) {
     throw usage_error("--size", "'" + text + "' is not a size", "WxH in pixels, or lenses");
 }
 
-/// Returns a depth in mm, a disparity with the unit px, or nothing if `text` is neither.
+/// Returns the plane for a depth in mm, or for a disparity with the unit px; nullopt if `text` is neither.
 std::optional<FocusPlane> parse_focus_plane(const std::string& text) {
   FocusPlane plane;
   const char* end = text.data() + text.size();
@@ -62,7 +62,7 @@ std::optional<FocusPlane> read_refocus(const std::string& text) {
   return plane;
 }
 
-/// Reads Z0:Z1:N.
+/// Reads a focal stack as Z0:Z1:N.
 std::optional<FocalStack> read_focal_stack(const std::string& text) {
   if (text.empty()) return std::nullopt;
   FocalStack stack;
@@ -82,7 +82,7 @@ std::optional<FocalStack> read_focal_stack(const std::string& text) {
                     "Z0:Z1:N, two depths in mm or two disparities such as -2px:2px:9, and 2 to 1000 pictures");
 }
 
-/// Throws a usage Error naming a flag without effect on the requested pictures.
+/// Throws a usage Error naming a flag that has no effect on the requested pictures.
 void refuse_idle_flags(const ReplayOptions& options) {
   const ReplayParams& params = options.params;
   const bool refocuses = !options.refocus.empty() || !options.focal_stack.empty(),

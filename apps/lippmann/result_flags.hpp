@@ -1,4 +1,4 @@
-// The output flags shared by all commands whose results are files or an exit code.
+// The output flags that all commands share whose results are files or an exit code.
 #pragma once
 
 #include "apps/lippmann/command_line.hpp"
@@ -10,7 +10,7 @@ struct ResultFlags {
   bool wants_text() const { return !json && !quiet; }
 };
 
-/// Declares --json and --quiet. quiet: help of the latter.
+/// Declares --json and --quiet. quiet: help text of --quiet.
 inline void add_result_flags(const Command& command, ResultFlags& flags,
                              const char* quiet = "Print neither progress nor the result; warnings and errors remain") {
   command.add_flag("--json", flags.json, "Print the result as JSON on stdout");

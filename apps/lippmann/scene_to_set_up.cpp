@@ -14,7 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The default number of views per lens, in a size that suits single pictures: 4 times the pixels of the default.
+/// Size of the first views: the default number of views per lens, with 4 times the pixels of the default size, which suits
+/// single pictures.
 constexpr int kFirstViews = 8, kFirstViewSide = 360;
 
 void refuse_light_field_flags(const LightFieldFlags& field) {

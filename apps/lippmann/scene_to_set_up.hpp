@@ -1,5 +1,5 @@
-// Scenes that are set up in the browser, for commands that take scenes beside light fields: tells the two apart, and reads the
-// flags of the render.
+// Scenes that are set up in the browser. Commands whose input may be a light field or a scene use this to distinguish both, and
+// to read the flags of the render.
 #pragma once
 
 #include <filesystem>
@@ -20,26 +20,26 @@ struct SceneToSetUpFlags {
   std::string job_file;
 };
 
-/// Declares all parameters of renders except `unwanted`, which the command declares itself, and the flag of the job that the
-/// page writes.
+/// Declares all parameters of renders except `unwanted`, which the command declares itself, and the flag that names the job
+/// file to save.
 void add_scene_to_set_up_flags(const Command& command, SceneToSetUpFlags& flags,
                                std::initializer_list<std::string_view> unwanted);
 
 /// Returns whether `in` is a scene. An existing folder is a light field even if a built-in scene has its name.
 bool is_scene_to_set_up(const std::string& in);
 
-/// Throws a usage Error naming a flag of scenes, which has no effect on the light field `in`.
+/// Throws a usage Error naming a flag that is only for scenes, since `in` is a light field.
 void refuse_scene_flags(const std::string& in, const SceneToSetUpFlags& flags);
 
-/// Returns the render of the scene `in`. field: flags that scenes share with light fields; throws Error for those that scenes
-/// lack. threads: 0 takes the job's number.
+/// Returns the parameters for rendering the scene `in`. field: flags that scenes share with light fields; throws Error if one
+/// is given that does not apply to scenes. threads: number of threads; 0: the job's number.
 RenderParams scene_params(const std::string& in, const SceneToSetUpFlags& flags, const LightFieldFlags& field, int threads);
 
 /// Returns the initial settings of the page. A scene without a display is shown as a row of views, which looks good on a screen
-/// at once; a job is shown as it is.
+/// at once. A job is shown as its file defines it.
 LiveSettings first_settings(const RenderParams& params, const std::string& in);
 
-/// Returns the file that Save on the page writes: SCENE.toml in the working folder unless a flag names another.
+/// Returns the file that Save on the page writes: the one that a flag names, or else SCENE.toml in the working folder.
 std::filesystem::path job_file_for(const SceneToSetUpFlags& flags, const RenderParams& params);
 
 }  // namespace lippmann::app

@@ -25,7 +25,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kInchMm = 25.4;
 
-/// The result of a command as text and as JSON.
+/// The result of the command as text and as JSON.
 struct SheetResult {
   std::string text;
   Json json = Json::object();

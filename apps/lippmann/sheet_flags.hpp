@@ -1,4 +1,4 @@
-// Flags that describe a lenticular sheet on a print without a file: --lpi 60.12 --dpi 600 --paper A5.
+// Flags that describe a lenticular sheet on a print, instead of a display file: --lpi 60.12 --dpi 600 --paper A5.
 #pragma once
 
 #include <string>
@@ -11,19 +11,20 @@ struct SheetFlags {
   std::string lpi, lenses_per_mm, pitch_mm, visual_lpi, dpi, paper, phase;
   bool landscape = false;
 
-  /// Flags of the command that also describe the sheet; empty: not given.
+  /// Values of other flags of the command that also describe the sheet; empty: not given.
   struct Others {
     std::string display, viewing_distance_mm, view_angle_deg;
   };
 
-  /// Returns the first flag that is given, or an empty string.
+  /// Returns the name of the first flag that is given, or an empty string.
   std::string first_given() const;
-  /// Returns whether the pitch of the print follows from the pitch of the lenses, and so depends on --view-angle.
+  /// Returns whether the pitch of the print depends on --view-angle, which it does if it follows from the pitch of the lenses.
   bool pitch_depends_on_angle(bool has_viewing_distance) const {
     return are_given() && visual_lpi.empty() && has_viewing_distance;
   }
   bool are_given() const { return !first_given().empty(); }
-  /// Returns the display in one line, for load_display. Throws a usage Error if --display is given too or a part is missing.
+  /// Returns the display in one line, as load_display reads it. Throws a usage Error if --display is given too, or if a
+  /// required flag is missing.
   std::string line(const Others& others) const;
 };
 

@@ -19,7 +19,7 @@ struct SheetOptions {
   std::optional<int> blocks, views;
   std::optional<double> viewing_distance_mm, view_angle_deg, refractive_index;
   SheetFlags sheet;
-  LensSpec lens;  ///< without refractive_index; see lens_spec()
+  LensSpec lens;  ///< the lens without its refractive index; see lens_spec()
   ResultFlags result;
 
   SheetKind kind() const;
@@ -27,13 +27,13 @@ struct SheetOptions {
   PitchStep pitch_step() const;
   BarDirection bar_direction() const;
   LensSpec lens_spec() const;
-  /// Throws a usage Error naming the flag. Test prints default to A4.
+  /// Returns the sheet. Test prints have the paper size A4 by default. Throws a usage Error naming the flag.
   Display read_sheet() const;
 };
 
 void add_sheet_options(const Command& command, SheetOptions& options);
 
-/// Throws a usage Error naming a flag without effect on this kind and the kinds that use it.
+/// Throws a usage Error for a flag that has no effect on this kind. The error names the flag and the kinds that use it.
 void refuse_idle_flags(const SheetOptions& options);
 
 }  // namespace lippmann::app

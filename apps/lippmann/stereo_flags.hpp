@@ -18,13 +18,13 @@ struct StereoFlags {
   bool right_first = false;
   std::optional<double> ipd_mm, viewing_distance_mm, screen_width_mm, view_angle_deg;
 
-  /// Returns no value if no flag is given.
+  /// Returns the layout of the two views; nullopt if no flag is given.
   std::optional<StereoLayout> layout() const;
 };
 
 void add_stereo_flags(const Command& command, StereoFlags& flags);
 
-/// Runs `convert --to stereo`: renders what two eyes see of a light field. Light fields of two views keep them.
+/// Runs `convert --to stereo`, which computes what two eyes see of a light field. A light field of two views keeps its views.
 int run_stereo(const StereoFlags& flags, const LightFieldHints& field, const std::string& in, const std::string& out,
                const ResultFlags& result, const Context& context);
 

@@ -37,7 +37,8 @@ struct SubmitOptions {
   ResultFlags result;
 };
 
-/// Returns the tool for the tasks, whatever their working folder: the absolute path if this one was called by its path.
+/// Returns the program for the tasks to run. If the tool was called by a path, this is the absolute path, since tasks may have
+/// another working folder; otherwise it is the name.
 fs::path program_of_tasks(const std::string& called_as) {
   if (called_as == "lippmann") return called_as;
   const fs::path self = platform::program_file();

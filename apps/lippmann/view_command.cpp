@@ -47,7 +47,7 @@ std::vector<std::unique_ptr<PageField>> read_fields(const ViewOptions& options, 
   return fields;
 }
 
-/// Throws a usage Error for flags of the server, which --save does not start.
+/// Throws a usage Error if flags of the server are given together with --save, which starts no server.
 void refuse_server_flags(const PageServerFlags& server) {
   const auto refuse = [](bool given, const char* flag) {
     if (given) throw usage_error(flag, "has no effect with --save, which starts no server", "a page without --save");
@@ -68,8 +68,8 @@ int save(const ViewOptions& options, const Context& context) {
   return 0;
 }
 
-/// Returns whether IN is the folder of a render in progress, which has a first report. Any other flag describes a finished
-/// light field.
+/// Returns whether IN is the folder of a running render that has written its first report. False if any other flag is given,
+/// since the other flags describe a finished light field.
 bool is_render_to_watch(const ViewOptions& options) {
   const LightFieldFlags& field = options.field;
   const bool is_alone = options.other.empty() && field.from.empty() && field.report.empty() && field.views.empty() &&
@@ -99,7 +99,7 @@ int set_up(const ViewOptions& options, const Context& context) {
 
 // ---- Nothing yet --------------------------------------------------------------------------------------------------------
 
-/// Throws a usage Error for flags that describe IN.
+/// Throws a usage Error if flags that describe IN are given without IN.
 void refuse_flags_without_in(const ViewOptions& options) {
   const LightFieldFlags& field = options.field;
   const auto refuse = [](bool given, const std::string& flag) {

@@ -1,5 +1,5 @@
-// Writes the page beside the frames of a render (`render --page`). The page belongs to the render, whose journal lists its
-// files.
+// Writes the page of a render beside its frames (`render --page`). The page belongs to the render; the render's journal lists
+// the page's files.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,8 @@
 
 namespace lippmann::app {
 
-/// Writes and records the page of a folder whose frames are all finished. Fails like save_page.
+/// Writes the page of a folder whose frames are all finished, and records its files in the journal. Throws Error as save_page()
+/// does.
 SavedPage write_page(const std::filesystem::path& folder, const Context& context);
 
 }  // namespace lippmann::app
