@@ -1,4 +1,4 @@
-// Serialises values for pickling and deep copies: every plain struct of the library, member by member.
+// Serialises values for pickling and deep copies. Every plain struct of the library can be stored, member by member.
 //
 // The compiler finds the members: the number of fields of an aggregate is the largest number of initialisers that it takes, and
 // structured bindings name them. A member added to a struct is stored without a change here. The bytes depend on this machine
@@ -27,7 +27,7 @@ namespace lippmann::python {
 
 // ---- Fields of a struct -----------------------------------------------------------------------------------------------
 
-/// Converts to any type, to count how many initialisers an aggregate takes.
+/// Converts to any type. Used to count how many initialisers an aggregate takes.
 struct AnyValue {
   template <class T>
   requires(!std::is_lvalue_reference_v<T>) operator T() const;  // NOLINT(google-explicit-constructor)
@@ -108,7 +108,8 @@ inline constexpr bool kIsNumber<glm::qua<T>> = true;
 template <class T, std::size_t N>
 inline constexpr bool kIsNumber<std::array<T, N>> = kIsNumber<T>;
 
-/// Calls an archive's raw(pointer, bytes) for numbers, and its other functions for values with a length or that may be absent.
+/// Passes a value to an archive: numbers to raw(pointer, bytes), and values with a length or that may be absent (strings,
+/// vectors, optionals) to the archive's other functions.
 template <class Archive>
 class Walk {
  public:
@@ -237,7 +238,7 @@ class ArchiveWriter {
   }
 };
 
-/// Throws Error if the bytes end early.
+/// Reads values from an archive. Throws Error if the bytes end early.
 class ArchiveReader {
  public:
   explicit ArchiveReader(std::string_view bytes) : left_(bytes) {}
@@ -309,7 +310,7 @@ std::string archived(const T& value) {
   return std::move(writer.bytes);
 }
 
-/// Throws Error unless archived() made the bytes from the same type in the same version.
+/// Restores a value. Throws Error unless archived() made the bytes from the same type in the same version.
 template <class T>
 T unarchived(std::string_view bytes) {
   ArchiveReader reader(bytes);
@@ -324,7 +325,7 @@ T unarchived(std::string_view bytes) {
   return value;
 }
 
-/// Supports pickling and deep copies of a class: class_.def(pickled<T>()).
+/// Adds support for pickling and deep copies to a class: class_.def(pickled<T>()).
 template <class T>
 auto pickled() {
   return py::pickle([](const T& value) { return py::bytes(archived(value)); },

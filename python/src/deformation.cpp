@@ -1,6 +1,7 @@
-// Deforming meshes: morph targets, which are blended by weights, and skins, which joints move.
+// Binds deforming meshes: morph targets, which are blended by weights, and skins, which follow joints.
 //
-// A mesh of lippmann.Scene has its own shape, instance and node, so these are found by the shape.
+// Each mesh of lippmann.Scene has a shape, an instance and a node of its own, so the instance and the node are found by the
+// shape.
 #include <algorithm>
 #include <utility>
 
@@ -26,7 +27,7 @@ std::vector<Vec3f> offsets_of(const Array<float>& array, py::ssize_t index) {
   return offsets;
 }
 
-/// Sets targets and their normals (n, vertices, 3), and weights (n) for frames without animation.
+/// Sets morph targets and their normals (n, vertices, 3), and weights (n) that apply to frames without animation.
 void set_targets(Scene& scene, int shape, const Array<float>& positions, const std::optional<Array<float>>& normals,
                  std::vector<float> weights) {
   Mesh& mesh = mesh_of(scene, shape);
@@ -41,14 +42,15 @@ void set_targets(Scene& scene, int shape, const Array<float>& positions, const s
   scene.nodes[static_cast<std::size_t>(instance_of(scene, shape).node)].morph_weights = std::move(weights);
 }
 
-/// Returns the transforms before any animation.
+/// Returns the transforms of the scene without animation.
 ResolvedScene at_rest(const Scene& scene) {
   Scene skeleton;
   skeleton.nodes = scene.nodes;
   return evaluate(skeleton, 0.0);
 }
 
-/// The mesh keeps its placement and that of its joints at rest. Indices into `joints` (nodes) and weights: (vertices, n).
+/// Sets a skin. The mesh keeps its present placement when the joints are at rest. Shapes: (vertices, n) for weights and for
+/// indices into `joints`, which are nodes.
 void set_skin(Scene& scene, int shape, const std::vector<int>& joints, const Array<std::uint32_t>& indices,
               const Array<float>& weights) {
   Mesh& mesh = mesh_of(scene, shape);

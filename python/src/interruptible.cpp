@@ -13,7 +13,7 @@ namespace {
 
 constexpr auto kPeriod = std::chrono::milliseconds(50);
 
-/// Marks an animation as busy during its life.
+/// Marks an animation as busy while this object exists.
 class Busy {
  public:
   explicit Busy(std::atomic<bool>& flag) : flag_(flag) {
@@ -29,7 +29,7 @@ class Busy {
   std::atomic<bool>& flag_;
 };
 
-/// A thread with one task, which signals its end.
+/// A thread that runs one task and signals its end.
 class Task {
  public:
   explicit Task(std::function<void()> work) : thread_([this, work = std::move(work)] { run(work); }) {}
@@ -45,7 +45,7 @@ class Task {
     return changed_.wait_for(lock, kPeriod, [this] { return ended_; });
   }
 
-  /// Rethrows the task's exception. Call it after the task has ended.
+  /// Rethrows the exception of the task, if there is one. Call after the task has ended.
   void rethrow() {
     thread_.join();
     if (failure_) std::rethrow_exception(failure_);
@@ -67,7 +67,7 @@ class Task {
   std::condition_variable changed_;
   bool ended_ = false;
   std::exception_ptr failure_;
-  std::thread thread_;  ///< declared last: it uses the other members
+  std::thread thread_;  ///< declared last, since the thread uses the other members
 };
 
 }  // namespace

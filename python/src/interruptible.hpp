@@ -1,5 +1,5 @@
-// Runs long work of the library while Python stays responsive: its other threads run, Ctrl-C stops the work, and callbacks are
-// called in the calling thread.
+// Runs long work of the library while Python stays responsive: other Python threads run, Ctrl-C stops the work, and callbacks
+// are called on the calling thread.
 //
 // The work runs in a separate thread without the interpreter's lock. The calling thread waits, and takes the lock every 50 ms
 // to pass on reports and to check for signals. If a callback or a signal handler raises an exception (KeyboardInterrupt),
@@ -19,11 +19,12 @@ namespace lippmann::python {
 
 class Interruptible {
  public:
-  /// threads: 0 is one per processor.
+  /// threads: number of threads; 0: one per processor.
   explicit Interruptible(int threads);
 
-  /// Calls work(context()) and raises what it throws. progress: None, or called with the share of a frame that is done. Throws
-  /// Error if another thread's work is in progress. The caller must hold the lock.
+  /// Calls work(context()) and raises its exception, if it throws one. progress: None, or a function that is called with the
+  /// share of a frame that is done. Throws Error if work of another thread is in progress. The caller must hold the
+  /// interpreter's lock.
   void run(const py::object& progress, const std::function<void(const Context&)>& work);
 
   const Context& context() const { return context_; }

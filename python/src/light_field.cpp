@@ -31,7 +31,7 @@ std::vector<py::ssize_t> shape_of(const LightField& field) {
   return {field.grid.rows, field.grid.columns, field.view_size.y, field.view_size.x};
 }
 
-/// Returns (rows, columns, y, x, channel); row 0 is the lowest.
+/// Returns the views as an array (rows, columns, y, x, channel) without a copy. Row 0 is the lowest.
 py::array views_array(const SharedField& field) {
   std::vector<py::ssize_t> shape = shape_of(*field);
   shape.push_back(3);
@@ -45,7 +45,7 @@ py::object depth_of_views(const SharedField& field) {
   return view_of(field->depth->data.data(), shape_of(*field), field);
 }
 
-/// Returns distance_mm, (height, width) of a pixel, and eyes (rows, columns, 2); None if unknown.
+/// Returns the cameras as distance_mm, the (height, width) of a pixel, and eyes (rows, columns, 2); None if they are unknown.
 py::object cameras_of(const LightField& field) {
   if (!field.cameras) return py::none();
   std::vector<double> eyes;
@@ -55,8 +55,8 @@ py::object cameras_of(const LightField& field) {
                         moved(std::move(eyes), {field.grid.rows, field.grid.columns, 2}));
 }
 
-/// Returns (rows, columns, 4, 4) from each camera's frame to world space, and (rows, columns, 4) focal lengths and principal
-/// points; None if unknown.
+/// Returns two arrays: (rows, columns, 4, 4) with the transforms from each camera's frame to world space, and (rows, columns,
+/// 4) with focal lengths and principal points. None if the poses are unknown.
 py::object poses_of(const LightField& field) {
   if (!field.cameras && !field.poses) return py::none();
   std::vector<double> matrices, intrinsics;
@@ -94,7 +94,8 @@ Picture stack_of(const py::array& views, Vec2i size) {
   return image;
 }
 
-/// Makes a field of arrays that lippmann.LightField has checked: (rows, columns, y, x, 3), and depth without the last axis.
+/// Makes a light field of arrays that lippmann.LightField has checked: views (rows, columns, y, x, 3), and depth without the
+/// last axis.
 SharedField field_of(const py::array& views, const std::optional<Array<float>>& depth) {
   require_shape(views, {-1, -1, -1, -1, 3}, "views");
   auto field = std::make_shared<LightField>();
@@ -122,7 +123,7 @@ void set_cameras(LightField& field, double distance_mm, std::array<double, 2> ba
   field.cameras = std::move(cameras);
 }
 
-/// Converts linear floats to codes of 8 or 16 bits.
+/// Converts the views from linear floats to codes of 8 or 16 bits.
 SharedField with_codes(const LightField& field, int bits) {
   auto copy = std::make_shared<LightField>(field);
   const Image linear = to_linear(std::move(copy->stack));
@@ -161,7 +162,7 @@ py::tuple open(const std::filesystem::path& path, const std::string& format, con
   return py::make_tuple(std::make_shared<LightField>(std::move(opened.field)), opened.optics, std::string(opened.format));
 }
 
-/// Returns the views behind the given optics, those of their cameras, or assumed ones.
+/// Returns a panel that shows the views: with the given optics, or those of the views' cameras, or assumed ones.
 SharedPanel panel_of_field(const LightField& field, const std::optional<Optics>& optics,
                            const std::optional<double>& view_angle_deg) {
   const py::gil_scoped_release release;

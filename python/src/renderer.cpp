@@ -1,4 +1,4 @@
-// Binds rendering: frames of a scene, one at a time, as films whose arrays need no copies.
+// Binds rendering: the frames of a scene, one at a time, as films that are shared with arrays without copies.
 #include "lippmann/frames/renderer.hpp"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ struct Film {
   Optics optics;
   Encoding encoding = Encoding::kSrgb;
   Affine3f world_from_display;
-  Vec3d origin{0.0};  ///< origin of the world in the file's coordinates
+  Vec3d origin{0.0};  ///< origin of world coordinates, in the coordinates of the file
 };
 using SharedFilm = std::shared_ptr<Film>;
 
@@ -35,14 +35,14 @@ std::optional<Aov> layer_named(const std::string& name) {
   return found == kAovNames.end() ? std::nullopt : std::optional(static_cast<Aov>(found - kAovNames.begin()));
 }
 
-/// Returns (y, x, 3) without a copy, except for slanted panels, whose pixels are gathered.
+/// Returns the picture as (y, x, 3). Makes no copy, except for slanted panels, whose pixels are gathered from the film.
 py::array picture_of(const SharedFilm& film) {
   const Image& image = film->frame.pictures.film;
   if (sub_pixels_per_pixel(film->optics) > 1) return moved(picture_of_film(image, film->optics));
   return view_of(image.data.data(), {image.height, image.width, image.channels}, film);
 }
 
-/// Calls `use` with the panel's picture, without a copy if that is the film itself.
+/// Calls `use` with the panel's picture. Makes no copy if the picture is the film itself.
 template <class Use>
 auto with_picture(const Film& film, Use use) {
   const Image& image = film.frame.pictures.film;
@@ -51,7 +51,7 @@ auto with_picture(const Film& film, Use use) {
 
 bool is_transparent(const Film& film) { return film.frame.pictures.aovs.wants(Aov::kAlpha); }
 
-/// Returns straight colours (not multiplied by alpha) and alpha, as `render` writes them.
+/// Returns colours that are not multiplied by alpha, and alpha, as `render` writes them.
 Image8 transparent_codes(const Film& film) {
   Image picture = picture_of_film(film.frame.pictures.film, film.optics);
   const Image alpha = picture_of_layer(film.frame.pictures.aovs[Aov::kAlpha], film.optics);
@@ -84,7 +84,7 @@ py::array codes_of_film(const Film& film) {
   return moved(std::move(codes.rgb), {codes.height, codes.width, 3});
 }
 
-/// Writes the picture as `render` does: codes as .png, floats as .exr.
+/// Writes the picture as `render` does: as codes to .png, or as floats to .exr.
 void write(const Film& film, const std::filesystem::path& path) {
   const py::gil_scoped_release release;
   if (path.extension() != ".exr") return write_picture(path, film_codes(film));
@@ -97,14 +97,14 @@ const Image& required_layer(const Film& film, const std::string& name) {
   throw Error("layers", "'" + name + "' was not rendered", "its name among `layers` when the frame is rendered");
 }
 
-/// Returns (y, x, channel) in the layout of the panel.
+/// Returns a layer as (y, x, channel), in the layout of the panel.
 py::array layer_on_panel(const SharedFilm& film, const std::string& name) {
   const Image& image = required_layer(*film, name);
   if (sub_pixels_per_pixel(film->optics) > 1) return moved(picture_of_layer(image, film->optics));
   return view_of(image.data.data(), {image.height, image.width, image.channels}, film);
 }
 
-/// Returns (views, y, x, channel), view 0 first.
+/// Returns a layer as (views, y, x, channel), with view 0 first.
 py::array layer_of_views(const Film& film, const std::string& name, int views) {
   const Image& layer = required_layer(film, name);
   Image stack;
@@ -150,7 +150,7 @@ Reuse reuse_named(const std::string& name, const std::optional<int>& keyframes, 
   return AutoReuse{};
 }
 
-/// integrator: a name of integrators(); empty: the scene's default.
+/// Returns the sampling. integrator: a name of integrators(); empty: the scene's default.
 Sampling sampling_of(const Scene& scene, const std::string& integrator, bool interpolates) {
   Sampling sampling;
   for (const Integrator known : integrators())
@@ -173,7 +173,7 @@ void want_layers(Sampling& sampling, const std::vector<std::string>& names) {
     if (const std::optional<Aov> aov = layer_named(name)) sampling.aov.push_back(*aov);
 }
 
-/// The frames of one animation. Members that the renderer uses are declared before it, the context first.
+/// The frames of one animation. The members that the renderer uses are declared before it, and the context is declared first.
 class Frames {
  public:
   Frames(Scene& scene, Placement placement, const FrameParams& params, int threads) : work_(threads), placement_(placement) {
@@ -187,7 +187,7 @@ class Frames {
     try {
       work_.run(progress, [&](const Context&) { made = renderer_->frame(index); });
     } catch (...) {
-      if (work_.context().cancelled) renderer_.reset();  // frames that share work may have stopped half way
+      if (work_.context().cancelled) renderer_.reset();  // the frames share work, which may have stopped half way
       throw;
     }
     if (!made) throw_stopped();
@@ -214,12 +214,12 @@ class Frames {
   std::optional<Renderer> renderer_;
 };
 
-/// How frames share work. A class of its own, because Python sees the alternatives of a variant as unrelated types.
+/// How frames share work. This is a class of its own, because Python sees the alternatives of a variant as unrelated types.
 struct ChosenReuse {
   Reuse reuse;
 };
 
-/// Moves the scene into the result and leaves it empty.
+/// Makes the frames. Moves the scene into the result and leaves `scene` empty.
 std::shared_ptr<Frames> frames_of(Scene& scene, const Placement& placement, const Sampling& sampling, const ChosenReuse& reuse,
                                   int threads) {
   return std::make_shared<Frames>(scene, placement, FrameParams{sampling, reuse.reuse}, threads);

@@ -1,4 +1,5 @@
-// Binds scenes: read from files, or built element by element. Elements are addressed by indices; lippmann.Scene adds names.
+// Binds scenes, which are read from files or built element by element. Elements are addressed by indices; lippmann.Scene adds
+// names.
 #include <algorithm>
 #include <utility>
 #include <variant>
@@ -85,7 +86,7 @@ int add_texture(Scene& scene, const Array<std::uint8_t>& rgba, bool srgb) {
   return add(scene.textures, std::move(texture));
 }
 
-/// Colours are set as sequences of numbers.
+/// Binds surfaces. Colours are set as sequences of numbers.
 void bind_surface(py::module_& module) {
   py::class_<MetallicRoughness>(module, "Surface")
       .def(py::init())
@@ -116,7 +117,7 @@ Light light_of(std::string name, const std::string& kind, int node, const Three&
   return light;
 }
 
-/// Angles in radians, lengths in scene units.
+/// Binds lights. Angles are in radians, lengths in scene units.
 void bind_light(py::module_& module) {
   py::class_<Light>(module, "Light")
       .def(py::init(&light_of))
@@ -152,7 +153,7 @@ Channel<T> channel_of(const Timeline& timeline, std::vector<T> values) {
   return channel;
 }
 
-/// Sets one key per frame.
+/// Sets the animation of a node, with one key per frame.
 void animate(Scene& scene, int node, const std::optional<Array<float>>& translation,
              const std::optional<Array<float>>& rotation, const std::optional<Array<float>>& scale,
              const std::optional<Array<float>>& weights) {
@@ -186,7 +187,7 @@ void surround_with_file(Scene& scene, const std::filesystem::path& path, float s
   });
 }
 
-/// Returns (2, 3): lowest and highest coordinates of all finite shapes; None if there are none.
+/// Returns the bounds as (2, 3), the lowest and the highest coordinates of all finite shapes; None if there are none.
 py::object bounds_of(const Scene& scene, int frame) {
   const Bounds3f bounds = finite_bounds(scene, evaluate(scene, scene.timeline.time(frame)));
   if (bounds.empty()) return py::none();
