@@ -113,7 +113,7 @@ TEST(ClaimFolder, live_run_without_frames_refuses_other_jobs) {
     EXPECT_THROW(require_no_render(folder), Error);
     EXPECT_EQ(refusal(folder, "a"), "");
     EXPECT_NO_THROW(RenderFolder(folder, "a"));
-    live.begin({3});  // its file still exists
+    live.begin({3});  // the claim of `live` ends with this block
   }
   EXPECT_EQ(refusal(folder, "b"), "");
   EXPECT_EQ(free_folder(folder, "b"), folder);

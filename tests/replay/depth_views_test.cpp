@@ -45,12 +45,13 @@ double lit_at(const DepthViews& made, int view) {
 }
 
 TEST(DepthViews, plane_shifts_by_its_disparity) {
-  // q = -25 / (1 + 1/4) = -20 mm: the eye at slope 0.2 sees it 0.2 20 = 4 mm to the right, the eye at -0.2 to the left.
+  // Disparity z / (1 - z / 100) = -25 / (1 + 1/4) = -20 mm: the eye at slope 0.2 sees the plane 0.2 * 20 = 4 mm to the right,
+  // the eye at slope -0.2 as far to the left.
   const DepthViews behind = shown(plane(20, -25.0f));
   EXPECT_NEAR(lit_at(behind, 0), 16.0, kWeights);
   EXPECT_NEAR(lit_at(behind, 1), 20.0, kWeights);
   EXPECT_NEAR(lit_at(behind, 2), 24.0, kWeights);
-  // q = 20 / (1 - 1/5) = 25 mm: 5 mm, in the opposite direction.
+  // Disparity 20 / (1 - 1/5) = 25 mm: the planes move by 0.2 * 25 = 5 mm, in the directions opposite to those above.
   const DepthViews before = shown(plane(20, 20.0f));
   EXPECT_NEAR(lit_at(before, 0), 25.0, kWeights);
   EXPECT_NEAR(lit_at(before, 2), 15.0, kWeights);

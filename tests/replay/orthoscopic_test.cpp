@@ -101,7 +101,8 @@ TEST(Spoc, depth_z_becomes_distance_minus_z) {
   const Optics recorded = test::sheet();
   for (const double distance : {10.0, 20.0})
     for (const double z : {8.0, 14.0, 20.0, 26.0}) {
-      if (std::abs(distance - z) < 2 * kDepthStep) continue;  // closer points are seen by one lens only
+      // Points this close to the plane at `distance` are seen by one lens only.
+      if (std::abs(distance - z) < 2 * kDepthStep) continue;
       const PixelMap map = spoc(recorded, recorded, {distance, z});
       const Peak peak = peak_of(with(recorded, map, record_spot(recorded, {1.37, 0.61, z})), kDepthStep, 11);
       EXPECT_NEAR(peak.depth, distance - z, kDepthStep) << distance << " " << z;

@@ -44,7 +44,7 @@ TEST(Ies, one_horizontal_angle_is_alike_all_around) {
   EXPECT_EQ(candelas(p, type_c(91, 10)), 0.0f) << "above what was measured";
 }
 
-// Uniform intensity has a flux of 4 pi candela; a hemisphere half of that.
+// A uniform intensity of I candela has a flux of 4 pi I lumens; over one hemisphere, half of that. The mean is flux / (4 pi).
 TEST(Ies, the_mean_is_that_of_the_flux) {
   EXPECT_NEAR(parse_ies("a.ies", ies(1, "2 1", "0 180\n0\n50 50")).mean_candela, 50.0f, 1e-3f);
   EXPECT_NEAR(parse_ies("a.ies", ies(1, "2 1", "0 90\n0\n50 50")).mean_candela, 25.0f, 1e-3f);
