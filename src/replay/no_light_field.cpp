@@ -40,7 +40,7 @@ void refuse_folder(const fs::path& folder) {
   const auto is_picture = [](const fs::directory_entry& entry) { return is_picture_name(entry.path()); };
   const std::string picture = first_name(entries, is_picture_name);
   if (std::count_if(entries.begin(), entries.end(), is_picture) == 1)
-    throw Error(folder.string(), fmt::format("there is only one picture in it, {}", picture),
+    throw Error(folder.string(), fmt::format("contains only one picture, {}", picture),
                 "two or more pictures of one size, which are the views");
   if (!picture.empty())
     throw Error(

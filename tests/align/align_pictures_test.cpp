@@ -172,7 +172,7 @@ TEST_F(Align, warns_of_a_focus_without_texture) {
 
 TEST_F(Align, refuses_what_cannot_be_aligned) {
   shoot({Similarity{}});
-  EXPECT_THAT(error(), HasSubstr("there is only one picture"));
+  EXPECT_THAT(error(), HasSubstr("contains only one picture"));
   Image8 plain{640, 480, {}};
   plain.rgb.assign(std::size_t{3} * 640 * 480, 128);
   write_picture(dir_ / "in/2.png", plain);

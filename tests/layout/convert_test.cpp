@@ -157,7 +157,8 @@ TEST(Convert, what_cannot_be_is_refused) {
                  "do not match");
   expect_refusal(dir / "in.png", dir / "o.png", params(kIntegral, kQuilt, ViewGrid{2, 1}, ViewGrid{3, 1}), "quilt",
                  "do not match");
-  expect_refusal(dir / "in.png", dir / "o.exr", params(kIntegral, kIntegral, ViewGrid{2, 1}), "o.exr", "ending");
+  expect_refusal(dir / "in.png", dir / "o.exr", params(kIntegral, kIntegral, ViewGrid{2, 1}), "o.exr",
+                 "cannot store the samples unchanged");
   expect_refusal(dir / "missing.png", dir / "o.png", params(kIntegral, kQuilt, ViewGrid{2, 1}), "missing.png", "");
   expect_refusal(dir / "none", dir / "o.png", params(kViews, kQuilt), "none", "cannot be listed");
 }

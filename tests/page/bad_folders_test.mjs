@@ -63,7 +63,7 @@ test("pictures of the wrong size are refused", async () => {
 });
 
 test("folders without a light field are refused", async () => {
-  await assert.rejects(view("saved"), /contains no frames or views|are not named as frames|only one picture/);
+  await assert.rejects(view("saved"), /contains no frames or views|are not named as frames|contains only one picture/);
   await assert.rejects(view("missing"), /there is no such file or folder/);
   const folders = { nothing: [], videos: ["a.mp4"], jobs: ["job.toml"], others: ["ein Bild.png"] };
   for (const [name, files] of Object.entries(folders)) {
@@ -74,7 +74,7 @@ test("folders without a light field are refused", async () => {
   await assert.rejects(view("videos"), /only videos \(a\.mp4\), no frames or views/);
   await assert.rejects(view("videos/a.mp4"), /only `lippmann convert` reads views from a video/);
   await assert.rejects(view("jobs"), /`lippmann render jobs\/job\.toml` first/);
-  await assert.rejects(view("others"), /there is only one picture in it, ein Bild\.png/);
+  await assert.rejects(view("others"), /contains only one picture, ein Bild\.png/);
   await assert.rejects(view("others/ein Bild.png"), /the format of others\/ein Bild\.png is unknown/);
   writeFileSync(inFolder("text.txt"), "no picture");
   await assert.rejects(view("text.txt"), /is not a picture/);

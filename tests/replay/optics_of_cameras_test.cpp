@@ -34,7 +34,7 @@ TEST(OpticsOfCameras, height_of_the_cameras_is_kept) {
 TEST(OpticsOfCameras, off_centre_cameras_are_refused) {
   LightField field = field_of_grid(0.0f);
   for (Vec2d& eye : field.cameras->eyes_mm) eye.x += 30.0;
-  EXPECT_THAT(test::error_message([&] { optics_of_cameras(field, "cameras.json"); }), HasSubstr("by 60 pixels"));
+  EXPECT_THAT(test::error_message([&] { optics_of_cameras(field, "cameras.json"); }), HasSubstr("60 pixels off centre"));
 }
 
 }  // namespace

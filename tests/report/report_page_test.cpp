@@ -48,7 +48,7 @@ TEST(ReportPage, psnr_chart_shows_the_papers_figure) {
   const std::string page = page_of({test::write_report_text(dir / "film", interpolated().dump())});
   EXPECT_THAT(page, HasSubstr("<h2>film <small>room, reuse interpolate</small></h2>"));
   EXPECT_THAT(chart_data(page, "PSNR, estimated from held-out pixels"),
-              AllOf(HasSubstr(R"({"name":"the paper's 34.5 dB","value":34.5})"), HasSubstr(R"("name":"asked for: 35 dB")"),
+              AllOf(HasSubstr(R"({"name":"the paper's 34.5 dB","value":34.5})"), HasSubstr(R"("name":"requested: 35 dB")"),
                     HasSubstr(R"({"name":"estimate","color":0,"values":[null,36.0,37.0]})"),
                     HasSubstr(R"~({"name":"at least (95 % confidence)","color":1,"values":[null,35.5,36.5]})~")));
   EXPECT_THAT(chart_data(page, "Where pixels come from"),
