@@ -111,7 +111,7 @@ class Sdna:
             return self.structs[index]
         known = Struct(self._sizes[self._layouts[index][0]])
         for name, kind, offset, size, times, is_pointer in self._members(index):
-            if name in STATE.get(self.types[index], ()):
+            if name in STATE.get(self.types[index], ()) or name.startswith("_pad"):
                 known.state.append((offset, size * times))
             elif is_pointer:
                 known.pointers += [offset + i * size for i in range(times)]
@@ -156,18 +156,22 @@ class Contents:
         return hashlib.blake2b(repr(sorted((one, self.by_name[one]) for one in found)).encode(), digest_size=16).hexdigest()
 
     def _owned(self, blocks):
-        """Returns {name: blocks} of each datablock, without ignored properties. A property's data follows it in the file."""
-        owned, own, ignored = {}, None, None
+        """Returns {name: blocks} of each datablock, without ignored properties and without the brushes in use (from Blender 4.3 on). The data of both
+        follow them in the file."""
+        owned, own, ignored = {}, None, set()
         for block in blocks:
             if block.code != b"DATA":
                 own = owned.setdefault(self._name(block), [])
-            if block.address == ignored:
-                ignored = None
+            if block.address in ignored:
                 continue
-            if self._sdna.types[block.struct] == "IDProperty":
+            kind = self._sdna.types[block.struct]
+            if kind == "AssetWeakReference" and block.struct:
+                ignored.update(self._pointers(block))
+                continue
+            if kind == "IDProperty":
                 name, pointer = self._property(block)
                 if name in self._ignored:
-                    ignored = pointer
+                    ignored.add(pointer)
                     continue
             if own is not None:
                 own.append(block)
@@ -175,6 +179,10 @@ class Contents:
 
     def _bytes(self, block):
         return self._data[block.start:block.start + block.length]
+
+    def _pointers(self, block):
+        form = "<Q" if self._sdna.address_size == 8 else "<I"
+        return [struct.unpack_from(form, self._bytes(block), at)[0] for at in self._sdna.structs[block.struct].pointers]
 
     def _text(self, block, at, length):
         return bytes(self._bytes(block)[at:at + length]).split(b"\0")[0]
