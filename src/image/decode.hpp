@@ -33,7 +33,7 @@ struct PictureHeader {
   int colors = 0;  ///< number of colour channels, which come first: 3, 1 (grey), 0 (an EXR file without colours)
   Orientation orientation = Orientation::kUpright;  ///< orientation of the stored samples
   std::vector<std::byte> profile = {};  ///< ICC profile of the samples, unless it is sRGB; applied by decode_picture()
-  /// What was ignored in the file, such as "its gamma of 1 is ...", as text to follow the file name.
+  /// Notes on ignored data of the file, such as "its gamma of 1 is ...", written to follow the file name.
   std::vector<std::string> notices = {};
 };
 

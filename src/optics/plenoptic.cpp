@@ -9,7 +9,7 @@
 namespace lippmann {
 namespace {
 
-/// The array as it is seen from the main lens.
+/// Returns the array as seen from the main lens.
 MicrolensArray array_of(const PlenopticCamera& camera) {
   return {.packing = camera.packing,
           .lens_pitch_mm = camera.lens_pitch_mm,
@@ -18,7 +18,7 @@ MicrolensArray array_of(const PlenopticCamera& camera) {
           .viewing_distance_mm = static_cast<float>(array_distance_mm(camera))};
 }
 
-/// Rows of lenses, in pitches.
+/// Returns the distance between rows of lenses, in lens pitches.
 float row_share(LensPacking packing) { return packing == LensPacking::kHexagonal ? std::sqrt(0.75f) : 1.0f; }
 
 }  // namespace
@@ -113,13 +113,13 @@ Vec2f footprint_mm(const Panel& panel, const PlenopticCamera& camera, float z_mm
 
 namespace {
 
-constexpr double kUsualFNumber = 2.0;
+constexpr double kDefaultFNumber = 2.0;  // the aperture of the first Lytro camera
 
 PanelSize sensor_size(const OpticsParams& params, Vec2i scene_resolution) {
   return microlens_kind.panel_size(params, scene_resolution);
 }
 
-/// The lengths of a camera, worked out from those that are given. See the header for the symbols.
+/// The lengths of a camera, derived from the given ones. The header explains the symbols; n is the f-number.
 struct CameraLengths {
   double b, e = 0.0, s = 0.0, f = 0.0, n = 0.0;
   double t() const { return s + e; }
@@ -133,11 +133,11 @@ double given_image_distance(const ModelSetup& setup) {
   return image_distance_mm(f, z);
 }
 
-/// Without a gap and a focal length of the microlenses, the images below them touch.
+/// Returns the given gap, or the focal length of the microlenses, or the gap at which the images below the microlenses touch.
 double gap_of(const ModelSetup& setup, double cell) {
   if (setup.params.gap_mm) return static_cast<double>(*setup.params.gap_mm);
   if (setup.params.lens_focal_length_mm) return static_cast<double>(*setup.params.lens_focal_length_mm);
-  const double n = setup.f_number > 0.0f ? static_cast<double>(setup.f_number) : kUsualFNumber;
+  const double n = setup.f_number > 0.0f ? static_cast<double>(setup.f_number) : kDefaultFNumber;
   const double z = setup.viewing_distance_mm, pinhole = setup.pinhole_mm;
   if (setup.params.focal_length_mm) return cell * n * (1.0 + given_image_distance(setup) / z);
   return cell * n * (1.0 + pinhole / z) / (1.0 + cell * n / z);
@@ -159,7 +159,7 @@ CameraLengths camera_lengths(const ModelSetup& setup, double cell) {
   const bool is_matched = setup.params.gap_mm || setup.params.lens_focal_length_mm;
   camera.n = setup.f_number > 0.0f ? static_cast<double>(setup.f_number)
              : is_matched          ? camera.f * camera.b / (cell * camera.t())
-                                   : kUsualFNumber;
+                                   : kDefaultFNumber;
   const double image_px = camera.f / camera.n * camera.b / camera.t() / static_cast<double>(setup.panel.pixel_pitch_mm);
   if (image_px < 0.999)
     throw usage_error("f-number",

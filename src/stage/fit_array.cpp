@@ -208,7 +208,7 @@ FittedArray at_focus(const Setting& setting, const Camera& camera) {
 }
 
 /// Places the plane half-way through the visible part of the subject, or of the scene if the camera does not see the subject.
-/// Of a room around the camera, only the part in front of the camera counts; an infinite ground does not count.
+/// Only the part of a surrounding room that is in front of the camera counts; an infinite ground does not count.
 FittedArray half_way_through(const Setting& setting, const Camera& camera) {
   FittedArray array;
   array.origin = FittedArray::Origin::kSceneCenter;

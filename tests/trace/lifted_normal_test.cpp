@@ -77,7 +77,7 @@ MetallicRoughness of(float metallic, float roughness) {
   return surface;
 }
 
-// Where the smooth normal faces away from the view, the gloss would take all light from the paint below it, which leaves 0.82
+// If the smooth normal faces away from the view, the gloss would take all light from the paint below it, which leaves 0.82
 // of the light in the darkest of 500 pixels. Lifting gives 0.91. Surfaces with rare layers must do as well.
 TEST(LiftedNormal, glossy_coarse_balls_have_no_dark_rim) {
   for (const bool layered : {false, true}) {
@@ -90,7 +90,7 @@ TEST(LiftedNormal, glossy_coarse_balls_have_no_dark_rim) {
   }
 }
 
-// Of 65,536 samples one may be lost: a mirrored ray that starts on the edge of a facet can hit the adjacent facet, on
+// One of 65,536 samples may be lost: a mirrored ray that starts on the edge of a facet can hit the adjacent facet, on
 // processors on which Embree intersects it that way (measured with AVX-512: 7 of 830,000 samples in six sizes). A rim would
 // lose all light of its pixels.
 TEST(LiftedNormal, coarse_mirror_balls_have_no_dark_rim) {
