@@ -153,7 +153,7 @@ FrontOfRays front_of_rays(const Scene& scene, const FittedArray& array, float as
   if (!front) return {viewer, {}};
   if (!front->cut.empty())
     front->cut =
-        fmt::format("Rays begin {:.4g} units in front of the plane, not at the viewer, whose view walls would hide: {}.",
+        fmt::format("Rays begin {:.4g} units in front of the plane, because walls would hide the scene from the viewer: {}.",
                     front->z, front->cut);
   return *front;
 }

@@ -146,7 +146,7 @@ TEST_F(FrontOfRays, names_the_walls_that_are_cut) {
   add_wall(5.0f);
   scene.nodes.back().name = "back";
   EXPECT_EQ(begin().cut,
-            "Rays begin 4.999 units in front of the plane, not at the viewer, whose view walls would hide: 'back'.");
+            "Rays begin 4.999 units in front of the plane, because walls would hide the scene from the viewer: 'back'.");
 }
 
 TEST_F(FrontOfRays, is_where_placed_optics_rays_start) {
