@@ -8,6 +8,7 @@ import base64
 import hashlib
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import sysconfig
@@ -15,28 +16,52 @@ import tempfile
 import zipfile
 
 SOURCE = pathlib.Path(__file__).resolve().parent.parent
+VERSION_HEADER = "include/lippmann/core/version.hpp"
+
+
+def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
+    """Writes the metadata, so that pip reports the build as the building of a wheel."""
+    info = f"lippmann-{_version()}.dist-info"
+    folder = pathlib.Path(metadata_directory) / info
+    folder.mkdir()
+    for name, data in _metadata().items():
+        (folder / name).write_bytes(data)
+    return info
 
 
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     build = pathlib.Path(os.environ["LIPPMANN_BUILD"]) if "LIPPMANN_BUILD" in os.environ else _built()
-    version = _cached(build, "CMAKE_PROJECT_VERSION")
-    python = f"cp{sys.version_info[0]}{sys.version_info[1]}"
-    tag = f"{python}-{python}-{sysconfig.get_platform().replace('-', '_').replace('.', '_')}"
-    info = f"lippmann-{version}.dist-info"
+    info = f"lippmann-{_version()}.dist-info"
     with tempfile.TemporaryDirectory() as prefix:
         files = dict(_package_files(build, pathlib.Path(prefix)))
-    files[f"{info}/METADATA"] = (
-        f"Metadata-Version: 2.1\nName: lippmann\nVersion: {version}\nSummary: Renders 3D integral images and their animation\n"
-        f"License: Apache-2.0\nRequires-Python: =={sys.version_info[0]}.{sys.version_info[1]}.*\nRequires-Dist: numpy\n"
-    ).encode()
-    files[f"{info}/WHEEL"] = f"Wheel-Version: 1.0\nGenerator: pip_backend\nRoot-Is-Purelib: false\nTag: {tag}\n".encode()
-    files[f"{info}/LICENSE"] = (SOURCE / "LICENSE").read_bytes()
+    files |= {f"{info}/{name}": data for name, data in _metadata().items()}
     record = "".join(f"{name},sha256={_digest(data)},{len(data)}\n" for name, data in files.items()) + f"{info}/RECORD,,\n"
-    name = f"lippmann-{version}-{tag}.whl"
+    name = f"lippmann-{_version()}-{_tag()}.whl"
     with zipfile.ZipFile(pathlib.Path(wheel_directory) / name, "w", zipfile.ZIP_DEFLATED) as wheel:
         for path, data in {**files, f"{info}/RECORD": record.encode()}.items():
             wheel.writestr(path, data)
     return name
+
+
+def _metadata():
+    """Returns the contents of the files that describe the package, by name."""
+    python = f"{sys.version_info[0]}.{sys.version_info[1]}"
+    metadata = (
+        f"Metadata-Version: 2.1\nName: lippmann\nVersion: {_version()}\nSummary: Renders 3D integral images and their animation\n"
+        f"License: Apache-2.0\nRequires-Python: =={python}.*\nRequires-Dist: numpy\n"
+    )
+    wheel = f"Wheel-Version: 1.0\nGenerator: pip_backend\nRoot-Is-Purelib: false\nTag: {_tag()}\n"
+    return {"METADATA": metadata.encode(), "WHEEL": wheel.encode(), "LICENSE": (SOURCE / "LICENSE").read_bytes()}
+
+
+def _tag():
+    python = f"cp{sys.version_info[0]}{sys.version_info[1]}"
+    return f"{python}-{python}-{sysconfig.get_platform().replace('-', '_').replace('.', '_')}"
+
+
+def _version():
+    header = (SOURCE / VERSION_HEADER).read_text()
+    return ".".join(re.search(rf"#define LIPPMANN_VERSION_{part} (\d+)", header)[1] for part in ("MAJOR", "MINOR", "PATCH"))
 
 
 def _built():
@@ -67,11 +92,6 @@ def _package_files(build, prefix):
     root = packages[0].parent.parent
     for file in sorted(packages[0].parent.iterdir()):
         yield str(file.relative_to(root)), file.read_bytes()
-
-
-def _cached(build, name):
-    lines = (build / "CMakeCache.txt").read_text().splitlines()
-    return next(line.partition("=")[2] for line in lines if line.startswith(f"{name}:"))
 
 
 def _digest(data):
