@@ -1,4 +1,5 @@
-// The six built-in scenes, modelled on those of the paper. Each has a seamless animation of at least 400 frames.
+// The six built-in scenes: teapot, room, small-balls, primitives, tree and gears. Each has a seamless animation of at least 400
+// frames.
 #pragma once
 
 #include <string>
@@ -15,7 +16,7 @@ struct BuiltinScene {
   Scene (*build)() = nullptr;
 };
 
-/// Returns teapot, room, small-balls, primitives, tree and gears.
+/// Returns the built-in scenes in the order of the list above.
 const std::vector<BuiltinScene>& builtin_scenes();
 
 }  // namespace lippmann

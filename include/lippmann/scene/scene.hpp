@@ -1,10 +1,14 @@
 // A scene as described by its file: shapes, materials, lights, cameras, a node hierarchy and its animation. Plain data.
 //
-// Conventions for everything in this header: elements refer to each other by index into the Scene's vectors, where -1 means
-// none. World space is right-handed; lengths are in the file's own units. Colours are linear and scene-referred unless the
-// scene's `encoding` differs. Texture row 0 is the top row; texture coordinate v grows downwards (as in glTF); textures repeat
-// or clamp according to their wrap mode. A shape's coordinates are local to the node of the instance that shows it.
-// trace/device_scene.hpp builds the structures for ray tracing from a Scene; scene/timeline.hpp evaluates it at a given time.
+// Conventions for everything in this header:
+// - Elements refer to each other by index into the Scene's vectors. Index -1 means none.
+// - World space is right-handed. Lengths are in the file's own units.
+// - Colours are linear and scene-referred unless Scene::encoding says otherwise.
+// - Texture row 0 is the top row. Texture coordinate v grows downwards, as in glTF.
+// - The coordinates of a shape are local to the node of the instance that shows it.
+//
+// trace/device_scene.hpp builds the structures for ray tracing from a Scene. scene/timeline.hpp evaluates a Scene at a given
+// time.
 #pragma once
 
 #include <array>
@@ -23,16 +27,16 @@ namespace lippmann {
 
 // ---- Shapes ---------------------------------------------------------------------------------------------------------
 
-/// Offsets that morphing adds to each vertex of a mesh, multiplied by the weight from Node::morph_weights or its animation.
-/// Each vector may be empty.
+/// A morph target: offsets that are multiplied by the target's weight and added to the vertices of a mesh. The weight comes
+/// from Node::morph_weights or its animation. Each vector has one element per vertex, or is empty.
 struct MorphTarget {
   std::vector<Vec3f> positions{}, normals{}, tangents{};
 };
 
-/// The joints of the instance's Skin that carry each vertex, and their weights. Vertex v has the entries v * per_vertex ... (v
-/// + 1) * per_vertex - 1.
+/// The joints that move each vertex of a mesh, and their weights. The joints belong to the instance's Skin. The entries of
+/// vertex v are v * per_vertex to (v + 1) * per_vertex - 1.
 struct SkinWeights {
-  int per_vertex = 0;                   ///< 0: the mesh cannot be skinned
+  int per_vertex = 0;                   ///< number of joints per vertex; 0: the mesh cannot be skinned
   std::vector<std::uint32_t> joints{};  ///< indices into Skin::joints
   std::vector<float> weights{};         ///< >= 0; the weights of a vertex sum to 1
 };
@@ -45,10 +49,10 @@ struct Mesh {
   std::vector<std::array<std::uint32_t, 3>> triangles{};
   std::vector<Vec3f> colors{};  ///< per vertex; multiply the material's color; empty: white
   std::vector<float> alphas{};  ///< per vertex; multiply the material's alpha; empty: 1
-  std::vector<Vec2f> uvs_1{};   ///< the second set of texture coordinates; empty: none
+  std::vector<Vec2f> uvs_1{};   ///< second set of texture coordinates, per vertex; empty: none
   /// Per vertex: unit tangent and w = +-1; the bitangent is w (normal x tangent). Empty: derived from uvs.
   std::vector<Vec4f> tangents{};
-  std::vector<MorphTarget> targets{};  ///< morphing is applied before the skin
+  std::vector<MorphTarget> targets{};  ///< morph targets, which are applied before the skin
   SkinWeights skin{};
 };
 
@@ -67,13 +71,13 @@ struct Cylinder {
   float radius = 1.0f;  ///< > 0
 };
 
-/// An infinite two-sided plane.
+/// An infinite plane. Rays hit both sides.
 struct Plane {
   Vec3f point{0.0f};
   Vec3f normal{0.0f, 1.0f, 0.0f};  ///< unit length
 };
 
-/// A flat ring, or a disc if inner_radius is 0. Two-sided.
+/// A flat ring, or a disc if inner_radius is 0. Rays hit both sides.
 struct Ring {
   Vec3f center{0.0f};
   Vec3f normal{0.0f, 1.0f, 0.0f};  ///< unit length
@@ -87,18 +91,18 @@ struct Box {
   Vec3f upper{1.0f};
 };
 
-/// 3D Gaussians that emit their own colours: a captured scene, trained on photographs. Along a ray, splat i covers the share
-/// opacities[i] * exp(-d^2 / 2) of everything behind it, where d is the smallest distance of the ray from the splat's centre in
-/// standard deviations. All vectors except `harmonics` have one element per splat.
+/// 3D Gaussians that emit their own colours, trained on photographs of a real scene. Along a ray, splat i covers the fraction
+/// opacities[i] * exp(-d^2 / 2) of everything behind it, where d is the smallest distance between the ray and the splat's
+/// centre, in standard deviations. All vectors except `harmonics` have one element per splat.
 struct Splats {
   std::vector<Vec3f> centers{};
-  std::vector<Quatf> rotations{};   ///< unit length: rotate from the axes of the deviations to the axes of the shape
-  std::vector<Vec3f> deviations{};  ///< standard deviations along the splat's three axes, > 0
+  std::vector<Quatf> rotations{};   ///< unit length; rotates the splat's principal axes into the shape's axes
+  std::vector<Vec3f> deviations{};  ///< standard deviations along the splat's three principal axes, > 0
   std::vector<float> opacities{};   ///< 0 to 1
   int degree = 0;                   ///< degree of the spherical harmonics, 0 to 3
-  /// (degree + 1)^2 coefficients for each splat, ordered by l and then by m from -l to l. A splat's colour is max(0, 0.5 + sum
-  /// of coefficient * basis function), at the ray's direction in the shape's axes. The basis is real, with the Condon-Shortley
-  /// phase.
+  /// (degree + 1)^2 coefficients for each splat, ordered by l and then by m from -l to l. The colour of a splat is max(0, 0.5 +
+  /// sum of coefficient * basis function). The basis functions are real, include the Condon-Shortley phase, and are evaluated
+  /// at the ray's direction in the shape's axes.
   std::vector<Vec3f> harmonics{};
   /// True: colours are linear light. False: colours are sRGB-encoded, and splats are also blended in that encoding.
   bool is_linear = false;
@@ -110,8 +114,8 @@ using Planes = std::vector<Plane>;
 using Rings = std::vector<Ring>;
 using Boxes = std::vector<Box>;
 
-/// Analytic shapes are intersected exactly, never tessellated; the transforms above them must scale uniformly. Splats are unlit
-/// and ignore their material.
+/// Analytic shapes are intersected exactly, without tessellation. The transforms of their nodes must scale uniformly. Splats
+/// are unlit and ignore their material.
 using Shape = std::variant<Mesh, Spheres, Cylinders, Planes, Rings, Boxes, Splats>;
 
 // ---- Materials ------------------------------------------------------------------------------------------------------
@@ -122,14 +126,14 @@ struct Texture {
   std::string name{};
   int width = 0, height = 0;
   std::vector<std::uint8_t> rgba{};  ///< 4 bytes per texel, rows top to bottom
-  bool srgb = true;                  ///< R, G and B are sRGB-encoded; false: the value is the byte / 255
+  bool srgb = true;                  ///< true: R, G and B are sRGB-encoded; false: linear, byte / 255
   Wrap wrap_u = Wrap::kRepeat, wrap_v = Wrap::kRepeat;
 };
 
 enum class ProjectionKind {
   kPlane,     ///< u and v run along u_axis and v_axis (Tachyon's TEXFUNC 9)
-  kCylinder,  ///< u runs around v_axis, v along it (TEXFUNC 7)
-  kSphere,    ///< u runs around v_axis, v from the -v_axis pole (0) to the v_axis pole (1) (TEXFUNC 8)
+  kCylinder,  ///< u runs around v_axis, v along v_axis (TEXFUNC 7)
+  kSphere,    ///< u runs around v_axis, v from 0 at the -v_axis pole to 1 at the +v_axis pole (TEXFUNC 8)
 };
 
 /// Projects a texture onto the surfaces of a material, as Tachyon's image maps do (formulas: trace/projection.hpp).
@@ -141,37 +145,40 @@ struct ImageProjection {
 
 enum class Highlight {
   kNone,
-  kPlastic,  ///< highlights have the light's colour
-  kMetal,    ///< highlights have the surface's colour
+  kPlastic,  ///< the highlight has the light's colour
+  kMetal,    ///< the highlight has the surface's colour
 };
 
-/// The Phong surface of Whitted ray tracing, as Tachyon computes it:
-/// color (ambient + diffuse sum L N.L) + highlight sum (N.H)^highlight_size + mirror reflected + (1 - opacity) transmitted +
-/// emission.
+/// The Phong surface of Whitted ray tracing. Its radiance, as in Tachyon, is the sum of:
+/// - color * (ambient + diffuse * sum over the lights of N.L),
+/// - highlight * sum over the lights of (N.H)^highlight_size,
+/// - mirror * reflected radiance,
+/// - (1 - opacity) * transmitted radiance,
+/// - emission.
 struct PhongSurface {
   Vec3f color{0.8f};
-  int texture = -1;                             ///< a projected texture replaces `color`; one mapped by uv multiplies it
-  std::optional<ImageProjection> projection{};  ///< how the texture is projected; none: it is mapped by the mesh's uvs
+  int texture = -1;                             ///< a projected texture replaces `color`; mapped by uv, it multiplies `color`
+  std::optional<ImageProjection> projection{};  ///< none: the texture is mapped by the mesh's uvs
   float ambient = 0.1f, diffuse = 0.9f;
   Highlight highlight_kind = Highlight::kNone;
   float highlight = 0.0f, highlight_size = 1.0f;
-  float mirror = 0.0f;   ///< share of the radiance from the mirror direction
-  float opacity = 1.0f;  ///< the share 1 - opacity of the radiance from behind is transmitted
-  float ior = 1.0f;      ///< refracts transmitted light; 1: no refraction
+  float mirror = 0.0f;   ///< fraction of the radiance from the mirror direction
+  float opacity = 1.0f;  ///< the fraction 1 - opacity of the radiance from behind is transmitted
+  float ior = 1.0f;      ///< index of refraction for transmitted light; 1: no refraction
   Vec3f emission{0.0f};
 };
 
-/// A texture that is looked up at offset + matrix * uv, for one of the mesh's uv sets (glTF's KHR_texture_transform).
+/// A texture with its texture coordinates (glTF's KHR_texture_transform). The texture is looked up at offset + matrix * uv.
 struct TextureMap {
-  int texture = -1;  ///< index of the texture; -1: none, which reads as white
-  int uv_set = 0;    ///< set of texture coordinates: 0: Mesh::uvs, 1: Mesh::uvs_1
+  int texture = -1;  ///< index of the texture; -1: none, equivalent to a white texture
+  int uv_set = 0;    ///< 0: uv is from Mesh::uvs; 1: from Mesh::uvs_1
   glm::mat2 matrix{1.0f};
   Vec2f offset{0.0f};
 };
 
-/// Fibres that scatter light at grazing angles, on top of all layers except the clear coat (KHR_materials_sheen).
+/// Fibres that scatter light at grazing angles (KHR_materials_sheen). The sheen lies above all layers except the clear coat.
 struct Sheen {
-  Vec3f color{0.0f};  ///< black: there is no sheen
+  Vec3f color{0.0f};  ///< black: no sheen
   TextureMap color_map{};
   float roughness = 0.0f;
   TextureMap roughness_map{};  ///< channel A multiplies roughness
@@ -179,24 +186,26 @@ struct Sheen {
 
 /// Anisotropic gloss: rougher along one direction of the surface (KHR_materials_anisotropy).
 struct Anisotropy {
-  float strength = 0.0f;  ///< 0 to 1: extra roughness along the direction
-  float rotation = 0.0f;  ///< angle from the tangent towards the bitangent, in radians
-  TextureMap map{};       ///< channels R, G: (direction + 1) / 2 before the rotation; channel B: strength
+  float strength = 0.0f;  ///< 0 to 1: extra roughness along the rougher direction
+  float rotation = 0.0f;  ///< angle of the rougher direction, in radians from the tangent towards the bitangent
+  /// Channels R and G store (direction + 1) / 2, where direction is the rougher direction before `rotation`. Channel B
+  /// multiplies `strength`.
+  TextureMap map{};
 };
 
 /// A thin film that causes interference colours (KHR_materials_iridescence).
 struct Iridescence {
-  float share = 0.0f;  ///< share of the surface that has the film, 0 to 1
+  float share = 0.0f;  ///< fraction of the surface that the film covers, 0 to 1
   TextureMap map{};    ///< channel R multiplies share
   float ior = 1.3f;
   float least_thickness_nm = 100.0f, most_thickness_nm = 400.0f;
-  /// Channel G interpolates from the least to the most thickness; no texture: the most.
+  /// Channel G interpolates from the least to the most thickness. Without a texture, the film has the most thickness.
   TextureMap thickness_map{};
 };
 
 /// Light that enters on one side and leaves diffusely on the other (KHR_materials_diffuse_transmission).
 struct DiffuseTransmission {
-  float share = 0.0f;  ///< share of the diffuse light that passes through, 0 to 1
+  float share = 0.0f;  ///< fraction of the diffuse light that passes through, 0 to 1
   TextureMap map{};    ///< channel A multiplies share
   Vec3f color{1.0f};
   TextureMap color_map{};
@@ -206,7 +215,7 @@ struct DiffuseTransmission {
 struct Volume {
   bool is_solid = false;                   ///< true: a closed, filled shape; false: a thin wall, which does not refract light
   Vec3f attenuation_color{1.0f};           ///< colour that white light has after the attenuation distance
-  float attenuation_distance = kInfinity;  ///< in world units
+  float attenuation_distance = kInfinity;  ///< distance that gives attenuation_color, in world units
 };
 
 /// Rarely used glTF material extensions.
@@ -215,21 +224,22 @@ struct SurfaceExtensions {
   Anisotropy anisotropy{};
   Iridescence iridescence{};
   DiffuseTransmission diffuse_transmission{};
-  std::optional<Volume> volume{};  ///< none: transmissive surfaces refract as closed shapes do, without absorption
+  std::optional<Volume> volume{};  ///< none: transmissive surfaces refract light like closed shapes, without absorption
   float dispersion = 0.0f;         ///< 20 / Abbe number; 0: all colours are refracted equally
 };
 
 /// glTF 2.0's metallic-roughness model with the extensions listed in docs/reference/gltf.md. Each map multiplies the factor
-/// beside it, using the channels named here. Colour maps are sRGB textures; all other maps are linear.
+/// declared before it. The comments name the channels that a map uses. Colour maps are sRGB textures; all other maps are
+/// linear.
 struct MetallicRoughness {
   Vec4f base_color{1.0f};
   TextureMap base_color_map{};
   float metallic = 1.0f, roughness = 1.0f;
   TextureMap metallic_roughness_map{};  ///< channel G: roughness, channel B: metallic
-  /// RGB = (n + 1) / 2 in tangent space. Texture coordinate v grows downwards, the bitangent upwards.
+  /// RGB = (n + 1) / 2, where n is the normal in tangent space. The bitangent points upwards in the texture, against v.
   TextureMap normal_map{};
-  float normal_scale = 1.0f;        ///< multiplies x and y of the map's normal
-  TextureMap occlusion_map{};       ///< channel R: share of the ambient light that arrives
+  float normal_scale = 1.0f;        ///< multiplies x and y of n
+  TextureMap occlusion_map{};       ///< channel R: fraction of the ambient light that reaches the surface
   float occlusion_strength = 1.0f;  ///< the ambient light is multiplied by 1 + strength * (R - 1)
   Vec3f emissive{0.0f};
   TextureMap emissive_map{};
@@ -243,11 +253,11 @@ struct MetallicRoughness {
   float clearcoat = 0.0f, clearcoat_roughness = 0.0f;
   TextureMap clearcoat_map{};            ///< channel R multiplies clearcoat
   TextureMap clearcoat_roughness_map{};  ///< channel G multiplies clearcoat_roughness
-  /// Like normal_map. None: the coat uses the surface normal without normal_map.
+  /// Encoded like normal_map. Without a texture, the coat uses the surface normal without normal_map.
   TextureMap clearcoat_normal_map{};
   float clearcoat_normal_scale = 1.0f;
-  float alpha_cutoff = 0.0f;  ///< mask mode: surfaces with an alpha below this are cut away; 0: no mask
-  bool blend = false;         ///< blend mode: alpha is the coverage of the surface
+  float alpha_cutoff = 0.0f;  ///< mask mode: surfaces with a smaller alpha are invisible; 0: no mask
+  bool blend = false;         ///< blend mode: alpha is the fraction of the surface that is opaque
   bool double_sided = false;
   bool unlit = false;
   std::optional<SurfaceExtensions> extensions{};
@@ -262,15 +272,17 @@ struct Material {
 
 enum class LightKind { kPoint, kDirectional, kSpot };
 
-/// Measured angular distribution of a lamp's light (IES LM-63): a grid of intensities over polar angles and azimuths,
-/// interpolated linearly. Directions outside the grid get no light.
+/// Measured angular distribution of a lamp's light (IES LM-63). Intensities are given on a grid of polar angles and azimuths,
+/// and are interpolated linearly. Directions outside the grid get no light.
 struct PhotometricWeb {
   std::string name{};
-  std::vector<float> polar{};  ///< radians from the web's +z: at least two, increasing, within 0 to pi
-  /// Radians from +x towards +y, increasing, within -pi to 2 pi. One value: the light is rotationally symmetric.
+  std::vector<float> polar{};  ///< radians from the web's +z; at least two values, increasing, within 0 to pi
+  /// Radians from the web's +x towards +y; increasing, within -pi to 2 pi. One value: the light is rotationally symmetric.
   std::vector<float> azimuth{};
-  std::vector<float> intensity{};  ///< ordered by azimuth, then by polar angle; >= 0; relative: the mean over the sphere is 1
-  Mat3f web_from_light{1.0f};      ///< a rotation, possibly mirrored; lights shine along -z
+  /// One value, >= 0, per azimuth and polar angle; all polar angles of the first azimuth come first. The mean over the sphere
+  /// is 1.
+  std::vector<float> intensity{};
+  Mat3f web_from_light{1.0f};  ///< a rotation, possibly mirrored, from the axes of the light, which shines along -z
 };
 
 /// A light shines from its node's origin. Directional and spot lights shine along the node's -z.
@@ -278,27 +290,31 @@ struct Light {
   std::string name{};
   LightKind kind = LightKind::kPoint;
   int node = -1;
-  /// Colour times intensity. It multiplies N.L (and albedo / pi for metallic-roughness surfaces).
+  /// Colour times intensity. Diffuse surfaces multiply it by N.L; metallic-roughness surfaces also by albedo / pi.
   Vec3f color{1.0f};
-  /// Point and spot lights: the light is divided by x + y d + z d^2 at distance d (Tachyon).
+  /// Point and spot lights: at distance d, the light is divided by x + y d + z d^2, as in Tachyon.
   Vec3f attenuation{1.0f, 0.0f, 0.0f};
-  /// Point and spot lights: true: the light is divided by the squared distance (glTF); false: only by `attenuation` (Tachyon).
+  /// Point and spot lights: true: the light is also divided by the squared distance, as in glTF.
   bool inverse_square = false;
-  float range = kInfinity;      ///< the light does not reach beyond this distance
-  float inner_cone = 0.0f;      ///< spot lights: full strength within this half angle
-  float outer_cone = kPi / 4;   ///< spot lights: no light beyond this half angle
-  float visible_radius = 0.0f;  ///< > 0: rays see the light as a sphere of this radius and of its colour, which casts no shadow
-  /// The size of the emitter, which softens shadows in path tracing; Whitted shading treats these lights as points. It changes
-  /// neither the power of a lamp nor the light at points that see all of it. Camera rays do not see the emitter; mirrors do.
-  float radius = 0.0f;            ///< point and spot lights: radius of the emitting sphere in world units; needs inverse_square
+  float range = kInfinity;     ///< the light does not reach beyond this distance
+  float inner_cone = 0.0f;     ///< spot lights: half angle in radians of the cone with full strength
+  float outer_cone = kPi / 4;  ///< spot lights: half angle in radians of the cone that contains all light
+  /// > 0: rays see the light as a sphere of this radius in the light's colour. The sphere casts no shadow.
+  float visible_radius = 0.0f;
+  /// The next two members give the size of the emitter. Path tracing uses it to soften shadows; Whitted shading treats lights
+  /// as points. The size changes neither the power of a lamp nor the light at points without shadow. Mirrors show the emitter,
+  /// but cameras do not.
+  float radius = 0.0f;            ///< point and spot lights: radius of the emitter, in world units; needs inverse_square
   float angular_diameter = 0.0f;  ///< directional lights: angular diameter of the emitting disc in radians, at most pi
-  /// Spot lights fade between the cosines of the two cones. true: by 3 t^2 - 2 t^3 (Blender); false: by t^2.
+  /// Spot lights: falloff from the inner cone to the outer cone. t is 1 at the inner cone and 0 at the outer cone, linear in
+  /// the cosine of the angle. true: 3 t^2 - 2 t^3, as in Blender; false: t^2.
   bool smooth_edge = false;
-  /// Point lights: index into Scene::webs, whose value multiplies the colour. -1: the light is the same in all directions.
+  /// Point lights: index into Scene::webs. The intensity of the web multiplies the colour. -1: the light is the same in all
+  /// directions.
   int web = -1;
 };
 
-/// A panorama around the scene. transport/environment.hpp defines its orientation.
+/// A panorama that surrounds the scene. transport/environment.hpp defines the orientation of the panorama.
 struct EnvironmentMap {
   static constexpr int kMostWidth = 32768, kMostHeight = 16384;
   Image radiance{};  ///< 3 channels, linear, finite and >= 0; equirectangular
@@ -306,14 +322,14 @@ struct EnvironmentMap {
   float rotation = 0.0f;  ///< rotation about +y in radians, from +x towards +z
 };
 
-/// Radiance of rays that hit nothing. If there is a map, it supplies the radiance. Otherwise the radiance is `horizon` where
-/// dot(direction, up) <= horizon_at, `zenith` where it is >= zenith_at, and a linear blend in between.
+/// Radiance of rays that hit nothing. If there is a map, the radiance comes from the map. Otherwise it is `horizon` where
+/// dot(direction, up) <= horizon_at, `zenith` where dot(direction, up) >= zenith_at, and a linear blend in between.
 struct Background {
   Vec3f horizon{0.0f};
   Vec3f zenith{0.0f};
   Vec3f up{0.0f, 1.0f, 0.0f};  ///< unit length
-  /// Sines of the elevations at which the blend begins and ends, which must differ. If horizon_at > zenith_at, the blend is
-  /// upside down.
+  /// Sines of the elevations at which the blend begins and ends. They must differ. If horizon_at > zenith_at, the horizon
+  /// colour is above the zenith colour.
   float horizon_at = 0.0f, zenith_at = 1.0f;
   std::optional<EnvironmentMap> map{};
 };
@@ -324,23 +340,27 @@ struct Camera {
   int node = -1;
   float vertical_fov = radians(45.0f);  ///< full vertical angle in radians
   float aspect = 1.0f;                  ///< width / height of the image that the file requests; 0: unknown
-  float focus_distance = 0.0f;          ///< > 0: distance of the author's plane of interest, in node units
-  Vec2f pixel_offset{0.0f};             ///< shifts the sample points of single views by this many pixels (x right, y down)
-  float orthographic_height = 0.0f;     ///< > 0: orthographic, showing this height in node units; vertical_fov is ignored
-  float near_distance = 0.0f;           ///< near clipping plane, node units in front of the camera
-  Vec2f shift{0.0f};                    ///< moves the frame of a single view by this many of its heights, right and up
+  float focus_distance = 0.0f;          ///< > 0: distance of the plane that the author wants in focus, in node units
+  /// Shifts the ray of each pixel by this many pixels (x right, y down). Only for single views, not for lens arrays.
+  Vec2f pixel_offset{0.0f};
+  /// > 0: the camera is orthographic and shows this height in node units. vertical_fov is ignored.
+  float orthographic_height = 0.0f;
+  float near_distance = 0.0f;  ///< distance of the near clipping plane, in node units
+  /// Moves the image rectangle on the image plane to the right and up, in units of the image height. Only for single views.
+  Vec2f shift{0.0f};
 };
 
-/// The author's placement of the lens array: the plane z = 0 of the node, +z towards the viewer, +y up.
+/// The author's placement of the lens array. The array lies in the plane z = 0 of the node, with +z towards the viewer and +y
+/// up.
 struct DisplayPlacement {
   int node = -1;
   float plane_height = 1.0f;           ///< height of the array in node units
-  float viewing_distance = kInfinity;  ///< distance from the array to the point that its cells converge to, in node units
+  float viewing_distance = kInfinity;  ///< distance of the viewer from the array, in node units
 };
 
 // ---- Nodes and time -------------------------------------------------------------------------------------------------
 
-/// Scales first, then rotates, then translates.
+/// Applies scale, then rotation, then translation.
 struct Transform {
   Vec3f translation{0.0f};
   Quatf rotation{1.0f, 0.0f, 0.0f, 0.0f};
@@ -349,65 +369,71 @@ struct Transform {
 
 struct Node {
   std::string name{};
-  int parent = -1;  ///< less than the node's own index: parents come first
+  int parent = -1;  ///< less than the node's own index, so that parents come first
   Transform local{};
-  std::optional<Affine3f> matrix{};    ///< replaces `local` (nodes with a matrix in glTF); such a node cannot be animated
-  std::vector<float> morph_weights{};  ///< default weights, one per morph target of the meshes shown here
+  /// Replaces `local` for nodes that have a matrix in glTF. Such a node cannot be animated.
+  std::optional<Affine3f> matrix{};
+  std::vector<float> morph_weights{};  ///< default weights, one per morph target of the node's meshes
 };
 
 /// A skeleton. A skinned mesh follows its joints and ignores the node of its instance. Vertex v moves to the sum over its
-/// weights w_j of w_j (world_from_node[joints[j]] * joint_from_mesh[j]) v.
+/// joints j of weight_j * world_from_node[joints[j]] * joint_from_mesh[j] * v.
 struct Skin {
   std::string name{};
-  std::vector<int> joints{};                ///< indices of nodes
+  std::vector<int> joints{};                ///< indices of the joints' nodes
   std::vector<Affine3f> joint_from_mesh{};  ///< inverse bind matrix of each joint
 };
 
 enum class Interpolation { kStep, kLinear, kCubicSpline };
 
-/// Keyframes of one animated quantity. The first value holds before the first key, the last one after the last key.
+/// Keyframes of one animated quantity. Before the first key, the quantity has the first value; after the last key, the last
+/// value.
 template <class T>
 struct Channel {
   std::vector<double> times{};  ///< in seconds, strictly increasing; empty: the quantity is not animated
-  std::vector<T> values{};      ///< one value per key; for kCubicSpline three: in-tangent, value, out-tangent
+  /// One value per key. kCubicSpline has three values per key: in-tangent, value, out-tangent.
+  std::vector<T> values{};
   Interpolation interpolation = Interpolation::kLinear;
 };
 
 struct NodeAnimation {
   int node = -1;
   Channel<Vec3f> translation{};
-  Channel<Quatf> rotation{};  ///< with linear interpolation: spherical, along the shorter arc
+  Channel<Quatf> rotation{};  ///< kLinear: spherical interpolation along the shorter arc
   Channel<Vec3f> scale{};
-  Channel<float> morph_weights{};  ///< each key has one value for each of the node's morph weights
+  Channel<float> morph_weights{};  ///< each key has one value per morph weight of the node
 };
 
-/// Frame f shows the time f / frames_per_second.
+/// Frame f shows the scene at the time f / frames_per_second, in seconds.
 struct Timeline {
   double frames_per_second = 25.0;
   int frame_count = 1;
-  std::vector<NodeAnimation> animations{};  ///< at most one animation per node
+  std::vector<NodeAnimation> animations{};  ///< at most one element per node
   double time(int frame) const { return frame / frames_per_second; }
 };
 
 // ---- The scene ------------------------------------------------------------------------------------------------------
 
-/// Shows a shape with a material at a node. Its index in Scene::instances is its object id.
+/// A shape with a material at a node. The index in Scene::instances is the instance's object id.
 struct Instance {
   std::string name{};
   int shape = -1, material = -1, node = -1;
-  /// Index of a skin that moves the mesh; the mesh then needs SkinWeights, and the node does not move it.
+  /// Index of the skin that moves the mesh instead of the node. The mesh must have SkinWeights. -1: not skinned.
   int skin = -1;
-  /// Meshes only: camera rays pass through the instance, but mirrors show it and it emits light.
+  /// Meshes only: camera rays pass through the instance, but mirrors show it, and it still emits light.
   bool hidden_from_cameras = false;
-  bool casts_no_shadow = false;  ///< meshes; allowed for other shapes only if no instance of the scene casts shadows
+  /// Meshes only. Other shapes may set it if no instance of the scene casts shadows.
+  bool casts_no_shadow = false;
 };
 
-/// The shading model of a scene's materials and lights. It selects the default sampling: see completed() in
-/// frames/frame_params.hpp.
+/// The shading model of a scene. It selects the default sampling: see completed() in frames/frame_params.hpp.
 enum class SceneKind {
-  kPhysical,  ///< physically based materials and light: glTF, OBJ and PLY files, and scenes made in memory
-  kWhitted,   ///< Whitted shading: the built-in scenes, and NFF and Tachyon files
-  kSplats,    ///< splats only, whose colours include their lighting
+  /// Physically based materials and lights: glTF, OBJ and PLY files, and scenes made in memory.
+  kPhysical,
+  /// Whitted shading: the built-in scenes, and NFF and Tachyon files.
+  kWhitted,
+  /// Splats only. Their colours include the lighting.
+  kSplats,
 };
 
 struct Scene {
@@ -421,22 +447,22 @@ struct Scene {
   std::vector<Light> lights{};
   std::vector<PhotometricWeb> webs{};
   std::vector<Camera> cameras{};  ///< the first camera is the default
-  /// Placement of the lens array; none: fitted to the first camera (stage/fit_array.hpp).
+  /// Placement of the lens array. None: the array is fitted to the first camera (stage/fit_array.hpp).
   std::optional<DisplayPlacement> display{};
   Background background{};
   Timeline timeline{};
-  std::vector<std::string> animation_names{};  ///< names of all animations in the file
-  int animation = -1;                          ///< index of the animation in `timeline`
+  std::vector<std::string> animation_names{};  ///< names of all animations of the file
+  int animation = -1;                          ///< index into animation_names of the animation that `timeline` contains
   std::vector<std::string> variant_names{};    ///< names of the file's material variants
-  /// Origin of the scene's coordinates, in file coordinates: a point p of the scene lies at origin + p in the file
-  /// (scene/origin.hpp).
+  /// Origin of the scene's coordinates, in file coordinates (scene/origin.hpp). A point p of the scene lies at origin + p in
+  /// the file.
   Vec3d origin{0.0};
   Encoding encoding = Encoding::kSrgb;
-  int max_depth = 6;       ///< longest path, in vertices; the file's own limit if it has one
-  Vec2i resolution{0, 0};  ///< image size that the file requests; 0: none
+  int max_depth = 6;       ///< longest path, in vertices; the file's limit, if it has one
+  Vec2i resolution{0, 0};  ///< image width and height that the file requests; 0: none
   SceneKind kind = SceneKind::kPhysical;
 
-  // Each of these functions appends one element and returns its index, by which other elements refer to it.
+  // The add functions append one element and return its index.
   int add_node(Node node) { return added(nodes, std::move(node)); }
   int add_shape(Shape shape) { return added(shapes, std::move(shape)); }
   int add_mesh(Mesh mesh) { return add_shape(std::move(mesh)); }

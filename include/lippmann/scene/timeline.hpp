@@ -8,34 +8,38 @@
 
 namespace lippmann {
 
-/// The world transform and the morph weights of every node of a scene at one time, indexed as in Scene::nodes.
+/// World transforms and morph weights of all nodes of a scene at one time. Both vectors are indexed like Scene::nodes.
 struct ResolvedScene {
   std::vector<Affine3f> world_from_node{};
-  std::vector<std::vector<float>> morph_weights{};  ///< one list per node; empty: no node has morph weights
-  /// Returns the transform of a node; the identity for -1.
+  std::vector<std::vector<float>> morph_weights{};  ///< one list per node; empty if no node has morph weights
+  /// Returns the transform of a node, or the identity for node -1.
   Affine3f of(int node) const { return node < 0 ? Affine3f{} : world_from_node[static_cast<std::size_t>(node)]; }
 };
 
-/// Evaluates all nodes at a time in seconds. Equal times give equal bits. Throws Error if a node's parent does not come before
-/// it or an animated node does not exist. Otherwise, all functions in this header need a scene that passes validate()
-/// (scene/load.hpp). Cubic splines follow glTF 2.0, appendix C ("Animation sampler interpolation modes").
+/// Returns the state of all nodes at a time in seconds. Equal times give the same bits. Throws Error if a node does not come
+/// after its parent, or if an animated node does not exist. Cubic splines follow glTF 2.0, appendix C ("Animation sampler
+/// interpolation modes").
+///
+/// Except for these two errors, the functions of this header require a scene that passes validate() (scene/load.hpp).
 ResolvedScene evaluate(const Scene& scene, double time);
 
-/// Returns for each node whether it ever moves: it or one of its ancestors is animated with more than one value.
+/// Returns for each node whether it ever moves. A node moves if it or one of its ancestors has an animation with more than one
+/// value.
 std::vector<bool> moving_nodes(const Scene& scene);
 
-/// Returns whether every key of the animation falls on a frame at this frame rate, within a fiftieth of a frame. True if there
-/// are no keys.
+/// Returns whether every key of the animation falls on a frame at the given rate. Tolerates a fiftieth of a frame. Returns true
+/// if the animation has no keys.
 bool keys_fall_on_frames(const Timeline& timeline, double frames_per_second);
 
 /// Returns for each node whether its morph weights ever change.
 std::vector<bool> morphing_nodes(const Scene& scene);
 
-/// Returns the bounds of all finite shapes (that is, without planes) at one time, along the axes of the world or of another
-/// frame. Empty if there are no finite shapes. Outlying splats are ignored.
+/// Returns the bounds of all finite shapes (all shapes except planes) at one time, along the axes of the frame that
+/// frame_from_world maps to. The default is the world's axes. Returns empty bounds if there are no finite shapes. Ignores
+/// outlying splats (bulk_bounds() in scene/splats.hpp).
 Bounds3f finite_bounds(const Scene& scene, const ResolvedScene& resolved, const Affine3f& frame_from_world = {});
 
-/// Returns the bounds of one instance. They are exact in any affine frame, including sheared ones.
+/// Returns the bounds of one instance. They are exact in any affine frame, even a sheared one.
 Bounds3f finite_bounds(const Scene& scene, const Instance& instance, const ResolvedScene& resolved,
                        const Affine3f& frame_from_world = {});
 
