@@ -11,7 +11,7 @@
 namespace lippmann {
 namespace {
 
-/// Returns the rotation of a node's transform, which turns -z and y. Returns the identity if the transform is degenerate.
+/// Returns the rotation of a node, computed from its -z and y directions. Returns the identity if the transform is degenerate.
 Quatf orientation(const Affine3f& world_from_node) {
   const Vec3f z = world_from_node.linear[2], x = glm::cross(world_from_node.linear[1], z);
   const float z_length = glm::length(z), x_length = glm::length(x);
@@ -29,19 +29,20 @@ const MetallicRoughness* physical_surface(const Scene& scene, const Instance& in
   return std::get_if<MetallicRoughness>(&material_of(scene, instance).surface);
 }
 
-/// Returns whether lamps affect the material.
+/// Returns whether lamps change the appearance of the material.
 bool is_lit_by_lamps(const Material& material) {
   if (const auto* phong = std::get_if<PhongSurface>(&material.surface)) return phong->diffuse > 0.0f;
   return !std::get<MetallicRoughness>(material.surface).unlit;
 }
 
-/// Returns whether Whitted shading shows the material without lamps, as its author intended.
+/// Returns whether the material is visible without lamps in Whitted shading.
 bool is_self_lit(const Material& material) {
   const auto* phong = std::get_if<PhongSurface>(&material.surface);
   return phong && (phong->ambient > 0.0f || phong->emission != Vec3f(0.0f));
 }
 
-/// Returns whether path tracing treats the material as a lamp: it emits, or has constant ambient light like a backdrop.
+/// Returns whether path tracing treats the material as a light source. Materials with ambient but no diffuse light are included
+/// because scenes use them for backdrops.
 bool is_phong_lamp(const Material& material) {
   const auto* phong = std::get_if<PhongSurface>(&material.surface);
   return phong && (phong->emission != Vec3f(0.0f) || (phong->diffuse == 0.0f && phong->ambient > 0.0f));
@@ -49,13 +50,13 @@ bool is_phong_lamp(const Material& material) {
 
 float brightest(Vec3f color) { return std::max({color.x, color.y, color.z}); }
 
-/// Returns whether the scene has lamps other than black ones and those whose light the renderer rounds to 0.
+/// Returns whether the scene has lamps that are bright enough to count. The renderer rounds smaller values than the limit to 0.
 bool has_lamps(const Scene& scene) {
   return std::any_of(scene.lights.begin(), scene.lights.end(),
                      [](const Light& light) { return brightest(light.color) >= std::numeric_limits<float>::min(); });
 }
 
-/// Returns the area of a mesh in world units, after the node's transform. Ignores skins and morph targets.
+/// Returns the area of a mesh in world units. Ignores skins and morph targets.
 double area_of(const Mesh& mesh, const Affine3f& world_from_mesh) {
   double twice = 0.0;
   for (const auto& triangle : mesh.triangles) {
@@ -107,8 +108,8 @@ Quatf viewer_orientation(const Scene& scene) {
 }
 
 void add_default_light(Scene& scene) {
-  // A white diffuse surface facing the key light gets 0.8 of display white, plus the background's mean of 0.2. A surface in
-  // shadow gets the mean only. The background is a gradient so that such surfaces stand out from it.
+  // A white diffuse surface that faces the key light gets radiance 0.8 from this light, plus 0.2 from the background's mean. A
+  // surface in shadow gets only the mean. The background is a gradient so that such surfaces stand out from it.
   constexpr float kKey = 0.8f * kPi, kHorizon = 0.08f, kZenith = 0.32f;
   constexpr float kUp = radians(30.0f), kLeft = radians(15.0f);
   const Quatf viewer = viewer_orientation(scene);

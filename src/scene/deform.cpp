@@ -1,9 +1,10 @@
-// Based on: Khronos Group, "glTF 2.0 Specification", 2021, sections 3.7.2.2 "Morph Targets" (base + sum of weight * target,
-// before the skin) and 3.7.3 "Skins" (sum_i w_i J_i B_i v, where J is the joint's world transform and B its inverse bind
-// matrix; the transform of the mesh's node is ignored).
+// Based on: Khronos Group, "glTF 2.0 Specification", 2021, sections 3.7.2.2 "Morph Targets" and 3.7.3 "Skins".
+// 1. The position of a vertex is the base position plus the sum of weight * offset over the morph targets.
+// 2. The skin moves it to v' = sum_i w_i J_i B_i v. J_i is the world transform of joint i, and B_i is its inverse bind matrix.
+//    The transform of the mesh's node is ignored.
 //
-// Normals are transformed by the cofactor matrix of the blended transform. It equals the inverse transpose up to scale, but
-// also exists for singular matrices, and keeps normals on the side from which triangles are counter-clockwise.
+// Normals are transformed by the cofactor matrix of sum_i w_i J_i B_i. The cofactor matrix equals the inverse transpose up to
+// scale, but it also exists for singular matrices. It keeps normals on the side from which triangles are counter-clockwise.
 #include "scene/deform.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
-// Vertex positions of deforming meshes at a given time: morph targets, then skins.
+// Computes the vertices of deforming meshes at a given time: first the morph targets are applied, then the skin.
 //
-// The vertices are posed in world space; the node's transform is not applied afterwards.
+// The results are in world space. The transform of the instance's node is already included.
 #pragma once
 
 #include <utility>
@@ -11,35 +11,35 @@
 
 namespace lippmann {
 
-/// Returns whether the instance's mesh is posed: whether it has a skin or morph targets.
+/// Returns whether the instance's mesh has a skin or morph targets.
 bool is_posed(const Scene& scene, const Instance& instance);
 
-/// Returns for each instance whether it ever moves or deforms.
+/// Returns for each instance whether its position or shape ever changes.
 std::vector<bool> moving_instances(const Scene& scene);
 
 struct PosedVertex {
   Vec3f position{0.0f};
-  Vec3f normal{0.0f};   ///< unit length; 0 if the mesh has none
-  Vec4f tangent{0.0f};  ///< as in Mesh::tangents; 0 if the mesh has none
+  Vec3f normal{0.0f};   ///< unit length; 0 if the mesh has no normals
+  Vec4f tangent{0.0f};  ///< as in Mesh::tangents; 0 if the mesh has no tangents
   bool operator==(const PosedVertex&) const = default;
 };
 
-/// The pose of one instance, for which is_posed() is true, at one time. Thread-safe.
+/// The deformed mesh of one instance at one time. Requires is_posed(). Thread-safe.
 class MeshPose {
  public:
-  /// The largest coordinate. Larger coordinates and NaN are clamped.
+  /// The largest coordinate of a result. Larger coordinates and NaN are clamped.
   static constexpr float kReach = 1e18f;
 
   /// `scene` must have passed validate(). `scene` and `resolved` must outlive this object.
   MeshPose(const Scene& scene, const Instance& instance, const ResolvedScene& resolved);
 
   Vec3f position(std::size_t vertex) const;
-  /// Returns a posed vertex. Its normal lies on the side from which the triangles, in the mesh's own winding, are
+  /// Returns the position, normal and tangent of a vertex. The normal points to the side from which the triangles appear
   /// counter-clockwise.
   PosedVertex vertex(std::size_t vertex) const;
 
-  /// Returns whether the pose mirrors the mesh, judged by its first joint or its node. Counter-clockwise triangles then face
-  /// inwards.
+  /// Returns whether the mesh is mirrored, so that counter-clockwise triangles face inwards. Only the transform of the first
+  /// joint, or of the node if there is no skin, decides.
   bool mirrors() const;
 
  private:
@@ -52,9 +52,9 @@ class MeshPose {
   Vec3f morphed_position(std::size_t vertex) const;
 
   const Mesh& mesh_;
-  std::vector<Weighted> targets_;  ///< targets with a non-zero weight
+  std::vector<Weighted> targets_;  ///< morph targets with a non-zero weight
   bool has_skin_;
-  std::vector<Affine3f> world_from_mesh_;  ///< one transform per joint, or only that of the node
+  std::vector<Affine3f> world_from_mesh_;  ///< one transform per joint; without a skin, only the node's transform
 };
 
 }  // namespace lippmann

@@ -1,15 +1,15 @@
-// Unit vectors and view rotations from vectors of any length, as in scene files.
+// Normalises the direction vectors of scene files and converts them to view rotations.
 #pragma once
 
 #include "lippmann/core/math.hpp"
 
 namespace lippmann {
 
-/// Returns the unit vector. It is computed in double so that any finite non-zero vector works.
+/// Returns the unit vector along v, for any finite non-zero v. Uses double precision so that no length overflows or underflows.
 Vec3f direction_of(Vec3f v);
 
-/// Returns the rotation of a node whose -z points along `forward` and whose +y is as close to `up` as possible. `forward` and
-/// `up` belong to a right-handed frame, are non-zero and not parallel.
+/// Returns the rotation of a node whose -z points along `forward` and whose +y is as close to `up` as possible. Both vectors
+/// must be non-zero and not parallel, in right-handed coordinates.
 Quatf looking_along(Vec3f forward, Vec3f up);
 
 }  // namespace lippmann

@@ -2,12 +2,13 @@
 
 #include "core/fingerprint.hpp"
 
-// Structured bindings list the members of every struct, so that this file does not compile until new members are added here.
+// Every structured binding lists all members of its struct. After a member is added to a struct, this file does not compile
+// until the binding contains that member.
 
 namespace lippmann {
 namespace {
 
-/// Types that consist of 4-byte or 8-byte numbers only and so have no padding.
+/// Types that consist only of 1-byte, 4-byte or 8-byte numbers, so that they contain no padding bytes.
 template <class T>
 concept Packed = std::is_trivially_copyable_v<T> &&(alignof(T) == 4 || alignof(T) == 8 || sizeof(T) == 1) &&
                  sizeof(T) % alignof(T) == 0;
@@ -19,7 +20,7 @@ class SceneFingerprint {
   void add(const Scene& scene) {
     const auto& [name, nodes, shapes, textures, materials, instances, skins, lights, webs, cameras, display, background,
                  timeline, animation_names, animation, variant_names, origin, encoding, max_depth, resolution, kind] = scene;
-    static_cast<void>(kind);  // only affects defaults
+    static_cast<void>(kind);  // unused: kind only selects default options
     add_each(nodes);
     add_each(shapes);
     add_each(textures);
@@ -27,13 +28,13 @@ class SceneFingerprint {
     add_each(instances);
     add_each(skins);
     add_each(lights);
-    if (!webs.empty()) add_each(webs);  // skipped if empty, to keep the fingerprints of such scenes
+    if (!webs.empty()) add_each(webs);  // skipped if empty, so that existing scenes keep their fingerprint
     add_each(cameras);
     add_optional(display);
     add(background);
     add(timeline);
     add_all(encoding, max_depth, resolution);
-    if (origin != Vec3d(0.0)) add(origin);  // skipped if zero, to keep the fingerprints of such scenes
+    if (origin != Vec3d(0.0)) add(origin);  // skipped if zero, so that existing scenes keep their fingerprint
   }
 
  private:
@@ -140,7 +141,7 @@ class SceneFingerprint {
             occlusion_strength, emissive, emissive_map, ior, transmission, transmission_map, specular, specular_map,
             specular_color, specular_color_map, clearcoat, clearcoat_roughness, clearcoat_map, clearcoat_roughness_map,
             clearcoat_normal_map, clearcoat_normal_scale, alpha_cutoff, blend, double_sided, unlit);
-    if (extensions) add(*extensions);  // skipped if absent, to keep the fingerprints of such surfaces
+    if (extensions) add(*extensions);  // skipped if absent, so that existing scenes keep their fingerprint
   }
   void add(const SurfaceExtensions& extensions) {
     const auto& [sheen, anisotropy, iridescence, diffuse_transmission, volume, dispersion] = extensions;
@@ -177,7 +178,7 @@ class SceneFingerprint {
     const auto& [name, kind, node, color, attenuation, inverse_square, range, inner_cone, outer_cone, visible_radius, radius,
                  angular_diameter, smooth_edge, web] = light;
     add_all(kind, node, color, attenuation, inverse_square, range, inner_cone, outer_cone, visible_radius);
-    if (radius > 0.0f || angular_diameter > 0.0f || smooth_edge)  // skipped if unset, to keep the fingerprints of such lights
+    if (radius > 0.0f || angular_diameter > 0.0f || smooth_edge)  // skipped if unset, as above
       add_all(radius, angular_diameter, smooth_edge);
     if (web >= 0) add_all(web);
   }

@@ -1,4 +1,4 @@
-// A hash of everything in a scene that affects its pictures. Names are left out.
+// Computes a hash of everything in a scene that affects its pictures. Names do not affect them.
 #pragma once
 
 #include <cstdint>

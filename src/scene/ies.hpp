@@ -1,4 +1,4 @@
-// Reads photometric files of lamps (IES LM-63, 1986 to 2019): types A, B and C.
+// Reads photometric files of lamps (IES LM-63, 1986 to 2019) with photometry of type A, B or C.
 #pragma once
 
 #include <string>
@@ -9,16 +9,19 @@
 namespace lippmann {
 
 struct IesProfile {
-  PhotometricWeb web;         ///< all zero if the lamp emits nothing
-  float mean_candela = 0.0f;  ///< mean over the sphere (lumens / 4 pi), to which the web's intensities are relative
-  LeftOut left_out;           ///< unknown keywords, the tilt, and data after the last candela value
+  PhotometricWeb web;  ///< all zero if the lamp emits nothing
+  /// Mean intensity over the sphere, equal to lumens / 4 pi. The intensities in `web` are relative to this mean.
+  float mean_candela = 0.0f;
+  LeftOut left_out;  ///< ignored contents: unknown keywords, the tilt, data after the last candela value
 };
 
-/// Parses a file; `name` names it in messages. The zero direction of both angles is the light's -z. Type C: polar angles count
-/// from -z, azimuths from +x towards +y. Types A and B: horizontal angles grow towards +x, vertical angles towards +y. If a
-/// file describes half or a quarter of a symmetric distribution, the rest is completed. Candela multipliers are applied; tilt,
-/// luminaire size and lamp lumens are ignored.
-/// Throws Error naming `name` and the line if the text is not such a file or its angles and candelas are invalid.
+/// Parses a file; `name` names it in messages. The zero direction of both angles is the light's -z axis. Type C: polar angles
+/// count from -z, azimuths from +x towards +y. Types A and B: horizontal angles grow towards +x, vertical angles towards +y.
+///
+/// If a file describes half or a quarter of a symmetric distribution, the result is completed by symmetry. The candela
+/// multiplier is applied. The tilt, the size of the luminaire and the lumens of the lamp are ignored.
+///
+/// Throws Error naming `name` and the line if the text is not an IES file, or if its angles or candelas are invalid.
 IesProfile parse_ies(const std::string& name, std::string text);
 
 }  // namespace lippmann

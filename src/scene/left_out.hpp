@@ -1,4 +1,4 @@
-// Collects the names of elements that an importer skips, for a single warning.
+// Collects the names of elements that an importer skips, so that one warning reports all of them.
 #pragma once
 
 #include <span>
@@ -12,13 +12,13 @@ namespace lippmann {
 
 class LeftOut {
  public:
-  /// Adds an untrusted name found at `where`. Repeated names are only counted.
+  /// Adds the name of a skipped element found at `where`. The name may be untrusted text. Repeated names are only counted.
   void add(std::string_view name, const std::string& where);
 
-  /// Returns whether nothing has been added. Only the first element needs a `where`.
+  /// Returns whether nothing has been added. Callers can skip computing `where` for all elements after the first.
   bool empty() const { return count_ == 0; }
 
-  /// Warns once, naming the location of the first element: "a.obj:3: the statements 'curv' and 'surf' are left out."
+  /// Warns once about all elements, with the location of the first: "a.obj:3: the statements 'curv' and 'surf' are left out."
   void warn(const Context& context, std::string_view singular, std::string_view plural) const;
 
  private:
@@ -27,7 +27,7 @@ class LeftOut {
   std::size_t count_ = 0;
 };
 
-/// Lists the first ten of some untrusted names: "'a', 'b' and 'c'".
+/// Formats the first ten names for a message: "'a', 'b' and 'c'". Names may be untrusted text.
 std::string listed(std::span<const std::string> names);
 
 }  // namespace lippmann

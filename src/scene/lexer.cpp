@@ -14,20 +14,21 @@ bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
 char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
-/// Removes a leading plus, which std::from_chars does not accept.
+/// Removes a leading plus sign because std::from_chars does not accept it.
 std::string_view without_plus(std::string_view word) {
   if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
   return word;
 }
 
-/// Returns whether other programs ignore this text after a number: a C suffix, or an exponent whose sign precedes its e.
+/// Returns whether the text after a number may be ignored, as in other programs. It is either the C suffix f, or an exponent in
+/// which the sign precedes the e.
 bool is_harmless_rest(std::string_view rest) {
   if (rest == "f" || rest == "F") return true;
   if (rest.size() < 3 || (rest[0] != '+' && rest[0] != '-') || upper(rest[1]) != 'E') return false;
   return rest.find_first_not_of("0123456789", 2) == std::string_view::npos;
 }
 
-/// Parses a finite number, ignoring a harmless suffix. Numbers too small for T become zero.
+/// Parses a finite number and ignores a suffix for which is_harmless_rest() is true. Numbers too small for T become zero.
 template <class T>
 std::optional<T> parse_number(std::string_view word) {
   word = without_plus(word);
@@ -142,7 +143,7 @@ Vec3f Lexer::vector(std::string_view wanted, float largest) {
 }
 
 float Lexer::coordinate(int axis, std::string_view wanted, float largest) {
-  if (origin_ == Vec3d(0.0)) return number(wanted, largest);  // one rounding, to a float
+  if (origin_ == Vec3d(0.0)) return number(wanted, largest);  // without an origin, the text is rounded to float directly
   return static_cast<float>(number_of_type<double>(wanted, largest) - origin_[axis]);
 }
 

@@ -28,7 +28,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Sets the frame rate of a static scene.
+/// Sets the frame rate of a scene without animation.
 Scene at_rate(Scene scene, const LoadOptions& options) {
   if (options.frames_per_second > 0.0) scene.timeline.frames_per_second = options.frames_per_second;
   return scene;
@@ -39,7 +39,7 @@ Scene load_dat(const fs::path& path, const LoadOptions& options, const Context& 
   return load_tachyon(path, options.camera_path, context, fps, options.asset_root, origin);
 }
 
-/// Ignores the origin because load_gltf() moves the scene itself.
+/// Loads a glTF file. Ignores the origin because load_gltf() moves the scene's origin itself.
 Scene load_gltf_file(const fs::path& path, const LoadOptions& options, const Context& context, const Vec3d&) {
   return load_gltf(path, options, context);
 }
@@ -59,15 +59,19 @@ Scene load_ply_file(const fs::path& path, const LoadOptions& options, const Cont
 
 bool always_false(const fs::path&) { return false; }
 
-/// A file format. Rows with the same loader are adjacent.
+/// A file format. Rows of the table with the same loader must be adjacent.
 struct Format {
   std::string_view extension;  ///< lower case, with the dot
   bool takes_camera_path;
-  bool has_animations;    ///< files may have several animations and material variants
-  bool may_be_empty;      ///< a background alone is a valid scene
-  bool is_physical;       ///< surfaces and lights are physically based, not for Whitted shading
-  bool may_be_points;     ///< point clouds are supported
-  std::string_view kind;  ///< name of binary files in describe_content()
+  /// The format supports several animations and material variants.
+  bool has_animations;
+  /// A scene without surfaces is valid because its background is visible.
+  bool may_be_empty;
+  /// The surfaces and lights are physically based; otherwise they are made for Whitted shading.
+  bool is_physical;
+  /// The format supports point clouds.
+  bool may_be_points;
+  std::string_view kind;  ///< name of the format in describe_content(); only for binary files
   bool (*is_splat_file)(const fs::path&);
   Scene (*load)(const fs::path&, const LoadOptions&, const Context&, const Vec3d& origin);
 };
@@ -96,7 +100,8 @@ std::string accepted_names() {
   return names;
 }
 
-/// Suggests a built-in scene for a misspelt name. Names of built-in scenes have no folder and no extension.
+/// Returns text for an error message that suggests the built-in scene with the most similar name. Returns an empty text if no
+/// name is similar, or if `path` has a folder or an extension.
 std::string suggested_builtin(const fs::path& path) {
   if (path.has_parent_path() || path.has_extension()) return {};
   std::vector<std::string_view> names;
@@ -104,7 +109,7 @@ std::string suggested_builtin(const fs::path& path) {
   return did_you_mean(path.string(), names);
 }
 
-/// Throws Error for an unknown format. For formats that Blender reads, the message explains how to convert the file.
+/// Throws Error for an unknown format. If Blender can read the format, the message explains how to convert the file.
 [[noreturn]] void refuse_format(const fs::path& path) {
   constexpr std::string_view kBlenderFormats[] = {".usd", ".usda", ".usdc", ".usdz", ".abc", ".fbx", ".dae", ".stl"};
   const std::string extension = lower_extension(path);
@@ -124,10 +129,10 @@ void require_readable_file(const fs::path& path) {
   if (fs::is_directory(status)) throw Error(path.string(), "is a folder", accepted_names());
 }
 
-/// Throws Error describing the actual content if a file does not match its extension.
+/// Throws Error if the content of a file does not match its extension. The message describes the content.
 void require_scene_content(const fs::path& path, std::string_view own_kind) {
   constexpr std::size_t kLooked = 512;
-  if (!RegularFile(path).problem().empty()) return;  // the format's reader reports it
+  if (!RegularFile(path).problem().empty()) return;  // the loader reports the problem
   const std::string begin = read_file_begin(path, kLooked);
   const FileContent content = describe_content(std::as_bytes(std::span(begin)));
   if (!content.advice.empty()) throw Error(path.string(), "is " + content.what, content.advice);
@@ -142,7 +147,7 @@ void require_folder(const fs::path& asset_root) {
     throw usage_error("asset-root", fmt::format("{} is not a folder", asset_root.string()), "the folder of a scene's textures");
 }
 
-/// Throws Error for an empty scene. Visible lamps count as contents.
+/// Throws Error for a scene without surfaces. Visible lamps count as surfaces.
 void require_surfaces(const Scene& scene, const fs::path& path) {
   const auto has_faces = [&](const Instance& instance) {
     const Mesh* mesh = std::get_if<Mesh>(&scene.shapes[static_cast<std::size_t>(instance.shape)]);
@@ -154,17 +159,17 @@ void require_surfaces(const Scene& scene, const fs::path& path) {
   throw Error(path.string(), "has no surfaces to show", "a scene with faces or solid shapes; points and lines are not shown");
 }
 
-/// Loads a scene. If the scene is far from the origin, loads it again, this time with a new origin that is subtracted before
-/// positions are rounded to floats.
+/// Loads a scene. If the scene is far from its origin, loads it again with a new origin. The second time, the loader subtracts
+/// the origin before it rounds positions to floats.
 Scene load_near_origin(const Format& format, const fs::path& path, const LoadOptions& options, const Context& context) {
   Scene scene = format.load(path, options, context, Vec3d(0.0));
   const std::optional<Vec3d> origin = distant_origin(scene);
   if (!origin) return scene;
-  Context without_warnings;  // already reported
+  Context without_warnings;  // the first load has already reported all warnings
   without_warnings.threads = context.threads;
   scene = {};
   scene = format.load(path, options, without_warnings, *origin);
-  if (scene.origin == Vec3d(0.0)) move_origin(scene, *origin);  // the reader has not subtracted the origin
+  if (scene.origin == Vec3d(0.0)) move_origin(scene, *origin);  // this loader does not subtract origins
   return scene;
 }
 
@@ -201,7 +206,7 @@ const BuiltinScene* find_builtin(const std::string& name) {
   return nullptr;
 }
 
-/// Builds a built-in scene. The frame rate does not change the speed of its motion.
+/// Builds a built-in scene. A different frame rate changes the number of frames but not the speed of the motion.
 Scene build(const BuiltinScene& builtin, const LoadOptions& options) {
   if (options.camera_path)
     throw usage_error("camera-path", fmt::format("{} has its own cameras", builtin.name), "a Tachyon .dat scene");

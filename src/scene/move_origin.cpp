@@ -1,7 +1,11 @@
-// Every node may have an anchor: a point in its coordinates that becomes their new origin. Let a_n be the anchor of a node and
-// a_p that of its parent (for the world: the new origin). The node's transform L becomes T(-a_p) L T(a_n), where T(v)
-// translates by v, and data in the node's coordinates moves by -a_n. Nodes near the new origin keep their coordinates: a_n = 0.
-// Others, such as roots at the old origin, use the new origin as their anchor, so that no transform contains a large distance.
+// Every node may have an anchor: the point, in the node's coordinates, that becomes the new origin of these coordinates.
+// Let a_n be the anchor of a node and a_p the anchor of its parent. For root nodes, a_p is the new origin of the scene. Let
+// T(v) be the translation by v.
+// 1. The node's transform L becomes T(-a_p) L T(a_n).
+// 2. Shapes at the node move by -a_n.
+//
+// Nodes near the new origin keep their coordinates: a_n = 0. For other nodes, such as a root at the old origin, the anchor is
+// the new origin of the scene, so that no transform contains a large distance.
 #include "scene/move_origin.hpp"
 
 #include <algorithm>
@@ -17,7 +21,8 @@
 namespace lippmann {
 namespace {
 
-constexpr double kFarthest = 64.0;  // largest distance from the origin, in diagonals; see origin.hpp
+// Largest allowed distance of a scene from its origin, in diagonals of the scene; see origin.hpp.
+constexpr double kFarthest = 64.0;
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
@@ -73,7 +78,7 @@ class OriginMover {
   OriginMover(Scene& scene, Vec3d origin, const std::vector<Affine3d>& parent_from_node)
       : scene_(scene), origin_(origin), local_(parent_from_node) {
     for (std::size_t i = local_.size(); i < scene.nodes.size(); ++i) local_.push_back(affine_of(scene.nodes[i]));
-    reach_ = 2.0 * glm::length(origin) / kFarthest;  // animated motion stays within half this distance
+    reach_ = 2.0 * glm::length(origin) / kFarthest;  // twice the limit: leaves room for animated motion
   }
 
   void run() {
@@ -87,8 +92,8 @@ class OriginMover {
  private:
   Vec3d anchor(int node) const { return node < 0 ? origin_ : anchors_[at(node)]; }
 
-  /// Returns nodes that cannot have an anchor: those with animated rotation or scale, and those whose position matters (of a
-  /// camera, a light or the display).
+  /// Returns for each node whether it must keep its coordinates. Nodes with animated rotation or scale must, and so must nodes
+  /// of cameras, lights and the display, whose origin has a meaning.
   std::vector<bool> nodes_without_anchor() const {
     std::vector<bool> without(scene_.nodes.size(), false);
     const auto exclude = [&](int node) {
@@ -102,7 +107,7 @@ class OriginMover {
     return without;
   }
 
-  /// Returns the transforms of all nodes at the start of the animation.
+  /// Returns world_from_node for all nodes at the first keyframe of the animation.
   std::vector<Affine3d> world_from_nodes() const {
     std::vector<Affine3d> world = local_;
     for (const NodeAnimation& a : scene_.timeline.animations) {
@@ -144,10 +149,10 @@ class OriginMover {
     }
   }
 
-  /// Moves each instance's shape. Copies shapes that move by different distances.
+  /// Moves the shape of each instance. A shape whose instances move by different vectors is copied.
   void move_instances() {
     std::map<int, Vec3d> of_skin;
-    std::map<std::pair<int, std::array<double, 3>>, int> moved;  // from shape and offset to the new shape
+    std::map<std::pair<int, std::array<double, 3>>, int> moved;  // maps a shape and its translation to the moved shape
     std::map<int, int> users;
     std::vector<std::pair<int, Vec3d>> moves;
     for (Instance& instance : scene_.instances) {
@@ -165,7 +170,8 @@ class OriginMover {
     for (std::size_t s = 0; s < scene_.skins.size(); ++s) move_skin(scene_.skins[s], of_skin[static_cast<int>(s)]);
   }
 
-  /// Returns the new origin of a skin's meshes: their middle if they are far from zero, otherwise zero.
+  /// Returns the new origin for the meshes of a skin: the middle of the mesh if the mesh is far from its origin, otherwise
+  /// zero. All meshes of a skin get the same new origin.
   Vec3d middle_of_skinned(const Instance& instance, std::map<int, Vec3d>& of_skin) const {
     const auto [known, is_new] = of_skin.try_emplace(instance.skin, Vec3d(0.0));
     if (!is_new) return known->second;
@@ -184,7 +190,7 @@ class OriginMover {
     }
   }
 
-  /// Attaches elements without a node to a new node at the old origin.
+  /// Attaches cameras, lights and the display to a new node at the old origin if they have no node.
   void attach_to_old_origin() {
     int node = -1;
     const auto place = [&](int& of) {
@@ -204,9 +210,9 @@ class OriginMover {
 
   Scene& scene_;
   Vec3d origin_;
-  std::vector<Affine3d> local_;  ///< parent_from_node, by node
-  double reach_;                 ///< distance from the new origin beyond which a node needs an anchor
-  std::vector<Vec3d> anchors_;   ///< by node
+  std::vector<Affine3d> local_;  ///< parent_from_node of each node
+  double reach_;                 ///< nodes whose distance from the new origin exceeds this get an anchor
+  std::vector<Vec3d> anchors_;   ///< anchor of each node
 };
 
 bool has_projections(const Scene& scene) {
@@ -225,8 +231,8 @@ bool is_distant(const Bounds3f& bounds) {
   return std::isfinite(away) && std::isfinite(size) && away > kFarthest * size;
 }
 
-/// Returns the middle of the bounds. It is rounded to a multiple of the bounds' size, or of the precision of floats at this
-/// distance, so that differences from it are exact.
+/// Returns the middle of the bounds, rounded to multiples of a power of two. This step is about the size of the bounds, but not
+/// below the precision of floats at this distance. Rounding makes differences from the middle exact.
 Vec3d rounded_middle(const Bounds3f& bounds) {
   const Vec3d middle = middle_of(bounds);
   const double step = std::exp2(std::floor(std::log2(std::max(size_of(bounds), glm::length(middle) * 0x1p-22))));

@@ -14,8 +14,8 @@ struct Affine3d {
   Vec3d translation{0.0};
 };
 
-/// Moves the scene to a given origin (in its present coordinates), as move_near_origin() does. parent_from_node: more exact
-/// transforms of the scene's first nodes, where known; ignored for animated translations.
+/// Moves the origin of a scene to a given point in its present coordinates. See move_near_origin(). `parent_from_node` may give
+/// the transforms of the scene's first nodes in double precision; it is ignored for nodes with an animated translation.
 void move_origin(Scene& scene, Vec3d origin, const std::vector<Affine3d>& parent_from_node = {});
 
 }  // namespace lippmann

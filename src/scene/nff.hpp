@@ -9,8 +9,8 @@
 
 namespace lippmann {
 
-/// Loads a file. The scene has one frame. It has no camera if the file has no view. origin: see Scene::origin. Throws Error
-/// naming file and line.
+/// Loads a file as a scene with one frame. The scene has no camera if the file has no view. `origin` is Scene::origin. Throws
+/// Error naming file and line.
 Scene load_nff(const std::filesystem::path& path, const Context& context, const Vec3d& origin = Vec3d(0.0));
 
 /// Parses the text of a file; `name` names the file in messages.

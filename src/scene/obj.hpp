@@ -9,8 +9,8 @@
 
 namespace lippmann {
 
-/// Loads a file. Searches materials and textures in its folder and below asset_root, if given. Warns about files that are
-/// missing or outside these folders, and about textures reduced to fit texture_bytes (LoadOptions::texture_bytes). origin: see
+/// Loads a file. Materials and textures may lie in the file's folder or below asset_root, if given. Warns about files that are
+/// missing or lie elsewhere, and about textures that are reduced to fit into `texture_bytes` (see LoadOptions). `origin` is
 /// Scene::origin. Throws Error naming file and line.
 Scene load_obj(const std::filesystem::path& path, const Context& context, const std::filesystem::path& asset_root = {},
                std::uint64_t texture_bytes = LoadOptions{}.texture_bytes, const Vec3d& origin = Vec3d(0.0));

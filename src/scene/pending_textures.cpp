@@ -11,7 +11,7 @@
 namespace lippmann {
 namespace {
 
-/// Describes how many textures were reduced; returns an empty text if none was.
+/// Returns a message about the number of reduced textures, or an empty text if none was reduced.
 std::string describe_halved(const std::vector<int>& halvings, std::uint64_t bytes) {
   const auto count = std::count_if(halvings.begin(), halvings.end(), [](int n) { return n > 0; });
   if (count == 0) return {};
@@ -20,8 +20,8 @@ std::string describe_halved(const std::vector<int>& halvings, std::uint64_t byte
                      halvings.size(), most == 1 ? "half" : fmt::format("1/2 to 1/{}", 1 << most), bytes >> 20);
 }
 
-/// Returns how many images to decode at a time. Each is decoded at its full size before it is reduced, and together they must
-/// fit into the budget.
+/// Returns how many images to decode at the same time. Images are decoded at full size before they are reduced, so that all
+/// images in progress must fit into `bytes`.
 int decoded_at_once(const std::vector<TextureExtent>& extents, std::uint64_t bytes) {
   constexpr std::uint64_t kMost = 4;
   std::uint64_t largest = 1;

@@ -1,5 +1,6 @@
-// Collects the textures of a scene file with the sizes of their images, and decodes all of them at the end, reduced to fit into
-// memory (texture_budget.hpp).
+// Collects the textures of a scene file and decodes all of them at the end.
+//
+// The sizes of all images are known before decoding, so that textures can be reduced to fit into memory (texture_budget.hpp).
 #pragma once
 
 #include <cstdint>
@@ -13,31 +14,32 @@
 
 namespace lippmann {
 
-/// Limits for textures.
 struct TextureLimits {
-  int longest_side = 16384;                           ///< longest side of an image, in texels
-  std::uint64_t bytes = LoadOptions{}.texture_bytes;  ///< limit for all textures together, and for each image before reduction
+  int longest_side = 16384;  ///< longest side of an image, in texels
+  /// Limit for the decoded size of all textures together. It also limits each image before reduction.
+  std::uint64_t bytes = LoadOptions{}.texture_bytes;
 };
 
 class PendingTextures {
  public:
-  /// Returns the encoded bytes of an image, and may keep them in `storage`. Called by add(), and by decode() from any thread.
+  /// Returns the encoded bytes of an image. May use `storage` to keep them. add() and decode() call this function; decode()
+  /// calls it from several threads.
   using Picture = std::function<FileBytes(std::vector<std::byte>& storage)>;
-  /// Modifies a decoded texture.
+  /// Modifies a texture after decoding.
   using Change = std::function<void(Texture&)>;
 
   explicit PendingTextures(const TextureLimits& limits) : limits_(limits) {}
 
-  /// Appends a texture with the width and height of its image but no texels, and returns its index in `textures`. Throws Error
-  /// at `where` for unsupported or too large images.
+  /// Appends a texture that has the width and height of its image but no texels. Returns its index in `textures`. Throws Error
+  /// at `where` if the image is unsupported or too large.
   int add(Texture described, std::string where, Picture picture, std::vector<Texture>& textures, Change change = {});
 
-  /// Adds another texture with the picture of texture `of`, which must have been added before, and with another `change`.
+  /// Appends another texture with the image of texture `of`, which must have been added before, and with another `change`.
   /// Returns its index.
   int add_changed(int of, Change change, std::vector<Texture>& textures);
 
-  /// Decodes all textures. Uses few of the context's threads, because decoding takes several times the memory of the texels. If
-  /// the textures exceed the limit, halves the largest ones and calls `warn`. Throws Error for corrupt images.
+  /// Decodes all textures. Uses only a few of the context's threads, because decoding needs several times the memory of the
+  /// texels. If the textures exceed the limit, halves the largest ones and calls `warn`. Throws Error for corrupt images.
   void decode(std::vector<Texture>& textures, const Context& context, const std::function<void(const std::string&)>& warn);
 
  private:

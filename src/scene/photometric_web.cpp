@@ -7,10 +7,10 @@
 namespace lippmann {
 namespace {
 
-/// Tolerance, so that rounding of angles does not drop light at the ends of the range.
+/// Tolerance in radians, so that rounding does not lose directions at the ends of the measured range.
 constexpr float kAngleMargin = 1e-5f;
 
-/// A position between two consecutive grid angles: the index of the first, and the fraction of the way to the second.
+/// The position of an angle in the grid: grid angle `first` plus the fraction `share` of the step to the next grid angle.
 struct WebPlace {
   std::size_t first;
   float share;
@@ -28,8 +28,8 @@ float along_polar(const PhotometricWeb& web, std::size_t azimuth, const WebPlace
   return row[0] + at.share * (row[1] - row[0]);
 }
 
-/// The integrals of the sine over a range of polar angles, weighted by a linear ramp from 1 to 0 (falling) and from 0 to 1
-/// (rising).
+/// Integrals of the sine over a range of polar angles, multiplied by a linear weight. The weight goes from 1 to 0 for `falling`
+/// and from 0 to 1 for `rising`.
 struct PolarWeights {
   double falling, rising;
 };
@@ -40,7 +40,7 @@ PolarWeights polar_weights(double from, double to) {
   return {whole - rising, rising};
 }
 
-/// Returns the integral of the intensity over the polar angles at one azimuth.
+/// Returns the integral of intensity * sine over the polar angles at one azimuth.
 double polar_integral(const PhotometricWeb& web, std::size_t azimuth) {
   const float* row = web.intensity.data() + azimuth * web.polar.size();
   double sum = 0.0;

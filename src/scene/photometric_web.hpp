@@ -1,4 +1,4 @@
-// Evaluates the angular distribution of a lamp (PhotometricWeb).
+// Evaluates the angular distribution of a lamp's light (PhotometricWeb).
 #pragma once
 
 #include "lippmann/core/math.hpp"
@@ -6,11 +6,12 @@
 
 namespace lippmann {
 
-/// Returns the relative intensity in a unit direction of light propagation in light space, interpolated linearly in polar angle
-/// and azimuth. Returns 0 outside the measured range and for directions that are not finite.
+/// Returns the relative intensity of the light that leaves the lamp in `direction`, a unit vector in the light's coordinates.
+/// The result is interpolated linearly in polar angle and azimuth. Returns 0 outside the measured range and for directions that
+/// are not finite.
 float intensity(const PhotometricWeb& web, Vec3f direction);
 
-/// Returns the mean over all directions, exact for the interpolated distribution.
+/// Returns the mean intensity over the sphere. The integral over the interpolated distribution is exact.
 double mean_intensity(const PhotometricWeb& web);
 
 }  // namespace lippmann

@@ -1,5 +1,5 @@
-// Reads PLY files (.ply), Stanford's polygon format, text and binary, as a Scene without cameras; docs/guide/scenes.md
-// describes the interpretation.
+// Reads PLY files (.ply), Stanford's polygon format, as a Scene without cameras. Supports text and binary files.
+// docs/guide/scenes.md describes the interpretation.
 #pragma once
 
 #include <cstdint>
@@ -19,15 +19,15 @@ struct PlyOptions {
   double point_size = 0.0;                                    ///< as in LoadOptions
 };
 
-/// Loads a file. Searches textures in the file's folder instead of options.folders.folder. Warns about unsupported elements.
-/// Throws Error naming the file and the header's line or the element.
+/// Loads a file. Textures may also lie in the file's own folder, which replaces options.folders.folder. Warns about unsupported
+/// elements. Throws Error naming the file and either the header's line or the element.
 Scene load_ply(const std::filesystem::path& path, const Context& context, PlyOptions options = {});
 
-/// Parses the contents of a file; `name` names the file in messages.
+/// Same as load_ply(), for the contents of a file. `name` names the file in messages.
 Scene parse_ply(const std::string& name, const std::string& contents, const Context& context, const PlyOptions& options = {});
 
-/// Returns whether a file is shown as splats, because its header describes splats or coloured points. Returns false for
-/// unreadable files.
+/// Returns whether load_ply() represents the file as splats, because the header describes splats or coloured points. Returns
+/// false for unreadable files.
 bool is_ply_splat_file(const std::filesystem::path& path);
 
 }  // namespace lippmann

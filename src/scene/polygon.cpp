@@ -1,9 +1,12 @@
-// Based on: D. Eberly, "Triangulation by Ear Clipping", 2002: an ear is a convex corner whose triangle contains no reflex
-// corner; cutting it off only affects whether its two neighbours are ears. I. Sutherland et al., "A Characterization of Ten
-// Hidden-Surface Algorithms", 1974 (Newell's normal).
-// Unlike Eberly: 1. Corners at the same position as one of the ear's own do not block it, so that polygons with holes may be
-// connected by a pair of coincident edges. 2. If no ear is left, which only happens for self-intersecting polygons, the rest
-// becomes a fan.
+// Based on:
+// - D. Eberly, "Triangulation by Ear Clipping", 2002. An ear is a convex corner whose triangle contains no reflex corner.
+//   Cutting an ear off can only change whether its two neighbours are ears.
+// - I. Sutherland et al., "A Characterization of Ten Hidden-Surface Algorithms", 1974 (Newell's normal).
+//
+// We deviate from Eberly:
+// 1. A reflex corner at the same position as a corner of the ear does not prevent cutting. Polygons with holes need this
+//    because two coincident edges connect the hole to the outline.
+// 2. If no ear is left, which only happens in self-intersecting polygons, the rest becomes a triangle fan.
 #include "scene/polygon.hpp"
 
 #include <algorithm>
@@ -12,7 +15,8 @@
 namespace lippmann {
 namespace {
 
-/// Returns the normal, pointing to the side where the polygon is counter-clockwise; its length is twice the area.
+/// Returns the normal that points to the side from which the polygon is counter-clockwise. The length of the normal is twice
+/// the area.
 Vec3d newell_normal(std::span<const Vec3f> corners) {
   Vec3d normal(0.0);
   const Vec3d origin(corners[0]);
@@ -21,7 +25,8 @@ Vec3d newell_normal(std::span<const Vec3f> corners) {
   return normal;
 }
 
-/// Projects the polygon along the largest axis of its normal, counter-clockwise. Returns none if it has no area.
+/// Returns the polygon projected along the largest axis of its normal. The result is counter-clockwise. Returns no points if
+/// the polygon has no area.
 std::vector<Vec2d> flattened(std::span<const Vec3f> corners) {
   const Vec3d normal = newell_normal(corners), size = glm::abs(normal);
   if (normal == Vec3d(0.0)) return {};
@@ -34,7 +39,7 @@ std::vector<Vec2d> flattened(std::span<const Vec3f> corners) {
   return flat;
 }
 
-/// Returns twice the signed area of a triangle, positive if counter-clockwise.
+/// Returns twice the signed area of a triangle. Counter-clockwise triangles have a positive area.
 double turn(Vec2d a, Vec2d b, Vec2d c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
 
 bool all_turn_left(const std::vector<Vec2d>& flat) {
@@ -59,7 +64,7 @@ class EarClipper {
       cut(at);
       at = next_[at];
     }
-    for (; left_ >= 3; --left_) {  // the last triangle, or a fan
+    for (; left_ >= 3; --left_) {  // adds the last triangle, or a fan if no ear was found
       triangles_.push_back({previous_[at], at, next_[at]});
       const std::uint32_t after = next_[at];
       next_[previous_[at]] = after, previous_[after] = previous_[at];

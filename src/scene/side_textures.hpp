@@ -1,4 +1,4 @@
-// Loads the textures of scene files that refer to image files (OBJ materials, PLY).
+// Loads the image files that OBJ materials and PLY files use as textures.
 #pragma once
 
 #include <cstdint>
@@ -14,12 +14,12 @@ namespace lippmann {
 
 class SideTextures {
  public:
-  /// folders: those that may contain the images. texture_bytes: as in LoadOptions. Adds textures to the scene. `scene` and
-  /// `context` must outlive this object.
+  /// `folders` are the folders that may contain the images. `texture_bytes` is as in LoadOptions. Textures are added to
+  /// `scene`. `scene` and `context` must outlive this object.
   SideTextures(SideFolders folders, std::uint64_t texture_bytes, Scene& scene, const Context& context);
 
-  /// Returns the index of the texture that a statement at `where` refers to as `name`; -1, with a warning, if the image cannot
-  /// be used.
+  /// Returns the index of the texture whose image the scene file calls `name` at `where`. If the image cannot be used, warns
+  /// and returns -1.
   int add(const std::string& name, const std::string& where);
 
   /// Decodes the texels of all textures.
@@ -29,7 +29,7 @@ class SideTextures {
   SideFolders folders_;
   Scene& scene_;
   const Context& context_;
-  std::map<std::string, int, std::less<>> known_;  ///< by name; -1: unusable
+  std::map<std::string, int, std::less<>> known_;  ///< texture index by name; -1: the image cannot be used
   PendingTextures pending_;
 };
 

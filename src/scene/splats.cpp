@@ -12,9 +12,10 @@
 namespace lippmann {
 namespace {
 
-/// Limits that keep squares and products of two such numbers finite in floats.
+/// Bounds for positions and deviations. Products of two numbers within these bounds stay finite floats.
 constexpr float kLargestSplatNumber = 1e18f, kLeastDeviation = 1e-15f;
-/// Smallest ratio of deviations; flatter splats are thickened, which is invisible but numerically safe.
+/// Smallest ratio of a splat's smallest to its largest deviation. Flatter splats are thickened to this ratio, which is
+/// invisible but avoids numerical problems.
 constexpr float kFlattest = 1e-4f;
 
 bool is_bounded(float x) { return std::abs(x) <= kLargestSplatNumber; }
@@ -27,7 +28,7 @@ void make_unit(Quatf& rotation) {
   if (length > 1e-12f && is_bounded(length)) rotation = rotation * (1.0f / length);
 }
 
-/// Thickens splats that have zero size along one or two axes.
+/// Thickens a splat whose deviations differ by more than kFlattest allows. Does nothing if a deviation is negative.
 void thicken(Vec3f& deviations) {
   const float largest = std::max({deviations.x, deviations.y, deviations.z});
   if (std::min({deviations.x, deviations.y, deviations.z}) >= 0.0f)
@@ -42,14 +43,14 @@ void keep(std::vector<T>& values, const std::vector<std::size_t>& kept, std::siz
   values.resize(to);
 }
 
-/// Inserts two zero bits between consecutive bits.
+/// Returns x with two zero bits inserted before each bit.
 std::uint64_t spread_bits(std::uint32_t x) {
   std::uint64_t bits = 0;
   for (int b = 0; b < 21; ++b) bits |= static_cast<std::uint64_t>((x >> b) & 1u) << (3 * b);
   return bits;
 }
 
-/// Returns the position along the Morton curve (G. M. Morton, 1966) that fills the box.
+/// Returns the index of a centre along the Morton curve (G. M. Morton, 1966) that fills the box.
 std::uint64_t place_on_curve(Vec3f center, const Bounds3f& box) {
   constexpr float kCells = 2097151.0f;
   const Vec3f share = (center - box.lower) / glm::max(box.size(), Vec3f(1e-30f));
@@ -70,7 +71,7 @@ struct WeightedPlace {
   float place, weight;
 };
 
-/// Returns the weighted quantile for `share`. `places` must be sorted.
+/// Returns the position below which the given share of the total weight lies. `places` must be sorted by position.
 float weighted_quantile(const std::vector<WeightedPlace>& places, double share) {
   double total = 0.0, below = 0.0;
   for (const WeightedPlace& p : places) total += static_cast<double>(p.weight);
@@ -79,7 +80,7 @@ float weighted_quantile(const std::vector<WeightedPlace>& places, double share) 
   return places.back().place;
 }
 
-/// Returns every n-th splat as a sample.
+/// Returns the indices of every n-th splat, at most 65,536 of them.
 std::vector<std::size_t> sampled_splats(const Splats& splats) {
   constexpr std::size_t kMostSampled = 1 << 16;
   const std::size_t count = splats.centers.size(), step = count / kMostSampled + 1;
@@ -88,7 +89,7 @@ std::vector<std::size_t> sampled_splats(const Splats& splats) {
   return sampled;
 }
 
-/// Returns the box outside which centres are outliers.
+/// Returns the box that separates outliers: splats whose centre is outside it are outliers. See bulk_bounds().
 Bounds3f fence(const Splats& splats, const Affine3f& a) {
   constexpr double kTail = 0.02;
   constexpr float kMargin = 0.25f;
@@ -108,7 +109,7 @@ bool is_within(const Bounds3f& box, Vec3f p) {
   return glm::all(glm::lessThanEqual(box.lower, p)) && glm::all(glm::lessThanEqual(p, box.upper));
 }
 
-/// Returns half the extent of a splat along the world axes, at a given number of standard deviations.
+/// Returns the extent of a splat from its centre along each world axis, at a distance of `deviations` standard deviations.
 Vec3f reach_along_axes(const Splats& splats, std::size_t i, const Affine3f& a, float deviations) {
   const glm::dmat3 rows = glm::transpose(axes_of_splat(splats, i, a));
   return deviations * Vec3f(glm::length(rows[0]), glm::length(rows[1]), glm::length(rows[2]));

@@ -8,43 +8,45 @@
 
 namespace lippmann {
 
-/// Splats are invisible where their coverage is below kLeastAlpha.
+/// Splats are invisible where their coverage is below this alpha: one 8-bit step.
 inline constexpr float kLeastAlpha = 1.0f / 255.0f;
 
-/// Returns whether an instance of the scene shows splats.
+/// Returns whether some instance of the scene shows splats.
 bool has_splats(const Scene& scene);
 
-/// Returns the number of spherical harmonics per splat.
+/// Returns the number of spherical harmonics per splat, from their degree.
 constexpr std::size_t harmonics_of(int degree) { return static_cast<std::size_t>((degree + 1) * (degree + 1)); }
 
-/// Returns the visible radius of a splat with the given opacity, in standard deviations; 0: invisible.
+/// Returns the radius beyond which a splat with this opacity is invisible, in standard deviations. 0: the splat is invisible.
 float reach_of_splat(float opacity);
 
-/// Returns whether splat i has finite numbers in a safe range, non-zero deviations and a unit rotation.
+/// Returns whether the numbers of splat i are finite and in a safe range, its deviations are non-zero, and its rotation is a
+/// unit quaternion.
 bool is_sound(const Splats& splats, std::size_t i);
 
-/// Normalises rotations and replaces zero deviations along single axes, then removes splats that are still invalid and returns
-/// their number. All vectors must have matching lengths.
+/// Normalises all rotations and replaces zero deviations along single axes. Then removes the splats that fail is_sound(), and
+/// returns their number. All vectors must have matching lengths.
 std::size_t drop_unsound(Splats& splats);
 
-/// Reorders splats along a space-filling curve, so that neighbouring rays find their splats in the cache.
+/// Sorts splats along a space-filling curve, so that the splats on neighbouring rays are close in memory.
 void sort_by_place(Splats& splats);
 
-/// Returns the unlit material of splats.
+/// Returns the unlit material that all instances of splats have.
 Material splat_material();
 
-/// Returns a splat's principal axes after the transform `a`, as columns. The length of an axis is one standard deviation.
-/// Computed in double precision, because splats may be very flat.
+/// Returns a splat's principal axes after the transform `a`, as matrix columns. The length of a column is one standard
+/// deviation. Uses double precision because splats may be very flat.
 glm::dmat3 axes_of_splat(const Splats& splats, std::size_t i, const Affine3f& a);
 
-/// Returns the bounds of the visible part of the splats after the transform `a`.
+/// Returns the bounds of the visible parts of all splats after the transform `a`.
 Bounds3f whole_bounds(const Splats& splats, const Affine3f& a);
 
-/// Returns the bounds without outliers, which are common in captures. Along each axis, the middle 96 % of the centres (weighted
-/// by opacity) define a range; centres that are outside it by more than a quarter of its length are outliers.
+/// Returns the bounds of all splats except outliers, which are common in captures. Along each axis, the middle 96 % of the
+/// centres, weighted by opacity, span a range. An outlier is a splat whose centre lies outside a range by more than a quarter
+/// of its length.
 Bounds3f bulk_bounds(const Splats& splats, const Affine3f& a);
 
-/// Returns the number of visible splats that are more than 20 diagonals away from the bulk bounds.
+/// Returns the number of visible splats that are more than 20 diagonals of the bulk bounds away from these bounds.
 std::size_t count_far_splats(const Splats& splats);
 
 }  // namespace lippmann

@@ -24,7 +24,8 @@ void append_utf8(std::string& text, char32_t c) {
     add(0xf0 | c >> 18), tail(12), tail(6), tail(0);
 }
 
-/// Converts UTF-16 to UTF-8. `low`: index of the low byte in each pair of bytes.
+/// Converts UTF-16 to UTF-8. `low` is the index of the low byte in each pair of bytes: 0 for little-endian text, 1 for
+/// big-endian.
 std::string from_utf16(std::string_view bytes, std::size_t low) {
   constexpr char32_t kReplacement = 0xfffd;
   const auto unit = [&](std::size_t i) {
@@ -59,7 +60,7 @@ std::string utf8_text(std::string text) {
 std::string read_text_file(const fs::path& file, const std::string& where, std::size_t limit_bytes,
                            const std::string& accepted) {
   RegularFile opened(file);
-  const std::string named = where == file.string() ? "" : file.string() + " ";  // avoids naming the file twice
+  const std::string named = where == file.string() ? "" : file.string() + " ";  // avoids a message that names the file twice
   if (!opened.problem().empty()) throw Error(where, named + opened.problem());
   if (opened.size() > limit_bytes) throw Error(where, "the scene's files are too large", accepted);
   std::string text(static_cast<std::size_t>(opened.size()), '\0');

@@ -11,7 +11,7 @@ namespace {
 
 std::uint64_t texels(Vec2i size) { return static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y); }
 
-/// Converts between 8-bit codes and 16-bit linear light.
+/// Converts 8-bit values to 16-bit linear light and back.
 class Curve {
  public:
   explicit Curve(bool srgb) : codes_(65536) {
@@ -35,7 +35,8 @@ class Curve {
   std::vector<std::uint8_t> codes_;
 };
 
-/// The range of fine texels that a coarse texel covers along one axis: two texels, or three at the end of an odd size.
+/// The range of fine texels, along one axis, that a coarse texel is the mean of. It contains two texels, or three at the end of
+/// an odd side.
 struct Covered {
   int begin, end;
 };
@@ -44,7 +45,7 @@ Covered covered(int coarse_texel, int coarse, int fine) {
   return {begin, coarse_texel + 1 < coarse ? begin + 2 : fine};
 }
 
-/// Adds a row of texels in linear light to the sums of the coarse texels.
+/// Adds the linear values of a row of fine texels to the sums of the coarse texels that cover them.
 void add_row(const Texture& fine, int row, int coarse, const Curve& color, const Curve& alpha,
              std::vector<std::uint32_t>& sums) {
   const std::size_t width = static_cast<std::size_t>(fine.width);

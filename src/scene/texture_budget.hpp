@@ -14,20 +14,22 @@ namespace lippmann {
 
 /// The size of a texture before reduction.
 struct TextureExtent {
-  Vec2i size{1};        ///< width and height in texels
-  bool is_data = true;  ///< data instead of colours; halved first among textures of equal size
+  Vec2i size{1};  ///< width and height in texels
+  /// true: the texture contains data, not colours. Among textures of equal size, data textures are halved first.
+  bool is_data = true;
 };
 
-/// Returns half the width and height, rounded down, at least 1.
+/// Returns half of each side, rounded down, but at least 1.
 Vec2i halved(Vec2i size);
 
-/// Returns how often to halve each texture so that all together take at most `bytes` at 4 bytes per texel. Halves the largest
-/// textures first; among textures of equal size, data before colours and later textures before earlier ones. If the budget is
-/// smaller than one texel per texture, all become single texels.
+/// Returns for each texture how often to halve it so that all textures together take at most `bytes`, at 4 bytes per texel. The
+/// largest textures are halved first. Among textures of equal size, data is halved before colours, and later textures before
+/// earlier ones. If the budget is smaller than one texel per texture, all textures become single texels.
 std::vector<int> halvings_within(std::uint64_t bytes, std::span<const TextureExtent> textures);
 
-/// Halves a texture by averaging 2 x 2 texels, colours in linear light. With odd sizes, the last column or row of the result
-/// covers three texels. The result equals a level of a mip pyramid (shading/texture.hpp), but is rounded to bytes.
+/// Halves the width and height of a texture by averaging 2 x 2 texels. Colours are averaged in linear light. If a side is odd,
+/// the last column or row of the result covers three texels. The result equals a level of a mip pyramid (shading/texture.hpp),
+/// except that it is rounded to bytes.
 void halve(Texture& texture);
 
 }  // namespace lippmann

@@ -1,9 +1,11 @@
-// Based on: Khronos Group, "glTF 2.0 Specification", 2021, appendix C "Animation sampler interpolation modes": step, linear
-// (quaternions: spherical along the shorter arc) and cubic Hermite spline. Spline tangents are per second and are multiplied by
-// the length of the interval. Cubic quaternions are normalised after interpolation.
+// Based on: Khronos Group, "glTF 2.0 Specification", 2021, appendix C "Animation sampler interpolation modes". The modes are:
+// - step,
+// - linear; for quaternions spherical along the shorter arc,
+// - cubic Hermite spline. Tangents are per second and are multiplied by the length of the interval. Quaternions are normalised
+//   after interpolation.
 //
-// Bounds are exact for every affine map. Let l be row i of the map's linear part. Along world axis i, a ball of radius r then
-// extends r |l| from its centre, and a disc of radius r with unit normal n extends r |l - (l . n) n|.
+// Bounds are exact for every affine map. Let l be row i of the map's linear part. A ball of radius r extends r |l| from its
+// centre along axis i. A disc of radius r with unit normal n extends r |l - (l . n) n| from its centre along axis i.
 #include "lippmann/scene/timeline.hpp"
 
 #include <fmt/format.h>
@@ -28,7 +30,8 @@ Vec3f interpolate(Vec3f a, Vec3f b, float u) { return (1.0f - u) * a + u * b; }
 Quatf interpolate(Quatf a, Quatf b, float u) {
   float cosine = glm::dot(a, b);
   if (cosine < 0.0f) b = -b, cosine = -cosine;
-  // Below 0.03 degrees the chord and the arc agree to the last bits, while the sine in the formula loses precision.
+  // For angles below 0.03 degrees, linear interpolation is exact to the last bits. The spherical formula would lose precision
+  // because it divides by a small sine.
   if (cosine > 1.0f - 1e-7f) return glm::normalize((1.0f - u) * a + u * b);
   const float angle = std::acos(cosine);
   return glm::normalize((std::sin((1.0f - u) * angle) * a + std::sin(u * angle) * b) / std::sin(angle));
@@ -38,7 +41,7 @@ float unit_if_rotation(float x) { return x; }
 Vec3f unit_if_rotation(Vec3f v) { return v; }
 Quatf unit_if_rotation(Quatf q) { return glm::normalize(q); }
 
-/// Selects one of the values stored per key; morph weights have several.
+/// Selects one of the `count` values that a channel stores per key. Only morph weights have several values per key.
 struct Component {
   std::size_t index = 0, count = 1;
 };
@@ -105,7 +108,7 @@ void add_around(Bounds3f& bounds, Vec3f center, Vec3f reach) {
   bounds.add(center + reach);
 }
 
-/// Returns the extent of a disc from its centre along each axis of the frame.
+/// Returns the extent of a disc from its centre, along each axis of the frame.
 Vec3f disc_reach(const Affine3f& frame_from_node, Vec3f normal, float radius) {
   const Mat3f rows = glm::transpose(frame_from_node.linear);
   Vec3f reach;
@@ -113,7 +116,7 @@ Vec3f disc_reach(const Affine3f& frame_from_node, Vec3f normal, float radius) {
   return reach;
 }
 
-/// Calls visit(vertex) once for each vertex used by a triangle. Files may contain unused vertices far away.
+/// Calls visit(vertex) once for each vertex that a triangle uses. Files may contain unused vertices far away.
 template <class Visit>
 void visit_used_vertices(const Mesh& mesh, const Visit& visit) {
   std::vector<bool> is_used(mesh.positions.size(), false);
@@ -160,7 +163,7 @@ void add_shape(Bounds3f& bounds, const Affine3f& a, const Boxes& boxes) {
 
 void add_shape(Bounds3f& bounds, const Affine3f& a, const Splats& splats) { bounds.add(bulk_bounds(splats, a)); }
 
-/// Throws Error if the hierarchy is invalid.
+/// Throws Error if a node's parent does not precede the node, or if an animated node does not exist.
 void require_nodes(const Scene& scene) {
   const int count = static_cast<int>(scene.nodes.size());
   for (int i = 0; i < count; ++i)
@@ -209,7 +212,8 @@ ResolvedScene evaluate(const Scene& scene, double time) {
 }
 
 bool keys_fall_on_frames(const Timeline& timeline, double frames_per_second) {
-  constexpr double kNearFrame = 0.02;  // in frames; times with four decimals are within 0.003 frames at 60 frames per second
+  // In frames. Times rounded to four decimals are within 0.003 frames of a frame at 60 frames per second.
+  constexpr double kNearFrame = 0.02;
   const auto on_frames = [&](const std::vector<double>& times) {
     return std::all_of(times.begin(), times.end(), [&](double time) {
       const double frame = time * frames_per_second;

@@ -1,4 +1,4 @@
-// Validates a whole Scene after loading, so that later code can rely on it.
+// Validates a whole Scene after loading, so that later code need not check indices and numbers.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ bool finite(const Affine3f& a) {
   return finite(a.linear[0]) && finite(a.linear[1]) && finite(a.linear[2]) && finite(a.translation);
 }
 
-/// Returns whether a vector has unit length, with a tolerance of 1 % for quantised normals (8 bits per component).
+/// Returns whether a vector has unit length. Tolerates 1 % for normals with 8 bits per component.
 template <class V>
 bool unit(const V& v) {
   return std::abs(glm::dot(v, v) - 1.0f) < 0.02f;
@@ -37,7 +37,7 @@ bool uniform(Vec3f scale) {
   return std::max({s.x, s.y, s.z}) <= 1.001f * std::min({s.x, s.y, s.z});
 }
 
-/// Returns whether the columns have equal lengths and are orthogonal, within a relative 1e-3.
+/// Returns whether the columns of the matrix have equal lengths and are orthogonal, within a relative error of 1e-3.
 bool similarity(const Mat3f& m) {
   const Vec3f square(glm::dot(m[0], m[0]), glm::dot(m[1], m[1]), glm::dot(m[2], m[2]));
   const float tolerance = 1e-3f * square.x;
@@ -57,7 +57,7 @@ class Validator {
     for (std::size_t i = 0; i < scene_.materials.size(); ++i)
       std::visit([&](const auto& s) { check_surface(s, label("material", i, scene_.materials[i].name)); },
                  scene_.materials[i].surface);
-    check_timeline();  // before instances, which use the animations
+    check_timeline();  // before the instances, whose checks use the animations
     for (std::size_t i = 0; i < scene_.skins.size(); ++i) check_skin(scene_.skins[i], i);
     for (std::size_t i = 0; i < scene_.instances.size(); ++i) check_instance(scene_.instances[i], i);
     for (std::size_t i = 0; i < scene_.webs.size(); ++i) check_web(scene_.webs[i], i);
@@ -110,7 +110,7 @@ class Validator {
           require(false, element, fmt::format("triangle {} refers to vertex {} of {}", i, index, vertices));
   }
 
-  /// Checks a vertex attribute. An empty one is valid.
+  /// Checks the values of a vertex attribute. An empty attribute is valid.
   template <class T>
   void check_attribute(const std::vector<T>& values, std::size_t vertices, const std::string& element, const char* what) const {
     require(values.empty() || values.size() == vertices, element, fmt::format("needs one {} per vertex", what));
@@ -123,7 +123,7 @@ class Validator {
     require(skin.per_vertex >= 0 && skin.joints.size() == count && skin.weights.size() == count, element,
             "the number of joints or weights does not match the vertices");
     for (const float weight : skin.weights) require(finite(weight) && weight >= 0.0f, element, "a weight is not a number >= 0");
-    constexpr float kRounding = 0.01f;  // covers weights in 8 bits
+    constexpr float kRounding = 0.01f;  // tolerance of the sum, for weights stored in 8 bits
     const auto per_vertex = static_cast<std::size_t>(skin.per_vertex);
     for (std::size_t v = 0; per_vertex > 0 && v < vertices; ++v) {
       const float sum = std::accumulate(skin.weights.begin() + static_cast<std::ptrdiff_t>(v * per_vertex),
@@ -238,7 +238,8 @@ class Validator {
     require(
         finite(left) && glm::all(glm::greaterThanEqual(left, Vec3f(0.0f))) && glm::all(glm::lessThanEqual(left, Vec3f(1.0f))),
         element, "the attenuation colour is not between 0 and 1");
-    require(s.volume->attenuation_distance > 0.0f, element, "the attenuation distance is not above 0");  // may be infinite
+    // The distance may be infinite.
+    require(s.volume->attenuation_distance > 0.0f, element, "the attenuation distance is not above 0");
   }
 
   // ---- Nodes, instances, lights and cameras ----

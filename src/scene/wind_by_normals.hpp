@@ -1,12 +1,12 @@
-// Aligns the winding of triangles with their vertex normals, for formats that define the outside by normals.
+// Makes the winding of triangles agree with their vertex normals, for formats in which the normals define the outside.
 #pragma once
 
 #include "lippmann/scene/scene.hpp"
 
 namespace lippmann {
 
-/// Flips each triangle that faces away from the mean of its three normals. Meshes without normals stay unchanged. Shading uses
-/// the visible side of the facet, so triangles wound against their normals would get no direct light.
+/// Flips each triangle that faces away from the mean of its three vertex normals. Meshes without normals stay unchanged.
+/// Without this, such triangles would get no direct light, because shading uses the visible side of the facet.
 void wind_by_normals(Mesh& mesh);
 
 }  // namespace lippmann

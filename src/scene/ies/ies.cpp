@@ -1,10 +1,14 @@
 // Based on: Illuminating Engineering Society, "ANSI/IES LM-63-19: IES Standard File Format for the Electronic Transfer of
-// Photometric Data", 2019, and its predecessors of 1986, 1991, 1995 and 2002, which differ in the part before TILT.
-// 1. Lines up to TILT= are keywords. 2. Numbers follow, with arbitrary line breaks: the lamp, the numbers of angles, the type
-// of photometry, the luminaire's size, ballast; vertical angles; horizontal angles; for each of these, candelas by vertical
-// angle. 3. Angles that cover a half or a quarter of the full range are completed by symmetry.
-// Beyond the standard: 1. Commas between numbers count as blanks because several programs write them. 2. Horizontal angles of
-// type C that end between 180 and 360 degrees close the circle.
+// Photometric Data", 2019, and its predecessors of 1986, 1991, 1995 and 2002. They differ in the part before the TILT line.
+// 1. The lines up to TILT= are keywords.
+// 2. The numbers after TILT= may have line breaks anywhere: the lamp, the numbers of angles, the type of photometry, the
+//    luminaire's size, the ballast, the vertical angles, the horizontal angles, and the candelas. The candelas of all vertical
+//    angles at the first horizontal angle come first.
+// 3. Angles that cover a half or a quarter of the full range are completed by symmetry.
+//
+// We deviate:
+// 1. Commas between numbers count as blanks because several programs write them.
+// 2. Horizontal angles of type C may end between 180 and 360 degrees. They are then completed to a full circle.
 #include "scene/ies.hpp"
 
 #include <fmt/format.h>
@@ -23,18 +27,19 @@ namespace {
 
 constexpr float kMostCandelas = 1e12f;
 constexpr int kMostAngles = 100000;
-constexpr float kLeastStep = 1e-3f;  ///< smallest distance between two angles, in degrees
+constexpr float kLeastStep = 1e-3f;  ///< smallest allowed difference of consecutive angles, in degrees
 
 enum class Photometry { kC = 1, kB = 2, kA = 3 };
 
-/// The contents of a file: candelas[h][v] for horizontal and vertical angles in degrees.
+/// The contents of a file. Angles are in degrees. candelas[h][v] belongs to horizontal angle h and vertical angle v.
 struct MeasuredWeb {
   Photometry type = Photometry::kC;
   std::vector<float> vertical, horizontal;
   std::vector<std::vector<float>> candelas;
 };
 
-/// Returns whether a keyword is known to be unrelated to the light: makers, catalogues, dates, and user keywords [_NAME].
+/// Returns whether a keyword is known and does not affect the light. This includes the names of makers and catalogues, dates,
+/// and the user's own keywords [_NAME].
 bool is_known_keyword(std::string_view keyword) {
   constexpr std::string_view kKnown[] = {"TEST",      "TESTLAB",       "TESTMETHOD",   "TESTDATE",  "ISSUEDATE",
                                          "DATE",      "MANUFAC",       "LUMCAT",       "LUMINAIRE", "LAMPCAT",
@@ -50,7 +55,8 @@ void note_keyword(std::string_view line, const std::string& where, LeftOut& left
   if (!is_known_keyword(line.substr(begin + 1, end - begin - 1))) left_out.add(line.substr(begin, end + 1 - begin), where);
 }
 
-/// Replaces everything up to the TILT= line by empty lines, to keep line numbers. Returns the value of TILT.
+/// Removes the lines up to the TILT= line from `text`, but keeps their line breaks so that line numbers stay valid. Returns the
+/// value of TILT.
 std::string take_header(const std::string& name, std::string& text, LeftOut& left_out) {
   int line_number = 1;
   for (std::size_t begin = 0; begin < text.size(); ++line_number) {
@@ -137,13 +143,13 @@ class IesReader {
   MeasuredWeb web_;
 };
 
-/// Extends the angles beyond the last one by mirroring.
+/// Appends the mirror images of all angles with respect to the last angle.
 void mirror_back(std::vector<float>& angles) {
   const float last = angles.back();
   for (std::size_t i = angles.size() - 1; i-- > 0;) angles.push_back(2.0f * last - angles[i]);
 }
 
-/// Extends the angles before the first one by mirroring.
+/// Prepends the mirror images of all angles with respect to the first angle.
 void mirror_front(std::vector<float>& angles) {
   const float first = angles.front();
   std::vector<float> before;
@@ -170,7 +176,7 @@ bool go_from(const std::vector<float>& angles, float from, float to) { return an
               accepted);
 }
 
-/// Completes the horizontal angles of type C to a full circle.
+/// Completes the horizontal angles of type C to a full circle by symmetry.
 void complete_circle(const Lexer& lexer, MeasuredWeb& web) {
   std::vector<float>& angles = web.horizontal;
   if (angles.size() == 1) return;
@@ -183,7 +189,7 @@ void complete_circle(const Lexer& lexer, MeasuredWeb& web) {
     throw_range_error(lexer, "horizontal", angles, "0 to 90, 0 to 180, 0 to 360, or 90 to 270 degrees");
 }
 
-/// Completes the angles of types A and B to both sides.
+/// Completes the angles of types A and B to the range from -90 to 90 degrees by symmetry.
 void complete_sides(const Lexer& lexer, MeasuredWeb& web) {
   const auto require_full_range = [&](const char* what, const std::vector<float>& angles) {
     if (!go_from(angles, -90.0f, 90.0f)) throw_range_error(lexer, what, angles, "0 to 90, or -90 to 90 degrees");
@@ -211,7 +217,7 @@ PhotometricWeb web_of_type_c(const MeasuredWeb& measured) {
   return web;
 }
 
-/// Converts type A: the axis points down, along -y; horizontal angles are azimuths around it.
+/// Converts type A. The polar axis points down, along the light's -y. Horizontal angles are azimuths around this axis.
 PhotometricWeb web_of_type_a(const MeasuredWeb& measured) {
   PhotometricWeb web;
   web.polar = in_radians(measured.vertical, 90.0f), web.azimuth = in_radians(measured.horizontal, 0.0f);
@@ -220,7 +226,7 @@ PhotometricWeb web_of_type_a(const MeasuredWeb& measured) {
   return web;
 }
 
-/// Converts type B: the axis points to the left, along -x; vertical angles are azimuths around it.
+/// Converts type B. The polar axis points to the left, along the light's -x. Vertical angles are azimuths around this axis.
 PhotometricWeb web_of_type_b(const MeasuredWeb& measured) {
   PhotometricWeb web;
   web.polar = in_radians(measured.horizontal, 90.0f), web.azimuth = in_radians(measured.vertical, 0.0f);
