@@ -1,7 +1,10 @@
-// Based on: E. Haines, "Neutral File Format", version 3.9, 1996: a surface has Kd and Ks of its colour, Phong's highlight
-// (R.V)^shine and a mirrored ray, both scaled by Ks, and transmits T.
-// Unlike NFF, the highlight is a power of N.H with four times the exponent. It has the same shape near its centre because the
-// angle between N and H is half the angle between R and V.
+// Based on: E. Haines, "Neutral File Format", version 3.9, 1996. The radiance of a surface is the sum of:
+// - Kd times the diffuse light, and Ks times Phong's highlight (R.V)^shine, both in the surface's colour,
+// - Ks times the mirrored ray,
+// - T times the transmitted ray.
+//
+// We deviate: the highlight is (N.H)^(4 shine). The angle between N and H is half the angle between R and V, so that four times
+// the exponent gives the same shape near the highlight's centre.
 #include "scene/nff/builder.hpp"
 
 #include <fmt/format.h>
@@ -43,7 +46,7 @@ bool has_area(Vec3f a, Vec3f b, Vec3f c) {
   return glm::cross(glm::dvec3(b) - glm::dvec3(a), glm::dvec3(c) - glm::dvec3(a)) != glm::dvec3(0.0);
 }
 
-/// Returns the normal of a polygon whose corners have no normals, from one of its triangles.
+/// Returns the normal of a polygon whose corners have no normals. The normal is computed from one of the polygon's triangles.
 Vec3f facet_normal(std::span<const Vec3f> corners, const Triangle& triangle) {
   const glm::dvec3 a(corners[triangle[0]]), b(corners[triangle[1]]), c(corners[triangle[2]]);
   return Vec3f(glm::normalize(glm::cross(b - a, c - a)));

@@ -1,5 +1,5 @@
-// Collects the shapes of an NFF file into a Scene, with one instance per surface and kind of shape, so that thousands of
-// spheres form one shape. Shapes without extent are dropped and counted.
+// Collects the shapes of an NFF file into a Scene. There is one instance per surface and kind of shape, so that thousands of
+// spheres become a single shape. Shapes without size are dropped and counted.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace lippmann::nff {
 
-/// The parameters of the statement "f".
+/// The parameters of NFF's statement "f", which describes a surface.
 struct Fill {
   Vec3f color{1.0f};
   float diffuse = 1.0f, specular = 0.0f, shine = 1.0f;
@@ -21,17 +21,17 @@ struct Fill {
 
 class Builder {
  public:
-  /// Sets the fill of shapes added later. The default is white.
+  /// Sets the surface of all shapes that are added afterwards. The default is white.
   void set_fill(const Fill& fill);
 
   void add_sphere(Vec3f center, float radius);                                            // radius >= 0
   void add_cone(Vec3f base, float base_radius, Vec3f apex, float apex_radius);            // radii >= 0
-  void add_polygon(std::span<const Vec3f> corners, std::span<const Vec3f> normals = {});  // one per corner, or none
+  void add_polygon(std::span<const Vec3f> corners, std::span<const Vec3f> normals = {});  // one normal per corner, or none
 
   int left_out() const { return left_out_; }
   int cones() const { return cones_; }
 
-  /// Moves the collected shapes to the scene.
+  /// Adds the collected shapes to the scene.
   void finish(Scene& scene);
 
  private:
@@ -42,9 +42,9 @@ class Builder {
   };
   Group& group();
 
-  std::map<std::array<float, 8>, std::size_t> known_;  ///< fill indices by the parameters of Fill
+  std::map<std::array<float, 8>, std::size_t> known_;  ///< index into fills_ for the eight numbers of a Fill
   std::vector<Fill> fills_;
-  std::vector<Group> groups_;  ///< one per fill
+  std::vector<Group> groups_;  ///< one per element of fills_
   std::size_t current_ = 0;
   int left_out_ = 0, cones_ = 0;
 };

@@ -9,8 +9,8 @@ void add_cone(Mesh& mesh, Vec3f base, float base_radius, Vec3f apex, float apex_
   const double length = glm::length(axis);
   const Vec3d w = axis / length, a = glm::abs(w);
   const Vec3d off_axis = a.x <= a.y && a.x <= a.z ? Vec3d(1, 0, 0) : a.y <= a.z ? Vec3d(0, 1, 0) : Vec3d(0, 0, 1);
-  const Vec3d u = glm::normalize(glm::cross(off_axis, w)), v = glm::cross(w, u);  // u x v = w
-  const double lean = double{base_radius} - double{apex_radius};  // decrease of the radius over `length` along the axis
+  const Vec3d u = glm::normalize(glm::cross(off_axis, w)), v = glm::cross(w, u);  // right-handed: u x v = w
+  const double lean = double{base_radius} - double{apex_radius};                  // decrease of the radius from base to apex
 
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
   for (int i = 0; i < kConeSides; ++i) {
@@ -23,7 +23,8 @@ void add_cone(Mesh& mesh, Vec3f base, float base_radius, Vec3f apex, float apex_
   }
   for (std::uint32_t i = 0; i < kConeSides; ++i) {
     const std::uint32_t here = first + 2 * i,
-                        there = first + 2 * ((i + 1) % kConeSides);  // base vertices; the apex vertex follows each
+                        // Base vertices of the side; the apex vertex follows each base vertex.
+        there = first + 2 * ((i + 1) % kConeSides);
     if (base_radius > 0.0f) mesh.triangles.push_back({here, there, there + 1});
     if (apex_radius > 0.0f) mesh.triangles.push_back({here, there + 1, here + 1});
   }

@@ -1,5 +1,6 @@
-// Based on: E. Haines, "Neutral File Format", version 3.9, 1996. A file consists of words separated by white space. A statement
-// is a keyword and its parameters; only "l" ends at the end of the line.
+// Based on: E. Haines, "Neutral File Format", version 3.9, 1996. A file consists of words separated by white space. Each
+// statement consists of a keyword and its parameters. Line ends only matter in the statement "l", whose last parameters may be
+// absent.
 #include "scene/nff.hpp"
 
 #include <fmt/format.h>
@@ -20,8 +21,8 @@ namespace nff {
 namespace {
 
 constexpr std::size_t kLargestFile = std::size_t{256} << 20;
-constexpr float kLargestNumber = 1e18f;  // keeps squares and products of two such numbers finite
-constexpr int kMostCones = 100'000;      // about 5 KB each
+constexpr float kLargestNumber = 1e18f;  // squares and products of two such numbers are finite floats
+constexpr int kMostCones = 100'000;      // limits memory: a cone needs about 5 KB
 constexpr int kMostCorners = 1 << 30, kLargestResolution = 65536;
 
 struct View {
@@ -114,7 +115,8 @@ void parse_fill(Lexer& lexer, State& state) {
   state.builder.set_fill(fill);
 }
 
-/// Parses a cone. Negative radii mean surfaces seen from inside; we render both sides.
+/// Parses a cone or cylinder. Negative radii mean a surface seen from inside; their sign is ignored because both sides are
+/// visible.
 void parse_cone(Lexer& lexer, State& state) {
   const Vec3f base = point(lexer, "c's base");
   const float base_radius = number(lexer, "c's base radius");
@@ -185,7 +187,7 @@ void add_camera(Scene& scene, const View& view) {
 }
 
 void add_lights(Scene& scene, const std::vector<PointLight>& lights) {
-  const float intensity = 1.0f / std::sqrt(static_cast<float>(lights.size()));  // intensity of lights without a colour
+  const float intensity = 1.0f / std::sqrt(static_cast<float>(lights.size()));  // NFF's intensity of lights without a colour
   for (const PointLight& point : lights) {
     Node node;
     node.name = fmt::format("light {}", scene.lights.size());

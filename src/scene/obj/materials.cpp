@@ -1,6 +1,8 @@
 // Based on: Alias/Wavefront, "MTL material format", version 4.2, 1995, and its extension for physically based rendering (Pr,
-// Pm). Unlike MTL, a Phong exponent Ns becomes the roughness of a microfacet lobe of the same width, alpha^2 = 2 / (Ns + 2),
-// after B. Walter et al., "Microfacet Models for Refraction through Rough Surfaces", 2007, section 5; roughness is sqrt(alpha).
+// Pm).
+//
+// We deviate: a Phong exponent Ns becomes the roughness sqrt(alpha) of a microfacet lobe with the same width, alpha^2 = 2 / (Ns
+// + 2), after B. Walter et al., "Microfacet Models for Refraction through Rough Surfaces", 2007, section 5.
 #include "scene/obj/materials.hpp"
 
 #include <fmt/format.h>
@@ -46,8 +48,8 @@ bool is_number(std::string_view word) {
   return !word.empty() && word.find_first_not_of("0123456789+-.eE") == std::string_view::npos;
 }
 
-/// Returns the file name after the options of a map statement such as "-s 1 1 1 -clamp on name", with '/' as folder separator.
-/// The options have no effect; they are added to `left_out`.
+/// Returns the file name in a map statement such as "-s 1 1 1 -clamp on name", with '/' as folder separator. The options have
+/// no effect; their names are added to `left_out`.
 std::string map_file(std::string_view statement, const std::string& where, LeftOut& left_out) {
   std::string_view rest = statement;
   for (;;) {
@@ -69,12 +71,12 @@ std::string map_file(std::string_view statement, const std::string& where, LeftO
   return name;
 }
 
-/// A material whose statements are being read.
+/// A material while its statements are read.
 struct Draft {
   MetallicRoughness surface = matt_grey();
-  float roughness = -1.0f;  ///< below 0: not set
+  float roughness = -1.0f;  ///< from Pr; below 0: not set
   float exponent = 0.0f;
-  bool dull = false;  ///< Ks is black
+  bool dull = false;  ///< Ks is black, so that there is no reflection
 
   MetallicRoughness finished() const {
     MetallicRoughness result = surface;
@@ -91,7 +93,7 @@ float number(Lexer& lexer, std::string_view wanted) {
 }
 float share(Lexer& lexer, std::string_view wanted) { return std::min(1.0f, number(lexer, wanted)); }
 
-/// Reads R, or R G B.
+/// Reads a colour: either R, or R G B. A single number is used for all three channels.
 Vec3f color(Lexer& lexer, std::string_view wanted) {
   const float red = number(lexer, wanted);
   if (lexer.at_line_end()) return Vec3f(red);
@@ -99,7 +101,7 @@ Vec3f color(Lexer& lexer, std::string_view wanted) {
   return {red, green, blue};
 }
 
-/// Parses a statement with a single value. Returns false for other statements.
+/// Parses a statement that sets a number or a colour. Returns false for other statements.
 bool parse_value(std::string_view keyword, Lexer& lexer, Draft& draft) {
   MetallicRoughness& s = draft.surface;
   if (keyword == "Kd")
@@ -121,7 +123,7 @@ bool parse_value(std::string_view keyword, Lexer& lexer, Draft& draft) {
   else if (keyword == "Pm")
     s.metallic = share(lexer, "Pm");
   else
-    return keyword == "Ka" || keyword == "illum";  // ambient light and illumination models are ignored
+    return keyword == "Ka" || keyword == "illum";  // ambient light and illumination models are accepted but ignored
   return true;
 }
 

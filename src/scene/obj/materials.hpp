@@ -15,17 +15,18 @@ namespace lippmann::obj {
 
 class Materials {
  public:
-  /// `folders`: those that may contain the material files and images. texture_bytes: as in LoadOptions. Adds materials and
-  /// textures to the scene.
+  /// `folders` are the folders that may contain material files and images. `texture_bytes` is as in LoadOptions. Materials and
+  /// textures are added to `scene`.
   Materials(SideFolders folders, std::uint64_t texture_bytes, Scene& scene, const Context& context);
 
-  /// Reads all files that an mtllib statement at `where` names. Warns about files that cannot be used.
+  /// Reads all .mtl files that an mtllib statement at `where` names. Warns about files that cannot be used.
   void read_library(std::string_view names, const std::string& where);
 
-  /// Returns the index of a material. Unknown materials are grey, with a warning; an empty name means grey.
+  /// Returns the index of the material called `name`. For unknown names, warns and returns a grey material. For an empty name,
+  /// returns the grey material without a warning.
   int find(std::string_view name, const std::string& where);
 
-  /// Decodes the textures of all libraries.
+  /// Decodes the textures of all materials.
   void decode_textures() { textures_.decode(); }
 
  private:
@@ -36,9 +37,9 @@ class Materials {
   SideTextures textures_;
   Scene& scene_;
   const Context& context_;
-  std::map<std::string, int, std::less<>> known_;  ///< material indices by name
-  std::set<std::string> read_;                     ///< names of libraries read so far
-  std::size_t text_left_;                          ///< total bytes that further libraries may have
+  std::map<std::string, int, std::less<>> known_;  ///< material index by name
+  std::set<std::string> read_;                     ///< names of the .mtl files read so far
+  std::size_t text_left_;                          ///< maximum total size in bytes of the .mtl files still to be read
 };
 
 }  // namespace lippmann::obj

@@ -13,7 +13,7 @@
 namespace lippmann::ply {
 namespace {
 
-constexpr double kLargestNumber = 1e18;  // keeps squares and products of two such numbers finite in floats
+constexpr double kLargestNumber = 1e18;  // squares and products of two such numbers are finite floats
 
 template <class T>
 double as(const unsigned char* raw) {

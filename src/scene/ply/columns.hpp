@@ -1,4 +1,4 @@
-// Finds the properties of a PLY element that a reader uses, and reports the others.
+// Finds the properties of a PLY element that a reader uses, and warns about the properties that it does not use.
 #pragma once
 
 #include <array>
@@ -12,17 +12,18 @@
 
 namespace lippmann::ply {
 
-/// Finds columns, which are indices into Element::properties; -1: absent. Marks the properties found as read.
+/// Looks up columns by property name. A column is an index into Element::properties, or -1 for a property that does not exist.
+/// Properties that were found count as used.
 class Columns {
  public:
   /// `element` must outlive this object.
   explicit Columns(const Element& element) : element_(element), read_(element.properties.size(), false) {}
 
-  /// Return the first property called `name` that is a single value, or that is a list.
+  /// These functions return the column of the first property called `name` that is a single value, or a list.
   int value(std::string_view name) { return mark(find(name, false)); }
   int list(std::string_view name) { return mark(find(name, true)); }
 
-  /// Returns the columns of the first set of names that all exist as single values.
+  /// Returns the columns of the first set in which every name is a property with a single value.
   template <std::size_t N>
   std::optional<std::array<int, N>> values(std::initializer_list<std::array<std::string_view, N>> sets) {
     for (const std::array<std::string_view, N>& names : sets) {
@@ -36,11 +37,11 @@ class Columns {
     return std::nullopt;
   }
 
-  /// Return the columns of red, green and blue, and the column of alpha.
+  /// color() returns the columns of red, green and blue. alpha() returns the column of alpha.
   std::optional<std::array<int, 3>> color();
   int alpha();
 
-  /// Warns about unread properties by name.
+  /// Warns with the names of all unused properties.
   void warn_about_unread(const std::string& file, const Context& context) const;
 
  private:

@@ -20,15 +20,15 @@ int corners_column(Columns& columns, const std::string& name, std::string_view p
 
 double last_vertex(const Mesh& mesh) { return static_cast<double>(mesh.positions.size()) - 1.0; }
 
-/// The columns of a face's values; -1: absent.
+/// The columns of a face's values. -1: the face does not have the value.
 struct FaceColumns {
   int corners = -1, uvs = -1, picture = -1, alpha = -1;
   std::optional<std::array<int, 3>> color;
   bool has_appearance() const { return uvs >= 0 || picture >= 0 || alpha >= 0 || color; }
 };
 
-/// Finds the columns. Vertex colours take precedence over face colours. Texture coordinates of face corners take precedence
-/// over those of vertices.
+/// Finds the columns of a face's values. If vertices and faces both have colours, those of the vertices are used. If both have
+/// texture coordinates, those of the faces are used.
 FaceColumns find_face_columns(const std::string& name, const Element& element, const Mesh& mesh, const Context& context) {
   Columns columns(element);
   FaceColumns found;
@@ -111,7 +111,7 @@ class FaceReader {
   std::vector<float> uvs_;
 };
 
-/// Reads triangle strips, as in Stanford's scans: a list of vertices where -1 ends a strip.
+/// Reads triangle strips, as in Stanford's scans. A list contains several strips of vertices; -1 ends a strip.
 class StripReader {
  public:
   StripReader(Body& body, Mesh& mesh) : body_(body), mesh_(mesh) {}
@@ -129,10 +129,11 @@ class StripReader {
   }
 
  private:
-  /// Returns whether a value ends a strip: -1 in any type.
+  /// Returns whether a value ends a strip. The value is -1 in a signed type, or the same bits in an unsigned type.
   static bool ends_strip(double value) { return value == -1.0 || value == 4294967295.0; }
 
-  /// Adds a corner. Every second triangle of a strip has the opposite winding. Repeated corners connect strips.
+  /// Adds a corner and the triangle that it completes. Every second triangle of a strip has the opposite winding. Triangles
+  /// with repeated corners are skipped; they only connect strips.
   void extend(std::uint32_t corner) {
     corners_.push_back(corner);
     const std::size_t n = corners_.size();

@@ -11,17 +11,17 @@
 
 namespace lippmann::ply {
 
-/// A mesh as stored in the file: attributes per vertex, and per triangle if faces have attributes.
+/// A mesh as stored in the file. Attributes belong to vertices or, if the faces have attributes, to triangles.
 struct PlyMesh {
   Mesh mesh;
-  std::vector<FaceAppearance> appearances;  ///< by triangle; empty: faces have no attributes
-  std::vector<int> vertex_picture;          ///< texture number by vertex; empty: none
+  std::vector<FaceAppearance> appearances;  ///< one element per triangle; empty: faces have no attributes
+  std::vector<int> vertex_picture;          ///< texture number of each vertex; empty: none
   FaceAttributes own;
-  Vec3d origin{0.0};  ///< the point that was subtracted from positions
+  Vec3d origin{0.0};  ///< point that was subtracted from all positions
 };
 
-/// Append the triangles of faces, or of strips, to ply.mesh.triangles. Warn about unread properties by name. `name` names the
-/// file in messages. Throw Error.
+/// Append the triangles of an element of faces, or of strips, to ply.mesh.triangles. They warn about unused properties. `name`
+/// names the file in messages. They throw Error.
 void read_faces(const std::string& name, const Element& element, Body& body, const Context& context, PlyMesh& ply);
 void read_strips(const std::string& name, const Element& element, Body& body, const Context& context, PlyMesh& ply);
 

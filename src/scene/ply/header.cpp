@@ -76,7 +76,7 @@ class HeaderReader {
     return error(fmt::format("is not a PLY file but {}", what), "a first line \"ply\"");
   }
 
-  /// Reads comments with information for which the format has no statements.
+  /// Reads the comments that contain information: texture files and the vertical axis.
   void parse_comment(const std::vector<std::string_view>& words, std::string_view line) {
     if (words.size() > 2 && is_keyword(words[1], "TEXTUREFILE")) {
       const auto begin = static_cast<std::size_t>(words[2].data() - line.data());
@@ -103,8 +103,8 @@ class HeaderReader {
       header_.foreign_lines.add(words[0], fmt::format("{}:{}", name_, line_));
   }
 
-  /// Returns whether a line is a damaged or misspelt statement. Other unknown lines count as comments, because some programs
-  /// omit the keyword `comment`.
+  /// Returns whether a line is probably a damaged or misspelt statement. All other unknown lines count as comments because some
+  /// programs omit the keyword `comment`.
   static bool resembles_statement(std::string_view word) {
     constexpr std::string_view kStatements[] = {"format", "element", "property", "end_header"};
     constexpr int kMisspelt = 2;

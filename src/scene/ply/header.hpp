@@ -20,25 +20,26 @@ int bytes_of(Type type);
 struct Property {
   std::string name;
   Type type = Type::kFloat;
-  std::optional<Type> count_type;  ///< type of a list's length, which precedes its values; none: a single value
+  /// Type of a list's length, which the file stores before the list's values. None: the property is a single value.
+  std::optional<Type> count_type;
 };
 
 struct Element {
   std::string name;
-  std::int64_t count = 0;  ///< 0 to 2^31 - 1
+  std::int64_t count = 0;  ///< number of rows, 0 to 2^31 - 1
   std::vector<Property> properties;
 };
 
 struct Header {
   Format format = Format::kText;
   std::vector<Element> elements;
-  std::size_t size = 0;                    ///< bytes up to the body
-  std::vector<std::string> texture_files;  ///< from comments "TextureFile NAME", in order
-  bool is_z_up = false;                    ///< from a comment "Vertical Axis: z", as nerfstudio writes
-  LeftOut foreign_lines;                   ///< first words of lines that are not statements
+  std::size_t size = 0;                    ///< length of the header in bytes
+  std::vector<std::string> texture_files;  ///< from the comments "TextureFile NAME", in file order
+  bool is_z_up = false;                    ///< the file contains nerfstudio's comment "Vertical Axis: z"
+  LeftOut foreign_lines;                   ///< first words of the lines that are not statements
 };
 
-/// Parses a header. Throws Error naming file and line.
+/// Parses the header at the beginning of `contents`. `name` names the file in messages. Throws Error naming file and line.
 Header parse_header(const std::string& name, std::string_view contents);
 
 }  // namespace lippmann::ply

@@ -24,7 +24,8 @@ constexpr const char* kCompressedSplats = "has compressed splats (a .compressed.
 constexpr const char* kCompressedAdvice =
     "an uncompressed .ply, which splat-transform IN OUT.ply writes (npm's @playcanvas/splat-transform)";
 
-/// The properties of a vertex attribute, which is left out if one of its values is unusable.
+/// A vertex attribute, such as the normal, and its columns. The attribute is left out for all vertices if one value is
+/// unusable.
 struct VertexAttribute {
   VertexAttribute() = default;
   template <std::size_t N>
@@ -32,7 +33,7 @@ struct VertexAttribute {
     if (found) columns.assign(found->begin(), found->end());
   }
 
-  /// Returns whether the attribute exists and all its values so far are usable.
+  /// Checks the values of a row. Returns whether the attribute exists and has only had usable values so far.
   bool check(const Row& row) {
     for (const int column : columns)
       if (unusable < 0 && !is_usable(row.exact(column))) unusable = column;
@@ -40,7 +41,7 @@ struct VertexAttribute {
   }
 
   std::vector<int> columns;
-  int unusable = -1;  ///< first column with an unusable value; -1: none
+  int unusable = -1;  ///< first column that had an unusable value; -1: none
 };
 
 void read_vertices(const std::string& name, const Element& element, Body& body, const Context& context, PlyMesh& ply) {
@@ -90,7 +91,7 @@ void skip(const std::string& name, const Element& element, Body& body, const Con
   body.skip(element);
 }
 
-/// Normalises the normals. If one is zero, removes all of them.
+/// Normalises the normals. Removes all of them if one is zero.
 void tidy_normals(Mesh& mesh) {
   const auto is_zero = [](Vec3f n) { return n == Vec3f(0.0f); };
   if (std::any_of(mesh.normals.begin(), mesh.normals.end(), is_zero)) mesh.normals.clear();
@@ -115,7 +116,7 @@ PlyMesh read_elements(const std::string& name, const Header& header, Body& body,
     (element.name == "face" ? read_faces : read_strips)(name, element, rows, context, ply);
   };
   for (const Element& element : header.elements) {
-    if (element.properties.empty()) continue;  // empty rows
+    if (element.properties.empty()) continue;  // rows without properties have no bytes
     const bool has_triangles = element.name == "face" || element.name == "tristrips";
     if (has_triangles) faces += element.count;
     if (element.name == "vertex")
@@ -131,11 +132,12 @@ PlyMesh read_elements(const std::string& name, const Header& header, Body& body,
     for (auto& [element, rows] : before_vertices) read_triangles(*element, rows);
   if (ply.mesh.triangles.empty()) throw no_triangles(name, !ply.mesh.positions.empty(), faces > 0);
   tidy_normals(ply.mesh);
-  if (!ply.appearances.empty()) ply.appearances.resize(ply.mesh.triangles.size());  // strips have no face attributes
+  // Strips have no face attributes, so their triangles get the default.
+  if (!ply.appearances.empty()) ply.appearances.resize(ply.mesh.triangles.size());
   return ply;
 }
 
-/// Assigns vertex textures to triangles if faces have none: a triangle uses the texture of its first corner.
+/// Gives each triangle the texture of its first vertex, if vertices have textures and faces do not.
 void assign_vertex_textures(PlyMesh& ply, const Header& header) {
   const bool uses_vertices = !ply.vertex_picture.empty() && header.texture_files.size() > 1 && ply.appearances.empty();
   if (!uses_vertices) return;
@@ -169,7 +171,7 @@ void add_instance(Mesh mesh, int texture, Scene& scene) {
   scene.instances.push_back(std::move(instance));
 }
 
-/// Returns for each texture number of the file the index of the scene's texture; -1: unusable.
+/// Returns the scene's texture index for each texture number of the file. -1: the texture cannot be used.
 std::vector<int> find_textures(const std::string& name, const Header& header, bool has_uvs, SideTextures& textures,
                                const Context& context) {
   std::vector<int> found;

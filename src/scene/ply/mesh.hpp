@@ -11,8 +11,8 @@
 
 namespace lippmann::ply {
 
-/// Adds one instance per texture to the scene and subtracts scene.origin from positions. Warns about unused properties,
-/// elements and textures. `name` names the file in messages. `textures` must belong to `scene`. Throws Error.
+/// Adds one instance per texture to the scene. Subtracts scene.origin from all positions. Warns about unused properties,
+/// elements and textures. `name` names the file in messages. `textures` must add to the same scene. Throws Error.
 void read_mesh(const std::string& name, const Header& header, Body& body, SideTextures& textures, const Context& context,
                Scene& scene);
 

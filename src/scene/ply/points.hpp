@@ -10,15 +10,18 @@
 
 namespace lippmann::ply {
 
-/// Returns whether a header describes a point cloud: vertices with positions, without faces or strips.
+/// Returns whether a header describes a point cloud: vertices with positions, but no faces or strips.
 bool has_points(const Header& header);
 
-/// Returns whether the points have colours. Such points are shown as unlit splats; points without colours as lit spheres.
+/// Returns whether the points have colours. Coloured points become unlit splats; points without colours become lit spheres.
 bool has_point_colors(const Header& header);
 
-/// Returns a scene with one instance that holds all points. `size`: the diameter of the points in the file's units; 0: 2 times
-/// (spheres) or 1.6 times (splats) the median distance to the third neighbour. Subtracts `origin` (Scene::origin). Leaves out
-/// points that are not finite, and properties and elements that it does not read, with warnings. Throws Error.
+/// Returns a scene with one instance that contains all points. `size` is the diameter of the points in the file's units. If
+/// `size` is 0, the diameter is the median distance to the third nearest neighbour, multiplied by 2 for spheres or by 1.6 for
+/// splats.
+///
+/// Subtracts `origin` (Scene::origin). Leaves out points that are not finite, and unused properties and elements, and warns
+/// about them. Throws Error.
 Scene read_points(const std::string& name, const Header& header, Body& body, double size, const Vec3d& origin,
                   const Context& context);
 

@@ -1,4 +1,4 @@
-// One row of a PLY element. Converts its values to coordinates, colours and texture numbers.
+// One row of a PLY element, with conversions to coordinates, colours and texture numbers.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace lippmann::ply {
 
-/// Columns are indices of single values in Element::properties.
+/// The values of a row. A column is the index in Element::properties of a property with a single value.
 class Row {
  public:
   /// `element` must outlive this object.
@@ -19,32 +19,32 @@ class Row {
 
   void set(std::size_t column, double value) { values_[column] = value; }
 
-  /// Reads all single values from the body and skips lists.
+  /// Reads all single values of the row from the body, and skips its lists.
   void read(Body& body);
 
-  /// Returns a value that is safe for computation. Throws Error naming its property otherwise.
+  /// Returns a coordinate. Throws Error naming the property if is_usable(value) is false.
   double position(int column, const Body& body) const;
 
   double exact(int column) const { return values_[static_cast<std::size_t>(column)]; }
   float at(int column) const { return static_cast<float>(exact(column)); }
 
-  /// Returns a colour component clamped to 0 ... 1, in the file's encoding. Counts clamped values.
+  /// Returns a colour component in the file's encoding, clamped to 0 ... 1. Counts clamped values for the warning.
   double share(int column);
 
-  /// Returns red, green and blue in linear light.
+  /// Returns the linear colour of the columns red, green and blue.
   Vec3f color(const std::array<int, 3>& columns);
 
-  /// Returns a texture number, or -1 if the value is not a valid texture number.
+  /// Returns a texture number, or -1 if the value is invalid.
   int picture(int column) const;
 
-  /// Warns about clamped components.
+  /// Warns if colour components were clamped.
   void warn_about_clamped_colors(const std::string& file, const Context& context) const;
 
  private:
   const Element& element_;
   std::vector<double> values_;
   std::size_t cut_ = 0;
-  double cut_scale_ = 1.0;  ///< full scale of a clamped component
+  double cut_scale_ = 1.0;  ///< full scale of the last clamped component
 };
 
 }  // namespace lippmann::ply

@@ -1,9 +1,15 @@
 // Based on: B. Kerbl and others, "3D Gaussian Splatting for Real-Time Radiance Field Rendering", 2023, and the files of its
-// program. Properties: x, y, z; f_dc_0 to 2 and f_rest_*, the spherical harmonics of degree 0 and of higher degrees, the latter
-// grouped by channel; opacity as a logit; scale_0 to 2, logarithms of standard deviations; rot_0 to 3, a quaternion (w, x, y,
-// z) of any length. Normals are present but unused.
-// Other programs write red, green and blue instead of f_dc (nerfstudio), only scale_0 and scale_1 for discs (B. Huang and
-// others, "2D Gaussian Splatting", 2024), or only scale_0 for round splats.
+// program. The properties of a splat are:
+// - x, y, z: centre,
+// - f_dc_0 to 2: spherical harmonics of degree 0,
+// - f_rest_*: spherical harmonics of higher degrees; all coefficients of red first, then green, then blue,
+// - opacity: a logit,
+// - scale_0 to 2: logarithms of the standard deviations,
+// - rot_0 to 3: a quaternion (w, x, y, z) of any length,
+// - normals, which are unused.
+//
+// Other programs deviate: nerfstudio writes red, green and blue instead of f_dc. Discs have only scale_0 and scale_1 (B. Huang
+// and others, "2D Gaussian Splatting", 2024). Round splats have only scale_0.
 #include "scene/ply/splats.hpp"
 
 #include <fmt/format.h>
@@ -28,19 +34,19 @@ bool has_property(const Element& element, std::string_view name) {
                      [&](const Property& property) { return property.name == name && !property.count_type; });
 }
 
-/// The columns of a splat's values.
+/// The columns of a splat's properties.
 struct SplatColumns {
   std::array<int, 3> center{}, color{};
-  std::vector<int> scale;                      ///< one value: round; two: a disc; three: an ellipsoid
-  std::optional<std::array<int, 4>> rotation;  ///< none: round
+  std::vector<int> scale;                      ///< one column: round splats; two: discs; three: ellipsoids
+  std::optional<std::array<int, 4>> rotation;  ///< none: round splats
   int opacity = -1;
-  bool has_harmonics = true;  ///< `color` holds harmonics; false: a plain colour
-  std::vector<int> rest;      ///< grouped by channel
+  bool has_harmonics = true;  ///< true: `color` contains f_dc; false: red, green and blue
+  std::vector<int> rest;      ///< columns of f_rest
 };
 
 class SplatReader {
  public:
-  /// Subtracts `origin`, in the file's coordinates, from centres.
+  /// `origin`, in the file's coordinates, is subtracted from all centres.
   SplatReader(const std::string& name, const Header& header, Body& body, const Vec3d& origin, const Context& context)
       : name_(name),
         element_(*vertices_of(header)),
@@ -131,7 +137,7 @@ class SplatReader {
     return {x, std::exp(at(scale[1])), scale.size() == 3 ? std::exp(at(scale[2])) : 0.0f};
   }
 
-  /// Returns the harmonic of degree 0, converted from a plain colour if necessary.
+  /// Returns the harmonic of degree 0. It is computed from red, green and blue if the file has no harmonics.
   Vec3f first_harmonic() const {
     const Vec3f value = at(columns_.color);
     if (columns_.has_harmonics) return value;
@@ -157,14 +163,14 @@ class SplatReader {
   Body& body_;
   Vec3d origin_;
   SplatColumns columns_;
-  bool is_floats_;  ///< whether all values are floats in native byte order
+  bool is_floats_;  ///< every value in the file is a float in this machine's byte order
   int degree_ = 0;
   std::vector<float> floats_;
   std::vector<double> row_;
 };
 
-/// Returns the node that turns the file's splats upright. Captures use the axes of photographs, with y down; some files state
-/// that z points up.
+/// Returns the node that turns the file's splats upright. In captures, y points down, as in photographs. Files may state that z
+/// points up.
 Node upright_node(bool is_z_up) {
   Node node;
   node.name = "splats";

@@ -1,4 +1,4 @@
-// Reads splats (3D Gaussians) from PLY files in the layout of the reference implementation.
+// Reads splats (3D Gaussians) from PLY files in the layout of the 3D Gaussian Splatting program.
 #pragma once
 
 #include <string>
@@ -14,9 +14,11 @@ namespace lippmann::ply {
 /// Returns whether a header describes splats: vertices with a scale, and a rotation or an opacity.
 bool has_splats(const Header& header);
 
-/// Returns a scene with one instance of the file's splats. The file's y points down unless its header states that z points up;
-/// the scene's y points up. Subtracts `origin` (Scene::origin). Leaves out invalid splats (no size, no rotation, values that
-/// are not finite) and unread properties and elements, with warnings. Throws Error.
+/// Returns a scene with one instance that contains the file's splats. In the file, y points down unless the header states that
+/// z points up. The node of the instance turns the splats so that y points up.
+///
+/// Subtracts `origin` (Scene::origin). Leaves out invalid splats (no size, no rotation, values that are not finite) and unused
+/// properties and elements, and warns about them. Throws Error.
 Scene read_splats(const std::string& name, const Header& header, Body& body, const Vec3d& origin, const Context& context);
 
 }  // namespace lippmann::ply

@@ -1,4 +1,4 @@
-// Converts per-face colours and texture coordinates, which PLY files may have, to per-vertex attributes of our meshes.
+// Converts the colours and texture coordinates of PLY faces to attributes of vertices.
 #pragma once
 
 #include <array>
@@ -11,18 +11,19 @@ namespace lippmann::ply {
 
 /// The face attributes of one triangle.
 struct FaceAppearance {
-  std::array<Vec2f, 3> uvs{};  ///< texture coordinates of the triangle's corners
+  std::array<Vec2f, 3> uvs{};  ///< of the triangle's corners
   Vec3f color{1.0f};           ///< linear
   float alpha = 1.0f;
   int picture = -1;  ///< texture number in the file; -1: none
 };
 
-/// Marks the attributes that come from FaceAppearance; all others come from the vertices.
+/// Marks the attributes that are taken from FaceAppearance. All other attributes are taken from the vertices.
 struct FaceAttributes {
   bool uvs = false, colors = false, alphas = false;
 };
 
-/// Splits a mesh into one part per texture. appearances[i] belongs to triangle i. Corners with equal attributes share a vertex.
+/// Splits a mesh into one mesh per texture number. appearances[i] belongs to triangle i. Corners with equal attributes share a
+/// vertex.
 std::map<int, Mesh> split_faces(const Mesh& mesh, const std::vector<FaceAppearance>& appearances, const FaceAttributes& own);
 
 }  // namespace lippmann::ply

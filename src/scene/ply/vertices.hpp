@@ -10,16 +10,16 @@
 
 namespace lippmann::ply {
 
-/// Returns the first element "vertex", owned by `header`; nullptr if there is none.
+/// Returns the first element called "vertex", or nullptr if there is none. The result points into `header`.
 const Element* vertices_of(const Header& header);
 
-/// Skips the elements before the vertices, and warns about all other elements.
+/// Reads past the elements before the vertices, and warns about all elements other than the vertices.
 void skip_others(const std::string& name, const Header& header, Body& body, const Context& context);
 
-/// Returns the spherical harmonic of degree 0 for a constant colour: (c - 1/2) / Y_0, with Y_0 = 1 / sqrt(4 pi).
+/// Returns the coefficient of degree 0 that gives a splat a constant colour c: (c - 1/2) / Y_0, with Y_0 = 1 / sqrt(4 pi).
 Vec3f first_harmonic_of(Vec3f color);
 
-/// Returns the rotation from z up to y up.
+/// Returns the rotation that turns +z to +y.
 Quatf z_to_y();
 
 }  // namespace lippmann::ply

@@ -17,7 +17,7 @@ float positive_number(Lexer& lexer, std::string_view keyword) {
   return value;
 }
 
-/// Reads the projection and the keyword ZOOM. The projection's keyword PROJECTION and its name may both be absent.
+/// Reads PROJECTION, its name and the keyword ZOOM. PROJECTION and its name may be absent.
 void parse_projection(Lexer& lexer, CameraRecord& record, const Context& context) {
   std::string word = upper(lexer.word("PROJECTION or ZOOM"));
   if (word == "PROJECTION") word = upper(lexer.word("PROJECTION's name"));
@@ -38,7 +38,7 @@ void parse_projection(Lexer& lexer, CameraRecord& record, const Context& context
   lexer.expect("ZOOM");
 }
 
-/// Reads FRUSTUM left right bottom top, in the image plane at distance 1.
+/// Reads "FRUSTUM left right bottom top", which are distances in the image plane at distance 1.
 Vec2f parse_frustum(Lexer& lexer) {
   const float left = lexer.number("FRUSTUM"), right = lexer.number("FRUSTUM");
   const float bottom = lexer.number("FRUSTUM"), top = lexer.number("FRUSTUM");
@@ -82,7 +82,7 @@ CameraRecord parse_camera(Lexer& lexer, const Context& context) {
 
 void require_orientation(const CameraPose& pose, const Lexer& lexer) {
   const glm::dvec3 view(pose.view), up(pose.up), right = glm::cross(up, view);
-  constexpr double kSine = 1e-6;  // below this, rounding of the file's digits would determine the direction
+  constexpr double kSine = 1e-6;  // for smaller sines, the rounding of the file's digits determines the direction
   if (glm::length(right) > kSine * glm::length(up) * glm::length(view)) return;
   throw lexer.error("the camera's view and up directions do not span a plane", "two non-zero vectors that are not parallel");
 }

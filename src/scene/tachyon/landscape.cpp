@@ -32,13 +32,13 @@ class Terrain {
     return heights_[static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.columns) + static_cast<std::size_t>(x)];
   }
 
-  /// Returns a random number in [0, 1).
   double random() {
     random_state_ *= 1099087573u;
     return random_state_ / 4294967296.0;
   }
 
-  /// Displaces the midpoint m of the edge from a to b, unless it already has a height.
+  /// Sets the height of the midpoint m of the edge from a to b: the mean of both ends plus a random displacement. Does nothing
+  /// if m already has a height.
   void displace(Point m, Point a, Point b) {
     if (at(m.x, m.y) != 0.0) return;
     const double length =

@@ -14,13 +14,14 @@ using Vertex = SceneBuilder::Vertex;
 
 float positive(Lexer& lexer, std::string_view keyword) {
   const float value = lexer.number(keyword);
-  constexpr float kLargest = 1e18f;  // avoids overflow of corners
+  constexpr float kLargest = 1e18f;  // avoids overflow when corner coordinates are computed
   if (!(value > 0.0f && value <= kLargest))
     throw lexer.error(fmt::format("{} is {}", keyword, value), "a number above 0, at most 1e18");
   return value;
 }
 
-/// Returns the grid points around `center`. Normals are computed by central differences; along the border they are vertical.
+/// Returns the grid points of a landscape around `center`. Normals are central differences of the heights. Along the border,
+/// normals are vertical.
 std::vector<Vertex> landscape_vertices(const LandscapeSize& size, Vec3f center) {
   const std::vector<double> heights = landscape_heights(size);
   const double step_x = size.width / (size.columns - 1), step_z = size.depth / (size.rows - 1);
@@ -60,7 +61,7 @@ void add_landscape(SceneBuilder& builder, int material, const LandscapeSize& siz
 void parse_scape(Lexer& lexer, ParserState& state) {
   constexpr int kLargestSide = 2048;
   constexpr std::int64_t kMostSteps =
-      std::int64_t{2} * kLargestSide * kLargestSide;  // per scene, so that tiny files cannot take very long
+      std::int64_t{2} * kLargestSide * kLargestSide;  // per scene, so that a tiny file cannot take very long
   LandscapeSize size;
   lexer.expect("RES");
   size.columns = lexer.integer("RES", 2, kLargestSide);

@@ -1,4 +1,4 @@
-// Reads the statements with many triangles: VERTEXARRAY and TPOLYFILE.
+// Reads the statements that contain many triangles: VERTEXARRAY and TPOLYFILE.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -20,7 +20,7 @@ using IndexedTriangles = SceneBuilder::IndexedTriangles;
 std::vector<Vertex> parse_vertices(Lexer& lexer) {
   lexer.expect("NUMVERTS");
   const int count = lexer.integer("NUMVERTS", 1, kAnyCount);
-  std::vector<Vertex> vertices;  // not reserved: memory must not depend on an untrusted count
+  std::vector<Vertex> vertices;  // no reserve(): memory must not depend on an untrusted count
   lexer.expect("COORDS");
   for (int i = 0; i < count; ++i) vertices.push_back({.position = lexer.point("COORDS")});
   lexer.expect("NORMALS");
@@ -44,7 +44,7 @@ void parse_trimesh(Lexer& lexer, IndexedTriangles& triangles) {
   }
 }
 
-/// Reads a strip of triangles: every vertex forms a triangle with the two vertices before it. The winding alternates.
+/// Reads a strip of triangles. Every vertex forms a triangle with the two vertices before it, with alternating winding.
 void parse_tristrip(Lexer& lexer, IndexedTriangles& triangles) {
   const int count = lexer.integer("TRISTRIP", 0, kAnyCount);
   int before_last = 0, last = 0;
@@ -59,8 +59,8 @@ void parse_tristrip(Lexer& lexer, IndexedTriangles& triangles) {
 
 // ---- TPOLYFILE ----
 
-/// Returns Tachyon's rotation by `degrees` about x, y and z. In a proper rotation, sin y in the third row is negative. Tachyon
-/// omits the sign, and we do the same to get the same images.
+/// Returns Tachyon's matrix for rotations about x, y and z. It is not a proper rotation: the term sin y in the third row should
+/// be negative. We keep Tachyon's sign so that pictures are the same.
 glm::dmat3 tpoly_rotation(Vec3f degrees) {
   const glm::dvec3 angle = glm::dvec3(degrees) * (std::numbers::pi / 180.0);
   const glm::dvec3 s = glm::sin(angle), c = glm::cos(angle);

@@ -15,7 +15,7 @@
 namespace lippmann::tachyon {
 namespace {
 
-constexpr int kDeepestInclude = 16, kMostIncludes = 1000;  // limits for recursive includes
+constexpr int kDeepestInclude = 16, kMostIncludes = 1000;  // limit recursive includes
 constexpr int kLargestResolution = 65536;
 
 void parse_statements(Lexer& lexer, ParserState& state, bool must_end);
@@ -24,8 +24,8 @@ void parse_background(Lexer& lexer, ParserState& state) {
   state.background.horizon = state.background.zenith = lexer.vector("BACKGROUND");
 }
 
-/// The background colour of a direction d is BOTTOMCOLOR where d.UPDIR <= BOTTOMVAL, TOPCOLOR where it is >= TOPVAL, and a
-/// blend in between. For SKY_ORTHO_PLANE, d is a ray's origin instead of its direction.
+/// Reads a background gradient. The colour of a direction d is BOTTOMCOLOR where d.UPDIR <= BOTTOMVAL, TOPCOLOR where d.UPDIR
+/// >= TOPVAL, and a blend in between. For SKY_ORTHO_PLANE, d is the origin of a ray instead of its direction.
 void parse_background_gradient(Lexer& lexer, ParserState& state) {
   const std::string kind = upper(lexer.word("SKY_SPHERE"));
   if (kind != "SKY_SPHERE" && kind != "SKY_ORTHO_PLANE")
@@ -81,7 +81,7 @@ struct Statement {
 };
 
 constexpr Statement kStatements[] = {
-    // sorted by keyword
+    // sorted by keyword, for the binary search
     {"BACKGROUND", parse_background},
     {"BACKGROUND_GRADIENT", parse_background_gradient},
     {"BOX", parse_box},
@@ -109,7 +109,7 @@ constexpr Statement kStatements[] = {
     {"VERTEXARRAY", parse_vertexarray},
 };
 
-/// Statements that Tachyon supports and we do not. They get a specific message instead of a spelling suggestion.
+/// Tachyon's statements that this reader does not support. Their message says so instead of suggesting another spelling.
 constexpr std::string_view kUnsupported[] = {"CYLINDER",  "END_CLIPGROUP", "MGFFILE",
                                              "SCALARVOL", "SPHEREARRAY",   "START_CLIPGROUP"};
 
@@ -131,7 +131,7 @@ Error unknown_statement(const Lexer& lexer, const std::string& word) {
                      accepted);
 }
 
-/// Reads statements up to END_SCENE or the end of the file. If `must_end` is set, END_SCENE is required.
+/// Reads statements up to END_SCENE or the end of the file. If `must_end` is true, a missing END_SCENE is an Error.
 void parse_statements(Lexer& lexer, ParserState& state, bool must_end) {
   while (must_end || !lexer.at_end()) {
     const std::string word = upper(lexer.word("END_SCENE"));

@@ -12,7 +12,7 @@ namespace {
 
 std::uint32_t next_index(const Mesh& mesh) { return static_cast<std::uint32_t>(mesh.positions.size()); }
 
-/// Mirroring reverses the winding; swapping two corners restores it.
+/// Swaps two corners because mirroring reverses the winding.
 std::array<std::uint32_t, 3> mirrored_triangle(std::uint32_t i0, std::uint32_t i1, std::uint32_t i2) { return {i0, i2, i1}; }
 
 }  // namespace
@@ -152,7 +152,7 @@ bool SceneBuilder::IndexedTriangles::add(int i0, int i1, int i2) {
     all_have_normals = all_have_normals && corners[k].normal != Vec3f(0.0f);
   }
   Mesh& mesh = colored_ ? builder_.group(material_).colored : builder_.group(material_).smooth;
-  if (!all_have_normals) {  // a missing normal is replaced by the triangle's, so vertices cannot be shared
+  if (!all_have_normals) {  // the triangle's normal replaces the missing one, so that vertices cannot be shared
     builder_.add_corners(mesh, corners, colored_);
     return true;
   }

@@ -1,8 +1,8 @@
-// Collects the elements of a Tachyon file into a Scene, mirrors them (handedness.hpp), and groups them by material and kind of
-// shape.
+// Collects the elements of a Tachyon file into a Scene and mirrors them (handedness.hpp). Callers pass coordinates as in the
+// file.
 //
-// Callers pass coordinates as in the file. With one instance per material and kind, a scene of 10^5 spheres has few shapes.
-// Shapes without extent, which are invisible in Tachyon too, are dropped and counted.
+// Shapes are grouped by material and kind, with one instance per group, so that a scene of 10^5 spheres consists of few shapes.
+// Shapes without size, which are invisible in Tachyon too, are dropped and counted.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ namespace lippmann::tachyon {
 
 class SceneBuilder {
  public:
-  /// Returns the index of a material, reusing an equal one. `name` is informative.
+  /// Returns the index of a material. Equal materials get the same index. `name` has no effect on rendering.
   int add_material(const PhongSurface& surface, std::string name);
   int add_texture(Texture texture);
 
@@ -27,27 +27,26 @@ class SceneBuilder {
   void add_box(int material, Vec3f corner, Vec3f opposite_corner);
   void add_triangle(int material, const std::array<Vec3f, 3>& corners);
 
-  /// Returns the index of a white copy of a material without image, for vertex colours.
+  /// Returns the index of a copy of the material that is white and has no image, so that vertex colours replace its colour.
   int whitened(int material);
 
-  /// A vertex of a smooth triangle. A normal of length 0 is replaced by the triangle's normal; other normals may have any
-  /// length.
+  /// A vertex of a smooth triangle. The normal may have any length. If its length is 0, the triangle's normal replaces it.
   struct Vertex {
     Vec3f position{0.0f}, normal{0.0f}, color{1.0f};
   };
   void add_smooth_triangle(int material, const std::array<Vertex, 3>& corners) {
     add_corners(group(material).smooth, corners, false);
   }
-  /// Adds a smooth triangle whose vertex colours multiply the material's colour.
+  /// Adds a smooth triangle. Its vertex colours multiply the material's colour.
   void add_colored_triangle(int material, const std::array<Vertex, 3>& corners) {
     add_corners(group(material).colored, corners, true);
   }
 
-  /// Smooth triangles that share vertices.
+  /// Smooth triangles that share a list of vertices.
   class IndexedTriangles {
    public:
     IndexedTriangles(SceneBuilder& builder, const std::vector<Vertex>& vertices);
-    /// Sets the material of triangles added later, and whether vertex colours apply.
+    /// Sets the material of the triangles that are added afterwards, and whether vertex colours multiply it.
     void set_material(int material, bool colored);
     bool add(int i0, int i1, int i2);
 
@@ -56,18 +55,18 @@ class SceneBuilder {
     const std::vector<Vertex>& vertices_;
     int material_ = -1;
     bool colored_ = false;
-    std::vector<std::int64_t> placed_;  ///< index of each vertex in the material's mesh; -1: not added yet
-    std::vector<int> used_;             ///< vertices whose `placed_` is set
+    std::vector<std::int64_t> placed_;  ///< index of each vertex in the mesh of the current material; -1: not added yet
+    std::vector<int> used_;             ///< vertices for which `placed_` is not -1
   };
 
-  /// Adds a light at `position` that shines along `direction` (not zero). Kinds of light without a position or direction ignore
-  /// it.
+  /// Adds a light at `position` that shines along `direction`, which must not be zero. Directional lights ignore `position`;
+  /// point lights ignore `direction`.
   void add_light(Light light, Vec3f position, Vec3f direction = Vec3f(0.0f, 0.0f, 1.0f));
 
-  /// Returns the number of dropped shapes without extent.
+  /// Returns the number of shapes that were dropped because they have no size.
   int left_out() const { return left_out_; }
 
-  /// Returns the scene without a camera. Leaves the builder empty.
+  /// Returns the scene, which has no camera yet. Leaves the builder empty.
   Scene take();
 
  private:

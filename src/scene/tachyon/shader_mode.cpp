@@ -6,7 +6,7 @@
 namespace lippmann::tachyon {
 namespace {
 
-/// Skips the keywords and numbers after AMBIENT_OCCLUSION.
+/// Skips the options of AMBIENT_OCCLUSION.
 void skip_ambient_occlusion(Lexer& lexer) {
   for (;;) {
     const std::string_view word = lexer.peek();

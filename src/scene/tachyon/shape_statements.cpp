@@ -1,4 +1,4 @@
-// Reads the statements with single shapes: TRI, STRI, VCSTRI, SPHERE, PLANE, RING, BOX, FCYLINDER and POLYCYLINDER.
+// Reads the statements that contain a single shape: TRI, STRI, VCSTRI, SPHERE, PLANE, RING, BOX, FCYLINDER and POLYCYLINDER.
 #include <fmt/format.h>
 
 #include <limits>
@@ -83,7 +83,7 @@ void parse_fcylinder(Lexer& lexer, ParserState& state) {
 void parse_polycylinder(Lexer& lexer, ParserState& state) {
   lexer.expect("POINTS");
   const int count = lexer.integer("POINTS", 1, std::numeric_limits<int>::max());
-  std::vector<Vec3f> points;  // not reserved: memory must not depend on an untrusted count
+  std::vector<Vec3f> points;  // no reserve(): memory must not depend on an untrusted count
   for (int i = 0; i < count; ++i) points.push_back(lexer.point("POLYCYLINDER's points"));
   const float radius = size_after(lexer, "RAD");
   const int material = parse_texture_reference(lexer, state);

@@ -15,10 +15,10 @@ namespace lippmann {
 namespace tachyon {
 namespace {
 
-/// The angle of view across the height of an orthographic picture, for an assumed viewer.
+/// The vertical angle under which an assumed viewer sees an orthographic picture.
 constexpr double kViewerAngle = 45.0 * std::numbers::pi / 180.0;
 
-/// Adds the camera with its own node.
+/// Adds the camera and its node.
 void add_camera(Scene& scene, const CameraRecord& record) {
   Node node;
   node.name = "camera";
@@ -29,8 +29,8 @@ void add_camera(Scene& scene, const CameraRecord& record) {
   scene.cameras.push_back(std::move(camera));
 }
 
-/// Converts a gradient over the starting heights of an orthographic camera's rays to one over directions, for a viewer who sees
-/// the picture's height under kViewerAngle.
+/// Converts the gradient of SKY_ORTHO_PLANE, which depends on the heights where rays start, to a gradient over ray directions.
+/// An assumed viewer sees the picture's full height under kViewerAngle.
 Background over_directions(Background plane, const CameraRecord& camera, const Vec3d& origin) {
   const Vec3d center = Vec3d(camera.pose.center) + origin;
   const double middle = glm::dot(Vec3d(center.x, center.y, -center.z), Vec3d(plane.up));
@@ -43,7 +43,7 @@ Background over_directions(Background plane, const CameraRecord& camera, const V
   return plane;
 }
 
-/// Returns the background. `origin` is the point that the lexer has subtracted from all positions.
+/// Returns the background of the scene. `origin` is the point that the lexer has subtracted from all positions.
 Background background_of(const ParserState& state, const Vec3d& origin) {
   if (!state.gradient) return state.background;
   if (!state.gradient_is_plane || !state.camera.is_orthographic) return *state.gradient;
@@ -51,9 +51,10 @@ Background background_of(const ParserState& state, const Vec3d& origin) {
   return sky.horizon_at == sky.zenith_at ? *state.gradient : sky;
 }
 
-/// Warns about orthographic scenes. They are often much too small if a program (such as Jmol) used pixels as units.
+/// Warns that the scene is orthographic. Also warns if the picture shows only a small part of the scene, which happens in files
+/// of programs that use pixels as units, such as Jmol.
 void warn_about_orthographic(const Scene& scene, const std::string& name, const Context& context) {
-  constexpr float kSmall = 0.05f, kLeastZoom = 1e-3f;  // smallest value of `zoom`
+  constexpr float kSmall = 0.05f, kLeastZoom = 1e-3f;  // least picture height relative to the scene; least `zoom`
   const float height = scene.cameras.front().orthographic_height;
   context.warning(
       fmt::format("{}: PROJECTION ORTHOGRAPHIC sets the height of the display's plane; viewers see it in perspective.", name));
@@ -99,7 +100,7 @@ void animate_camera(Scene& scene, Lexer& path) {
 Scene load_tachyon(const std::filesystem::path& path, const std::optional<std::filesystem::path>& camera_path,
                    const Context& context, double frames_per_second, const std::filesystem::path& asset_root,
                    const Vec3d& origin) {
-  const Vec3d in_file(origin.x, origin.y, -origin.z);  // mirrored (handedness.hpp)
+  const Vec3d in_file(origin.x, origin.y, -origin.z);  // Tachyon's coordinates are mirrored (handedness.hpp)
   tachyon::SceneFolder folder(path, asset_root);
   Lexer lexer(path.string(), folder.read_text(path, path.string()));
   lexer.set_origin(in_file);

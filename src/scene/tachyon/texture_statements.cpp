@@ -1,4 +1,4 @@
-// Reads TEXDEF, TEXALIAS, IMAGEDEF and the TEXTURE at the end of a shape.
+// Reads TEXDEF, TEXALIAS, IMAGEDEF, and the TEXTURE at the end of a shape.
 #include <fmt/format.h>
 
 #include <limits>
@@ -21,7 +21,7 @@ void parse_highlight(Lexer& lexer, PhongSurface& surface) {
   surface.highlight_size = lexer.number_after("PHONG_SIZE");
 }
 
-/// Reads the part of a texture from AMBIENT to `last`, the keyword after the optional statements.
+/// Reads the coefficients of a texture, from AMBIENT to the keyword `last`, which follows the optional words.
 void parse_coefficients(Lexer& lexer, ParserState& state, PhongSurface& surface, std::string_view last) {
   surface.ambient = lexer.number_after("AMBIENT");
   surface.diffuse = lexer.number_after("DIFFUSE");
@@ -61,8 +61,8 @@ int image_named(Lexer& lexer, ParserState& state) {
   return texture;
 }
 
-/// Reads the parameters of an image map. Cylinders and spheres stand along y, and u runs from x towards z in Tachyon's world.
-/// In our mirrored world it runs towards -z, which is v_axis x u_axis.
+/// Reads the parameters of an image map. The axis of cylinders and spheres is y. In Tachyon's world, u runs from x towards z.
+/// In our mirrored world, u runs from x towards -z, which is v_axis x u_axis.
 void parse_image_map(Lexer& lexer, ParserState& state, ProjectionKind kind, PhongSurface& surface) {
   surface.texture = image_named(lexer, state);
   ImageProjection projection;
@@ -77,7 +77,7 @@ void parse_image_map(Lexer& lexer, ParserState& state, ProjectionKind kind, Phon
   surface.projection = projection;
 }
 
-/// Reads the number of TEXFUNC and its parameters.
+/// Reads the number of TEXFUNC and the parameters of this texture function.
 void parse_texfunc(Lexer& lexer, ParserState& state, PhongSurface& surface) {
   const int function = lexer.integer("TEXFUNC", 0, std::numeric_limits<int>::max());
   switch (function) {
@@ -95,7 +95,7 @@ void parse_texfunc(Lexer& lexer, ParserState& state, PhongSurface& surface) {
   }
 }
 
-/// Defines a texture. As in Tachyon, the first definition of a name applies.
+/// Assigns a material to a texture's name. If the name is already defined, the first definition stays valid, as in Tachyon.
 void define(Lexer& lexer, ParserState& state, std::string name, int material) {
   const auto [entry, is_new] = state.textures.emplace(std::move(name), material);
   if (is_new || entry->second == material || state.redefined_textures++ > 0) return;
@@ -112,7 +112,8 @@ int material_named(Lexer& lexer, ParserState& state, std::string_view name) {
   return add_default_material(state);
 }
 
-/// Reads a colour of 3, 6, 9 or 12 hexadecimal digits as the leading 8 bits of red, green and blue. Single digits are doubled.
+/// Reads a colour of 3, 6, 9 or 12 hexadecimal digits, and returns the leading 8 bits of red, green and blue. A single digit
+/// per channel is doubled.
 std::array<std::uint8_t, 3> parse_hex_color(Lexer& lexer) {
   const std::string_view word = lexer.word("a colour in hexadecimal digits");
   const bool digits = word.find_first_not_of("0123456789abcdefABCDEF") == word.npos;
