@@ -1,6 +1,8 @@
 // Based on: Gerald Farin, "Curves and Surfaces for CAGD", 5th ed., 2002, sections 14.1-14.6 (tensor-product patches, their
-// derivatives, and normals at degenerate edges). Where dP/du = 0 along an edge, the mixed derivative d2P/dudv replaces it: near
-// the edge, dP/du is the distance to the edge times this derivative.
+// derivatives, and normals at degenerate edges).
+//
+// dP/du is zero along an edge that is a single point. There, the mixed derivative d2P/dudv replaces it, because near the edge
+// dP/du is about the distance to the edge times the mixed derivative.
 #include "scene/builtin/bezier_patch.hpp"
 
 #include <cstdint>
@@ -35,7 +37,8 @@ Vec3f normal_on(const BezierPatch& patch, float u, float v) {
   Vec3f du = blend(patch, bernstein_slope(u), bernstein(v));
   Vec3f dv = blend(patch, bernstein(u), bernstein_slope(v));
   const Vec3f mixed = blend(patch, bernstein_slope(u), bernstein_slope(v));
-  // At v = 1 the edge is approached from smaller v, hence the sign.
+  // At the edges v = 1 and u = 1, the parameter decreases towards the inside of the patch, so the mixed derivative changes its
+  // sign.
   const float size = glm::length(mixed);
   if (glm::length(du) < 1e-5f * size) du = v < 0.5f ? mixed : -mixed;
   if (glm::length(dv) < 1e-5f * size) dv = u < 0.5f ? mixed : -mixed;
@@ -51,7 +54,7 @@ void tessellate(const BezierPatch& patch, int steps, Mesh& mesh) {
       mesh.normals.push_back(normal_on(patch, u, v));
       mesh.uvs.push_back({u, v});
     }
-  // An edge may be a single point; its vertices may then differ by rounding errors.
+  // If an edge is a single point, rounding errors may separate its vertices. Such vertices count as equal.
   const float rounding = 1e-6f * glm::length(patch[3][3] - patch[0][0]);
   const auto apart = [&](std::uint32_t a, std::uint32_t b) {
     return glm::length(mesh.positions[a] - mesh.positions[b]) > rounding;

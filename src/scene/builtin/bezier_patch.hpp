@@ -1,4 +1,4 @@
-// Bicubic Bezier patches: points, exact normals and triangles.
+// Bicubic Bezier patches: evaluation of points and exact normals, and tessellation.
 #pragma once
 
 #include <array>
@@ -7,16 +7,17 @@
 
 namespace lippmann::builtin {
 
-/// The control points, as points[row][column]. u runs along a row, v from row to row.
+/// The control points, stored as points[row][column]. u runs along a row, v from the first row to the last.
 using BezierPatch = std::array<std::array<Vec3f, 4>, 4>;
 
 Vec3f point_on(const BezierPatch& patch, float u, float v);
 
-/// Returns the unit vector along dP/du x dP/dv, or its limit if one of them vanishes (at an edge that is a single point).
+/// Returns the unit normal along dP/du x dP/dv. At an edge that is a single point, one of the derivatives is zero; the result
+/// is then the limit of the normal.
 Vec3f normal_on(const BezierPatch& patch, float u, float v);
 
 /// Adds (steps + 1)^2 vertices and up to 2 steps^2 triangles. Skips triangles without area, which occur at edges that are
-/// single points. Triangles are counter-clockwise seen from the side of the normal. uvs are (u, v).
+/// single points. Triangles are counter-clockwise from the side that the normal points to. The texture coordinates are (u, v).
 void tessellate(const BezierPatch& patch, int steps, Mesh& mesh);
 
 }  // namespace lippmann::builtin

@@ -1,4 +1,4 @@
-// Parts of a tree: curved branches and leafy sprays, grown along +y from the origin.
+// Parts of a tree: curved branches and sprays (twigs with leaves). Each part starts at the origin and grows along +y.
 #pragma once
 
 #include <cstdint>
@@ -8,11 +8,11 @@
 
 namespace lippmann::builtin {
 
-/// A sequence of random numbers; equal seeds give equal sequences on every machine.
+/// A sequence of random numbers. Equal seeds give equal sequences on every machine.
 class Dice {
  public:
   explicit Dice(std::uint32_t seed) : seed_(seed) {}
-  /// Returns a number uniform in [0, 1).
+  /// Returns a random number, uniform in [0, 1).
   float unit();
   float between(float low, float high) { return low + (high - low) * unit(); }
   std::uint32_t bits();
@@ -21,30 +21,31 @@ class Dice {
   std::uint32_t seed_, count_ = 0;
 };
 
-/// The centre line of a branch and its radius along it.
+/// The centre line of a branch, and the radius at each of its points.
 struct Branch {
   std::vector<Vec3f> points;
   std::vector<float> radii;
 
-  /// Returns the point at a share (0 ... 1) of the branch's length.
+  /// Returns the point of the centre line at the given fraction (0 to 1) of its length.
   Vec3f point(float share) const;
 };
 
-/// Returns a branch that starts along +y and deviates from it by about `bend` of its length.
+/// Returns a branch that starts along +y and deviates from +y by about `bend` times its length. `pieces` is the number of
+/// segments.
 Branch bent_branch(float length, float base_radius, float tip_radius, float bend, int pieces, std::uint32_t seed);
 
-/// Returns the rotation that takes +y to a unit direction, followed by a rotation about it by `roll`.
+/// Returns the rotation that turns +y to the unit vector `direction` and then rotates about `direction` by `roll` radians.
 Quatf growing_towards(Vec3f direction, float roll);
 
-/// Returns the direction at an angle from +y and at the azimuth `bearing`, from +x towards +z.
+/// Returns the unit vector at the angle `angle` from +y. Its azimuth is `bearing`, from +x towards +z. Both are in radians.
 Vec3f leaning(float angle, float bearing);
 
 struct Spray {
   Mesh twigs, leaves;
 };
 
-/// Returns two generations of twigs, about `length` long in total, with `leaf_count` leaves of two triangles. Leaf normals are
-/// blended with the direction out of the spray, so that the spray is shaded like a round volume.
+/// Returns two generations of twigs with `leaf_count` leaves of two triangles. The spray is about `length` long. Leaf normals
+/// are blended with the direction out of the spray so that the shading resembles a round volume.
 Spray grow_spray(float length, int leaf_count, float leaf_length, std::uint32_t seed);
 
 }  // namespace lippmann::builtin

@@ -1,11 +1,15 @@
-// Based on: Faydor L. Litvin, Alfonso Fuentes, "Gear Geometry and Applied Theory", 2nd ed., 2004, chapter 10 (involute spur
-// gears) and 11 (internal ones). Let inv(a) = tan a - a, r_p the pitch radius and r_b = r_p cos(pressure angle) the base
-// radius. At radius r, a tooth of a gear with z teeth has the half angle
+// Based on: Faydor L. Litvin, Alfonso Fuentes, "Gear Geometry and Applied Theory", 2nd ed., 2004, chapters 10 (involute spur
+// gears) and 11 (internal gears).
+//
+// Let inv(a) = tan a - a. Let r_p be the pitch radius and r_b = r_p cos(pressure angle) the base radius. At radius r, a tooth
+// of a gear with z teeth has the half angle
 //   psi(r) = pi / (2 z) + inv(pressure angle) - inv(acos(r_b / r)).
-// The gaps of a ring have the shape of the teeth of a gear with equally many teeth, so the ring's own teeth have the half angle
-// pi / z - psi(r).
-// Unlike the book: 1. flanks below the base circle are radial instead of trochoids; 2. each side of a tooth recedes by a
-// quarter of the backlash.
+// The gaps of a ring have the shape of the teeth of a gear with equally many teeth. Therefore the ring's own teeth have the
+// half angle pi / z - psi(r).
+//
+// We deviate:
+// 1. Flanks below the base circle are radial instead of trochoids.
+// 2. Each side of a tooth recedes by a quarter of the backlash.
 #include "scene/builtin/gear.hpp"
 
 #include <algorithm>
@@ -26,9 +30,9 @@ float involute_half_angle(int teeth, float radius) {
 
 Vec2f polar(float radius, float angle) { return {radius * std::cos(angle), radius * std::sin(angle)}; }
 
-/// Adds teeth between two radii as strips from flank to flank. Returns the points of the root circle: both ends of each tooth
-/// and two points between neighbours. half_angle(radius) is half the angle of a tooth; the first tooth is centred on
-/// first_angle.
+/// Adds teeth between two radii as strips of triangles from flank to flank. `half_angle(radius)` returns half the angle of a
+/// tooth. The first tooth is centred on the angle `first_angle`. Returns the points of the root circle: both ends of each
+/// tooth, and two points between neighbouring teeth.
 template <class HalfAngle>
 AngularRing add_teeth(PlanarRegion& region, int teeth, float first_angle, float root, float tip, const HalfAngle& half_angle) {
   AngularRing root_ring;
@@ -74,8 +78,8 @@ AngularRing add_inner_teeth(PlanarRegion& region, int teeth) {
                    [=](float r) { return ring_tooth_half_angle(teeth, r); });
 }
 
-/// Adds a circle with points grouped by spokes: `per_spoke` + 1 points across each spoke, then `per_gap` - 1 more up to the
-/// next one.
+/// Adds a circle of points. There are `per_spoke` + 1 points across the width of each spoke, followed by `per_gap` - 1 points
+/// before the next spoke.
 AngularRing add_spoked_circle(PlanarRegion& region, float radius, int spokes, float width, int per_spoke, int per_gap) {
   AngularRing ring;
   const float pitch = 2.0f * kPi / static_cast<float>(spokes), half = std::asin(0.5f * width / radius);
@@ -99,7 +103,7 @@ AngularRing add_circle(PlanarRegion& region, float radius, int count) {
   return ring;
 }
 
-/// Connects two spoked circles across their spokes and leaves the gaps open.
+/// Adds the triangles of the spokes between two circles made by add_spoked_circle(). The gaps between the spokes stay open.
 void fill_spokes(PlanarRegion& region, const AngularRing& hub, const AngularRing& rim, int spokes, int per_spoke, int per_gap) {
   for (int spoke = 0; spoke < spokes; ++spoke)
     for (int i = 0; i < per_spoke; ++i) {
@@ -147,8 +151,8 @@ Mesh ring_gear_mesh(int inner_teeth, int outer_teeth, const GearBlank& blank) {
 }
 
 float meshing_angle(int driver_teeth, float driver_angle, int teeth, float direction) {
-  // If a tooth of the driver is an angle d past the line of centres, the gap that it meets is d driver_teeth / teeth before the
-  // line.
+  // Measure angles from the line of centres. If a tooth of the driver is at the angle d, the gap that it enters is at the angle
+  // -d * driver_teeth / teeth.
   const float ratio = static_cast<float>(driver_teeth) / static_cast<float>(teeth);
   return direction + kPi + kPi / static_cast<float>(teeth) - ratio * (driver_angle - direction);
 }

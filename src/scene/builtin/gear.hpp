@@ -1,8 +1,8 @@
-// Involute gears: tooth shapes, solid meshes, and the angles at which gears mesh.
+// Involute gears: tooth shapes, solid meshes, and the rotation angles at which gears mesh.
 //
-// A gear lies in the x-y plane with axis z; one of its teeth (for a ring: one of its gaps) is centred on +x. Lengths are in
-// modules (pitch diameter / teeth), so that any two gears mesh if the distance between their centres is half the sum of their
-// tooth counts.
+// A gear lies in the x-y plane and rotates about z. One of its teeth is centred on +x; for an internal ring, one of the gaps
+// between teeth. The unit of length is the module: the pitch diameter divided by the number of teeth. Any two gears mesh if the
+// distance between their centres is half the sum of their tooth counts.
 #pragma once
 
 #include "scene/builtin/planar_region.hpp"
@@ -11,33 +11,34 @@ namespace lippmann::builtin {
 
 inline constexpr float kPressureAngle = radians(25.0f);
 inline constexpr float kAddendum = 1.0f, kDedendum = 1.25f;
-/// The backlash between two meshing gears along the pitch circle, half of it on each gear.
+/// Gap between the teeth of two meshing gears, measured along the pitch circle. Each gear provides half of it.
 inline constexpr float kBacklash = 0.06f;
 
 inline constexpr float pitch_radius(int teeth) { return 0.5f * static_cast<float>(teeth); }
 
-/// Returns half the angle of a tooth at a radius between the base circle and the tip. Below the base circle it is constant.
+/// Returns half the angle that a tooth covers at a radius between the base circle and the tip, in radians. Below the base
+/// circle, the angle is constant.
 float tooth_half_angle(int teeth, float radius);
-/// Returns half the angle of a tooth of an internal ring, whose teeth point inwards.
+/// The same for a tooth of an internal ring, whose teeth point inwards.
 float ring_tooth_half_angle(int teeth, float radius);
 
 struct GearBlank {
   float thickness = 4.0f;
   float bevel = 0.12f;
   float bore_radius = 1.0f;
-  int spokes = 0;            ///< 0: a solid disc
-  float spoke_width = 2.0f;  ///< width at the hub; three quarters of it at the rim
-  float rim_width = 2.0f;    ///< width of the rim, from the root circle inwards
+  int spokes = 0;            ///< number of spokes; 0: a solid disc
+  float spoke_width = 2.0f;  ///< width at the hub; the width at the rim is 0.75 times this
+  float rim_width = 2.0f;    ///< distance from the root circle to the inner edge of the rim
   float hub_radius = 2.5f;
 };
 
 Mesh gear_mesh(int teeth, const GearBlank& blank);
 
-/// Returns a ring with teeth inside and outside. Only thickness and bevel of `blank` apply.
+/// Returns a ring with teeth on its inside and its outside. Only the thickness and the bevel of `blank` are used.
 Mesh ring_gear_mesh(int inner_teeth, int outer_teeth, const GearBlank& blank);
 
-/// Returns the rotation of a gear that meshes with a driver rotated by `driver_angle`. `direction`: angle from the driver's
-/// centre to the gear's.
+/// Returns the angle by which to rotate a gear so that it meshes with a driver that is rotated by `driver_angle`. `direction`
+/// is the angle of the line from the driver's centre to the gear's centre. All angles are in radians.
 float meshing_angle(int driver_teeth, float driver_angle, int teeth, float direction);
 
 }  // namespace lippmann::builtin

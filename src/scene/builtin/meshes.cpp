@@ -10,7 +10,7 @@ using Index = std::uint32_t;
 
 Index vertex_count(const Mesh& mesh) { return static_cast<Index>(mesh.positions.size()); }
 
-/// Adds two triangles for a grid cell, except those without area.
+/// Adds the two triangles of a grid cell. Triangles without area are skipped.
 void add_cell(Mesh& mesh, Index a, Index b, Index c, Index d) {
   const auto same = [&](Index i, Index j) { return mesh.positions[i] == mesh.positions[j]; };
   if (!same(a, b) && !same(b, c) && !same(a, c)) mesh.triangles.push_back({a, b, c});
@@ -22,8 +22,8 @@ Vec2f unit_or_zero(Vec2f v) {
   return length > 0.0f ? v / length : Vec2f(0.0f);
 }
 
-/// Returns the outward normals (radial, y) of a profile's points. Of the two points of a crease, each has the normal of its own
-/// side.
+/// Returns the outward normals (radial, y) of a profile's points. A crease consists of two points, and each has the normal of
+/// its side.
 std::vector<Vec2f> profile_normals(const std::vector<Vec2f>& profile) {
   const std::size_t n = profile.size();
   const bool loop = n > 2 && profile.front() == profile.back();
@@ -45,7 +45,7 @@ Vec3f any_perpendicular(Vec3f v) {
   return glm::normalize(glm::cross(v, std::abs(v.x) < 0.7f ? Vec3f(1, 0, 0) : Vec3f(0, 1, 0)));
 }
 
-/// Returns the unit vector perpendicular to `axis` that is nearest to `v`.
+/// Returns the unit vector perpendicular to `axis` that is closest to `v`.
 Vec3f perpendicular_part(Vec3f v, Vec3f axis) { return glm::normalize(v - glm::dot(v, axis) * axis); }
 
 std::vector<Vec3f> curve_tangents(const std::vector<Vec3f>& points, bool closed) {
@@ -59,14 +59,14 @@ std::vector<Vec3f> curve_tangents(const std::vector<Vec3f>& points, bool closed)
   return tangents;
 }
 
-/// Returns normals along a curve by parallel transport, without additional twist.
+/// Returns normals along a curve by parallel transport, so that they do not twist around the curve.
 std::vector<Vec3f> transported_normals(const std::vector<Vec3f>& tangents) {
   std::vector<Vec3f> normals{any_perpendicular(tangents[0])};
   for (std::size_t i = 1; i < tangents.size(); ++i) normals.push_back(perpendicular_part(normals.back(), tangents[i]));
   return normals;
 }
 
-/// Returns the angle between the first normal and the one transported once around a closed curve.
+/// Returns the angle about the tangent from the normal that was transported once around a closed curve to the first normal.
 float closing_twist(const std::vector<Vec3f>& tangents, const std::vector<Vec3f>& normals) {
   const Vec3f arrived = perpendicular_part(normals.back(), tangents[0]);
   return std::atan2(glm::dot(glm::cross(arrived, normals[0]), tangents[0]), glm::dot(arrived, normals[0]));
@@ -88,7 +88,7 @@ Mesh lathe(const std::vector<Vec2f>& profile, int segments) {
   const Index columns = static_cast<Index>(segments) + 1;
   for (std::size_t i = 0; i < profile.size(); ++i) {
     for (Index j = 0; j < columns; ++j) {
-      // The last column equals the first one exactly, so that the seam is closed.
+      // j modulo segments makes the last column equal to the first one exactly, so that the seam has no gap.
       const float angle = 2.0f * kPi * static_cast<float>(j % static_cast<Index>(segments)) / static_cast<float>(segments);
       const Vec3f outwards(std::sin(angle), 0.0f, std::cos(angle));
       mesh.positions.push_back(profile[i].x * outwards + Vec3f(0.0f, profile[i].y, 0.0f));
@@ -111,7 +111,7 @@ std::vector<Vec2f> smooth_profile(const std::vector<Vec2f>& points, int steps) {
   for (std::size_t i = 0; i + 1 < n; ++i) {
     const Vec2f b = points[i], c = points[i + 1];
     profile.push_back(b);
-    if (b == c) continue;  // a crease: keep both points, without any in between
+    if (b == c) continue;  // a crease: add no points between its two points
     const Vec2f a = i > 0 && points[i - 1] != b ? points[i - 1] : 2.0f * b - c;
     const Vec2f d = i + 2 < n && points[i + 2] != c ? points[i + 2] : 2.0f * c - b;
     for (int s = 1; s < steps; ++s)

@@ -11,7 +11,7 @@ namespace lippmann::builtin {
 
 struct PlanarRegion {
   std::vector<Vec2f> points;
-  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counter-clockwise; all points must be used
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counter-clockwise; every point must belong to a triangle
 
   std::uint32_t add(Vec2f p) {
     points.push_back(p);
@@ -19,18 +19,19 @@ struct PlanarRegion {
   }
 };
 
-/// Points on a closed curve around the origin, counter-clockwise; angles increase by less than a full turn in total.
+/// Points on a closed curve around the origin, in counter-clockwise order. The angles increase, by less than a full turn in
+/// total.
 struct AngularRing {
   std::vector<std::uint32_t> points;
   std::vector<float> angles;
   void add(std::uint32_t point, float angle) { points.push_back(point), angles.push_back(angle); }
 };
 
-/// Triangulates the area between two closed rings around the origin, using all of their points.
+/// Triangulates the area between two closed curves around the origin. The triangles use all points of both curves.
 void fill_between(PlanarRegion& region, const AngularRing& inner, const AngularRing& outer);
 
-/// Returns a closed solid around z = 0 with bevelled edges and creases at sharp edges. `bevel` must be less than half the
-/// thickness and less than half the width of any neck of the region.
+/// Returns a closed solid that is symmetric about z = 0, with bevelled edges and creased normals at sharp edges. `bevel` must
+/// be less than half the thickness, and less than half the width of the region at its narrowest place.
 Mesh extrude(const PlanarRegion& region, float thickness, float bevel);
 
 }  // namespace lippmann::builtin

@@ -1,5 +1,5 @@
-// "primitives": one of each analytic shape (sphere, cylinder, ring, box) and two meshes (cone, torus) on a merry-go-round
-// around a glass ball.
+// The scene "primitives": one of each analytic shape (sphere, cylinder, ring, box) and two meshes (cone, torus) on a
+// merry-go-round around a glass ball.
 #include <cmath>
 
 #include "scene/builtin/meshes.hpp"
@@ -12,7 +12,8 @@ namespace {
 constexpr float kCarouselRadius = 3.0f;
 constexpr int kRiders = 6;
 
-/// Adds a position on the merry-go-round that bobs and rotates. Shapes are added around its origin.
+/// Returns a new node on the merry-go-round that moves up and down and rotates about its origin. `index` selects the place on
+/// the merry-go-round.
 int add_rider(SceneBuilder& scene, int carousel, int index, Vec3f spin_axis, int turns) {
   const float angle = 2.0f * kPi * static_cast<float>(index) / kRiders;
   const int place =
@@ -70,7 +71,7 @@ void add_glass_ball(SceneBuilder& scene) {
   scene.bob(center, kUp, {.amplitude = 0.15f, .cycles = 1, .phase = 0.25f});
   scene.show("glass ball", Spheres{{Vec3f(0.0f), 1.2f}}, scene.add_material("glass", glass), center);
 
-  // The ring is tilted, and the direction of the tilt rotates.
+  // The outer node turns the direction in which the ring is tilted.
   const int leaning = scene.add_node("where the ring leans", center);
   scene.spin(leaning, kUp, -2);
   const int ring = scene.add_node("ring", leaning, turned(Vec3f(0.0f), {0.0f, 0.0f, 1.0f}, radians(24.0f)));
@@ -78,7 +79,7 @@ void add_glass_ball(SceneBuilder& scene) {
   scene.show("ring", Rings{{Vec3f(0.0f), kUp, 1.55f, 1.85f}, {Vec3f(0.0f), kUp, 1.93f, 2.0f}}, gold, ring);
 }
 
-/// Adds a round floor of concentric rings in two colours.
+/// Adds a round floor of concentric rings in two alternating colours.
 void add_floor(SceneBuilder& scene) {
   const int light = scene.add_material("floor, light", glossy({0.78f, 0.72f, 0.60f}, 0.0f, 1.0f, 0.06f));
   const int dark = scene.add_material("floor, dark", glossy({0.02f, 0.07f, 0.12f}, 0.0f, 1.0f, 0.12f));

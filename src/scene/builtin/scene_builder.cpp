@@ -11,13 +11,14 @@
 namespace lippmann::builtin {
 namespace {
 
-constexpr int kKeysPerCycle = 16;  // cubic interpolation of a sine then deviates by less than 1e-4 of its amplitude
+// Number of cubic spline keys per cycle of a sine. The spline deviates from the sine by less than 1e-4 of its amplitude.
+constexpr int kKeysPerCycle = 16;
 
-// Distance and half size of the backdrop, in heights of the display's plane. It lies behind all objects and is wide enough for
-// the outermost rays of a wide array.
+// Distance, half width and half height of the backdrop, in units of the height of the array. The backdrop is behind all
+// objects. It is wide enough for the outermost rays of a wide array.
 constexpr float kBackdropDistance = 1.2f, kBackdropHalfWidth = 1.6f, kBackdropHalfHeight = 1.0f;
 
-/// Calls add(time, value, slope per second) for the keys of a swing. The last key equals the first one exactly.
+/// Calls add(time, value, slope per second) for each spline key of an oscillation. The last key equals the first one exactly.
 template <class Add>
 void for_each_key(const Swing& swing, const Add& add) {
   const int keys = kKeysPerCycle * swing.cycles;
@@ -152,7 +153,7 @@ void SceneBuilder::add_backdrop(Vec3f glow, Vec3f edge) {
   const Texture cloth = paint("backdrop", 256, 256, [=](Vec2f uv) {
     const float distance = 2.0f * glm::length((uv - Vec2f(0.5f, 0.42f)) * Vec2f(1.4f, 1.0f));
     const float t = std::clamp(1.0f - distance, 0.0f, 1.0f);
-    // Noise of about one code value dithers the slow gradient.
+    // The noise of about one 8-bit step hides banding in the slow gradient.
     return glm::mix(edge, glow, t * t * (3.0f - 2.0f * t)) * (1.0f + 0.02f * noise(256.0f * uv + 0.5f, {256, 256}, 3));
   });
   PhongSurface painted = matte(Vec3f(1.0f));

@@ -1,4 +1,4 @@
-// The functions that build the built-in scenes, listed in builtin_scenes.cpp.
+// The functions that build the built-in scenes. builtin_scenes.cpp lists them.
 #pragma once
 
 #include "lippmann/scene/scene.hpp"

@@ -1,8 +1,9 @@
-// "small-balls": the sphereflake of Eric Haines' Standard Procedural Databases ("A Proposal for Standard Graphics
-// Environments", IEEE CG&A 7(11), 1987): every sphere carries nine spheres of a third of its size. They occupy nine of the
-// twelve neighbour positions of a close packing of spheres: six around the equator and three above.
+// The scene "small-balls": the sphereflake of Eric Haines' Standard Procedural Databases ("A Proposal for Standard Graphics
+// Environments", IEEE CG&A 7(11), 1987). Every sphere carries nine spheres of a third of its size. They are at nine of the
+// twelve neighbouring positions in a close packing of spheres: six around the equator and three above it.
 //
-// The flake rotates; so does each of its nine branches, and each of their nine branches.
+// The whole flake rotates about its axis. Each of its nine branches also rotates about its own axis, and so do the nine
+// branches of each branch.
 #include <cmath>
 
 #include "scene/builtin/scene_builder.hpp"
@@ -23,13 +24,14 @@ Vec3f child_direction(int child) {
   return {outwards * std::cos(azimuth), height, outwards * std::sin(azimuth)};
 }
 
-/// Returns the transform of a child on a sphere of the given radius around the origin. The child's +y points outwards.
+/// Returns the transform of one of the nine spheres on a sphere around the origin. `radius` is the radius of the carrying
+/// sphere. +y of the transform points outwards.
 Transform child_place(int child, float radius) {
   const Vec3f direction = child_direction(child);
   return {(1.0f + kChildSize) * radius * direction, Quatf(kUp, direction), Vec3f(1.0f)};
 }
 
-/// Collects the descendants in one generation of the sphere at the origin of `place`.
+/// Adds to `spheres` the descendants of a sphere that are `generation` generations below it. `place` is the sphere's transform.
 void collect(const Affine3f& place, float radius, int generation, Spheres& spheres) {
   if (generation == 0) {
     spheres.push_back({place.translation, radius});

@@ -1,4 +1,4 @@
-// "teapot": the Utah teapot rotates on a marble table while three rotating tea cups circle it in the opposite direction.
+// The scene "teapot": the Utah teapot rotates on a marble table. Three rotating tea cups circle it in the opposite direction.
 #include <cmath>
 
 #include "scene/builtin/meshes.hpp"
@@ -10,7 +10,9 @@
 namespace lippmann::builtin {
 namespace {
 
-constexpr int kPatchSteps = 44;  // 32 patches of 2 x 44 x 44 triangles; edges are much shorter than a pixel at 4096 lines
+// Segments per side of a patch. The 32 patches have 2 x 44 x 44 triangles each. In an image of 4096 lines, their edges are much
+// shorter than a pixel.
+constexpr int kPatchSteps = 44;
 constexpr int kCups = 3;
 constexpr float kOrbitRadius = 3.3f;
 
@@ -29,7 +31,7 @@ Mesh cup_mesh() {
   points.insert(points.end(), inside.begin(), inside.end());
   Mesh mesh = lathe(smooth_profile(points, 5), 72);
 
-  // Both ends of the handle lie within the wall.
+  // Both ends of the handle are inside the cup's wall.
   std::vector<Vec3f> ear;
   for (const Vec2f& p :
        smooth_profile({{0.605f, 0.65f}, {0.76f, 0.68f}, {0.88f, 0.56f}, {0.80f, 0.38f}, {0.62f, 0.29f}, {0.465f, 0.285f}}, 6))

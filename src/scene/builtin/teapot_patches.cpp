@@ -1,33 +1,31 @@
-// Control points after: Martin Newell, "The Utilization of Procedure Models in Digital Image Synthesis", PhD thesis, University
-// of Utah, 1975, with the bottom added by Frank Crow ("The Origins of the Teapot", IEEE CG&A 7(1), 1987).
+// The control points are from: Martin Newell, "The Utilization of Procedure Models in Digital Image Synthesis", PhD thesis,
+// University of Utah, 1975. The bottom was added by Frank Crow ("The Origins of the Teapot", IEEE CG&A 7(1), 1987).
 //
-// The pot is symmetric. Rim, body, lid and bottom are nearly surfaces of revolution. They consist of four equal quarters, of
-// which one is listed. Handle and spout are listed for one side of the plane y = 0 and mirrored.
+// Rim, body, lid and bottom are nearly surfaces of revolution. They consist of four equal quarters; the table lists one of
+// them. Handle and spout are symmetric about the plane y = 0; the table lists the side y <= 0.
 #include "scene/builtin/teapot_patches.hpp"
 
 namespace lippmann::builtin {
 namespace {
 
-/// One row of a quarter's control net: (radius, 0), (radius, -corner), (corner, -radius), (0, -radius) at height z.
+/// One row of a quarter's control points, all at height z. In (x, y) they are (radius, 0), (radius, -corner), (corner, -radius)
+/// and (0, -radius).
 struct QuarterRow {
   float radius, corner, z;
 };
 using QuarterPatch = std::array<QuarterRow, 4>;
 
+/// One quarter of the rim, of the body (2 patches), of the lid (2 patches), and of the bottom.
 constexpr QuarterPatch kQuarters[] = {
-    // Rim.
     {{{1.4f, 0.784f, 2.4f}, {1.3375f, 0.749f, 2.53125f}, {1.4375f, 0.805f, 2.53125f}, {1.5f, 0.84f, 2.4f}}},
-    // Body.
     {{{1.5f, 0.84f, 2.4f}, {1.75f, 0.98f, 1.875f}, {2.0f, 1.12f, 1.35f}, {2.0f, 1.12f, 0.9f}}},
     {{{2.0f, 1.12f, 0.9f}, {2.0f, 1.12f, 0.45f}, {1.5f, 0.84f, 0.225f}, {1.5f, 0.84f, 0.15f}}},
-    // Lid.
     {{{0.0f, 0.0f, 3.15f}, {0.8f, 0.45f, 3.15f}, {0.0f, 0.0f, 2.85f}, {0.2f, 0.112f, 2.7f}}},
     {{{0.2f, 0.112f, 2.7f}, {0.4f, 0.224f, 2.55f}, {1.3f, 0.728f, 2.55f}, {1.3f, 0.728f, 2.4f}}},
-    // Bottom.
     {{{1.5f, 0.84f, 0.15f}, {1.5f, 0.84f, 0.075f}, {1.425f, 0.798f, 0.0f}, {0.0f, 0.0f, 0.0f}}},
 };
 
-/// One side of the handle (top, then bottom) and of the spout (root, then tip): y <= 0.
+/// The side y <= 0 of the handle's upper and lower patch, and of the spout's patches at the root and at the tip.
 constexpr float kSides[4][4][4][3] = {
     {{{-1.6f, 0, 2.025f}, {-1.6f, -0.3f, 2.025f}, {-1.5f, -0.3f, 2.25f}, {-1.5f, 0, 2.25f}},
      {{-2.3f, 0, 2.025f}, {-2.3f, -0.3f, 2.025f}, {-2.5f, -0.3f, 2.25f}, {-2.5f, 0, 2.25f}},
@@ -47,7 +45,7 @@ constexpr float kSides[4][4][4][3] = {
      {{2.8f, 0, 2.4f}, {2.8f, -0.15f, 2.4f}, {3.2f, -0.15f, 2.4f}, {3.2f, 0, 2.4f}}},
 };
 
-/// Rotates by quarter turns about z.
+/// Returns the point rotated about z by a number of quarter turns.
 Vec3f turned_quarter(Vec3f p, int quarters) {
   for (int i = 0; i < quarters; ++i) p = {-p.y, p.x, p.z};
   return p;
@@ -67,7 +65,7 @@ BezierPatch side_patch(const float (&points)[4][4][3], bool mirrored) {
   BezierPatch patch;
   for (std::size_t row = 0; row < 4; ++row)
     for (std::size_t column = 0; column < 4; ++column) {
-      // Mirroring flips normals; reversing the columns restores them.
+      // Mirroring flips the normals; reversing the columns flips them back.
       const float* p = points[row][mirrored ? 3 - column : column];
       patch[row][column] = {p[0], mirrored ? -p[1] : p[1], p[2]};
     }

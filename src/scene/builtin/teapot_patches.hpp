@@ -1,4 +1,4 @@
-// The Utah teapot: Martin Newell's 32 bicubic patches of 1975, including the bottom.
+// The Utah teapot: Martin Newell's bicubic patches of 1975 with a bottom, 32 in total.
 #pragma once
 
 #include <vector>
@@ -7,8 +7,8 @@
 
 namespace lippmann::builtin {
 
-/// Returns the patches in Newell's frame: z up, the spout along +x, standing on z = 0, with normals pointing outwards. Order:
-/// rim (4), body (8), lid (8), bottom (4), handle (4), spout (4).
+/// Returns the patches in Newell's coordinates: z points up, the spout points along +x, and the pot stands on z = 0. Normals
+/// point outwards. Order: rim (4 patches), body (8), lid (8), bottom (4), handle (4), spout (4).
 std::vector<BezierPatch> teapot_patches();
 
 }  // namespace lippmann::builtin

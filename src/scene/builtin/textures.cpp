@@ -1,5 +1,5 @@
-// Gradient noise on a square lattice after: Ken Perlin, "Improving Noise", SIGGRAPH 2002, in two dimensions, with lattice
-// coordinates modulo the period so that the textures repeat.
+// Gradient noise on a square lattice, after: Ken Perlin, "Improving Noise", SIGGRAPH 2002. We deviate: the noise is
+// two-dimensional, and lattice coordinates are taken modulo the period so that textures repeat.
 #include "scene/builtin/textures.hpp"
 
 #include <algorithm>
@@ -16,7 +16,6 @@ constexpr int kTexels = 512;
 
 float fract(float x) { return x - std::floor(x); }
 
-/// Returns 0 below `from`, 1 above `to`, and a smooth transition in between.
 float ramp(float from, float to, float x) {
   const float t = std::clamp((x - from) / (to - from), 0.0f, 1.0f);
   return t * t * (3.0f - 2.0f * t);
@@ -26,9 +25,9 @@ LIPPMANN_INLINE int wrapped(int i, int period) { return i >= 0 && i < period ? i
 
 /// The position of a point between two lattice lines along one axis.
 struct LatticePlace {
-  int before, after;  // modulo the period
-  float offset;       // distance from the line before the point
-  float weight;       // weight of the line after; the line before has 1 - weight
+  int before, after;  // indices of the lattice lines before and after the point, modulo the period
+  float offset;       // distance of the point from the line before it
+  float weight;       // interpolation weight of the line after the point
 };
 
 LIPPMANN_INLINE LatticePlace lattice_place(float p, int period) {
@@ -44,7 +43,8 @@ LIPPMANN_INLINE Vec2f lattice_gradient(int x, std::uint32_t row_hash) {
   return kGradients[hash(static_cast<std::uint32_t>(x) ^ row_hash) >> 29];
 }
 
-/// Interpolates noise. `above` and `below` return the gradient of a column in the lattice rows above and below the point.
+/// Interpolates gradient noise. `above` and `below` return the gradient at a lattice column, in the lattice rows above and
+/// below the point.
 template <class Above, class Below>
 LIPPMANN_INLINE float noise_between(const LatticePlace& u, const LatticePlace& v, const Above& above, const Below& below) {
   const Vec2f f(u.offset, v.offset);
@@ -52,14 +52,14 @@ LIPPMANN_INLINE float noise_between(const LatticePlace& u, const LatticePlace& v
   const float b = glm::dot(above(u.after), f - Vec2f(1, 0));
   const float c = glm::dot(below(u.before), f - Vec2f(0, 1));
   const float d = glm::dot(below(u.after), f - Vec2f(1, 1));
-  constexpr float kToUnitRange = 1.41421356f;  // gradients of length 1 reach sqrt(1/2) in the middle of a cell
+  constexpr float kToUnitRange = 1.41421356f;  // unit gradients reach at most sqrt(1/2) in the middle of a cell
   return kToUnitRange * glm::mix(glm::mix(a, b, u.weight), glm::mix(c, d, u.weight), v.weight);
 }
 
 constexpr float kFractalScale = 1.3f;
 
-/// Returns fractal_noise(period uv, period, ...) for every texel of a square texture, rows from the top. Values that depend
-/// only on the row or only on the column are computed once per row or column.
+/// Returns fractal_noise(period * uv, period, ...) for every texel of a square texture, rows from top to bottom. Values that
+/// depend only on the row or only on the column are computed once per row or column.
 std::vector<float> fractal_noise_of_texels(int period, int octaves, std::uint32_t seed) {
   const auto place_of = [&period](int texel) {
     return lattice_place(static_cast<float>(period) * ((static_cast<float>(texel) + 0.5f) / static_cast<float>(kTexels)),
@@ -88,12 +88,12 @@ std::vector<float> fractal_noise_of_texels(int period, int octaves, std::uint32_
   return sums;
 }
 
-/// Returns the value of the texel at uv.
+/// Returns the element of `values` for the texel at uv.
 float value_at(const std::vector<float>& values, Vec2f uv) {
   return values[static_cast<std::size_t>(uv.y * kTexels) * kTexels + static_cast<std::size_t>(uv.x * kTexels)];
 }
 
-/// Returns 1 on lines of the given half width around whole numbers, 0 elsewhere.
+/// Returns 1 for x close to a whole number, and 0 elsewhere. The result is about 2 half_width wide, with smooth edges.
 float joint(float x, float half_width) {
   const float distance = std::abs(x - std::round(x));
   return 1.0f - ramp(0.5f * half_width, 1.5f * half_width, distance);
