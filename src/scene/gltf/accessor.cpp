@@ -1,5 +1,5 @@
-// Based on: Khronos Group, "glTF 2.0 Specification", 2021, sections 3.6.2 "Accessors" and 3.11 "Animations" (the formulas
-// for normalised integers: f = c / max for unsigned, f = max(c / max, -1) for signed ones).
+// Based on: Khronos Group, "glTF 2.0 Specification", 2021, sections 3.6.2 "Accessors" and 3.11 "Animations". The latter defines
+// the value of a normalised integer c: c / max if unsigned, max(c / max, -1) if signed. max is the largest value of the type.
 #include "scene/gltf/accessor.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@ namespace {
 
 // ---- Layout ---------------------------------------------------------------------------------------------------------
 
-/// Returns the size of a component, or 0 for a type that glTF does not define.
+/// Returns the size of a component in bytes, or 0 for a type that glTF does not define.
 std::size_t component_bytes(ComponentType type) {
   switch (type) {
     case ComponentType::kByte:
@@ -36,21 +36,22 @@ bool is_unsigned(ComponentType type) {
   return type == ComponentType::kUnsignedByte || type == ComponentType::kUnsignedShort || type == ComponentType::kUnsignedInt;
 }
 
-/// Returns the size of an element. Matrix columns are aligned to four bytes.
+/// Returns the size of an element in bytes. Each column of a matrix begins at a multiple of four bytes.
 std::size_t element_bytes(const Accessor& a) {
   const std::size_t component = component_bytes(a.component_type), side = static_cast<std::size_t>(a.matrix_side);
   return side ? side * ((side * component + 3) / 4 * 4) : static_cast<std::size_t>(a.components) * component;
 }
 
-/// The location of an accessor's elements in its buffer view.
+/// The elements of an accessor in its buffer view.
 struct Elements {
-  Bytes bytes;  ///< starting at the first element
+  Bytes bytes;  ///< begins at the first element
   std::size_t stride = 0;
   std::size_t count = 0;
   const std::byte* operator[](std::size_t i) const { return bytes.data() + i * stride; }
 };
 
-/// Checks that `count` elements fit, in a form that cannot overflow: offset + (count - 1) stride + size <= bytes.
+/// Returns the location of `count` elements. Throws Error unless offset + (count - 1) * stride + size <= view.byte_length. The
+/// check is written so that it cannot overflow.
 Elements locate(const Document& document, int view_index, std::size_t offset, std::size_t size, std::size_t count,
                 const std::string& where) {
   const BufferView& view = document.buffer_views[static_cast<std::size_t>(view_index)];
@@ -93,7 +94,7 @@ C load(const std::byte* at) {
   return value;
 }
 
-/// Calls use(C{}) with the C++ type of an unsigned component type.
+/// Calls use(C{}), where C is the C++ type of an unsigned component type.
 template <class F>
 void with_unsigned(ComponentType type, const F& use) {
   switch (type) {
@@ -106,7 +107,7 @@ void with_unsigned(ComponentType type, const F& use) {
   }
 }
 
-/// Calls use(C{}) with the C++ type of any component type that has passed check_accessors().
+/// Calls use(C{}), where C is the C++ type of the component type. The type must have passed check_accessors().
 template <class F>
 void with_component(ComponentType type, const F& use) {
   switch (type) {
@@ -121,7 +122,7 @@ void with_component(ComponentType type, const F& use) {
   }
 }
 
-/// The number of components of T. All number types of unpacked components have four bytes.
+/// The number of components of T. Each component of T has four bytes.
 template <class T>
 constexpr std::size_t kComponents = sizeof(T) / 4;
 
@@ -183,7 +184,7 @@ std::string_view type_name(std::size_t components) {
 
 const Accessor& accessor_of_type(const Document& document, int index, std::size_t components) {
   const Accessor& a = document.accessor(index);
-  const bool square = a.matrix_side == 2;  // MAT2 also has four components, but is not a VEC4
+  const bool square = a.matrix_side == 2;  // a MAT2 also has four components, but it is not a VEC4
   if (static_cast<std::size_t>(a.components) != components || square)
     document.report.fail(element("accessors", static_cast<std::size_t>(index)), "has the wrong type for its use",
                          std::string(type_name(components)));

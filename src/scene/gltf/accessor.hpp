@@ -1,4 +1,5 @@
-// Unpacks glTF accessors: typed arrays in buffers, with any component type, strided, normalised or sparse.
+// Unpacks glTF accessors, which are typed arrays in buffers. Supports all component types and strided, normalised and sparse
+// accessors.
 #pragma once
 
 #include <cstdint>
@@ -10,17 +11,17 @@
 
 namespace lippmann::gltf {
 
-/// Checks that all buffer views lie within their buffers, which the schema cannot check. Throws Error.
+/// Checks that all buffer views lie within their buffers; the schema cannot check this. Throws Error.
 void check_views(const Document& document);
-/// Checks that all accessors lie within their buffer views. Call after check_views(). Throws Error.
+/// Checks that all accessors lie within their buffer views. Call check_views() first. Throws Error.
 void check_accessors(const Document& document);
 
-/// Returns the accessor's elements as floats; normalised integers become fractions. T: float, Vec2f, Vec3f, Vec4f, glm::mat4.
-/// Throws Error at the accessor if its type is not T's or a number is not finite.
+/// Returns the elements of an accessor as T: float, Vec2f, Vec3f, Vec4f or glm::mat4. Normalised integers become fractions.
+/// Throws Error at the accessor if its elements are not of type T, or if a number is not finite.
 template <class T>
 std::vector<T> unpack(Document& document, int accessor);
 
-/// Returns the accessor's elements as unsigned integers: one per element (vertex indices) or four (joints).
+/// Returns the elements of an accessor as T: std::uint32_t for vertex indices, or Joints.
 template <class T>
 std::vector<T> unpack_unsigned(Document& document, int accessor);
 

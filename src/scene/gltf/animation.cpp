@@ -31,7 +31,7 @@ class AnimationReader {
   AnimationReader(Document& document, const NodeMap& nodes, Scene& scene)
       : document_(document), report_(document.report), nodes_(nodes), scene_(scene) {}
 
-  /// The time of the last key of all channels read so far, in seconds.
+  /// Time of the last key of all channels read so far, in seconds.
   double duration = 0.0;
 
   void read(std::size_t index) {
@@ -45,7 +45,7 @@ class AnimationReader {
  private:
   void read_channel(Value sampler, Value animated, const std::string& where) {
     const int file_node = animated["node"].index();
-    if (file_node < 0) return;  // the target is not a node; an extension defines it
+    if (file_node < 0) return;  // an extension defines the target, which is not a node
     const int node = nodes_.scene_node[static_cast<std::size_t>(file_node)];
     if (node < 0) return;
     const std::string& path = animated["path"].text();
@@ -71,7 +71,7 @@ class AnimationReader {
     return all[found->second];
   }
 
-  /// `count`: number of values per key.
+  /// Reads the keys of a channel. `count` is the number of values per key.
   template <class V, class T>
   void read_values(Value sampler, const std::string& where, Channel<T>& channel, std::size_t count = 1) {
     if (!channel.times.empty()) report_.fail(where, "has the same target as an earlier channel");
@@ -122,8 +122,8 @@ class AnimationReader {
   std::map<int, std::size_t> animation_of_node_;
 };
 
-/// Returns a frame rate at which all keys fall on frames, preferring kGltfFramesPerSecond. Exporters write a key per frame, or
-/// every few frames.
+/// Returns a frame rate at which all keys fall on frames, because exporters write a key per frame, or every few frames. If no
+/// rate fits, returns kGltfFramesPerSecond.
 double rate_of_keys(const Timeline& timeline) {
   for (const double rate : {kGltfFramesPerSecond, 24.0, 25.0, 60.0})
     if (keys_fall_on_frames(timeline, rate)) return rate;
@@ -147,7 +147,7 @@ void read_animation(Document& document, const NodeMap& nodes, const std::string&
   const double rate = frames_per_second > 0.0 ? frames_per_second : rate_of_keys(scene.timeline);
   scene.timeline.frames_per_second = rate;
 
-  // No "+ 1": in a loop, one more frame would repeat the first one.
+  // There is no "+ 1": in a loop, that frame would repeat the first frame.
   const double frames = std::round(reader.duration * rate);
   if (frames > document.limits.frames)
     document.report.fail(element("animations", chosen),

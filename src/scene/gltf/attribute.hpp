@@ -14,7 +14,7 @@ struct PrimitiveId {
   auto operator<=>(const PrimitiveId&) const = default;
 };
 
-/// Primitive modes with glTF's numbers.
+/// glTF's primitive modes and their numbers.
 enum class Mode : int { kPoints = 0, kTriangles = 4, kTriangleStrip, kTriangleFan };
 Mode mode_of(Value primitive);
 
@@ -22,26 +22,26 @@ std::vector<PrimitiveId> all_primitives(const Document& document);
 Value primitive_of(const Document& document, PrimitiveId id);
 std::string element(PrimitiveId id);
 
-/// Returns the accessor of an attribute; -1 if the primitive lacks it.
+/// Returns the accessor index of an attribute, or -1 if the primitive does not have the attribute.
 int attribute(Value primitive, const std::string& name);
 
-/// Returns one value per vertex; empty if the primitive lacks the attribute. T: Vec2f, Vec3f, Vec4f.
+/// Returns one value per vertex, or no values if the primitive does not have the attribute. T is Vec2f, Vec3f or Vec4f.
 template <class T>
 std::vector<T> read_attribute(Document& document, PrimitiveId id, const std::string& name, std::size_t vertices);
 
-/// Returns one value per vertex from an accessor; empty if `accessor` is -1. `name` names the attribute in messages.
+/// Returns one value per vertex from an accessor, or no values if `accessor` is -1. `name` names the attribute in messages.
 template <class T>
 std::vector<T> read_per_vertex(Document& document, PrimitiveId id, int accessor, const std::string& name, std::size_t vertices);
 
-/// Warns about attributes that the reader ignores.
+/// Warns about attributes that the reader does not use.
 void warn_about_unread_attributes(Document& document, PrimitiveId id);
 
-/// Reads COLOR_0, RGB or RGBA, into mesh.colors and mesh.alphas. Leaves colors empty if all are white, and alphas if all are
-/// opaque.
+/// Reads COLOR_0, which is RGB or RGBA, into mesh.colors and mesh.alphas. Leaves mesh.colors empty if all colours are white,
+/// and mesh.alphas empty if all vertices are opaque.
 void read_colors(Document& document, PrimitiveId id, Mesh& mesh);
 
-/// Reads TANGENT into mesh.tangents, normalised, with +-1 in w. Leaves them empty, with a warning, if a tangent has zero
-/// length.
+/// Reads TANGENT into mesh.tangents. Tangents are normalised, and w becomes -1 or 1. If a tangent has zero length, warns and
+/// leaves mesh.tangents empty.
 void read_tangents(Document& document, PrimitiveId id, Mesh& mesh);
 
 }  // namespace lippmann::gltf

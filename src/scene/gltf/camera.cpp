@@ -17,15 +17,15 @@ Camera read_perspective(Value from) {
   return camera;
 }
 
-/// Returns the distance from a node to the scene's centre along its -z, in the node's units; `otherwise` if the centre is not
-/// in front.
+/// Returns the distance from a node to the scene's centre along the node's -z, in the node's units. Returns `otherwise` if the
+/// centre is behind the node.
 float distance_to_centre(const Affine3f& node_from_world, const Bounds3f& bounds, float otherwise) {
   if (bounds.empty()) return otherwise;
   const float distance = -transform_point(node_from_world, bounds.center()).z;
   return distance > 0.0f && std::isfinite(distance) ? distance : otherwise;
 }
 
-/// Returns half the height of a view that shows the whole scene from any direction, in the node's units.
+/// Returns half the height, in the node's units, of a view that shows the whole scene from any direction.
 float half_extent(const Affine3f& node_from_world, const Bounds3f& bounds) {
   if (bounds.empty()) return 1.0f;
   const float half = 0.5f * glm::length(transform_vector(node_from_world, bounds.upper - bounds.lower));
@@ -36,7 +36,8 @@ bool shows_nothing(Value orthographic) {
   return orthographic["xmag"].number(0.0) == 0.0 || orthographic["ymag"].number(0.0) == 0.0;
 }
 
-/// Reads an orthographic camera. Its vertical_fov is that of a perspective camera with the same height at the scene's centre.
+/// Reads an orthographic camera. Its vertical_fov is that of a perspective camera that shows the same height at the scene's
+/// centre.
 Camera read_orthographic(Value from, int node, const Scene& scene) {
   const ResolvedScene rest = evaluate(scene, 0.0);
   const Bounds3f bounds = finite_bounds(scene, rest);

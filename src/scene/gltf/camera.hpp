@@ -7,8 +7,9 @@
 
 namespace lippmann::gltf {
 
-/// Fills scene.cameras in the order of the Scene's nodes. An orthographic camera also gets the field of view that shows its
-/// height at the distance of the scene's centre. The Scene must have its instances.
+/// Sets scene.cameras, in the order of the Scene's nodes. An orthographic camera also gets a field of view: that of a
+/// perspective camera which shows the same height at the distance of the scene's centre. The Scene's instances must have been
+/// read before.
 void read_cameras(Document& document, const NodeMap& nodes, Scene& scene);
 
 }  // namespace lippmann::gltf

@@ -13,7 +13,7 @@
 namespace lippmann::gltf {
 namespace {
 
-/// Lists names and indices: "Walk (0), Run (1)".
+/// Formats names and indices for a message: "Walk (0), Run (1)".
 std::string listed(const std::vector<std::string>& names) {
   constexpr std::size_t kMost = 20;
   std::string text;

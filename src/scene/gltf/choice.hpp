@@ -1,4 +1,4 @@
-// Selects an element of a glTF file by name or index.
+// Selects an element of a glTF array by name or index.
 #pragma once
 
 #include <string>
@@ -8,11 +8,12 @@
 
 namespace lippmann::gltf {
 
-/// Returns the name of every element of an array.
+/// Returns the names of all elements of an array.
 std::vector<std::string> names_in(Value array);
 
-/// Returns the index that `wanted` selects: a name or an index. Names take precedence, since an element may be called "1".
-/// `parameter`: the parameter that `wanted` came from. Throws a usage Error listing the names if there is no match.
+/// Returns the index of the element that `wanted`, a name or an index, selects. Names take precedence because an element may be
+/// called "1". `parameter` is the parameter that `wanted` is the value of. If no element matches, throws a usage Error that
+/// lists the names.
 std::size_t choose(const char* parameter, const std::vector<std::string>& names, const std::string& wanted);
 
 }  // namespace lippmann::gltf

@@ -52,7 +52,7 @@ class Demand {
 
   std::uint64_t count_of(int accessor) const { return document_.accessor(accessor).count; }
 
-  /// Adds an accessor's unpacked size. Its elements are unpacked to floats or 4-byte integers.
+  /// Adds the unpacked size of an accessor. Each component is unpacked to a float or a 4-byte integer.
   void add_floats(int index) {
     if (index < 0) return;
     const Accessor& accessor = document_.accessor(index);
@@ -60,7 +60,7 @@ class Demand {
           element("accessors", static_cast<std::size_t>(index)));
   }
 
-  /// Adds the sizes of the Draco decoder's tables and output.
+  /// Adds the size of the Draco decoder's tables and of its output.
   void add_draco(PrimitiveId id) {
     const Value primitive = primitive_of(document_, id), packed = primitive.extension(kDraco);
     const int indices = primitive["indices"].index(), position = attribute(primitive, "POSITION");
@@ -89,7 +89,7 @@ class Demand {
     }
   }
 
-  /// Adds the size of a node's instances (EXT_mesh_gpu_instancing). Returns how often the node shows the mesh.
+  /// Adds the size of a node's copies (EXT_mesh_gpu_instancing). Returns how often the node shows its mesh.
   std::uint64_t add_copies(Value node, int file_node) {
     const Value instancing = node.extension(kInstancing);
     if (!instancing || node["skin"]) return 1;
@@ -110,7 +110,7 @@ class Demand {
     if (is_splats(primitive)) {
       for (const auto& [name, index] : primitive["attributes"].index_map()) {
         add_floats(index);
-        if (name.find(":SH_") != std::string::npos) add_floats(index);  // copied to Splats::harmonics
+        if (name.find(":SH_") != std::string::npos) add_floats(index);  // for the copy in Splats::harmonics
       }
       return;
     }
@@ -122,7 +122,7 @@ class Demand {
       for (const auto& [name, index] : targets.at(i).index_map())
         if (name == "POSITION" || (name == "NORMAL" && attribute(primitive, "NORMAL") >= 0)) add_floats(index);
     for (int set = 0; is_skinned && attribute(primitive, fmt::format("JOINTS_{}", set)) >= 0; ++set) {
-      for (int copy = 0; copy < 2; ++copy)  // the second copy is SkinWeights
+      for (int copy = 0; copy < 2; ++copy)  // counted twice: SkinWeights is a copy
         add(fmt::format("JOINTS_{}", set)), add(fmt::format("WEIGHTS_{}", set));
     }
     spend(count_of(indices >= 0 ? indices : attribute(primitive, "POSITION")),
@@ -133,7 +133,7 @@ class Demand {
   const NodeMap& nodes_;
   Budget left_;
   std::set<int> draco_views_, draco_accessors_;
-  std::set<std::pair<PrimitiveId, int>> shapes_;  ///< shapes added so far, by primitive and skin
+  std::set<std::pair<PrimitiveId, int>> shapes_;  ///< primitives, with their skins, that have been added
 };
 
 }  // namespace

@@ -1,4 +1,5 @@
-// Estimates the memory that a glTF file needs when unpacked, from the counts it states.
+// Estimates how much memory a glTF file will need, before anything is unpacked. The estimate uses the counts that the file
+// states.
 #pragma once
 
 #include <string>
@@ -8,9 +9,9 @@
 
 namespace lippmann::gltf {
 
-/// Throws Error at the first element that exceeds GltfLimits::unpacked_bytes, before anything is unpacked. The sum covers
-/// packed buffer views, Draco primitives, visible meshes, splats and instances, and animation keys. Document::unpacked counts
-/// the remaining small parts during reading. `animation`: as in read_animation().
+/// Throws Error at the first element with which the sum exceeds GltfLimits::unpacked_bytes. The sum covers compressed buffer
+/// views, Draco primitives, visible meshes, splats, instances and animation keys. The remaining parts are small; they are
+/// counted in Document::unpacked while they are read. `animation` selects the animation as in read_animation().
 void check_demand(const Document& document, const NodeMap& nodes, const std::string& animation);
 
 }  // namespace lippmann::gltf

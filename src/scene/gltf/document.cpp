@@ -1,7 +1,9 @@
-// Turns bytes into a checked document, in this order:
-// 1. split the container; 2. parse the JSON within limits; 3. check it against the schema, which also removes unused
-// properties; 4. fetch the buffers, and read buffer views and accessors; 5. after checking that the counts fit into memory
-// (demand.hpp), decompress and check byte ranges.
+// Converts the bytes of a file to a checked document:
+// 1. Split the container.
+// 2. Parse the JSON within limits.
+// 3. Check the JSON against the schema, and remove unused properties.
+// 4. Load the buffers, and read buffer views and accessors.
+// 5. Decompress, and check all byte ranges. Before this step, the caller checks that the counts fit into memory (demand.hpp).
 #include "scene/gltf/document.hpp"
 
 #include <fmt/format.h>
@@ -52,10 +54,10 @@ constexpr std::string_view kExtensions[] = {
     "KHR_node_visibility",
     "KHR_texture_transform",
 };
-/// Extensions without an effect on the picture.
+/// Extensions that do not affect the picture and are ignored without a warning.
 constexpr std::string_view kSilent[] = {"KHR_xmp", "KHR_xmp_json_ld"};
 
-/// Advice to users about an extension that is not supported.
+/// Advice for an extension that is not supported but required.
 struct Advice {
   std::string_view extension, text;
 };
@@ -70,7 +72,7 @@ constexpr Advice kAdvice[] = {
      "export it again without it, or remove it from extensionsRequired; its animations are then ignored"},
     {"MSFT_lod", "remove it from extensionsRequired; the nodes are then shown in full detail"},
 };
-/// Advice for all other extensions.
+/// Advice for extensions that are not in kAdvice.
 constexpr std::string_view kAnyAdvice =
     "export it again without it, or remove it from extensionsRequired; it is then ignored with a warning";
 
@@ -78,7 +80,7 @@ bool is_among(std::span<const std::string_view> names, const std::string& extens
   return std::find(names.begin(), names.end(), extension) != names.end();
 }
 
-/// Runs before the schema check because almost everything differs in version 1.
+/// Checks the glTF version. This check precedes the schema check because version 1 has another schema.
 void check_version(const Json& root, const Report& report) {
   const Json::json_pointer version("/asset/version"), min_version("/asset/minVersion");
   if (!root.contains(version) || !root.at(version).is_string()) report.fail("asset.version", "is missing", "2.0");
@@ -100,8 +102,8 @@ std::string_view advice_on(const std::string& extension) {
               accepted);
 }
 
-/// Returns the objects that use an extension, with their names: " (materials[2] 'Silk', materials[4] and 3 more)". Returns
-/// nothing if the extension occurs only in extensionsUsed.
+/// Returns the list of objects that use an extension, for a message: " (materials[2] 'Silk', materials[4] and 3 more)". Returns
+/// an empty text if the extension occurs only in extensionsUsed.
 std::string users_of(const ExtensionUse& use) {
   std::string text;
   for (const ExtensionUse::User& user : use.users) {
@@ -122,8 +124,8 @@ void check_extensions(const Json& root, UsedExtensions used, Report& report) {
       report.warn(fmt::format("the extension {} is not supported yet and is ignored{}", printable(name), users_of(use)));
 }
 
-/// Loads the file or the embedded data of a buffer. `left` is the number of bytes that buffers may still load; the loaded bytes
-/// are deducted.
+/// Returns the contents of a buffer, from a file or from embedded data. `left` is the number of bytes that buffers may still
+/// load; the size of this buffer is subtracted from it.
 Bytes fetch_buffer(Value buffer, const std::string& where, std::uint64_t& left, Document& document) {
   const std::string& uri = buffer["uri"].text();
   document.loaded.push_back(fetch(uri, document.folders, left, where, document.report));
@@ -175,7 +177,7 @@ Accessor read_accessor(Value from) {
   accessor.count = from["count"].count();
   accessor.component_type = static_cast<ComponentType>(from["componentType"].integer(0));
   accessor.normalized = from["normalized"].flag(false);
-  const std::string& type = from["type"].text();  // SCALAR, VEC2 ... VEC4, MAT2 ... MAT4
+  const std::string& type = from["type"].text();  // SCALAR, VEC2, VEC3, VEC4, MAT2, MAT3 or MAT4
   const int side = type == "SCALAR" ? 1 : type.back() - '0';
   accessor.matrix_side = type.starts_with("MAT") ? side : 0;
   accessor.components = accessor.matrix_side ? side * side : side;
@@ -192,7 +194,7 @@ void read_layout(Document& document) {
   for (std::size_t i = 0; i < accessors.size(); ++i) document.accessors.push_back(read_accessor(accessors.at(i)));
 }
 
-/// Checks the indices of animation samplers; the schema check covers only indices into root arrays.
+/// Checks the sampler indices of animation channels. The schema check only covers indices into the root's arrays.
 void check_channels(const Document& document) {
   const Value animations = document.root["animations"];
   for (std::size_t i = 0; i < animations.size(); ++i) {

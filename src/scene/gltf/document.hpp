@@ -1,4 +1,4 @@
-// A glTF document that has passed all structural checks, with its binary data.
+// A glTF document that has passed the schema check, and its binary data.
 #pragma once
 
 #include <cstddef>
@@ -18,11 +18,12 @@
 
 namespace lippmann::gltf {
 
-/// The memory that a file may still allocate.
+/// Limits the memory that the data of a file may take.
 class Budget {
  public:
   explicit Budget(std::uint64_t bytes) : limit_(bytes), left_(bytes) {}
-  /// Deducts `count` objects of `size` bytes. Throws Error at `element` if they exceed what is left.
+  /// Subtracts the size of `count` objects of `size` bytes from the remaining bytes. Throws Error at `element` if not enough
+  /// bytes remain.
   void spend(std::uint64_t count, std::uint64_t size, std::string_view element, const Report& report);
 
  private:
@@ -32,10 +33,10 @@ class Budget {
 struct BufferView {
   int buffer = 0;
   std::size_t byte_offset = 0, byte_length = 0;
-  std::size_t byte_stride = 0;  ///< 0: tightly packed
+  std::size_t byte_stride = 0;  ///< 0: the elements are contiguous
 };
 
-/// Component types with glTF's numbers.
+/// glTF's component types and their numbers.
 enum class ComponentType : int { kByte = 5120, kUnsignedByte, kShort, kUnsignedShort, kUnsignedInt = 5125, kFloat };
 
 struct Sparse {
@@ -46,24 +47,24 @@ struct Sparse {
 };
 
 struct Accessor {
-  int buffer_view = -1;  ///< -1: zeros
+  int buffer_view = -1;  ///< -1: all elements are zero
   std::size_t byte_offset = 0, count = 0;
   ComponentType component_type = ComponentType::kFloat;
   bool normalized = false;
   int components = 1;   ///< number of components per element
-  int matrix_side = 0;  ///< rows (and columns) of matrix elements; 0: not a matrix
+  int matrix_side = 0;  ///< number of rows and columns of matrix elements; 0: not a matrix
   std::optional<Sparse> sparse;
 };
 
-/// A buffer view compressed by meshoptimizer (meshopt.hpp).
+/// A buffer view that meshoptimizer has compressed (meshopt.hpp).
 struct PackedView {
   int buffer = 0;
   std::size_t byte_offset = 0, byte_length = 0;
-  std::size_t byte_stride = 0, count = 0;  ///< size and number of the decompressed elements
+  std::size_t byte_stride = 0, count = 0;  ///< size in bytes and number of the decompressed elements
   std::string mode, filter;
 };
 
-/// Invariants after reading: every index in `root` is valid, every buffer view lies within its buffer, and every accessor
+/// A document. After reading, every index in `root` is valid, every buffer view lies within its buffer, and every accessor lies
 /// within its buffer views.
 struct Document {
   Document(const std::filesystem::path& path, const LoadOptions& options, const Context& context, const GltfLimits& file_limits)
@@ -80,32 +81,33 @@ struct Document {
   Budget unpacked;
   Value root;
   std::vector<Bytes> buffers;
-  std::vector<BufferView> buffer_views;                 ///< the file's buffer views, followed by those of decompressed data
-  std::vector<std::optional<PackedView>> packed_views;  ///< one per buffer view of the file
+  std::vector<BufferView> buffer_views;                 ///< the file's buffer views, followed by those for decompressed data
+  std::vector<std::optional<PackedView>> packed_views;  ///< one per buffer view of the file; none: not compressed
   std::vector<Accessor> accessors;
 
-  /// Returns an element of one of the root's arrays.
+  /// Returns an element of one of the arrays of `root`.
   Value at(std::string_view array, int index) const { return root[array].at(static_cast<std::size_t>(index)); }
   const Accessor& accessor(int index) const { return accessors[static_cast<std::size_t>(index)]; }
   /// Returns the bytes of a buffer view.
   Bytes view(int index) const;
 
-  std::shared_ptr<const nlohmann::json> json;  ///< owns the values of `root`
-  std::vector<std::byte> contents;             ///< the bytes of the scene file
-  std::vector<std::vector<std::byte>> loaded;  ///< buffers that are not part of `contents`
+  std::shared_ptr<const nlohmann::json> json;  ///< the JSON values that `root` refers to
+  std::vector<std::byte> contents;             ///< contents of the scene file
+  std::vector<std::vector<std::byte>> loaded;  ///< contents of buffers that are not in the scene file
 };
 
-/// Reads a document from a file's contents without decompressing anything. Byte ranges are not checked yet. Warns about ignored
-/// extensions.
+/// Reads a document from the contents of a file. Does not decompress data, and does not check byte ranges yet. Warns about
+/// ignored extensions.
 void read_document(std::vector<std::byte> contents, Document& document);
 
-/// Decompresses packed data and checks all byte ranges.
+/// Decompresses all compressed data, and then checks all byte ranges.
 void unpack_document(Document& document);
 
-/// Returns why the file of an image cannot be used (missing, or not permitted). Returns an empty text if it can be used.
+/// Returns why an image's file cannot be used: it is missing, or outside the permitted folders. Returns an empty text if the
+/// file can be used.
 std::string image_problem(const Document& document, std::size_t image);
 
-/// Returns the encoded bytes of an image. `storage` holds them if they are not in a buffer.
+/// Returns the encoded bytes of an image. If the image is not in a buffer, its bytes are stored in `storage`.
 Bytes image_bytes(const Document& document, std::size_t image, std::vector<std::byte>& storage);
 
 }  // namespace lippmann::gltf

@@ -1,8 +1,8 @@
 // Based on: Khronos Group, "KHR_draco_mesh_compression", 2018; Google, "Draco Bitstream Specification" 2.2, 2019, sections
-// "DecodeSequentialConnectivityData" and "ParseEdgebreakerConnectivityData" (for the position of the counts).
+// "DecodeSequentialConnectivityData" and "ParseEdgebreakerConnectivityData", which define where the counts are stored.
 //
-// Draco allocates as much memory as the stream's counts request. We check the counts before it decodes the connectivity, and
-// again before it decodes attribute values.
+// Draco allocates as much memory as the counts in the stream require. We check the counts before the decoder reads the
+// connectivity, and again before it reads the attributes.
 #include "scene/gltf/draco.hpp"
 
 #include <draco/compression/mesh/mesh_edgebreaker_decoder.h>
@@ -23,14 +23,14 @@
 namespace lippmann::gltf {
 namespace {
 
-/// Callbacks that the decoder calls before it allocates memory for the stated counts. They throw if the counts exceed the
-/// limits.
+/// Callbacks that check the counts of the stream before the decoder allocates memory. They throw Error if a count exceeds its
+/// limit.
 struct Allowance {
   std::function<void(std::uint64_t faces, std::uint64_t points)> connectivity;
   std::function<void(std::uint64_t bytes)> attributes;
 };
 
-/// Draco's decoder of one encoding method, which calls the allowance before it allocates memory.
+/// One of Draco's two mesh decoders, extended by the checks of Allowance.
 template <class Decoder>
 class CarefulDecoder final : public Decoder {
  public:
@@ -39,7 +39,8 @@ class CarefulDecoder final : public Decoder {
  protected:
   bool DecodeConnectivity() override {
     constexpr bool sequential = std::is_same_v<Decoder, draco::MeshSequentialDecoder>;
-    if (this->bitstream_version() != DRACO_BITSTREAM_VERSION(2, 2)) return false;  // required by the extension
+    // KHR_draco_mesh_compression requires this version.
+    if (this->bitstream_version() != DRACO_BITSTREAM_VERSION(2, 2)) return false;
     draco::DecoderBuffer ahead = *this->buffer();
     std::uint32_t first = 0, second = 0;
     if (!draco::DecodeVarint(&first, &ahead) || !draco::DecodeVarint(&second, &ahead)) return false;
@@ -50,7 +51,7 @@ class CarefulDecoder final : public Decoder {
   bool DecodeAllAttributes() override {
     const draco::PointCloud& cloud = *this->point_cloud();
     std::uint64_t bytes_a_point = 0;
-    for (int i = 0; i < cloud.num_attributes(); ++i)  // at least 4 bytes per component for intermediate integers
+    for (int i = 0; i < cloud.num_attributes(); ++i)  // the decoder also needs 4 bytes per component for intermediate integers
       bytes_a_point += std::max<std::uint64_t>(static_cast<std::uint64_t>(cloud.attribute(i)->byte_stride()),
                                                4ull * static_cast<std::uint64_t>(cloud.attribute(i)->num_components()));
     allowance_.attributes(bytes_a_point * cloud.num_points());
@@ -80,7 +81,8 @@ draco::Status decode(Bytes packed, const Allowance& allowance, draco::Mesh& mesh
   return decode_with(decoder, stream, mesh);
 }
 
-/// Writes the elements of an attribute, converted to the accessor's number of components.
+/// Writes the elements of an attribute to `out`, with the number of components of the accessor. Returns false if a value cannot
+/// be converted.
 template <class T>
 bool write_values(const draco::PointAttribute& attribute, int components, std::vector<std::byte>& out) {
   const std::size_t size = static_cast<std::size_t>(components) * sizeof(T), count = out.size() / size;
@@ -135,7 +137,8 @@ class PrimitiveUnpacker {
  private:
   Accessor& accessor_at(int index) { return document_.accessors[static_cast<std::size_t>(index)]; }
 
-  /// Returns the mesh of a view, decoding it on first use. Throws Error if it has more faces or points than allowed.
+  /// Returns the mesh of a buffer view. The mesh is decoded on first use. Throws Error if it has more faces or points than
+  /// allowed.
   const draco::Mesh& mesh_of(int view, std::uint64_t most_faces, std::uint64_t most_points, const std::string& where) {
     std::unique_ptr<draco::Mesh>& mesh = meshes_[view];
     if (mesh) return *mesh;
@@ -161,8 +164,8 @@ class PrimitiveUnpacker {
     return *mesh;
   }
 
-  /// Returns whether the accessor still has to be filled from this view and attribute. Throws Error unless it has `count`
-  /// elements.
+  /// Returns whether the accessor still has to be filled from the given buffer view and attribute. Throws Error if the accessor
+  /// does not have `count` elements, or if it was filled from other data.
   bool begin(int accessor, int view, int unique_id, std::uint64_t count, const std::string& where) {
     const auto [known, is_new] = filled_.try_emplace(accessor, std::pair(view, unique_id));
     if (!is_new && known->second == std::pair(view, unique_id)) return false;
@@ -232,8 +235,9 @@ class PrimitiveUnpacker {
 
   Document& document_;
   Report& report_;
-  std::map<int, std::unique_ptr<draco::Mesh>> meshes_;  ///< decoded meshes by buffer view
-  std::map<int, std::pair<int, int>> filled_;           ///< by accessor: the view and attribute (-1: indices) that filled it
+  std::map<int, std::unique_ptr<draco::Mesh>> meshes_;  ///< decoded mesh for each buffer view
+  /// The buffer view and attribute that each accessor was filled from. Attribute -1 stands for the vertex indices.
+  std::map<int, std::pair<int, int>> filled_;
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Decompresses primitives compressed with Draco (KHR_draco_mesh_compression).
+// Decompresses mesh primitives that were compressed with Draco (KHR_draco_mesh_compression).
 #pragma once
 
 #include <cstdint>
@@ -8,11 +8,11 @@
 namespace lippmann::gltf {
 
 inline constexpr const char* kDraco = "KHR_draco_mesh_compression";
-/// Memory of the decoder's tables per face or vertex, for either encoding method.
+/// Memory that the decoder's tables need per face or vertex; an upper bound for both encoding methods.
 inline constexpr std::uint64_t kDracoTableBytes = 100;
 
-/// Decompresses every packed primitive into new buffer views for its accessors. Buffer views must be checked. Throws Error at
-/// the primitive.
+/// Decompresses all Draco primitives into new buffer views, and makes their accessors refer to these views. Call check_views()
+/// first. Throws Error at the primitive.
 void unpack_primitives(Document& document);
 
 }  // namespace lippmann::gltf

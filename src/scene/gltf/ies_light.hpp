@@ -7,8 +7,8 @@
 
 namespace lippmann::gltf {
 
-/// Appends to scene.lights in the order of the Scene's nodes, and adds each profile once to scene.webs. Skips lamps without a
-/// profile file, with a warning. Throws Error for a malformed profile.
+/// Appends the lights to scene.lights, in the order of the Scene's nodes. Adds each profile once to scene.webs. If a profile's
+/// file is missing, warns and skips its lights. Throws Error for an invalid profile.
 void read_ies_lights(Document& document, const NodeMap& nodes, Scene& scene);
 
 }  // namespace lippmann::gltf

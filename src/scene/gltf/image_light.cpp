@@ -1,13 +1,16 @@
-// Based on: Khronos Group, "EXT_lights_image_based", 2019: a cube map of the radiance around a scene, with six images per level
-// in the order +x, -x, +y, -y, +z, -z, a rotation and an intensity. Images with four channels are RGBD: colours are divided by
-// alpha.
-// 1. Decode the faces of the first level, which is not blurred, to linear light. 2. Look up the cube map for each direction of
-// a panorama.
+// Based on: Khronos Group, "EXT_lights_image_based", 2019. The extension stores the radiance around a scene as a cube map with
+// a rotation and an intensity. Each level of the cube map has six images in the order +x, -x, +y, -y, +z, -z. Images with four
+// channels are RGBD: colours are divided by alpha.
+// 1. Decode the faces of the first level to linear light. Only this level is not blurred.
+// 2. Look up the cube map for each direction of a panorama.
 //
-// We ignore the further levels, which are blurred for rough surfaces, and the irradiance harmonics, because path tracing
-// computes both effects. The specification does not define the colour encoding; we assume sRGB, as in its JPEG images and in
-// the RGBD of Babylon.js, whose authors wrote the extension. We read its "flipped about its vertical axis" as: each image shows
-// its face as seen from inside the cube.
+// We ignore the other levels, which are blurred for rough surfaces, and the irradiance harmonics, because path tracing computes
+// both effects.
+//
+// The specification leaves two questions open:
+// - Colour encoding: we assume sRGB, as in the extension's JPEG images and in the RGBD of Babylon.js, whose authors wrote the
+//   extension.
+// - "Flipped about its vertical axis": we assume that each image shows its face as seen from inside the cube.
 #include "scene/gltf/image_light.hpp"
 
 #include <fmt/format.h>
@@ -27,7 +30,8 @@ namespace {
 
 constexpr const char* kImageBased = "EXT_lights_image_based";
 
-/// The directions from the cube's centre to the middle of a face (ahead), and from there to the upper edge of its image (up).
+/// The directions from the cube's centre to the middle of a face (ahead), and from there to the upper edge of the face's image
+/// (up).
 struct FaceAxes {
   Vec3f ahead, up;
 };
@@ -39,9 +43,9 @@ const std::array<FaceAxes, kFaces> kAxes{{{{1, 0, 0}, {0, 1, 0}},
                                           {{0, 0, 1}, {0, 1, 0}},
                                           {{0, 0, -1}, {0, 1, 0}}}};
 
-using CubeMap = std::array<Image, kFaces>;  ///< linear light, three channels, all of one square size
+using CubeMap = std::array<Image, kFaces>;  ///< linear light, 3 channels; all faces are squares of the same size
 
-/// Returns the linear value of each 8-bit sRGB code.
+/// Returns the linear values of all 256 sRGB codes.
 std::array<float, 256> linear_codes() {
   std::array<float, 256> values{};
   for (std::size_t i = 0; i < values.size(); ++i)
@@ -49,7 +53,8 @@ std::array<float, 256> linear_codes() {
   return values;
 }
 
-/// Decodes a face to linear light. An alpha of 0 is treated as 1/255, the brightest value that RGBD can hold.
+/// Returns a face as linear light. RGBD cannot represent an alpha of 0, so it counts as 1/255, which gives the brightest
+/// possible value.
 Image linear_light(const Texture& picture) {
   const std::array<float, 256> linear = linear_codes();
   Image light(picture.width, picture.height, 3);
@@ -61,7 +66,8 @@ Image linear_light(const Texture& picture) {
   return light;
 }
 
-/// Looks up a face bilinearly, clamped at its edges. x and y are in [0, 1] from the upper left.
+/// Returns the bilinearly interpolated value of a face, clamped at the edges. x and y are in [0, 1] and start at the upper left
+/// corner.
 Vec3f look_up(const Image& face, float x, float y) {
   const float last = static_cast<float>(face.width - 1);
   const float px = std::clamp(x * static_cast<float>(face.width) - 0.5f, 0.0f, last);
@@ -76,7 +82,7 @@ Vec3f look_up(const Image& face, float x, float y) {
   return glm::mix(glm::mix(texel(x0, y0), texel(x1, y0), right), glm::mix(texel(x0, y1), texel(x1, y1), right), below);
 }
 
-/// Returns the radiance in a direction of any length, in the cube's frame.
+/// Returns the radiance in direction d, in the cube's frame. d may have any length.
 Vec3f look_up(const CubeMap& cube, Vec3f d) {
   const Vec3f size = glm::abs(d);
   const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
@@ -86,19 +92,19 @@ Vec3f look_up(const CubeMap& cube, Vec3f d) {
   return look_up(cube[face], 0.5f + 0.5f * across, 0.5f - 0.5f * upwards);
 }
 
-/// Returns the direction of a point of a panorama (x, y in [0, 1]), as EnvironmentMap defines it.
+/// Returns the direction of the point (x, y) of a panorama, with x and y in [0, 1]. The orientation is that of EnvironmentMap.
 Vec3f direction_at(float x, float y) {
   const float azimuth = (x - 0.5f) * 2.0f * kPi, polar = y * kPi;
   return {std::sin(polar) * std::cos(azimuth), std::cos(polar), std::sin(polar) * std::sin(azimuth)};
 }
 
-/// Returns a width at which the panorama has about the resolution of the cube's faces, within limits.
+/// Returns the width of a panorama with about the same resolution as cube faces of width `face`, within limits.
 int width_of_panorama(int face) {
   constexpr int kNarrowest = 64, kWidest = 4096;
   return std::clamp(4 * face, kNarrowest, kWidest);
 }
 
-/// Fills row y of the panorama. Each texel averages several directions so that small suns are not missed.
+/// Sets row y of the panorama. Each texel is the mean of several directions so that a small sun is not missed.
 void fill_row(const CubeMap& cube, const Quatf& cube_from_world, int y, Image& panorama) {
   const int steps = std::max(2, (4 * cube[0].width + panorama.width - 1) / panorama.width);
   const auto place = [steps](int texel, int step, int count) {
@@ -131,7 +137,7 @@ class ImageLightReader {
         where_(fmt::format("{}.{}", kImageBased, element("lights", light))),
         light_(document.root.extension(kImageBased)["lights"].at(light)) {}
 
-  /// Returns the environment; none if an image cannot be read.
+  /// Returns the environment, or none if an image cannot be read.
   std::optional<EnvironmentMap> read() {
     const std::optional<CubeMap> cube = read_cube();
     if (!cube) return std::nullopt;
@@ -170,7 +176,8 @@ class ImageLightReader {
     return cube;
   }
 
-  /// Deducts the unpacked size of an image from the budget, based on its header. Returns whether the image can be read.
+  /// Subtracts the decoded size of an image from the memory budget. The size comes from the image's header. Returns whether the
+  /// image can be read.
   bool has_room(std::size_t image) {
     std::vector<std::byte> storage;
     std::string problem = image_problem(document_, image);

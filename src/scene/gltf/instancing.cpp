@@ -1,5 +1,5 @@
-// Based on: Khronos Group, "EXT_mesh_gpu_instancing", 2021: each instance has the node's transform times a translation,
-// rotation and scale from attributes.
+// Based on: Khronos Group, "EXT_mesh_gpu_instancing", 2021. The transform of each copy is the node's transform times the copy's
+// own translation, rotation and scale, which are stored in attributes.
 #include "scene/gltf/instancing.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Parses a glTF document's JSON within limits on depth and number of values.
+// Parses the JSON of a glTF document. The depth and the number of values are limited.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -9,7 +9,7 @@
 
 namespace lippmann::gltf {
 
-/// Returns the document's root object. Throws Error with line and column for malformed text.
+/// Returns the root object of the document. Throws Error with line and column for malformed text.
 nlohmann::json parse_json(std::string_view text, const GltfLimits& limits, const Report& report);
 
 }  // namespace lippmann::gltf

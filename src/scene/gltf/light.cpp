@@ -1,5 +1,6 @@
-// Based on: Khronos Group, "KHR_lights_punctual", 2018: point and spot lights have an intensity in candela and an
-// inverse-square falloff; directional lights have an illuminance in lux; all shine along their node's -z.
+// Based on: Khronos Group, "KHR_lights_punctual", 2018. Point and spot lights have an intensity in candela and an
+// inverse-square falloff. Directional lights have an illuminance in lux. Directional and spot lights shine along their node's
+// -z.
 #include "scene/gltf/light.hpp"
 
 #include <algorithm>
@@ -13,17 +14,18 @@ namespace {
 
 constexpr const char* kPunctual = "KHR_lights_punctual";
 
-/// Blender's exporter by default converts watts to candela and lux with the luminous efficacy that the specification suggests,
-/// but does not convert emission. Unless this is undone, the lamps of such files are 683 times too bright relative to emission.
+/// Lumens per watt: the luminous efficacy with which Blender's exporter converts watts to candela and lux. The exporter does
+/// not convert emission. Without the reverse conversion, the lamps of such files would be 683 times too bright relative to
+/// emission.
 constexpr float kLumensPerWatt = 683.0f;
 
 using Version = std::array<int, 3>;
 
-/// The first exporter that converts units (October 2022, released with Blender 3.4). Earlier exporters wrote Blender's own
-/// numbers: watts for point and spot lamps (emitted into 4 pi steradians), and watts per square metre for suns.
+/// The first exporter version that converts units (October 2022, released with Blender 3.4). Earlier versions wrote Blender's
+/// own numbers: watts for point and spot lamps, emitted into 4 pi steradians, and watts per square metre for suns.
 constexpr Version kFirstInLumens{3, 4, 39};
 
-/// Parses "... v3.4.50"; missing numbers are 0.
+/// Returns the version in a generator name such as "... v3.4.50". Missing numbers are 0.
 Version version_in(std::string_view generator) {
   Version version{};
   const std::size_t v = generator.rfind(" v");
@@ -36,7 +38,7 @@ Version version_in(std::string_view generator) {
   return version;
 }
 
-/// Returns whether the generator is Blender's exporter before version 1.0.0. Its name had no version number.
+/// Returns whether the generator is Blender's exporter before version 1.0.0, whose name contains no version number.
 bool is_unnumbered_exporter(std::string_view generator) {
   return generator.find("Khronos Blender glTF 2.0 I/O") != generator.npos;
 }
@@ -45,25 +47,26 @@ bool is_blender_exporter(std::string_view generator) {
   return is_unnumbered_exporter(generator) || generator.find("Blender I/O") != generator.npos;
 }
 
-/// Returns the factor for a light's intensity that restores its brightness relative to emission.
+/// Returns the factor that converts a light's intensity to watts per steradian, or to watts per square metre for suns. The
+/// lights then match the file's emission.
 float scale_of(std::string_view generator, LightKind kind) {
   if (!is_blender_exporter(generator)) return 1.0f;
   if (!is_unnumbered_exporter(generator) && version_in(generator) >= kFirstInLumens) return 1.0f / kLumensPerWatt;
   return kind == LightKind::kDirectional ? 1.0f : 1.0f / (4.0f * kPi);
 }
 
-/// Reads a custom property. The extension has no light sizes; Blender's custom properties and our Blender add-on store them in
-/// extras (docs/reference/gltf.md).
+/// Returns a custom property of a light or lamp. Blender's custom properties and our Blender add-on store the sizes of lights
+/// there (docs/reference/gltf.md), because the extension has no light sizes.
 float extra(Value from, const char* name) { return static_cast<float>(from["extras"][name].number(0.0)); }
 
-/// Applies Blender's soft edge, which covers a share of the cosine range from the outer cone to 1, in place of the inner cone.
+/// Sets the inner cone from Blender's `blend`: the soft edge covers this fraction of the cosines between the outer cone and 1.
 void blend_edge(float blend, Light& light) {
   const float cos_outer = std::cos(light.outer_cone);
   light.inner_cone = std::min(std::acos(cos_outer + (1.0f - cos_outer) * blend), light.outer_cone);
   light.smooth_edge = true;
 }
 
-/// Reads the edge between the cones. Blender's exporter writes inner = outer (1 - blend).
+/// Reads the edge between the two cones. Blender's exporter writes inner = outer (1 - blend), from which `blend` is computed.
 void read_edge(Value from, std::string_view generator, Light& light) {
   if (from["extras"]["blend"])
     blend_edge(extra(from, "blend"), light);

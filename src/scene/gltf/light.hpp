@@ -7,8 +7,8 @@
 
 namespace lippmann::gltf {
 
-/// Fills scene.lights in the order of the Scene's nodes. Candela and lux become radiometric units unchanged, except in files
-/// from Blender's exporter, where they are converted back to watts.
+/// Sets scene.lights, in the order of the Scene's nodes. Values in candela and lux are used as radiometric values without
+/// conversion. Files from Blender's exporter are an exception: their values are converted back to watts.
 void read_lights(Document& document, const NodeMap& nodes, Scene& scene);
 
 }  // namespace lippmann::gltf

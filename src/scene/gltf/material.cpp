@@ -1,6 +1,6 @@
-// Based on: Khronos Group, "glTF 2.0 Specification", 2021, section 3.9 "Materials"; KHR_materials_unlit, _emissive_strength,
-// _ior, _transmission, _specular, _clearcoat, _volume, _sheen, _anisotropy, _iridescence, _diffuse_transmission, _dispersion,
-// _pbrSpecularGlossiness.
+// Based on: Khronos Group, "glTF 2.0 Specification", 2021, section 3.9 "Materials", and the extensions KHR_materials_unlit,
+// _emissive_strength, _ior, _transmission, _specular, _clearcoat, _volume, _sheen, _anisotropy, _iridescence,
+// _diffuse_transmission, _dispersion, _pbrSpecularGlossiness.
 #include "scene/gltf/material.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@ namespace {
 
 float unit_factor(Value factor, double otherwise) { return static_cast<float>(std::clamp(factor.number(otherwise), 0.0, 1.0)); }
 
-/// Clamps a colour to 0 ... 1; exporters may round factors to slightly more than 1.
+/// Reads a colour, clamped to 0 ... 1 because exporters may write factors slightly above 1.
 template <class V>
 V unit_color(Value color, V otherwise) {
   return glm::clamp(color.vector(otherwise), V(0.0f), V(1.0f));
@@ -84,7 +84,7 @@ class MaterialReader {
     if (surface.transmission > 0.0f) surface.transmission_map = data(extension["transmissionTexture"]);
   }
 
-  /// Checks that the index of refraction is at least that of vacuum.
+  /// Returns the index of refraction. If it is below 1, the index of vacuum, warns and returns 1.
   double checked_ior(Value from, const std::string& where) {
     const double ior = from.extension("KHR_materials_ior")["ior"].number(1.5);
     if (ior == 0.0 || ior >= 1.0) return ior;
@@ -95,7 +95,7 @@ class MaterialReader {
 
   static constexpr float kMirrorLike = 1000.0f;
 
-  /// In KHR_materials_ior, 0 means full reflection at all angles; a very high index approximates it.
+  /// Converts an ior of 0, which means full reflection at all angles in KHR_materials_ior. A very high index approximates it.
   static float ior_of(double ior) { return ior == 0.0 ? kMirrorLike : static_cast<float>(ior); }
 
   void read_specular(Value from, MetallicRoughness& surface) {
@@ -118,7 +118,7 @@ class MaterialReader {
     surface.clearcoat_normal_scale = static_cast<float>(normal["scale"].number(1.0));
   }
 
-  /// Reads the extensions into surface.extensions. Leaves it empty if no extension has an effect.
+  /// Reads the other extensions into surface.extensions. Leaves it empty if none of them has an effect.
   void read_extensions(Value from, MetallicRoughness& surface) {
     SurfaceExtensions e;
     read_sheen(from.extension("KHR_materials_sheen"), e.sheen);
@@ -137,12 +137,12 @@ class MaterialReader {
       surface.extensions = e;
   }
 
-  /// Ray tracing finds the actual thickness; only whether thicknessFactor is positive matters.
+  /// Reads KHR_materials_volume. Of thicknessFactor, only the sign is used, because ray tracing finds the actual thickness.
   static Volume read_volume(Value extension) {
     Volume volume;
     volume.is_solid = extension["thicknessFactor"].number(0.0) > 0.0;
     volume.attenuation_color = unit_color(extension["attenuationColor"], Vec3f(1.0f));
-    // A distance of 0 would be opaque; exporters write it for "no attenuation".
+    // Exporters write 0 for "no attenuation". A distance of 0 would make the volume opaque.
     const float distance = static_cast<float>(extension["attenuationDistance"].number(0.0));
     volume.attenuation_distance = distance > 0.0f ? distance : kInfinity;
     return volume;
@@ -181,9 +181,9 @@ class MaterialReader {
     transmission.color_map = color(extension["diffuseTransmissionColorTexture"]);
   }
 
-  /// Converts to a dielectric that reflects everything, scaled by the specular colour at normal incidence, which is the
-  /// reflectance of the old model. It replaces the metallic-roughness description, which such files provide for readers without
-  /// this extension.
+  /// Converts KHR_materials_pbrSpecularGlossiness to a dielectric with full reflection. The specular colour scales the
+  /// reflection at normal incidence, which gives the reflectance of the old model. The file's metallic-roughness properties are
+  /// replaced because they are only meant for readers without this extension.
   void read_specular_glossiness(Value old, MetallicRoughness& surface) {
     surface.metallic = 0.0f;
     surface.ior = ior_of(0.0);

@@ -9,21 +9,22 @@
 
 namespace lippmann::gltf {
 
-/// The mesh attributes that a material needs.
+/// The mesh attributes that a material uses.
 struct MaterialNeeds {
-  std::array<int, 2> uv_sets{0, -1};  ///< the n of the TEXCOORD_n for Mesh::uvs and uvs_1; -1: none
+  std::array<int, 2> uv_sets{0, -1};  ///< TEXCOORD numbers that become Mesh::uvs and Mesh::uvs_1; -1: none
   bool tangents = false;
 };
 
 struct MaterialTable {
-  std::vector<MaterialNeeds> needs;  ///< by material
-  int default_material = -1;         ///< material of primitives without one; added to the Scene on first use
+  std::vector<MaterialNeeds> needs;  ///< one per material of the file
+  /// Index of the material of primitives that have none; it is added to the Scene when it is first needed. -1: not added yet.
+  int default_material = -1;
 };
 
-/// Fills scene.materials, in the file's order, and scene.textures.
+/// Sets scene.materials, in the order of the file, and scene.textures.
 MaterialTable read_materials(Document& document, Scene& scene);
 
-/// Returns the Scene's material for a primitive; -1 in the file means glTF's default material.
+/// Returns the Scene's material index for a material index of the file. -1 in the file means glTF's default material.
 int material_of(int file_material, MaterialTable& table, Scene& scene);
 
 }  // namespace lippmann::gltf

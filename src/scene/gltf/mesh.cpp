@@ -1,5 +1,7 @@
-// Based on: Khronos Group, "glTF 2.0 Specification", 2021, section 3.7.2.1 (attributes, and the vertex order of strips and
-// fans: strip p_i = {v_i, v_(i + 1 + i%2), v_(i + 2 - i%2)}, fan p_i = {v_(i+1), v_(i+2), v_0}).
+// Based on: Khronos Group, "glTF 2.0 Specification", 2021, section 3.7.2.1, which defines the attributes and the vertex order
+// of strips and fans. Triangle i has the following vertices.
+// - Strip: v_i, v_(i + 1 + i%2), v_(i + 2 - i%2).
+// - Fan: v_(i + 1), v_(i + 2), v_0.
 #include "scene/gltf/mesh.hpp"
 
 #include <fmt/format.h>
@@ -16,7 +18,7 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// Returns the vertex of each triangle corner: the indices, or 0, 1, 2, ... without an index buffer.
+/// Returns the vertex of each triangle corner. Without an index buffer, the corners are the vertices 0, 1, 2, ...
 std::vector<std::uint32_t> read_corners(Document& document, PrimitiveId id, std::size_t vertices) {
   const int indices = primitive_of(document, id)["indices"].index();
   if (indices < 0) {
@@ -47,13 +49,13 @@ std::vector<Triangle> assemble(const std::vector<std::uint32_t>& v, Mode mode) {
   return triangles;
 }
 
-/// Normalises normals. Replaces zero-length ones by the area-weighted mean over their triangles.
+/// Normalises all normals. A normal of zero length is replaced by the mean normal of the vertex's triangles, weighted by area.
 void normalize_normals(Mesh& mesh, const std::string& where, Report& report) {
   std::vector<std::uint32_t> missing;
   for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
     const float longest = std::max({std::abs(mesh.normals[i].x), std::abs(mesh.normals[i].y), std::abs(mesh.normals[i].z)});
     if (longest > 0.0f)
-      mesh.normals[i] = glm::normalize(mesh.normals[i] / longest);  // scaled first to avoid overflow and underflow
+      mesh.normals[i] = glm::normalize(mesh.normals[i] / longest);  // division by `longest` avoids overflow and underflow
     else
       missing.push_back(static_cast<std::uint32_t>(i));
   }

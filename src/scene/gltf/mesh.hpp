@@ -8,8 +8,8 @@
 
 namespace lippmann::gltf {
 
-/// Returns the mesh, with strips and fans split into triangles; without NORMAL it is faceted. Returns none, with a warning, for
-/// points, lines and primitives without positions. Throws Error.
+/// Returns a primitive as a mesh. Strips and fans are split into triangles. Without NORMAL, the mesh is flat-shaded. For
+/// points, lines and primitives without positions, warns and returns none. Throws Error.
 std::optional<Mesh> read_mesh(Document& document, PrimitiveId id, const MaterialNeeds& needs);
 
 }  // namespace lippmann::gltf

@@ -11,9 +11,9 @@ namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-/// Reads a column-major matrix as glTF stores it. Throws Error if it is not affine.
+/// Returns the transform of a column-major 4 x 4 matrix. Throws Error if the matrix is not affine.
 Affine3f affine(const std::vector<double>& m, const std::string& where, const Report& report) {
-  constexpr double kTolerance = 1e-5;  // exporters write float products
+  constexpr double kTolerance = 1e-5;  // exporters multiply matrices in float precision
   if (std::abs(m[3]) + std::abs(m[7]) + std::abs(m[11]) + std::abs(m[15] - 1.0) > kTolerance)
     report.fail(where, "is not an affine transform", "a matrix whose last row is 0 0 0 1");
   return {Mat3f(m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]), Vec3f(m[12], m[13], m[14])};
@@ -38,7 +38,7 @@ Node read_node(Value from, const std::string& where, const Report& report) {
   return node;
 }
 
-/// Returns the transform of a node accepted by read_node() in double precision.
+/// Returns the transform of a node in double precision. read_node() must have accepted the node.
 Affine3d exact_transform(Value from) {
   if (const std::vector<double> m = from["matrix"].numbers(); !m.empty())
     return {glm::dmat3(m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]), Vec3d(m[12], m[13], m[14])};
@@ -52,7 +52,7 @@ Affine3d exact_transform(Value from) {
   return {{scale.x * r[0], scale.y * r[1], scale.z * r[2]}, vector(from["translation"].numbers(), 0.0)};
 }
 
-/// Returns each node's parent; -1: a root. Since every node has at most one parent, only cycles can violate the tree structure.
+/// Returns the parent of each node; -1: none. Throws Error if a node has two parents. The result may still contain cycles.
 std::vector<int> find_parents(Value nodes, const Report& report) {
   std::vector<int> parents(nodes.size(), -1);
   for (std::size_t i = 0; i < nodes.size(); ++i)
@@ -65,7 +65,6 @@ std::vector<int> find_parents(Value nodes, const Report& report) {
   return parents;
 }
 
-/// Returns the nodes without a parent.
 std::vector<int> tops_of(const std::vector<int>& parents) {
   std::vector<int> tops;
   for (std::size_t i = 0; i < parents.size(); ++i)
@@ -73,7 +72,8 @@ std::vector<int> tops_of(const std::vector<int>& parents) {
   return tops;
 }
 
-/// Returns the nodes below `roots`, depth first. Iterative because hierarchies may be arbitrarily deep.
+/// Returns `roots` and all nodes below them, depth first. The function is iterative because hierarchies may be arbitrarily
+/// deep.
 std::vector<int> preorder(Value nodes, const std::vector<int>& roots) {
   std::vector<int> order, stack(roots.rbegin(), roots.rend());
   while (!stack.empty()) {
@@ -95,7 +95,7 @@ void check_cycles(Value nodes, const std::vector<int>& parents, const Report& re
                 "is part of or below a cycle of nodes");
 }
 
-/// Returns for each node of the file whether one of its ancestors is listed.
+/// Returns for each node of the file whether one of its ancestors is in `listed`.
 std::vector<bool> below_listed(Value nodes, const std::vector<int>& listed, const std::vector<int>& parents) {
   std::vector<bool> in_scene(parents.size(), false), below(parents.size(), false);
   for (const int node : listed) in_scene[at(node)] = true;
@@ -104,9 +104,9 @@ std::vector<bool> below_listed(Value nodes, const std::vector<int>& listed, cons
   return below;
 }
 
-/// Returns the effective roots among a scene's listed nodes. The specification allows only roots in the list. A listed child
-/// with a listed ancestor is part of the scene through that ancestor; any other listed child becomes a root, without its
-/// parents' transforms.
+/// Returns the roots of a scene that lists the nodes `listed`. The specification only allows root nodes in this list. If a
+/// listed node has a listed ancestor, it is part of the scene through this ancestor. Any other listed node becomes a root,
+/// without the transforms of its parents.
 std::vector<int> roots_among(const std::vector<int>& listed, const std::vector<int>& parents, const std::string& where,
                              Document& document) {
   const auto child = std::find_if(listed.begin(), listed.end(), [&](int node) { return parents[at(node)] >= 0; });
@@ -130,7 +130,8 @@ std::vector<int> roots_of(Document& document, const std::vector<int>& parents) {
   return roots_among(scenes.at(chosen)["nodes"].indices(), parents, element("scenes", chosen), document);
 }
 
-/// Based on: Khronos Group, "KHR_node_visibility", 2025. An invisible node also hides its descendants.
+/// Returns whether a node is invisible. Its descendants are then invisible too. Based on: Khronos Group, "KHR_node_visibility",
+/// 2025.
 bool hides_itself(Value node) { return !node.extension("KHR_node_visibility")["visible"].flag(true); }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Builds the node hierarchy of a glTF file's default scene.
+// Builds the node hierarchy of the default scene of a glTF file.
 #pragma once
 
 #include <vector>
@@ -10,18 +10,19 @@
 
 namespace lippmann::gltf {
 
-/// The correspondence between nodes of the file and nodes of the Scene.
+/// Maps nodes of the file to nodes of the Scene.
 struct NodeMap {
-  std::vector<int> file_node;              ///< per Scene node: parents before children, siblings in file order
-  std::vector<int> scene_node;             ///< per file node; -1: not in the default scene
-  std::vector<Affine3d> parent_from_node;  ///< per Scene node, in double precision
-  std::vector<bool> hidden;                ///< per Scene node: the node or an ancestor is invisible (KHR_node_visibility)
+  std::vector<int> file_node;              ///< file node of each Scene node; parents precede their children
+  std::vector<int> scene_node;             ///< Scene node of each file node; -1: not in the default scene
+  std::vector<Affine3d> parent_from_node;  ///< transform of each Scene node in double precision
+  /// Whether each Scene node or one of its ancestors is invisible (KHR_node_visibility).
+  std::vector<bool> hidden;
 };
 
-/// Returns the index of the scene to read. The file must have at least one.
+/// Returns the index of the default scene. The file must have at least one scene.
 std::size_t chosen_scene(const Document& document);
 
-/// Fills scene.nodes. Warns if the scene lists nodes that are not roots. Throws Error if a node has two parents, is its own
+/// Sets scene.nodes. Warns if the scene lists nodes that are not roots. Throws Error if a node has two parents, is its own
 /// ancestor, or has an invalid transform.
 NodeMap read_nodes(Document& document, Scene& scene);
 

@@ -1,4 +1,4 @@
-// Errors and warnings of the glTF reader, which name the file and the element.
+// Errors and warnings of the glTF reader. They name the file and the element.
 #pragma once
 
 #include <set>
@@ -10,34 +10,36 @@
 
 namespace lippmann::gltf {
 
-/// Return the path of an element: "meshes[3]", "meshes[3].primitives[0]".
+/// Return the name of an element in messages: "meshes[3]" or "meshes[3].primitives[0]".
 std::string element(std::string_view array, std::size_t index);
 std::string element(std::string_view array, std::size_t index, std::string_view sub_array, std::size_t sub_index);
 
-/// Reports problems of one file. Not thread-safe.
+/// Reports the problems of one file. Not thread-safe.
 class Report {
  public:
   Report(std::string file, const Context& context) : file_(std::move(file)), context_(context) {}
 
   const Context& context() const { return context_; }
 
-  /// Returns "file: element", or the file if `element` is empty.
+  /// Returns "file: element", or only the file if `element` is empty.
   std::string where(std::string_view element) const;
 
   /// Throws Error at the element.
   [[noreturn]] void fail(std::string_view element, const std::string& problem, const std::string& accepted = {}) const;
 
-  /// Warns about the whole file. Each text is reported once. After 50 texts, one last warning says that more are left out.
+  /// Warns about the whole file. Each text is reported once. After 50 different texts, one last warning says that the others
+  /// are left out.
   void warn(const std::string& text);
 
-  /// Warns once about a problem that may occur in many elements, naming the first one.
+  /// Warns about a problem that may occur in many elements. Only the first call with a given `text` has an effect; it names the
+  /// element.
   void warn_at(const std::string& text, std::string_view first_element);
 
-  /// Warns once that `feature` ("skins are") is not supported, and what happens instead.
+  /// Warns once that `feature` is not supported, for example "skins are". `instead` says what happens instead.
   void not_supported(const std::string& feature, const std::string& instead, std::string_view first_element);
 
  private:
-  /// Reports `text` unless the topic has been reported.
+  /// Reports `text` unless a text with the same topic has been reported before.
   void report_once(const std::string& topic, const std::string& text);
 
   std::string file_;

@@ -1,4 +1,4 @@
-// Fetches the target of a URI in a glTF file: embedded data, or a permitted file.
+// Loads the data that a URI in a glTF file refers to: embedded data, or a file in a permitted folder.
 #pragma once
 
 #include <cstddef>
@@ -11,13 +11,13 @@
 
 namespace lippmann::gltf {
 
-/// Decodes a data URI, or reads a regular file in `folders` (after resolving symbolic links) of at most `limit` bytes. Throws
-/// Error at `element` for anything else.
+/// Returns the bytes of a data URI, or of a regular file in `folders`. Symbolic links must not lead out of `folders`. A file
+/// may have at most `limit` bytes. Throws Error at `element` if this is not possible.
 std::vector<std::byte> fetch(std::string_view uri, const SideFolders& folders, std::uint64_t limit, std::string_view element,
                              const Report& report);
 
-/// Returns why a URI cannot be fetched. Returns an empty text if it can, or if it holds data. Errors about the folder itself
-/// name `where`.
+/// Returns why a URI cannot be loaded. Returns an empty text if it can be loaded, and for data URIs. If the scene's folder
+/// cannot be read, throws Error at `where`.
 std::string uri_problem(std::string_view uri, const SideFolders& folders, const std::string& where);
 
 }  // namespace lippmann::gltf

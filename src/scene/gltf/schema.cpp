@@ -1,4 +1,4 @@
-// Checks the document by walking it along the tables of schema_table.hpp.
+// Walks through the document and checks each value against the tables of schema_table.hpp.
 #include "scene/gltf/schema.hpp"
 
 #include <fmt/format.h>
@@ -16,7 +16,7 @@ namespace {
 using Json = nlohmann::json;
 using namespace schema;
 
-/// The path to the current value, as a chain on the call stack that becomes text only for messages.
+/// The path to the current value. Each element is on the call stack of the walk; text is only made for messages.
 struct Path {
   const Path* parent = nullptr;
   std::string_view name{};
@@ -77,8 +77,8 @@ class Checker {
     for (const auto& entry : found->items()) note_use(entry.key(), value, path);
   }
 
-  /// Records a property unknown to glTF. Skips properties that glTF defines but the reader ignores, and all of extras and
-  /// extensions.
+  /// Records a property that glTF does not define. Ignores properties that glTF defines but the reader does not use, and
+  /// properties within extras and extensions.
   void note_unknown(const std::string& name, const Path& path) {
     constexpr std::string_view kUnused[] = {"name",
                                             "extras",
@@ -110,7 +110,7 @@ class Checker {
         if (!value.is_boolean()) fail(path, "is not true or false");
         return;
       case Kind::kFlag:
-        return;  // checked by has_other_kind
+        return;  // has_other_kind() has checked the type
       case Kind::kString:
         return check_string(value, property, path);
       case Kind::kNumber:
@@ -172,7 +172,7 @@ class Checker {
     fail(path, fmt::format("is {}", x), open ? fmt::format("{} or more", lower) : fmt::format("{} to {}", lower, upper));
   }
 
-  /// Checks an integer. Accepts 3.0 and stores it as an integer for later readers.
+  /// Checks an integer. Numbers such as 3.0 are accepted and converted to integers.
   void check_integer(Json& value, const Property& property, const Path& path) const {
     if (!value.is_number()) fail(path, "is not an integer");
     const double x = value.get<double>();

@@ -1,4 +1,5 @@
-// The glTF properties that the reader uses, with their types, ranges and index targets. Included by schema.cpp only.
+// The glTF properties that the reader uses, with their types, ranges and the arrays that indices refer to. Only schema.cpp
+// includes this file.
 //
 // Based on: Khronos Group, "glTF 2.0 Specification", 2021, section 5 "Properties Reference", and the specifications of the
 // extensions listed in gltf.hpp.
@@ -15,15 +16,15 @@ namespace lippmann::gltf::schema {
 
 enum class Kind {
   kBool,
-  kFlag,  ///< true, false, or a number
+  kFlag,  ///< a boolean or a number
   kString,
   kStrings,
   kNumber,
   kNumbers,
   kInteger,
-  kIndex,       ///< an index into the array `refers_to` of the root
-  kIndices,     ///< an array of distinct indices
-  kIndexLists,  ///< an array of arrays of `length` indices
+  kIndex,       ///< an index into the root's array `refers_to`
+  kIndices,     ///< an array of different indices
+  kIndexLists,  ///< an array of arrays of indices; each has the length `length`
   kIndexMap,    ///< an object whose values are indices
   kIntegerMap,  ///< an object whose values are integers
   kIndexMaps,   ///< an array of objects whose values are indices
@@ -34,25 +35,26 @@ enum class Kind {
 enum Need {
   kOptional,
   kRequired,
-  kIfKindMatches,  ///< optional, and ignored if of another type; for extras, which any tool may write
+  /// The property is optional. It is removed if its type is wrong, because any program may write properties into extras.
+  kIfKindMatches,
 };
 
 struct Property {
   std::string_view name;
   Kind kind = Kind::kObject;
   Need need = kOptional;
-  double lower = -FLT_MAX, upper = FLT_MAX;  ///< the range of numbers and integers, both ends included
+  double lower = -FLT_MAX, upper = FLT_MAX;  ///< smallest and largest allowed number
   int multiple_of = 1;                       ///< integers must be multiples of this number
-  std::size_t length = 0;                    ///< exact length of a number array; 0: any
+  std::size_t length = 0;                    ///< number of elements of a number array; 0: any
   std::string_view refers_to{};
-  std::string_view choices{};  ///< accepted strings: "|A|B|"; empty: any
+  std::string_view choices{};  ///< accepted strings, as "|A|B|"; empty: any string
   std::span<const Property> object{};
 };
 
 constexpr double kMaxInt = 2147483647.0;
-constexpr double kMaxBytes = 9007199254740992.0;  // 2^53: exact in a JSON number
-constexpr double kPositive = 1e-6;                // stands for "> 0" in the specification
-constexpr double kOne = 1.001;                    // upper bound of factors; exporters round up
+constexpr double kMaxBytes = 9007199254740992.0;  // 2^53: JSON numbers represent all integers up to it exactly
+constexpr double kPositive = 1e-6;                // replaces "> 0" in the specification
+constexpr double kOne = 1.001;                    // upper limit of factors; exporters may round up
 constexpr double kHalfPi = 1.5707963267948966;
 constexpr double kPi = 3.1415927;  // rounded up to a float
 
@@ -229,7 +231,7 @@ constexpr Property kClearcoat[] = {
 constexpr Property kVolume[] = {
     number("thicknessFactor", 0.0, FLT_MAX),
     object("thicknessTexture", kTextureInfo),
-    number("attenuationDistance", 0.0, DBL_MAX),  // exporters write huge numbers for infinite ones
+    number("attenuationDistance", 0.0, DBL_MAX),  // exporters write huge numbers for "no attenuation"
     numbers("attenuationColor", 3, 0.0, kOne),
 };
 constexpr Property kSheen[] = {

@@ -1,4 +1,4 @@
-// Reads the deformations of glTF meshes: skins, vertex weights, morph targets and their weights.
+// Reads what deforms glTF meshes: skins, the weights of vertices, and morph targets with their weights.
 #pragma once
 
 #include <map>
@@ -8,12 +8,12 @@
 
 namespace lippmann::gltf {
 
-/// Reads each skin once, when a node first uses it.
+/// Reads each skin once, when a node uses it for the first time.
 class SkinReader {
  public:
   SkinReader(Document& document, const NodeMap& nodes, Scene& scene) : document_(document), nodes_(nodes), scene_(scene) {}
 
-  /// Returns the index in scene.skins of a skin of the file; -1 if it has no joints. Throws Error.
+  /// Returns the index in scene.skins of a skin of the file, or -1 if the skin has no joints. Throws Error.
   int read(int skin);
 
  private:
@@ -23,15 +23,16 @@ class SkinReader {
   std::map<int, int> known_;
 };
 
-/// Reads the joints and weights of all sets (JOINTS_0, WEIGHTS_0, JOINTS_1, ...). Weights are normalised to a sum of 1;
-/// vertices without weights follow the first joint. `joints`: number of joints of the skin.
+/// Reads the joints and weights of all sets (JOINTS_0, WEIGHTS_0, JOINTS_1, ...) into mesh.skin. The weights of a vertex are
+/// divided by their sum. Vertices without weights follow the first joint. `joints` is the number of joints of the skin. Throws
+/// Error.
 void read_skin_weights(Document& document, PrimitiveId id, std::size_t joints, Mesh& mesh);
 
-/// Reads the primitive's morph targets. Skips normals and tangents if the mesh has none.
+/// Reads the morph targets of a primitive into mesh.targets. Skips normals and tangents of targets if the mesh itself has none.
 void read_targets(Document& document, PrimitiveId id, Mesh& mesh);
 
-/// Returns one weight per morph target of the node's mesh: those of the node, otherwise those of the mesh, otherwise zeros.
-/// Throws Error if their number differs from that of the targets.
+/// Returns one weight per morph target of the node's mesh. The weights are those of the node if it has any, otherwise those of
+/// the mesh, otherwise zeros. Throws Error if the number of weights differs from the number of targets.
 std::vector<float> read_morph_weights(Document& document, int file_node);
 
 }  // namespace lippmann::gltf

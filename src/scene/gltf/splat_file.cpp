@@ -1,4 +1,4 @@
-// Detects splat files from the JSON alone, since the binary part may be gigabytes.
+// Detects files that contain only splats. Reads only the JSON because the binary data may have gigabytes.
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -18,11 +18,11 @@ using Json = nlohmann::json;
 
 constexpr std::string_view kSplatExtension = "KHR_gaussian_splatting";
 
-/// Returns the JSON of a file: the first chunk of a .glb, or the whole file. For a truncated file, returns the part that
-/// exists.
+/// Returns the JSON of a file: the first chunk of a .glb, or the whole file. If the file is truncated, returns the existing
+/// part.
 std::string leading_json(const std::filesystem::path& path, std::uint64_t limit) {
   RegularFile file(path);
-  std::array<char, 20> start{};  // the headers of a .glb and of its first chunk
+  std::array<char, 20> start{};  // header of a .glb and header of its first chunk
   const std::size_t begun = file.read(start.data(), start.size());
   const bool binary = begun == start.size() && std::string_view(start.data(), 4) == "glTF";
   std::uint32_t chunk = 0;
@@ -36,7 +36,7 @@ std::string leading_json(const std::filesystem::path& path, std::uint64_t limit)
   return text;
 }
 
-/// Returns an array property; empty if absent.
+/// Returns an array property, or an empty array if the property is absent or not an array.
 const Json& array_of(const Json& object, const char* name) {
   static const Json kNone = Json::array();
   const auto found = object.is_object() ? object.find(name) : object.end();

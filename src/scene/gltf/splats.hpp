@@ -1,4 +1,4 @@
-// Reads 3D Gaussian splats of glTF files (KHR_gaussian_splatting).
+// Reads splats (3D Gaussians) from glTF files (KHR_gaussian_splatting).
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -9,14 +9,14 @@
 
 namespace lippmann::gltf {
 
-/// Returns whether the primitive has the extension.
+/// Returns whether the primitive uses KHR_gaussian_splatting.
 bool is_splats(Value primitive);
 
-/// Returns whether a document has primitives and all of them are splats. The document may be malformed.
+/// Returns whether a document has primitives and all of them are splats. The document need not be valid.
 bool is_of_splats_alone(const nlohmann::json& document);
 
-/// Reads the splats of a primitive. Returns nothing, with a warning, if no splat is valid. Throws Error for missing attributes,
-/// wrong types or counts, and unknown kernels and colour spaces.
+/// Returns the splats of a primitive. If no splat is valid, warns and returns none. Throws Error for missing attributes, wrong
+/// types or counts, and unknown kernels or colour spaces.
 std::optional<Splats> read_splats(Document& document, PrimitiveId id);
 
 }  // namespace lippmann::gltf

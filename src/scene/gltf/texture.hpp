@@ -12,33 +12,34 @@
 
 namespace lippmann::gltf {
 
-/// Collects the textures in use and decodes all of them at the end. An image is decoded once per combination of wrap modes and
-/// encoding.
+/// Collects the textures that materials use, and decodes all of them at the end. An image is decoded once for each combination
+/// of wrap modes and encoding.
 class TextureReader {
  public:
   TextureReader(Document& document, Scene& scene)
       : document_(document), scene_(scene), pending_({document.limits.texture_side, document.texture_bytes}) {}
 
-  /// Returns the index in scene.textures of a texture of the file; its texels follow in decode(). Returns -1, with a warning,
-  /// if it has no supported image. srgb: true for colours, false for data.
+  /// Returns the index in scene.textures of a texture of the file. decode() sets its texels. If the texture has no supported
+  /// image, warns and returns -1. `srgb` is true for colours and false for data.
   int read(int texture, bool srgb);
 
-  /// Returns a texture whose G is the roughness 1 - factor * glossiness, where glossiness is the alpha of the file's texture.
+  /// Returns a texture whose channel G is the roughness 1 - factor * glossiness. `glossiness` is the factor; channel A of the
+  /// file's texture contains the glossiness.
   int read_roughness(int texture, float glossiness);
 
-  /// Decodes the texels of all textures read so far.
+  /// Decodes all textures that have been read.
   void decode();
 
  private:
-  /// Returns why an image cannot be read; empty: it can.
+  /// Returns why an image cannot be decoded, or an empty text if it can.
   const std::string& problem_of(int image);
 
   Document& document_;
   Scene& scene_;
   PendingTextures pending_;
-  std::map<int, std::string> problems_;  ///< results of problem_of() by image
+  std::map<int, std::string> problems_;  ///< result of problem_of() for each image
   std::map<std::tuple<int, Wrap, Wrap, bool>, int> known_;
-  std::map<std::pair<int, float>, int> roughness_;  ///< by texture index in the Scene and glossiness factor
+  std::map<std::pair<int, float>, int> roughness_;  ///< roughness texture for a texture of the Scene and a glossiness factor
 };
 
 }  // namespace lippmann::gltf

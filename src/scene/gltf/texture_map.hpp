@@ -8,15 +8,15 @@
 
 namespace lippmann::gltf {
 
-/// Reads a textureInfo; returns an empty map if it is absent. The map's uv_set is still the n of TEXCOORD_n in the file. srgb:
-/// true for colours, false for data.
+/// Reads a textureInfo, or returns an empty map if it is absent. The map's uv_set is the file's TEXCOORD number until
+/// choose_uv_sets() changes it. `srgb` is true for colours and false for data.
 TextureMap read_map(Value info, bool srgb, TextureReader& textures);
 
-/// Like read_map(), but with a function that returns the Scene's texture index for the file's.
+/// Same as read_map(), but `read` converts a texture index of the file to one of the Scene.
 TextureMap read_map_from(Value info, const std::function<int(int)>& read);
 
-/// Returns the n of the TEXCOORD_n for Mesh::uvs and uvs_1 (-1: none) and renumbers the uv_set of the surface's maps. If the
-/// maps use more than two sets, warns and uses the first set for the others.
+/// Chooses the TEXCOORD numbers that become Mesh::uvs and Mesh::uvs_1, and sets uv_set in all maps of the surface accordingly.
+/// Returns the two numbers; -1: none. If the maps use more than two sets, warns and lets all others use the first set.
 std::array<int, 2> choose_uv_sets(MetallicRoughness& surface, const std::string& where, Report& report);
 
 }  // namespace lippmann::gltf

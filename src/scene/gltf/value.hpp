@@ -1,4 +1,4 @@
-// Reads the elements of a parsed glTF document that has passed the schema check (schema.hpp).
+// Reads the elements of a glTF document that has passed the schema check (schema.hpp).
 #pragma once
 
 #include <cstddef>
@@ -10,23 +10,23 @@
 
 namespace lippmann::gltf {
 
-/// A reference to a JSON value, or to an absent property. All properties of an absent value are absent, and its getters return
+/// A reference to a JSON value, or to an absent property. An absent value has no properties or elements, and its getters return
 /// their defaults. The getters do not check types because the schema check has done so. The document must outlive this object.
 class Value {
  public:
   Value() = default;
   explicit Value(const nlohmann::json& json) : json_(&json) {}
 
-  /// Returns whether the value is present.
+  /// Returns whether the value exists.
   explicit operator bool() const { return json_ != nullptr; }
 
-  /// Returns a property of an object.
+  /// Returns a property of an object; it may be absent.
   Value operator[](std::string_view property) const;
-  /// Returns an extension of an object.
+  /// Returns an extension of an object; it may be absent.
   Value extension(std::string_view name) const { return (*this)["extensions"][name]; }
-  /// Returns an element of an array; i < size().
+  /// Returns element i of an array. Requires i < size().
   Value at(std::size_t i) const;
-  /// Returns the number of elements; 0 if absent.
+  /// Returns the number of elements of an array; 0 if absent.
   std::size_t size() const;
 
   double number(double otherwise) const;
@@ -35,16 +35,17 @@ class Value {
   std::size_t count() const;
   /// Returns an index into one of the document's arrays; -1 if absent.
   int index() const { return integer(-1); }
-  /// Returns a boolean. For a number, returns whether it is not zero.
+  /// Returns a boolean, or whether a number is not zero. `otherwise` is returned for an absent value.
   bool flag(bool otherwise) const;
   /// Returns a string; empty if absent.
   const std::string& text() const;
 
-  /// Return a whole array, or the values of a whole object by name; empty if absent.
+  /// These functions return all elements of an array, or all properties of an object. The result is empty if the value is
+  /// absent.
   std::vector<double> numbers() const;
   std::vector<int> indices() const;
   std::map<std::string, int> index_map() const;
-  /// Returns the first elements of an array of numbers. The array must have at least as many as V: Vec2f, Vec3f, Vec4f.
+  /// Returns the first elements of an array of numbers as V: Vec2f, Vec3f or Vec4f. The array must be long enough.
   template <class V>
   V vector(V otherwise) const {
     for (int i = 0; json_ && i < V::length(); ++i)

@@ -1,4 +1,4 @@
-// Based on: Khronos Group, KHR_materials_variants.
+// Based on: Khronos Group, "KHR_materials_variants".
 #include "scene/gltf/variants.hpp"
 
 #include <algorithm>

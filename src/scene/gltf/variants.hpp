@@ -10,12 +10,13 @@ namespace lippmann::gltf {
 
 std::vector<std::string> variant_names(const Document& document);
 
-/// Returns the index of the variant; -1 if `wanted` is empty. `wanted`: a name or an index. Throws a usage Error that lists the
-/// names if there is no match.
+/// Returns the index of the variant that `wanted`, a name or an index, selects. Returns -1 if `wanted` is empty. If no variant
+/// matches, throws a usage Error that lists the names.
 int choose_variant(const std::vector<std::string>& names, const std::string& wanted);
 
-/// Returns the file's index of a primitive's material in a variant (-1: no variant), or -1 for glTF's default material. `where`
-/// names the primitive.
+/// Returns the file's material index for a primitive in a variant. If the variant does not change the primitive, or if
+/// `variant` is -1 (no variant), this is the primitive's own material. -1 means glTF's default material. `where` names the
+/// primitive in errors.
 int material_in(Value primitive, int variant, const std::string& where, const Report& report);
 
 }  // namespace lippmann::gltf
