@@ -1,4 +1,4 @@
-// Tests the vertex positions of skinned and morphed meshes against hand-calculated values.
+// Tests the vertices of skinned and morphed meshes against values calculated by hand.
 #include "scene/deform.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace lippmann {
 namespace {
 
-/// A few rounding errors of numbers of order ten.
+/// A few rounding errors of floats of about 10.
 constexpr float kRounding = 1e-5f;
 
 void expect_near(Vec3f actual, Vec3f expected) {
@@ -19,7 +19,7 @@ void expect_near(Vec3f actual, Vec3f expected) {
 
 Quatf quarter_about_z() { return {std::sqrt(0.5f), 0, 0, std::sqrt(0.5f)}; }
 
-/// Returns the triangle (0, 0, 0), (1, 0, 0), (0, 1, 0), facing +z, with tangents along x, shown by node 0.
+/// Returns a scene of one triangle (0, 0, 0), (1, 0, 0), (0, 1, 0) at node 0. It faces +z, and its tangents point along x.
 Scene triangle() {
   Scene scene;
   scene.nodes.resize(1);
@@ -37,7 +37,8 @@ Scene triangle() {
 
 Mesh& mesh_of(Scene& scene) { return std::get<Mesh>(scene.shapes[0]); }
 
-/// Adds two targets: one lifts vertex 1 by 2 and tilts its normal to (1, 0, 1), the other moves vertex 2 by (3, 0, 0).
+/// Returns the triangle with two morph targets of the weights `lift` and `move`. The first target adds (0, 0, 2) to vertex 1
+/// and (1, 0, 0) to its normal. The second target adds (3, 0, 0) to vertex 2.
 Scene morphing(float lift, float move) {
   Scene scene = triangle();
   mesh_of(scene).targets = {{{{0, 0, 0}, {0, 0, 2}, {0, 0, 0}}, {{0, 0, 0}, {1, 0, 0}, {0, 0, 0}}, {}},
@@ -46,8 +47,9 @@ Scene morphing(float lift, float move) {
   return scene;
 }
 
-/// Adds two joints: node 1, which moves by (10, 0, 0), and node 2, which rotates x to y and is bound at (0, 0, -1). Vertex 0
-/// follows the first, vertex 1 the second, vertex 2 both equally.
+/// Returns the triangle with a skin of two joints. Joint 0 is node 1, which translates by (10, 0, 0). Joint 1 is node 2, which
+/// rotates x to y; its inverse bind matrix translates by (0, 0, 1). Vertex 0 follows joint 0, vertex 1 follows joint 1, and
+/// vertex 2 follows both equally.
 Scene skinned() {
   Scene scene = triangle();
   scene.nodes.resize(3);
@@ -80,8 +82,8 @@ TEST(MeshPose, without_weight_it_is_the_base) { expect_near(vertex_of(morphing(0
 TEST(MeshPose, skin_follows_joints_only) {
   const Scene scene = skinned();
   expect_near(vertex_of(scene, 0).position, {10, 0, 0});
-  expect_near(vertex_of(scene, 1).position, {0, 1, 1});  // (1, 0, 0), bound at (1, 0, 1), rotated
-  // Half of (10, 1, 0) and half of (-1, 0, 1).
+  expect_near(vertex_of(scene, 1).position, {0, 1, 1});  // (1, 0, 0) + (0, 0, 1) = (1, 0, 1), rotated: (0, 1, 1)
+  // Vertex 2 at (0, 1, 0): joint 0 moves it to (10, 1, 0), joint 1 to (-1, 0, 1). The result is the mean.
   expect_near(vertex_of(scene, 2).position, {4.5f, 0.5f, 0.5f});
   expect_near(vertex_of(scene, 1).normal, {0, 0, 1});
   expect_near(Vec3f(vertex_of(scene, 1).tangent), {0, 1, 0});
@@ -92,14 +94,16 @@ TEST(MeshPose, morph_comes_before_the_skin) {
   Scene scene = skinned();
   mesh_of(scene).targets = {{{{0, 0, 0}, {1, 0, 0}, {0, 0, 0}}, {}, {}}};
   scene.nodes[0].morph_weights = {3.0f};
-  expect_near(vertex_of(scene, 1).position, {0, 4, 1});  // (4, 0, 0), bound and rotated: the target rotates with the joint
+  // The target moves (1, 0, 0) to (4, 0, 0). The inverse bind matrix moves this to (4, 0, 1). The joint rotates it to
+  // (0, 4, 1).
+  expect_near(vertex_of(scene, 1).position, {0, 4, 1});
 }
 
 TEST(MeshPose, normals_stay_perpendicular_under_uneven_scale) {
   Scene scene = morphing(0, 0);
   mesh_of(scene).normals[0] = Vec3f(std::sqrt(0.5f), 0, std::sqrt(0.5f));
   scene.nodes[0].local.scale = {2, 1, 1};
-  // The plane x + z = 0 becomes x / 2 + z = 0.
+  // The scale turns the plane x + z = 0 into x / 2 + z = 0, whose normal is (1/2, 0, 1).
   expect_near(vertex_of(scene, 0).normal, glm::normalize(Vec3f(0.5f, 0, 1)));
 }
 
@@ -114,7 +118,7 @@ TEST(MeshPose, mirrored_normals_follow_the_order_of_corners) {
   scene.nodes[0].local.scale = {-1, 1, 1};
   const ResolvedScene resolved = evaluate(scene, 0.0);
   EXPECT_TRUE(MeshPose(scene, scene.instances[0], resolved).mirrors());
-  // The corners (0, 0), (-1, 0), (0, 1) are counter-clockwise as seen from -z.
+  // After mirroring, the corners (0, 0), (-1, 0), (0, 1) are counter-clockwise as seen from -z.
   expect_near(vertex_of(scene, 0).normal, {0, 0, -1});
 }
 
@@ -147,8 +151,10 @@ TEST(MorphWeights, step_and_linear_keys_have_all_weights) {
 
 TEST(MorphWeights, cubic_keys_have_tangents_and_values) {
   Scene scene = morphing(0, 0);
-  // Per key: in-tangents of both targets, their values, their out-tangents. At 0.5 s of 2 s the first is
-  // (2/64 - 3/16 + 1) 1 + 2 (1/64 - 2/16 + 1/4) 3 + (3/16 - 2/64) 5 + 2 (1/64 - 1/16) (-2) = 85/32, the second half of it.
+  // Each key lists the in-tangents of both targets, then their values, then their out-tangents. The first weight goes from 1
+  // (out-tangent 3) to 5 (in-tangent -2) in 2 s. At 0.5 s, u = 1/4, and the Hermite spline gives
+  //   (2/64 - 3/16 + 1) * 1 + 2 * (1/64 - 2/16 + 1/4) * 3 + (3/16 - 2/64) * 5 + 2 * (1/64 - 1/16) * (-2) = 85/32.
+  // All keys of the second weight are half as large, and so is its result.
   scene.timeline.animations = {weights(Interpolation::kCubicSpline, {9, 9, 1, 0.5f, 3, 1.5f, -2, -1, 5, 2.5f, 9, 9})};
   validate(scene, "test");
   const std::vector<float> at = evaluate(scene, 0.5).morph_weights.at(0);

@@ -1,5 +1,6 @@
-// dump_pose SCENE ANIMATION TIME ...: the vertices of all meshes with skins or morph targets, in world space, for comparison
-// with other tools. A line "time object vertex x y z" each; ANIMATION is a name, an index or "" for the first.
+// dump_pose SCENE ANIMATION TIME ... prints the vertices of all meshes with skins or morph targets, for comparison with other
+// programs. ANIMATION is a name or an index; "" selects the first animation. Each line is "time object vertex x y z", in world
+// space.
 #include <fmt/core.h>
 
 #include <cstdlib>

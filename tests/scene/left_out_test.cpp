@@ -1,4 +1,5 @@
-// Passes unknown properties, elements, extensions and keywords to every importer. It must fail or warn, and name them.
+// Gives every importer unknown properties, elements, extensions and keywords. The importer must throw or warn, and the message
+// must contain the unknown name.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -14,11 +15,11 @@ namespace lippmann {
 namespace {
 
 struct UnknownThing {
-  std::string name;                                           ///< of the test
-  std::string scene;                                          ///< file name
-  std::string text;                                           ///< contents of the file
-  std::string met = "frog";                                   ///< name that a message must contain
-  std::vector<std::pair<std::string, std::string>> beside{};  ///< other files
+  std::string name;                                           ///< name of the test
+  std::string scene;                                          ///< name of the scene file
+  std::string text;                                           ///< contents of the scene file
+  std::string met = "frog";                                   ///< unknown name, which the message must contain
+  std::vector<std::pair<std::string, std::string>> beside{};  ///< names and contents of other files
 };
 void PrintTo(const UnknownThing& thing, std::ostream* out) { *out << thing.name; }
 
@@ -67,7 +68,7 @@ std::string splat_ply(const std::string& property, const std::string& element, c
 
 // ---- glTF ----
 
-/// Returns a triangle without data: an accessor without a view is all zeros.
+/// Returns a glTF file with one triangle. Its accessor has no buffer view, so all vertices are zero.
 std::string gltf(const std::string& root, const std::string& primitive = {}, const std::string& attributes = {},
                  const std::string& material = {}) {
   return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"materials":[{)" + material +
@@ -156,7 +157,7 @@ const UnknownThing kThings[] = {
 
 INSTANTIATE_TEST_SUITE_P(All, Unknown, testing::ValuesIn(kThings), [](const auto& thing) { return thing.param.name; });
 
-/// Common contents that need no warning.
+/// Tests common contents that must not cause a warning.
 TEST(LeftOut, usual_files_warn_of_nothing) {
   const test::TempDir dir;
   std::ofstream(dir / "a.mtl") << "newmtl m\nKa 1 1 1\nKd 1 0 0\nKs 0.5 0.5 0.5\nNs 10\nNi 1.5\nd 1\nillum 2\n";

@@ -32,13 +32,13 @@ TEST(Lexer, line_ends_before_blanks_and_comments) {
   lexer.word("x");
   EXPECT_TRUE(lexer.at_line_end());
   lexer.word("x");
-  EXPECT_TRUE(lexer.at_line_end());  // the file's end
+  EXPECT_TRUE(lexer.at_line_end());  // at the end of the file
 }
 
 TEST(Lexer, comment_ends_at_the_line) {
   Lexer lexer("a", "# all of this\nA #not this\nB#3 # end");
   EXPECT_EQ(lexer.word("x"), "A");
-  EXPECT_EQ(lexer.word("x"), "B#3");  // not at the start of a word
+  EXPECT_EQ(lexer.word("x"), "B#3");  // # within a word does not begin a comment
   EXPECT_TRUE(lexer.at_end());
 }
 

@@ -41,9 +41,9 @@ TEST(Nff, spheres_of_one_fill_are_one_shape) {
       nff_scene("f 1 0 0 1 0 1 0 1\ns 0 0 0 1\ns 1 2 3 -4\nf 0 1 0 1 0 1 0 1\ns 5 5 5 1\nf 1 0 0 1 0 1 0 1\ns 9 9 9 1");
   ASSERT_EQ(scene.instances.size(), 2u);
   const Spheres& red = shape<Spheres>(scene, 0);
-  ASSERT_EQ(red.size(), 3u);  // the third one follows a repeated fill
+  ASSERT_EQ(red.size(), 3u);  // the statement before the third sphere repeats its fill
   EXPECT_EQ(red[1].center, Vec3f(1, 2, 3));
-  EXPECT_EQ(red[1].radius, 4.0f);  // inside out in the file; both sides are visible here
+  EXPECT_EQ(red[1].radius, 4.0f);  // -4 in the file, for a sphere seen from inside
   EXPECT_EQ(shape<Spheres>(scene, 1).size(), 1u);
 }
 
@@ -55,7 +55,7 @@ TEST(Nff, fill_sets_highlight_mirror_and_transparency) {
   EXPECT_EQ(s.diffuse, 0.8f);
   EXPECT_EQ(s.highlight_kind, Highlight::kPlastic);
   EXPECT_EQ(s.highlight, 0.25f);
-  EXPECT_EQ(s.highlight_size, 20.0f);  // four times Phong's exponent
+  EXPECT_EQ(s.highlight_size, 20.0f);  // four times the exponent of 5 in the file
   EXPECT_EQ(s.mirror, 0.25f);
   EXPECT_EQ(s.opacity, 0.25f);
   EXPECT_EQ(s.ior, 1.5f);
@@ -81,8 +81,8 @@ TEST(Nff, different_radii_give_an_outward_mesh) {
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     const Vec3f p = mesh.positions[i] - Vec3f(1, 0, 0);
     const float radius = 2.0f - p.z / 3.0f;
-    EXPECT_NEAR(std::hypot(p.x, p.y), radius, 1e-6f);  // rounding error of floats around 3
-    // The side falls by 3 over 1, so its normal is (3 out + 1 up) / sqrt(10).
+    EXPECT_NEAR(std::hypot(p.x, p.y), radius, 1e-6f);  // tolerance: rounding errors of floats of about 3
+    // The radius decreases by 1 over a height of 3, so the normal is (3 out + 1 up) / sqrt(10).
     const Vec3f out = Vec3f(p.x, p.y, 0.0f) / radius, expected = (3.0f * out + Vec3f(0, 0, 1)) / std::sqrt(10.0f);
     EXPECT_NEAR(glm::distance(mesh.normals[i], expected), 0.0f, 1e-6f);
   }
@@ -105,7 +105,7 @@ TEST(Nff, polygon_is_faceted_and_patch_smooth) {
   ASSERT_EQ(patch.normals.size(), 3u);
   EXPECT_EQ(patch.normals[0], Vec3f(0, 0, 1));
   EXPECT_EQ(patch.normals[1], Vec3f(0, 0.6f, 0.8f));
-  EXPECT_EQ(patch.normals[2], Vec3f(0, 0, 1));  // the facet's normal
+  EXPECT_EQ(patch.normals[2], Vec3f(0, 0, 1));  // the file's normal is zero, so the facet's normal replaces it
 }
 
 TEST(Nff, patch_is_flipped_to_match_normals) {
@@ -116,7 +116,7 @@ TEST(Nff, patch_is_flipped_to_match_normals) {
 TEST(Nff, lights_share_their_intensity) {
   const Scene scene = nff_scene("l 1 2 3\nl 4 5 6 0.5 0.25 1 # comment\nl 0 0 0\nl 0 0 1\ns 0 0 0 1");
   ASSERT_EQ(scene.lights.size(), 4u);
-  EXPECT_EQ(scene.lights[0].color, Vec3f(0.5f));  // 1 / sqrt(4)
+  EXPECT_EQ(scene.lights[0].color, Vec3f(0.5f));  // no colour in the file: 1 / sqrt(number of lights)
   EXPECT_EQ(scene.lights[1].color, Vec3f(0.5f, 0.25f, 1.0f));
   EXPECT_FALSE(scene.lights[0].inverse_square);
   EXPECT_EQ(evaluate(scene, 0.0).of(scene.lights[1].node).translation, Vec3f(4, 5, 6));
@@ -127,7 +127,7 @@ TEST(Nff, view_looks_from_one_point_at_another) {
   ASSERT_EQ(scene.cameras.size(), 1u);
   const Affine3f world_from_camera = evaluate(scene, 0.0).of(scene.cameras[0].node);
   EXPECT_EQ(world_from_camera.translation, Vec3f(0, -10, 0));
-  const auto near = [](Vec3f a, Vec3f b) { return glm::distance(a, b) < 1e-6f; };  // rounding error of a quaternion
+  const auto near = [](Vec3f a, Vec3f b) { return glm::distance(a, b) < 1e-6f; };  // tolerance: rounding errors of a quaternion
   EXPECT_TRUE(near(transform_vector(world_from_camera, {0, 0, -1}), {0, 1, 0}));
   EXPECT_TRUE(near(transform_vector(world_from_camera, {0, 1, 0}), {0, 0, 1}));
   EXPECT_TRUE(near(transform_vector(world_from_camera, {1, 0, 0}), {1, 0, 0}));

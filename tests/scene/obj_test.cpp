@@ -41,7 +41,7 @@ class Obj : public testing::Test {
     return "no error";
   }
 
-  /// Returns the surface of a triangle with this material.
+  /// Returns the surface of a triangle whose material has the given .mtl statements.
   MetallicRoughness surface_of(const std::string& statements) {
     write("a.mtl", "newmtl the one\n" + statements + "\n");
     const Scene scene = load("mtllib a.mtl\n" + kTriangle + "usemtl the one\nf 1 2 3\n");
@@ -62,7 +62,7 @@ TEST_F(Obj, corners_share_vertices_where_all_attributes_agree) {
   const Mesh& m = mesh(scene);
   EXPECT_EQ(m.positions.size(), 4u);
   EXPECT_EQ(m.triangles.size(), 2u);
-  EXPECT_EQ(m.uvs.at(1), Vec2f(1.0f, 0.75f));  // v points up in the file
+  EXPECT_EQ(m.uvs.at(1), Vec2f(1.0f, 0.75f));  // vt 1 0.25: v points up in the file, but down in a Mesh
   EXPECT_EQ(m.normals.at(0), Vec3f(0, 0, 1));
   EXPECT_THAT(warnings, IsEmpty());
 }
@@ -76,11 +76,11 @@ TEST_F(Obj, triangulates_concave_faces) {
   float area = 0.0f;
   for (const auto& t : m.triangles)
     area += 0.5f * glm::cross(m.positions[t[1]] - m.positions[t[0]], m.positions[t[2]] - m.positions[t[0]]).z;
-  EXPECT_EQ(area, 10.0f);  // 16 - 6
+  EXPECT_EQ(area, 10.0f);  // square minus notch: 16 - 6
 }
 
 TEST_F(Obj, accepts_utf_16_and_byte_order_marks) {
-  const std::string text = kTriangle + "o \xc3\xa9\nf 1 2 3\n";  // an e with an acute accent: U+00E9
+  const std::string text = kTriangle + "o \xc3\xa9\nf 1 2 3\n";  // U+00E9, an e with an acute accent, in UTF-8
   const auto utf16 = [&](bool low_first) {
     std::string wide;
     for (const char c : kTriangle + "o \xe9\nf 1 2 3\n") wide += low_first ? std::string{c, '\0'} : std::string{'\0', c};
@@ -123,7 +123,7 @@ TEST_F(Obj, one_instance_per_object_and_material) {
 TEST_F(Obj, colours_of_vertices_are_srgb) {
   const Mesh m = mesh(load("v 0 0 0 1 0 0.5\nv 1 0 0 1 1 1\nv 0 1 0\nf 1 2 3\n"));
   ASSERT_EQ(m.colors.size(), 3u);
-  EXPECT_NEAR(m.colors[0].z, 0.2140f, 1e-4f);  // ((0.5 + 0.055) / 1.055)^2.4, four digits
+  EXPECT_NEAR(m.colors[0].z, 0.2140f, 1e-4f);  // sRGB 0.5: ((0.5 + 0.055) / 1.055)^2.4
   EXPECT_EQ(m.colors[2], Vec3f(1.0f));
 }
 
@@ -133,7 +133,8 @@ TEST_F(Obj, material_becomes_a_physical_surface) {
   const MetallicRoughness s = surface_of("Kd 0.1 0.2 0.3\nKe 4 5 6\nNs 30\nNi 1.4\nd 0.25\nillum 2\nKa 1 1 1");
   EXPECT_EQ(s.base_color, Vec4f(0.1f, 0.2f, 0.3f, 0.25f));
   EXPECT_EQ(s.emissive, Vec3f(4, 5, 6));
-  EXPECT_FLOAT_EQ(s.roughness, 0.5f);  // alpha^2 = 2 / 32 = 1/16, sqrt(alpha) = 1/2
+  // Ns = 30: alpha^2 = 2 / (30 + 2) = 1/16, and the roughness is sqrt(alpha) = 1/2.
+  EXPECT_FLOAT_EQ(s.roughness, 0.5f);
   EXPECT_EQ(s.ior, 1.4f);
   EXPECT_TRUE(s.blend);
   EXPECT_TRUE(s.double_sided);

@@ -1,4 +1,4 @@
-// Tests scenes far from the origin of their coordinates, such as map coordinates.
+// Tests scenes that are far from the origin of their coordinates, for example in map coordinates.
 #include "lippmann/scene/origin.hpp"
 
 #include <fmt/format.h>
@@ -17,12 +17,12 @@
 namespace lippmann {
 namespace {
 
-/// Map coordinates, where floats have a spacing of half a unit.
+/// A point in map coordinates. Floats of this size have a spacing of half a unit.
 const Vec3d kPlace(4512345.125, 320.5, -5400000.25);
 
 std::string text_of(Vec3d p) { return fmt::format("{} {} {}", p.x, p.y, p.z); }
 
-/// A file of a scene whose positions are relative to `place`.
+/// Loads scenes from files with the given contents.
 class FarScene : public testing::Test {
  protected:
   Scene load(const std::string& name, const std::string& contents, std::vector<std::string>* warnings = nullptr) const {
@@ -36,14 +36,15 @@ class FarScene : public testing::Test {
   test::TempDir folder_;
 };
 
-/// Returns a position of the scene in the file's coordinates.
+/// Returns a point of the scene in the coordinates of the file.
 Vec3d in_file(const Scene& scene, Vec3f p) { return scene.origin + Vec3d(p); }
 
 void expect_near(Vec3d a, Vec3d b, double tolerance) {
   EXPECT_LE(glm::length(a - b), tolerance) << text_of(a) << " and " << text_of(b);
 }
 
-/// Rounding errors of three coordinates below 16 in two scenes, half of 2^-20 each.
+/// Tolerance: coordinates below 16 have rounding errors of at most 2^-21. Points of two scenes then differ by at most
+/// sqrt(3) * 2 * 2^-21 = 1.7e-6.
 constexpr double kOriginRounding = 2e-6;
 
 const std::vector<Vec3d> kCorners{{0.1, 0.2, 0.3}, {1.1, 0.2, 0.3}, {0.1, 1.3, 0.3}, {0.7, 0.9, -0.4}};
@@ -54,7 +55,7 @@ std::string obj_at(Vec3d place) {
   return text + "f 1 2 3\nf 1 2 4\n";
 }
 
-/// Returns one splat at the first corner, with the file's x, y and z unchanged, or with y and z downwards.
+/// Returns a file of one splat at place + kCorners[0]. In the file, z or -y points up.
 std::string splat_at(Vec3d place, bool z_up) {
   const Vec3d at = place + kCorners[0], in_file = z_up ? Vec3d(at.x, -at.z, at.y) : Vec3d(at.x, -at.y, -at.z);
   return fmt::format(
@@ -124,7 +125,7 @@ TEST_F(FarScene, tachyon_is_the_same_scene_elsewhere) {
   const Scene near = load("near.dat", tachyon_at(Vec3d(0.0))), far = load("far.dat", tachyon_at(kPlace));
   EXPECT_EQ(near.origin, Vec3d(0.0));
   ASSERT_NE(far.origin, Vec3d(0.0));
-  const Vec3d place(kPlace.x, kPlace.y, -kPlace.z);  // Tachyon is left-handed
+  const Vec3d place(kPlace.x, kPlace.y, -kPlace.z);  // Tachyon's z is mirrored because its world is left-handed
   const ResolvedScene near_rest = evaluate(near, 0.0), far_rest = evaluate(far, 0.0);
   ASSERT_EQ(near.instances.size(), far.instances.size());
   for (std::size_t i = 0; i < near.instances.size(); ++i) {
@@ -145,7 +146,7 @@ TEST_F(FarScene, warnings_are_given_once) {
 
 TEST_F(FarScene, near_scenes_keep_their_origin) {
   for (const double away : {0.0, 10.0, 60.0}) EXPECT_EQ(load("a.obj", obj_at(Vec3d(away, 0, 0))).origin, Vec3d(0.0)) << away;
-  // The corners' bounds have a diagonal of 1.66, and 64 diagonals are 106 units.
+  // The diagonal of the corners' bounds is 1.66 units. The limit is 64 diagonals = 106 units.
   EXPECT_NE(load("a.obj", obj_at(Vec3d(120.0, 0, 0))).origin, Vec3d(0.0));
 }
 
@@ -155,7 +156,8 @@ TEST_F(FarScene, origin_is_part_of_the_fingerprint) {
 
 // ---- Scenes in memory ---------------------------------------------------------------------------------------------------
 
-/// Returns a mesh below two rotated and scaled nodes, a camera and a lamp, all in map coordinates.
+/// Returns a scene in map coordinates with two instances of a mesh, a sphere, a camera and two lights. Node 1, which shows the
+/// mesh, has a parent that rotates and scales.
 Scene scene_on_a_map() {
   Scene scene;
   const Vec3f far(kPlace);
@@ -173,7 +175,7 @@ Scene scene_on_a_map() {
   scene.materials.resize(1);
   scene.instances = {{"below", 0, 0, 1}, {"at", 0, 0, 4}, {"in the world", 1, 0, -1}};
   scene.cameras.resize(1), scene.cameras[0].node = 2;
-  scene.lights.resize(2), scene.lights[0].node = 3;  // the other stands at the origin
+  scene.lights.resize(2), scene.lights[0].node = 3;  // the second light is at the origin
   return scene;
 }
 
@@ -184,7 +186,7 @@ TEST(Origin, everything_stands_where_it_stood) {
   ASSERT_NE(after.origin, Vec3d(0.0));
   validate(after, "after");
   const ResolvedScene was = evaluate(before, 0.0), is = evaluate(after, 0.0);
-  constexpr double kHalfUnit = 1.0;  // floats have a spacing of half a unit before the move
+  constexpr double kHalfUnit = 1.0;  // before the move, floats have a spacing of half a unit
   for (std::size_t i = 0; i < before.instances.size(); ++i) {
     const Bounds3f a = finite_bounds(before, before.instances[i], was), b = finite_bounds(after, after.instances[i], is);
     expect_near(in_file(after, b.lower), Vec3d(a.lower), kHalfUnit);
@@ -200,7 +202,7 @@ TEST(Origin, meshes_below_nodes_are_not_rounded) {
   move_near_origin(scene);
   const ResolvedScene rest = evaluate(scene, 0.0);
   const Bounds3f below = finite_bounds(scene, scene.instances[0], rest), at = finite_bounds(scene, scene.instances[1], rest);
-  // 0.5 * 2 units long and rotated by 90 degrees: along x and z.
+  // The mesh at node 1 is scaled by 0.5 * 2 and rotated by 90 degrees about x. Its size of 1 x 1 is then along x and z.
   expect_near(Vec3d(below.size()), Vec3d(1, 0, 1), kOriginRounding);
   expect_near(Vec3d(at.size()), Vec3d(1, 1, 0), kOriginRounding);
   expect_near(Vec3d(below.lower), Vec3d(at.lower), 1e-5);
@@ -232,7 +234,7 @@ TEST(Origin, skinned_meshes_follow_their_joints) {
   for (Vec3f& p : skinned.positions) p += Vec3f(kPlace);
   skinned.skin = {1, {0, 0, 1}, {1, 1, 1}};
   before.shapes.push_back(skinned);
-  // One joint is in map coordinates; the other, which never moves, at the old origin.
+  // Joint 0 is in map coordinates. Joint 1 is at the old origin and does not move.
   before.nodes.resize(6);
   before.skins = {{"", {4, 5}, {Affine3f{Mat3f(1.0f), -Vec3f(kPlace)}, Affine3f{}}}};
   before.instances.push_back({"skinned", 2, 0, 5});
@@ -247,7 +249,7 @@ TEST(Origin, skinned_meshes_follow_their_joints) {
 
 TEST(Origin, shape_of_several_nodes_is_copied) {
   Scene scene = scene_on_a_map();
-  scene.nodes.resize(6);  // near the old origin
+  scene.nodes.resize(6);  // node 5 is near the old origin
   scene.nodes[5].local.translation = {1, 0, 0};
   scene.instances.push_back({"same sphere at a node", 1, 0, 5});
   scene.instances.push_back({"same sphere in the world", 1, 0, -1});
@@ -259,7 +261,7 @@ TEST(Origin, shape_of_several_nodes_is_copied) {
   expect_near(middle(4), middle(2), kOriginRounding);
 }
 
-/// Adds a box of this size at a position on the x axis.
+/// Adds a box with sides of length `size` at the position `x` on the x axis.
 void add_box(Scene& scene, float size, float x) {
   scene.nodes.emplace_back().local.translation = {x, 0, 0};
   scene.instances.push_back({"box", static_cast<int>(scene.shapes.size()), 0, static_cast<int>(scene.nodes.size()) - 1});

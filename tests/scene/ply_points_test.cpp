@@ -1,4 +1,3 @@
-// Tests PLY point clouds.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -21,14 +21,14 @@ namespace {
 using test::TempDir;
 using ::testing::HasSubstr;
 
-/// A file with the usual layout, row by row.
+/// A file in the usual layout of splats, one row per splat.
 struct SplatFile {
   std::vector<std::string> properties = {"x",       "y",      "z",      "nx",      "ny",      "nz",
                                          "f_dc_0",  "f_dc_1", "f_dc_2", "opacity", "scale_0", "scale_1",
                                          "scale_2", "rot_0",  "rot_1",  "rot_2",   "rot_3"};
   std::vector<std::vector<float>> rows = {{1, 2, 3, 0, 0, 0, 0.5f, 0.25f, -0.5f, 0, -1, -2, -3, 2, 0, 0, 0}};
   std::string format = "binary_little_endian", type = "float";
-  int claimed = -1;  ///< number of rows stated in the header; -1: the actual number
+  int claimed = -1;  ///< number of rows that the header states; -1: the actual number
 
   void with_rest(int count) {
     for (int k = 0; k < count; ++k) {
@@ -121,7 +121,7 @@ TEST(PlySplats, opacities_without_end_are_opaque_or_nothing) {
   EXPECT_EQ(splats(scene).opacities, (std::vector<float>{1.0f, 0.0f}));
 }
 
-/// Returns the values of SplatFile as text, with properties of any type.
+/// Returns a text file of one splat. `properties` are additional properties of any type, and `row` contains their values.
 std::string text_splats(const std::string& properties, const std::string& row) {
   return "ply\nformat ascii 1.0\nelement camera 1\nproperty float f\nelement vertex 1\nproperty float x\nproperty float y\n"
          "property double z\nproperty float opacity\n" +
@@ -144,7 +144,7 @@ const std::string kScales = "property float scale_0\nproperty float scale_1\npro
 
 TEST(PlySplats, colours_may_stand_in_place_of_harmonics) {
   const Scene scene = scene_of(text_splats(kRgb + kScales + kRotation, "255 0 51 -1 -2 -3 1 0 0 0"));
-  constexpr float kY0 = 0.28209479f;  // 1 / sqrt(4 pi)
+  constexpr float kY0 = 0.28209479f;  // spherical harmonic of degree 0: 1 / sqrt(4 pi)
   const Vec3f shown = 0.5f + kY0 * splats(scene).harmonics.at(0);
   EXPECT_NEAR(shown.x, 1.0f, 1e-6f);
   EXPECT_NEAR(shown.y, 0.0f, 1e-6f);

@@ -37,7 +37,7 @@ std::string header(const std::string& format, const std::string& more = {}) {
          "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
 }
 
-/// Returns (0, 0, 0), (2, 0, 0), (0, 2, 0) and their face. 2.0f is 40 00 00 00 in hexadecimal.
+/// Returns the bytes of the vertices (0, 0, 0), (2, 0, 0), (0, 2, 0) and of their face. The float 2 has the bytes 40 00 00 00.
 std::string binary_triangle(bool big_endian) {
   std::string bytes;
   const auto add = [&](std::string value) {
@@ -78,9 +78,9 @@ TEST(Ply, vertices_bring_normals_colours_and_texture_coordinates) {
   const Mesh& m = mesh(scene);
   EXPECT_EQ(m.normals.at(0), Vec3f(0, 0, 1));
   EXPECT_EQ(m.colors.at(0).x, 1.0f);
-  EXPECT_NEAR(m.colors.at(0).z, 0.5029f, 1e-4f);  // ((188/255 + 0.055) / 1.055)^2.4, four digits
+  EXPECT_NEAR(m.colors.at(0).z, 0.5029f, 1e-4f);  // sRGB 188: ((188/255 + 0.055) / 1.055)^2.4
   EXPECT_EQ(m.alphas.at(0), 0.2f);
-  EXPECT_EQ(m.uvs.at(0), Vec2f(0.5f, 0.75f));  // v points up in the file
+  EXPECT_EQ(m.uvs.at(0), Vec2f(0.5f, 0.75f));  // 0.25 in the file, where v points up
   EXPECT_TRUE(std::get<MetallicRoughness>(scene.materials.at(0).surface).blend);
 }
 
@@ -125,7 +125,7 @@ TEST(Ply, other_elements_are_left_out) {
   EXPECT_EQ(mesh(scene).triangles.size(), 1u);
 }
 
-/// A square of two triangles with additional vertex and face data; collects warnings.
+/// A file with a square of two triangles. Tests can add properties to its vertices and faces.
 struct Square {
   std::string comments{}, vertex_properties{}, face_properties{};
   std::array<std::string, 4> vertex_values{};
@@ -167,7 +167,7 @@ TEST(Ply, faces_have_colours_of_their_own) {
     EXPECT_EQ(color_of(m, 1, corner), Vec3f(0, 0, 1));
     EXPECT_EQ(m.alphas.at(m.triangles[1][corner]), 0.2f);
   }
-  EXPECT_EQ(m.positions.size(), 6u);  // the two shared corners are duplicated
+  EXPECT_EQ(m.positions.size(), 6u);  // the faces differ in colour, so their two common vertices are split
   EXPECT_THAT(square.warnings, testing::IsEmpty());
 }
 
@@ -181,7 +181,7 @@ TEST(Ply, vertex_colours_override_face_colours) {
               testing::ElementsAre("a.ply: element 'face': the properties 'red', 'green' and 'blue' are left out."));
 }
 
-/// Provides two images of one texel, red and blue, that a file can refer to.
+/// Provides two images of one texel that a file can refer to: a red one and a blue one.
 class PlyTextures : public testing::Test {
  protected:
   PlyTextures() {
@@ -192,7 +192,7 @@ class PlyTextures : public testing::Test {
     write_png(dir_ / name, Image8{1, 1, std::move(rgb)});
   }
   PlyOptions here() const { return {{dir_.path(), {}}}; }
-  /// Returns the first byte of an instance's texture; 1: no texture.
+  /// Returns the red byte of an instance's texture, or 1 if the instance has no texture.
   static std::uint8_t red_of(const Scene& scene, std::size_t instance) {
     const auto material = static_cast<std::size_t>(scene.instances.at(instance).material);
     const auto& surface = std::get<MetallicRoughness>(scene.materials.at(material).surface);
@@ -223,7 +223,7 @@ TEST_F(PlyTextures, corners_have_coordinates_and_faces_a_picture) {
   ASSERT_EQ(scene.instances.size(), 2u);
   EXPECT_EQ(red_of(scene, 0), 255);
   EXPECT_EQ(red_of(scene, 1), 0);
-  const Mesh& second = mesh(scene);  // parts follow the order of their textures
+  const Mesh& second = mesh(scene);  // mesh of the second face, which has the first texture
   EXPECT_EQ(second.uvs.at(second.triangles.at(0)[1]), Vec2f(0.5f, 0.0f));
   EXPECT_THAT(square.warnings, testing::IsEmpty());
 }

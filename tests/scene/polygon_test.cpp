@@ -11,8 +11,8 @@ glm::dvec3 area_vector(const std::vector<Vec3f>& p, const Triangle& t) {
   return 0.5 * glm::cross(glm::dvec3(p[t[1]] - p[t[0]]), glm::dvec3(p[t[2]] - p[t[0]]));
 }
 
-/// Checks that triangles fill a polygon in z = const with this area, counter-clockwise and without overlap: no triangle is
-/// flipped, and their areas add up. Coordinates are small whole numbers, so floating point is exact.
+/// Checks that the triangles fill a polygon in a plane z = const without overlap. This holds if no triangle is clockwise and
+/// the areas add up to `area`. The coordinates are small whole numbers so that floats are exact.
 void expect_fills(const std::vector<Vec3f>& polygon, double area) {
   const std::vector<Triangle> triangles = triangulate(polygon);
   EXPECT_EQ(triangles.size(), polygon.size() - 2);
@@ -31,12 +31,12 @@ TEST(Polygon, convex_ones_become_fans) {
 }
 
 TEST(Polygon, notch_stays_open) {
-  // A square of 4 x 4 without the triangle (0, 4), (2, 1), (4, 4), whose area is 6.
+  // A square of 4 x 4 minus the triangle (0, 4), (2, 1), (4, 4) of area 6.
   expect_fills({{0, 0, 5}, {4, 0, 5}, {4, 4, 5}, {2, 1, 5}, {0, 4, 5}}, 10.0);
 }
 
 TEST(Polygon, comb_is_filled_from_any_corner) {
-  // A bar of 7 x 1 with four teeth of 1 x 3.
+  // A bar of 7 x 1 with four teeth of 1 x 3 each.
   std::vector<Vec3f> teeth = {{0, 0, 0}, {7, 0, 0}, {7, 4, 0}, {6, 4, 0}, {6, 1, 0}, {5, 1, 0}, {5, 4, 0}, {4, 4, 0},
                               {4, 1, 0}, {3, 1, 0}, {3, 4, 0}, {2, 4, 0}, {2, 1, 0}, {1, 1, 0}, {1, 4, 0}, {0, 4, 0}};
   for (std::size_t i = 0; i < teeth.size(); ++i) {
@@ -46,20 +46,20 @@ TEST(Polygon, comb_is_filled_from_any_corner) {
 }
 
 TEST(Polygon, hole_may_use_coincident_edges) {
-  // 6 x 6 with a hole of 2 x 2 in its middle, connected by a cut from (0, 0) to (2, 2).
+  // A square of 6 x 6 minus a hole of 2 x 2. A cut from (0, 0) to (2, 2) connects both outlines.
   expect_fills({{0, 0, 0}, {6, 0, 0}, {6, 6, 0}, {0, 6, 0}, {0, 0, 0}, {2, 2, 0}, {2, 4, 0}, {4, 4, 0}, {4, 2, 0}, {2, 2, 0}},
                32.0);
 }
 
 TEST(Polygon, winding_is_kept_in_any_plane) {
-  // The notched square in the plane x = 0, clockwise as seen from +x.
+  // The square with a notch in the plane x = 0. It is clockwise as seen from +x.
   const std::vector<Vec3f> polygon = {{0, 0, 0}, {0, 0, 4}, {0, 4, 4}, {0, 1, 2}, {0, 4, 0}};
   glm::dvec3 sum(0.0);
   for (const Triangle& t : triangulate(polygon)) {
     EXPECT_LE(area_vector(polygon, t).x, 0.0);
     sum += area_vector(polygon, t);
   }
-  EXPECT_EQ(sum, glm::dvec3(-10.0, 0.0, 0.0));  // 16 - 6
+  EXPECT_EQ(sum, glm::dvec3(-10.0, 0.0, 0.0));  // the area, along -x: 16 - 6
 }
 
 TEST(Polygon, crossed_polygon_gives_few_triangles) {

@@ -1,4 +1,4 @@
-// Tests CAMERA, camera paths, lights and scene-wide statements.
+// Tests CAMERA, camera paths, lights, and statements that affect the whole scene.
 #include <cmath>
 
 #include "lippmann/scene/timeline.hpp"
@@ -17,7 +17,7 @@ std::string camera(const std::string& pose, const std::string& zoom = "ZOOM 1") 
   return "CAMERA " + zoom + " ASPECTRATIO 1 ANTIALIASING 0 RAYDEPTH 12 " + pose + " END_CAMERA\n";
 }
 
-/// The origin and the axes of the camera's node, rounded to 6 digits to hide float errors of a rotation.
+/// The origin and the axes of the camera's node. The axes are rounded to 6 digits to remove rounding errors of the rotation.
 struct CameraFrame {
   Vec3f origin, right, up, forward;
 };
@@ -27,7 +27,8 @@ CameraFrame frame_of(const Scene& scene, double time = 0.0) {
   return {world_from_camera.translation, axis({1, 0, 0}), axis({0, 1, 0}), axis({0, 0, -1})};
 }
 
-/// Tachyon: view +z, up +y, right = up x view = +x. Mirrored: view -z, up +y, right = view x up = +x.
+/// Tachyon: view = +z, up = +y, right = up x view = +x.
+/// Mirrored in z: view = -z, up = +y, right = view x up = +x.
 TEST_F(Tachyon, camera_along_z_looks_along_minus_z) {
   const Scene scene = files.load_statements(camera("CENTER 1 2 3 VIEWDIR 0 0 1 UPDIR 0 1 0"));
   const CameraFrame frame = frame_of(scene);
@@ -37,7 +38,8 @@ TEST_F(Tachyon, camera_along_z_looks_along_minus_z) {
   EXPECT_EQ(xyz(frame.forward), (std::array{0.0f, 0.0f, -1.0f}));
 }
 
-/// Tachyon: view +x, up +z, right = up x view = z x x = +y. Mirrored: view +x, up -z, right = view x up = x x -z = +y.
+/// Tachyon: view = +x, up = +z, right = up x view = z x x = +y.
+/// Mirrored in z: view = +x, up = -z, right = view x up = x x (-z) = +y.
 TEST_F(Tachyon, camera_right_is_tachyon_s_right_mirrored) {
   const CameraFrame frame = frame_of(files.load_statements(camera("CENTER 0 0 0 VIEWDIR 3 0 0 UPDIR 0 0 2")));
   EXPECT_EQ(xyz(frame.right), (std::array{0.0f, 1.0f, 0.0f}));
@@ -45,14 +47,14 @@ TEST_F(Tachyon, camera_right_is_tachyon_s_right_mirrored) {
   EXPECT_EQ(xyz(frame.forward), (std::array{1.0f, 0.0f, 0.0f}));
 }
 
-/// view (0, 0, 1), up (0, 1, 1): orthogonalised to (0, 1, 0).
+/// The part of up = (0, 1, 1) that is orthogonal to view = (0, 0, 1) is (0, 1, 0).
 TEST_F(Tachyon, up_is_made_orthogonal_to_view) {
   const CameraFrame frame = frame_of(files.load_statements(camera("CENTER 0 0 0 VIEWDIR 0 0 1 UPDIR 0 1 1")));
   EXPECT_EQ(xyz(frame.up), (std::array{0.0f, 1.0f, 0.0f}));
 }
 
-/// Column 1 of W samples x/W = 1/W, a whole pixel from the left edge, while our pixel 0 has its centre at half a pixel. Row 1
-/// is the bottom row and samples 1/W from the bottom, half a pixel above our centre.
+/// Tachyon's first column samples one pixel to the right of the left edge; the centre of our pixel 0 is half a pixel to the
+/// right of it. Tachyon's bottom row samples one pixel above the bottom edge, half a pixel above our centre.
 TEST_F(Tachyon, pixel_offset_is_half_right_and_up) {
   const Scene scene = files.load_statements("");
   EXPECT_EQ(scene.cameras[0].pixel_offset.x, 0.5f);
@@ -61,7 +63,7 @@ TEST_F(Tachyon, pixel_offset_is_half_right_and_up) {
 
 TEST_F(Tachyon, zoom_1_sees_half_at_distance_1) {
   const Scene scene = files.load_statements("");
-  EXPECT_NEAR(std::tan(scene.cameras[0].vertical_fov / 2), 0.5f, 1e-6f);  // one rounding of the angle to float
+  EXPECT_NEAR(std::tan(scene.cameras[0].vertical_fov / 2), 0.5f, 1e-6f);  // tolerance: the angle is rounded to float
 }
 
 TEST_F(Tachyon, zoom_2_halves_the_picture) {
@@ -196,7 +198,8 @@ TEST_F(Tachyon, depth_of_field_is_ignored) {
   EXPECT_THAT(files.warnings, ElementsAre(HasSubstr("the depth of field of PERSPECTIVE_DOF is left out")));
 }
 
-/// The plane's middle is at the height of the camera. A point half the picture's height above it is seen at 22.5 degrees.
+/// The range of heights, -1 to 3, has its middle at the height of the camera, 1. Its ends are half a picture height away from
+/// the middle, so the assumed viewer sees them at 22.5 degrees.
 TEST_F(Tachyon, orthographic_gradient_becomes_directions) {
   const Scene scene = files.load_statements(
       camera("CENTER 0 1 0 VIEWDIR 0 0 1 UPDIR 0 1 0", "PROJECTION ORTHOGRAPHIC ZOOM 0.25") +
@@ -230,7 +233,7 @@ TEST_F(Tachyon, light_without_attenuation_does_not_fade) {
   EXPECT_EQ(xyz(scene.lights[0].attenuation), (std::array{1.0f, 0.0f, 0.0f}));
 }
 
-/// d.UPDIR with an UPDIR of length 2 reaches TOPVAL 1.5 where d.up = 0.75.
+/// d.UPDIR = TOPVAL = 1.5 where the direction's component along UPDIR is 1.5 / |UPDIR| = 0.75.
 TEST_F(Tachyon, gradient_overrides_background) {
   const Scene scene = files.load_statements(
       "BACKGROUND_GRADIENT SKY_SPHERE UPDIR 0 0 2 TOPVAL 1.5 BOTTOMVAL -1 TOPCOLOR 0 0 1 BOTTOMCOLOR 1 0 0 BACKGROUND 1 1 1");
@@ -247,7 +250,7 @@ TEST_F(Tachyon, spotlight_shines_along_its_mirrored_direction) {
   const Light& light = scene.lights[0];
   EXPECT_EQ(light.kind, LightKind::kSpot);
   const Vec3f direction = transform_vector(evaluate(scene, 0.0).of(light.node), {0, 0, -1});
-  EXPECT_LT(glm::length(direction - Vec3f(0.0f, 0.6f, -0.8f)), 1e-6f);  // rounding error of a rotation
+  EXPECT_LT(glm::length(direction - Vec3f(0.0f, 0.6f, -0.8f)), 1e-6f);  // tolerance: rounding errors of a rotation
   EXPECT_NEAR(degrees(light.inner_cone), 20.0f, 1e-5f);
   EXPECT_NEAR(degrees(light.outer_cone), 45.0f, 1e-5f);
   EXPECT_EQ(light.visible_radius, 0.5f);
@@ -265,7 +268,7 @@ TEST_F(Tachyon, directional_light_in_any_direction_keeps_it) {
     EXPECT_EQ(scene.lights[0].kind, LightKind::kDirectional);
     const Vec3f direction = transform_vector(evaluate(scene, 0.0).of(scene.lights[0].node), {0, 0, -1});
     const Vec3f expected = glm::normalize(Vec3f(d.x, d.y, -d.z));
-    EXPECT_LT(glm::length(direction - expected), 1e-6f) << d.x << " " << d.y << " " << d.z;  // rounding error of a rotation
+    EXPECT_LT(glm::length(direction - expected), 1e-6f) << d.x << " " << d.y << " " << d.z;  // rounding errors of a rotation
   }
 }
 

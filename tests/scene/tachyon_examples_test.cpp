@@ -1,4 +1,4 @@
-// Tests the scenes of Debian's package tachyon-doc: which of them load, and the unsupported keyword of the others.
+// Tests the scenes of Debian's package tachyon-doc: each must load, or stop at the expected unsupported keyword.
 #include <cctype>
 #include <cstring>
 
@@ -11,7 +11,7 @@ const std::filesystem::path kScenes = "/usr/share/doc/tachyon/examples/scenes";
 
 struct Example {
   const char* name;
-  const char* stops_at;  ///< "line: keyword" at the beginning of the error; empty: loads
+  const char* stops_at;  ///< "line: keyword" at the beginning of the error; empty: no error
 };
 void PrintTo(const Example& example, std::ostream* out) { *out << example.name; }
 

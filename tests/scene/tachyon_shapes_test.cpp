@@ -1,4 +1,4 @@
-// Tests every shape statement: values are mirrored in z, in the right order, and grouped by material.
+// Tests all shape statements: z is mirrored, values are in the right order, and shapes are grouped by material.
 #include "tachyon_support.hpp"
 
 namespace lippmann {
@@ -34,7 +34,7 @@ TEST_F(Tachyon, plane_normal_becomes_a_unit_vector) {
 TEST_F(Tachyon, tiny_normal_keeps_its_direction) {
   const Scene scene = files.load_statements("PLANE CENTER 0 0 0 NORMAL 0 3e-30 4e-30" + white);
   const Vec3f normal = only_shape<Planes>(scene)[0].normal;
-  EXPECT_NEAR(normal.y, 0.6f, 1e-6f);  // the file's digits are rounded to floats
+  EXPECT_NEAR(normal.y, 0.6f, 1e-6f);  // tolerance: the numbers are rounded to floats
   EXPECT_NEAR(normal.z, -0.8f, 1e-6f);
 }
 
@@ -79,7 +79,7 @@ TEST_F(Tachyon, polycylinder_has_spheres_and_cylinders) {
   EXPECT_EQ(xyz(cylinders[1].apex), (std::array{1.0f, 1.0f, 0.0f}));
 }
 
-/// In the file's left-handed world, V0 V1 V2 = 0, x, y has (V1 - V0) x (V2 - V0) = +z, which mirroring turns to -z.
+/// In the file, V1 - V0 = x and V2 - V0 = y, so the normal (V1 - V0) x (V2 - V0) is +z. Mirroring turns it to -z.
 TEST_F(Tachyon, triangle_keeps_its_normal_s_side) {
   const Scene scene = files.load_statements("TRI V0 0 0 1 V1 1 0 1 V2 0 1 1" + white);
   const Mesh& mesh = only_shape<Mesh>(scene);
@@ -149,7 +149,7 @@ TEST_F(Tachyon, trimesh_shares_vertices) {
 TEST_F(Tachyon, tristrip_turns_every_second_triangle_over) {
   const Scene scene = files.load_statements(kQuad + "TRISTRIP 4 0 1 2 3 END_VERTEXARRAY");
   const Mesh& mesh = only_shape<Mesh>(scene);
-  // 0 1 2 and 2 1 3 (Tachyon's order), with corners two and three swapped by mirroring.
+  // Tachyon's triangles are 0 1 2 and 2 1 3. Mirroring swaps their second and third corner.
   EXPECT_THAT(mesh.triangles, ElementsAre(Triangle{0, 2, 1}, Triangle{2, 3, 1}));
 }
 
@@ -207,7 +207,8 @@ TEST_F(Tachyon, vcstri_has_colours_and_no_texture) {
 
 // ---- SCAPE ----
 
-/// Two grid points per side: four corners, random numbers x <- 1099087573 x mod 2^32 from x = 4 on, divided by 2^32.
+/// With two grid points per side, the landscape consists of its four corners. The height of a corner is a random number of
+/// Tachyon: x <- 1099087573 x mod 2^32, starting from x = 4, divided by 2^32.
 TEST_F(Tachyon, smallest_landscape_has_two_triangles) {
   const Scene scene = files.load_statements("SCAPE RES 2 2 SCALE 4 6 CENTER 1 2 3" + white);
   const Mesh& mesh = only_shape<Mesh>(scene);
@@ -216,7 +217,7 @@ TEST_F(Tachyon, smallest_landscape_has_two_triangles) {
   std::uint32_t x = 4;
   std::vector<float> heights;
   for (int i = 0; i < 4; ++i) heights.push_back(2.0f + static_cast<float>((x *= 1099087573u) / 4294967296.0));
-  // In the order of first use by the triangles: (0, 0), (1, 1), (1, 0), (0, 1).
+  // Vertices are in the order in which triangles use them: grid points (0, 0), (1, 1), (1, 0), (0, 1).
   EXPECT_EQ(xyz(mesh.positions[0]), (std::array{-1.0f, heights[0], 0.0f}));
   EXPECT_EQ(xyz(mesh.positions[1]), (std::array{3.0f, heights[3], -6.0f}));
   EXPECT_EQ(xyz(mesh.positions[2]), (std::array{3.0f, heights[1], 0.0f}));
@@ -235,22 +236,24 @@ TEST_F(Tachyon, landscape_is_never_below_its_center) {
 
 TEST_F(Tachyon, tpolyfile_scales_rotates_and_moves) {
   files.write("models/a.tpoly", "3\n1 0 0\n0 1 0\n0 0 1\n");
-  // Scaled by two, rotated by a quarter turn about z ((x, y) to (-y, x)), then moved by 10 in x.
+  // Each corner is scaled by 2, rotated by 90 degrees about z, which turns (x, y) to (-y, x), and moved by 10 in x.
   const Scene scene = files.load_statements("TPOLYFILE SCALE 2 2 2 ROT 0 0 90 CENTER 10 0 0 FILE models/a.tpoly" + white);
   const Mesh& mesh = only_shape<Mesh>(scene);
   ASSERT_EQ(mesh.positions.size(), 3u);
-  const Vec3f expected[] = {{8, 0, 0}, {10, 2, 0}, {10, 0, -2}};  // second corner first, as in Tachyon; z mirrored
+  // As in Tachyon, the second corner comes first. z is mirrored.
+  const Vec3f expected[] = {{8, 0, 0}, {10, 2, 0}, {10, 0, -2}};
   for (std::size_t i = 0; i < 3; ++i)
-    EXPECT_LT(glm::length(mesh.positions[i] - expected[i]), 1e-6f) << i;  // rounding error of 10 + 2 cos 90 degrees
+    EXPECT_LT(glm::length(mesh.positions[i] - expected[i]), 1e-6f) << i;  // tolerance: rounding errors
 }
 
-/// Tachyon's rotation about y has +sin where a rotation has -sin in its third row: (1, 0, 0) goes to (cos, 0, +sin).
+/// Tachyon's matrix for rotations about y has +sin in its third row, where a proper rotation has -sin. It turns
+/// (1, 0, 0) to (cos, 0, +sin).
 TEST_F(Tachyon, tpolyfile_turns_about_y_as_tachyon_does) {
   files.write("a.tpoly", "3 0 0 0 1 0 0 0 1 0");
   const Scene scene = files.load_statements("TPOLYFILE SCALE 1 1 1 ROT 0 30 0 CENTER 0 0 0 FILE a.tpoly" + white);
   const Vec3f corner = only_shape<Mesh>(scene).positions[0];
   EXPECT_NEAR(corner.x, std::sqrt(0.75f), 1e-6f);
-  EXPECT_NEAR(corner.z, -0.5f, 1e-6f);  // mirrored
+  EXPECT_NEAR(corner.z, -0.5f, 1e-6f);  // z is mirrored
 }
 
 TEST_F(Tachyon, four_corner_tpolyfile_names_the_file) {

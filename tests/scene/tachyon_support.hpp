@@ -1,4 +1,4 @@
-// Shared helpers for tests of the Tachyon importer: scenes written as text and loaded from a fresh folder.
+// Helpers for the tests of the Tachyon importer. They write scenes to a new folder and load them.
 #pragma once
 
 #include <gmock/gmock.h>
@@ -15,7 +15,7 @@
 
 namespace lippmann::test {
 
-/// A folder with a scene file `scene.dat` and files added by a test.
+/// A temporary folder with the scene file scene.dat and the files that a test adds.
 class TachyonFiles {
  public:
   void write(const std::string& name, const std::string& contents) const {
@@ -24,7 +24,7 @@ class TachyonFiles {
   }
   std::filesystem::path path(const std::string& name) const { return dir_ / name; }
 
-  /// Loads scene.dat as a scene that passes validate() and collects warnings.
+  /// Loads scene.dat, validates the scene, and collects warnings.
   Scene load(double frames_per_second = kTachyonFramesPerSecond) {
     Context context;
     context.warn = [this](std::string_view text) { warnings.push_back(without_folder(std::string(text))); };
@@ -33,16 +33,17 @@ class TachyonFiles {
     return scene;
   }
 
-  /// Returns the scene of these statements with 4 x 3 pixels. The prelude has three lines, so statements start in line 4.
+  /// Returns the scene of the given statements with an image of 4 x 3 pixels. The file begins with a prelude of three lines, so
+  /// the statements begin in line 4.
   Scene load_statements(const std::string& statements) {
     write("scene.dat", kPrelude + statements + "\nEND_SCENE\n");
     return load();
   }
 
-  /// Returns the error message for these statements, without the folder's name.
+  /// Returns the error message for the given statements, without the folder's name.
   std::string error_of_statements(const std::string& statements) { return error_of(kPrelude + statements + "\nEND_SCENE\n"); }
 
-  /// Returns the error message for a whole file.
+  /// Returns the error message for a whole file, without the folder's name.
   std::string error_of(const std::string& text) {
     write("scene.dat", text);
     try {
@@ -71,14 +72,13 @@ class TachyonFiles {
   TempDir dir_;
 };
 
-/// Test fixture with a folder.
 class Tachyon : public testing::Test {
  protected:
   TachyonFiles files;
   const std::string white = TachyonFiles::kWhite;
 };
 
-/// Returns the only shape of a scene, which must be an S.
+/// Returns the only shape of a scene. It must be of type S.
 template <class S>
 const S& only_shape(const Scene& scene) {
   if (scene.shapes.size() != 1) throw std::logic_error("not one shape but " + std::to_string(scene.shapes.size()));
@@ -87,7 +87,7 @@ const S& only_shape(const Scene& scene) {
 
 inline const PhongSurface& phong(const Material& material) { return std::get<PhongSurface>(material.surface); }
 
-/// Returns a Vec3f as an array for EXPECT_EQ, because glm types cannot be printed.
+/// Returns a Vec3f as an array, which googletest can print.
 inline std::array<float, 3> xyz(Vec3f v) { return {v.x, v.y, v.z}; }
 
 }  // namespace lippmann::test

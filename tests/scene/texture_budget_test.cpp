@@ -25,9 +25,9 @@ TEST(TextureBudget, textures_that_fit_stay_as_they_are) {
 }
 
 TEST(TextureBudget, the_largest_is_halved_first) {
-  const std::vector<TextureExtent> three{{{4, 4}, true}, {{16, 16}, false}, {{4, 4}, true}};  // 64, 1024, 64 bytes
+  const std::vector<TextureExtent> three{{{4, 4}, true}, {{16, 16}, false}, {{4, 4}, true}};  // 64, 1024 and 64 bytes
   EXPECT_THAT(halvings_within(1151, three), ElementsAre(0, 1, 0));
-  EXPECT_THAT(halvings_within(383, three), ElementsAre(0, 2, 0));  // 64 + 64 + 64
+  EXPECT_THAT(halvings_within(383, three), ElementsAre(0, 2, 0));  // one halving leaves 64 + 256 + 64 = 384 bytes
 }
 
 TEST(TextureBudget, equal_sizes_reduce_data_and_later_first) {
@@ -48,7 +48,8 @@ TEST(TextureBudget, long_textures_are_halved_on_both_sides) {
 }
 
 TEST(HalvedTexture, averages_colours_linearly_and_alpha_directly) {
-  // Linear 1, 0, 0, 0: a quarter is the sRGB code 137; averaging bytes would give 64.
+  // Red: one texel of linear value 1 and three of 0 have the mean 1/4, which is sRGB code 137. The mean of the bytes would be
+  // 64.
   Texture texture = of_codes({2, 2}, {255, 0, 255, 255, 0, 0, 255, 0, 0, 0, 255, 0, 0, 0, 255, 0}, true);
   lippmann::halve(texture);
   EXPECT_EQ(Vec2i(texture.width, texture.height), Vec2i(1, 1));

@@ -9,7 +9,7 @@
 namespace lippmann {
 namespace {
 
-// A few rounding errors of numbers of order 1.
+// A few rounding errors of floats of about 1.
 constexpr float kRounding = 2e-6f;
 
 void expect_near(Vec3f a, Vec3f b, float tolerance = kRounding) {
@@ -34,7 +34,7 @@ TEST(Evaluate, transform_scales_then_rotates_then_moves) {
   Scene scene;
   scene.nodes.resize(1);
   scene.nodes[0].local = {{1, 2, 3}, about_y(90), {2, 3, 4}};
-  // (1, 0, 0) scaled: (2, 0, 0); rotated by 90 degrees about y: (0, 0, -2); translated: (1, 2, 1).
+  // (1, 0, 0) is scaled to (2, 0, 0), rotated by 90 degrees about y to (0, 0, -2), and translated to (1, 2, 1).
   expect_near(moved(scene, 0, {1, 0, 0}), {1, 2, 1});
 }
 
@@ -124,7 +124,7 @@ TEST(Evaluate, linear_rotation_turns_uniformly) {
 
 TEST(Evaluate, linear_rotation_takes_the_shorter_arc) {
   NodeAnimation turn;
-  turn.rotation = {{0, 1}, {about_y(0), -about_y(90)}};  // the same rotation as about_y(90), in the other hemisphere
+  turn.rotation = {{0, 1}, {about_y(0), -about_y(90)}};  // -q is the same rotation as q
   expect_near(moved(one_node(turn), 0.5, {1, 0, 0}), {std::sqrt(0.5f), 0, -std::sqrt(0.5f)});
 }
 
@@ -136,8 +136,8 @@ TEST(Evaluate, equal_rotation_keys_are_constant) {
 
 TEST(Evaluate, cubic_spline_weighs_tangents_by_the_interval) {
   NodeAnimation move;
-  // Interval 2 s, from 1 to 5, out-tangent 3, in-tangent -2. At u = 1/4: 0.84375 * 1 + 2 * 0.140625 * 3 + 0.15625 * 5
-  // + 2 * (-0.046875) * (-2) = 2.65625.
+  // x goes from 1 (out-tangent 3) to 5 (in-tangent -2) in 2 s. At u = 1/4, the Hermite spline gives
+  //   0.84375 * 1 + 2 * 0.140625 * 3 + 0.15625 * 5 + 2 * (-0.046875) * (-2) = 2.65625.
   move.translation = {{1, 3}, {Vec3f(77), {1, 0, 0}, {3, 0, 0}, {-2, 0, 0}, {5, 0, 0}, Vec3f(77)}, Interpolation::kCubicSpline};
   const Scene scene = one_node(move);
   expect_near(moved(scene, 1.5, Vec3f(0)), {2.65625, 0, 0});
@@ -149,7 +149,8 @@ TEST(Evaluate, cubic_spline_rotation_is_normalised) {
   NodeAnimation turn;
   const Quatf none(0, 0, 0, 0);
   turn.rotation = {{0, 1}, {none, about_y(0), none, none, about_y(90), none}, Interpolation::kCubicSpline};
-  // Half-way, without tangents: the mean of the two quaternions, which normalised is the rotation by 45 degrees.
+  // Without tangents, the value half-way is the mean of both quaternions. After normalisation, it is the rotation by 45
+  // degrees.
   expect_near(moved(one_node(turn), 0.5, {1, 0, 0}), {std::sqrt(0.5f), 0, -std::sqrt(0.5f)});
 }
 
@@ -240,7 +241,7 @@ TEST(FiniteBounds, turned_sphere_does_not_grow) {
 }
 
 TEST(FiniteBounds, slanted_cylinder_is_exact) {
-  // Axis along (3, 4, 0) / 5: its end discs of radius 5 reach 4 along x, 3 along y and 5 along z.
+  // Each end disc has radius 5 and the normal (3, 4, 0) / 5. It extends 4 along x, 3 along y and 5 along z.
   const Bounds3f b = bounds_of(Cylinders{{{0, 0, 0}, {3, 4, 0}, 5.0f}});
   expect_near(b.lower, {-4, -3, -5});
   expect_near(b.upper, {7, 7, 5});
@@ -276,7 +277,7 @@ TEST(FiniteBounds, along_another_frames_axes_are_as_tight) {
   scene.nodes[0].local = {{5, 0, 0}, about_y(45), Vec3f(1)};
   scene.instances[0].node = 0;
   const ResolvedScene resolved = evaluate(scene, 0);
-  // In the world the rotated box is sqrt(2) wide on either side; in its own frame it keeps its size.
+  // Along the world's axes, the rotated box extends sqrt(2) to either side. Along its own axes, it extends 1.
   EXPECT_NEAR(finite_bounds(scene, resolved).upper.x, 5.0f + std::sqrt(2.0f), 1e-5f);
   const Bounds3f own = finite_bounds(scene, resolved, inverse(resolved.of(0)));
   expect_near(own.lower, Vec3f(-1), 1e-5f);
