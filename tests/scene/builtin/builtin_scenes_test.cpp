@@ -16,12 +16,11 @@
 
 namespace lippmann {
 
-/// Names the scene in a failure.
 static void PrintTo(const BuiltinScene& scene, std::ostream* out) { *out << scene.name; }
 
 namespace {
 
-/// Each scene is built once for all tests.
+/// Returns a built-in scene. Each scene is built only once for all tests.
 const Scene& built(const BuiltinScene& builtin) {
   static std::map<std::string_view, Scene> scenes;
   const auto [it, is_new] = scenes.try_emplace(builtin.name);
@@ -41,7 +40,7 @@ INSTANTIATE_TEST_SUITE_P(BuiltinScenes, EachScene, testing::ValuesIn(builtin_sce
   return name;
 });
 
-/// Returns the largest displacement of a unit basis at the node's origin (its origin and three ends).
+/// Returns how far a transform moves from `a` to `b`: the largest displacement of the node's origin and of its unit vectors.
 float motion(const Affine3f& a, const Affine3f& b) {
   float most = glm::length(a.translation - b.translation);
   for (int axis = 0; axis < 3; ++axis) most = std::max(most, glm::length(a.linear[axis] - b.linear[axis]));
@@ -62,7 +61,8 @@ TEST_P(EachScene, loop_closes) {
 }
 
 TEST_P(EachScene, motion_never_jumps) {
-  // The speed of a node changes from one frame to the next by at most half of its top speed, also across the loop's seam.
+  // From one frame to the next, the speed of a node changes by at most half of its top speed. This also holds between the last
+  // frame and the first.
   const Timeline& timeline = scene().timeline;
   const std::size_t nodes = scene().nodes.size();
   const int frames = timeline.frame_count;

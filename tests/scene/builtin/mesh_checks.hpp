@@ -1,4 +1,4 @@
-// Checks that every generated mesh must pass. Each returns counts or values for the test to compare.
+// Checks for generated meshes. They return counts or values, which tests compare.
 #pragma once
 
 #include <cmath>
@@ -17,7 +17,7 @@ inline Vec3f area_normal(const Mesh& mesh, std::size_t t) {
   return glm::cross(mesh.positions[b] - mesh.positions[a], mesh.positions[c] - mesh.positions[a]);
 }
 
-/// Counts triangles with two equal corners or no area.
+/// Returns the number of triangles without area.
 inline int count_degenerate(const Mesh& mesh) {
   int count = 0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) count += glm::length(area_normal(mesh, t)) > 0.0f ? 0 : 1;
@@ -30,7 +30,7 @@ inline int count_normals_not_unit(const Mesh& mesh) {
   return count;
 }
 
-/// Counts triangles whose front does not face the sum of their vertex normals; none in a faceted mesh.
+/// Returns the number of triangles that do not face the sum of their vertex normals; 0 for a mesh without normals.
 inline int count_facing_wrong(const Mesh& mesh) {
   int count = 0;
   if (mesh.normals.empty()) return count;
@@ -41,7 +41,7 @@ inline int count_facing_wrong(const Mesh& mesh) {
   return count;
 }
 
-/// Returns the volume by the divergence theorem; positive if a closed surface faces outwards.
+/// Returns the volume of a closed mesh, by the divergence theorem. It is positive if the surface faces outwards.
 inline double signed_volume(const Mesh& mesh) {
   double sum = 0.0;
   for (const auto& [a, b, c] : mesh.triangles)
@@ -53,7 +53,7 @@ struct BoundaryEdge {
   Vec3f from, to;
 };
 
-/// Returns edges of only one triangle, where vertices closer than about `grid` are merged.
+/// Returns the edges that belong to only one triangle. Vertices that are closer than about `grid` count as one vertex.
 inline std::vector<BoundaryEdge> boundary_edges(const Mesh& mesh, float grid = 1e-4f) {
   using Cell = std::tuple<std::int64_t, std::int64_t, std::int64_t>;
   std::map<Cell, std::uint32_t> cells;
@@ -69,7 +69,7 @@ inline std::vector<BoundaryEdge> boundary_edges(const Mesh& mesh, float grid = 1
       const std::uint32_t from = triangle[corner], to = triangle[(corner + 1) % 3];
       const std::uint32_t a = welded[from], b = welded[to];
       auto& edge = edges[{std::min(a, b), std::max(a, b)}];
-      edge.first += a < b ? 1 : -1;  // neighbours use a shared edge in opposite directions
+      edge.first += a < b ? 1 : -1;  // two triangles use a shared edge in opposite directions
       edge.second = {mesh.positions[from], mesh.positions[to]};
     }
   std::vector<BoundaryEdge> boundary;

@@ -33,7 +33,8 @@ TEST(SceneBuilder, swing_follows_the_sine) {
   const Scene scene = builder.take();
   for (const double share : {0.0, 0.01, 0.13, 0.4, 0.77, 1.0}) {
     const double angle = 0.5 * std::sin(2.0 * M_PI * (2.0 * share + 0.3));
-    // A cubic Hermite deviates from a sine by at most amplitude (2 pi / 16)^4 / 384 = 6e-5 amplitude.
+    // Between 16 keys per cycle, a cubic Hermite spline deviates from the sine by at most amplitude * (2 pi / 16)^4 / 384 =
+    // 6e-5 * amplitude. The amplitude is 0.5.
     expect_near(moved(scene, share * kLoopSeconds, {1, 0, 0}), Vec3f(std::cos(angle), 0.0, -std::sin(angle)), 4e-5f);
   }
 }
@@ -53,11 +54,11 @@ TEST(SceneBuilder, camera_sees_exactly_the_array) {
   const Scene scene = builder.take();
   const ResolvedScene resolved = evaluate(scene, 0.0);
   const Affine3f world_from_display = resolved.of(scene.display->node), world_from_camera = resolved.of(scene.cameras[0].node);
-  // The array's top edge as seen by the camera is at half its field of view.
+  // The top edge of the array is at half the camera's field of view.
   const Vec3f top = transform_point(inverse(world_from_camera), transform_point(world_from_display, {0, 2, 0}));
   EXPECT_NEAR(std::atan2(top.y, -top.z), 0.5f * scene.cameras[0].vertical_fov, 1e-6f);
   EXPECT_NEAR(top.x, 0.0f, 1e-5f);
-  // Positive yaw looks from the right, positive pitch from above.
+  // A positive yaw puts the viewer to the right, and a positive pitch puts it above.
   const Vec3f viewer = world_from_camera.translation - Vec3f(1, 2, 3);
   EXPECT_NEAR(viewer.x, 10.0f * std::cos(radians(20.0f)) * std::sin(radians(30.0f)), 1e-4f);
   EXPECT_NEAR(viewer.y, 10.0f * std::sin(radians(20.0f)), 1e-4f);

@@ -19,7 +19,7 @@ Mesh teapot(int steps) {
   return mesh;
 }
 
-/// A flat patch over [0, 3] x [0, 3] whose control points are evenly spaced: P(u, v) = (3u, 3v, 0).
+/// Returns a flat patch over [0, 3] x [0, 3] with evenly spaced control points, so that P(u, v) = (3u, 3v, 0).
 BezierPatch flat_patch() {
   BezierPatch patch;
   for (std::size_t row = 0; row < 4; ++row)
@@ -34,14 +34,16 @@ TEST(BezierPatch, evenly_spaced_control_points_give_the_plane) {
 }
 
 TEST(BezierPatch, inner_point_has_weight_9_64_squared) {
-  // B1(1/2) = 3/8 in each direction: one control point lifted by 1 lifts the middle by 9/64.
+  // The Bernstein polynomial B1 has the value 3/8 at 1/2. Lifting one inner control point by 1 therefore lifts the middle of
+  // the patch by (3/8)^2 = 9/64.
   BezierPatch patch = flat_patch();
   patch[1][1].z = 1.0f;
   expect_near(point_on(patch, 0.5f, 0.5f), {1.5f, 1.5f, 9.0f / 64.0f});
 }
 
 TEST(BezierPatch, collapsed_edge_has_the_limit_normal) {
-  // Collapsing one row to a point makes a triangle in the same plane, so its normal is unchanged, also on that edge.
+  // If all points of one row coincide, the patch is a triangle in the same plane. Its normal does not change, even at the
+  // collapsed edge.
   for (const std::size_t row : {std::size_t{0}, std::size_t{3}}) {
     BezierPatch patch = flat_patch();
     for (Vec3f& p : patch[row]) p = {1.5f, static_cast<float>(row), 0.0f};
@@ -68,17 +70,17 @@ TEST(TeapotPatches, are_newells_thirty_two) { EXPECT_EQ(teapot_patches().size(),
 
 TEST(TeapotPatches, corners_are_the_control_points) {
   const std::vector<BezierPatch> patches = teapot_patches();
-  expect_near(point_on(patches[0], 0, 0), {1.4f, 0, 2.4f});    // rim, inside
-  expect_near(point_on(patches[4], 1, 1), {0, -2.0f, 0.9f});   // body, the widest circle
-  expect_near(point_on(patches[12], 0.5f, 0), {0, 0, 3.15f});  // the pole of the lid's knob
-  expect_near(point_on(patches[20], 0.5f, 1), {0, 0, 0});      // the middle of the bottom
+  expect_near(point_on(patches[0], 0, 0), {1.4f, 0, 2.4f});    // inside of the rim
+  expect_near(point_on(patches[4], 1, 1), {0, -2.0f, 0.9f});   // widest circle of the body
+  expect_near(point_on(patches[12], 0.5f, 0), {0, 0, 3.15f});  // top of the lid's knob
+  expect_near(point_on(patches[20], 0.5f, 1), {0, 0, 0});      // middle of the bottom
 }
 
 TEST(TeapotPatches, bounds_are_the_classic_ones) {
   const Mesh mesh = teapot(32);
   Bounds3f b;
   for (const Vec3f& p : mesh.positions) b.add(p);
-  EXPECT_NEAR(b.lower.x, -3.0f, 1e-5f);  // the handle's bend, a patch boundary
+  EXPECT_NEAR(b.lower.x, -3.0f, 1e-5f);  // bend of the handle, where two patches meet
   EXPECT_NEAR(b.upper.x, 3.434f, 1e-3f);
   EXPECT_NEAR(b.lower.y, -2.0f, 1e-5f);
   EXPECT_NEAR(b.upper.y, 2.0f, 1e-5f);
@@ -96,20 +98,22 @@ TEST(TeapotPatches, pole_normals_point_up_and_down) {
 
 TEST(TeapotPatches, mesh_is_sane) {
   const Mesh mesh = teapot(16);
-  EXPECT_EQ(mesh.triangles.size(), 32u * 2u * 256u - 8u * 16u);  // minus one row at each of the patches at the eight poles
+  // There are 32 patches of 2 * 16^2 triangles. Eight patches have an edge that is a single point, where 16 triangles are
+  // missing.
+  EXPECT_EQ(mesh.triangles.size(), 32u * 2u * 256u - 8u * 16u);
   EXPECT_EQ(test::count_degenerate(mesh), 0);
   EXPECT_EQ(test::count_normals_not_unit(mesh), 0);
   EXPECT_EQ(test::count_facing_wrong(mesh), 0);
 }
 
 TEST(TeapotPatches, open_only_where_newell_left_it_open) {
-  // Open edges are between lid (radius 1.3) and rim (1.4) at z = 2.4, at the handle's and spout's ends in the wall, and at the
-  // spout's mouth.
+  // The teapot is open between the lid (radius 1.3) and the rim (1.4) at z = 2.4, where the handle and the spout meet the body,
+  // and at the mouth of the spout.
   int elsewhere = 0;
   for (const test::BoundaryEdge& edge : test::boundary_edges(teapot(8))) {
     const Vec3f p = edge.from;
     const float radius = std::hypot(p.x, p.y);
-    // Quarter circles approximated by cubics with these control points stay within 1.5 % of their radius.
+    // Tolerance: the cubic quarters of a circle deviate from it by at most 1.5 % of the radius.
     const bool lid_or_rim = std::abs(p.z - 2.4f) < 1e-4f && radius > 1.28f && radius < 1.42f;
     const bool handle = p.x < -1.4f && p.x > -2.05f && std::abs(p.y) <= 0.3f;
     const bool spout_root = std::abs(p.x - 1.7f) < 1e-4f && std::abs(p.y) <= 0.66f;

@@ -1,4 +1,4 @@
-// Tests meshes compressed with Draco and meshoptimizer. The tests use the libraries' own encoders.
+// Tests meshes compressed with Draco and meshoptimizer. The tests use the encoders of these libraries.
 #include <draco/compression/encode.h>
 #include <draco/mesh/triangle_soup_mesh_builder.h>
 #include <gmock/gmock.h>
@@ -26,7 +26,7 @@ using testing::HasSubstr;
 using Packed = std::vector<unsigned char>;
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// Returns whether the file can be read as a valid scene, or else the error names the file.
+/// Returns whether the file can be read as a valid scene. If not, checks that the error names the file.
 bool is_valid_or_says_why(const test::Contents& file) {
   Scene scene;
   try {
@@ -47,7 +47,8 @@ Packed pack_vertices(const void* values, std::size_t count, std::size_t stride) 
   return packed;
 }
 
-/// Replaces the view's bytes by packed ones; its own buffer becomes a fallback without data.
+/// Replaces the bytes of a buffer view by compressed ones. The view then refers to a second buffer, which has no data: it
+/// stands for the uncompressed copy for readers without the extension.
 void pack_view(GltfBuilder& b, int view, const Packed& packed, std::size_t count, std::size_t stride, const char* mode,
                const char* filter = "NONE") {
   const int source = b.add_view(packed);
@@ -63,7 +64,7 @@ void pack_view(GltfBuilder& b, int view, const Packed& packed, std::size_t count
                                                      {"filter", filter}};
 }
 
-/// Returns the whole file, whose second buffer is the fallback.
+/// Returns the whole file. Its second buffer is the one without data.
 test::Contents with_fallback(const GltfBuilder& b) {
   Json root = b.document();
   root["buffers"].push_back({{"byteLength", 1'000'000}, {"extensions", {{"EXT_meshopt_compression", {{"fallback", true}}}}}});
@@ -73,7 +74,8 @@ test::Contents with_fallback(const GltfBuilder& b) {
 
 const std::vector<Vec3f> kCorners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0.5f}};
 
-/// Returns a square of two packed triangles; accessors: 0 positions, 1 indices. `index_mode` is the mode of the indices.
+/// Returns a square of two compressed triangles. Accessor 0 contains the positions, accessor 1 the indices. `index_mode` is the
+/// compression mode of the indices.
 GltfBuilder packed_square(const char* index_mode) {
   const std::vector<std::uint32_t> corners{0, 1, 2, 2, 1, 3};
   GltfBuilder b;
@@ -98,7 +100,7 @@ Mesh mesh_of(const test::Contents& contents) {
 TEST(GltfMeshopt, vertices_and_triangles_round_trip) {
   const Mesh mesh = mesh_of(with_fallback(packed_square("TRIANGLES")));
   EXPECT_EQ(mesh.positions, kCorners);
-  // The codec may rotate a triangle's corners but not reverse them.
+  // The codec may rotate the corners of a triangle but not reverse their order.
   for (std::size_t t = 0; t < 2; ++t) {
     Triangle turned = mesh.triangles.at(t);
     std::rotate(turned.begin(), std::min_element(turned.begin(), turned.end()), turned.end());
@@ -106,7 +108,7 @@ TEST(GltfMeshopt, vertices_and_triangles_round_trip) {
   }
 }
 
-/// The first view cannot be decoded, so unpacking it would give another error.
+/// The bytes of the first view are invalid. Unpacking it before all views are counted would give another error.
 TEST(GltfMeshopt, counts_all_views_before_unpacking) {
   GltfBuilder b = packed_square("TRIANGLES");
   const std::size_t from = b.root["bufferViews"][0]["extensions"]["EXT_meshopt_compression"]["byteOffset"];
@@ -134,7 +136,8 @@ TEST(GltfMeshopt, octahedral_normals_are_unfolded) {
   b.root["bufferViews"][0]["byteStride"] = 4;
   const Mesh mesh = mesh_of(with_fallback(b));
   for (std::size_t i = 0; i < 3; ++i)
-    EXPECT_LE(glm::length(mesh.normals.at(i) - Vec3f(directions[i])), 0.02f);  // 8 bits per component: steps of 1/127
+    // Tolerance: components of 8 bits have steps of 1/127.
+    EXPECT_LE(glm::length(mesh.normals.at(i) - Vec3f(directions[i])), 0.02f);
 }
 
 TEST(GltfMeshopt, exponential_numbers_are_expanded) {
@@ -148,7 +151,7 @@ TEST(GltfMeshopt, exponential_numbers_are_expanded) {
 #endif
   b.add_node({{"mesh", b.add_triangle()}});
   pack_view(b, 0, pack_vertices(filtered.data(), 3, 12), 3, 12, "ATTRIBUTES", "EXPONENTIAL");
-  EXPECT_EQ(mesh_of(with_fallback(b)).positions, corners);  // powers of two are exact in any mantissa
+  EXPECT_EQ(mesh_of(with_fallback(b)).positions, corners);  // powers of two are exact with any number of mantissa bits
 }
 
 TEST(GltfMeshopt, quaternions_are_completed) {
@@ -166,12 +169,12 @@ TEST(GltfMeshopt, quaternions_are_completed) {
   pack_view(b, 0, pack_vertices(filtered.data(), 2, 8), 2, 8, "ATTRIBUTES", "QUATERNION");
   const Scene scene = parse(with_fallback(b));
   const Quatf q = scene.timeline.animations.at(0).rotation.values.at(1);
-  EXPECT_NEAR(std::abs(q.w * 0.5f + q.x * 0.5f + q.y * 0.5f + q.z * 0.5f), 1.0f, 1e-4f);  // 16 bits per component
+  EXPECT_NEAR(std::abs(q.w * 0.5f + q.x * 0.5f + q.y * 0.5f + q.z * 0.5f), 1.0f, 1e-4f);  // tolerance: 16 bits per component
 }
 
 struct MeshoptFault {
   const char* name;
-  std::function<void(Json&)> spoil;  ///< modifies the extension of the positions' view
+  std::function<void(Json&)> spoil;  ///< modifies the extension of the buffer view of the positions
   const char* message;
 };
 void PrintTo(const MeshoptFault& fault, std::ostream* out) { *out << fault.name; }
@@ -222,7 +225,7 @@ TEST(GltfMeshopt, flipped_bytes_are_valid_or_an_error) {
 
 // ---- Draco ----------------------------------------------------------------------------------------------------------
 
-/// Returns two triangles of kCorners as a Draco stream: unquantised positions with the unique id 0.
+/// Returns a Draco stream of two triangles with the corners kCorners. The positions are not quantised and have the unique id 0.
 Packed draco_square(int method) {
   draco::TriangleSoupMeshBuilder builder;
   builder.Start(2);
@@ -251,7 +254,8 @@ GltfBuilder draco_file(const Packed& packed, int index_type = test::kUnsignedSho
   return b;
 }
 
-/// Returns the triangles as corner positions, each starting at its least corner, in an order independent of the encoder.
+/// Returns the corner positions of all triangles, independent of the encoder's order. Each triangle starts at its smallest
+/// corner.
 std::vector<std::array<Vec3f, 3>> shape_of(const Mesh& mesh) {
   const auto less = [](Vec3f a, Vec3f b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); };
   std::vector<std::array<Vec3f, 3>> shape;

@@ -1,5 +1,5 @@
-// Tests the validation of glTF documents and its messages: structure, references, ranges, extensions, files outside the scene's
-// folder.
+// Tests which glTF documents are rejected, and the error messages: structure, references, ranges, extensions, and files outside
+// the scene's folder.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ using test::parse;
 using testing::Contains;
 using testing::HasSubstr;
 
-/// Returns a valid document with one of most elements, to be modified by tests.
+/// Returns a valid document with most kinds of elements. Tests modify it.
 GltfBuilder good_document() {
   GltfBuilder b;
   b.add("materials", {{"pbrMetallicRoughness", {{"metallicFactor", 0.5}}}});
@@ -42,7 +42,7 @@ GltfBuilder good_document() {
   return b;
 }
 
-/// Returns the message for a document with one value replaced (null: removed).
+/// Returns the error message for good_document() after the value at `pointer` is replaced. A null value removes the property.
 std::string message_with(const std::string& pointer, const Json& value) {
   GltfBuilder b = good_document();
   Json root = b.document();
@@ -59,7 +59,7 @@ TEST(GltfDocument, good_document_passes) { EXPECT_NO_THROW(parse(good_document()
 struct Fault {
   const char* name;
   const char* pointer;
-  Json value;  ///< null: the property is removed
+  Json value;  ///< new value; null: the property is removed
   const char* message;
 };
 void PrintTo(const Fault& fault, std::ostream* out) { *out << fault.name; }
@@ -205,12 +205,12 @@ TEST(GltfDocument, required_extension_that_is_read_passes) {
 
 TEST(GltfDocument, unpacking_beyond_the_limit_is_an_error) {
   GltfLimits limits;
-  limits.unpacked_bytes = 30;  // below the 36 bytes of three positions
+  limits.unpacked_bytes = 30;  // three positions need 36 bytes
   EXPECT_THAT(error_message([&] { parse(good_document(), nullptr, limits); }),
               HasSubstr("accessors[1]: the unpacked scene needs too much memory; accepted: at most 30 bytes in total"));
 }
 
-/// The first mesh cannot be decoded, so unpacking it would give another error.
+/// The positions of the first mesh are invalid. Unpacking it before all meshes are counted would give another error.
 TEST(GltfDocument, counts_all_meshes_before_unpacking) {
   GltfBuilder b;
   const int bad = b.add_accessor(std::vector<Vec3f>{{0, 0, 0}, {std::nanf(""), 0, 0}, {0, 1, 0}});
@@ -233,13 +233,13 @@ TEST(GltfDocument, instances_beyond_the_limit_are_an_error) {
   const int mesh = b.add_triangle();
   for (int i = 0; i < 100; ++i) b.add_node({{"mesh", mesh}});
   GltfLimits limits;
-  limits.unpacked_bytes = 100 * sizeof(Instance);  // enough for all instances, but not for the mesh as well
+  limits.unpacked_bytes = 100 * sizeof(Instance);  // enough for all instances, but the mesh needs memory too
   EXPECT_THAT(error_message([&] { parse(b, nullptr, limits); }), HasSubstr("too much memory"));
 }
 
 // ---- External files -------------------------------------------------------------------------------------------------
 
-/// A folder with a scene of one triangle whose positions are in a separate file.
+/// A folder with a scene of one triangle. The positions are in a separate file.
 class GltfFolder : public testing::Test {
  protected:
   GltfFolder() {

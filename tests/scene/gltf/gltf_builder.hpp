@@ -1,4 +1,5 @@
-// Builds small glTF documents for tests: free-form JSON and the binary data it refers to.
+// Builds small glTF documents for tests. Tests may edit the JSON freely; the builder keeps the binary data that the JSON refers
+// to.
 #pragma once
 
 #include <cstddef>
@@ -23,13 +24,13 @@ class GltfBuilder {
   Json root = {{"asset", {{"version", "2.0"}}}};
   Contents binary;
 
-  /// Appends an element to a root array and returns its index.
+  /// Appends an element to an array of the root object and returns its index.
   int add(const char* array, Json value) {
     root[array].push_back(std::move(value));
     return static_cast<int>(root[array].size()) - 1;
   }
 
-  /// Appends bytes, aligned to four bytes, as a buffer view.
+  /// Appends bytes as a buffer view, aligned to four bytes, and returns its index.
   template <class T>
   int add_view(const std::vector<T>& values) {
     binary.resize((binary.size() + 3) / 4 * 4);
@@ -52,10 +53,11 @@ class GltfBuilder {
 
   Json& accessor(int index) { return root["accessors"][static_cast<std::size_t>(index)]; }
 
-  /// Adds a mesh of one primitive.
+  /// Adds a mesh with one primitive and returns its index.
   int add_mesh(Json primitive) { return add("meshes", {{"primitives", {std::move(primitive)}}}); }
 
-  /// Adds a mesh of the triangle (0, 0, 0), (1, 0, 0), (0, 1, 0), with more properties of its primitive.
+  /// Adds a mesh of one triangle (0, 0, 0), (1, 0, 0), (0, 1, 0) and returns its index. `more` contains additional properties
+  /// of the primitive.
   int add_triangle(const Json& more = Json::object()) {
     Json primitive = {{"attributes", {{"POSITION", add_accessor(std::vector<Vec3f>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}})}}}};
     primitive.update(more, true);
@@ -64,7 +66,7 @@ class GltfBuilder {
 
   int add_node(Json node) { return add("nodes", std::move(node)); }
 
-  /// Returns the JSON of a binary container.
+  /// Returns the JSON for a binary container (.glb).
   Json document() const {
     Json result = root;
     if (!binary.empty()) result["buffers"] = {{{"byteLength", binary.size()}}};
@@ -94,7 +96,7 @@ class GltfBuilder {
   }
 };
 
-/// Returns an image of one white pixel.
+/// Returns a PNG image of one white pixel.
 inline std::vector<std::uint8_t> white_png() {
   return {0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00, 0x00, 0x00, 0x0d, 0x49, 0x48, 0x44, 0x52, 0x00,
           0x00, 0x00, 0x01, 0x00, 0x00, 0x00, 0x01, 0x08, 0x00, 0x00, 0x00, 0x00, 0x3a, 0x7e, 0x9b, 0x55, 0x00,
@@ -110,7 +112,7 @@ inline Contents contents_of(const std::string& text) {
 
 inline LoadOptions at_25_frames_a_second() { return {.frames_per_second = 25.0}; }
 
-/// Reads contents as "a.glb" at 25 frames per second and collects warnings.
+/// Parses contents as the file a.glb, by default at 25 frames per second, and collects warnings.
 inline Scene parse(const Contents& contents, std::vector<std::string>* warnings = nullptr, const GltfLimits& limits = {},
                    const LoadOptions& options = at_25_frames_a_second()) {
   Context context;
@@ -122,7 +124,7 @@ inline Scene parse(const GltfBuilder& builder, std::vector<std::string>* warning
   return parse(builder.glb(), warnings, limits, options);
 }
 
-/// Reads a document and shows its only mesh by a single node.
+/// Adds a node with mesh 0, parses the document, and returns the mesh.
 inline Mesh parse_mesh(const GltfBuilder& builder, std::vector<std::string>* warnings = nullptr) {
   GltfBuilder with_node = builder;
   with_node.add_node({{"mesh", 0}});

@@ -1,4 +1,4 @@
-// Tests glTF lamps with measured light profiles (EXT_lights_ies).
+// Tests glTF lights with light profiles (EXT_lights_ies).
 #include <fmt/core.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -17,12 +17,13 @@ using test::Json;
 using test::parse;
 using testing::HasSubstr;
 
-/// A photometric file with one horizontal and two vertical angles: 80 candela in the lower half, none above.
+/// A photometric file with one horizontal angle and the vertical angles 0 and 90 degrees. The lamp emits 80 candela downwards
+/// and nothing upwards.
 constexpr const char* kDownlight =
     "data:application/x-ies-lm-63;base64,SUVTOkxNLTYzLTIwMTkKVElMVD1OT05FCjEgMTAwMCAxID"
     "IgMSAxIDIgMCAwIDAgMSAxIDUwCjAgOTAKMAo4MCA4MAo=";
 
-/// Adds nodes 1, 2, ... below node 0, each with a lamp of the profile.
+/// Returns a document with one light profile. Nodes 1, 2, ... are children of node 0, and each has one of `lamps`.
 GltfBuilder lit_by(const Json& profile, const std::vector<Json>& lamps) {
   GltfBuilder b;
   b.root["extensions"]["EXT_lights_ies"]["lights"] = Json::array({profile});

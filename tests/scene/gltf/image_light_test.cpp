@@ -34,7 +34,7 @@ int add_picture(GltfBuilder& b, int width, int height, const std::vector<Rgba>& 
 
 int add_plain(GltfBuilder& b, Rgba color) { return add_picture(b, 1, 1, {color}); }
 
-/// Adds an environment light with additional properties to a scene.
+/// Adds a triangle and an environment light with the given cube faces. `more` contains additional properties of the light.
 GltfBuilder surrounded_by(GltfBuilder b, const Json& faces, const Json& more = Json::object()) {
   Json light = {{"specularImages", {faces}}, {"specularImageSize", 1}, {"irradianceCoefficients", Json::array()}};
   light.update(more);
@@ -45,7 +45,7 @@ GltfBuilder surrounded_by(GltfBuilder b, const Json& faces, const Json& more = J
   return b;
 }
 
-/// Returns a cube with uniform faces: x red, y green, z blue; negative faces have half the code value.
+/// Returns a cube map of uniform faces: x red, y green, z blue. The positive faces have the value 255, the negative faces 128.
 GltfBuilder coloured_cube(const Json& more = Json::object()) {
   GltfBuilder b;
   Json faces;
@@ -60,7 +60,7 @@ const EnvironmentMap& map_of(const Scene& scene) {
   return scene.background.map.value();
 }
 
-/// Returns the texel of an unrotated panorama in a direction.
+/// Returns the value of an unrotated panorama in a direction.
 Vec3f seen(const EnvironmentMap& map, Vec3f direction) {
   const Vec3f d = glm::normalize(direction);
   const Image& p = map.radiance;
@@ -75,7 +75,7 @@ void expect_color(Vec3f actual, Vec3f expected) {
       << actual.x << " " << actual.y << " " << actual.z;
 }
 
-// sRGB's code 128 is ((128 / 255 + 0.055) / 1.055)^2.4 = 0.21586.
+// Linear value of the sRGB code 128: ((128 / 255 + 0.055) / 1.055)^2.4.
 constexpr float kHalf = 0.2158605f;
 
 TEST(GltfImageLight, faces_lie_where_their_order_says) {
@@ -91,8 +91,8 @@ TEST(GltfImageLight, faces_lie_where_their_order_says) {
   expect_color(seen(map, {0.1f, 0.1f, -1}), {0, 0, kHalf});
 }
 
-// One of four texels, the upper left, is white. A viewer in the cube who looks along x with y up has z on the right; one who
-// looks along y with -z up has -x on the right.
+// Each face has 2 x 2 texels, of which the upper left one is white. If a viewer in the cube looks along x, with y up, then z is
+// to the right. If the viewer looks along y, with -z up, then -x is to the right.
 TEST(GltfImageLight, faces_are_seen_from_inside) {
   GltfBuilder b;
   const Rgba white{255, 255, 255, 255}, black{0, 0, 0, 255};
@@ -110,7 +110,7 @@ TEST(GltfImageLight, faces_are_seen_from_inside) {
   }
 }
 
-// An alpha of 51 is 0.2.
+// The alpha of 51 / 255 = 0.2 divides the colours: 1 / 0.2 = 5.
 TEST(GltfImageLight, alpha_divides_colours) {
   GltfBuilder b;
   const int picture = add_plain(b, {255, 128, 0, 51});
@@ -118,7 +118,7 @@ TEST(GltfImageLight, alpha_divides_colours) {
   expect_color(seen(map_of(scene), {1, 0, 0}), {5.0f, 5.0f * kHalf, 0});
 }
 
-// A quarter turn about y takes x to -z.
+// The rotation by 90 degrees about y turns the cube's +x to -z.
 TEST(GltfImageLight, is_turned_and_scaled) {
   const float half_root = std::sqrt(0.5f);
   const Scene scene = parse(coloured_cube({{"rotation", {0, half_root, 0, half_root}}, {"intensity", 3}}));

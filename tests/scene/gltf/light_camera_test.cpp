@@ -20,7 +20,7 @@ using test::parse;
 using testing::Contains;
 using testing::HasSubstr;
 
-/// Returns a scene with one light on a child node.
+/// Returns a document with one light at node 1, which is a child of node 0.
 GltfBuilder lit_by(const Json& light) {
   GltfBuilder b;
   b.root["extensions"]["KHR_lights_punctual"]["lights"] = Json::array({light});
@@ -95,7 +95,8 @@ TEST(GltfLight, sizes_are_read_from_extras) {
   EXPECT_FLOAT_EQ(light_of({{"type", "directional"}, {"extras", {{"angle", 3.14159265359}}}}).angular_diameter, kPi);
 }
 
-// Half angle 60 degrees has the cosine 0.5; a blend of 0.3 extends up to the cosine 0.65.
+// The outer half angle of 60 degrees has the cosine 0.5. A blend of 0.3 covers the cosines from 0.5 to 0.5 + 0.3 * (1 - 0.5) =
+// 0.65.
 TEST(GltfLight, blend_replaces_the_inner_cone) {
   const Json cone{{"innerConeAngle", 0.2}, {"outerConeAngle", kPi / 3}};
   const Light soft = light_of({{"type", "spot"}, {"spot", cone}, {"extras", {{"radius", 2}, {"blend", 0.3}}}});
@@ -127,7 +128,7 @@ TEST(GltfLight, unknown_type_is_an_error) {
               HasSubstr("extensions.KHR_lights_punctual.lights[0].type: is 'area'; accepted: directional, point, spot"));
 }
 
-// Blender's exporter writes 100 W / (4 pi) x 683 lm/W = 5435.1 cd for a point lamp of 100 W, which emits 7.9577 W/sr.
+// A point lamp of 100 W emits 100 / (4 pi) = 7.9577 W/sr. Blender's exporter writes 7.9577 * 683 lm/W = 5435.1 cd.
 TEST(GltfLight, of_blenders_exporter_shines_as_in_blender) {
   GltfBuilder b = lit_by({{"type", "point"}, {"intensity", 5435.1415}});
   b.root["asset"]["generator"] = "Khronos glTF Blender I/O v3.4.50";
@@ -140,7 +141,7 @@ float scale_by(const std::string& generator, const std::string& type) {
   return parse(b).lights.at(0).color.x / 100.0f;
 }
 
-// 1 / 683 = 0.001464; 1 / (4 pi) = 0.079577.
+// The expected factors are 1 / 683 = 0.001464 and 1 / (4 pi) = 0.079577.
 TEST(GltfLight, old_blender_exporters_use_watts) {
   const std::string name = "Khronos glTF Blender I/O v";
   EXPECT_NEAR(scale_by(name + "3.4.39", "point"), 0.001464f, 1e-6f);
@@ -153,7 +154,7 @@ TEST(GltfLight, old_blender_exporters_use_watts) {
   EXPECT_EQ(scale_by("another exporter v1.0", "point"), 1.0f);
 }
 
-/// Returns a spot with a half angle of 60 degrees and this inner cone.
+/// Returns a spot light with an outer half angle of 60 degrees and the half angle `inner` of the inner cone.
 Light spot_of(const std::string& generator, float inner, const Json& extras = Json::object()) {
   GltfBuilder b =
       lit_by({{"type", "spot"}, {"spot", {{"innerConeAngle", inner}, {"outerConeAngle", kPi / 3}}}, {"extras", extras}});
@@ -161,8 +162,8 @@ Light spot_of(const std::string& generator, float inner, const Json& extras = Js
   return parse(b).lights.at(0);
 }
 
-// Blender's exporter writes inner = outer (1 - blend): an inner cone of 0.7 times the outer one means a blend of 0.3, which
-// extends from the cosine 0.5 to 0.5 + 0.3 * 0.5 = 0.65.
+// Blender's exporter writes inner = outer (1 - blend). An inner cone of 0.7 times the outer cone therefore means a blend of
+// 0.3. The edge covers the cosines from 0.5 to 0.5 + 0.3 * 0.5 = 0.65.
 TEST(GltfLight, blender_spots_get_their_blend) {
   const std::string blender = "Khronos glTF Blender I/O v3.4.50";
   const Light soft = spot_of(blender, 0.7f * kPi / 3);
@@ -248,7 +249,7 @@ TEST(GltfCamera, scene_without_one_has_none) {
 
 TEST(GltfCamera, orthographic_has_height_and_angle) {
   GltfBuilder b;
-  b.add_node({{"mesh", b.add_triangle()}, {"translation", {-0.5, -0.5, -8}}});  // its bounds are centred on z = -8
+  b.add_node({{"mesh", b.add_triangle()}, {"translation", {-0.5, -0.5, -8}}});  // the centre of the bounds is at z = -8
   b.add("cameras", {{"type", "orthographic"}, {"orthographic", {{"xmag", 4}, {"ymag", 2}, {"znear", 0}, {"zfar", 100}}}});
   b.add_node({{"camera", 0}, {"translation", {0, 0, 2}}});
   std::vector<std::string> warnings;
@@ -266,7 +267,7 @@ TEST(GltfCamera, orthographic_works_without_visible_objects) {
   EXPECT_NO_THROW(validate(parse(b), "a.glb"));
 }
 
-// The triangle's corners are 1 apart in x and y, so its bounds have a diagonal of sqrt(2).
+// The bounds of the triangle are 1 x 1, so their diagonal is sqrt(2).
 TEST(GltfCamera, zero_orthographic_size_shows_all_with_warning) {
   GltfBuilder b;
   b.add_node({{"mesh", b.add_triangle()}});

@@ -139,10 +139,10 @@ TEST(GltfSpecularGlossiness, is_a_dielectric_of_that_reflectance) {
   EXPECT_EQ(s.roughness, 0.25f);
   EXPECT_EQ(Vec3f(s.base_color), Vec3f(0.5f, 0.25f, 0.0f));
   EXPECT_EQ(s.specular_color, Vec3f(0.75f, 0.5f, 0.25f));
-  EXPECT_GT(s.ior, 500.0f);  // reflects everything, apart from its colour
+  EXPECT_GT(s.ior, 500.0f);  // reflects all light, multiplied by the specular colour
 }
 
-/// Returns a triangle with materials[0], or materials[1] in the variants 0 and 2.
+/// Returns a triangle with material 1 in the variants 0 and 2, and with material 0 otherwise.
 GltfBuilder with_variants() {
   GltfBuilder b;
   for (const char* name : {"Plain", "Painted"}) b.add("materials", {{"name", name}});
@@ -163,7 +163,7 @@ TEST(GltfVariants, are_chosen_by_name_or_index) {
   EXPECT_EQ(shown_material(b, ""), 0);
   EXPECT_EQ(shown_material(b, "Beach"), 1);
   EXPECT_EQ(shown_material(b, "2"), 1);
-  EXPECT_EQ(shown_material(b, "Bare"), 0);  // has no mapping here
+  EXPECT_EQ(shown_material(b, "Bare"), 0);  // variant 1 does not change the triangle
   EXPECT_THAT(parse(b).variant_names, testing::ElementsAre("Beach", "Bare", "Street"));
 }
 

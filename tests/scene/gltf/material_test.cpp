@@ -24,7 +24,7 @@ using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// Returns a 2 x 2 image: red, green, blue and transparent white.
+/// Returns an image of 2 x 2 pixels: red, green, blue, and transparent white.
 std::vector<unsigned char> four_colours() {
   return encode_png(2, 2, 4, {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 255, 255, 255, 0});
 }
@@ -42,7 +42,7 @@ MetallicRoughness surface_of(const Json& material, std::vector<std::string>* war
   return std::get<MetallicRoughness>(scene_of_material(material, warnings).materials.at(0).surface);
 }
 
-/// Returns a document with one texture, used by a material as base colour.
+/// Returns a document with a triangle whose base colour is a texture with the given image.
 GltfBuilder textured(const std::vector<unsigned char>& image, const Json& sampler = Json::object()) {
   GltfBuilder b;
   b.add("images", {{"bufferView", b.add_view(image)}, {"mimeType", "image/png"}, {"name", "colours"}});
@@ -100,7 +100,7 @@ TEST(GltfMaterial, unlit_is_read) {
 TEST(GltfMaterial, zero_ior_reflects_everything) {
   const float ior = surface_of({{"extensions", {{"KHR_materials_ior", {{"ior", 0}}}}}}).ior;
   const float reflectance = std::pow((ior - 1.0f) / (ior + 1.0f), 2.0f);
-  EXPECT_GT(reflectance, 0.99f);  // 1000 gives 0.996; the margin allows another choice
+  EXPECT_GT(reflectance, 0.99f);  // the reader's ior of 1000 gives 0.996
 }
 
 TEST(GltfMaterial, ior_below_one_becomes_one_with_warning) {
@@ -140,7 +140,7 @@ TEST(GltfMaterial, specular_and_clearcoat_are_read) {
   EXPECT_EQ(s.clearcoat_roughness, 0.125f);
 }
 
-/// Returns a material with every map, all of texture 0.
+/// Returns a material with all kinds of maps. All of them use texture 0.
 Json all_maps() {
   const Json map = {{"index", 0}};
   return {{"pbrMetallicRoughness", {{"baseColorTexture", map}, {"metallicRoughnessTexture", map}}},
@@ -169,7 +169,7 @@ TEST(GltfMaterial, webp_takes_precedence) {
   b.add("images", {{"bufferView", b.add_view(encode_webp(2, 1, {1, 2, 3, 255, 4, 5, 6, 128}))}, {"mimeType", "image/webp"}});
   b.root["textures"][0]["extensions"]["EXT_texture_webp"]["source"] = 1;
   EXPECT_THAT(parse(b).textures.at(0).rgba, ElementsAre(1, 2, 3, 255, 4, 5, 6, 128));
-  b.root["textures"][0].erase("source");  // other readers get no image
+  b.root["textures"][0].erase("source");  // without an image for readers that do not support WebP
   EXPECT_THAT(parse(b).textures.at(0).rgba, ElementsAre(1, 2, 3, 255, 4, 5, 6, 128));
 }
 
@@ -179,10 +179,10 @@ TEST(GltfMaterial, glossiness_alpha_becomes_roughness) {
                                                                                  {"specularGlossinessTexture", {{"index", 0}}}};
   const Scene scene = parse(b);
   const auto& s = std::get<MetallicRoughness>(scene.materials[0].surface);
-  EXPECT_EQ(s.roughness, 1.0f);  // the map contains all of it
+  EXPECT_EQ(s.roughness, 1.0f);  // the factor; the map contains the roughness
   ASSERT_GE(s.metallic_roughness_map.texture, 0);
   const Texture& rough = scene.textures[static_cast<std::size_t>(s.metallic_roughness_map.texture)];
-  EXPECT_EQ(rough.rgba[1], 102);  // 255 (1 - 0.6)
+  EXPECT_EQ(rough.rgba[1], 102);  // 255 * (1 - 0.6)
   EXPECT_EQ(rough.rgba[5], 255);
   const Texture& reflectance = scene.textures[static_cast<std::size_t>(s.specular_color_map.texture)];
   EXPECT_TRUE(reflectance.srgb);
@@ -226,7 +226,7 @@ TEST(GltfMaterial, skips_maps_without_effect) {
   EXPECT_NO_THROW(parse(b));
 }
 
-/// Returns the texel position of a uv in a map of the surface.
+/// Returns the texture coordinates after the transform of a map.
 Vec2f look_up(const TextureMap& map, Vec2f uv) { return map.offset + map.matrix * uv; }
 
 MetallicRoughness surface_with_transform(const Json& transform) {
@@ -238,9 +238,9 @@ MetallicRoughness surface_with_transform(const Json& transform) {
 TEST(GltfTextureTransform, scales_then_turns_then_moves) {
   const TextureMap map =
       surface_with_transform({{"offset", {0.25, 0.5}}, {"scale", {2, 4}}, {"rotation", kPi / 2}}).base_color_map;
-  // (1, 0) is scaled to (2, 0), rotated by a quarter to (0, -2) and translated.
+  // The transform scales (1, 0) to (2, 0), rotates it by 90 degrees to (0, -2), and translates it.
   const Vec2f along_u = look_up(map, {1, 0}), along_v = look_up(map, {0, 1});
-  EXPECT_NEAR(along_u.x, 0.25f, 1e-6f);  // the cosine of float pi / 2
+  EXPECT_NEAR(along_u.x, 0.25f, 1e-6f);  // tolerance: the cosine of pi / 2 is not exactly 0 in floats
   EXPECT_NEAR(along_u.y, -1.5f, 1e-6f);
   EXPECT_NEAR(along_v.x, 4.25f, 1e-6f);
   EXPECT_NEAR(along_v.y, 0.5f, 1e-6f);
@@ -288,7 +288,7 @@ TEST(GltfTexture, fewer_channels_are_expanded) {
 
 TEST(GltfTexture, jpeg_is_decoded) {
   const Scene scene = parse(textured(encode_jpeg(8, 8, 3, std::vector<std::uint8_t>(3 * 64, 128))));
-  // A uniform grey of 128 is the zero of the cosine transform, so every quality preserves it.
+  // JPEG represents a uniform grey of 128 by coefficients of 0, which any quality preserves.
   EXPECT_EQ(scene.textures.at(0).rgba[0], 128);
   EXPECT_EQ(scene.textures.at(0).rgba[3], 255);
 }
@@ -330,8 +330,8 @@ TEST(GltfTexture, mesh_uses_the_texture_s_uv_set) {
   EXPECT_THAT(std::get<Mesh>(scene.shapes.at(0)).uvs, testing::Each(Vec2f(0.75f)));
 }
 
-/// Returns a textured triangle with TEXCOORD_0, _1, _2 that are n / 4 everywhere; its base colour, emission and occlusion use
-/// the given sets.
+/// Returns a textured triangle with the attributes TEXCOORD_0, _1 and _2. All texture coordinates of TEXCOORD_n are n / 4. The
+/// maps of base colour, emission and occlusion use the given sets.
 GltfBuilder with_three_sets(int base, int emissive, int occlusion) {
   GltfBuilder b = textured(four_colours());
   Json& material = b.root["materials"][0];
@@ -371,7 +371,7 @@ TEST(GltfTexture, transform_may_choose_another_set) {
   EXPECT_THAT(std::get<Mesh>(scene.shapes.at(0)).uvs, testing::Each(Vec2f(0.5f)));
 }
 
-/// Returns the warning about an image of unknown bytes. The surface must be shown without it.
+/// Returns the warning about an image in an unknown format. Checks that the surface has no texture.
 std::string warning_about(const std::vector<unsigned char>& image) {
   std::vector<std::string> warnings;
   const Scene scene = parse(textured(image), &warnings);
@@ -410,7 +410,8 @@ TEST(GltfTexture, every_png_prefix_is_an_error) {
 
 TEST(GltfTexture, png_with_damaged_pixels_is_an_error) {
   std::vector<unsigned char> damaged = four_colours();
-  damaged[damaged.size() - 12 - 4 - 6] ^= 0xff;  // before the last chunk and its own checksum: in the compressed pixels
+  // -12: before the last chunk; -4: before the checksum of the pixels; -6: within the compressed pixels.
+  damaged[damaged.size() - 12 - 4 - 6] ^= 0xff;
   EXPECT_THAT(error_message([&] { parse(textured(damaged)); }), HasSubstr("a.glb: images[0]: cannot be read as a picture"));
 }
 
@@ -427,7 +428,7 @@ TEST(GltfTexture, images_beyond_the_limit_are_halved) {
   b.add("textures", {{"source", 1}});
   b.add("materials", {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 1}}}}}});
   std::vector<std::string> warnings;
-  const Scene scene = parse(b, &warnings, {}, {.texture_bytes = 31});  // one takes 16
+  const Scene scene = parse(b, &warnings, {}, {.texture_bytes = 31});  // two textures of 16 bytes exceed the limit
   ASSERT_EQ(scene.textures.size(), 2u);
   EXPECT_EQ(scene.textures[0].rgba.size(), 16u);
   EXPECT_EQ(scene.textures[1].rgba.size(), 4u);

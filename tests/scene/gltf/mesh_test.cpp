@@ -26,7 +26,7 @@ using Triangle = std::array<std::uint32_t, 3>;
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
-/// Returns a mesh of five vertices in a row with additional primitive properties.
+/// Returns a mesh of five vertices. `more` contains additional properties of its primitive.
 Mesh five_vertices(const Json& more) {
   GltfBuilder b;
   const int positions = b.add_accessor(std::vector<Vec3f>{{0, 0, 0}, {1, 0, 0}, {2, 1, 0}, {3, 0, 0}, {4, 1, 0}});
@@ -106,7 +106,7 @@ TEST(GltfMesh, two_nodes_share_a_shape) {
 
 TEST(GltfAccessor, reads_interleaved_data) {
   GltfBuilder b;
-  // x y z of the position, followed by u v: five floats per vertex.
+  // Each vertex consists of five floats: x, y, z, u, v.
   const int view = b.add_view(std::vector<float>{0, 0, 0, 0.1f, 0.2f, 1, 0, 0, 0.3f, 0.4f, 0, 1, 0, 0.5f, 0.6f});
   b.root["bufferViews"][0]["byteStride"] = 20;
   const Json accessor = {{"bufferView", view}, {"componentType", test::kFloat}, {"count", 3}};
@@ -121,7 +121,8 @@ TEST(GltfAccessor, reads_interleaved_data) {
 
 TEST(GltfAccessor, last_strided_element_needs_no_padding) {
   GltfBuilder b;
-  const int view = b.add_view(std::vector<float>{0, 0, 0, 9, 1, 0, 0, 9, 0, 1, 0});  // 44 bytes: 2 strides of 16 plus 12
+  // 44 bytes: two strides of 16, and 12 for the last element.
+  const int view = b.add_view(std::vector<float>{0, 0, 0, 9, 1, 0, 0, 9, 0, 1, 0});
   b.root["bufferViews"][0]["byteStride"] = 16;
   const int positions =
       b.add("accessors", {{"bufferView", view}, {"componentType", test::kFloat}, {"count", 3}, {"type", "VEC3"}});
@@ -129,7 +130,7 @@ TEST(GltfAccessor, last_strided_element_needs_no_padding) {
   EXPECT_EQ(parse_mesh(b).positions.at(2), Vec3f(0, 1, 0));
 }
 
-/// Returns the texture coordinates of a triangle that stores them as integers.
+/// Returns the texture coordinates of a triangle whose file stores them as integers.
 template <class T>
 std::vector<Vec2f> integer_uvs(const std::vector<T>& values, int component_type, bool normalized) {
   GltfBuilder b;

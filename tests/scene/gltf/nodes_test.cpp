@@ -24,7 +24,7 @@ using testing::HasSubstr;
 
 const float kHalfRoot = std::sqrt(0.5f);
 
-/// A few rounding errors of numbers of order one.
+/// A few rounding errors of floats of about 1.
 constexpr float kFloatRounding = 1e-6f;
 
 void expect_near(Vec3f actual, Vec3f expected, float tolerance = kFloatRounding) {
@@ -53,13 +53,14 @@ TEST(GltfNodes, parents_come_first) {
 
 TEST(GltfNodes, world_transform_composes_levels) {
   GltfBuilder b;
-  // 90 degrees about z: x to y.
+  // The rotation is by 90 degrees about z and turns x to y.
   b.add_node(
       {{"translation", {10, 0, 0}}, {"rotation", {0, 0, kHalfRoot, kHalfRoot}}, {"scale", {2, 3, 4}}, {"children", {1}}});
   b.add_node({{"translation", {1, 0, 0}}});
   const Scene scene = parse(b);
   const ResolvedScene rest = evaluate(scene, 0.0);
-  // (1, 1, 1) in the child is (2, 1, 1) in its parent, scaled (4, 3, 4), rotated (-3, 4, 4), moved (7, 4, 4).
+  // Node 1 translates (1, 1, 1) to (2, 1, 1). Node 0 scales this to (4, 3, 4), rotates it to (-3, 4, 4), and translates it to
+  // (7, 4, 4).
   expect_near(transform_point(rest.of(1), {1, 1, 1}), {7, 4, 4}, 4 * kFloatRounding);
 }
 
@@ -117,7 +118,7 @@ TEST(GltfNodes, self_child_is_an_error) {
   EXPECT_THAT(message_of(b), HasSubstr("nodes[0]: is part of or below a cycle"));
 }
 
-/// Returns a chain of three nodes; the scene lists those in `listed`.
+/// Returns a document with a chain of three nodes. Its scene lists the nodes `listed`.
 GltfBuilder chain_of_three(const Json& listed) {
   GltfBuilder b;
   b.add_node({{"name", "top"}, {"translation", {1, 0, 0}}, {"children", {1}}});
@@ -209,7 +210,8 @@ TEST(GltfNodes, reads_only_the_default_scene) {
 
 // ---- Skins ----------------------------------------------------------------------------------------------------------
 
-/// Returns a triangle with two joints: joint 0 moves by (10, 0, 0); joint 1 rotates x to y and is bound at (0, 0, -1).
+/// Returns a triangle with a skin of two joints. Joint 0 translates by (10, 0, 0). Joint 1 rotates x to y, and its inverse bind
+/// matrix translates by (0, 0, 1).
 GltfBuilder skinned_triangle(const std::vector<Vec4f>& weights) {
   GltfBuilder b;
   const glm::mat4 identity(1.0f);
@@ -228,7 +230,7 @@ GltfBuilder skinned_triangle(const std::vector<Vec4f>& weights) {
   return b;
 }
 
-/// Returns the position of a vertex of the file's only mesh at a time.
+/// Returns the position of a vertex of the file's only mesh at the given time.
 Vec3f posed(const Scene& scene, std::size_t vertex, double time = 0.0) {
   validate(scene, "a.glb");
   const ResolvedScene resolved = evaluate(scene, time);
@@ -240,9 +242,9 @@ TEST(GltfSkin, joints_bind_matrices_and_weights_are_read) {
   ASSERT_EQ(scene.skins.size(), 1u);
   EXPECT_THAT(scene.skins[0].joints, ElementsAre(1, 2));
   EXPECT_EQ(std::get<Mesh>(scene.shapes.at(0)).skin.per_vertex, 4);
-  expect_near(posed(scene, 0), {10, 0, 0});  // joint 0 only
-  expect_near(posed(scene, 1), {0, 1, 1});   // (1, 0, 0) bound to (1, 0, 1), rotated
-  // (0, 1, 0): half of (10, 1, 0) and half of (-1, 0, 1).
+  expect_near(posed(scene, 0), {10, 0, 0});  // follows joint 0 only
+  expect_near(posed(scene, 1), {0, 1, 1});   // (1, 0, 0) + (0, 0, 1) = (1, 0, 1), rotated: (0, 1, 1)
+  // Vertex 2 at (0, 1, 0): joint 0 moves it to (10, 1, 0), joint 1 to (-1, 0, 1). The result is the mean.
   expect_near(posed(scene, 2), {4.5f, 0.5f, 0.5f}, 4 * kFloatRounding);
 }
 
@@ -264,7 +266,7 @@ TEST(GltfSkin, normalises_weights) {
   const Scene scene = parse(skinned_triangle({{2, 0, 0, 0}, {0.25f, 0, 0, 0}, {0, 0, 0, 0}}));
   expect_near(posed(scene, 0), {10, 0, 0});
   expect_near(posed(scene, 1), {11, 0, 0});
-  expect_near(posed(scene, 2), {10, 1, 0});  // no weights: the first joint
+  expect_near(posed(scene, 2), {10, 1, 0});  // without weights, a vertex follows the first joint
 }
 
 TEST(GltfSkin, second_set_of_joints_counts_too) {
@@ -272,7 +274,7 @@ TEST(GltfSkin, second_set_of_joints_counts_too) {
   Json& attributes = b.root["meshes"][0]["primitives"][0]["attributes"];
   attributes["JOINTS_1"] = attributes["JOINTS_0"];
   attributes["WEIGHTS_1"] = b.add_accessor(std::vector<Vec4f>{{0, 0, 0, 0}, {0, 0.5f, 0, 0}, {0, 0, 0, 0}});
-  // (1, 0, 0): half of (11, 0, 0) and half of (0, 1, 1).
+  // Vertex 1 at (1, 0, 0): joint 0 moves it to (11, 0, 0), joint 1 to (0, 1, 1). The result is the mean.
   expect_near(posed(parse(b), 1), {5.5f, 0.5f, 0.5f}, 4 * kFloatRounding);
 }
 
@@ -312,7 +314,7 @@ TEST(GltfSkin, joint_outside_the_scene_is_an_error) {
 
 // ---- Morph targets --------------------------------------------------------------------------------------------------
 
-/// Returns a triangle with two targets: one lifts vertex 1 by 1, the other has only normals.
+/// Returns a triangle with two morph targets. The first target lifts vertex 1 by 1. The second target contains only normals.
 GltfBuilder morphing_triangle() {
   GltfBuilder b;
   const int lift = b.add_accessor(std::vector<Vec3f>{{0, 0, 0}, {0, 0, 1}, {0, 0, 0}});
@@ -372,7 +374,7 @@ TEST(GltfMorph, counts_morphing_nodes_before_posing) {
 
 // ---- Animation ------------------------------------------------------------------------------------------------------
 
-/// Returns one node animated by one channel.
+/// Returns a document with one node and one animation channel.
 template <class T>
 GltfBuilder animated(const char* path, const char* interpolation, const std::vector<float>& times,
                      const std::vector<T>& values) {
@@ -400,9 +402,10 @@ TEST(GltfAnimation, linear_goes_straight_and_holds_the_ends) {
 }
 
 TEST(GltfAnimation, cubic_spline_reads_tangents_around_each_value) {
-  // Keys at 0 s and 2 s: (in-tangent, value, out-tangent) each. At 0.5 s, t = 1/4 and the interval is 2 s:
-  // (2/64 - 3/16 + 1) 1 + 2 (1/64 - 2/16 + 1/4) 3 + (3/16 - 2/64) 5 + 2 (1/64 - 1/16) (-2)
-  // = 27/32 + 27/32 + 25/32 + 6/32 = 85/32.
+  // The keys are at 0 s and 2 s. Each has an in-tangent, a value and an out-tangent. At 0.5 s, u = 1/4, and the interval is 2
+  // s:
+  //   (2/64 - 3/16 + 1) * 1 + 2 * (1/64 - 2/16 + 1/4) * 3 + (3/16 - 2/64) * 5 + 2 * (1/64 - 1/16) * (-2)
+  //   = 27/32 + 27/32 + 25/32 + 6/32 = 85/32.
   const Scene scene = parse(animated<Vec3f>("translation", "CUBICSPLINE", {0, 2},
                                             {{9, 0, 0}, {1, 0, 0}, {3, 0, 0}, {-2, 0, 0}, {5, 0, 0}, {9, 0, 0}}));
   expect_near(position_at(scene, 0.5), {85.0f / 32.0f, 0, 0}, 4 * kFloatRounding);
@@ -410,7 +413,7 @@ TEST(GltfAnimation, cubic_spline_reads_tangents_around_each_value) {
 
 TEST(GltfAnimation, rotation_is_xyzw_along_the_arc) {
   const Scene scene = parse(animated<Vec4f>("rotation", "LINEAR", {0, 1}, {{0, 0, 0, 1}, {0, 0, kHalfRoot, kHalfRoot}}));
-  // Half of 90 degrees about z.
+  // Half-way, the rotation is by 45 degrees about z.
   expect_near(transform_vector(evaluate(scene, 0.5).of(0), {1, 0, 0}), {kHalfRoot, kHalfRoot, 0});
 }
 
@@ -420,7 +423,7 @@ TEST(GltfAnimation, short_rotation_is_a_unit_quaternion) {
   b.accessor(shorts)["normalized"] = true;
   b.root["animations"][0]["samplers"][0]["output"] = shorts;
   const Scene scene = parse(b);
-  // 23170 / 32767 is sqrt(1/2) to 4e-5; after normalisation the direction is exact to rounding.
+  // 23170 / 32767 differs from sqrt(1/2) by 4e-5. After normalisation, only rounding errors remain.
   expect_near(transform_vector(evaluate(scene, 1.0).of(0), {1, 0, 0}), {0, 1, 0});
 }
 
@@ -429,7 +432,7 @@ TEST(GltfAnimation, scale_is_read) {
   EXPECT_EQ(transform_vector(evaluate(scene, 0.5).of(0), {1, 0, 0}), Vec3f(2, 0, 0));
 }
 
-/// KHR_animation_pointer uses channels without a node.
+/// The extension KHR_animation_pointer uses channels without a node.
 TEST(GltfAnimation, channels_of_no_node_are_left_out) {
   GltfBuilder b = animated<Vec3f>("translation", "LINEAR", {0, 1}, {{1, 1, 1}, {3, 1, 1}});
   const Json pointer{{"pointer", "/materials/0/pbrMetallicRoughness/roughnessFactor"}};
@@ -448,7 +451,7 @@ TEST(GltfAnimation, channels_of_one_node_come_together) {
 }
 
 TEST(GltfAnimation, frame_count_is_length_times_rate) {
-  // 1.5 s at 25 frames per second are 37.5 frames, rounded to 38.
+  // 1.5 s * 25 frames per second = 37.5 frames, which is rounded to 38.
   EXPECT_EQ(parse(animated<Vec3f>("translation", "LINEAR", {0, 1.5f}, {{0, 0, 0}, {1, 0, 0}})).timeline.frame_count, 38);
 }
 
@@ -503,7 +506,7 @@ TEST(GltfAnimation, unknown_path_is_an_error) {
             "a.glb: animations[0].channels[0].target.path: is 'wobble'; accepted: translation, rotation, scale, weights");
 }
 
-/// Returns "Walk" with 25 frames and "Run" with 50.
+/// Returns a document with two animations: "Walk" with 25 frames and "Run" with 50.
 GltfBuilder walk_and_run() {
   GltfBuilder b = animated<Vec3f>("translation", "LINEAR", {0, 1}, {{0, 0, 0}, {1, 0, 0}});
   b.root["animations"][0]["name"] = "Walk";
@@ -518,7 +521,7 @@ int frames_of(const GltfBuilder& b, const std::string& animation) {
   return parse_gltf(b.glb(), "a.glb", {.frames_per_second = 25.0, .animation = animation}, Context{}).timeline.frame_count;
 }
 
-/// Returns the timeline of a file with keys at these times, without a given rate.
+/// Returns the timeline of a file with keys at the given times. The reader chooses the frame rate.
 Timeline timeline_of_keys(const std::vector<float>& times) {
   const GltfBuilder b = animated<Vec3f>("translation", "LINEAR", times, std::vector<Vec3f>(times.size(), Vec3f(0.0f)));
   return parse_gltf(b.glb(), "a.glb", {}, Context{}).timeline;

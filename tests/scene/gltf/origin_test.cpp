@@ -1,4 +1,5 @@
-// Tests glTF scenes far from the origin: transforms are composed in double precision before conversion to floats.
+// Tests glTF scenes that are far from the origin. The reader must compose their transforms in double precision before
+// conversion to floats.
 #include "lippmann/scene/origin.hpp"
 
 #include <gtest/gtest.h>
@@ -14,21 +15,21 @@ using test::GltfBuilder;
 using test::Json;
 using test::parse;
 
-/// Floats have a spacing of half a unit at these coordinates.
+/// A point at which floats have a spacing of half a unit.
 const Vec3d kPlace(4512345.123, 320.57, -5400000.71);
-/// Rounding errors of coordinates below 16, and of the file's seventeen digits.
+/// Tolerance: rounding errors of coordinates below 16, and of the 17 digits in the file.
 constexpr double kRounding = 2e-6;
 
 void expect_near(Vec3d a, Vec3d b) {
   EXPECT_LE(glm::length(a - b), kRounding) << a.x << " " << a.y << " " << a.z << " and " << b.x << " " << b.y << " " << b.z;
 }
 
-/// Returns a point of a node in the file's coordinates.
+/// Returns a point of a node in the coordinates of the file.
 Vec3d in_file(const Scene& scene, int node, Vec3f p = Vec3f(0.0f)) {
   return scene.origin + Vec3d(transform_point(evaluate(scene, 0.0).of(node), p));
 }
 
-/// Returns the first corner of the first triangle in the file's coordinates.
+/// Returns the first vertex of the first instance in the coordinates of the file.
 Vec3d first_corner(const Scene& scene) {
   const Instance& instance = scene.instances.at(0);
   return in_file(scene, instance.node,
@@ -60,11 +61,11 @@ TEST(GltfOrigin, matrix_keeps_the_digits_of_the_file) {
 TEST(GltfOrigin, composes_scaled_roots_in_double) {
   GltfBuilder b;
   const double half = 0.70710678118654752440;
-  // The root rotates z to y and converts centimetres to metres, as exporters of z-up systems write it.
+  // The root rotates z to y and converts centimetres to metres, as exporters with z up do.
   b.add_node({{"rotation", {-half, 0, 0, half}}, {"scale", {0.01, 0.01, 0.01}}, {"children", {1}}});
   b.add_node({{"translation", {100 * kPlace.x, -100 * kPlace.z, 100 * kPlace.y}}, {"children", {2}}});
   b.add_node({{"mesh", b.add_triangle()}, {"scale", {100, 100, 100}}});
-  // A camera with a separate root.
+  // The camera's node is a root of its own.
   b.add("cameras", {{"type", "perspective"}, {"perspective", {{"yfov", 1.0}, {"znear", 0.1}}}});
   b.add_node({{"camera", 0}, {"translation", json_of(kPlace + Vec3d(0.25, 0.5, 7.125))}});
   const Scene scene = parse_valid(b);
@@ -104,7 +105,8 @@ TEST(GltfOrigin, animated_translation_moves_with_it) {
 
 TEST(GltfOrigin, scenes_near_the_origin_keep_it) {
   GltfBuilder b;
-  b.add_node({{"mesh", b.add_triangle()}, {"translation", {60, 0, 0}}});  // 64 diagonals of the triangle are 90 units
+  // The limit is 64 diagonals of the triangle, or 90 units.
+  b.add_node({{"mesh", b.add_triangle()}, {"translation", {60, 0, 0}}});
   const Scene scene = parse_valid(b);
   EXPECT_EQ(scene.origin, Vec3d(0.0));
   EXPECT_EQ(scene.nodes[0].local.translation, Vec3f(60, 0, 0));

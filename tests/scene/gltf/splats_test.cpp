@@ -22,7 +22,7 @@ using testing::HasSubstr;
 
 constexpr const char* kPrefix = "KHR_gaussian_splatting:";
 
-/// Two splats in a mesh of one primitive that tests may modify.
+/// A document with two splats in one mesh primitive. Tests may modify it.
 class SplatDocument {
  public:
   explicit SplatDocument(int degree = 0, std::vector<Vec3f> scales = {{1, 2, 3}, {0.5f, 0.5f, 0.5f}}) {
