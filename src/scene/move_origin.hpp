@@ -1,4 +1,4 @@
-// Moves a scene to another origin, in double precision.
+// Moves the origin of a scene, in double precision.
 #pragma once
 
 #include <vector>

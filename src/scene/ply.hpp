@@ -19,8 +19,8 @@ struct PlyOptions {
   double point_size = 0.0;                                    ///< as in LoadOptions
 };
 
-/// Loads a file. Textures may also lie in the file's own folder, which replaces options.folders.folder. Warns about unsupported
-/// elements. Throws Error naming the file and either the header's line or the element.
+/// Loads a file. The file's folder replaces options.folders.folder. Warns about unsupported elements. Throws Error naming the
+/// file and either the header's line or the element.
 Scene load_ply(const std::filesystem::path& path, const Context& context, PlyOptions options = {});
 
 /// Same as load_ply(), for the contents of a file. `name` names the file in messages.

@@ -35,8 +35,8 @@ class Curve {
   std::vector<std::uint8_t> codes_;
 };
 
-/// The range of fine texels, along one axis, that a coarse texel is the mean of. It contains two texels, or three at the end of
-/// an odd side.
+/// The range of fine texels, along one axis, that a coarse texel averages. It contains two texels, or three at the end of an
+/// odd side.
 struct Covered {
   int begin, end;
 };

@@ -50,7 +50,7 @@ struct Mesh {
   std::vector<Vec3f> colors{};  ///< per vertex; multiply the material's color; empty: white
   std::vector<float> alphas{};  ///< per vertex; multiply the material's alpha; empty: 1
   std::vector<Vec2f> uvs_1{};   ///< second set of texture coordinates, per vertex; empty: none
-  /// Per vertex: unit tangent and w = +-1; the bitangent is w (normal x tangent). Empty: derived from uvs.
+  /// Unit tangent (x, y, z) of each vertex, with w = +-1. The bitangent is w * (normal x tangent). Empty: derived from uvs.
   std::vector<Vec4f> tangents{};
   std::vector<MorphTarget> targets{};  ///< morph targets, which are applied before the skin
   SkinWeights skin{};
@@ -64,7 +64,7 @@ struct Sphere {
   float radius = 1.0f;  ///< > 0
 };
 
-/// The open side surface between base and apex; no caps.
+/// The side of a cylinder, without caps.
 struct Cylinder {
   Vec3f base{0.0f};
   Vec3f apex{0.0f, 1.0f, 0.0f};
@@ -282,7 +282,8 @@ struct PhotometricWeb {
   /// One value, >= 0, per azimuth and polar angle; all polar angles of the first azimuth come first. The mean over the sphere
   /// is 1.
   std::vector<float> intensity{};
-  Mat3f web_from_light{1.0f};  ///< a rotation, possibly mirrored, from the axes of the light, which shines along -z
+  /// Rotation, possibly with a mirroring, from the axes of the light, which shines along -z, to those of the web.
+  Mat3f web_from_light{1.0f};
 };
 
 /// A light shines from its node's origin. Directional and spot lights shine along the node's -z.
@@ -292,7 +293,8 @@ struct Light {
   int node = -1;
   /// Colour times intensity. Diffuse surfaces multiply it by N.L; metallic-roughness surfaces also by albedo / pi.
   Vec3f color{1.0f};
-  /// Point and spot lights: at distance d, the light is divided by x + y d + z d^2, as in Tachyon.
+  /// Point and spot lights: at distance d, the light is divided by x + y * d + z * d^2 (x, y and z of this vector), as in
+  /// Tachyon.
   Vec3f attenuation{1.0f, 0.0f, 0.0f};
   /// Point and spot lights: true: the light is also divided by the squared distance, as in glTF.
   bool inverse_square = false;
@@ -306,8 +308,8 @@ struct Light {
   /// but cameras do not.
   float radius = 0.0f;            ///< point and spot lights: radius of the emitter, in world units; needs inverse_square
   float angular_diameter = 0.0f;  ///< directional lights: angular diameter of the emitting disc in radians, at most pi
-  /// Spot lights: falloff from the inner cone to the outer cone. t is 1 at the inner cone and 0 at the outer cone, linear in
-  /// the cosine of the angle. true: 3 t^2 - 2 t^3, as in Blender; false: t^2.
+  /// Spot lights: falloff from the inner cone to the outer cone as a function of t. t is linear in the cosine of the angle, 1
+  /// at the inner cone and 0 at the outer cone. true: 3 t^2 - 2 t^3, as in Blender. false: t^2.
   bool smooth_edge = false;
   /// Point lights: index into Scene::webs. The intensity of the web multiplies the colour. -1: the light is the same in all
   /// directions.

@@ -19,7 +19,7 @@ inline constexpr float pitch_radius(int teeth) { return 0.5f * static_cast<float
 /// Returns half the angle that a tooth covers at a radius between the base circle and the tip, in radians. Below the base
 /// circle, the angle is constant.
 float tooth_half_angle(int teeth, float radius);
-/// The same for a tooth of an internal ring, whose teeth point inwards.
+/// Returns tooth_half_angle() for the teeth of an internal ring, which point inwards.
 float ring_tooth_half_angle(int teeth, float radius);
 
 struct GearBlank {

@@ -20,8 +20,8 @@ struct PlyMesh {
   Vec3d origin{0.0};  ///< point that was subtracted from all positions
 };
 
-/// Append the triangles of an element of faces, or of strips, to ply.mesh.triangles. They warn about unused properties. `name`
-/// names the file in messages. They throw Error.
+/// These functions append the triangles of an element (faces or strips) to ply.mesh.triangles, and warn about unused
+/// properties. `name` is the file's name in messages. They throw Error for invalid data.
 void read_faces(const std::string& name, const Element& element, Body& body, const Context& context, PlyMesh& ply);
 void read_strips(const std::string& name, const Element& element, Body& body, const Context& context, PlyMesh& ply);
 

@@ -18,7 +18,7 @@ struct SplitCornerHash {
   std::size_t operator()(const SplitCorner& c) const {
     std::uint64_t hash = c.vertex;
     for (const float value : {c.uv.x, c.uv.y, c.color.x, c.color.y, c.color.z, c.alpha})
-      // + 0.0f turns -0 into 0 because both compare equal.
+      // Adding 0.0f turns -0 into 0, because equal corners must have equal hashes.
       hash = (hash ^ std::bit_cast<std::uint32_t>(value + 0.0f)) * 0x9e3779b97f4a7c15u;
     return hash ^ hash >> 32;
   }

@@ -11,8 +11,8 @@ namespace lippmann::ply {
 
 /// The face attributes of one triangle.
 struct FaceAppearance {
-  std::array<Vec2f, 3> uvs{};  ///< of the triangle's corners
-  Vec3f color{1.0f};           ///< linear
+  std::array<Vec2f, 3> uvs{};  ///< texture coordinates of the three corners
+  Vec3f color{1.0f};           ///< linear colour
   float alpha = 1.0f;
   int picture = -1;  ///< texture number in the file; -1: none
 };

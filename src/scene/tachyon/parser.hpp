@@ -25,7 +25,6 @@ struct ShaderMode {
   bool opacity_dims = false;  ///< true for TRANS_VMD: opacity multiplies a surface's own light
 };
 
-/// The state of the parser.
 struct ParserState {
   ParserState(SceneFolder& scene_folder, const Context& scene_context) : folder(scene_folder), context(scene_context) {}
 
@@ -38,8 +37,9 @@ struct ParserState {
   ShaderMode shading;
   Background background;               ///< from BACKGROUND
   std::optional<Background> gradient;  ///< from BACKGROUND_GRADIENT, which overrides BACKGROUND
-  bool gradient_is_plane = false;      ///< true for SKY_ORTHO_PLANE: limits are heights, not sines
-  std::int64_t landscape_steps = 0;    ///< number of steps that all landscapes so far have used
+  /// True for SKY_ORTHO_PLANE: the gradient's limits are heights in the scene, not sines of elevations.
+  bool gradient_is_plane = false;
+  std::int64_t landscape_steps = 0;  ///< number of steps that all landscapes so far have used
   Vec2i resolution{0, 0};
   LeftOut left_out;  ///< keywords that are read but have no effect
   int include_depth = 0, includes = 0;

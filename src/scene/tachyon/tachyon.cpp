@@ -18,7 +18,6 @@ namespace {
 /// The vertical angle under which an assumed viewer sees an orthographic picture.
 constexpr double kViewerAngle = 45.0 * std::numbers::pi / 180.0;
 
-/// Adds the camera and its node.
 void add_camera(Scene& scene, const CameraRecord& record) {
   Node node;
   node.name = "camera";
