@@ -46,7 +46,6 @@ class Lexer {
   /// Reads a whole number from `lowest` to `highest`.
   int integer(std::string_view wanted, int lowest, int highest);
 
-  /// Reads three numbers.
   Vec3f vector(std::string_view wanted, float largest = std::numeric_limits<float>::max());
 
   /// Reads one coordinate of a position (axis 0 to 2) and subtracts the origin's coordinate in double precision.
@@ -89,7 +88,6 @@ class Lexer {
 /// Returns whether `word` equals `keyword`, which must be upper case. The comparison ignores case.
 bool is_keyword(std::string_view word, std::string_view keyword);
 
-/// Converts ASCII letters to upper case.
 std::string upper(std::string_view word);
 
 }  // namespace lippmann

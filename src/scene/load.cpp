@@ -69,7 +69,6 @@ struct Format {
   bool may_be_empty;
   /// The surfaces and lights are physically based; otherwise they are made for Whitted shading.
   bool is_physical;
-  /// The format supports point clouds.
   bool may_be_points;
   std::string_view kind;  ///< name of the format in describe_content(); only for binary files
   bool (*is_splat_file)(const fs::path&);

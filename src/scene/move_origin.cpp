@@ -213,7 +213,7 @@ class OriginMover {
   Vec3d origin_;
   std::vector<Affine3d> local_;  ///< parent_from_node of each node
   double reach_;                 ///< nodes whose distance from the new origin exceeds this get an anchor
-  std::vector<Vec3d> anchors_;   ///< anchor of each node
+  std::vector<Vec3d> anchors_;
 };
 
 bool has_projections(const Scene& scene) {

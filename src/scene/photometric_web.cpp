@@ -28,8 +28,8 @@ float along_polar(const PhotometricWeb& web, std::size_t azimuth, const WebPlace
   return row[0] + at.share * (row[1] - row[0]);
 }
 
-/// Integrals of the sine over a range of polar angles, multiplied by a linear weight. The weight goes from 1 to 0 for `falling`
-/// and from 0 to 1 for `rising`.
+/// Integrals of weight * sine over a range of polar angles. The weight is linear: from 1 to 0 for `falling`, from 0 to 1 for
+/// `rising`.
 struct PolarWeights {
   double falling, rising;
 };

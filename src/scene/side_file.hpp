@@ -15,7 +15,6 @@ struct SideFolders {
   std::filesystem::path asset_root{};  ///< a second folder that may contain files; empty: none
 };
 
-/// A file that a scene refers to.
 struct SideFile {
   std::filesystem::path path{};  ///< location of the file; empty if there is a problem
   std::string problem{};         ///< why the file may not be opened: it is outside the folders, or missing; empty: no problem

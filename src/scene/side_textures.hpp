@@ -22,7 +22,6 @@ class SideTextures {
   /// and returns -1.
   int add(const std::string& name, const std::string& where);
 
-  /// Decodes the texels of all textures.
   void decode();
 
  private:

@@ -89,7 +89,7 @@ std::vector<std::size_t> sampled_splats(const Splats& splats) {
   return sampled;
 }
 
-/// Returns the box that separates outliers: splats whose centre is outside it are outliers. See bulk_bounds().
+/// Returns the box that contains the centres of all splats except outliers (see bulk_bounds()).
 Bounds3f fence(const Splats& splats, const Affine3f& a) {
   constexpr double kTail = 0.02;
   constexpr float kMargin = 0.25f;

@@ -11,10 +11,8 @@ namespace lippmann {
 /// Splats are invisible where their coverage is below this alpha: one 8-bit step.
 inline constexpr float kLeastAlpha = 1.0f / 255.0f;
 
-/// Returns whether some instance of the scene shows splats.
 bool has_splats(const Scene& scene);
 
-/// Returns the number of spherical harmonics per splat, from their degree.
 constexpr std::size_t harmonics_of(int degree) { return static_cast<std::size_t>((degree + 1) * (degree + 1)); }
 
 /// Returns the radius beyond which a splat with this opacity is invisible, in standard deviations. 0: the splat is invisible.

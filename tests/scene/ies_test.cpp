@@ -96,7 +96,7 @@ TEST(Ies, types_a_b_point_along_minus_z) {
     EXPECT_NEAR(candelas(p, {0.3f, 0, -0.9f}), 40.0f + (7.0f - 40.0f) * std::atan2(0.3f, 0.9f) / (0.5f * kPi), 0.05f) << type;
     EXPECT_NEAR(candelas(p, {0, 0.3f, -0.9f}), 40.0f + (5.0f - 40.0f) * std::atan2(0.3f, 0.9f) / (0.5f * kPi), 0.05f) << type;
   }
-  const Vec3f corner(std::sqrt(0.5f), 0.5f, -0.5f);  // type B: 45 degrees to the side; in that plane 45 degrees up
+  const Vec3f corner(std::sqrt(0.5f), 0.5f, -0.5f);  // type B: horizontal and vertical angle of 45 degrees
   const IesProfile b = parse_ies("a.ies", ies(2, "3 3", rest));
   EXPECT_NEAR(candelas(b, corner), 0.25f * (40 + 5 + 7 + 8), 0.05f);
 }

@@ -22,7 +22,6 @@ const Vec3d kPlace(4512345.125, 320.5, -5400000.25);
 
 std::string text_of(Vec3d p) { return fmt::format("{} {} {}", p.x, p.y, p.z); }
 
-/// Loads scenes from files with the given contents.
 class FarScene : public testing::Test {
  protected:
   Scene load(const std::string& name, const std::string& contents, std::vector<std::string>* warnings = nullptr) const {

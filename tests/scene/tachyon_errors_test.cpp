@@ -13,8 +13,8 @@ using ::testing::StartsWith;
 struct BadStatement {
   const char* name;
   const char* text;
-  const char* problem;   ///< beginning of the message after "scene.dat:"
-  const char* accepted;  ///< accepted values in the message
+  const char* problem;  ///< beginning of the message after "scene.dat:"
+  const char* accepted;
 };
 void PrintTo(const BadStatement& bad, std::ostream* out) { *out << bad.name; }
 

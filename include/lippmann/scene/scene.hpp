@@ -56,7 +56,6 @@ struct Mesh {
   SkinWeights skin{};
 };
 
-/// Returns set 0 or 1 of a mesh's texture coordinates.
 inline const std::vector<Vec2f>& uvs_of(const Mesh& mesh, int set) { return set == 0 ? mesh.uvs : mesh.uvs_1; }
 
 struct Sphere {
@@ -163,7 +162,7 @@ struct PhongSurface {
   Highlight highlight_kind = Highlight::kNone;
   float highlight = 0.0f, highlight_size = 1.0f;
   float mirror = 0.0f;   ///< fraction of the radiance from the mirror direction
-  float opacity = 1.0f;  ///< the fraction 1 - opacity of the radiance from behind is transmitted
+  float opacity = 1.0f;  ///< 1: opaque; otherwise, the radiance from behind is transmitted, times 1 - opacity
   float ior = 1.0f;      ///< index of refraction for transmitted light; 1: no refraction
   Vec3f emission{0.0f};
 };
@@ -301,7 +300,7 @@ struct Light {
   float range = kInfinity;     ///< the light does not reach beyond this distance
   float inner_cone = 0.0f;     ///< spot lights: half angle in radians of the cone with full strength
   float outer_cone = kPi / 4;  ///< spot lights: half angle in radians of the cone that contains all light
-  /// > 0: rays see the light as a sphere of this radius in the light's colour. The sphere casts no shadow.
+  /// If > 0, rays see the light as a sphere of this radius in the light's colour. The sphere casts no shadow.
   float visible_radius = 0.0f;
   /// The next two members give the size of the emitter. Path tracing uses it to soften shadows; Whitted shading treats lights
   /// as points. The size changes neither the power of a lamp nor the light at points without shadow. Mirrors show the emitter,
@@ -342,10 +341,10 @@ struct Camera {
   int node = -1;
   float vertical_fov = radians(45.0f);  ///< full vertical angle in radians
   float aspect = 1.0f;                  ///< width / height of the image that the file requests; 0: unknown
-  float focus_distance = 0.0f;          ///< > 0: distance of the plane that the author wants in focus, in node units
+  float focus_distance = 0.0f;          ///< distance of the plane that the author wants in focus, in node units; 0: none
   /// Shifts the ray of each pixel by this many pixels (x right, y down). Only for single views, not for lens arrays.
   Vec2f pixel_offset{0.0f};
-  /// > 0: the camera is orthographic and shows this height in node units. vertical_fov is ignored.
+  /// If > 0, the camera is orthographic and shows this height in node units. vertical_fov is ignored.
   float orthographic_height = 0.0f;
   float near_distance = 0.0f;  ///< distance of the near clipping plane, in node units
   /// Moves the image rectangle on the image plane to the right and up, in units of the image height. Only for single views.
@@ -455,7 +454,7 @@ struct Scene {
   Timeline timeline{};
   std::vector<std::string> animation_names{};  ///< names of all animations of the file
   int animation = -1;                          ///< index into animation_names of the animation that `timeline` contains
-  std::vector<std::string> variant_names{};    ///< names of the file's material variants
+  std::vector<std::string> variant_names{};
   /// Origin of the scene's coordinates, in file coordinates (scene/origin.hpp). A point p of the scene lies at origin + p in
   /// the file.
   Vec3d origin{0.0};

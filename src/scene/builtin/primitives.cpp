@@ -79,7 +79,6 @@ void add_glass_ball(SceneBuilder& scene) {
   scene.show("ring", Rings{{Vec3f(0.0f), kUp, 1.55f, 1.85f}, {Vec3f(0.0f), kUp, 1.93f, 2.0f}}, gold, ring);
 }
 
-/// Adds a round floor of concentric rings in two alternating colours.
 void add_floor(SceneBuilder& scene) {
   const int light = scene.add_material("floor, light", glossy({0.78f, 0.72f, 0.60f}, 0.0f, 1.0f, 0.06f));
   const int dark = scene.add_material("floor, dark", glossy({0.02f, 0.07f, 0.12f}, 0.0f, 1.0f, 0.12f));

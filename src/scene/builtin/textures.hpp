@@ -22,10 +22,8 @@ float fractal_noise(Vec2f p, Vec2i period, int octaves, std::uint32_t seed);
 /// Returns 2 x 2 tiles of light and dark veined stone with thin joints.
 Texture marble_tiles(Vec3f light, Vec3f dark);
 
-/// Returns wooden boards along v, with grain and joints.
 Texture wood_boards(Vec3f light, Vec3f dark, int boards);
 
-/// Returns plaster with faint vertical stripes, like wallpaper.
 Texture striped_plaster(Vec3f color, Vec3f stripe, int stripes);
 
 /// Returns a woven carpet with a border and a rhombic pattern. The texture shows the whole carpet once.

@@ -33,7 +33,6 @@ std::vector<T> read_attribute(Document& document, PrimitiveId id, const std::str
 template <class T>
 std::vector<T> read_per_vertex(Document& document, PrimitiveId id, int accessor, const std::string& name, std::size_t vertices);
 
-/// Warns about attributes that the reader does not use.
 void warn_about_unread_attributes(Document& document, PrimitiveId id);
 
 /// Reads COLOR_0, which is RGB or RGBA, into mesh.colors and mesh.alphas. Leaves mesh.colors empty if all colours are white,

@@ -85,10 +85,8 @@ struct Document {
   std::vector<std::optional<PackedView>> packed_views;  ///< one per buffer view of the file; none: not compressed
   std::vector<Accessor> accessors;
 
-  /// Returns an element of one of the arrays of `root`.
   Value at(std::string_view array, int index) const { return root[array].at(static_cast<std::size_t>(index)); }
   const Accessor& accessor(int index) const { return accessors[static_cast<std::size_t>(index)]; }
-  /// Returns the bytes of a buffer view.
   Bytes view(int index) const;
 
   std::shared_ptr<const nlohmann::json> json;  ///< the JSON values that `root` refers to

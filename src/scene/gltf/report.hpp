@@ -24,7 +24,6 @@ class Report {
   /// Returns "file: element", or only the file if `element` is empty.
   std::string where(std::string_view element) const;
 
-  /// Throws Error at the element.
   [[noreturn]] void fail(std::string_view element, const std::string& problem, const std::string& accepted = {}) const;
 
   /// Warns about the whole file. Each text is reported once. After 50 different texts, one last warning says that the others

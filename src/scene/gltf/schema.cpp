@@ -16,7 +16,7 @@ namespace {
 using Json = nlohmann::json;
 using namespace schema;
 
-/// The path to the current value. Each element is on the call stack of the walk; text is only made for messages.
+/// The path from the root to the current value, as a linked list on the call stack. text() is only called for messages.
 struct Path {
   const Path* parent = nullptr;
   std::string_view name{};

@@ -25,8 +25,8 @@ using UsedExtensions = std::map<std::string, ExtensionUse>;
 
 /// Results of the schema check that are not errors.
 struct SchemaFindings {
-  UsedExtensions extensions;  ///< all extensions that occur in the document
-  LeftOut unknown;            ///< properties that glTF 2.0 does not define, outside extras and extensions
+  UsedExtensions extensions;
+  LeftOut unknown;  ///< properties that glTF 2.0 does not define, outside extras and extensions
 };
 
 /// Checks the document. Afterwards every remaining property has the right type, range and length, every required property

@@ -23,7 +23,7 @@ enum class Kind {
   kNumbers,
   kInteger,
   kIndex,       ///< an index into the root's array `refers_to`
-  kIndices,     ///< an array of different indices
+  kIndices,     ///< an array of indices, all of them different
   kIndexLists,  ///< an array of arrays of indices; each has the length `length`
   kIndexMap,    ///< an object whose values are indices
   kIntegerMap,  ///< an object whose values are integers

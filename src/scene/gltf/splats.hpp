@@ -9,7 +9,6 @@
 
 namespace lippmann::gltf {
 
-/// Returns whether the primitive uses KHR_gaussian_splatting.
 bool is_splats(Value primitive);
 
 /// Returns whether a document has primitives and all of them are splats. The document need not be valid.

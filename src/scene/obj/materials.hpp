@@ -26,7 +26,6 @@ class Materials {
   /// returns the grey material without a warning.
   int find(std::string_view name, const std::string& where);
 
-  /// Decodes the textures of all materials.
   void decode_textures() { textures_.decode(); }
 
  private:

@@ -243,10 +243,11 @@ class Reader {
   Part* part_ = nullptr;
   bool part_uv_ = false, part_normal_ = false;
   bool is_smoothed_ = false, warned_about_smoothing_ = false;
-  LeftOut left_out_;  ///< names of unsupported statements
+  LeftOut left_out_;
 };
 
-/// Joins lines that end with a backslash to the next line. Comments are not joined because they may end with a folder name.
+/// Joins lines that end with a backslash to the next line. Comments are not joined because a backslash at their end may belong
+/// to a folder name.
 void join_lines(std::string& text) {
   for (std::size_t at = text.find('\\'); at != std::string::npos; at = text.find('\\', at + 1)) {
     const std::size_t end = at + 1 < text.size() && text[at + 1] == '\r' ? at + 2 : at + 1;

@@ -40,7 +40,6 @@ class Body {
   /// Skips one property: a single value or a whole list.
   void skip(const Property& property);
 
-  /// Skips all rows of an element.
   void skip(const Element& element);
 
   Error error(std::string problem, std::string accepted = {}) const;

@@ -41,7 +41,6 @@ class Columns {
   std::optional<std::array<int, 3>> color();
   int alpha();
 
-  /// Warns with the names of all unused properties.
   void warn_about_unread(const std::string& file, const Context& context) const;
 
  private:

@@ -37,14 +37,13 @@ class Row {
   /// Returns a texture number, or -1 if the value is invalid.
   int picture(int column) const;
 
-  /// Warns if colour components were clamped.
   void warn_about_clamped_colors(const std::string& file, const Context& context) const;
 
  private:
   const Element& element_;
   std::vector<double> values_;
   std::size_t cut_ = 0;
-  double cut_scale_ = 1.0;  ///< full scale of the last clamped component
+  double cut_scale_ = 1.0;  ///< full_scale() of the last clamped component
 };
 
 }  // namespace lippmann::ply

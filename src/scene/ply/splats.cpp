@@ -34,7 +34,6 @@ bool has_property(const Element& element, std::string_view name) {
                      [&](const Property& property) { return property.name == name && !property.count_type; });
 }
 
-/// The columns of a splat's properties.
 struct SplatColumns {
   std::array<int, 3> center{}, color{};
   std::vector<int> scale;                      ///< one column: round splats; two: discs; three: ellipsoids

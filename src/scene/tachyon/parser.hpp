@@ -35,7 +35,7 @@ struct ParserState {
   std::map<std::string, int, std::less<>> images;    ///< texture index by image map name
   CameraRecord camera;
   ShaderMode shading;
-  Background background;               ///< from BACKGROUND
+  Background background;
   std::optional<Background> gradient;  ///< from BACKGROUND_GRADIENT, which overrides BACKGROUND
   /// True for SKY_ORTHO_PLANE: the gradient's limits are heights in the scene, not sines of elevations.
   bool gradient_is_plane = false;

@@ -6,7 +6,6 @@
 namespace lippmann::tachyon {
 namespace {
 
-/// Skips the options of AMBIENT_OCCLUSION.
 void skip_ambient_occlusion(Lexer& lexer) {
   for (;;) {
     const std::string_view word = lexer.peek();

@@ -53,7 +53,6 @@ class GltfBuilder {
 
   Json& accessor(int index) { return root["accessors"][static_cast<std::size_t>(index)]; }
 
-  /// Adds a mesh with one primitive and returns its index.
   int add_mesh(Json primitive) { return add("meshes", {{"primitives", {std::move(primitive)}}}); }
 
   /// Adds a mesh of one triangle (0, 0, 0), (1, 0, 0), (0, 1, 0) and returns its index. `more` contains additional properties
