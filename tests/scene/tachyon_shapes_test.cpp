@@ -240,7 +240,7 @@ TEST_F(Tachyon, tpolyfile_scales_rotates_and_moves) {
   const Scene scene = files.load_statements("TPOLYFILE SCALE 2 2 2 ROT 0 0 90 CENTER 10 0 0 FILE models/a.tpoly" + white);
   const Mesh& mesh = only_shape<Mesh>(scene);
   ASSERT_EQ(mesh.positions.size(), 3u);
-  // As in Tachyon, the second corner comes first. z is mirrored.
+  // The second corner comes first, as in Tachyon. z is mirrored.
   const Vec3f expected[] = {{8, 0, 0}, {10, 2, 0}, {10, 0, -2}};
   for (std::size_t i = 0; i < 3; ++i)
     EXPECT_LT(glm::length(mesh.positions[i] - expected[i]), 1e-6f) << i;  // tolerance: rounding errors

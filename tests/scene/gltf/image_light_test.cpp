@@ -91,7 +91,7 @@ TEST(GltfImageLight, faces_lie_where_their_order_says) {
   expect_color(seen(map, {0.1f, 0.1f, -1}), {0, 0, kHalf});
 }
 
-// Each face has 2 x 2 texels, of which the upper left one is white. If a viewer in the cube looks along x, with y up, then z is
+// Each face has 2 x 2 texels. Only the upper left texel is white. If a viewer in the cube looks along x, with y up, then z is
 // to the right. If the viewer looks along y, with -z up, then -x is to the right.
 TEST(GltfImageLight, faces_are_seen_from_inside) {
   GltfBuilder b;
