@@ -1,5 +1,6 @@
-// The BSDFs of a packet. The most common glTF surfaces are evaluated for all lanes together, all others one by one. The choice
-// for a lane depends only on its own surface.
+// The BSDFs at the hits of a packet. Surfaces that consist only of a glTF base or are purely diffuse are evaluated for all
+// lanes at once. All other surfaces are evaluated lane by lane. The choice for a lane depends only on its own surface, so
+// results do not depend on the other lanes.
 #pragma once
 
 #include <array>
@@ -10,7 +11,7 @@
 
 namespace lippmann {
 
-/// Sampled directions of a packet's surfaces.
+/// One sampled direction per lane. The members match those of BsdfSample.
 struct BsdfSamples {
   BsdfSampleLanes lanes;
   LaneMask straight, is_vertex;
@@ -24,22 +25,22 @@ struct BsdfSamples {
 
 class BsdfPacket {
  public:
-  /// Removes the surfaces of all lanes.
   void clear() {
     base_ = others_ = {};
     any_base_ = any_other_ = false;
     lanes_.clear();
   }
-  /// Sets the surface that lane i has hit. Set all lanes before any other call.
+  /// Sets the surface that lane i has hit. Call set() for all lanes with a hit before any other function.
   void set(const ShadedScene& scene, const RayHitPacket& packet, const SurfacePacket& surface, int i);
-  /// Prepares the surfaces. Call this once after the last set().
+  /// Computes the values that all evaluations share. Call prepare() once, after the last set().
   void prepare();
 
-  // Evaluate or sample the BSDFs of the lanes in a mask. These lanes must have a surface. The random numbers are in [0, 1).
+  // evaluate() and sample() fill the lanes of the mask, each of which must have a surface. Other lanes receive undefined
+  // values. The random numbers lobe, u and v are in [0, 1).
   void evaluate(const LaneMask& lanes, const Lanes3& lights, BsdfValueLanes& values) const;
   void sample(const LaneMask& lanes, const Lanes& lobe, const Lanes& u, const Lanes& v, BsdfSamples& samples) const;
 
-  // Evaluate the BSDF of a single lane.
+  // These functions evaluate lane i only. They return what the functions of the same name in Bsdf return.
   Vec3f highlight(int i, Vec3f light) const { return base_.lane[i] ? Vec3f(0.0f) : bsdfs_[index(i)]->highlight(light); }
   Vec3f diffuse_albedo(int i) const { return base_.lane[i] ? lanes_.diffuse_albedo(i) : bsdfs_[index(i)]->diffuse_albedo(); }
   Vec3f evaluate_diffuse(int i, Vec3f light) const {
@@ -53,7 +54,7 @@ class BsdfPacket {
  private:
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-  LaneMask base_{}, others_{};  ///< lanes in lanes_ and in bsdfs_
+  LaneMask base_{}, others_{};  ///< base_: lanes stored in lanes_; others_: lanes stored in bsdfs_
   bool any_base_ = false, any_other_ = false;
   const GgxAlbedo* albedo_ = nullptr;
   MetalRoughLanes lanes_;

@@ -1,8 +1,8 @@
-// Direct light of a packet of surface points from one light: shadow rays, Lambert's N.L and Blinn's highlight.
+// Direct light from one light on a packet of surface points, with shadow rays, Lambert's N.L and Blinn's highlight.
 //
 // Based on: T. Whitted, "An improved illumination model for shaded display", CACM 23(6), 1980; J. F. Blinn, "Models of light
-// reflection for computer synthesized pictures", SIGGRAPH 1977 (the half-vector highlight; like Tachyon, without the factor
-// N.L).
+// reflection for computer synthesized pictures", SIGGRAPH 1977 (the half-vector highlight). We deviate: like Tachyon, the
+// highlight lacks the factor N.L.
 #pragma once
 
 #include "device/transmittance.hpp"
@@ -10,32 +10,33 @@
 
 namespace lippmann {
 
-/// Accumulated direct light per lane. The caller multiplies `diffuse` by the surface's colour and `highlight` by its tint.
+/// Sums over lights, per lane. The caller multiplies `diffuse` by the surface's colour and `highlight` by its tint.
 struct DirectLight {
-  Lanes3 diffuse;    ///< sum of light colour * N.L * visibility
-  Lanes3 highlight;  ///< sum of light colour * (N.H)^size * visibility, before the surface's tint. In Tachyon mode it omits the
-                     ///< light's fading and transmittance and, for metal, its colour.
+  Lanes3 diffuse;  ///< sum of light colour * N.L * visibility
+  /// Sum of light colour * (N.H)^size * visibility. In Tachyon mode, `highlight` omits the light's fading and transmittance
+  /// and, for metal, the light's colour.
+  Lanes3 highlight;
 };
 
 /// Shadow rays from a packet of points to one light.
 struct ShadowPacket {
-  /// Initializes the ray fields that all packets share.
+  /// Initializes the ray fields that have the same values in all packets.
   ShadowPacket() { make_ready(rays); }
 
   alignas(64) RayPacket rays;
-  LaneMask active;  ///< lanes whose surface faces the light, within its range and cone
-  LaneMask lifted;  ///< lanes whose rays start from the smooth surface (smooth_lift.hpp); valid if any_lifted is set
+  LaneMask active;  ///< lanes that face the light and are within its range and cone
+  LaneMask lifted;  ///< lanes whose rays start at the smooth surface (smooth_lift.hpp); defined if any_lifted is true
   bool any_lifted = false;
-  Lanes strength;               ///< factor of the light by distance and cone, for active lanes
-  Lanes arriving;               ///< strength * N.L, for active lanes
-  Transmittance transmittance;  ///< 1 before tracing; then the transmittance of lanes that are not fully occluded
+  Lanes strength;               ///< falloff with distance, times fading in the cone; defined in active lanes
+  Lanes arriving;               ///< strength * N.L; defined in active lanes
+  Transmittance transmittance;  ///< 1 before tracing; afterwards the transmittance of lanes that are not fully occluded
 };
 
-/// Fills rays, active, strength and arriving. Light with strength * N.L <= least_light is ignored. Returns the number of active
-/// lanes.
+/// Fills rays, active, strength and arriving for one light. Lanes with strength * N.L <= least_light are inactive. Returns the
+/// number of active lanes.
 int aim_at_light(const WhittedLight& light, const SurfacePacket& surface, float least_light, ShadowPacket& shadow);
 
-/// Adds the unoccluded light. `view`: the rays that hit the surface.
+/// Adds the light that arrives through traced shadow rays. `view` holds the rays that hit the surface.
 void add_light(const WhittedLight& light, const SurfacePacket& surface, const RayPacket& view, const ShadowPacket& shadow,
                bool tachyon, DirectLight& direct);
 

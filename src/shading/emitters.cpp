@@ -10,9 +10,10 @@
 namespace lippmann {
 namespace {
 
-/// Maximum number of texture lookups along each edge of a triangle.
+/// A triangle is divided into at most kMostParts parts along each edge, with one texture lookup per part.
 constexpr int kMostParts = 2;
-/// Lower bound of a textured triangle's brightness, relative to the texture's mean: lookups may miss small bright areas.
+/// Lower bound of a textured triangle's luminance, as a share of the luminance under the texture's mean. It is needed because
+/// lookups may miss small bright areas.
 constexpr float kLeastShare = 1e-2f, kLeastMean = 1.0f / 65535.0f;
 /// Triangles per parallel task.
 constexpr std::size_t kPiece = 4096;
@@ -22,8 +23,8 @@ struct MapParts {
   int per_edge;
 };
 
-/// Returns the mip level and the number of lookups per edge for a triangle. extent: its width or height in texels of the finest
-/// level.
+/// Returns the mip level and the number of parts per edge. `extent` is the larger of the triangle's width and height, in texels
+/// of the finest level.
 MapParts parts_of(const DeviceTexture& texture, float extent) {
   const std::size_t last = texture.levels.size() - 1;
   if (!(extent < 1e9f)) return {last, 1};
@@ -32,8 +33,8 @@ MapParts parts_of(const DeviceTexture& texture, float extent) {
   return {level, std::clamp(static_cast<int>(std::ceil(extent)), 1, level < last ? kMostParts : 1)};
 }
 
-/// Divides each edge of a triangle into `per_edge` parts, which gives per_edge^2 equal triangles, and calls visit(barycentric)
-/// for their centres.
+/// Divides each edge of a triangle into per_edge parts, which gives per_edge^2 equal triangles. Calls visit(barycentric) for
+/// their centres.
 template <class Visit>
 void visit_parts(int per_edge, const Visit& visit) {
   const auto at = [&](int i, int j, float third) {

@@ -1,7 +1,9 @@
 // After: A. Keller et al., "The Iray Light Transport Simulation and Rendering System", 2017, appendix A.3 "Local Shading Normal
-// Adaption", which states the requirements. The closed-form solution is our own. In the plane of the facet's normal (z) and the
-// given normal (towards x), a normal at angle a from z mirrors the view (vx, vz) to the height vx sin 2a + vz cos 2a. Solving
-// for the required height gives the angle.
+// Adaption", which states the requirements. The closed-form solution is our own:
+// 1. The plane of the facet's normal and the given normal has axes z (the facet's normal) and x (towards the given normal).
+// 2. A normal in this plane at angle a from z mirrors the view (vx, vz) to a direction of height vx sin 2a + vz cos 2a over the
+// facet.
+// 3. Solving for the required height gives a.
 #include "shading/lifted_normal.hpp"
 
 #include <algorithm>
@@ -10,17 +12,19 @@
 namespace lippmann {
 namespace {
 
-/// Minimum height of mirror directions above the facet: kLeastHeight, but at most kPartOfView of the view's height.
+/// Mirror directions must rise above the facet by at least kLeastHeight or kPartOfView times the view's height, whichever is
+/// smaller.
 constexpr float kLeastHeight = 0.01f, kPartOfView = 0.9f;
 
-/// Returns a positive multiple of the sine and cosine of the angle that mirrors the view to `height`, on the side of growing x.
+/// Returns (sin a, cos a), up to a positive factor, of the angle a that mirrors the view to `height`. Of the two solutions,
+/// chooses the one towards +x.
 Vec2f angle_of(float vx, float vz, float height) {
   const float in_plane = std::sqrt(vx * vx + vz * vz);
   const float c = vz / in_plane, s = vx / in_plane, wanted = height / in_plane;
   const float beside = std::sqrt(std::max(0.0f, 1.0f - wanted * wanted));
   const Vec2f doubled(s * wanted + c * beside, c * wanted - s * beside);
   return doubled.y > 0.0f ? Vec2f(doubled.x, 1.0f + doubled.y)
-                          : Vec2f(1.0f - doubled.y, doubled.x);  // half-angle formula without cancellation
+                          : Vec2f(1.0f - doubled.y, doubled.x);  // half-angle formula of the two that avoids cancellation here
 }
 
 }  // namespace

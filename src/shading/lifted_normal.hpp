@@ -5,9 +5,9 @@
 
 namespace lippmann {
 
-/// Returns `normal` if it mirrors `view` to above the facet. Otherwise returns the nearest normal with this property, between
+/// Returns `normal` if it mirrors `view` to a direction above the facet. Otherwise returns the nearest such normal between
 /// `normal` and the facet's normal. Without this adjustment, smooth or bent normals seen edge-on mirror the view into the
-/// surface, which appears black. normal, view: unit length. facet: any length, on the viewer's side.
+/// surface, which looks black. normal and view have unit length. facet has any length and points to the viewer's side.
 Vec3f lifted_normal(Vec3f normal, Vec3f facet, Vec3f view);
 
 }  // namespace lippmann

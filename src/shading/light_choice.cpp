@@ -7,7 +7,7 @@ namespace {
 
 constexpr float kBelowOne = 1.0f - 0x1p-24f;
 
-/// Returns whether the group has more lights than sampling by power supports.
+/// Returns whether the group has more than most_by_power lights, so that they are chosen by a tree.
 bool needs_tree(const LightGroup& group) {
   const auto in_tree =
       std::count_if(group.lights.begin(), group.lights.end(), [](const TreeLight& l) { return l.power > 0.0f; });
@@ -40,7 +40,7 @@ LightChoice::LightChoice(std::array<LightGroup, kGroups> groups, float sun, floa
   }
   add(0.0f, sky);
   near_ = kind_of(near), far_ = kind_of(far);
-  // A randomly oriented surface receives a quarter of the flux density across the light's direction, on average.
+  // The mean irradiance over all orientations of a surface is a quarter of the irradiance across the light's direction.
   far_irradiance_ = 0.25f * static_cast<float>(far_.chances.total());
 }
 
@@ -72,7 +72,8 @@ float LightChoice::chance_of_sun(const LightReceiver& at) const {
   return near * near_.of_sun + (1.0f - near) * far_.of_sun;
 }
 
-/// Returns the probability that choose() returns a light, by the light's own entry (near or far) or through its group's tree.
+/// A light is chosen by its own entry (near or far), or by its group's entry and then the tree. At most one of the two has a
+/// nonzero probability.
 float LightChoice::chance_of(Part group, std::size_t light, const LightReceiver& at) const {
   const Tree& by_tree = trees_[group];
   const float near = near_share(at);
@@ -81,7 +82,7 @@ float LightChoice::chance_of(Part group, std::size_t light, const LightReceiver&
   return near * near_.probability(by_tree.entry) * by_tree.tree.probability(static_cast<std::uint32_t>(light), at);
 }
 
-/// Chooses near or far lights by `pick`. The position of `pick` within the chosen range then chooses a light of that kind.
+/// `pick` chooses near or far lights. Its position within the chosen range then chooses a light of that kind.
 std::optional<LightChoice::Chosen> LightChoice::choose(const LightReceiver& at, float pick) const {
   if (near_.empty() && far_.empty()) return std::nullopt;
   const float near = near_share(at);
@@ -92,8 +93,8 @@ std::optional<LightChoice::Chosen> LightChoice::choose(const LightReceiver& at, 
   return chosen;
 }
 
-/// Chooses a light of one kind. Trees reuse the remainder of `pick`. Their entries are tested first: if there is a tree, a
-/// search of the list of all entries takes long.
+/// Chooses a light of one kind, near or far. A tree reuses the remainder of `pick`. Entries of trees are tested first, because
+/// a search in the list of all entries is slow for many lights.
 std::optional<LightChoice::Chosen> LightChoice::choose_of(const Kind& kind, const LightReceiver& at, float pick) const {
   for (std::size_t g = 0; g < kGroups; ++g) {
     const Tree& group = trees_[g];

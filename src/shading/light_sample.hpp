@@ -1,4 +1,4 @@
-// A light sampled from a point, and the fading of lamps.
+// A light sampled from a point, and the emission of lamps by direction.
 #pragma once
 
 #include "lippmann/core/math.hpp"
@@ -7,17 +7,19 @@
 namespace lippmann {
 
 struct LightSample {
-  Vec3f direction{0.0f};  ///< unit, to the light
-  float distance = 0.0f;  ///< distance at which the shadow ray ends
-  Vec3f radiance{
-      0.0f};  ///< radiance from the direction; for point-like lights, the irradiance across it divided by the probability
-  /// Probability of the light times density of the direction, per steradian; kInfinity for point-like lights.
+  Vec3f direction{0.0f};  ///< unit length, from the point to the light
+  float distance = 0.0f;  ///< length of the shadow ray
+  /// Radiance that arrives from `direction`. For point-like lights: irradiance across `direction` divided by the light's
+  /// probability.
+  Vec3f radiance{0.0f};
+  /// Probability of choosing the light, times density of the direction per steradian. kInfinity for point-like lights.
   float density = 0.0f;
-  bool is_lamp = false;  ///< makes highlights on Phong surfaces
+  bool is_lamp = false;  ///< Phong surfaces show highlights of the light
   bool is_point() const { return density == kInfinity; }
 };
 
-/// Returns the factor of a lamp for a direction (unit, from the point to the lamp): its cone's fading, or its web's intensity.
+/// Returns the factor of a lamp's light by direction: the fading in its cone, or the intensity of its photometric web.
+/// `direction` has unit length and points from the lit point to the lamp.
 float fading(const WhittedLight& light, Vec3f direction);
 
 }  // namespace lippmann

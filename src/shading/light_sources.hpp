@@ -12,7 +12,7 @@ namespace lippmann {
 
 struct GeometryRecord;
 
-/// All members must outlive the lights.
+/// The referenced data must outlive the light table.
 struct LightSources {
   const Scene& scene;
   std::span<const WhittedLight> lights;
@@ -21,7 +21,7 @@ struct LightSources {
   std::span<const DeviceTexture> textures;
   const Emitters& emitters;
   std::span<const WebBeam> beams;  ///< indexed by the scene's webs
-  float size;                      ///< half the scene's diagonal; lamps much smaller than this count as points
+  float size;                      ///< half the scene's diagonal; lamps much smaller than this are treated as points
 };
 
 }  // namespace lippmann

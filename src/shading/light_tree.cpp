@@ -3,21 +3,21 @@
 namespace lippmann {
 namespace {
 
-/// Share of the weight that a light keeps below the receiver's horizon.
+/// Share of its weight that a light below the receiver's horizon keeps.
 constexpr float kLeastFacing = 1.0f / 16.0f;
-/// Lower bound of squared distances, as in the evaluation of lamps.
+/// Lower bound of squared distances. Equals the bound in the evaluation of lamps.
 constexpr float kLeastSquared = 1e-20f;
-/// Lower bound of the squared cosine of faces seen edge-on, so that rounding does not remove their light.
+/// Lower bound of the squared cosine of faces seen edge-on. It prevents rounding from removing their light.
 constexpr float kLeastSquaredCosine = 1e-6f;
-/// Lower bound of a face's factor, so that rounding does not make it negative.
+/// Lower bound of the factor `shining` of a face. It prevents negative factors by rounding.
 constexpr float kLeastFaceShining = 1e-4f;
-/// Lower bounds inside the cones. A cluster keeps at least kLeastShining of its mean over all directions. A single lamp keeps
-/// at least kLeastFading of its full light, so that rounding does not remove light at the rim of its cone.
+/// Lower bounds of `shining` inside the cones. A cluster keeps at least kLeastShining of its mean emission over all directions.
+/// A single lamp keeps at least kLeastFading of its full light, so that rounding does not remove light at the rim of its cone.
 constexpr float kLeastShining = 1.0f / 16.0f, kLeastFading = 1e-3f;
-/// Relative tolerance of ranges and cones, so that rounding does not remove light.
+/// Relative enlargement of ranges and cones, so that rounding does not remove light.
 constexpr float kMargin = 1e-4f;
 
-/// Pointers to the arrays of the tree, for the kernels. Null for arrays that the tree does not have.
+/// Pointers to the arrays of a tree, for the kernels. Pointers to arrays that the tree lacks are null.
 struct LightNodes {
   const LightNode* nodes;
   const LightCones* cones;
@@ -39,7 +39,8 @@ LIPPMANN_INLINE void weigh_places(const LightNode& n, const LightReceiver& at, L
   }
 }
 
-/// A child is dark if the point lies outside its cone by more than the child's angular radius.
+/// Multiplies w by the factor `shining` of lamps. The factor is 0 if the point lies outside the child's cone by more than the
+/// child's angular radius.
 LIPPMANN_INLINE void weigh_cones(const LightNode& n, const LightCones& c, const LightBeams& b, const LightReceiver& at,
                                  Lanes& w) {
   const Vec3f p = at.position;
@@ -74,7 +75,7 @@ LIPPMANN_INLINE void weigh_faces(const LightNode& n, const LightFaces& f, const 
   }
 }
 
-/// Prefetches all cache lines of a node that weigh() will read. They lie far apart in memory.
+/// Prefetches all cache lines of a node that weigh() will read, because these lines are far apart in memory.
 LIPPMANN_INLINE void prefetch(const LightNodes& tree, std::uint32_t node) {
   const auto lines_of = [](const auto* part, std::size_t index) {
     if (!part) return;
@@ -90,8 +91,8 @@ LIPPMANN_INLINE void weigh(const LightNodes& tree, std::uint32_t node, const Lig
   if (tree.faces) weigh_faces(tree.nodes[node], tree.faces[node], at, w);
 }
 
-/// A pairwise summation tree of the weights. It first adds lanes i and i + 8, then sums i and i + 4 of the results, and so on.
-/// The last element is the total.
+/// Partial sums of the sixteen weights. Elements 0 to 7 are the sums of lanes i and i + 8. Elements 8 to 11 are the sums of
+/// elements i and i + 4, and so on. The last element is the total.
 struct Sums {
   float of[kLanes];
   LIPPMANN_INLINE float all() const { return of[14]; }
@@ -104,14 +105,15 @@ LIPPMANN_INLINE void add_up(const Lanes& w, Sums& s) {
   s.of[14] = s.of[12] + s.of[13];
 }
 
-/// Chooses one of two weights by u in [0, sum), never one with weight 0. `u` receives its position within the chosen weight.
+/// Returns the index, 0 or 1, of one of two weights, chosen by u in [0, sum). Never chooses a weight of 0. Subtracts from `u`
+/// the weights before the chosen one.
 LIPPMANN_INLINE int pick_second(float first, float second, float& u) {
   if (u < first || !(second > 0.0f)) return 0;
   u = std::max(u - first, 0.0f);
   return 1;
 }
 
-/// Chooses a lane by weight for u in [0, 1). `u` receives the remainder, again in [0, 1).
+/// Chooses a lane in proportion to the weights by u in [0, 1). Sets `u` to the remainder, which is again in [0, 1).
 LIPPMANN_INLINE int pick(const Lanes& w, const Sums& s, float& u) {
   u *= s.all();
   int lane = pick_second(s.of[12], s.of[13], u);
@@ -122,7 +124,8 @@ LIPPMANN_INLINE int pick(const Lanes& w, const Sums& s, float& u) {
   return lane;
 }
 
-/// Descends the tree. `child` receives ~light. Returns the probability of the choice, 0 if no light reaches the point.
+/// Chooses a light by one descent through the tree. Sets `child` to ~light. Returns the probability of the choice, or 0 if no
+/// light reaches the point.
 LIPPMANN_MULTIVERSION float descend(const LightNodes& tree, const LightReceiver& at, float& u, std::int32_t& child) {
   float probability = 1.0f;
   child = 0;
@@ -164,7 +167,8 @@ LIPPMANN_MULTIVERSION float weigh_all(const LightNodes& tree, const LightReceive
   return sums.all();
 }
 
-/// Clips [enter, leave] to a slab of one axis. inverse: 1 / the direction's coordinate, finite.
+/// Clips the ray interval [enter, leave] to the slab between two planes across one axis. `inverse` is 1 / the direction's
+/// coordinate and must be finite.
 LIPPMANN_INLINE void cut_slab(float lower, float upper, float origin, float inverse, float& enter, float& leave) {
   const float a = (lower - origin) * inverse, b = (upper - origin) * inverse;
   enter = std::max(enter, std::min(a, b)), leave = std::min(leave, std::max(a, b));
@@ -172,7 +176,7 @@ LIPPMANN_INLINE void cut_slab(float lower, float upper, float origin, float inve
 
 float finite_inverse(float x) { return 1.0f / (std::abs(x) > 1e-18f ? x : std::copysign(1e-18f, x)); }
 
-/// Returns a bit mask of the lanes whose ball and box a ray touches.
+/// Returns a bit mask of the lanes whose ball and box a ray touches within `reach`.
 LIPPMANN_MULTIVERSION std::uint32_t touched_lanes(const LightNode& n, const LightBoxes& box, Vec3f o, Vec3f d, Vec3f inverse,
                                                   float reach) {
   alignas(64) std::uint32_t bits[kLanes];

@@ -1,32 +1,38 @@
-// A tree of lights that samples a light approximately in proportion to its unshadowed contribution to a point. Lights out of
-// range or facing away are never chosen. The cost grows with the depth of the tree.
+// A tree of lights that samples a light approximately in proportion to its unshadowed contribution to a point. Lights that are
+// out of range or face away are never chosen. The cost of a sample grows with the depth of the tree.
 //
-// Based on: A. Conty Estevez, C. Kulla, "Importance Sampling of Many Lights with Adaptive Tree Splitting", HPG 2018
-// (importances of clusters for a point; one descent samples a light and its probability).
-// 1. Building: the lights are split recursively at the cut with the least scatter of power on both sides. Up to sixteen parts
-// become the children of a node. A child stores its power, the centre and variance of the power, a bounding ball, its range,
-// and the directions in which it emits.
-// 2. Sampling: each node computes the importance of all children at once, and a random number chooses a child. The remainder of
-// the number chooses at the next node.
-// 3. Probability of a given light: the product of the children's shares in the importance, on the way from the light up to the
-// root.
-// This implementation deviates in six points: 1. Nodes have sixteen children instead of two: the lanes of one kernel, and a
-// quarter of the levels. 2. Squared distances are means over a cluster, |x - centre|^2 + variance, and cosines are smoothed by
-// the same variance, instead of bounds by boxes. The importance of points inside a cluster is thus continuous. 3. Clusters are
-// split by position only. 4. One light is sampled, without splitting. 5. A light below the point's horizon keeps a sixteenth of
-// its importance, because normals may be bent. 6. Light from the inner side of a closed body keeps a sixteenth, too: the point
-// may be inside, or the body may transmit light.
+// Based on: A. Conty Estevez, C. Kulla, "Importance Sampling of Many Lights with Adaptive Tree Splitting", HPG 2018 (importance
+// of a cluster for a point; one descent samples a light and its probability).
+// 1. Building: the lights are split recursively, at the cut that gives the least scatter of power on both sides. Up to sixteen
+// parts become the children of a node. A child stores its power, the centre and variance of the power, a bounding ball, the
+// range, and the emission directions.
+// 2. Sampling: a node computes the importance of all children at once, and a random number chooses a child. The remainder of
+// the number is used in the next node.
+// 3. Probability of a given light: on the way from the light to the root, each node gives the child's share of the importance.
+// The probability is the product of these shares.
 //
-// Symbols: w importance; p power; d vector between point and centre; v variance; n the receiver's normal; M mean of m m^T over
-// the cluster's faces m.
-//   w = p facing shining / (d^2 + v)
-//   facing = 1/16 + 15/16 (n.d + sqrt((n.d)^2 + v / 3)) / 2 sqrt(d^2 + v); 1 if light may come from either side
-//   shining, for lamps with cones: 0 if the point lies outside all cones; otherwise for a single lamp its cone's fading, and
-//   for a cluster the mean over its lamps, as a polynomial of second degree in -d / sqrt(d^2 + v), fitted over all directions
-//   shining, for faces: sqrt((d.M d + v / 16) / (d^2 + v) + 1e-6) - F.d / sqrt(d^2 + v)
-// Faces of closed bodies, which hide light from their inner side, keep a sixteenth of their cosine there: they have the weight
-// ((1 + 1/16) / 2)^2 in M, and F is the mean of (1 - 1/16) / 2 times their outward m. For other faces, F is 0. For a single
-// such face, shining is thus its cosine in front of it, and a sixteenth of the cosine behind it.
+// We deviate:
+// 1. Nodes have sixteen children instead of two. One kernel computes sixteen lanes, and the tree has a quarter of the levels.
+// 2. Squared distances are means over a cluster, |x - centre|^2 + variance, instead of bounds by boxes. The same variance
+// smooths the cosines. The importance is thus continuous for points inside a cluster.
+// 3. Clusters are split by position only.
+// 4. One light is sampled, without adaptive splitting.
+// 5. A light below the point's horizon keeps a sixteenth of its importance, because normals may be bent.
+// 6. Light from the inner side of a closed body keeps a sixteenth of its importance, because the point may be inside, or the
+// body may transmit light.
+//
+// Symbols: w importance; p power; d vector between point and centre; v variance; n the receiver's normal; m the normal of a
+// face.
+//    w = p facing shining / (d^2 + v)
+//    facing = 1/16 + 15/16 (n.d + sqrt((n.d)^2 + v / 3)) / 2 sqrt(d^2 + v)
+// facing is 1 if light may come from either side.
+// The factor `shining` of lamps is 0 if the point lies outside all cones. Otherwise, a single lamp has the fading of its cone.
+// A cluster has the mean over its lamps, as a polynomial of second degree in -d / sqrt(d^2 + v), fitted over all directions.
+// The factor `shining` of faces is
+//    shining = sqrt((d.M d + v / 16) / (d^2 + v) + 1e-6) - F.d / sqrt(d^2 + v)
+// M is the mean over the cluster's faces of a m m^T, and F is the mean of b m. Faces of closed bodies have a = ((1 + 1/16) /
+// 2)^2 and b = (1 - 1/16) / 2, and m points outward. All other faces have a = 1 and b = 0. For a single face of a closed body,
+// `shining` is thus the cosine in front of the face, and a sixteenth of the cosine behind it.
 #pragma once
 
 #include <cstdint>
@@ -41,57 +47,59 @@ namespace lippmann {
 /// A point that receives light.
 struct LightReceiver {
   Vec3f position{0.0f};
-  Vec3f normal{0.0f};        ///< unit, on the side from which light counts; null: both sides
-  float near_share = -1.0f;  ///< LightChoice::near_share() of the point if it is already known, otherwise negative
+  Vec3f normal{0.0f};        ///< unit length, on the side that receives light; null: both sides receive light
+  float near_share = -1.0f;  ///< LightChoice::near_share() for this point; negative: not computed yet
 };
 
-/// Emission of a lamp by the angle to its axis: coefficients of the first three Legendre polynomials.
+/// Emission of a lamp as a function of the angle to its axis: coefficients of the first three Legendre polynomials of the
+/// cosine.
 struct LightProfile {
   double mean = 1.0, linear = 0.0, square = 0.0;
 };
 
-/// The description of a light in the tree.
+/// A light, as input of the tree.
 struct TreeLight {
   Vec3f middle{0.0f};
-  /// Irradiance across the direction at distance 1; lights without a positive, finite power are never chosen.
+  /// Irradiance at distance 1, across the direction of the light. Lights whose power is not positive and finite are never
+  /// chosen.
   float power = 0.0f;
-  float variance = 0.0f;  ///< mean squared distance of the emission from the centre
-  float radius = 0.0f;    ///< radius of a ball around the centre that contains the light
+  float variance = 0.0f;  ///< mean squared distance of emitting points from `middle`
+  float radius = 0.0f;    ///< radius of a ball around `middle` that contains the light
   float range = kInfinity;
-  Vec3f axis{0.0f};  ///< unit; no emission at more than half_angle from it
+  Vec3f axis{0.0f};  ///< unit length; the light emits only within half_angle of this axis
   float half_angle = kPi;
-  float inner_angle = kPi;                ///< full emission up to this angle; beyond it, fades with the squared cosine
-  const LightProfile* profile = nullptr;  ///< measured emission within the cone; null: defined by the angles
-  Vec3f face{0.0f};        ///< unit normal of a two-sided emitter with a cosine profile; null: emits in all directions
-  bool is_closed = false;  ///< the back of the face lies inside a closed body, which hides it
+  float inner_angle = kPi;                ///< emission is full up to this angle, and fades with the squared cosine beyond
+  const LightProfile* profile = nullptr;  ///< measured emission within the cone; null: emission follows the two angles
+  Vec3f face{0.0f};        ///< unit normal of a two-sided emitter with a cosine profile; null: the light is not a face
+  bool is_closed = false;  ///< the face belongs to a closed body, which hides the back of the face
 };
 
-/// Sixteen children in struct-of-arrays form.
+/// The sixteen children of a node, one per lane.
 struct LightNode {
-  Lanes x, y, z;                           ///< centre of the power
-  Lanes power;                             ///< share of the tree's power; 0: no child
-  Lanes variance;                          ///< mean squared distance of the power from the centre
-  Lanes radius;                            ///< radius of a ball around the centre that contains the child
-  Lanes range;                             ///< largest range of the lights
-  alignas(64) std::int32_t child[kLanes];  ///< a node, or ~light
-  std::uint32_t parent = 0;                ///< slot: kLanes * node + lane; undefined in the root
+  Lanes x, y, z;                           ///< power-weighted centre of the child's lights
+  Lanes power;                             ///< share of the tree's power; 0: the lane has no child
+  Lanes variance;                          ///< power-weighted mean squared distance of emitting points from the centre
+  Lanes radius;                            ///< radius of a ball around the centre that contains the child's lights
+  Lanes range;                             ///< largest range of the child's lights
+  alignas(64) std::int32_t child[kLanes];  ///< index of a node, or ~index of a light
+  std::uint32_t parent = 0;  ///< kLanes * (parent node) + (lane of this node in its parent); undefined in the root
 };
-/// A cone that contains all emission directions of a child.
+/// For each child, a cone that contains all its emission directions.
 struct LightCones {
-  Lanes x, y, z, cosine, sine;  ///< axis; cosine and sine of the half angle; cosine -1 stands for a full sphere
+  Lanes x, y, z, cosine, sine;  ///< x, y, z: axis. cosine, sine: of the half angle; cosine -1 stands for the full sphere.
 };
-/// Mean emission of a child in direction m, weighted by power: mean + linear.m + m.Q m, where Q has no trace.
+/// Power-weighted mean emission of each child in direction m: mean + linear.m + m.Q m. The matrix Q has trace 0.
 struct LightBeams {
   Lanes mean;
   Lanes3 linear;
-  Lanes xx, yy, xy, xz, yz;  ///< elements of Q
-  Lanes inverse_ramp;        ///< single lamps that fade within their cone (LightCones): 1 / (inner - outer cosine); otherwise 0
+  Lanes xx, yy, xy, xz, yz;  ///< elements of Q; zz = -xx - yy
+  Lanes inverse_ramp;  ///< 1 / (inner - outer cosine) if the child is a single lamp that fades within its cone; otherwise 0
 };
-/// Boxes around the balls of the lights in a child.
+/// For each child, a box that contains the balls of its lights.
 struct LightBoxes {
   Lanes3 lower, upper;
 };
-/// The matrices M and vectors F of the children, as defined at the top of this file.
+/// The matrix M and the vector F of each child, as defined at the top of this file.
 struct LightFaces {
   Lanes xx, yy, zz, xy, xz, yz;
   Lanes3 front;
@@ -100,7 +108,7 @@ struct LightFaces {
 class LightTree {
  public:
   LightTree() = default;
-  /// Builds the tree from all lights with a positive power and a finite position. Lights are identified by their index.
+  /// Builds the tree from all lights with a positive power and a finite position. A light's index in `lights` identifies it.
   explicit LightTree(std::span<const TreeLight> lights);
 
   bool empty() const { return nodes_.empty(); }
@@ -109,17 +117,17 @@ class LightTree {
     std::uint32_t light;
     float probability;
   };
-  /// Chooses a light. Returns nothing if no light reaches the point.
+  /// Chooses a light by u in [0, 1). Returns nothing if no light reaches the point.
   std::optional<Choice> choose(const LightReceiver& at, float u) const;
 
   /// Returns the probability that choose() returns a light.
   float probability(std::uint32_t light, const LightReceiver& at) const;
 
-  /// Returns the unshadowed irradiance of the lights at the point, relative to that of all lights at distance 1.
+  /// Returns the estimated irradiance at the point without shadows, divided by the irradiance of all lights at distance 1.
   float importance(const LightReceiver& at) const;
 
-  /// Calls visit(light) for each light whose ball a ray of unit direction may touch up to `reach`. Skips lights without a
-  /// radius.
+  /// Calls visit(light) for each light whose ball a ray may touch within the distance `reach`. `direction` has unit length.
+  /// Lights with radius 0 are skipped.
   template <class Visit>
   void meet(Vec3f origin, Vec3f direction, float reach, const Visit& visit) const {
     if (!boxes_.empty()) meet(0, {origin, direction, reach}, visit);
@@ -127,7 +135,7 @@ class LightTree {
 
  private:
   friend class LightTreeBuilder;
-  /// Share of its cosine that a closed body's face keeps on its inner side.
+  /// Share of its cosine that a face of a closed body keeps on its inner side.
   static constexpr float kLeastInward = 1.0f / 16.0f;
   static constexpr std::uint32_t kNowhere = 0xffffffffu;
 
@@ -148,12 +156,13 @@ class LightTree {
     }
   }
 
-  std::vector<LightNode> nodes_;      ///< the root comes first
-  std::vector<LightCones> cones_;     ///< by node; empty if all lights emit in all directions
-  std::vector<LightBeams> beams_;     ///< by node; empty if all lights emit in all directions
-  std::vector<LightBoxes> boxes_;     ///< by node; empty if no light has a radius
-  std::vector<LightFaces> faces_;     ///< by node; empty if no light is a face
-  std::vector<std::uint32_t> slots_;  ///< by light: its slot, kLanes * node + lane, or kNowhere if it is never chosen
+  std::vector<LightNode> nodes_;   ///< nodes_[0] is the root
+  std::vector<LightCones> cones_;  ///< one element per node; empty if all lights emit in all directions
+  std::vector<LightBeams> beams_;  ///< one element per node; empty if all lights emit in all directions
+  std::vector<LightBoxes> boxes_;  ///< one element per node; empty if all lights have radius 0
+  std::vector<LightFaces> faces_;  ///< one element per node; empty if no light is a face
+  /// For each light: kLanes * (its node) + (its lane), or kNowhere if the light is never chosen.
+  std::vector<std::uint32_t> slots_;
 };
 
 }  // namespace lippmann

@@ -1,4 +1,4 @@
-// Builds a LightTree: see light_tree.hpp.
+// Builds a LightTree. The top of light_tree.hpp describes the algorithm.
 #include <algorithm>
 #include <array>
 #include <numeric>
@@ -12,7 +12,8 @@ namespace {
 using Members = std::span<std::uint32_t>;
 
 constexpr int kBins = 16;
-/// If a cut leaves less than 1 / kLeastPart of the lights on one side, the median is used instead, so that trees stay flat.
+/// If a cut leaves less than 1 / kLeastPart of the lights on one side, the lights are cut at the median instead. This limits
+/// the tree's depth.
 constexpr std::size_t kLeastPart = 16;
 
 bool takes_part(const TreeLight& light) {
@@ -20,7 +21,7 @@ bool takes_part(const TreeLight& light) {
   return light.power > 0.0f && std::isfinite(light.power) && farthest <= kLargestReach && light.radius <= kLargestReach;
 }
 
-/// The power of some lights, and its first and second moment about a point.
+/// The total power of a set of lights, and the first and second moment of the power about a point.
 struct PowerMoments {
   std::size_t count = 0;
   double power = 0.0, squares = 0.0;
@@ -32,7 +33,7 @@ struct PowerMoments {
     ++count, power += p, first += p * from, squares += p * (glm::dot(from, from) + static_cast<double>(light.variance));
   }
   void add(const PowerMoments& m) { count += m.count, power += m.power, first += m.first, squares += m.squares; }
-  /// Returns the power times its variance.
+  /// Returns the total power times its spatial variance.
   double scatter() const { return power > 0.0 ? std::max(0.0, squares - glm::dot(first, first) / power) : 0.0; }
 };
 
@@ -93,13 +94,13 @@ class LightTreeBuilder {
       if (part.size() == 1) tree_.slots_[part[0]] = slot;
       const std::int32_t child =
           part.size() == 1 ? ~static_cast<std::int32_t>(part[0]) : static_cast<std::int32_t>(add_node(part, slot));
-      tree_.nodes_[node].child[lane] = child;  // not by a reference, because nodes_ may have been reallocated
+      tree_.nodes_[node].child[lane] = child;  // add_node() may have reallocated nodes_, so no reference to the node is kept
     }
     return node;
   }
 
-  /// Splits the members into at most kLanes parts. Splits the largest part again and again, until every part fits into a
-  /// subtree of the least possible depth.
+  /// Splits the members into at most kLanes parts. Splits the largest part repeatedly, until each part fits into a subtree of
+  /// the least possible depth.
   std::vector<Members> cut(Members members) const {
     std::size_t fits = 1;
     while (fits * kLanes < members.size()) fits *= kLanes;
@@ -116,7 +117,8 @@ class LightTreeBuilder {
     return parts;
   }
 
-  /// Reorders the lights so that one side of the cut comes first. Returns the number of lights on that side.
+  /// Cuts the members in two, and reorders them so that one side of the cut comes first. Returns the number of lights on that
+  /// side.
   std::size_t halve(Members members) const {
     Bounds3f box;
     for (const std::uint32_t l : members) box.add(lights_[l].middle);
@@ -146,7 +148,7 @@ class LightTreeBuilder {
   }
 
   struct Cut {
-    int axis = 0, bin = kBins / 2;  ///< the bins before `bin` are the first side
+    int axis = 0, bin = kBins / 2;  ///< bins before `bin` are on the first side of the cut
   };
   Cut best_cut(Members members, const Bounds3f& box) const {
     Cut best;
@@ -167,7 +169,7 @@ class LightTreeBuilder {
     return best;
   }
 
-  /// Returns, for each bin, the joint scatter of this bin and all later bins.
+  /// Returns for each bin the scatter of the union of this bin and all later bins.
   static std::array<double, kBins> scatters_from(const std::array<PowerMoments, kBins>& bins) {
     std::array<double, kBins> scatters{};
     PowerMoments sum;
@@ -235,7 +237,7 @@ class LightTreeBuilder {
   void describe_box(Members part, LightBoxes& boxes, int lane) const {
     Bounds3f box;
     for (const std::uint32_t l : part) {
-      // slightly enlarged, because the ray test of balls uses another formula
+      // The ray test of balls in round_lights.cpp rounds differently, so the boxes are slightly enlarged.
       const float radius = lights_[l].radius * 1.0001f;
       box.add(lights_[l].middle - radius), box.add(lights_[l].middle + radius);
     }
@@ -262,7 +264,7 @@ class LightTreeBuilder {
   LightTree& tree_;
   std::span<const TreeLight> lights_;
   std::vector<std::uint32_t> members_;
-  std::vector<LightProfile> profiles_;  ///< by light; empty if all lights emit in all directions
+  std::vector<LightProfile> profiles_;  ///< one element per light; empty if all lights emit in all directions
   double total_ = 0.0;
   bool has_cones_ = false, has_balls_ = false, has_faces_ = false;
 };

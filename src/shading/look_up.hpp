@@ -1,5 +1,5 @@
-// Unfiltered texture lookups at one point of a mesh. Paths use them after the first bounce, where each pixel averages many
-// points.
+// Unfiltered texture lookups at one point of a mesh. They serve path vertices after the first bounce, where each pixel averages
+// many points.
 #pragma once
 
 #include <array>
@@ -10,14 +10,14 @@
 
 namespace lippmann {
 
-/// Interpolates a per-vertex quantity. `barycentric` holds the coordinates of the triangle's second and third corner.
+/// Interpolates a per-vertex quantity. `barycentric` holds the weights of the triangle's second and third corner.
 template <class Value>
 Value interpolate(const std::vector<Value>& of_vertex, const std::array<std::uint32_t, 3>& corners, Vec2f barycentric) {
   return (1.0f - barycentric.x - barycentric.y) * of_vertex[corners[0]] + barycentric.x * of_vertex[corners[1]] +
          barycentric.y * of_vertex[corners[2]];
 }
 
-/// Returns the linear RGBA of a map, or white without one.
+/// Returns the linear RGBA of a map at a point. Returns white if the map has no texture or the mesh has no coordinates for it.
 inline Vec4f look_up(const TextureMap& map, std::span<const DeviceTexture> textures, const Mesh& mesh, std::uint32_t triangle,
                      Vec2f barycentric) {
   const std::vector<Vec2f>& uvs = uvs_of(mesh, map.uv_set);

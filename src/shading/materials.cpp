@@ -6,8 +6,8 @@
 namespace lippmann {
 namespace {
 
-// Returns the N.H below which the highlight is under 2^-14. For white light of strength 1, that is a fifth of the first 8-bit
-// sRGB code.
+// Returns the N.H below which the highlight is weaker than 2^-14. For white light of strength 1, 2^-14 is a fifth of the first
+// 8-bit sRGB code.
 float cutoff_for(float highlight, float size) {
   if (highlight <= 0.0f) return 2.0f;
   return std::pow(std::min(1.0f, 0x1p-14f / highlight), 1.0f / std::max(size, 1e-3f));
@@ -34,10 +34,10 @@ WhittedMaterial from(const PhongSurface& s, MaterialTable& table) {
   return m;
 }
 
-// Roughness above this has no visible mirror image; below, the mirror fades in.
+// Rougher surfaces show no mirror image. The mirror image gets stronger towards roughness 0.
 constexpr float kMirrorRoughness = 0.4f;
 
-// KHR_materials_ior: this index stands for total reflection.
+// KHR_materials_ior: materials with total reflection have this index of refraction.
 constexpr float kMirrorLikeIor = 1000.0f;
 
 WhittedMaterial from(const MetallicRoughness& s, Vec3f surroundings) {
@@ -56,18 +56,18 @@ WhittedMaterial from(const MetallicRoughness& s, Vec3f surroundings) {
     return m;
   }
   float dielectric_f0 = ((s.ior - 1.0f) / (s.ior + 1.0f)) * ((s.ior - 1.0f) / (s.ior + 1.0f));
-  if (s.ior >= kMirrorLikeIor)  // the specular colour alone defines the reflectance
+  if (s.ior >= kMirrorLikeIor)  // the specular colour alone determines the reflectance
     dielectric_f0 *= s.specular * (s.specular_color.x + s.specular_color.y + s.specular_color.z) / 3.0f;
   const float smooth = std::max(0.0f, 1.0f - s.roughness / kMirrorRoughness);
   m.mirror = smooth * glm::mix(dielectric_f0, 1.0f, s.metallic);
   m.mirror_tint = s.metallic;
   m.diffuse = (1.0f - s.metallic) * (1.0f - s.transmission) / kPi;
-  // Ambient light stands for the background: its irradiance / pi on the diffuse part, and a blurred mirror image on the
-  // metallic part without a traced mirror.
+  // Ambient light replaces the light of the background. The diffuse part receives the irradiance / pi. The metallic part
+  // receives the mean background where its mirror is not traced.
   m.ambient = surroundings * ((1.0f - s.metallic) * (1.0f - s.transmission) + s.metallic * (1.0f - smooth));
   const float alpha = std::max(s.roughness * s.roughness, 0.01f);
   m.highlight_size = std::max(1.0f, 2.0f / (alpha * alpha) - 2.0f);
-  // Normalised Blinn-Phong lobe at normal incidence, (n + 2) / 8 pi: Real-Time Rendering, 4th ed., section 9.8.
+  // Peak of the normalised Blinn-Phong lobe at normal incidence, (n + 2) / 8 pi: Real-Time Rendering, 4th ed., section 9.8.
   m.highlight = glm::mix(dielectric_f0, 1.0f, s.metallic) * (m.highlight_size + 2.0f) / (8.0f * kPi);
   m.highlight_tint = s.metallic;
   m.highlight_cutoff = cutoff_for(m.highlight, m.highlight_size);
@@ -79,7 +79,6 @@ WhittedMaterial from(const MetallicRoughness& s, Vec3f surroundings) {
   return m;
 }
 
-/// Returns whether the surface scatters light only diffusely.
 bool is_matt(const MetallicRoughness& s) {
   return !s.unlit && !s.extensions && s.metallic == 0.0f && s.specular == 0.0f && s.transmission == 0.0f &&
          s.clearcoat == 0.0f && s.normal_map.texture < 0;
@@ -120,7 +119,7 @@ float shadow_transmittance(const WhittedMaterial& material) {
 
 namespace {
 
-/// Returns the rotation from world to node directions, without scale. Returns the identity if the node's scale is 0.
+/// Returns the rotation from world to node directions, without the node's scale. Returns the identity if the scale is 0.
 Mat3f rotation_to(const Affine3f& world_from_node) {
   Mat3f axes(1.0f);
   for (int c = 0; c < 3; ++c) {

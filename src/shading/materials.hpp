@@ -1,7 +1,8 @@
 // Materials and lights of the Whitted integrator: one flat record for every surface model.
 //
-// PhongSurface maps one to one. MetallicRoughness maps to the closest Whitted terms: Lambert albedo / pi, a normalised
-// Blinn-Phong lobe of the same roughness, a mirror if it is smooth, and the mean of the background as ambient light.
+// A PhongSurface has the same terms as the record. A MetallicRoughness surface is approximated: a Lambertian surface with
+// albedo / pi, a normalised Blinn-Phong lobe of the same roughness, a mirror if the surface is smooth, and the mean of the
+// background as ambient light.
 #pragma once
 
 #include <cstdint>
@@ -14,30 +15,31 @@
 namespace lippmann {
 
 struct WhittedMaterial {
-  Vec3f color{0.8f};    ///< multiplied by a uv texture, replaced by a projected one
-  Vec3f ambient{0.1f};  ///< radiance per colour, without lights
+  Vec3f color{0.8f};    ///< multiplied by a texture with uv coordinates; replaced by a projected texture
+  Vec3f ambient{0.1f};  ///< radiance that the surface shows without lights, divided by its colour
   float diffuse = 0.9f;
   float highlight = 0.0f;
   float highlight_size = 1.0f;
-  float highlight_cutoff = 2.0f;  ///< N.H below which the highlight is under 2^-14 and is skipped; 2: always skipped
-  float highlight_tint = 0.0f;    ///< 0: the light's colour, 1: multiplied by the surface's
-  float mirror = 0.0f;            ///< share of the reflected radiance
-  float mirror_tint = 0.0f;       ///< 0: white mirror, 1: the surface's colour
+  /// The highlight is skipped where N.H is below this value, because it is weaker than 2^-14. 2: always skipped.
+  float highlight_cutoff = 2.0f;
+  float highlight_tint = 0.0f;  ///< 0: the highlight has the light's colour; 1: the light's colour times the surface's colour
+  float mirror = 0.0f;          ///< share of the radiance from the mirror direction that is reflected
+  float mirror_tint = 0.0f;     ///< 0: the mirror is white; 1: the mirror has the surface's colour
   float opacity = 1.0f;
   float ior = 1.0f;
-  bool blocks_light = false;  ///< blocks shadow rays regardless of the opacity
-  bool is_whole = false;      ///< path tracing: these terms define the scattering; otherwise only the BSDF does
+  bool blocks_light = false;  ///< shadow rays are blocked regardless of the opacity
+  bool is_whole = false;      ///< path tracing only: true if these terms define the scattering, false if only the BSDF does
   Vec3f emission{0.0f};
   TextureMap color_map, emission_map;
-  int projection = -1;        ///< projection of the colour map: index into the table's projections, or -1 for uv
-  bool has_alpha = false;     ///< opacity is multiplied by the alpha of texture and vertices (mask or blend)
-  float alpha_cutoff = 0.0f;  ///< > 0: that product times base_alpha becomes 0 below the cutoff and 1 from it on
+  int projection = -1;     ///< index into MaterialTable::projections for the colour map; -1: the map uses uv coordinates
+  bool has_alpha = false;  ///< opacity is multiplied by the alpha of texture and vertices (glTF modes MASK and BLEND)
+  /// > 0: base_alpha times the alpha of texture and vertices becomes 0 below this value, otherwise 1.
+  float alpha_cutoff = 0.0f;
   float base_alpha = 1.0f;
-  /// > 0: the transmissive part is a thin wall of this index of refraction, tinted by the surface's colour.
+  /// > 0: transmitted light passes a thin wall with this index of refraction, tinted by the surface's colour.
   float wall_ior = 0.0f;
 };
 
-/// The integrator that uses the materials.
 enum class MaterialUse { kWhitted, kPaths };
 
 struct MaterialTable {
@@ -45,35 +47,37 @@ struct MaterialTable {
   std::vector<ImageProjection> projections;
 };
 
-/// Builds the table. For paths, opacity is the coverage, and for Phong surfaces also excludes transmission. Glass transmission
-/// is left to the BSDF, and all refracting surfaces block shadow rays. is_whole is set for Phong surfaces and for purely
-/// diffuse metallic-roughness surfaces. surroundings: mean radiance of the scene's background.
+/// Builds the table. `surroundings` is the mean radiance of the scene's background. MaterialUse::kPaths makes these changes:
+/// - Opacity is the coverage. Only for Phong surfaces, 1 - opacity also contains the transmitted share.
+/// - Glass is left to the BSDF, and all refracting surfaces block shadow rays.
+/// - is_whole is set for Phong surfaces and for purely diffuse metallic-roughness surfaces.
 MaterialTable make_material_table(const Scene& scene, Vec3f surroundings, MaterialUse use);
 
-/// Returns the share of light that shadow rays pass through the surface. Ignores texture alpha.
+/// Returns the share of light that passes through the surface along shadow rays. Ignores the alpha of textures.
 float shadow_transmittance(const WhittedMaterial& material);
 
-/// A light with its cases encoded as numbers, so that loops over lanes need no branches: flags are 0 or 1.
+/// A light whose properties are factors, so that loops over lanes need no branches. Members that are flags but have type float
+/// are 0 or 1.
 struct WhittedLight {
   Vec3f position{0.0f};
-  Vec3f toward{0.0f, 0.0f, 1.0f};  ///< opposite to the light's direction, unit length (directional, spot)
+  Vec3f toward{0.0f, 0.0f, 1.0f};  ///< unit vector opposite to the light's direction; only for directional and spot lights
   Vec3f color{1.0f};
-  float at_place = 1.0f;   ///< 1: point or spot light at `position`, 0: directional
+  float at_place = 1.0f;   ///< 1: point or spot light at `position`; 0: directional light
   float falls_off = 0.0f;  ///< 1: inverse-square falloff
   float range = kInfinity;
-  float beyond = 0.0f;  ///< added to the length of shadow rays; infinite for directional lights
-  float has_cone = 0.0f, cos_outer = -1.0f,
-        inverse_ramp = 1.0f;  ///< fades with the cosine between the outer and the inner cone (glTF)
-  bool linear_cone = false;   ///< Tachyon: fades with the angle instead
+  float beyond = 0.0f;  ///< added to the length of shadow rays; infinite for directional lights, otherwise 0
+  /// Spot lights of glTF fade with the cosine between outer and inner cone. inverse_ramp: 1 / (inner cosine - outer cosine).
+  float has_cone = 0.0f, cos_outer = -1.0f, inverse_ramp = 1.0f;
+  bool linear_cone = false;  ///< spot lights of Tachyon fade with the angle instead of its cosine
   float inner_cone = 0.0f, outer_cone = kPi;
   bool attenuates = false;
-  Vec3f attenuation{1.0f, 0.0f, 0.0f};  ///< divides by x + y d + z d^2 at distance d if `attenuates` is set
+  Vec3f attenuation{1.0f, 0.0f, 0.0f};  ///< if `attenuates` is set, the light is divided by x + y d + z d^2 at distance d
   float visible_radius = 0.0f;
-  float has_smooth_edge = 0.0f;         ///< 1: the cone's fading t^2 becomes 3 t^2 - 2 t^3
-  float radius = 0.0f;                  ///< 0: a point; only path tracing supports lamps with a size
-  float half_angle = 0.0f;              ///< half the angular diameter of a sun's disc; 0: a point
-  const PhotometricWeb* web = nullptr;  ///< scales the colour by direction; null: uniform
-  Mat3f light_from_world{1.0f};         ///< rotation of directions for the web; mirrors if the node does
+  float has_smooth_edge = 0.0f;         ///< 1: the factor t^2 of the cone's edge becomes 3 t^2 - 2 t^3
+  float radius = 0.0f;                  ///< radius of a spherical lamp; 0: point lamp. Only path tracing uses it.
+  float half_angle = 0.0f;              ///< half the angular diameter of a sun's disc; 0: no disc
+  const PhotometricWeb* web = nullptr;  ///< factor on the colour by direction; null: the factor is 1
+  Mat3f light_from_world{1.0f};         ///< rotates directions for the web; mirrors them if the node does
 
   bool operator==(const WhittedLight&) const = default;
 };

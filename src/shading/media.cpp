@@ -5,8 +5,8 @@
 namespace lippmann {
 namespace {
 
-/// Lower bound of the attenuation colour; the light left after the attenuation distance is then below one code value of any
-/// image format.
+/// Lower bound of the attenuation colour. It prevents log(0). Light of this strength is below one code value of any image
+/// format.
 constexpr float kLeastColor = 1e-6f;
 
 Vec3f absorption(const Volume& volume) {

@@ -1,6 +1,7 @@
 // Absorption inside closed glass shapes.
 //
-// Based on: Khronos Group, KHR_materials_volume (Beer's law, defined by a colour after a distance).
+// Based on: Khronos Group, KHR_materials_volume (Beer's law; the coefficient follows from the colour that remains after a given
+// distance).
 #pragma once
 
 #include <cstdint>
@@ -10,28 +11,28 @@
 
 namespace lippmann {
 
-/// Media are identified by 16-bit numbers, to keep rays small.
+/// Media are numbered with 16 bits to keep rays small. kSameMedium: the ray stays in its current medium.
 inline constexpr std::uint16_t kNoMedium = 0, kSameMedium = 0xffff;
 
 class Media {
  public:
   Media() = default;
-  /// Numbers all materials with a solid volume. Throws Error if there are more such materials than numbers.
+  /// Assigns a number to each material with a solid volume. Throws Error if 16 bits do not suffice.
   explicit Media(const Scene& scene);
 
-  /// Returns the medium inside a material, or kNoMedium.
+  /// Returns the number of the medium inside a material, or kNoMedium.
   std::uint16_t of_material(std::uint32_t material) const { return of_material_.empty() ? kNoMedium : of_material_[material]; }
 
-  /// Returns the transmittance over `distance` in a medium. Returns 1 for an infinite distance: the ray never left the medium,
-  /// so the shape is not closed.
+  /// Returns the transmittance over `distance` in a medium. Returns 1 for an infinite distance: a ray that never leaves the
+  /// medium shows that the shape is not closed.
   Vec3f transmittance(std::uint16_t medium, float distance) const {
     if (!(distance < kInfinity)) return Vec3f(1.0f);
     return glm::exp(-distance * absorption_[medium]);
   }
 
  private:
-  std::vector<Vec3f> absorption_;           ///< absorption coefficient by medium, per world unit
-  std::vector<std::uint16_t> of_material_;  ///< empty without media
+  std::vector<Vec3f> absorption_;           ///< absorption coefficient of each medium, per world unit of length
+  std::vector<std::uint16_t> of_material_;  ///< number of the medium inside each material; empty if the scene has no media
 };
 
 }  // namespace lippmann

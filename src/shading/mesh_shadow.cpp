@@ -1,5 +1,5 @@
-// The transmittance of thin walls comes from the same BSDF that lets paths go straight on. Shadow rays and BSDF samples thus
-// agree for all coats, films, maps and normals, as multiple importance sampling requires.
+// The transmittance of a thin wall comes from the BSDF that paths sample to pass straight through the wall. Shadow rays and
+// BSDF samples thus agree for all coats, films, maps and normals, as multiple importance sampling requires.
 #include "shading/mesh_shadow.hpp"
 
 #include "shading/look_up.hpp"
@@ -18,7 +18,7 @@ class OpenMesh : public ShadowCaster {
   Vec3f transmittance(const ShadowHit& hit) const override { return Vec3f(open(hit, material_.opacity)); }
 
  protected:
-  /// Returns the share of light that passes by the alpha of texture and vertices, times `opacity`.
+  /// Returns the share of light that passes, given the alpha of texture and vertices, times `opacity`.
   float open(const ShadowHit& hit, float opacity) const {
     if (!material_.has_alpha) return material_.blocks_light ? 0.0f : std::clamp(1.0f - opacity, 0.0f, 1.0f);
     const Mesh& mesh = *hit.record.mesh;
@@ -32,7 +32,7 @@ class OpenMesh : public ShadowCaster {
   const WhittedMaterial& material_;
 };
 
-/// The shadow of a thin wall. Alpha defines the share of the surface that the wall covers.
+/// The shadow of a thin wall. Alpha is the share of the surface that the wall covers.
 class WallMesh final : public OpenMesh {
  public:
   WallMesh(const ShadingTables& tables, const WhittedMaterial& material, const MetallicRoughness& wall)
@@ -52,7 +52,7 @@ class WallMesh final : public OpenMesh {
     return metal_rough_bsdf(wall_, color, maps, tables_.path->albedo, point, 0).straight();
   }
 
-  /// Returns the point as seen from the origin of the shadow ray.
+  /// Returns the hit point for a viewer at the origin of the shadow ray.
   static SeenPoint seen(const ShadowHit& hit) {
     const Mesh& mesh = *hit.record.mesh;
     const Vec3f facet = hit.record.normal_from_mesh * hit.facet;
@@ -73,7 +73,8 @@ class WallMesh final : public OpenMesh {
   const MetallicRoughness& wall_;
 };
 
-/// Returns whether the wall transmits light without scattering anywhere. Paths scatter at rough walls; Whitted rays do not.
+/// Returns whether any part of the wall transmits light without scattering it. In path tracing, rough walls scatter light. In
+/// Whitted shading, no wall does.
 bool lets_light_straight_on(const MetallicRoughness& wall, bool of_paths) {
   return !of_paths || wall.metallic_roughness_map.texture >= 0 || squared(wall.roughness) < kSmoothAlpha;
 }

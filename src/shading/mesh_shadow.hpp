@@ -1,4 +1,4 @@
-// Shadows of meshes that are not fully opaque: alpha, see-through surfaces and thin walls.
+// Shadows of meshes that are not fully opaque: surfaces with alpha, transparent surfaces and thin walls.
 #pragma once
 
 #include <memory>
@@ -10,11 +10,11 @@ namespace lippmann {
 struct ShadingTables;
 struct WhittedMaterial;
 
-/// Returns the transmittance of a wall in Whitted shading. cosine: between the ray and the normal.
+/// Returns the transmittance of a thin wall in Whitted shading. `cosine` is the cosine between ray and normal.
 Vec3f passes_wall(const WhittedMaterial& wall, Vec3f color, float cosine);
 
-/// Returns the shadow caster for instances with the material, or null if it is opaque. `tables` and the materials must outlive
-/// it.
+/// Returns the shadow caster for instances with the material, or null if the material is opaque. `tables` and the materials
+/// must outlive the shadow caster.
 std::unique_ptr<ShadowCaster> make_mesh_shadow(const ShadingTables& tables, const WhittedMaterial& material,
                                                const Material& described);
 

@@ -181,7 +181,7 @@ LIPPMANN_MULTIVERSION void MetalRoughLanes::sample_glass(const GgxAlbedo& albedo
   LIPPMANN_FOR_LANES(i) weigh<true>(i, albedo, samples);
 }
 
-// Defined after the kernels: GCC cannot multiversion a function that has already been called.
+// This function follows the kernels, because GCC cannot multiversion a function that has already been called.
 
 void MetalRoughLanes::prepare(const GgxAlbedo& albedo) {
   if (most_ == Kind::kLambert) return prepare_lambert();

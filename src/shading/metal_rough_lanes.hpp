@@ -1,5 +1,5 @@
-// Sixteen points of the most common surfaces together: metallic roughness with glass but without coat or other layers, and
-// Lambertian surfaces, which are a base without gloss. The results are bit-identical to MetalRoughBsdf.
+// The BSDFs of sixteen points, one per lane, for the most common surfaces: metallic roughness without coat or other layers,
+// with or without glass, and Lambertian surfaces. The results are bit-identical to MetalRoughBsdf.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace lippmann {
 
-/// BsdfValue of sixteen points.
+/// The BsdfValue of each lane.
 struct BsdfValueLanes {
   Lanes3 cosine_f;
   Lanes density;
@@ -23,7 +23,7 @@ struct BsdfValueLanes {
   BsdfValue get(int i) const { return {cosine_f.get(i), density[i], transmitted.lane[i] != 0}; }
 };
 
-/// BsdfSample of sixteen points, all of them path vertices. Density 0 marks lanes without a sample.
+/// The BsdfSample of each lane. All samples are path vertices. Density 0 marks lanes without a sample.
 struct BsdfSampleLanes {
   Lanes3 direction, weight;
   Lanes density;
@@ -39,28 +39,29 @@ struct BsdfSampleLanes {
 
 class MetalRoughLanes {
  public:
-  /// Resets the object. Call this before the first set().
+  /// Call clear() before the first set().
   void clear() { most_ = Kind::kLambert; }
-  /// Sets a lane. Only the parameters of base and glass are used. entering: the viewer is outside.
+  /// Sets lane i. Parameters of coat and other layers are ignored. `entering`: the viewer is outside the surface.
   void set(int i, const MetalRoughSurface& surface, const MetalRoughBsdf::Normals& normals, Vec3f view, bool entering);
-  /// Call this after all lanes are set. Lanes that are not set keep their old values.
+  /// Computes the values that all evaluations share. Call prepare() after all lanes are set. Lanes that are not set keep their
+  /// old values.
   void prepare(const GgxAlbedo& albedo);
 
-  // Like the functions of MetalRoughBsdf, but for all lanes.
+  // These functions do the same as MetalRoughBsdf::evaluate() and sample(), but for all lanes.
   void evaluate(const GgxAlbedo& albedo, const Lanes3& lights, BsdfValueLanes& values) const;
   void sample(const GgxAlbedo& albedo, const Lanes& lobe, const Lanes& u, const Lanes& v, BsdfSampleLanes& samples) const;
 
-  // Like the functions of MetalRoughBsdf, for a single lane.
+  // These functions do the same as those of MetalRoughBsdf, for lane i.
   Vec3f evaluate_diffuse(int i, const GgxAlbedo& albedo, Vec3f light) const;
   Vec3f diffuse_albedo(int i) const { return diffuse_color_.get(i) * diffuse_passes_.get(i); }
   Vec3f normal(int i) const { return normal_.get(i); }
   bool scatters_through(int i) const { return glass_[i] > 0.0f; }
 
  private:
-  /// Features of a lane. The kernels used are the simplest that support all lanes.
+  /// Features of a lane, each including the ones before. most_ is the largest Kind of all lanes and selects the kernels.
   enum class Kind { kLambert, kGloss, kGlass };
 
-  /// The results of lippmann::draw_glass() for all lanes.
+  /// The results of lippmann::draw_glass() for all lanes. weigh() computes density and weight later.
   struct GlassLanes {
     Lanes3 light;
     Lanes outward;
@@ -72,8 +73,8 @@ class MetalRoughLanes {
   template <bool with_glass>
   LIPPMANN_INLINE BsdfValue evaluate(int i, const GgxAlbedo& albedo, Vec3f light) const;
   LIPPMANN_INLINE void draw_glass(int i, float lobe, Vec2f u, GlassLanes& drawn) const;
-  /// Samples a direction. Sets the final density and weight only for Dirac lobes. For other lobes both are 1, and weigh()
-  /// replaces them.
+  /// Samples a direction. Density and weight are final only for Dirac lobes. For other lobes they are 1, and weigh() replaces
+  /// them.
   template <bool with_glass>
   LIPPMANN_INLINE BsdfSample draw(int i, float lobe, Vec2f u, const GlassLanes* by_glass) const;
   template <bool with_glass>
@@ -89,16 +90,17 @@ class MetalRoughLanes {
   void sample_glass(const GgxAlbedo& albedo, const Lanes& lobe, const Lanes& u, const Lanes& v, BsdfSampleLanes& samples) const;
 
   Kind most_ = Kind::kLambert;
-  // The values from set().
+  // The arguments of set().
   Lanes3 base_color_{}, specular_color_{}, normal_{}, gloss_normal_{}, view_{};
   Lanes metallic_{}, roughness_{}, ior_{}, specular_{}, transmission_{};
-  // Members of MetalRoughBase.
+  // The members of MetalRoughBase, per lane.
   Lanes3 local_view_{}, diffuse_color_{}, diffuse_passes_{}, dielectric_f0_{}, gloss_f0_{}, gloss_compensation_{},
       gloss_albedo_{};
   Lanes alpha_{}, dielectric_f90_{}, gloss_f90_{};
-  // Members of Glass. Its tint is base_color_.
+  // The members of Glass, per lane. Its tint is base_color_.
   Lanes glass_{}, eta_{}, glass_compensation_{};
-  Lanes diffuse_share_{}, gloss_share_{}, glass_share_{};  ///< probabilities of sample(); they add up to 1 or are all 0
+  /// probabilities with which sample() chooses a lobe; they add up to 1 or are all 0
+  Lanes diffuse_share_{}, gloss_share_{}, glass_share_{};
 };
 
 }  // namespace lippmann

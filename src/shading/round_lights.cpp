@@ -11,12 +11,12 @@
 namespace lippmann {
 namespace {
 
-/// Smaller lamps count as points: their penumbra would be narrower than the offset of shadow rays.
-constexpr float kLeastRadius = 1e-5f;  // a share of the scene's size
+/// Smaller lamps are treated as points, because their penumbra would be narrower than the offset of shadow rays.
+constexpr float kLeastRadius = 1e-5f;  // relative to half the scene's diagonal
 constexpr float kLeastHalfAngle = 2e-5f;
 
-/// The directions to a lamp. one_minus_cos is 1 minus the cosine of the cone's half angle: at most 1 outside a sphere, and 2
-/// for points inside it.
+/// The cone of directions from a point to a lamp. one_minus_cos is 1 minus the cosine of the half angle. It is at most 1
+/// outside a spherical lamp, and 2 inside.
 struct Cone {
   Vec3f axis;
   float one_minus_cos;
@@ -39,15 +39,15 @@ Cone cone_of(const WhittedLight& light, Vec3f from) {
 }
 
 Vec3f direction_in(const Cone& cone, Vec2f u) {
-  const Vec2f d = sample_disc(u);  // uniform: |d|^2 is the share of the disc, and of the cone, within d
-  const float share = std::min(glm::dot(d, d), 1.0f), height = cone.one_minus_cos * share;  // 1 - cosine
-  // sine = sqrt(height (2 - height)) along d / |d| = d / sqrt(share)
+  const Vec2f d = sample_disc(u);  // d is uniform in the disc, so |d|^2 is a uniform random share of the cone
+  const float share = std::min(glm::dot(d, d), 1.0f), height = cone.one_minus_cos * share;
+  // The direction's sine is sqrt(height (2 - height)), and d / sqrt(share) is a unit vector. Their product is scale * d.
   const float scale = std::sqrt(std::max(0.0f, cone.one_minus_cos * (2.0f - height)));
   return glm::normalize(Basis(cone.axis).to_world({scale * d.x, scale * d.y, 1.0f - height}));
 }
 
-/// Returns the distance to a sphere along a direction that hits it, up to rounding. From within, returns the distance to the
-/// exit.
+/// Returns the distance along `direction` to a spherical lamp that the ray hits up to rounding. If the ray starts inside the
+/// lamp, returns the distance to the exit.
 float way_to(const WhittedLight& light, Vec3f from, Vec3f direction, bool is_within) {
   const WorldSphere ball{light.position.x, light.position.y, light.position.z, light.radius};
   const auto [middle, discriminant] =

@@ -1,5 +1,6 @@
-// Texture lookups for a packet. First, texel indices and weights are computed for all lanes with vector instructions; then the
-// texels are read lane by lane.
+// Texture lookups for a packet in two steps:
+// 1. Texel indices and weights are computed for all lanes with vector instructions.
+// 2. The texels are read lane by lane.
 #include <algorithm>
 #include <cstring>
 
@@ -24,27 +25,28 @@ struct alignas(64) LaneInts {
   LIPPMANN_INLINE std::int32_t operator[](int i) const { return lane[i]; }
 };
 
-/// Loads a texel as numbers from 0 to 65535.
+/// Returns the texel at `index` as four numbers from 0 to 65535.
 LIPPMANN_INLINE Color load(const std::uint16_t* texels, std::int32_t index) {
-  // Interleaving four codes with zeros gives four 32-bit integers, in two instructions on any x86-64.
+  // Interleaving four 16-bit codes with zeros gives four 32-bit integers. This takes two instructions on any x86-64.
   Pair packed{};
   std::memcpy(&packed, texels + 4 * static_cast<std::ptrdiff_t>(index), 8);
   const auto words = __builtin_shufflevector(reinterpret_cast<Code>(packed), Code{}, 0, 8, 1, 9, 2, 10, 3, 11);
   return __builtin_convertvector(reinterpret_cast<Word>(words), Color);
 }
 
-/// The two texels around a coordinate and the weight of the second.
+/// The indices of the two texels next to a coordinate. `blend` is the weight of the second texel.
 struct Neighbours {
   std::int32_t first, second;
   float blend;
 };
 
-/// The four texels around a point, per lane, and their weights.
+/// The indices and weights of the four texels around one point per lane.
 struct Taps {
   LaneInts index[4];
   Lanes weight[4];
 
-  /// Sets lane i from columns x and rows y of a level of the given width. The weights sum to `share`.
+  /// Sets lane i from the neighbours in x (columns) and y (rows), in a level `width` texels wide. The four weights sum to
+  /// `share`.
   LIPPMANN_INLINE void set(int i, int width, const Neighbours& x, const Neighbours& y, float share) {
     index[0][i] = y.first * width + x.first, index[1][i] = y.first * width + x.second;
     index[2][i] = y.second * width + x.first, index[3][i] = y.second * width + x.second;
@@ -52,7 +54,7 @@ struct Taps {
     weight[0][i] = upper * (1.0f - x.blend), weight[1][i] = upper * x.blend;
     weight[2][i] = lower * (1.0f - x.blend), weight[3][i] = lower * x.blend;
   }
-  /// Prefetches both rows. Rows are far apart in memory; columns are adjacent.
+  /// Prefetches one texel of each row. Rows are far apart in memory, but columns are adjacent.
   LIPPMANN_INLINE void prefetch(const std::uint16_t* texels, int i) const {
     __builtin_prefetch(texels + 4 * static_cast<std::ptrdiff_t>(index[0][i]));
     __builtin_prefetch(texels + 4 * static_cast<std::ptrdiff_t>(index[2][i]));
@@ -63,7 +65,7 @@ struct Taps {
   }
 };
 
-/// Two consecutive mip levels per lane, and the share of each.
+/// For each lane, two consecutive mip levels and their weights. fine: index of the finer level.
 struct LevelPair {
   LaneInts fine, width[2], height[2];
   Lanes share[2];
@@ -81,20 +83,21 @@ struct LevelPair {
   }
 };
 
-/// A line of `count` sample points per lane, which are averaged.
+/// For each lane, `count` sample points on a line. Their mean is the result of the lookup.
 struct Probes {
   Lanes u, v, line_u, line_v, inverse_count;
   LaneInts count;
   LevelPair level;
 };
 
-/// Covers each footprint with probes. Returns the largest count of any lane.
+/// Covers each lane's footprint with probes. Returns the largest number of probes in a lane.
 LIPPMANN_INLINE int choose_probes(const DeviceTexture& texture, const UvLanes& uv, Probes& probes) {
   const auto width = static_cast<float>(texture.levels[0].width), height = static_cast<float>(texture.levels[0].height);
   const auto last = static_cast<float>(texture.levels.size() - 1);
   std::int32_t most = 1;
   LIPPMANN_FOR_LANES(i) {
-    const bool known = (std::abs(uv.u[i]) < 1e6f) & (std::abs(uv.v[i]) < 1e6f);  // larger coordinates have no fraction left
+    // above 10^6, a float has hardly any fraction left
+    const bool known = (std::abs(uv.u[i]) < 1e6f) & (std::abs(uv.v[i]) < 1e6f);
     probes.u[i] = known ? uv.u[i] : 0.0f;
     probes.v[i] = known ? uv.v[i] : 0.0f;
     const float a_u = uv.a_u[i], a_v = uv.a_v[i], b_u = uv.b_u[i], b_v = uv.b_v[i];
@@ -102,13 +105,13 @@ LIPPMANN_INLINE int choose_probes(const DeviceTexture& texture, const UvLanes& u
     const float squared_a = a_x * a_x + a_y * a_y, squared_b = b_x * b_x + b_y * b_y;
     const bool along_b = squared_a < squared_b;
     const float longer = std::sqrt(std::max(squared_a, squared_b)), shorter = std::sqrt(std::min(squared_a, squared_b));
-    const bool bounded = (squared_a < 1e12f) & (squared_b < 1e12f);  // otherwise use the mean of the texture
+    const bool bounded = (squared_a < 1e12f) & (squared_b < 1e12f);  // other footprints get the mean of the texture
     const float shortest = std::max(std::max(shorter, 0.75f / kMaxProbes * longer), 1.0f);
-    // The bilinear weights of a probe span two texels, so probes 4/3 of a texel apart leave no gaps.
+    // The bilinear weights of a probe span two texels, so probes that are 4/3 of a texel apart leave no gaps.
     const float wanted = std::min(std::max(std::ceil(0.75f * longer / shortest - 1e-3f), 1.0f), static_cast<float>(kMaxProbes));
     const float count = bounded ? wanted : 1.0f;
     const float lod = std::min(fast_log2(bounded ? shortest : 1.0f), last);
-    // Many overlapping probes hide the transition between levels, so one level is enough.
+    // Four or more overlapping probes hide the transition between two levels, so the nearest level is enough.
     const float smooth = count >= 4.0f ? std::floor(lod + 0.5f) : lod;
     const float chosen = bounded ? smooth : last;
     probes.line_u[i] = bounded ? (along_b ? b_u : a_u) : 0.0f;
@@ -124,10 +127,10 @@ LIPPMANN_INLINE int choose_probes(const DeviceTexture& texture, const UvLanes& u
   return most;
 }
 
-/// A wrap mode encoded as numbers, so that all modes share branch-free arithmetic.
+/// A wrap mode as factors, so that all modes share the same branch-free arithmetic.
 struct WrapNumbers {
   float period, inverse_period, fold;
-  std::int32_t repeats;  ///< 1: the first texel follows the last; 0: the last repeats
+  std::int32_t repeats;  ///< index of the texel after the last: 1 means the first texel, 0 the last texel
 };
 
 LIPPMANN_INLINE WrapNumbers numbers_of(Wrap mode) {
@@ -141,12 +144,12 @@ LIPPMANN_INLINE Neighbours neighbours(float t, std::int32_t size, const WrapNumb
   const float in_period = t - wrap.period * std::floor(t * wrap.inverse_period);
   const float unfolded = std::min(in_period, wrap.fold - in_period);
   const float x = std::min(std::max(unfolded, 0.0f), 1.0f) * static_cast<float>(size) - 0.5f;
-  const auto i = static_cast<std::int32_t>(x + 1.0f) - 1;  // floor, for x >= -1
+  const auto i = static_cast<std::int32_t>(x + 1.0f) - 1;  // equals floor(x), because x >= -1
   const std::int32_t before = wrap.repeats * last, after = last - before;
   return {i < 0 ? before : i, i >= last ? after : i + 1, x - static_cast<float>(i)};
 }
 
-/// Computes the taps of probe k in level l of its pair, for all lanes.
+/// Computes, for all lanes, the taps of probe k in level l (0: fine, 1: coarse).
 LIPPMANN_INLINE void place_probe(const Probes& probes, int k, int l, const WrapNumbers across, const WrapNumbers down,
                                  Taps& taps) {
   const float step = static_cast<float>(k) + 0.5f;
@@ -190,7 +193,7 @@ LIPPMANN_MULTIVERSION void sample_uv(const DeviceTexture& texture, const UvLanes
 }
 
 Vec4f sample_point(const DeviceTexture& texture, Vec2f uv, std::size_t of_level) {
-  const bool known = (std::abs(uv.x) < 1e6f) & (std::abs(uv.y) < 1e6f);  // larger coordinates have no fraction left
+  const bool known = (std::abs(uv.x) < 1e6f) & (std::abs(uv.y) < 1e6f);  // above 10^6, a float has hardly any fraction left
   const DeviceTexture::Level& level = texture.levels[of_level];
   const Neighbours x = neighbours(known ? uv.x : 0.0f, level.width, numbers_of(texture.wrap_u));
   const Neighbours y = neighbours(known ? uv.y : 0.0f, level.height, numbers_of(texture.wrap_v));
@@ -205,8 +208,7 @@ Vec4f sample_point(const DeviceTexture& texture, Vec2f uv, std::size_t of_level)
 
 namespace {
 
-/// Chooses levels as Tachyon does: it interpolates over (resolution - 1) without wrapping, and uses the last level from the
-/// second to last one on.
+/// Chooses levels as Tachyon does. Tachyon blends between levels, but uses the last level alone from the second to last on.
 LIPPMANN_INLINE void choose_levels(const DeviceTexture& texture, const ProjectedLanes& at, LevelPair& level) {
   const auto count = static_cast<std::int32_t>(texture.levels.size());
   const float range = static_cast<float>(count) - 0.9999f;

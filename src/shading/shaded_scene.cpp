@@ -7,7 +7,8 @@
 namespace lippmann {
 namespace {
 
-/// Returns the ambient light if surroundings are not traced: the mean of a panorama, or the middle of a gradient.
+/// Returns the ambient light for surfaces whose surroundings are not traced: the mean of a panorama, or the middle of a
+/// gradient.
 Vec3f surroundings(const Scene& scene, const Environment& environment) {
   const Background& b = scene.background;
   return b.map ? environment.mean_radiance() : 0.5f * (b.horizon + b.zenith);
@@ -55,7 +56,7 @@ ShadedScene::ShadedScene(const Scene& described, const ResolvedScene& resolved, 
 void ShadedScene::update(const ResolvedScene& resolved, const ThreadPool& pool) {
   std::vector<WhittedLight> moved = make_lights(*scene, resolved);
   const bool stands = moved == lights && !any_emitter_moves();
-  if (!stands) lights = std::move(moved);  // assign to `lights`, because the light table refers to this vector
+  if (!stands) lights = std::move(moved);  // keep the vector `lights` itself, because the light table refers to it
   RayScene::update(resolved, pool);
   if (!stands) tabulate_lights();
 }
@@ -66,8 +67,8 @@ bool ShadedScene::any_emitter_moves() const {
   return false;
 }
 
-/// Tabulates the lights of the frame for paths. A tree of a million lights takes seconds, so update() keeps it while no light
-/// moves.
+/// Builds the light table of the frame for path tracing. A tree of a million lights takes seconds to build, so update() keeps
+/// the table while no light moves.
 void ShadedScene::tabulate_lights() {
   if (path)
     path->lights = std::make_unique<LightTable>(

@@ -21,11 +21,11 @@ struct PathTables {
   GgxAlbedo albedo;
   Media media;
   Emitters emitters;
-  std::vector<WebBeam> beams;          ///< indexed by the scene's webs
-  std::unique_ptr<LightTable> lights;  ///< the frame's lights
+  std::vector<WebBeam> beams;  ///< one beam per photometric web, in the order of scene.webs
+  std::unique_ptr<LightTable> lights;
 };
 
-/// Materials, textures and lights in a form for loops over lanes.
+/// Materials, textures and lights in the form that shading kernels read.
 struct ShadingTables : ShadowMaterials {
   ShadingTables(const Scene& scene, const ResolvedScene& resolved, MaterialUse use, const ThreadPool& pool);
 
@@ -43,13 +43,13 @@ struct ShadingTables : ShadowMaterials {
   std::span<const Material> described_materials_;
 };
 
-/// The shading tables of a scene and its geometry for ray tracing. Shading kernels read both. Ray tracing uses the tables only
-/// for the transmittance of shadow rays.
+/// The shading tables of a scene, and its geometry for ray tracing. Shading kernels read both. Ray tracing reads the tables
+/// only for the transmittance of shadow rays.
 struct ShadedScene : ShadingTables, RayScene {
-  /// Shows the first moment of the timeline. `scene` must outlive this object.
+  /// Starts at the first frame of the timeline. `scene` must outlive this object.
   ShadedScene(const Scene& scene, const ThreadPool& pool, MaterialUse use);
 
-  /// Moves all objects to their places in `resolved`.
+  /// Moves all objects and lights to their positions in `resolved`.
   void update(const ResolvedScene& resolved, const ThreadPool& pool);
 
  private:

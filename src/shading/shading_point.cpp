@@ -21,8 +21,8 @@ SeenPoint seen_point(const RayHitPacket& packet, const SurfacePacket& surface, i
   return {surface.normal.get(i), view_of(packet, i), surface.entering.lane[i] != 0, surface.facet.get(i)};
 }
 
-/// Returns a purely diffuse Phong surface (no highlight, mirror or transmission) as a metallic-roughness surface. Returns
-/// nothing for any other surface.
+/// Converts a purely diffuse Phong surface to metallic roughness. Returns nothing if the surface has a highlight, a mirror or
+/// transmission.
 std::optional<MetalRoughPoint> lambert_at(const SurfacePacket& surface, int i) {
   if (surface.highlight[i] != 0.0f || surface.mirror[i] != 0.0f || surface.opacity[i] != 1.0f) return std::nullopt;
   MetalRoughPoint at;
@@ -36,7 +36,7 @@ bool lets_through(const MetallicRoughness& m) {
   return m.transmission > 0.0f || (m.extensions && m.extensions->diffuse_transmission.share > 0.0f);
 }
 
-/// Returns the medium of light transmitted through the surface.
+/// Returns the medium that light enters when it is transmitted through the surface.
 std::uint16_t medium_behind(const SurfaceExtensions& extensions, const ShadedScene& scene, const SurfacePacket& surface,
                             int i) {
   if (!extensions.volume || !extensions.volume->is_solid) return kSameMedium;
@@ -67,7 +67,8 @@ ShadingPoint shading_point(const ShadedScene& scene, const SurfacePacket& surfac
       p.is_wall = thin && m->transmission > 0.0f && mesh_record(scene, surface, i);
     }
   } else {
-    // Paths replace ambient light. But if the surface does not reflect light, ambient is its own emission, as for a backdrop.
+    // Paths replace the ambient light of reflecting surfaces. A surface that reflects nothing, such as a backdrop, emits its
+    // ambient light.
     if (surface.diffuse[i] == 0.0f) p.emission += surface.ambient.get(i) * p.base_color;
     if (!scene.tachyon) p.emission *= surface.opacity[i];
   }
@@ -88,7 +89,7 @@ Bsdf bsdf_at(const ShadedScene& scene, const RayHitPacket& packet, const Surface
   const Vec3f color = surface.color.get(i);
   const auto* m = std::get_if<MetallicRoughness>(&material_of(scene, surface, i).surface);
   if (!m) {
-    const float itself = scene.tachyon ? 1.0f : surface.opacity[i];  // Tachyon does not weight its terms by opacity
+    const float itself = scene.tachyon ? 1.0f : surface.opacity[i];  // Tachyon does not multiply these terms by the opacity
     PhongPoint p;
     p.diffuse = itself * surface.diffuse[i] * color;
     p.highlight = itself * surface.highlight[i] * glm::mix(Vec3f(1.0f), color, surface.highlight_tint[i]);

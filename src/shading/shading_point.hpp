@@ -1,4 +1,4 @@
-// One lane of a packet of surface points, for path tracing: emission, scattering and transmission.
+// One surface point of a packet, for path tracing: emission, scattering and transmission.
 #pragma once
 
 #include <optional>
@@ -10,38 +10,39 @@ namespace lippmann {
 
 struct ShadingPoint {
   Vec3f position{0.0f};
-  Vec3f facet{0.0f};                      ///< normal of the facet, any length, towards the viewer
-  Vec3f normal{0.0f};                     ///< smooth normal, unit length, on the side of `facet`
-  const SurfacePacket* smooth = nullptr;  ///< the packet of this lane, if the mesh is smooth and opaque
+  Vec3f facet{0.0f};   ///< normal of the facet on the viewer's side, any length
+  Vec3f normal{0.0f};  ///< smooth normal on the same side as `facet`, unit length
+  /// the packet of the point, if the mesh has vertex normals and transmits no light; otherwise null
+  const SurfacePacket* smooth = nullptr;
   int lane = 0;
   Vec3f emission{0.0f};
-  Vec3f base_color{0.0f};              ///< with textures applied
-  float coverage = 1.0f;               ///< share of the light that interacts; the rest passes unchanged
+  Vec3f base_color{0.0f};
+  float coverage = 1.0f;               ///< share of light that interacts with the surface; the rest passes unchanged
   bool scatters = true;                ///< false for pure emitters
-  float t_near = 0.0f;                 ///< start distance of outgoing rays
-  std::uint16_t behind = kSameMedium;  ///< the medium of transmitted light
-  bool disperses = false;              ///< refracts each colour channel differently
-  bool is_wall = false;                ///< a thin wall; shadow rays pass it if it is smooth
+  float t_near = 0.0f;                 ///< distance at which rays that leave the point start
+  std::uint16_t behind = kSameMedium;  ///< medium that transmitted light enters
+  bool disperses = false;              ///< each colour channel is refracted differently
+  bool is_wall = false;                ///< the surface is a thin wall; shadow rays pass smooth walls
 
   bool is_behind(Vec3f direction) const { return glm::dot(facet, direction) < 0.0f; }
-  /// Returns whether a lamp in this direction lies behind the facet, but still lights the smooth surface. lift() is the offset
-  /// to that surface.
+  /// Returns whether a lamp in this direction is behind the facet, but in front of the smooth surface. Shadow rays to this lamp
+  /// must start at position + lift().
   bool rises_to(Vec3f direction) const {
     return smooth && is_behind(direction) && glm::dot(normal, direction) > 0.0f && lift() != Vec3f(0.0f);
   }
   Vec3f lift() const { return smooth_lift(*smooth, lane); }
 };
 
-/// Returns lane i of a packet that was hit. The scene must be built for paths.
+/// Returns the surface point of lane i. The lane must have a hit, and the scene must be built with MaterialUse::kPaths.
 ShadingPoint shading_point(const ShadedScene& scene, const SurfacePacket& surface, int i);
 
-/// Returns the direction from the hit of lane i to the viewer.
+/// Returns the unit vector from the hit of lane i to the viewer.
 inline Vec3f view_of(const RayHitPacket& packet, int i) {
   return -Vec3f(packet.ray.dir_x[i], packet.ray.dir_y[i], packet.ray.dir_z[i]);
 }
 
-/// Returns the metallic-roughness base of a surface that has no other layers or is purely diffuse. Returns nothing for any
-/// other surface.
+/// Returns the metallic-roughness description of a surface without other layers, or of a purely diffuse surface. Returns
+/// nothing for any other surface.
 std::optional<MetalRoughPoint> base_at(const ShadedScene& scene, const RayHitPacket& packet, const SurfacePacket& surface,
                                        int i);
 

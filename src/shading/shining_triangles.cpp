@@ -8,10 +8,10 @@
 namespace lippmann {
 namespace {
 
-/// Maximum number of triangles that are sampled by power.
+/// Scenes with more emissive triangles than this sample them by a tree instead of by power.
 constexpr std::size_t kMostTrianglesByPower = 4;
 
-/// Returns the facing of a closed mesh after it is placed. Mirroring reverses it.
+/// Returns the facing of a closed mesh after the transform `place`. A mirroring transform reverses the facing.
 BodyFacing mirrored(BodyFacing facing, const Affine3f& place) {
   if (facing == BodyFacing::kNone || glm::determinant(place.linear) > 0.0f) return facing;
   return facing == BodyFacing::kOutward ? BodyFacing::kInward : BodyFacing::kOutward;
@@ -22,8 +22,8 @@ bool is_opaque(const WhittedMaterial& m) { return !m.has_alpha && !(m.wall_ior >
 
 constexpr Bounds3f kEndless{Vec3f(-kInfinity), Vec3f(kInfinity)};
 
-/// Returns slightly enlarged bounds. Points on the mesh itself, such as the walls of an emissive room, must not count as
-/// outside.
+/// Returns slightly enlarged bounds of the transformed mesh, so that points on the mesh itself, such as the walls of an
+/// emissive room, do not count as outside.
 Bounds3f bounds_of(const Mesh& mesh, const Affine3f& place) {
   constexpr float kMargin = 1e-3f, kRounding = 1e-5f;
   Bounds3f bounds;
@@ -66,13 +66,13 @@ void ShiningTriangles::add(std::size_t r) {
   if (closed != BodyFacing::kNone && is_opaque(sources_.materials[material])) bodies_[r] = bounds_of(*record.mesh, place);
 }
 
-/// The intensity of a two-sided triangle is flux / (2 pi) * cosine.
+/// A two-sided triangle has an intensity of flux / (2 pi) times the cosine to its normal. group.irradiance uses this.
 LightGroup ShiningTriangles::group() const {
   LightGroup group{{}, std::vector<float>(triangles_.size(), 0.0f), {}, 0.0f, kMostTrianglesByPower};
   for (const Triangle& t : triangles_) {
     const bool has_area = t.normal != Vec3f(0.0f);
     const Emitter& emitter = *sources_.emitters.of(sources_.records[t.record].instance);
-    // 2: both sides emit
+    // factor 2: both sides emit
     const float power = has_area ? finite_power(kPi * 2.0f * t.area * emitter.of(t.prim)) : 0.0f;
     group.near.push_back(power);
     group.lights.push_back(power > 0.0f ? tree_light(t.origin, t.edge_b, t.edge_c, power, t.closed) : TreeLight{});
@@ -91,8 +91,9 @@ float ShiningTriangles::seen_area(std::size_t triangle, Vec3f direction) const {
   return std::abs(glm::dot(direction, t.normal)) * t.area;
 }
 
-/// Closed bodies need this test in addition to shadow rays: a shadow ray that ends near an edge stops short of the light and
-/// may miss the part of the body in front of it. Inner sides are sampled so rarely that each such ray would leave a bright dot.
+/// Closed bodies need this test in addition to shadow rays. A shadow ray stops short of the light, so near an edge it may miss
+/// the part of the body in front of the light. Inner sides are sampled so rarely that each missed occlusion would leave a
+/// bright dot.
 bool ShiningTriangles::is_hidden(const Triangle& t, Vec3f from, Vec3f direction) const {
   if (t.closed == BodyFacing::kNone || !is_outside(bodies_[t.record], from)) return false;
   return (glm::dot(direction, t.normal) > 0.0f) == (t.closed == BodyFacing::kOutward);

@@ -1,8 +1,9 @@
 // The offset from a point on a facet to the smooth surface that the mesh approximates.
 //
-// After: J. Hanika, "Hacking the Shadow Terminator", Ray Tracing Gems II, 2021, chapter 4. Near the terminator, a lamp may lie
-// behind a facet but in front of the smooth normal. Such facets would turn dark one by one, like a staircase. Shadow rays to
-// these lamps start from the smooth surface, which lies above convex facets.
+// After: J. Hanika, "Hacking the Shadow Terminator", Ray Tracing Gems II, 2021, chapter 4. Near the terminator, a lamp may be
+// behind a facet but in front of the smooth normal. Facets that block such lamps turn dark one by one, so that the terminator
+// looks like a staircase. To avoid this, shadow rays to such lamps start from the smooth surface, which lies above convex
+// facets.
 #pragma once
 
 #include <array>
@@ -11,14 +12,14 @@
 
 namespace lippmann {
 
-/// The corners of a triangle, their normals (any length but 0), and the barycentric weights of a point.
+/// The corners of a triangle, the normals at the corners (any length but 0), and the barycentric weights of a point.
 struct SmoothTriangle {
   std::array<Vec3f, 3> corners, normals;
   std::array<float, 3> weights;
 };
 
-/// Returns the offset to the weighted planes that touch the smooth surface at the corners, or the null vector if the smooth
-/// surface lies below the facet. outer: 1, or -1 on the side that the normals point away from.
+/// Returns the offset from the point to the weighted mean of its projections onto the tangent planes at the corners. Planes
+/// below the facet count with offset 0. outer: 1, or -1 for the side that the normals point away from.
 inline Vec3f smooth_lift(const SmoothTriangle& t, float outer) {
   Vec3f point(0.0f), lift(0.0f);
   for (std::size_t k = 0; k < 3; ++k) point += t.weights[k] * t.corners[k];

@@ -7,7 +7,8 @@ namespace {
 
 constexpr std::size_t kMostHarmonics = 16, kChannels = 3;
 
-/// The basis functions for a ray's direction in the local axes of a splat set, each repeated for the three channels.
+/// The spherical harmonics for a ray's direction in the local axes of a splat set. Each value is stored three times, for R, G
+/// and B.
 class SplatBasis {
  public:
   void aim(const SplatSet& set, Vec3f direction) {
@@ -18,7 +19,8 @@ class SplatBasis {
       for (std::size_t c = 0; c < kChannels; ++c) values_[kChannels * k + c] = basis[k];
   }
 
-  /// Returns 0.5 + the sum of harmonics times basis functions, at least 0. Twelve partial sums allow vector instructions.
+  /// Returns the splat's colour: 0.5 + sum of coefficients times basis functions, at least 0. Twelve partial sums allow vector
+  /// instructions.
   Vec3f color(const Splats& splats, std::size_t splat) const {
     constexpr std::size_t kStride = 12;
     const std::size_t each = harmonics_of(splats.degree), numbers = kChannels * each;
@@ -37,11 +39,11 @@ class SplatBasis {
   alignas(64) float values_[kChannels * kMostHarmonics];
 };
 
-/// Returns the linear value of an sRGB code, extended above 1.
+/// Returns the linear value of an sRGB code. The sRGB curve is extended above 1.
 float linear_of(float encoded) { return encoded <= 0.04045f ? encoded / 12.92f : fast_pow((encoded + 0.055f) / 1.055f, 2.4f); }
 Vec3f linear_of(Vec3f encoded) { return {linear_of(encoded.x), linear_of(encoded.y), linear_of(encoded.z)}; }
 
-/// Blends the splats along one ray, nearest first.
+/// Blends the splats along one ray, from near to far.
 class Blend {
  public:
   explicit Blend(const ShadedScene& scene) : table_(scene.splats) {}
@@ -60,7 +62,7 @@ class Blend {
     left_ = hit.left;
   }
 
-  /// Returns the transmittance. Below kDark it counts as 0, and the blended colour is normalised to full coverage.
+  /// Returns the transmittance. A transmittance below kDark counts as 0, and radiance() then divides by the coverage.
   float passed() const { return left_ < kDark ? 0.0f : left_; }
   Vec3f radiance() const {
     const Vec3f seen = encoded_share_ > 0.0f ? linear_ + encoded_share_ * linear_of(encoded_ / encoded_share_) : linear_;

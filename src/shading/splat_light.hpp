@@ -3,8 +3,8 @@
 // Based on: B. Kerbl, G. Kopanas, T. Leimkuehler, G. Drettakis, "3D Gaussian Splatting for Real-Time Radiance Field Rendering",
 // ACM TOG 42(4), 2023, equations 2 and 3, and its spherical harmonics; N. Moenne-Loccoz and others, "3D Gaussian Ray Tracing:
 // Fast Tracing of Particle Scenes", SIGGRAPH Asia 2024: each Gaussian is evaluated at its maximum along the ray, in the order
-// of these maxima. This implementation deviates in two points: (1) sRGB-encoded splats are blended in encoded form, and their
-// mean colour is then linearised, because the surfaces behind are linear; (2) a transmittance below kDark counts as 0.
+// of these maxima. \n\n We deviate: \n 1. sRGB-encoded splats are blended in encoded form. The blended colour is then
+// linearised, because surfaces behind the splats have linear radiance. \n 2. A transmittance below kDark counts as 0.
 #pragma once
 
 #include "shading/shaded_scene.hpp"
@@ -13,14 +13,14 @@ namespace lippmann {
 
 struct SplatLight {
   Lanes3 radiance;  ///< linear, >= 0
-  Lanes passed;     ///< share of the light behind that passes, 0 to 1
+  Lanes passed;     ///< share of the light from behind the splats that passes, 0 to 1
 };
 
-/// Fills `light` for the active lanes from splats between tnear and tfar. `hits` is working memory and receives the hits of
-/// each lane.
+/// Fills `light` for the active lanes from the splats between tnear and tfar. `hits` is working memory, and receives the hits
+/// of each lane.
 void see_splats(const ShadedScene& scene, const LaneMask& active, const RayPacket& rays, SplatHits& hits, SplatLight& light);
 
-/// Computes the 16 real spherical harmonics of degree 0 to 3 at a unit direction, ordered by l and then by m.
+/// Computes the 16 real spherical harmonics of degrees 0 to 3 at a unit direction, ordered by degree l and then by order m.
 void splat_basis(Vec3f direction, float* basis);
 
 }  // namespace lippmann

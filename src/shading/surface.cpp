@@ -8,10 +8,10 @@
 namespace lippmann {
 namespace {
 
-/// Sets positions, their precision, the mask of lanes with a hit, and whether there are any hits and any misses.
+/// Sets `hit`, `record`, positions, the rays' start distances, any_hit and any_miss.
 LIPPMANN_MULTIVERSION void place_hits(const RayHitPacket& packet, const LaneMask& active, float least_t_near,
                                       SurfacePacket& s) {
-  // Rounding moves a point by about 10^-7 of its coordinates and of the ray's length.
+  // Rounding errors of a point are about 10^-7 of its coordinates and of the ray's length. kRounding leaves a margin of 100.
   constexpr float kRounding = 1e-5f;
   int any = 0, all = -1;
   LIPPMANN_FOR_LANES(i) {
@@ -32,7 +32,8 @@ LIPPMANN_MULTIVERSION void place_hits(const RayHitPacket& packet, const LaneMask
   s.any_miss = all == 0;
 }
 
-/// Moves the first lane of `left` and all lanes with the same key to `group`. Returns that lane, or -1 if `left` is empty.
+/// Moves the first lane of `left`, and all lanes of `left` with the same key, to `group`. Returns the first lane, or -1 if
+/// `left` is empty.
 LIPPMANN_MULTIVERSION int take_group(const std::uint32_t* key, LaneMask& left, LaneMask& group) {
   int first = kLanes;
   LIPPMANN_FOR_LANES(i) {
@@ -48,11 +49,11 @@ LIPPMANN_MULTIVERSION int take_group(const std::uint32_t* key, LaneMask& left, L
   return first;
 }
 
-/// Lower bound of a normal's squared length; smaller values are denormal. Facet normals are as long as twice the area, so their
-/// squares get tiny for small triangles in large units.
+/// Lower bound of a normal's squared length: the smallest float that is not denormal. Facet normals are as long as twice the
+/// triangle's area, so the squares are tiny for small triangles in large units.
 constexpr float kLeastSquare = std::numeric_limits<float>::min();
 
-/// Normalises a normal, and turns it and the facet's normal to the side of the ray's origin.
+/// Sets the normals of lane i. Normalises the shading normal n. Turns n and the facet's normal to the side of the ray's origin.
 LIPPMANN_INLINE void face_ray(const RayPacket& rays, const LaneMask& lanes, int i, Vec3f facet, Vec3f n, SurfacePacket& s) {
   const bool behind = facet.x * rays.dir_x[i] + facet.y * rays.dir_y[i] + facet.z * rays.dir_z[i] > 0.0f;
   const float side = behind ? -1.0f : 1.0f;
@@ -99,8 +100,8 @@ LIPPMANN_MULTIVERSION void set_normals(const Lanes3& normal, const RayPacket& ra
   }
 }
 
-/// Sets the normals of lanes that have hit a mesh. smooth: interpolated normals in mesh space, like the facet normals in
-/// `packet`.
+/// Sets the normals of lanes that have hit a mesh. `smooth` holds interpolated vertex normals in mesh space, like the facet
+/// normals in `packet`.
 LIPPMANN_MULTIVERSION void set_mesh(const Mat3f normal_from_mesh, std::uint32_t instance, const Lanes3& smooth,
                                     const RayHitPacket& packet, const LaneMask& lanes, SurfacePacket& s) {
   const Vec3f to_x = normal_from_mesh[0], to_y = normal_from_mesh[1], to_z = normal_from_mesh[2];
@@ -150,7 +151,8 @@ void evaluate_primitives(const ShadedScene& scene, const GeometryRecord& record,
   set_normals(normal, packet.ray, lanes, s);
 }
 
-/// Sets normals and instances of `lanes`, which have all hit object `id`. Returns the object's record, or null for a plane.
+/// Sets normals and instances of `lanes`, all of which have hit object `id`. Returns the object's record, or null if the object
+/// is a plane.
 const GeometryRecord* evaluate_record(const ShadedScene& scene, unsigned id, const RayHitPacket& packet, const LaneMask& lanes,
                                       SurfacePacket& s) {
   if (id >= kPlaneId) {
@@ -165,7 +167,7 @@ const GeometryRecord* evaluate_record(const ShadedScene& scene, unsigned id, con
   return &record;
 }
 
-/// Calls evaluate_material() for each material among the lanes.
+/// Calls evaluate_material() once for each material among the lanes.
 void evaluate_materials(const ShadedScene& scene, const GeometryRecord* record, const RayHitPacket& packet,
                         const PacketBeams& beams, LaneMask lanes, SurfacePacket& s) {
   alignas(64) std::uint32_t material[kLanes];
@@ -192,7 +194,7 @@ Vec3f smooth_lift(const SurfacePacket& s, int i) {
   const Mesh& mesh = *record.mesh;
   const auto& hit = s.packet->hit;
   const auto& [a, b, c] = mesh.triangles[hit.primID[i]];
-  // The normals may point to the other side than the winding of the triangles.
+  // Vertex normals may point away from the side that the winding of the triangles defines.
   const bool inverted = glm::dot(Vec3f(hit.Ng_x[i], hit.Ng_y[i], hit.Ng_z[i]), mesh.normals[a]) < 0.0f;
   const Vec3f lift = smooth_lift({{mesh.positions[a], mesh.positions[b], mesh.positions[c]},
                                   {mesh.normals[a], mesh.normals[b], mesh.normals[c]},
@@ -210,7 +212,7 @@ void evaluate_surfaces(const ShadedScene& scene, const RayHitPacket& packet, con
   LaneMask left = s.hit, group;
   for (int first; s.any_hit && (first = take_group(s.record, left, group)) >= 0;) {
     const GeometryRecord* record = evaluate_record(scene, s.record[first], packet, group, s);
-    // no lift in Tachyon mode, to match its images
+    // Tachyon does not lift shadow rays, and its images must be reproduced
     s.any_smooth |= record && record->kind == GeometryKind::kMesh && !record->mesh->normals.empty() && !scene.tachyon;
     const std::uint32_t material = scene.material_of_instance[s.instance[first]];
     if (!record || record->one_material)

@@ -1,4 +1,4 @@
-// The surface points of a packet of rays: positions, normals and material terms, one array of 16 lanes each.
+// The surface points that a packet of 16 rays has hit: positions, normals and material terms.
 #pragma once
 
 #include "device/ray_packet.hpp"
@@ -10,46 +10,49 @@ namespace lippmann {
 class BeamFootprint;
 
 struct SurfacePacket {
-  LaneMask hit;                            ///< -1 if the lane has hit a surface; the other arrays are defined only there
-  bool any_hit = false, any_miss = false;  ///< whether any active lane has hit a surface, and whether any has missed
+  LaneMask hit;  ///< -1 if the lane has hit a surface, otherwise 0; the arrays below are defined only in lanes with a hit
+  /// whether any active lane has hit a surface, and whether any active lane has missed all surfaces
+  bool any_hit = false, any_miss = false;
   Lanes3 position;
-  Lanes3 normal;      ///< shading normal, unit length, on the ray's side of the facet
+  Lanes3 normal;      ///< shading normal on the ray's side of the facet, unit length
   Lanes3 facet;       ///< normal of the facet on the ray's side, any length
-  Lanes t_near;       ///< start distance of rays that leave the point, above its rounding error
-  LaneMask entering;  ///< -1 if the ray hits the outer side of the surface
+  Lanes t_near;       ///< start distance of rays that leave the point; larger than the point's rounding error
+  LaneMask entering;  ///< -1 if the ray hits the outer side of the surface, otherwise 0
   alignas(64) std::uint32_t instance[kLanes];
-  alignas(64) std::uint32_t record[kLanes];  ///< index of the geometry's record, or kPlaneId + plane
-  // Material terms with textures applied.
-  Lanes3 color, ambient, emission;  ///< ambient: radiance per colour
+  alignas(64) std::uint32_t record[kLanes];  ///< index into RayScene::records, or kPlaneId + index of the plane
+  // Material terms as in WhittedMaterial, with textures applied.
+  Lanes3 color, ambient, emission;
   Lanes diffuse, highlight, highlight_size, highlight_cutoff, highlight_tint;
   Lanes mirror, mirror_tint, opacity, ior;
-  const ShadedScene* scene = nullptr;    ///< the scene that contains the surfaces
-  const RayHitPacket* packet = nullptr;  ///< the rays that hit them; must outlive this object
-  std::uint8_t color_channel[kLanes];    ///< the path's colour channel (R, G or B); set if the surface disperses
-  bool any_smooth = false;               ///< whether any lane has hit a mesh with vertex normals
+  const ShadedScene* scene = nullptr;
+  const RayHitPacket* packet = nullptr;  ///< the rays that hit the surfaces; they must outlive this object
+  /// colour channel (R, G or B) of each lane's path; set by the caller if the surface disperses light
+  std::uint8_t color_channel[kLanes];
+  bool any_smooth = false;  ///< whether any lane has hit a mesh with vertex normals
   bool any_highlight = false, any_mirror = false, any_see_through = false;
 };
 
-/// Returns the instance (object id) that lane i of `packet` has hit. The geometry id must not be kNoId.
+/// Returns the instance (object id) that lane i has hit. The lane's geometry id must not be kNoId.
 std::uint32_t hit_instance(const ShadedScene& scene, const RayHitPacket& packet, int i);
 
-/// Evaluates the surfaces that the active lanes of `packet` have hit. path_length: distance from the path's start to the ray's
-/// origin, per lane. `beam` is the texture filter: it covers one sample's share of a pixel, or a whole pixel in the lanes of
-/// `spread`.
+/// Evaluates the surfaces that the active lanes of `packet` have hit. path_length: for each lane, the length of the path before
+/// this ray. `beam` determines the texture filter. The filter covers one sample's share of a pixel, or a whole pixel in the
+/// lanes of `spread`.
 void evaluate_surfaces(const ShadedScene& scene, const RayHitPacket& packet, const LaneMask& active, const Lanes& path_length,
                        const BeamFootprint& beam, SurfacePacket& surface, const LaneMask* spread = nullptr);
 
-/// Returns the offset from the point of lane i to the smooth surface (smooth_lift.hpp), or the null vector without one. Call
-/// this after evaluate_surfaces(). It is computed on demand, because few points need it.
+/// Returns the offset from the point of lane i to the smooth surface (smooth_lift.hpp), or the null vector if the mesh has no
+/// vertex normals. Call smooth_lift() after evaluate_surfaces(). It is computed on demand, because few points need it.
 Vec3f smooth_lift(const SurfacePacket& surface, int i);
 
-/// Width of the beam of a ray at its hit, for texture filtering. It is the sample_footprint_mm of the optics, in world units
-/// along the display's axes, as a function of the path length from the plane where rays start. Paths are treated as straight
-/// along -z, with mirrors unfolded. This is exact for the central view, and off by at most the cosine of half the viewing zone
-/// for others.
+/// Width of a ray's beam at its hit, for texture filtering. It is the sample_footprint_mm of the optics, converted to world
+/// units, as a function of the path length from the plane where rays start. Paths are treated as straight along the display's
+/// -z axis, with mirrors unfolded. The width is exact for the central view. For other views, it is off by at most a factor of
+/// the cosine of half the viewing zone.
 ///
-/// widths() covers a pixel. Each of n samples stands for 1 / n of the pixel's area, and their mean filters the rest: after M.
-/// Pharr et al., "Physically Based Rendering", 4th ed., section 10.1, which also limits the width to 1 / 8.
+/// widths() covers a pixel. Each of n samples covers 1 / n of the pixel's area, because the mean of all samples filters the
+/// rest. After: M. Pharr et al., "Physically Based Rendering", 4th ed., section 10.1, which also limits the width to 1 / 8 of a
+/// pixel.
 class BeamFootprint {
  public:
   BeamFootprint(const Optics& optics, const Affine3f& world_from_display, int samples_per_pixel = 1)
@@ -60,7 +63,7 @@ class BeamFootprint {
         axis_y_(world_from_display.linear[1] / scale_),
         z_front_mm_(resolved_z_front_mm(optics)) {}
 
-  /// Return full widths along axis_x and axis_y in world units: of a sample, and of a pixel.
+  /// Return full widths along axis_x and axis_y in world units. sample_widths() covers one sample, and widths() one pixel.
   Vec2f sample_widths(float path_length) const { return of_sample_ * widths(path_length); }
   Vec2f widths(float path_length) const { return scale_ * sample_footprint_mm(optics_, z_front_mm_ - path_length / scale_); }
   Vec3f axis_x() const { return axis_x_; }

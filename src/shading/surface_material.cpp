@@ -29,12 +29,13 @@ LIPPMANN_MULTIVERSION void set_material(const WhittedMaterial& m, const LaneMask
   s.any_see_through |= m.opacity < 1.0f || m.has_alpha;
 }
 
-/// uv at the hit, and its change along the beam's two axes, each projected along the ray onto the facet.
+/// The texture coordinates at the hit, and their changes a and b along the two axes of the beam. The axes are projected along
+/// the ray onto the facet.
 struct UvFootprint {
   Vec2f uv, a, b;
 };
 
-/// set: index of the mesh's uv set. widths: of the beam at the hit.
+/// set: index of the mesh's uv set. widths: widths of the beam at the hit.
 UvFootprint uv_footprint(const GeometryRecord& record, const RayHitPacket& packet, int i, int set, const BeamFootprint& beam,
                          Vec2f widths) {
   const Vec2f uv = at_hit(uvs_of(*record.mesh, set), record, packet, i);
@@ -48,10 +49,10 @@ UvFootprint uv_footprint(const GeometryRecord& record, const RayHitPacket& packe
   }
   const Vec3f d(packet.ray.dir_x[i], packet.ray.dir_y[i], packet.ray.dir_z[i]);
   const float across = glm::dot(n, d);
-  // Limit footprints seen edge-on to 16 widths.
+  // Limits the footprints of surfaces seen edge-on to 16 beam widths.
   const float inverse = 1.0f / std::copysign(std::max(std::abs(across), 0.0625f), across);
   const float u_along = glm::dot(du, d) * inverse, v_along = glm::dot(dv, d) * inverse;
-  // Projects an axis along the ray onto the facet: axis - d (n . axis) / (n . d).
+  // The axis is projected along the ray onto the facet: axis - d (n . axis) / (n . d).
   const auto change = [&](Vec3f axis, float width) {
     const float slide = glm::dot(n, axis);
     return width * Vec2f(glm::dot(du, axis) - slide * u_along, glm::dot(dv, axis) - slide * v_along);
@@ -59,7 +60,7 @@ UvFootprint uv_footprint(const GeometryRecord& record, const RayHitPacket& packe
   return {uv, change(beam.axis_x(), widths.x), change(beam.axis_y(), widths.y)};
 }
 
-/// Computes the footprints of the lanes in the map's texture coordinates.
+/// Computes the footprints of `lanes` in the texture coordinates of the map.
 void uv_footprints(const GeometryRecord& record, const RayHitPacket& packet, const TextureMap& map, const PacketBeams& beams,
                    const LaneMask& lanes, UvLanes& uv) {
   const BeamFootprint& beam = beams.footprint;
@@ -99,7 +100,6 @@ void apply_projected(const ShadedScene& scene, const WhittedMaterial& m, const L
   sample_projected(texture(scene, m.color_map.texture), projection, s.position, length, lanes, s.color);
 }
 
-/// Returns whether the map has a texture and the mesh has coordinates for it.
 bool is_mapped(const TextureMap& map, const GeometryRecord& record) {
   return map.texture >= 0 && record.uv_gradients[static_cast<std::size_t>(map.uv_set)];
 }
@@ -114,7 +114,6 @@ void apply_vertex_alphas(const GeometryRecord& record, const RayHitPacket& packe
     if (lanes.lane[i]) alpha[i] *= at_hit(record.mesh->alphas, record, packet, i);
 }
 
-/// Applies colour, alpha and emission from uv textures and vertices.
 void apply_mesh(const ShadedScene& scene, const WhittedMaterial& m, const GeometryRecord& record, const RayHitPacket& packet,
                 const PacketBeams& beams, const LaneMask& lanes, SurfacePacket& s) {
   UvLanes uv;

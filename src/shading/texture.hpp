@@ -1,8 +1,10 @@
-// Textures ready for lookup: mip pyramids and two filters, for the lanes of a packet at once.
+// Mip pyramids and texture lookups for the lanes of a packet.
 //
-// By uv: up to 8 trilinear probes along the longer side of the footprint parallelogram, at the level that fits the shorter side
-// (after: McCormack et al., "Feline", SIGGRAPH 1999, with equal weights). This avoids aliasing at 1 sample per pixel without
-// blurring along the lens. Projected: Tachyon's image maps, bit for bit where possible.
+// Textures with uv coordinates: up to 8 trilinear probes lie along the longer side of the footprint, a parallelogram. The mip
+// level fits the shorter side. After: McCormack et al., "Feline", SIGGRAPH 1999; we deviate by equal weights. This filter
+// avoids aliasing at 1 sample per pixel, without blur along the lens.
+//
+// Projected textures: Tachyon's image maps, bit-identical where possible.
 #pragma once
 
 #include <vector>
@@ -16,16 +18,17 @@ namespace lippmann {
 struct DeviceTexture {
   struct Level {
     int width, height;
-    std::vector<std::uint16_t> rgba;  ///< linear, 65535 = 1; 16 bits keep all 8-bit codes distinct, sRGB or not
+    /// linear codes, 65535 stands for 1; 16 bits keep all 8-bit codes distinct, sRGB-encoded or not
+    std::vector<std::uint16_t> rgba;
   };
-  std::vector<Level> levels;  ///< each half the size of the previous one, down to 1 x 1
+  std::vector<Level> levels;  ///< levels[0] is the finest; each level has half the size of the one before, down to 1 x 1
   Wrap wrap_u = Wrap::kRepeat, wrap_v = Wrap::kRepeat;
 };
 
-/// Builds the mip levels by averages in linear light, or in Tachyon mode by truncating averages of bytes.
+/// Builds the mip levels by averages in linear light. In Tachyon mode, bytes are averaged and truncated instead.
 DeviceTexture make_device_texture(const Texture& texture, bool tachyon);
 
-/// Texture points and their footprints: parallelograms of the vectors a and b in uv space.
+/// Points in uv space, and their footprints: parallelograms with the sides a and b.
 struct UvLanes {
   Lanes u, v, a_u, a_v, b_u, b_v;
 };
@@ -35,16 +38,18 @@ struct TexelLanes {
   Lanes alpha;
 };
 
-/// Looks up linear RGBA at uv, filtered over the footprint. Changes `texels` only in the wanted lanes. Other lanes of `uv` may
-/// hold any values.
+/// Looks up linear RGBA in the wanted lanes, filtered over the footprints. Other lanes of `texels` keep their values, and other
+/// lanes of `uv` may hold any values.
 void sample_uv(const DeviceTexture& texture, const UvLanes& uv, const LaneMask& wanted, TexelLanes& texels);
 
-/// Returns linear RGBA at one point, bilinear in one level; 0 is the finest.
+/// Returns linear RGBA at one point of a level, by bilinear interpolation. Level 0 is the finest.
 Vec4f sample_point(const DeviceTexture& texture, Vec2f uv, std::size_t level = 0);
 
-/// Looks up Tachyon's image maps (shading/projection.hpp): bilinear over (resolution - 1) texels without wrapping. Of n levels,
-/// blends the two next to level blur (n - 0.9999); from level n - 2 on, uses only the last. path_length: length of the whole
-/// path from the eye. Changes `color` only in the wanted lanes.
+/// Looks up Tachyon's image maps (shading/projection.hpp) in the wanted lanes; other lanes of `color` keep their values.
+/// path_length: length of the whole path from the eye, for each lane.
+/// 1. Within a level, interpolation is bilinear over (resolution - 1) texels, without wrapping.
+/// 2. The level is blur (n - 0.9999), where n is the number of levels. The two nearest levels are blended, but from level n - 2
+/// on, only the last level is used.
 void sample_projected(const DeviceTexture& texture, const ImageProjection& projection, const Lanes3& point,
                       const Lanes& path_length, const LaneMask& wanted, Lanes3& color);
 

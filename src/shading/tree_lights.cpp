@@ -34,7 +34,8 @@ TreeLight tree_light(const WhittedLight& lamp, const WebBeam* beam) {
   return light;
 }
 
-/// The mean squared distance of a triangle's points from its centroid is 1/36 of the sum of its squared edges.
+/// The variance is the mean squared distance of a triangle's points from its centroid, 1/36 of the sum of its squared edge
+/// lengths.
 TreeLight tree_light(Vec3f origin, Vec3f edge_b, Vec3f edge_c, float power, BodyFacing closed) {
   TreeLight light;
   const Vec3f middle = (edge_b + edge_c) / 3.0f, across = edge_c - edge_b;

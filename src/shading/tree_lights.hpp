@@ -8,12 +8,12 @@
 
 namespace lippmann {
 
-/// Converts a lamp. The power is 0 if no tree supports it: a directional lamp, or one without inverse-square falloff. beam: the
-/// beam of the lamp's web, or null; it must exist until the tree is built.
+/// Converts a lamp. The power is 0 if light trees do not support the lamp: directional lamps, and lamps without inverse-square
+/// falloff. `beam` belongs to the lamp's photometric web and must exist until the tree is built; null: the lamp has no web.
 TreeLight tree_light(const WhittedLight& lamp, const WebBeam* beam = nullptr);
 
-/// Converts a triangle with a positive area. power: in proportion to area and radiance, in any unit that all triangles share.
-/// closed: the facing, if the triangle belongs to a closed mesh.
+/// Converts a triangle with a positive area. `power` is proportional to area times radiance, in any unit that all triangles
+/// share. `closed` is the facing of the triangle's mesh.
 TreeLight tree_light(Vec3f origin, Vec3f edge_b, Vec3f edge_c, float power, BodyFacing closed = BodyFacing::kNone);
 
 }  // namespace lippmann

@@ -10,11 +10,11 @@ namespace {
 
 using Vec3d = glm::dvec3;
 
-/// Largest integration steps in radians, in polar angle and in azimuth.
+/// Largest integration steps in polar angle and azimuth, in radians.
 constexpr double kPolarStep = 0.1, kAzimuthStep = 0.25;
-/// Margin of cones beyond the sampled directions.
+/// Added to the half angle of cones in radians, because the sampled directions are coarse.
 constexpr double kConeMargin = 0.5 * kAzimuthStep;
-/// If the mean direction is shorter than this, the web has no preferred direction.
+/// A web has no preferred direction if its mean direction vector is shorter than this.
 constexpr double kLeastMeanDirection = 1e-3;
 
 Vec3d direction_at(const PhotometricWeb& web, double polar, double azimuth) {
@@ -23,7 +23,7 @@ Vec3d direction_at(const PhotometricWeb& web, double polar, double azimuth) {
          Vec3d(sine * std::cos(azimuth), sine * std::sin(azimuth), std::cos(polar));
 }
 
-/// Calls visit(from, to) for equal steps of at most `most` in each interval between angles.
+/// Divides each interval between neighbouring angles into equal steps of at most `most`. Calls visit(from, to) for each step.
 template <class Visit>
 void visit_steps(std::span<const float> angles, double most, const Visit& visit) {
   for (std::size_t i = 0; i + 1 < angles.size(); ++i) {
@@ -33,7 +33,8 @@ void visit_steps(std::span<const float> angles, double most, const Visit& visit)
   }
 }
 
-/// Calls visit(direction, flux) for small parts of the sphere with emission. flux is intensity times solid angle over 4 pi.
+/// Calls visit(direction, flux) for small parts of the sphere where the web emits. flux is intensity times solid angle / (4
+/// pi).
 template <class Visit>
 void visit_parts_of_web(const PhotometricWeb& web, const Visit& visit) {
   constexpr float kAround[] = {0.0f, 2.0f * kPi};

@@ -1,5 +1,5 @@
-// Coarse description of photometric webs for the choice of lights: an axis, a cone that contains all light, and the mean
-// emission by the angle to the axis.
+// Coarse descriptions of photometric webs, by which lights are chosen: an axis, a cone that contains all light, and the mean
+// emission as a function of the angle to the axis.
 #pragma once
 
 #include <span>
@@ -11,12 +11,11 @@
 namespace lippmann {
 
 struct WebBeam {
-  Vec3f axis{0.0f, 0.0f, -1.0f};  ///< unit, in the light's space: the mean direction of its light
-  float half_angle = kPi;         ///< no light at larger angles to the axis
-  LightProfile profile;           ///< around the axis
+  Vec3f axis{0.0f, 0.0f, -1.0f};  ///< mean direction of the emission in the light's space, unit length
+  float half_angle = kPi;         ///< the web does not emit at larger angles to the axis
+  LightProfile profile;           ///< emission as a function of the angle to `axis`
 };
 
-/// Returns the beams of the webs, in their order.
 std::vector<WebBeam> beams_of(std::span<const PhotometricWeb> webs);
 
 }  // namespace lippmann
