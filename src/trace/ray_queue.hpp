@@ -19,8 +19,8 @@ struct Bundle {
 struct Branches {
   static constexpr int kCount = 2 * kLanes;
   alignas(64) float dir_x[kCount], dir_y[kCount], dir_z[kCount];
-  alignas(64) float share_x[kCount], share_y[kCount],
-      share_z[kCount];             ///< share of the incoming radiance that is reflected or transmitted
+  /// Share of the incoming radiance that is reflected or transmitted, per colour channel.
+  alignas(64) float share_x[kCount], share_y[kCount], share_z[kCount];
   alignas(64) float open[kCount];  ///< factor for Bundle::open
 };
 

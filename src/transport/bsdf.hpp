@@ -1,4 +1,4 @@
-// The results of evaluating and sampling a BSDF, shared by both surface models.
+// The results of evaluating and sampling a BSDF, the same types for all surface models.
 #pragma once
 
 #include "lippmann/core/math.hpp"
@@ -14,19 +14,19 @@ struct BsdfValue {
 
 struct BsdfSample {
   Vec3f direction{0.0f};
-  Vec3f weight{0.0f};        ///< cosine_f / density; for Dirac lobes, share of the light divided by probability
-  float density = 0.0f;      ///< per steradian; kInfinity for a Dirac lobe
-  bool transmitted = false;  ///< continues behind the surface
-  bool straight = false;     ///< continues in the same direction
-  bool is_vertex = true;     ///< false: a straight continuation that does not count as a path vertex
+  Vec3f weight{0.0f};        ///< cosine_f / density; for a Dirac lobe, its share of the light divided by its probability
+  float density = 0.0f;      ///< density of the direction per steradian; kInfinity for a Dirac lobe
+  bool transmitted = false;  ///< the direction lies behind the surface
+  bool straight = false;     ///< the light continues straight through the surface
+  bool is_vertex = true;     ///< false: the surface is passed straight and does not count as a path vertex
   bool is_delta() const { return density == kInfinity; }
 };
 
 /// Returns the mirror direction of v about n. Both directions point away from the surface.
 LIPPMANN_INLINE Vec3f mirrored(Vec3f v, Vec3f n) { return 2.0f * glm::dot(v, n) * n - v; }
 
-/// Returns the refracted direction by Snell's law, pointing away from the surface. n lies on v's side; eta = n_beyond / n_here.
-/// Returns the null vector at total reflection.
+/// Returns the direction of refracted light by Snell's law, or the null vector at total reflection. Like v, it points away from
+/// the surface. n lies on v's side. eta = n_beyond / n_here.
 LIPPMANN_INLINE Vec3f refracted_away(Vec3f v, Vec3f n, float eta) {
   const float cosine = glm::dot(v, n), k = 1.0f - (1.0f - cosine * cosine) / (eta * eta);
   const bool passes = k > 0.0f;

@@ -1,4 +1,4 @@
-// Discrete sampling by weight, used to choose lights and texels of environments.
+// Sampling of an index by weight. It is used to choose lights, and texels of environments.
 #pragma once
 
 #include <algorithm>
@@ -12,17 +12,17 @@ namespace lippmann {
 class DiscreteDistribution {
  public:
   DiscreteDistribution() = default;
-  /// Weights must be finite and >= 0. Denormal weights count as 0. If all weights are 0, the distribution is empty.
+  /// Weights must be finite and >= 0. Denormal weights count as 0. The distribution is empty if all weights are 0.
   explicit DiscreteDistribution(std::span<const float> weights);
 
   bool empty() const { return cumulative_.empty(); }
   std::size_t size() const { return cumulative_.size(); }
   double total() const { return total_; }
 
-  /// Returns the index for u in [0, 1), never one with weight 0. `rest` receives the position of u within the index's share, in
-  /// [0, 1), which can serve as a new random number. The distribution must not be empty.
+  /// Returns an index for u in [0, 1). Its weight is positive. Sets `rest` to the position of u within the index's share, in
+  /// [0, 1). `rest` may serve as a new random number. The distribution must not be empty.
   std::size_t sample(float u, float& rest) const {
-    // Find the part of [0, 1) that contains u. Rounding may give the next one.
+    // Finds the part of [0, 1) that contains u. The product may be rounded up into the next part.
     const auto count = static_cast<float>(cumulative_.size());
     auto part = std::min(static_cast<std::size_t>(u * count), cumulative_.size() - 1);
     while (part > 0 && start_of(part) > u) --part;
@@ -33,18 +33,18 @@ class DiscreteDistribution {
     return index;
   }
 
-  /// Returns the probability of an index.
   float probability(std::size_t index) const { return cumulative_[index] - probability_before(index); }
 
-  /// Returns the total probability of all lower indices.
+  /// Returns the sum of the probabilities of all lower indices.
   float probability_before(std::size_t index) const { return index > 0 ? cumulative_[index - 1] : 0.0f; }
 
  private:
   float start_of(std::size_t part) const { return std::min(static_cast<float>(part) * step_, 0x1.fffffep-1f); }
 
-  std::vector<float> cumulative_;     ///< cumulative shares; the last entry is 1
-  std::vector<std::uint32_t> first_;  ///< guide table: splits [0, 1) into equal parts and holds the index at the start of each
-  float step_ = 0.0f;                 ///< length of a part
+  std::vector<float> cumulative_;  ///< probability of each index or a lower one; the last entry is 1
+  /// Guide table: [0, 1) is divided into equal parts, and first_ holds the index at the start of each part.
+  std::vector<std::uint32_t> first_;
+  float step_ = 0.0f;  ///< length of each part of the guide table
   double total_ = 0.0;
 };
 

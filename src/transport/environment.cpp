@@ -8,14 +8,15 @@
 namespace lippmann {
 namespace {
 
-/// Resolution of the grid for a gradient: fine enough to follow the gradient, small enough for the cache.
+/// Resolution of the grid that replaces a gradient for sampling. It follows the gradient closely enough and fits into the
+/// cache.
 constexpr int kGradientWidth = 64, kGradientHeight = 32;
 
-/// Computes the panorama coordinates of a direction, in [0, 1].
+/// Computes the panorama coordinates of a direction, each in [0, 1]. `rotation` is in radians.
 LIPPMANN_INLINE void find_place(float x, float y, float z, float rotation, float& across, float& down) {
   const float turns = 0.5f + (fast_atan2(z, x) - rotation) * (0.5f / kPi), fraction = turns - std::floor(turns);
   const float polar = fast_acos(std::min(std::max(y, -1.0f), 1.0f)) * (1.0f / kPi);
-  const bool known = (fraction < 1.0f) & (polar <= 1.0f);  // reject values that were rounded up, and NaN directions
+  const bool known = (fraction < 1.0f) & (polar <= 1.0f);  // reject NaN directions, and values that were rounded up
   across = known ? fraction : 0.0f;
   down = known ? polar : 0.0f;
 }
@@ -26,7 +27,7 @@ Vec2f place_of(Vec3f d, float rotation) {
   return place;
 }
 
-/// A panorama's tiled texels and its rotation, in a form for loops over directions.
+/// A panorama's tiled texels and its rotation, in the form that loops over directions read.
 struct Panorama {
   Panorama(const SkyPatches& patches, float of_rotation)
       : texels(patches.texels_of(0)),
@@ -42,8 +43,8 @@ struct Panorama {
   float rotation;
 };
 
-/// Interpolates between a patch's corners. `corner` is the offset of the red value of the upper left corner. `within` (across)
-/// and `below` (down) are in [0, 1].
+/// Interpolates the light between the corners of a patch, at `within` (from left to right) and `below` (from top to bottom),
+/// both in [0, 1]. `corner` is the offset of the red value at the upper left corner.
 LIPPMANN_INLINE void interpolate(const float* texels, const SkyPatches::Layout& layout, int corner, float within, float below,
                                  float* light) {
   for (int c = 0; c < 3; ++c) {
@@ -54,7 +55,7 @@ LIPPMANN_INLINE void interpolate(const float* texels, const SkyPatches::Layout& 
   }
 }
 
-/// Looks up the panorama bilinearly at a result of find_place().
+/// Looks up the panorama bilinearly. `across` and `down` are results of find_place().
 LIPPMANN_INLINE void look_at(const Panorama map, float across, float down, float* light) {
   constexpr int kTile = SkyPatches::kTile;
   const float x = across * static_cast<float>(map.width) - 0.5f, y = down * static_cast<float>(map.height) + 0.5f;
@@ -79,7 +80,7 @@ LIPPMANN_MULTIVERSION void look_at_all(const Panorama map, SkyRays& rays) {
   }
 }
 
-/// Computes a unit vector. `turn` is the azimuth as a share of a full turn; `cosine` is the cosine of the polar angle.
+/// Computes a unit vector from the azimuth `turn`, as a share of a full turn, and the cosine of the polar angle.
 LIPPMANN_INLINE void find_direction(float turn, float cosine, float rotation, float& x, float& y, float& z) {
   float sin_azimuth, cos_azimuth;
   fast_sin_cos((turn - 0.5f) * 2.0f * kPi + rotation, sin_azimuth, cos_azimuth);
@@ -87,7 +88,8 @@ LIPPMANN_INLINE void find_direction(float turn, float cosine, float rotation, fl
   x = sine * cos_azimuth, y = cosine, z = sine * sin_azimuth;
 }
 
-/// Samples [0, 1) with a density that is linear from a to b, both >= 0. Samples uniformly if both are 0.
+/// Samples a number in [0, 1). Its density is linear, in proportion to a at 0 and to b at 1. Both must be >= 0. If both are 0,
+/// the density is uniform.
 LIPPMANN_INLINE float sample_line(float u, float a, float b) {
   const float sum = a + b, from = a / (sum > 0.0f ? sum : 1.0f);
   const float root = std::sqrt(std::max(from * from + u * (1.0f - 2.0f * from), 0.0f)), both = from + root;
@@ -97,13 +99,15 @@ LIPPMANN_INLINE float sample_line(float u, float a, float b) {
 
 LIPPMANN_INLINE float mixed(float a, float b, float share) { return a * (1.0f - share) + b * share; }
 
-/// Chosen patches of all lanes, and random numbers for positions within them.
+/// The patch chosen for each lane, and random numbers for the position within the patch.
 struct PatchDraws {
-  alignas(64) float x[SkyDraws::kDraws], y[SkyDraws::kDraws];          ///< column and row
-  alignas(64) float u[SkyDraws::kDraws], v[SkyDraws::kDraws];          ///< random numbers in [0, 1)
-  alignas(64) float density[SkyDraws::kDraws];                         ///< density per steradian and unit of luminance
-  alignas(64) float upper[SkyDraws::kDraws], lower[SkyDraws::kDraws];  ///< cosine of the polar angle at the top and the bottom
-  alignas(64) float corners[4][3][SkyDraws::kDraws];                   ///< in the order of SkyPatches::corners, by channel
+  alignas(64) float x[SkyDraws::kDraws], y[SkyDraws::kDraws];  ///< column and row of the patch
+  alignas(64) float u[SkyDraws::kDraws], v[SkyDraws::kDraws];  ///< random numbers in [0, 1)
+  alignas(64) float density[SkyDraws::kDraws];                 ///< density per steradian, divided by luminance
+  /// Cosine of the polar angle at the patch's top and bottom.
+  alignas(64) float upper[SkyDraws::kDraws], lower[SkyDraws::kDraws];
+  /// Light at the corners, in the order of SkyPatches::corners; the second index is the channel.
+  alignas(64) float corners[4][3][SkyDraws::kDraws];
 
   void set(int i, const SkyPatches& sky, const PatchChoice::Drawn& drawn) {
     x[i] = static_cast<float>(drawn.x), y[i] = static_cast<float>(drawn.y);
@@ -120,7 +124,7 @@ struct PatchDraws {
   }
 };
 
-/// Samples positions within the patches by luminance, and computes the light there.
+/// Samples a position within each patch in proportion to luminance, and computes the light at that position.
 LIPPMANN_INLINE void draw_within(const Panorama& map, const PatchDraws& patches, int i, SkyDraws& draws) {
   const float upper_left = patches.luminance(0, i), upper_right = patches.luminance(1, i), lower_left = patches.luminance(2, i),
               lower_right = patches.luminance(3, i);
@@ -131,7 +135,7 @@ LIPPMANN_INLINE void draw_within(const Panorama& map, const PatchDraws& patches,
   const float turn = (patches.x[i] + 0.5f + across) / static_cast<float>(map.width);
   const float cosine = mixed(patches.upper[i], patches.lower[i], down);
   find_direction(turn, cosine, map.rotation, draws.x[i], draws.y[i], draws.z[i]);
-  // The light is bilinear in the polar angle, but the patches are uniform in its cosine.
+  // Light is bilinear in the polar angle, but `down` is uniform in its cosine.
   const float polar = fast_acos(std::min(std::max(cosine, -1.0f), 1.0f)) * (1.0f / kPi);
   const float below = std::min(std::max(polar * static_cast<float>(map.height) + 0.5f - patches.y[i], 0.0f), 1.0f);
   const auto channel = [&](int c) LIPPMANN_INLINE_LAMBDA {
@@ -151,7 +155,7 @@ Vec3f gradient(const Background& b, Vec3f d) {
   return glm::mix(b.horizon, b.zenith, std::clamp(share, 0.0f, 1.0f));
 }
 
-/// Returns a texel of the gradient's grid. Columns wrap around; rows are clamped at the poles.
+/// Returns a texel of the gradient's grid. Columns wrap around, and rows are clamped at the poles.
 Vec3f gradient_texel(const Background& b, int x, int y) {
   x = (x + kGradientWidth) % kGradientWidth, y = std::clamp(y, 0, kGradientHeight - 1);
   const float cosine = std::cos((static_cast<float>(y) + 0.5f) * (kPi / kGradientHeight));
@@ -160,7 +164,7 @@ Vec3f gradient_texel(const Background& b, int x, int y) {
   return gradient(b, direction);
 }
 
-/// Returns the mean of a texel and its eight neighbours. A gradient may begin between two texels, and even there, directions
+/// Returns the mean of a texel and its eight neighbours. A gradient may begin between two texels. Even there, all directions
 /// with light need a positive probability.
 Vec3f gradient_around(const Background& b, int x, int y) {
   Vec3f light(0.0f);

@@ -1,4 +1,4 @@
-// Trigonometric functions that the compiler can vectorise, unlike those of the standard library. Their error is at most 3e-7.
+// Trigonometric functions that compilers can vectorise, unlike those of the standard library. Their errors are at most 3e-7.
 //
 // The polynomials for arc tangent and arc sine are minimax approximations (E. Remez, 1934).
 #pragma once
@@ -21,7 +21,7 @@ LIPPMANN_INLINE float fast_atan2(float y, float x) {
       z * (0.199903966f +
            z * (-0.141859753f +
                 z * (0.105739321f + z * (-0.073667062f + z * (0.041121861f + z * (-0.0151325369f + z * 0.00262224472f))))));
-  const float first = t + t * z * p;  // the angle from the nearer axis, up to pi / 4
+  const float first = t + t * z * p;  // angle to the nearer axis, at most pi / 4
   const float quadrant = flat ? first : 0.5f * kPi - first;
   const float half = x < 0.0f ? kPi - quadrant : quadrant;
   return y < 0.0f ? -half : half;
@@ -38,10 +38,10 @@ LIPPMANN_INLINE float fast_acos(float x) {
   return x < 0.0f ? kPi - of_a : of_a;
 }
 
-/// Computes sine and cosine of angles of up to a few turns.
+/// Computes sine and cosine of an angle of at most a few turns.
 LIPPMANN_INLINE void fast_sin_cos(float angle, float& sine, float& cosine) {
   const float quarters = std::floor(angle * (2.0f / kPi) + 0.5f);
-  // Subtract quarters * pi / 2, with pi / 2 split into a sum of two numbers. Multiples of the first number are exact.
+  // Subtracts quarters * pi / 2, where pi / 2 is the sum of two numbers. Products with the first number are exact.
   const float x = (angle - quarters * 1.5703125f) - quarters * 4.83826795e-4f, z = x * x;
   const float s = x + x * z * (-0.16666651f + z * (0.008331979f + z * -0.00019495636f));
   const float c = 1.0f - 0.5f * z + z * z * (0.041666646f + z * (-0.0013887368f + z * 2.4438452e-05f));

@@ -1,22 +1,24 @@
-// Tables of the directional albedo of GGX surfaces over angle and roughness, used to compensate for light that bounces between
+// Tables of the directional albedo of GGX surfaces over angle and roughness. They compensate for light that bounces between
 // facets more than once.
 //
 // Based on: C. Kulla, A. Conty, "Revisiting Physically Based Shading at Imageworks", SIGGRAPH 2017 course (the lost light
 // returns as a series of bounces, each with the mean facet reflectance F); E. Turquin, "Practical multiple scattering
-// compensation for microfacet models", 2019 (multiple scattering has the shape of the single-scattering lobe, so it is a
-// factor).
+// compensation for microfacet models", 2019 (multiple scattering has the shape of the single-scattering lobe, so it is a factor
+// on this lobe).
 //
-// A share e of the light between the facets leaves with each further bounce: F e + F (1 - e) F e + ... = F e / (1 - F (1 - e)).
-// The factor is 1 + (1 - E) / E times this sum, where E is the albedo of single scattering for F = 1.
+// With each further bounce, a share e of the light between the facets leaves the surface. The sum over all bounces is F e + F
+// (1 - e) F e + ... = F e / (1 - F (1 - e)). The factor on the lobe is 1 + (1 - E) / E times this sum, where E is the albedo of
+// single scattering for F = 1.
 //
-// This implementation deviates in two numbers, which are fitted to simulated walks between facets (E. Heitz et al.,
-// "Multiple-Scattering Microfacet BSDFs with the Smith Model", SIGGRAPH 2016) for roughness 0.2 to 1:
-// 1. e = 0.3 + 0.74 E instead of the mean of E.
+// We deviate in two numbers, which are fitted to simulated walks between facets (E. Heitz et al., "Multiple-Scattering
+// Microfacet BSDFs with the Smith Model", SIGGRAPH 2016) for roughness 0.2 to 1:
+// 1. e = 0.3 + 0.74 E instead of the mean of E over all directions.
 // 2. F = F0 + (F90 - F0) w with w = 0.065 + 0.77 (1 - roughness) (1 - cosine). The usual w = 1 / 21 is the mean of Schlick's
-// weight over all directions, but light that grazes a surface with low slopes also grazes the next facet.
-// Albedos are within 1.2 % of the walks for F0 >= 0.2, and within 2.4 % for F0 = 0.04. With w = 1 / 21, metals of roughness 0.3
-// to 0.6 are 4 to 6 % too dark at grazing angles. With Turquin's F0 instead of the series, F0 = 0.5 is 16 % too bright at
-// roughness 1.
+// weight over all directions. But light that grazes a surface with low slopes also grazes the next facet.
+//
+// The albedos are within 1.2 % of the walks for F0 >= 0.2, and within 2.4 % for F0 = 0.04. With w = 1 / 21, metals of roughness
+// 0.3 to 0.6 would be 4 to 6 % too dark at grazing angles. With Turquin's F0 instead of the series, surfaces with F0 = 0.5 and
+// roughness 1 would be 16 % too bright.
 #pragma once
 
 #include <cmath>
@@ -29,15 +31,16 @@
 
 namespace lippmann {
 
-/// With Schlick's reflectance F0 + (F90 - F0) (1 - cos)^5, every albedo is linear in F0 and F90. The tables hold the
-/// coefficients.
+/// With Schlick's reflectance F0 + (F90 - F0) (1 - cos)^5, every albedo is a linear function of F0 and F90. The tables hold the
+/// coefficients of F0 and F90.
 class GgxAlbedo {
  public:
-  /// Integrates the tables (about 40 ms).
+  /// Computes the tables, which takes about 40 ms.
   GgxAlbedo();
 
-  /// Returns the coefficients of the directional albedo of single scattering: x for F0 = 1, F90 = 0; y for F0 = 0, F90 = 1. z
-  /// is the weight w of the facets after the first. cosine: between the view and the normal, in [0, 1].
+  /// Returns the coefficients of the directional albedo of single scattering: x is the albedo for F0 = 1 and F90 = 0, y for F0
+  /// = 0 and F90 = 1. z is w, the weight of F90 at all facets after the first. `cosine` is the cosine between view and normal,
+  /// in [0, 1].
   LIPPMANN_INLINE Vec3f single(float cosine, float alpha) const {
     const TablePlace r(std::sqrt(alpha), kSize), c(cosine, kSize);
     const int at = r.index * kSize + c.index;
@@ -45,28 +48,28 @@ class GgxAlbedo {
             edge_of_later_facets(cosine, alpha)};
   }
 
-  /// Returns the z of single().
+  /// Returns w, the z component of single().
   LIPPMANN_INLINE static float edge_of_later_facets(float cosine, float alpha) {
     return 0.065f + 0.77f * (1.0f - std::sqrt(alpha)) * (1.0f - cosine);
   }
 
-  /// Returns the factor for reflected light that makes a surface with F0 = F90 = 1 lossless.
+  /// Returns the factor on single scattering that adds multiple scattering. It makes a surface with F0 = F90 = 1 lossless.
   static Vec3f compensation(Vec3f single, Vec3f f0, Vec3f f90) { return compensation_of(single, f0, f90); }
 
-  /// Returns the directional albedo with compensation.
+  /// Returns the directional albedo including multiple scattering. `single` is a result of single().
   static Vec3f directional(Vec3f single, Vec3f f0, Vec3f f90) {
     return are_grey(f0, f90) ? Vec3f(directional_of(single, f0.x, f90.x)) : directional_of(single, f0, f90);
   }
-  /// Like directional(), without branches. `Color` is a colour or one channel.
+  /// Does the same as directional(), without branches. `Color` is a colour or the type of one channel.
   template <class Color>
   LIPPMANN_INLINE static Color directional_of(Vec3f single, Color f0, Color f90) {
     return (f0 * single.x + f90 * single.y) * compensation_of(single, f0, f90);
   }
 
-  /// Returns the cosine-weighted mean of directional() over the hemisphere.
+  /// Returns the mean of directional() over the hemisphere, weighted by the cosine.
   LIPPMANN_INLINE Vec3f mean(float alpha, Vec3f f0, Vec3f f90) const {
     const TablePlace r(std::sqrt(alpha), kSize);
-    const float edge = edge_of_later_facets(0.65f, alpha);  // 0.65: the cosine at which most of the light is lost
+    const float edge = edge_of_later_facets(0.65f, alpha);  // at this cosine, most of the light is lost
     const auto mixed = [&](int k) LIPPMANN_INLINE_LAMBDA {
       const float(&column)[kSize] = mean_[k];
       return column[r.index] * (1.0f - r.share) + column[r.index + 1] * r.share;
@@ -75,19 +78,20 @@ class GgxAlbedo {
     return f0 * of_f0 + f90 * of_f90 + of_more_bounces(of_f0 + of_f90, edge, f0, f90) * (f0 * mixed(2) + f90 * mixed(3));
   }
 
-  /// Returns the corresponding table for rough glass.
+  /// Returns the table for rough glass.
   const GlassAlbedo& glass() const { return glass_; }
-  /// Return the corresponding tables for anisotropic gloss and for sheen.
+  /// These functions return the tables for anisotropic gloss and for sheen.
   const BrushedAlbedo& brushed() const { return brushed_; }
   const SheenAlbedo& sheen() const { return sheen_; }
 
  private:
-  static constexpr int kSize = 32;  ///< entries along each side; cosine and roughness = sqrt(alpha) range from 0 to 1
+  static constexpr int kSize = 32;  ///< entries per dimension; cosine and roughness = sqrt(alpha) range from 0 to 1
 
-  /// Returns whether one channel suffices. Nearly all dielectrics are grey, which saves two thirds of the divisions.
+  /// Returns whether all channels are equal, so that one suffices. Nearly all dielectrics are grey, which saves two thirds of
+  /// the divisions.
   static bool are_grey(Vec3f f0, Vec3f f90) { return f0.x == f0.y && f0.x == f0.z && f90.x == f90.y && f90.x == f90.z; }
 
-  /// Returns the share of the light between the facets that eventually leaves them: F e / (1 - F (1 - e)).
+  /// Returns F e / (1 - F (1 - e)), the share of the light between the facets that eventually leaves them.
   template <class Color>
   LIPPMANN_INLINE static Color of_more_bounces(float all, float edge, Color f0, Color f90) {
     const Color facet = glm::min(f0 + (f90 - f0) * edge, Color(1.0f));
@@ -105,9 +109,11 @@ class GgxAlbedo {
            (table[at + kSize] * (1.0f - of_next) + table[at + kSize + 1] * of_next) * of_rougher;
   }
 
-  // These are plain arrays, because GCC 14 does not vectorise loops that take the address of a table in a member.
+  // Plain arrays instead of std::array or vectors, because GCC 14 does not vectorise loops that take the address of a table in
+  // a member.
   float single_f0_[kSize * kSize], single_f90_[kSize * kSize];  ///< [roughness][cosine]
-  float mean_[4][kSize];  ///< by roughness: means of x, y, x (1 - E) / E and y (1 - E) / E; x, y from single()
+  /// For each roughness, means over the hemisphere of x, y, x (1 - E) / E and y (1 - E) / E; x and y are those of single().
+  float mean_[4][kSize];
   GlassAlbedo glass_;
   BrushedAlbedo brushed_;
   SheenAlbedo sheen_;

@@ -1,5 +1,5 @@
-// The transmissive part of glTF's surface, smooth or rough. Like metal_rough_base.hpp, the formulas have no branches: they
-// serve one point (metal_rough_bsdf.hpp) and sixteen (shading/metal_rough_lanes.hpp) with bit-identical results.
+// The transmissive part of glTF's surface, smooth or rough. The formulas have no branches, like those of metal_rough_base.hpp.
+// They compute one point (metal_rough_bsdf.hpp) or sixteen (shading/metal_rough_lanes.hpp), with bit-identical results.
 //
 // Based on: B. Walter et al., "Microfacet Models for Refraction through Rough Surfaces", EGSR 2007.
 #pragma once
@@ -9,28 +9,29 @@
 
 namespace lippmann {
 
-/// Glass at one point, seen from one side.
+/// Glass at one point, for light and view in a medium `here` and transmitted light in a medium `beyond`.
 struct Glass {
   Vec3f tint{0.0f};           ///< colour of refracted light
-  float share = 0.0f;         ///< share of the surface; 0: no glass
-  float eta = 1.0f;           ///< n_beyond / n_here
-  float compensation = 1.0f;  ///< factor for light that hits more than one facet
+  float share = 0.0f;         ///< share of the surface that is glass; 0: no glass
+  float eta = 1.0f;           ///< n_beyond / n_here, the ratio of the indices of refraction
+  float compensation = 1.0f;  ///< factor on the lobe for multiple scattering between facets
 };
 
-/// Returns the sampling weight of the glass: its share times the luminance of its tint. The luminance has a lower limit,
+/// Returns the weight by which the glass is sampled: its share times the luminance of its tint. The luminance is at least 0.1,
 /// because reflected light is not tinted.
 LIPPMANN_INLINE float glass_chance(const Glass& glass) {
   const float light = luminance(glass.tint);
   return glass.share * (light > 0.1f ? light : 0.1f);
 }
 
-/// Returns the BSDF of rough glass times |cosine|. `light` may lie on either side of the surface. `density` receives the
-/// density of sampling a facet by sample_visible() and a direction by draw_glass(). Both directions are unit and local, with
-/// view.z > 0.
+/// Returns the BSDF of rough glass times |cosine|. `light` may lie on either side of the surface. Sets `density` to the density
+/// with which sample_visible() and then draw_glass() sample this direction. Both directions have unit length and are local,
+/// with view.z > 0.
 LIPPMANN_INLINE Vec3f glass_cosine_f(const Glass& glass, float alpha, Vec3f view, Vec3f light, float& density) {
   const Ggx ggx{alpha};
   const bool reflected = light.z > 0.0f;
-  // The facet normal points to the viewer. The half vector of refraction lies along -(view + eta light).
+  // The half vector of reflection is view + light. The half vector of refraction is -(view + eta light). The facet's normal h
+  // is the half vector on the viewer's side.
   const Vec3f half = glm::normalize(view + (reflected ? 1.0f : glass.eta) * light), h = (half.z < 0.0f ? -1.0f : 1.0f) * half;
   const float cosine = glm::dot(view, h), beyond = glm::dot(light, h);
   const float fresnel = fresnel_dielectric(cosine, glass.eta);
@@ -46,8 +47,8 @@ LIPPMANN_INLINE Vec3f glass_cosine_f(const Glass& glass, float alpha, Vec3f view
           (reflected ? 1.0f : glass.tint.z) * all};
 }
 
-/// Returns the light direction that a facet reflects (with Fresnel's probability) or refracts to `view`. decision in [0, 1).
-/// `outward` is > 0 unless the next facet blocks the direction.
+/// Returns the direction of light that a facet reflects or refracts to `view`. `decision` in [0, 1) selects reflection with
+/// Fresnel's probability. Sets `outward` to a positive value unless the next facet blocks the direction.
 LIPPMANN_INLINE Vec3f draw_glass(float eta, Vec3f view, Vec3f facet, float decision, bool& transmitted, float& outward) {
   transmitted = decision >= fresnel_dielectric(glm::dot(view, facet), eta);
   const Vec3f refracted = refracted_away(view, facet, eta), reflected = mirrored(view, facet);

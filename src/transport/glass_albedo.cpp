@@ -12,9 +12,10 @@
 namespace lippmann {
 namespace {
 
-constexpr float kLargestContrast = 0.5f;  // (n - 1) / (n + 1) for n = 3
+constexpr float kLargestContrast = 0.5f;  // (n - 1) / (n + 1) for the index of refraction n = 3
 
-/// Returns the share of light that is not masked on its way out, averaged over the facets visible from the view.
+/// Returns the albedo: the mean over all facets visible from the view, of the share of light that no other facet blocks on its
+/// way out.
 float integrate(float cosine, float alpha, float eta) {
   constexpr int kPoints = 256;
   const Ggx ggx{alpha};
@@ -30,7 +31,8 @@ float integrate(float cosine, float alpha, float eta) {
   return sum / kPoints;
 }
 
-/// The albedos of glass on entering or on leaving: [contrast][roughness][cosine].
+/// The albedos of glass for rays that enter it or that leave it, indexed by [contrast][roughness][cosine]. The contrast is (n -
+/// 1) / (n + 1).
 class Table {
  public:
   Table(int contrasts, int cosines, bool entering) : contrasts_(contrasts), cosines_(cosines) {
@@ -65,7 +67,7 @@ class Table {
 
 }  // namespace
 
-/// The table for leaving light is finer, because total reflection gives its albedo sharp edges.
+/// The table for leaving rays is finer, because total reflection gives their albedo sharp edges.
 struct GlassAlbedo::Tables {
   Table entered{6, 16, true}, left{12, 24, false};
 };

@@ -9,14 +9,14 @@ constexpr Vec3f kAbove(0.0f, 0.0f, 1.0f);
 
 bool is_mirror(float alpha) { return alpha < kSmoothAlpha; }
 
-/// Keeps the view off the horizon, where masking loses all precision.
+/// Raises the view slightly above the horizon, where masking has no precision.
 Vec3f lifted(Vec3f local) {
   if (local.z >= kLeastCosineOfView) return local;
   local.z = kLeastCosineOfView;
   return glm::normalize(local);
 }
 
-/// Returns a basis around `normal`. x lies along the tangent, unless the tangent is parallel to the normal.
+/// Returns a basis with z along `normal`, and with x along the tangent, unless the tangent is parallel to the normal.
 Basis basis_along(Vec3f normal, Vec3f tangent) {
   Basis basis(normal);
   const Vec3f across = tangent - normal * glm::dot(normal, tangent);
@@ -27,7 +27,7 @@ Basis basis_along(Vec3f normal, Vec3f tangent) {
   return basis;
 }
 
-/// Based on: Khronos Group, KHR_materials_anisotropy.
+/// The formulas are from: Khronos Group, KHR_materials_anisotropy.
 AnisotropicGgx facets_of(const LayeredSurface& s) {
   const float across = squared(s.base.roughness), along = glm::mix(across, 1.0f, squared(s.anisotropy));
   return {glm::max(Vec2f(along, across), Vec2f(kSmoothAlpha))};
@@ -90,7 +90,7 @@ Vec3f LayeredBsdf::fresnel_of(Vec3f f0, Vec3f f90, float cosine) const {
   return glm::mix(bare, film_reflectance(surface_.film, f0, cosine), surface_.film_share);
 }
 
-/// Returns the albedo with the film. The film's reflectance varies too irregularly with the angle for tables, so its value for
+/// Returns the albedo with the film. The film's reflectance depends too irregularly on the angle to be tabulated. Its value for
 /// `direction` is used at all angles.
 Vec3f LayeredBsdf::albedo_of(Vec3f f0, Vec3f f90, Vec3f direction) const {
   const Vec3f single = single_albedo(direction);
@@ -100,7 +100,8 @@ Vec3f LayeredBsdf::albedo_of(Vec3f f0, Vec3f f90, Vec3f direction) const {
   return glm::mix(bare, GgxAlbedo::directional(single, film, film), surface_.film_share);
 }
 
-/// Sets the gloss as in MetalRoughBsdf: one lobe carries dielectric and metal, with their mean compensation.
+/// Sets the members of the gloss as in MetalRoughBsdf. One lobe carries dielectric and metal, with the mean of their
+/// compensations.
 void LayeredBsdf::set_gloss() {
   const MetalRoughSurface& s = surface_.base;
   const Vec3f single = single_albedo(view_);
@@ -127,15 +128,15 @@ void LayeredBsdf::set_coat() {
   below_coat_ = 1.0f - surface_.base.clearcoat * GgxAlbedo::directional(single, Vec3f(kCoatReflectance), Vec3f(1.0f)).x;
 }
 
-/// Returns the share of white light along a direction that passes the gloss. Below a film it is grey; otherwise the film would
-/// dye the layers below.
+/// Returns the share of light along a direction that passes the gloss. Below a film the share is grey, because a film would
+/// otherwise colour the layers below it.
 Vec3f LayeredBsdf::passes_gloss(Vec3f direction) const {
   const Vec3f reflected = albedo_of(dielectric_f0_, dielectric_f90_, direction);
   if (surface_.film_share == 0.0f) return Vec3f(1.0f) - reflected;
   return Vec3f(std::max(0.0f, 1.0f - most(reflected)));
 }
 
-/// Returns the factor for diffuse light from `light`, which lies on the viewer's side.
+/// Returns the factor of the gloss on diffuse light from `light`. The light is on the viewer's side.
 Vec3f LayeredBsdf::below_gloss(Vec3f light) const {
   const Vec3f in = passes_gloss(light);
   return surface_.film_share == 0.0f ? in * gloss_passes_ / diffuse_passes_ : glm::min(in, gloss_passes_);
@@ -206,7 +207,7 @@ void LayeredBsdf::add_gloss(Vec3f light, BsdfValue& value) const {
   value.density += shares_.gloss * ggx_.visible_density(view_, h) / (4.0f * cosine);
 }
 
-/// Adds the glass lobe. A thin wall transmits along the mirrored lobe on its other side.
+/// Adds the glass lobe. A thin wall transmits into the mirror image of its reflected lobe, on the other side.
 void LayeredBsdf::add_glass(Vec3f light, BsdfValue& value) const {
   const bool reflected = light.z > 0.0f, bends = !reflected && !surface_.is_thin;
   Vec3f h = glm::normalize(bends ? view_ + eta_ * light : view_ + above(light));
@@ -243,7 +244,7 @@ void LayeredBsdf::add_coat(Vec3f light, BsdfValue& value) const {
   value.density += shares_.coat * ggx.visible_density(coat_view_, h) / (4.0f * cosine);
 }
 
-/// Evaluates the BSDF. Transmitted light must lie behind the normals of both the diffuse part and the gloss.
+/// Transmitted light must be behind the normals of both the diffuse part and the gloss.
 BsdfValue LayeredBsdf::evaluate(Vec3f light_world) const {
   const Vec3f local = basis_.to_local(light_world), light = local_to_gloss(light_world, local);
   BsdfValue value, under_sheen;
@@ -277,8 +278,8 @@ Vec3f LayeredBsdf::straight() const {
   return below_coat_ * sheen_passes_ * glass_share_ * glass_facet(view_.z).transmitted;
 }
 
-/// Samples reflection or transmission by the glass, at a facet or, if the surface is smooth, at the surface itself. decision in
-/// [0, 1).
+/// Samples reflection or transmission by the glass, at a random facet or, if the surface is smooth, at the surface itself.
+/// `decision` is in [0, 1).
 bool LayeredBsdf::draw_glass(float decision, Vec2f u, BsdfSample& s) const {
   const Vec3f normal = is_smooth_ ? kAbove : ggx_.sample_visible(view_, u);
   const GlassFacet facet = glass_facet(glm::dot(view_, normal));
@@ -295,9 +296,9 @@ bool LayeredBsdf::draw_glass(float decision, Vec2f u, BsdfSample& s) const {
   return true;
 }
 
-/// Continues straight through. `chance` is the probability of this event.
+/// Continues straight through a thin wall. `chance` is the probability with which sample() calls this function.
 bool LayeredBsdf::pass_straight(float chance, BsdfSample& s) const {
-  s.direction = ahead_;  // not from view_, which may be lifted: paths through many walls must not drift
+  s.direction = ahead_;  // view_ may be lifted, so its opposite would let paths through many walls drift
   s.density = kInfinity;
   s.weight = straight() / chance;
   s.straight = surface_.shadow_rays_pass;
@@ -315,7 +316,7 @@ bool LayeredBsdf::draw_coat(Vec2f u, BsdfSample& s) const {
   return true;
 }
 
-/// Samples a direction. Sets weight and density only for Dirac lobes. Returns false if the light is absorbed.
+/// Samples a direction. Sets weight and density only for Dirac lobes. Returns false if no light arrives from the direction.
 bool LayeredBsdf::draw(float lobe, Vec2f u, BsdfSample& s) const {
   if (lobe < shares_.diffuse) {
     s.direction = basis_.to_world(sample_cosine(u));

@@ -1,4 +1,4 @@
-// The range of light in single precision.
+// The range of light values in single precision.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 namespace lippmann {
 
-/// Weaker light counts as 0, so that densities and products do not become denormal (rendering threads flush denormals to 0).
+/// Weaker light counts as 0, so that densities and products do not become denormal; rendering threads flush denormals to 0.
 /// Stronger light is clamped, so that sums and powers stay finite.
 inline constexpr float kFaintestLight = 1e-25f, kStrongestLight = 1e30f;
 
@@ -16,7 +16,6 @@ inline float in_light_range(float light) {
   return std::abs(light) >= kFaintestLight ? std::clamp(light, -kStrongestLight, kStrongestLight) : 0.0f;
 }
 
-/// Clamps each channel.
 inline Vec3f in_light_range(Vec3f light) { return {in_light_range(light.x), in_light_range(light.y), in_light_range(light.z)}; }
 
 }  // namespace lippmann

@@ -1,6 +1,6 @@
-// The base of glTF's metallic-roughness surface: diffuse under a dielectric gloss, or metal. The formulas have no branches:
-// they serve one point (metal_rough_bsdf.hpp) and, in vectorised loops, sixteen (shading/metal_rough_lanes.hpp), with
-// bit-identical results.
+// The base of glTF's metallic-roughness surface: a diffuse part under a dielectric gloss, or metal. The formulas have no
+// branches. They compute one point (metal_rough_bsdf.hpp) or, in vectorised loops, sixteen (shading/metal_rough_lanes.hpp),
+// with bit-identical results.
 //
 // Based on: the references of metal_rough_bsdf.hpp.
 #pragma once
@@ -22,22 +22,23 @@ struct MetalRoughSurface {
   float clearcoat = 0.0f, clearcoat_roughness = 0.0f;
 };
 
-/// The base at one point, seen from one direction. Directions are local to the gloss's basis, except for those of diffuse
-/// light.
+/// The base at one point, for one viewing direction. Directions of diffuse light are local to the diffuse part's normal. All
+/// other directions are local to the gloss's normal.
 struct MetalRoughBase {
-  Vec3f view;  ///< unit, towards the viewer
+  Vec3f view;  ///< unit vector from the point to the viewer
   float alpha;
-  Vec3f diffuse_color;              ///< albedo, excluding the share reflected by the gloss
-  Vec3f diffuse_passes;             ///< share of diffuse light that the gloss lets in
-  Vec3f dielectric_f0, gloss_f0;    ///< reflectance at normal incidence: gloss above the diffuse part; its mix with metal
-  float dielectric_f90, gloss_f90;  ///< reflectance at grazing incidence, of dielectric and mix
-  Vec3f gloss_compensation, gloss_albedo;    ///< compensation for multiple scattering; albedo including it
-  float diffuse_luminance, gloss_luminance;  ///< luminance towards the viewer under uniform white light
+  Vec3f diffuse_color;   ///< albedo of the diffuse part, without the share that the gloss reflects
+  Vec3f diffuse_passes;  ///< share of light that passes the gloss between the diffuse part and the viewer
+  /// Reflectance at normal incidence: dielectric_f0 of the dielectric, gloss_f0 of the mix with metal.
+  Vec3f dielectric_f0, gloss_f0;
+  float dielectric_f90, gloss_f90;           ///< reflectance at grazing incidence, of the dielectric and of the mix with metal
+  Vec3f gloss_compensation, gloss_albedo;    ///< factor for multiple scattering; albedo including multiple scattering
+  float diffuse_luminance, gloss_luminance;  ///< luminance that each part shows the viewer under uniform white light
 
   bool is_smooth() const { return alpha < kSmoothAlpha; }
 };
 
-/// Keeps the view off the horizon, where masking loses all precision.
+/// Raises the view slightly above the horizon, where masking has no precision.
 LIPPMANN_INLINE Vec3f lifted_view(Vec3f local) {
   constexpr float kLeastCosine = 1e-4f;
   const float z = local.z >= kLeastCosine ? local.z : kLeastCosine;
@@ -45,7 +46,7 @@ LIPPMANN_INLINE Vec3f lifted_view(Vec3f local) {
   return {local.x * scale, local.y * scale, z * scale};
 }
 
-/// Returns GgxAlbedo::single() for rough facets, or its limit for a mirror.
+/// Returns GgxAlbedo::single() for rough surfaces, or its limit for mirrors.
 LIPPMANN_INLINE Vec3f single_albedo(const GgxAlbedo& albedo, float cosine, float alpha) {
   const Vec3f rough = albedo.single(cosine, alpha);
   const float edge = schlick_weight(cosine);
@@ -53,7 +54,7 @@ LIPPMANN_INLINE Vec3f single_albedo(const GgxAlbedo& albedo, float cosine, float
   return {smooth ? 1.0f - edge : rough.x, smooth ? edge : rough.y, smooth ? 0.0f : rough.z};
 }
 
-/// Computes the base. view: MetalRoughBase::view, a result of lifted_view().
+/// Computes the base. `view` becomes MetalRoughBase::view and must be a result of lifted_view().
 LIPPMANN_INLINE MetalRoughBase metal_rough_base(const MetalRoughSurface& s, const GgxAlbedo& albedo, Vec3f view) {
   MetalRoughBase b;
   b.view = view;
@@ -64,8 +65,8 @@ LIPPMANN_INLINE MetalRoughBase metal_rough_base(const MetalRoughSurface& s, cons
   b.gloss_f0 = dielectric * b.dielectric_f0 + s.metallic * s.base_color;
   b.gloss_f90 = dielectric * b.dielectric_f90 + s.metallic;
 
-  // Dielectric and metal have their own compensation, but one lobe carries both. Its factor is the mean of both, weighted by
-  // the light that they reflect.
+  // Dielectric and metal have different factors for multiple scattering, but one lobe carries both. Its factor is the mean of
+  // both, weighted by the light that each reflects.
   const Vec3f single = single_albedo(albedo, view.z, b.alpha);
   const Vec3f of_dielectric = GgxAlbedo::directional_of(single, b.dielectric_f0, Vec3f(b.dielectric_f90));
   b.gloss_albedo = dielectric * of_dielectric + s.metallic * GgxAlbedo::directional_of(single, s.base_color, Vec3f(1.0f));
@@ -86,20 +87,21 @@ LIPPMANN_INLINE MetalRoughBase metal_rough_base(const MetalRoughSurface& s, cons
   return b;
 }
 
-/// Returns the share of light that the gloss lets in, per channel. cosine: between the light and the diffuse part's normal.
+/// Returns the share of light that passes the gloss to the diffuse part. `cosine` is the cosine between light and normal of the
+/// diffuse part.
 LIPPMANN_INLINE Vec3f let_in(const MetalRoughBase& b, const GgxAlbedo& albedo, float cosine) {
   return Vec3f(1.0f) -
          GgxAlbedo::directional_of(single_albedo(albedo, cosine, b.alpha), b.dielectric_f0, Vec3f(b.dielectric_f90));
 }
 
-/// Returns the diffuse BRDF times the cosine, after Kelemen and Szirmay-Kalos: the product of the shares that the gloss lets in
-/// from the light and out to the viewer. diffuse_color includes the latter and the normalisation.
+/// Returns the diffuse BRDF times the cosine, after Kelemen and Szirmay-Kalos: the product of the shares that pass the gloss
+/// from the light and to the viewer. diffuse_color includes the share to the viewer and the normalisation.
 LIPPMANN_INLINE Vec3f diffuse_cosine_f(const MetalRoughBase& b, const GgxAlbedo& albedo, float cosine) {
   return b.diffuse_color * let_in(b, albedo, cosine) * (cosine * (1.0f / kPi));
 }
 
-/// Returns the BRDF of a rough gloss times the cosine, for light.z > 0. `density` receives Ggx::visible_density, which shares
-/// most of its terms with the value.
+/// Returns the BRDF of a rough gloss times the cosine, for light.z > 0. Sets `density` to Ggx::visible_density, because both
+/// have most terms in common.
 LIPPMANN_INLINE Vec3f gloss_cosine_f(const MetalRoughBase& b, Vec3f light, float& density) {
   const Ggx ggx{b.alpha};
   const Vec3f h = glm::normalize(b.view + light);
@@ -110,8 +112,8 @@ LIPPMANN_INLINE Vec3f gloss_cosine_f(const MetalRoughBase& b, Vec3f light, float
   return fresnel * b.gloss_compensation * (facets * seen_from_both / (4.0f * b.view.z));
 }
 
-/// Samples the normal of a facet visible to the viewer, for rough and smooth surfaces. mirrored() about this normal gives a
-/// light direction, which may lie below the surface.
+/// Samples the normal of a facet visible to the viewer. For smooth surfaces, this is the surface's normal. mirrored() about the
+/// facet's normal gives a light direction, which may lie below the surface.
 LIPPMANN_INLINE Vec3f draw_facet(const MetalRoughBase& b, Vec2f u) {
   const Vec3f facet = Ggx{b.alpha}.sample_visible(b.view, u);
   const bool smooth = b.is_smooth();

@@ -96,8 +96,8 @@ BsdfValue MetalRoughBsdf::evaluate(Vec3f light_world) const {
   return value;
 }
 
-/// Reflects with Fresnel's probability, otherwise refracts: at a facet or, if the surface is smooth, at the surface itself.
-/// decision in [0, 1).
+/// Samples the glass at a random facet or, if the surface is smooth, at the surface itself. `decision` in [0, 1) selects
+/// reflection with Fresnel's probability, otherwise refraction. Returns false if a facet blocks the light.
 bool MetalRoughBsdf::sample_glass(float decision, Vec2f u, BsdfSample& s) const {
   float outward;
   const Vec3f light = draw_glass(glass_.eta, base_.view, draw_facet(base_, u), decision, s.transmitted, outward);
@@ -109,7 +109,7 @@ bool MetalRoughBsdf::sample_glass(float decision, Vec2f u, BsdfSample& s) const 
   return outward > 0.0f;
 }
 
-/// Samples a direction. Sets weight and density only for Dirac lobes. Returns false if the light is absorbed.
+/// Samples a direction. Sets weight and density only for Dirac lobes. Returns false if no light arrives from the direction.
 bool MetalRoughBsdf::draw(float lobe, Vec2f u, BsdfSample& s) const {
   const float below_gloss = shares_.diffuse, below_glass = below_gloss + shares_.gloss,
               below_coat = below_glass + shares_.glass;
@@ -136,7 +136,7 @@ bool MetalRoughBsdf::draw_coat(Vec2f u, BsdfSample& s) const {
 }
 
 std::optional<BsdfSample> MetalRoughBsdf::sample(float lobe, Vec2f u) const {
-  // constructed in place: copying a struct that was just written would stall on store forwarding
+  // Constructed in place, because copying a struct that was just written would stall on store forwarding.
   std::optional<BsdfSample> s(std::in_place);
   if (!draw(lobe, u, *s)) {
     s.reset();

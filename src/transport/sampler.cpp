@@ -12,7 +12,7 @@ LIPPMANN_INLINE std::uint32_t reversed_bits(std::uint32_t x) {
   return ((x & 0x55555555u) << 1) | ((x >> 1) & 0x55555555u);
 }
 
-/// Flips each bit by a hash of the bits below it (Laine and Karras; constants by N. Vegdahl, 2021).
+/// Flips each bit depending on a hash of the lower bits (Laine and Karras; constants by N. Vegdahl, 2021).
 LIPPMANN_INLINE std::uint32_t scrambled_upwards(std::uint32_t x, std::uint32_t seed) {
   x ^= x * 0x3d20adeau;
   x += seed;
@@ -22,7 +22,7 @@ LIPPMANN_INLINE std::uint32_t scrambled_upwards(std::uint32_t x, std::uint32_t s
   return x;
 }
 
-/// Returns the second dimension of Sobol's sequence with reversed bits: Pascal's triangle modulo 2, computed by halves.
+/// Returns the second dimension of Sobol's sequence with reversed bits. It is Pascal's triangle modulo 2, computed by halves.
 LIPPMANN_INLINE std::uint32_t second_sobol_reversed(std::uint32_t index) {
   index ^= index >> 16;
   index ^= (index & 0xff00ff00u) >> 8;
@@ -35,10 +35,10 @@ struct Point {
   float x, y;
 };
 
-/// Computes a point. Scrambling works on reversed bits, and the first dimension is the bit-reversed index, so most reversals
-/// cancel.
+/// Computes a point. Scrambling operates on reversed bits, and the first dimension is the index with reversed bits. Most
+/// reversals therefore cancel.
 LIPPMANN_INLINE Point point_of(std::uint32_t reversed_index, std::uint32_t seed) {
-  // Shuffle by Owen scrambling of the index, which keeps each aligned block of 2^k indices together.
+  // Owen scrambling of the index shuffles the points, but keeps each aligned block of 2^k indices together.
   const std::uint32_t shuffled = reversed_bits(scrambled_upwards(reversed_index, seed));
   const std::uint32_t x = scrambled_upwards(shuffled, hash(seed));
   const std::uint32_t y = scrambled_upwards(second_sobol_reversed(shuffled), hash(~seed));

@@ -1,7 +1,4 @@
-// Directions and points from two numbers in [0, 1)^2, and their densities.
-//
-// Based on: P. Shirley, K. Chiu, "A Low Distortion Map Between Disk and Square", JGT 2(3), 1997; T. Duff et al., "Building an
-// Orthonormal Basis, Revisited", JCGT 6(1), 2017.
+// Samples directions and points by two random numbers in [0, 1), and computes densities.
 #pragma once
 
 #include "transport/fast_angles.hpp"
@@ -33,20 +30,21 @@ LIPPMANN_INLINE Vec2f sample_disc(Vec2f u) {
   return {radius * cosine, radius * sine};
 }
 
-/// Samples the hemisphere z > 0 with density cos / pi.
+/// Samples the hemisphere z > 0 with a density of cosine / pi.
 LIPPMANN_INLINE Vec3f sample_cosine(Vec2f u) {
   const Vec2f d = sample_disc(u);
   const float square = 1.0f - d.x * d.x - d.y * d.y;
   return {d.x, d.y, std::sqrt(square > 0.0f ? square : 0.0f)};
 }
 
-/// Returns the barycentric coordinates of the second and third corner, uniform over a triangle.
+/// Samples a triangle uniformly. Returns the barycentric weights of its second and third corner.
 Vec2f sample_triangle(Vec2f u);
 
-/// Returns Veach's power heuristic (exponent 2) for one sample of each of two techniques. Infinite densities are allowed.
+/// Returns the weight of Veach's power heuristic (exponent 2), for one sample from each of two techniques. The densities may be
+/// infinite.
 inline float power_heuristic(float density, float other_density) {
   if (!(other_density > 0.0f)) return 1.0f;
-  const float ratio = other_density / density;  // squares of the densities could overflow
+  const float ratio = other_density / density;  // the square of a density could overflow
   return 1.0f / (1.0f + ratio * ratio);
 }
 

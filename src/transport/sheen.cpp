@@ -8,13 +8,13 @@
 namespace lippmann {
 namespace {
 
-/// Lower bound of the roughness, because the precision of floats does not suffice for less.
+/// Lower bound of the roughness. The precision of floats does not suffice for smaller values.
 constexpr float kLeastRoughness = 0.1f;
 
 float alpha_of(float roughness) { return squared(std::max(roughness, kLeastRoughness)); }
 
-/// The exponent of the shadowing as a function of the cosine (section 3, table 1), interpolated between the fits for alpha = 0
-/// (second number) and alpha = 1 (first).
+/// The exponent of the shadowing as a function of the cosine (section 3, table 1). It is interpolated between the fits for
+/// alpha = 1 and alpha = 0, which are the first and the second argument of at().
 class Shadowing {
  public:
   explicit Shadowing(float alpha) {

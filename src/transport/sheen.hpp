@@ -1,10 +1,11 @@
 // Sheen: light scattered by fibres on a surface, and a table of its albedo over angle and roughness.
 //
 // Based on: A. Estevez, C. Kulla, "Production Friendly Microfacet Sheen BRDF", SIGGRAPH 2017 course (the Charlie distribution
-// and its fitted shadowing); Khronos Group, KHR_materials_sheen (alpha = roughness^2; the layers below are scaled by the
-// albedo).
-// This implementation deviates in two points: shadowing is not softened towards the terminator, so the lobe stays reciprocal;
-// and the albedo is clamped to 1, which the fit exceeds at grazing angles.
+// and its fitted shadowing); Khronos Group, KHR_materials_sheen (alpha = roughness^2; the albedo scales the layers below).
+//
+// We deviate:
+// 1. Shadowing is not softened towards the terminator, so that the lobe stays reciprocal.
+// 2. The albedo is clamped to 1, which the fit exceeds at grazing angles.
 #pragma once
 
 #include <array>
@@ -15,8 +16,8 @@
 
 namespace lippmann {
 
-/// Returns the BRDF per sheen colour, without the cosine. In local directions z is the normal; both z must be > 0. roughness in
-/// [0, 1].
+/// Returns the BRDF divided by the sheen colour, without the cosine. Directions are local: z points along the normal, and must
+/// be > 0 for both. `roughness` is in [0, 1].
 float sheen_f(Vec3f view, Vec3f light, float roughness);
 
 class SheenAlbedo {
@@ -26,12 +27,12 @@ class SheenAlbedo {
   SheenAlbedo(const SheenAlbedo&) = delete;
   SheenAlbedo& operator=(const SheenAlbedo&) = delete;
 
-  /// Returns the directional albedo of white sheen, in [0, 1]. cosine: between the view and the normal, in [0, 1]. The first
-  /// call integrates the table (about 0.1 s), so scenes without sheen do not pay for it. Thread-safe.
+  /// Returns the directional albedo of white sheen, in [0, 1]. `cosine` is the cosine between view and normal, in [0, 1].
+  /// Thread-safe. The first call computes the table (about 0.1 s), so that scenes without sheen do not pay for it.
   float operator()(float cosine, float roughness) const;
 
  private:
-  static constexpr int kSize = 32;                            ///< entries along each side of the table
+  static constexpr int kSize = 32;                            ///< entries per dimension
   using Table = std::array<std::array<float, kSize>, kSize>;  ///< [roughness][cosine]
   static Table integrated();
 

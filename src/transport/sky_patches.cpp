@@ -10,13 +10,13 @@ namespace lippmann {
 namespace {
 
 constexpr float kBelowOne = 0x1.fffffep-1f;
-constexpr unsigned kAllOwn = 0xff;  ///< mask of all patches of a row of a tile
+constexpr unsigned kAllOwn = 0xff;  ///< bit mask that contains all patches of a tile's row
 constexpr int kTile = SkyPatches::kTile, kFloatsOfLine = 16;
-/// The thresholds documented at find_sun().
+/// Thresholds of find_sun(), whose declaration explains them.
 constexpr double kBright = 50.0, kLeastShare = 0.1, kMostSteradian = 0.02;
 
-/// Returns the index whose share contains u in [0, 1), never an index with an empty share. `upto` holds cumulative shares; the
-/// last is 1. `u` receives its position within the share.
+/// Returns the index whose share contains u in [0, 1). Its share is not empty. `upto` holds cumulative shares and ends with 1.
+/// Sets `u` to the position of u within the share.
 template <std::size_t N>
 int pick_share(const std::array<float, N>& upto, float& u) {
   int index = 0;
@@ -27,7 +27,7 @@ int pick_share(const std::array<float, N>& upto, float& u) {
   return index;
 }
 
-/// Like pick_share(), but by weights. Chooses uniformly if all weights are 0.
+/// Does the same as pick_share(), but for weights. Chooses uniformly if all weights are 0.
 template <std::size_t N>
 int pick_weight(const std::array<float, N>& weights, float& u) {
   std::array<float, N> upto;
@@ -37,7 +37,7 @@ int pick_weight(const std::array<float, N>& weights, float& u) {
   const float wanted = u * sum;
   std::size_t index = 0;
   for (std::size_t i = 0; i < N; ++i) index += upto[i] <= wanted ? 1 : 0;
-  while (index > 0 && (index >= N || !(weights[index] > 0.0f))) --index;  // rounding may pass the last positive weight
+  while (index > 0 && (index >= N || !(weights[index] > 0.0f))) --index;  // rounding may skip the last positive weight
   u = std::clamp((wanted - (index > 0 ? upto[index - 1] : 0.0f)) / weights[index], 0.0f, kBelowOne);
   return static_cast<int>(index);
 }
@@ -49,7 +49,7 @@ float sum_of(const std::array<float, N>& values) {
   return sum;
 }
 
-/// The luminance of a patch, bilinear between its corners.
+/// The luminance of a patch, interpolated bilinearly between its corners.
 struct Patch {
   explicit Patch(const std::array<float, 4>& corners) : of(corners) {}
   float left(float down) const { return glm::mix(of[0], of[2], down); }
@@ -71,7 +71,7 @@ bool is_grey(int width, int height, const std::function<Vec3f(int x, int y)>& li
   return true;
 }
 
-/// Returns the patches that touch one of the texels.
+/// Returns the patches that touch at least one of the texels.
 PatchMask touched_patches(const SkyPatches& sky, const std::vector<Texel>& texels) {
   PatchMask touched(static_cast<std::size_t>(sky.width()) * static_cast<std::size_t>(sky.rows()), false);
   for (const Texel& t : texels)
@@ -111,7 +111,7 @@ SkyPatches::SkyPatches(int width, int height, const std::function<Vec3f(int x, i
       float* into = texels_.data() + static_cast<std::size_t>(layout_.tile) * tile(tile_x, tile_y);
       for (int y = kTile * tile_y; y <= kTile * (tile_y + 1); ++y, into += layout_.row)
         for (int i = 0; i <= kTile; ++i) {
-          // Entries beyond the right or bottom edge belong to no patch.
+          // Texels beyond the right or bottom edge belong to no patch, so their values do not matter.
           const Vec3f rgb = light((kTile * tile_x + i) % width, std::clamp(y - 1, 0, height - 1));
           for (int c = 0; c < 3; ++c) into[layout_.channel * c + i] = rgb[c];
         }
@@ -180,7 +180,7 @@ PatchChoice::PatchChoice(const SkyPatches& sky, const std::function<bool(std::si
     for (int tile_x = 0; tile_x < sky.tiles_across(); ++tile_x) set_densities(sky, tile_x, tile_y);
 }
 
-/// Adds a tile and returns its weight.
+/// Computes the probabilities of a tile's rows. Returns the tile's weight.
 float PatchChoice::add_tile(const SkyPatches& sky, int tile_x, int tile_y,
                             const std::function<bool(std::size_t patch)>& is_of) {
   const std::size_t tile = sky.tile(tile_x, tile_y);
@@ -200,11 +200,11 @@ float PatchChoice::add_tile(const SkyPatches& sky, int tile_x, int tile_y,
   return static_cast<float>(sum);
 }
 
-/// Returns the mean luminance of each patch of a row of a tile, 0 for patches that must not be drawn.
+/// Returns the mean luminance of each patch in a tile's row, or 0 for patches outside the subset.
 PatchChoice::RowOfPatches PatchChoice::weights_of(const SkyPatches& sky, std::size_t tile, int row) const {
   const int below = sky.layout().row;
   const float* texels = sky.texels_of(tile) + row * below;
-  std::array<float, kTile + 1> edges;  // sums of the upper and the lower texel
+  std::array<float, kTile + 1> edges;  // each is the sum of the upper and the lower texel's luminance
   for (std::size_t x = 0; x < edges.size(); ++x) edges[x] = sky.luminance_at(texels + x) + sky.luminance_at(texels + x + below);
   RowOfPatches weights;
   for (std::size_t x = 0; x < weights.size(); ++x) weights[x] = 0.25f * (edges[x] + edges[x + 1]);
@@ -213,7 +213,7 @@ PatchChoice::RowOfPatches PatchChoice::weights_of(const SkyPatches& sky, std::si
   return weights;
 }
 
-/// Sets densities from the rounded probabilities of the tables, so they match the sampling exactly.
+/// Sets densities from the rounded probabilities in the tables, so that they match the sampling exactly.
 void PatchChoice::set_densities(const SkyPatches& sky, int tile_x, int tile_y) {
   const auto tiles = static_cast<std::size_t>(tile_y);
   const std::size_t tile = sky.tile(tile_x, tile_y);

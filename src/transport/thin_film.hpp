@@ -1,9 +1,8 @@
 // Thin-film interference: reflection at both sides of a film about as thin as the wavelength.
 //
 // Based on: L. Belcour, P. Barla, "A Practical Extension to Microfacet Theory for the Modeling of Varying Iridescence", ACM TOG
-// 36(4), 2017; Khronos Group, KHR_materials_iridescence (Schlick's reflectance of the surface, sRGB primaries). This
-// implementation deviates in one point: the film's front uses Fresnel's equations, because vanishing films would otherwise be
-// visible at grazing angles.
+// 36(4), 2017; Khronos Group, KHR_materials_iridescence (Schlick's reflectance of the surface, sRGB primaries). We deviate: the
+// front of the film reflects by Fresnel's equations, because vanishing films would otherwise be visible at grazing angles.
 #pragma once
 
 #include "lippmann/core/math.hpp"
@@ -15,8 +14,8 @@ struct ThinFilm {
   float thickness_nm = 400.0f;
 };
 
-/// Returns the share of red, green and blue light from air that film and surface reflect together, in [0, 1]. f0: reflectance
-/// of the surface at normal incidence without the film. cosine: between the light and the normal.
+/// Returns the shares of red, green and blue light that film and surface reflect together in air, in [0, 1]. f0: reflectance of
+/// the surface at normal incidence without the film. cosine: cosine between light and normal.
 Vec3f film_reflectance(const ThinFilm& film, Vec3f f0, float cosine);
 
 }  // namespace lippmann
