@@ -6,17 +6,19 @@
 namespace lippmann {
 
 struct CameraPacket {
-  RayHitPacket rays;  ///< the caller sets origin, direction, tnear and tfar; tracing adds the hits
+  RayHitPacket rays;  ///< the caller sets origin, direction, tnear and tfar; tracing sets the hits
   LaneMask active;
-  Lanes reach;  ///< tfar before tracing
-  /// Target of each lane's light: a pixel (y * width + x within the rendered rows), or a slot defined by the caller that
-  /// traces single samples.
+  Lanes reach;  ///< tfar of each ray before tracing, which replaces tfar by the distance of the hit
+  /// Where each lane's light is added: the index y * width + x of a pixel in the rendered rows. Callers that trace single
+  /// samples may use other indices.
   alignas(64) std::uint32_t target[kLanes];
-  /// Each lane draws the random numbers of sample `sample` of stream `stream`. A stream is normally a pixel of the whole film.
+  /// Random numbers of a lane depend on its stream and its sample number. The stream is normally the index of the pixel in the
+  /// whole film.
   alignas(64) std::uint32_t stream[kLanes], sample[kLanes];
 };
 
-/// Seeds each lane by its target pixel and sample number. Call this before targets are rebased to the rendered rows.
+/// Sets each lane's random numbers by its target pixel and sample number. Call set_streams() while targets are still indices in
+/// the whole film.
 inline void set_streams(int sample, CameraPacket& packet) {
   LIPPMANN_FOR_LANES(i) packet.stream[i] = packet.target[i], packet.sample[i] = static_cast<std::uint32_t>(sample);
 }

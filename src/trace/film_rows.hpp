@@ -1,7 +1,7 @@
-// The rows of a film to render: the whole film, or a part that begins and ends at strip boundaries (strip_order.hpp).
+// The rows of a film to render: all rows, or a range that begins and ends at strip boundaries (strip_order.hpp).
 //
-// A partial render uses the same rays, samples and random numbers as the whole film. Its images hold only the selected rows,
-// and pixel indices count from the first pixel of the first selected row.
+// A render of a range uses the same rays, samples and random numbers as a render of the whole film. Its images hold only the
+// range, and pixel indices count from the first pixel of the range.
 #pragma once
 
 #include <algorithm>
@@ -14,11 +14,11 @@ namespace lippmann {
 
 struct FilmRows {
   int first = 0;
-  int end = std::numeric_limits<int>::max();  ///< one past the last row; clamped to the film
+  int end = std::numeric_limits<int>::max();  ///< one past the last row; values above the film's height mean the last row
   bool operator==(const FilmRows&) const = default;
 };
 
-/// Returns the size of an image of these rows.
+/// Returns the size of an image that holds only these rows.
 inline Vec2i film_size(const Optics& optics, FilmRows rows) {
   const Vec2i film = film_size(optics);
   return {film.x, std::min(rows.end, film.y) - rows.first};

@@ -10,14 +10,14 @@
 namespace lippmann {
 namespace {
 
-/// Maximum number of holes that a ray passes. The next hit counts regardless of its opacity.
+/// Maximum number of holes that a ray passes. The next hit counts as opaque.
 constexpr int kMostHoles = 64;
 
 Vec3f unit_direction(const RayHitPacket& packet, int i) {
   return {packet.ray.dir_x[i], packet.ray.dir_y[i], packet.ray.dir_z[i]};
 }
 
-/// Returns whether alpha makes the surface a hole. Transmission of the same material does not count as a hole.
+/// Returns whether alpha makes the surface a hole. Transmission does not make a hole.
 bool is_hole(const ShadedScene& scene, const SurfacePacket& surface, int i, float least_opacity) {
   const Material& material = scene.scene->materials[scene.material_of_instance[surface.instance[i]]];
   const auto* m = std::get_if<MetallicRoughness>(&material.surface);
@@ -26,7 +26,7 @@ bool is_hole(const ShadedScene& scene, const SurfacePacket& surface, int i, floa
   return surface.opacity[i] < least_opacity * solid;
 }
 
-/// The integrator that stores first hits.
+/// An integrator that stores first hits in the layers instead of computing light.
 class FirstHits {
  public:
   FirstHits(const Shot& shot, const FrameStep* step, FrameAovs& aovs, float least_opacity)
@@ -50,7 +50,7 @@ class FirstHits {
       if (scene_.has_splats()) stop_at_splats(packet, left, active);
       evaluate_surfaces(scene_, packet.rays, active, Lanes{}, beam_, surface);
       if (!store(packet.rays, surface, packet.target, hole == kMostHoles, active)) return;
-      // Continue through the holes along the same rays.
+      // The rays continue through the holes.
       for (int i = 0; i < kLanes; ++i)
         if (active.lane[i]) rays.tnear[i] = rays.tfar[i] + surface.t_near[i];
       std::copy_n(packet.reach.lane, kLanes, rays.tfar);
@@ -60,8 +60,8 @@ class FirstHits {
   void finish() const {}
 
  private:
-  /// Stores a splat hit for each ray at the first splat that reduces the transmitted light below one half. `left` is the share
-  /// of light that has passed earlier splats. Deactivates lanes that hit a splat.
+  /// Tests whether splats end a ray. A ray ends at the first splat that reduces the transmitted light below one half. Stores
+  /// the hit and deactivates the lane. `left` is the share of light that earlier splats have transmitted.
   void stop_at_splats(CameraPacket& packet, Lanes& left, LaneMask& active) const {
     SplatHits hits;
     SplatLight light;
@@ -77,7 +77,7 @@ class FirstHits {
     }
   }
 
-  /// Stores a splat hit. Splats have no normal, so the layer stores the direction to the viewer.
+  /// Stores a splat hit. A splat has no normal, so the direction to the viewer is stored as the normal.
   void store_splat(CameraPacket& packet, int i, const SplatHit& hit, Vec3f color) const {
     RayPacket& ray = packet.rays.ray;
     const Vec3f direction = unit_direction(packet.rays, i);
@@ -90,7 +90,7 @@ class FirstHits {
     store(packet.rays, surface, i, packet.target[i]);
   }
 
-  /// Stores the lanes that hit a surface. Lanes that hit a hole stay active. Returns whether any lane hit a hole.
+  /// Stores the hits of lanes that hit a surface. Lanes that hit a hole stay active. Returns whether any lane hit a hole.
   bool store(const RayHitPacket& packet, const SurfacePacket& surface, const std::uint32_t* pixel, bool last,
              LaneMask& active) const {
     bool any_hole = false;

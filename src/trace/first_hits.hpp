@@ -1,4 +1,4 @@
-// Fills the layers of a frame that describe the first hit behind each pixel's centre.
+// Fills the layers of a frame that describe the first surface behind each pixel's centre.
 #pragma once
 
 #include "lippmann/core/math.hpp"
@@ -11,14 +11,14 @@
 
 namespace lippmann {
 
-/// The scene in the current frame, which the device scene shows, and in the previous frame.
+/// The scene in the current and in the previous frame. The device scene must show `now`.
 struct FrameStep {
   const ResolvedScene& now;
   const ResolvedScene& before;
   Affine3f world_from_display_before;
 };
 
-/// Fills the wanted first-hit layers of `aovs` with one ray through the centre of each pixel. Without `step`, all motion is
+/// Fills the wanted first-hit layers of `aovs` by one ray through the centre of each pixel. If `step` is null, all motion is
 /// zero. Rays pass through surfaces with an alpha below `least_opacity`. The result does not depend on the number of threads.
 void find_first_hits(const Shot& shot, RayOrder order, const FrameStep* step, const ThreadPool& pool, FrameAovs& aovs,
                      float least_opacity = 0.5f);

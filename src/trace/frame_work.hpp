@@ -1,4 +1,4 @@
-// Selects the packets of a frame to trace and groups them into batches.
+// Selects the packets of a frame that are traced, and groups them into batches.
 #pragma once
 
 #include <algorithm>
@@ -16,8 +16,8 @@
 
 namespace lippmann {
 
-/// The blocks (indexed as in touched_blocks.hpp) or packets (indexed as in trace_packets.hpp) with a nonzero entry in `wanted`.
-/// An empty `wanted` selects all of them.
+/// The blocks or packets of a frame with a nonzero entry in `wanted`. Blocks are indexed as in touched_blocks.hpp, and packets
+/// as in trace_packets.hpp. If `wanted` is empty, all are selected.
 struct FrameWork {
   enum class Unit { kBlocks, kPackets };
   Unit unit = Unit::kBlocks;
@@ -28,8 +28,8 @@ inline std::size_t blocks_in(int packets) {
   return static_cast<std::size_t>((packets + kPacketsPerBlock - 1) / kPacketsPerBlock);
 }
 
-/// Calls trace(packets of the strip, block of the frame) for the selected work of a strip with `packets_per_strip` packets.
-/// Selected packets form batches of at most the size of a block.
+/// Divides the selected packets of a strip into batches, each no larger than a block. Calls trace(packets, block) for each
+/// batch: `packets` are indices within the strip, and `block` is an index within the frame.
 template <class Trace>
 void for_each_batch(const FrameWork& work, std::size_t strip, int packets_per_strip, const Trace& trace) {
   std::array<int, kPacketsPerBlock> batch;
@@ -54,8 +54,8 @@ void for_each_batch(const FrameWork& work, std::size_t strip, int packets_per_st
   }
 }
 
-/// Calls trace(strip) for all strips in parallel and returns the sum of the ray counts. After cancellation, no further strip
-/// starts. `share` scales the reported progress to the share of the frame that is traced.
+/// Calls trace(strip) for all strips in parallel. Returns the sum of the ray counts. After cancellation, no further strips
+/// start. `share` is the share of the samples that is traced, by which the reported progress is scaled.
 template <class Trace>
 RayCounts trace_strips(std::size_t strips, const Workers& workers, const Trace& trace, SampleShare share = {}) {
   std::vector<RayCounts> counts(strips);

@@ -1,4 +1,4 @@
-// The interface of integrators. docs/develop/add-an-integrator.md lists the steps to add one.
+// The interface of integrators. docs/develop/add-an-integrator.md lists the steps to add an integrator.
 #pragma once
 
 #include <memory>
@@ -15,25 +15,26 @@ namespace lippmann {
 struct ShadedScene;
 struct TraceParams;
 
-/// Adds the light of camera rays to their pixels. Not thread-safe: each thread has its own object. trace_batch() calls it.
+/// Adds the light of camera rays to their pixels. trace_batch() calls the functions. An object is not thread-safe, so each
+/// thread has its own.
 class FrameIntegrator {
  public:
   virtual ~FrameIntegrator() = default;
 
-  /// Sets the sample number within each pixel for the camera rays that follow.
+  /// Sets the sample number of the camera rays that follow.
   virtual void begin(int sample) = 0;
-  /// Shades camera rays that have been traced. Secondary rays may be queued until finish().
+  /// Shades camera rays that have been traced. May queue secondary rays until finish().
   virtual void primary(const CameraPacket& packet) = 0;
   /// Traces all queued rays.
   virtual void finish() = 0;
   virtual const RayCounts& counts() const = 0;
 
-  /// Records all following rays in `probe`, so that other frames can copy pixels. Only called if the facts set
-  /// can_share_pixels.
+  /// From now on, records all traced rays in `probe`, so that other frames can copy pixels. Only called if
+  /// IntegratorFacts::can_share_pixels is true.
   virtual void set_probe(BlockProbe* probe);
 };
 
-/// The arguments of an integrator. All references must outlive the integrator.
+/// The arguments of an integrator. The referenced objects must outlive the integrator.
 struct Integration {
   const ShadedScene& scene;
   const BeamFootprint& beam;

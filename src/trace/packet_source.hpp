@@ -1,4 +1,4 @@
-// Generates packets of primary rays in the order of the strip. Places samples within pixels and computes their rays from the
+// Generates packets of camera rays in the order of a strip. Places the samples of a pixel, and computes their rays by the
 // optics.
 #pragma once
 
@@ -14,9 +14,9 @@
 
 namespace lippmann {
 
-/// Placement of sample s of n within a pixel, each coordinate in [0, 1). A single sample lies at the centre. Otherwise the
-/// samples are the points of a Hammersley set, shifted (modulo 1) by a hash of seed and pixel: each pixel is evenly covered and
-/// neighbours are decorrelated. The angular filter and the lens determine where each sample's ray starts.
+/// Positions of the samples within a pixel. A single sample is at the centre. Several samples form a Hammersley set, which is
+/// shifted (modulo 1) by a hash of seed and pixel. Each pixel is thus evenly covered, and neighbouring pixels are decorrelated.
+/// angular_filter and lens determine where the samples' rays start.
 struct SubPixel {
   std::uint32_t seed = 0;
   int samples = 1;
@@ -26,15 +26,15 @@ struct SubPixel {
   Vec2f position(std::uint32_t pixel, int sample) const;
 };
 
-/// tfar of rays whose light is blocked (is_blocked() of optics): their samples are black.
+/// Rays that the optics block (is_blocked()) have this tfar. Their samples are black.
 inline constexpr float kBlocked = -1.0f;
 
-/// Generates the rays of each sample of a pixel. The samples use one eye position per view, or with an angular filter several.
+/// Generates the rays of each sample of a pixel. Each view has one eye position, or several with an angular filter.
 class SampleRays {
  public:
   SampleRays(const Optics& optics, const Affine3f& world_from_display, const SubPixel& sub_pixel);
-  /// Fills sixteen rays of one sample number. Each ray passes through its own point of the lens. `pixel` holds indices in the
-  /// whole film.
+  /// Fills sixteen rays of one sample number. (px, py) are positions on the film, and `pixel` holds indices in the whole film.
+  /// Each ray starts at its own point of the lens.
   void fill(int sample, const float* px, const float* py, const std::uint32_t* pixel, RayPacket& rays) const;
 
  private:
@@ -48,16 +48,16 @@ class PacketSource {
   PacketSource(const Optics& optics, const Affine3f& world_from_display, RayOrder order, const SubPixel& sub_pixel,
                FilmRows rows = {});
 
-  /// Returns the number of strips in the rows. Strip 0 is the first strip of these rows.
+  /// Returns the number of strips in `rows`. Strip 0 begins at the first of these rows.
   int strips() const { return strips_; }
-  /// Returns the index in the whole film of the first pixel of the rows.
+  /// Returns the index in the whole film of the first pixel of `rows`.
   std::uint32_t first_pixel() const { return static_cast<std::uint32_t>(rows_.first) * static_cast<std::uint32_t>(width_); }
-  /// Returns the number of packets of a full strip. A last strip with fewer rows has the same number; its surplus lanes or
-  /// packets are inactive.
+  /// Returns the number of packets of a full strip. A last strip with fewer rows has the same number of packets, but surplus
+  /// lanes are inactive.
   int packets_per_strip() const { return packets_; }
 
-  /// Fills origin, direction, tnear and tfar of a packet of a strip, the pixel index of each lane (y * width + x in the whole
-  /// film) and the active lanes. Returns the number of active lanes. Inactive lanes get the ray of an active one.
+  /// Fills a packet of a strip: origin, direction, tnear and tfar of the rays, the active lanes, and each lane's pixel index y
+  /// * width + x in the whole film. Returns the number of active lanes. Inactive lanes get the ray of an active lane.
   int fill(int strip, int packet, int sample, RayPacket& rays, LaneMask& active, std::uint32_t* pixel) const;
 
  private:
@@ -68,12 +68,12 @@ class PacketSource {
   StripOrder order_;
   SubPixel sub_pixel_;
   int width_;
-  FilmRows rows_;  ///< clamped to the film
+  FilmRows rows_;  ///< clamped to the film's height
   int strips_, packets_;
 };
 
-/// The packets of a strip, for trace_batch(). Target pixels count from the first rendered row, while random numbers depend on
-/// the pixel's index in the whole film.
+/// The packets of a strip, for trace_batch(). Targets are indices of pixels in the rendered rows. Random numbers depend on the
+/// index in the whole film.
 struct StripPackets {
   const PacketSource& source;
   int strip;
@@ -87,7 +87,7 @@ struct StripPackets {
   }
 };
 
-/// Calls pixel(y * width + x) for each pixel of a packet. y counts from the first of the source's rows.
+/// Calls pixel(y * width + x) for each pixel of a packet. Row y = 0 is the first of the source's rows.
 template <class Pixel>
 void for_each_pixel(const PacketSource& source, int strip, int packet, const Pixel& pixel) {
   CameraPacket camera;

@@ -1,5 +1,5 @@
-// Path tracing in waves of rays. At every vertex, a shadow ray samples one light (next-event estimation), and the path
-// continues in a direction sampled from the BSDF. Russian roulette or the maximum depth ends the path.
+// Path tracing in waves of rays. At every vertex, a shadow ray samples one light (next-event estimation). The path then
+// continues in a direction sampled from the BSDF, until Russian roulette or the maximum depth ends it.
 //
 // Based on: J. Kajiya, "The rendering equation", SIGGRAPH 1986; E. Veach, "Robust Monte Carlo Methods for Light Transport
 // Simulation", 1997 (multiple importance sampling, the power heuristic; Russian roulette).
@@ -22,38 +22,37 @@
 namespace lippmann {
 
 struct PathParams {
-  int max_depth = 6;            ///< maximum number of path vertices on surfaces
-  std::uint32_t seed = 0;       ///< differs between frames, so that their noise is independent
-  float clamp_indirect = 0.0f;  ///< > 0: upper limit of a path's indirect contribution, which loses light; 0: no limit
-  int spp = 1;                  ///< samples per pixel; each has the weight 1 / spp
+  int max_depth = 6;            ///< maximum number of vertices of a path
+  std::uint32_t seed = 0;       ///< different in each frame, so that the noise of frames is independent
+  float clamp_indirect = 0.0f;  ///< > 0: upper limit of the indirect light of one path, at the cost of lost light; 0: no limit
+  int spp = 1;                  ///< samples per pixel; each sample has the weight 1 / spp
 };
 
-/// Traces the paths of one thread; not thread-safe. The class is large because all of its functions share the state of the
-/// packet that is being shaded. path_lights.cpp handles lights that rays hit, path_integrator.cpp everything else.
+/// Traces the paths of one thread. Not thread-safe. The class is large because all its functions share the state of the packet
+/// that is being shaded. path_lights.cpp defines the functions for lights that rays hit, and path_integrator.cpp all others.
 class PathIntegrator final : public FrameIntegrator {
  public:
-  /// `scene` must be built for Integrator::kPath, and film.all must not be null. The arguments must outlive this object.
+  /// `scene` must be built for Integrator::kPath. film.all must not be null. The arguments must outlive this object.
   PathIntegrator(const ShadedScene& scene, const BeamFootprint& beam, const PathParams& params, const PathFilm& film);
 
   void begin(int sample) override;
-  /// Shades the first hits of camera rays. finish() traces the rest of their paths.
+  /// Shades the hits of camera rays. finish() traces the rest of their paths.
   void primary(const CameraPacket& packet) override;
-  /// Traces all remaining rays, wave by wave.
   void finish() override;
 
   const RayCounts& counts() const override { return counts_; }
 
  private:
-  /// The vertices of a packet's paths on surfaces that scatter light.
+  /// The path vertices of a packet, on surfaces that scatter light.
   struct Vertices {
     LaneMask active;
     std::array<ShadingPoint, kLanes> points;
-    Lanes lengths;       ///< path length up to the vertex
-    Lanes near_share{};  ///< LightReceiver::near_share, set if the scene has both near and far lights
+    Lanes lengths;       ///< length of each path up to its vertex
+    Lanes near_share{};  ///< LightReceiver::near_share; defined if the scene has both near and far lights
     BsdfPacket bsdfs;
 
     const ShadingPoint& point(int i) const { return points[static_cast<std::size_t>(i)]; }
-    /// The input of light sampling.
+    /// Returns the receiver from which lights are sampled.
     LightReceiver receiver(int i) const { return {point(i).position, bsdfs.lit_side(i, point(i).normal)}; }
   };
 
@@ -81,7 +80,7 @@ class PathIntegrator final : public FrameIntegrator {
   void shade_miss(const RayHitPacket& packet, int i, const PathRay& ray);
   void meet_emission(const RayHitPacket& packet, int i, const PathRay& ray, Vec3f emission);
 
-  /// Adds light that a ray has hit.
+  /// Adds light that the ray has hit.
   void end_path(const PathRay& ray, Vec3f radiance) { add(ray.pixel, clamped(radiance, ray.surfaces()), ray.surfaces()); }
   Vec3f clamped(Vec3f radiance, int depth) const;
   void add(std::uint32_t pixel, Vec3f radiance, int depth);
@@ -90,15 +89,15 @@ class PathIntegrator final : public FrameIntegrator {
   const BeamFootprint& beam_;
   PathParams params_;
   PathFilm film_;
-  float weight_;                          ///< weight of a sample
-  std::array<float, 2> noise_weights_{};  ///< weights of samples in the first and the second half: see weights_of_halves()
-  float noise_weight_ = 0.0f;             ///< noise weight of the current sample
+  float weight_;                          ///< weight of a sample in the film
+  std::array<float, 2> noise_weights_{};  ///< weights_of_halves()
+  float noise_weight_ = 0.0f;             ///< element of noise_weights_ for the current sample
   RayCounts counts_;
-  std::vector<PathRay> wave_, next_;  ///< rays of this wave and of the next
-  SurfacePacket surface_;             ///< surfaces hit by the packet that is being shaded
-  Vertices vertices_;                 ///< vertices on those surfaces of surface_ that scatter light
+  std::vector<PathRay> wave_, next_;  ///< rays of the current and of the next wave
+  SurfacePacket surface_;             ///< surfaces that the current packet has hit
+  Vertices vertices_;                 ///< the current packet's vertices
   PathNumbers numbers_;
-  SkyRays sky_;  ///< one ray per lane of the packet
+  SkyRays sky_;  ///< the sky in the direction of each lane's ray
   SplatHits splat_hits_;
   ShadowQueue shadow_rays_;
 };

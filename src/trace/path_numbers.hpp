@@ -1,4 +1,4 @@
-// Random numbers for the current path vertices of a packet, computed for all lanes at once.
+// Random numbers for the current path vertices of a packet. All lanes are computed at once.
 #pragma once
 
 #include <array>
@@ -11,11 +11,10 @@
 
 namespace lippmann {
 
-/// Pairs of random numbers for one path vertex per lane.
 class PathNumbers {
  public:
-  /// Draws the numbers for the active lanes. `rays` has one element per lane. Pass `with_last` only if the last pair
-  /// (kCoveragePair) is needed, because it rarely is.
+  /// Computes the numbers for the active lanes. `rays` has one element per lane. with_last: also compute the last pair
+  /// (kCoveragePair), which is rarely needed.
   void draw(const LaneMask& lanes, const PathRay* rays, bool with_last) {
     PathPairs paths;
     for (int i = 0; i < kLanes; ++i) {
@@ -35,7 +34,7 @@ class PathNumbers {
   const LanePairs& pairs(std::uint32_t pair) const { return pairs_[pair]; }
   Vec2f pair(int i, std::uint32_t pair) const { return {pairs_[pair].x[i], pairs_[pair].y[i]}; }
 
-  /// Sky directions, sampled with kOnLightPair of each lane. They are computed on the first call after draw().
+  /// Returns sky directions, which are sampled by each lane's kOnLightPair. They are computed at the first call after draw().
   const SkyDraws& sky_draws(const Environment& environment) {
     if (!std::exchange(has_sky_draws_, true)) {
       LIPPMANN_FOR_LANES(i) sky_draws_.u[i] = pairs_[kOnLightPair].x[i], sky_draws_.v[i] = pairs_[kOnLightPair].y[i];

@@ -1,4 +1,4 @@
-// The state of a path between two surfaces.
+// The state of a path between two vertices.
 #pragma once
 
 #include "device/ray_scene.hpp"
@@ -10,34 +10,35 @@ namespace lippmann {
 
 struct PathRay {
   Vec3f origin{0.0f}, direction{0.0f}, throughput{1.0f};
-  Vec3f lit_side{0.0f};      ///< LightReceiver::normal at the last scattering
-  float near_share = -1.0f;  ///< LightReceiver::near_share at the last scattering
+  Vec3f lit_side{0.0f};      ///< LightReceiver::normal at the last vertex that changed the direction
+  float near_share = -1.0f;  ///< LightReceiver::near_share at that vertex
   float t_near = 0.0f, path_length = 0.0f;
-  float scattered_at = 0.0f;  ///< path length at the last scattering
-  float density = kInfinity;  ///< density of `direction` at the last scattering; kInfinity for Dirac lobes and camera rays
-  std::uint32_t pixel = 0;    ///< pixel that receives the light
-  std::uint32_t seed = 0, index = 0;  ///< key of the random numbers (transport/sampler.hpp)
-  std::uint16_t depth = 0;            ///< vertices on surfaces so far
-  bool spread : 1 = false;            ///< has been scattered by a lobe other than a Dirac lobe, so textures need not be sharp
-  bool one_color : 1 = false;         ///< carries one colour channel only, because a surface has dispersed it
-  bool through_wall : 1 = false;      ///< has gone straight through a thin wall, which does not count as a vertex
-  std::uint16_t events : 13 = 0;      ///< vertices and passed surfaces so far; selects the random numbers of the next vertex
-  std::uint16_t medium = kNoMedium;   ///< the medium that contains the ray
+  float scattered_at = 0.0f;  ///< path length at that vertex; 0 before the first vertex
+  float density = kInfinity;  ///< density of `direction` at that vertex; kInfinity for Dirac lobes and camera rays
+  std::uint32_t pixel = 0;
+  std::uint32_t seed = 0, index = 0;  ///< seed and index of the random numbers (transport/sampler.hpp)
+  std::uint16_t depth = 0;            ///< number of vertices so far
+  bool spread : 1 = false;            ///< has been scattered by a lobe that is not a Dirac lobe, so textures need less detail
+  bool one_color : 1 = false;         ///< has only one colour channel, because a surface has dispersed the light
+  bool through_wall : 1 = false;      ///< has passed straight through a thin wall, which does not count as a vertex
+  /// Number of vertices and passed surfaces so far; selects the random numbers of the next vertex.
+  std::uint16_t events : 13 = 0;
+  std::uint16_t medium = kNoMedium;  ///< medium in which the ray travels
 
   bool has_met_nothing() const { return depth == 0 && !through_wall; }
   bool has_scattered() const { return scattered_at > 0.0f; }
-  /// Returns the number of surfaces that have changed the light. A wall before the first vertex counts as one.
+  /// Returns the number of surfaces that have changed the light. A wall before the first vertex counts as one surface.
   int surfaces() const { return depth > 0 || !through_wall ? depth : 1; }
 };
 
-/// Maximum of vertices plus passed surfaces of a path. The maximum depth alone is no limit, because surfaces that let light
-/// pass are not vertices.
+/// Maximum number of vertices and passed surfaces of a path. The maximum depth is no limit for passed surfaces, because they
+/// are not vertices.
 inline constexpr int kMostEvents = 1024;
-/// Indices of the random number pairs of a vertex. The pairs choose: the light and the lobe; the point on the light; the
-/// direction; Russian roulette and coverage.
+/// Indices of the random number pairs of a vertex. kChoicePair chooses the light and the lobe, kOnLightPair the point on the
+/// light, and kWayPair the direction. kCoveragePair decides Russian roulette and coverage.
 inline constexpr std::uint32_t kChoicePair = 0, kOnLightPair = 1, kWayPair = 2, kCoveragePair = 3, kPairsPerEvent = 4;
 
-/// Returns the path that starts with lane i of camera rays. `seed` is the seed of its random numbers.
+/// Returns the path that starts with lane i of camera rays. `seed` becomes the seed of its random numbers.
 inline PathRay camera_path_ray(const CameraPacket& packet, int i, std::uint32_t seed) {
   const RayPacket& rays = packet.rays.ray;
   PathRay ray;
@@ -48,8 +49,7 @@ inline PathRay camera_path_ray(const CameraPacket& packet, int i, std::uint32_t 
   return ray;
 }
 
-/// Returns the continuation of `ray` behind a point that lets it pass unchanged. `length` is the distance of the point from the
-/// path's start.
+/// Returns the continuation of `ray` behind a point that the ray passes unchanged. `length` is the path length at the point.
 inline PathRay passed(PathRay ray, const ShadingPoint& point, float length) {
   ray.origin = point.position;
   ray.t_near = point.t_near;
@@ -58,8 +58,8 @@ inline PathRay passed(PathRay ray, const ShadingPoint& point, float length) {
   return ray;
 }
 
-/// Continues `ray` from `point` with a sampled direction and the given throughput. `length` is the path length at the point.
-/// Unless the sample goes straight on, the caller must set lit_side and near_share.
+/// Continues `ray` from `point` in a sampled direction with the given throughput. `length` is the path length at the point.
+/// Unless sample.straight is set, the caller must set lit_side and near_share.
 inline void scatter(PathRay& ray, const ShadingPoint& point, const BsdfSample& sample, Vec3f throughput, float length) {
   ray.origin = point.position;
   ray.throughput = throughput;
@@ -71,14 +71,13 @@ inline void scatter(PathRay& ray, const ShadingPoint& point, const BsdfSample& s
     ray.through_wall = true;
   ray.spread |= !sample.is_delta();
   if (sample.transmitted && point.behind != kSameMedium) ray.medium = point.behind;
-  // Shadow rays of the last vertex also sample light straight behind the surface, so keep the direction and density of that
-  // vertex.
+  // Direction and density of the last vertex are kept, because its shadow rays also sample light straight behind this surface.
   if (sample.straight) return;
   ray.direction = sample.direction;
   ray.density = sample.density, ray.scattered_at = length;
 }
 
-/// Returns the light receiver at the point of the last scattering, as used for light sampling there.
+/// Returns the light receiver at the last vertex that changed the direction, as it was used to sample lights.
 inline LightReceiver last_receiver(const PathRay& ray) {
   return {ray.origin - (ray.path_length - ray.scattered_at) * ray.direction, ray.lit_side, ray.near_share};
 }

@@ -5,12 +5,12 @@
 namespace lippmann {
 namespace {
 
-/// Number of sort buckets. The lowest bits of an object's id select its bucket. This nearly always separates the objects, and
-/// needs no table.
+/// Number of buckets for sorting rays by the object that they hit. The lowest bits of the object's id select the bucket. This
+/// nearly always separates the objects, without a table.
 constexpr std::size_t kBuckets = 64;
 
-/// Loads up to 16 rays into a packet. Lanes beyond `count` repeat the last ray and are inactive. `of_cameras` marks camera rays
-/// that have passed only holes.
+/// Loads up to 16 rays into a packet. Lanes from `count` on are inactive and repeat the last ray. `of_cameras` marks camera
+/// rays that have passed only holes.
 void load_rays(const PathRay* rays, std::size_t count, RayHitPacket& packet, LaneMask& active, LaneMask& of_cameras) {
   for (std::size_t i = 0; i < kLanes; ++i) {
     const PathRay& ray = rays[std::min(i, count - 1)];
@@ -28,7 +28,7 @@ std::size_t bucket_of(const HitPacket& hit, std::size_t lane) {
   return (placed != kNoId ? placed : hit.geomID[lane]) % kBuckets;
 }
 
-/// Distance between the same field of two packets, in units of the field's size. Gather indices count from lane 0 of packet 0.
+/// Distance between the same field of two consecutive packets, in floats.
 constexpr std::size_t kStride = sizeof(RayHitPacket) / sizeof(float);
 
 template <class Word>
@@ -36,7 +36,7 @@ LIPPMANN_INLINE void gather(const Word* from, const std::int32_t* place, Word* t
   LIPPMANN_FOR_LANES(i) to[i] = from[place[i]];
 }
 
-/// Gathers lane i of `to` from place[i].
+/// Gathers lane i of `to` from place[i], an index in floats from lane 0 of packet 0.
 LIPPMANN_MULTIVERSION void gather_packet(const RayHitPacket* met, const std::int32_t* place, RayHitPacket& to) {
   gather(met->ray.org_x, place, to.ray.org_x);
   gather(met->ray.org_y, place, to.ray.org_y);
@@ -76,7 +76,7 @@ void PathWave::sort() {
   std::array<std::uint32_t, kBuckets> next{};
   for (std::size_t r = 0; r < rays_.size(); ++r) ++next[bucket_of(met_[r / kLanes].hit, r % kLanes)];
   std::uint32_t before = 0;
-  for (std::uint32_t& n : next) {  // convert counts to start offsets
+  for (std::uint32_t& n : next) {  // turns the counts into start offsets
     const std::uint32_t count = n;
     n = before;
     before += count;

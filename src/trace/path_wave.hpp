@@ -1,7 +1,7 @@
-// Traces many path rays together and regroups them into packets that hit the same object.
+// Traces many path rays together, and regroups them into packets of rays that hit the same object.
 //
-// Scattered rays diverge: sixteen consecutive rays hit several objects, and each object would be shaded for a packet that is
-// mostly idle. After sorting, most packets belong to one mesh or to the sky.
+// Scattered rays diverge, so sixteen consecutive rays hit several objects. Without regrouping, most lanes would be idle while a
+// packet is shaded. After sorting, most packets belong to one mesh or to the sky.
 #pragma once
 
 #include <memory>
@@ -13,18 +13,17 @@ namespace lippmann {
 
 class PathWave {
  public:
-  /// Traces all of `rays`. Both arguments must outlive this object.
+  /// Traces all `rays`. The arguments must outlive this object.
   PathWave(const ShadedScene& scene, const std::vector<PathRay>& rays);
 
   std::size_t packets() const { return packets_; }
-  /// Loads packet `p` in sorted order.
+  /// Loads packet `p` of the regrouped rays.
   void load(std::size_t p);
 
-  /// The following accessors are valid until the next load().
+  /// The results of packet(), active() and rays() are valid until the next load().
   const RayHitPacket& packet() const { return packet_; }
   const LaneMask& active() const { return active_; }
-  /// Returns an array with one ray per lane. The throughput of active lanes includes the transmittance of the media along the
-  /// ray.
+  /// Returns one ray per lane. The throughput of active lanes includes the transmittance of media along the ray.
   PathRay* rays() { return lanes_; }
 
  private:
@@ -33,14 +32,14 @@ class PathWave {
   const ShadedScene& scene_;
   const std::vector<PathRay>& rays_;
   std::size_t packets_;
-  std::unique_ptr<RayHitPacket[]> met_;     ///< in the order of rays_
-  std::unique_ptr<std::uint32_t[]> order_;  ///< indices into rays_, sorted
+  std::unique_ptr<RayHitPacket[]> met_;     ///< traced packets in the order of rays_
+  std::unique_ptr<std::uint32_t[]> order_;  ///< indices into rays_, sorted by the hit object
   RayHitPacket packet_;
   LaneMask active_;
   PathRay lanes_[kLanes];
 };
 
-/// Traces `rays` and calls shade(packet, active, rays of the lanes) for all of them.
+/// Traces `rays`. Calls shade(packet, active lanes, rays of the lanes) for each regrouped packet.
 template <class Shade>
 void trace_wave(const ShadedScene& scene, const std::vector<PathRay>& rays, const Shade& shade) {
   PathWave wave(scene, rays);

@@ -1,4 +1,4 @@
-// Records the first hits of primary packets while they are traced, so that point images need no additional rays.
+// Records the first hits of camera rays while they are traced. Point images then need no additional rays.
 #pragma once
 
 #include "shading/shaded_scene.hpp"
@@ -7,7 +7,7 @@
 
 namespace lippmann {
 
-/// Thread-safe for packets of different pixels.
+/// Threads may store packets at once if the packets have different pixels.
 class PointCapture {
  public:
   /// `points` must have the size of the film. The scene and `points` must outlive this object.

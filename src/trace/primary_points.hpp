@@ -1,4 +1,4 @@
-// The depth and object of each pixel's first hit. Point images (src/reuse) are made from these values.
+// Depth and object of each pixel's first hit. src/reuse makes point images from them.
 #pragma once
 
 #include <cstddef>
@@ -7,13 +7,13 @@
 
 namespace lippmann {
 
-/// The object of a pixel whose ray hit nothing.
+/// Marks a pixel whose ray hit nothing.
 inline constexpr std::uint32_t kNoObject = 0xffffffffu;
 
-/// One entry per pixel, row-major from the top left. The point itself lies on the pixel's ray at depth z.
+/// One entry per pixel, row by row from the top left. The point lies on the pixel's ray at depth z.
 struct PrimaryPoints {
-  std::vector<float> z;               ///< mm in the display frame at the frame's time; -inf without a hit
-  std::vector<std::uint32_t> object;  ///< index in Scene::instances; visible light l has instances.size() + l; or kNoObject
+  std::vector<float> z;               ///< z in mm of the display frame; -inf without a hit
+  std::vector<std::uint32_t> object;  ///< index in Scene::instances, or instances.size() + l for visible light l, or kNoObject
 
   void resize(std::size_t pixels) { z.resize(pixels), object.resize(pixels); }
 };

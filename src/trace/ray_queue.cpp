@@ -9,10 +9,10 @@
 namespace lippmann {
 namespace {
 
-/// Maximum number of rays of one wave; they take about 200 MB. Depths at which images still change need far fewer rays.
+/// Maximum number of rays of one wave, which take about 200 MB. Depths at which images still change need far fewer rays.
 constexpr std::size_t kMostRays = std::size_t{1} << 22;
 
-/// Pointers to the same ray in all arrays of the queue.
+/// Pointers to the elements of one ray in all arrays of the queue.
 struct QueueView {
   float *org_x, *org_y, *org_z, *dir_x, *dir_y, *dir_z, *weight_x, *weight_y, *weight_z, *path_length, *tnear, *open;
   std::uint32_t* pixel;
@@ -21,7 +21,7 @@ struct QueueView {
 using Register = float __attribute__((vector_size(4 * kLanes)));
 using Indices = std::int32_t __attribute__((vector_size(4 * kLanes)));
 
-// These functions must be inlined, because the versions of a kernel for different CPUs pass such vectors in different
+// picked_of() must be inlined, because the versions of a kernel for different CPUs pass vectors of this size in different
 // registers.
 #ifdef __clang__  // Clang has no __builtin_shuffle.
 LIPPMANN_INLINE Register picked_of(const Register& first, const Register& second, const Indices& index) {
@@ -40,7 +40,7 @@ LIPPMANN_INLINE Register picked_of(const Register& first, const Register& second
 LIPPMANN_INLINE Register picked_of(const Register& source, const Indices& index) { return __builtin_shuffle(source, index); }
 #endif
 
-/// to[k] = from[index[k]] for 16 words. This is one AVX-512 instruction; a loop would become sixteen loads.
+/// Sets to[k] = from[index[k]] for 16 words. This compiles to one AVX-512 instruction, while a loop would become sixteen loads.
 LIPPMANN_INLINE void pick(const void* from, const Indices& index, void* to) {
   Register source;
   std::memcpy(&source, from, sizeof(source));
@@ -48,7 +48,7 @@ LIPPMANN_INLINE void pick(const void* from, const Indices& index, void* to) {
   std::memcpy(to, &picked, sizeof(picked));
 }
 
-/// to[k] = from[index[k]], from 32 words.
+/// Sets to[k] = from[index[k]] for 16 words out of 32.
 LIPPMANN_INLINE void pick_of_two(const float* from, const Indices& index, float* to) {
   Register first, second;
   std::memcpy(&first, from, sizeof(first));
@@ -57,7 +57,7 @@ LIPPMANN_INLINE void pick_of_two(const float* from, const Indices& index, float*
   std::memcpy(to, &picked, sizeof(picked));
 }
 
-/// Always copies a whole packet. The next append overwrites the entries beyond the last ray.
+/// Copies sixteen entries, even if fewer are valid. The next append() overwrites the surplus entries.
 LIPPMANN_MULTIVERSION void copy_branches(const SurfacePacket& s, const RayHitPacket& packet, const Bundle& bundle,
                                          const Branches& branches, const int* entry, const QueueView to) {
   Indices of_branch, lane;
@@ -127,8 +127,8 @@ void RayQueue::load(std::size_t first, RayHitPacket& packet, Bundle& bundle, Lan
   fill_packet(field(0) + first, capacity_, pixel_.get() + first, lanes, packet, bundle, active);
 }
 
-/// Doubles the capacity, to at least 2048 rays, so that a whole append fits behind the last ray. The memory is not cleared
-/// because entries behind the last ray are only read into inactive lanes.
+/// Doubles the capacity, to at least 2048 rays, so that a whole append() fits behind the last ray. The memory is not cleared,
+/// because entries behind the last ray are read only into inactive lanes.
 void RayQueue::grow() {
   const std::size_t capacity = std::max<std::size_t>(2 * capacity_, 2048);
   if (capacity > kMostRays)

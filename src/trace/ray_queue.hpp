@@ -1,4 +1,4 @@
-// The queue of mirrored and transmitted rays of the next wave, in the order of their surfaces.
+// The queue of mirrored and transmitted rays that form the next wave. Rays are in the order of the surfaces that they leave.
 #pragma once
 
 #include <memory>
@@ -7,35 +7,36 @@
 
 namespace lippmann {
 
-/// The state of the paths of a packet's lanes.
+/// The state of the paths of a packet, one path per lane.
 struct Bundle {
-  Lanes3 weight;      ///< factor from a lane's radiance to its pixel
-  Lanes path_length;  ///< distance from the path's start to the origin of the lane's ray
-  Lanes open;         ///< share of a camera ray that has passed only holes; 0 after any other surface
+  Lanes3 weight;      ///< factor on a lane's radiance when it is added to its pixel
+  Lanes path_length;  ///< path length at the origin of the lane's ray
+  Lanes open;         ///< share of the camera ray that has passed only holes; 0 behind any other surface
   alignas(64) std::uint32_t pixel[kLanes];
 };
 
-/// The rays that continue from a packet of surface points: mirrored (entry = lane) and transmitted (entry = kLanes + lane).
+/// The rays that continue from a packet of surface points. Entry `lane` is the mirrored ray, and entry kLanes + lane is the
+/// transmitted ray.
 struct Branches {
   static constexpr int kCount = 2 * kLanes;
   alignas(64) float dir_x[kCount], dir_y[kCount], dir_z[kCount];
   /// Share of the incoming radiance that is reflected or transmitted, per colour channel.
   alignas(64) float share_x[kCount], share_y[kCount], share_z[kCount];
-  alignas(64) float open[kCount];  ///< factor for Bundle::open
+  alignas(64) float open[kCount];  ///< factor on Bundle::open
 };
 
-/// A queue of rays with one array per quantity, so that packets are filled by plain copies.
+/// A queue of rays with one array per quantity, so that plain copies fill packets.
 class RayQueue {
  public:
   std::size_t size() const { return size_; }
   void clear() { size_ = 0; }
 
-  /// Appends the branches with the indices entry[0] to entry[count - 1]; count is at most Branches::kCount. `packet` and
-  /// `bundle` are the rays that hit the surface.
+  /// Appends the branches entry[0] to entry[count - 1], where count <= Branches::kCount. `packet` and `bundle` are the rays
+  /// that hit the surface.
   void append(const SurfacePacket& surface, const RayHitPacket& packet, const Bundle& bundle, const Branches& branches,
               const int* entry, int count);
 
-  /// Loads a packet of rays, starting at ray `first`. Does not change the hits.
+  /// Loads a packet of rays that begins with ray `first`. Does not change packet.hit.
   void load(std::size_t first, RayHitPacket& packet, Bundle& bundle, LaneMask& active) const;
 
  private:
@@ -45,7 +46,8 @@ class RayQueue {
   void grow();
 
   std::size_t size_ = 0, capacity_ = 0;
-  std::unique_ptr<float[]> values_;  ///< kFields arrays of size capacity_: origin, direction, weight, path length, tnear, open
+  /// KFields arrays of size capacity_: origin, direction, weight, path length, tnear and open.
+  std::unique_ptr<float[]> values_;
   std::unique_ptr<std::uint32_t[]> pixel_;
 };
 

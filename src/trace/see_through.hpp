@@ -1,4 +1,4 @@
-// Light behind surfaces that are not opaque, for the Whitted integrator.
+// Transmitted rays of the Whitted integrator behind holes and thin walls.
 #pragma once
 
 #include "shading/surface.hpp"
@@ -6,10 +6,10 @@
 
 namespace lippmann {
 
-/// Sets Branches::open: holes in alpha keep a ray open, transmission through glass closes it.
+/// Sets branches.open. Rays through holes by alpha stay open, while rays through glass do not.
 void keep_holes_open(const ShadedScene& scene, const SurfacePacket& surface, Branches& branches);
 
-/// Multiplies the transmitted shares by the transmittance of thin walls along `rays`.
+/// Multiplies the shares of transmitted rays by the transmittance of thin walls. `rays` are the rays that hit the walls.
 void tint_walls(const ShadedScene& scene, const SurfacePacket& surface, const RayPacket& rays, Branches& branches);
 
 }  // namespace lippmann

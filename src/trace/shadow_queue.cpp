@@ -2,7 +2,8 @@
 
 namespace lippmann {
 
-/// Moves the ray's origin to the smooth surface and aims it at the same point of the light. Returns the new distance.
+/// Moves the ray's origin to the smooth surface, and aims the ray at the same point of the light as before. Returns the new
+/// distance to the light.
 float ShadowQueue::lift(const ShadingPoint& point, float distance, ShadowRay& ray) {
   const Vec3f up = point.lift();
   ray.origin += up;

@@ -13,15 +13,15 @@ struct ShadowRay {
   Vec3f origin, direction, radiance;
   float t_near, t_far;
   std::uint32_t pixel;
-  int depth;  ///< number of vertices that scatter the light
+  int depth;  ///< number of vertices that have scattered the light
 };
 
 class ShadowQueue {
  public:
-  /// Adds a ray from a point to a light. If it is unoccluded, `radiance` arrives at `pixel` after scattering at `depth`
-  /// vertices.
+  /// Adds a ray from a point to a light. If the ray is unoccluded, `radiance` arrives at `pixel` after `depth` vertices have
+  /// scattered it.
   void push(const ShadingPoint& point, const LightSample& light, const Vec3f& radiance, std::uint32_t pixel, int depth) {
-    // Fill the ray in place, because copying a struct that was just written would stall on store forwarding.
+    // The ray is filled in place, because copying a struct that was just written would stall on store forwarding.
     ShadowRay& ray = rays_.emplace_back();
     ray.origin = point.position, ray.direction = light.direction;
     ray.radiance = radiance;
@@ -31,8 +31,8 @@ class ShadowQueue {
     ray.pixel = pixel, ray.depth = depth;
   }
 
-  /// Traces all queued rays in the order of push() and calls add(shadow ray, radiance) for those that are not fully occluded.
-  /// Returns the number of rays traced.
+  /// Traces all queued rays in the order of push(). Calls add(shadow ray, radiance) for rays that are not fully occluded.
+  /// Returns the number of traced rays.
   template <class Add>
   std::size_t trace(const ShadedScene& scene, const Add& add) {
     for (std::size_t first = 0; first < rays_.size(); first += kLanes) {

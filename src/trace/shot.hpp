@@ -1,4 +1,4 @@
-// The scene, optics and workers of a render.
+// The inputs of a render: scene, optics and workers.
 #pragma once
 
 #include "lippmann/core/context.hpp"
@@ -10,12 +10,12 @@
 
 namespace lippmann {
 
-/// A scene at one time, seen through optics placed in it.
+/// A scene at one time, seen through optics.
 struct Shot {
-  const DeviceScene& device;  ///< in the state of its last update()
+  const DeviceScene& device;
   const Optics& optics;
-  Affine3f world_from_display{};  ///< maps mm to world units; a similarity
-  FilmRows rows{};                ///< rows to render; films, layers and pixel indices cover these rows only
+  Affine3f world_from_display{};  ///< maps mm of the display frame to world units; a similarity
+  FilmRows rows{};                ///< rows to render; films, layers and pixel indices cover only these rows
 };
 
 /// Returns the size of the rendered image.
@@ -23,12 +23,12 @@ inline Vec2i film_size(const Shot& shot) { return film_size(shot.optics, shot.ro
 
 enum class Progress { kSilent, kReported };
 
-/// The threads, the cancellation context, and whether the work counts as progress of the frame.
+/// Threads and cancellation of some work. `progress` says whether the work counts as progress of the frame.
 struct Workers {
   const ThreadPool& pool;
   const Context& context;
   Progress progress = Progress::kReported;
-  /// Returns the same workers without progress reports. Cancellation still applies.
+  /// Returns these workers without progress reports. Cancellation still works.
   Workers silent() const { return {pool, context, Progress::kSilent}; }
 };
 

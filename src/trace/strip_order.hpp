@@ -1,7 +1,8 @@
-// The order in which a strip's pixels are traced ("pixel-tracing style" in the paper). 16 consecutive pixels form a packet.
+// The order in which the pixels of a strip are traced. 16 consecutive pixels form a packet.
 //
-// A strip is a horizontal band of the panel and the unit of work of a thread. Its height depends on the optics only. Packets
-// along a row mix the directions below a lens and diverge; packets down a lens, or within one directional view, stay coherent.
+// A strip is a horizontal band of the panel, and the unit of work of a thread. Its height depends only on the optics. A packet
+// along a row mixes all directions below a lens, so its rays diverge. The rays of a packet along a lens or within one
+// directional view stay coherent.
 #pragma once
 
 #include <cstdint>
@@ -13,20 +14,20 @@
 
 namespace lippmann {
 
-/// Packets of a block. A block's packets are shaded before their mirror rays are traced. The number is large enough to fill the
-/// packets of the next wave, and small enough to stay in cache and to cover a small area (touched_blocks.hpp).
+/// Number of packets of a block. All packets of a block are shaded before their mirror rays are traced. A block is large enough
+/// to fill the packets of the next wave. It is small enough to stay in cache and to cover a small area (touched_blocks.hpp).
 inline constexpr int kPacketsPerBlock = 16;
 
 struct StripPixel {
-  std::uint16_t x, y;  ///< y counts from the strip's top
+  std::uint16_t x, y;  ///< y = 0 is the strip's top row
 };
 
 struct StripOrder {
-  int strip_height = 16;           ///< rows; the last strip may be lower
-  std::vector<StripPixel> pixels;  ///< each pixel of a full strip once; a lower last strip skips pixels below its height
+  int strip_height = 16;  ///< rows of a full strip; the last strip may have fewer
+  /// Each pixel of a full strip once; in a last strip with fewer rows, the pixels of missing rows are skipped.
+  std::vector<StripPixel> pixels;
 };
 
-/// Returns the number of rows of a full strip.
 int rows_per_strip(const Optics& optics);
 
 StripOrder make_strip_order(const Optics& optics, RayOrder order);

@@ -7,10 +7,10 @@
 namespace lippmann {
 namespace {
 
-/// Salt that decorrelates the lens sample from the pixel sample and the path.
+/// Salt of the hash that decorrelates the sample on the lens from the sample within the pixel and from the path.
 constexpr std::uint32_t kLensSalt = 0x6c656e73u;
 
-/// Returns sixteen sample points in the unit square.
+/// Computes sixteen sample points in the unit square.
 void lens_places(const LensLanes& lanes, std::uint32_t seed, float* x, float* y) {
   PathPairs places;
   LIPPMANN_FOR_LANES(i) {
@@ -36,7 +36,7 @@ ThinLens::ThinLens(const Optics& optics, const Affine3f& world_from_display, con
   inverse_focus_ = 1.0f / (to_focus * unit_scale(world_from_display));
 }
 
-// Each ray is sheared so that it crosses the pinhole ray in the focal plane.
+// Each ray is sheared so that it crosses its pinhole ray in the focal plane.
 void ThinLens::spread(const LensLanes& lanes, RayPacket& rays) const {
   alignas(64) float u[kLanes], v[kLanes];
   lens_places(lanes, seed_, u, v);
@@ -49,7 +49,7 @@ void ThinLens::spread(const LensLanes& lanes, RayPacket& rays) const {
     const Vec3f direction = glm::normalize(per_depth);
     rays.org_x[i] += origin_share_ * step.x, rays.org_y[i] += origin_share_ * step.y, rays.org_z[i] += origin_share_ * step.z;
     rays.dir_x[i] = direction.x, rays.dir_y[i] = direction.y, rays.dir_z[i] = direction.z;
-    rays.tfar[i] *= cosine * glm::length(per_depth);  // the ray still ends at the same depth
+    rays.tfar[i] *= cosine * glm::length(per_depth);  // the ray ends at the same depth as before
   }
 }
 

@@ -6,29 +6,29 @@
 
 namespace lippmann {
 
-/// Keys of the random numbers of sixteen rays: the index of the pixel in the whole film, and the sample number.
+/// Inputs of the random numbers of sixteen rays: index of the pixel in the whole film, and sample number.
 struct LensLanes {
   const std::uint32_t *pixel, *sample;
 };
 
 class ThinLens {
  public:
-  /// `lens` must specify its aperture, not an f-number (lens_by_aperture). If the lens is open, the optics must be views and
-  /// the focal plane must lie in front of their eyes.
+  /// `lens` must specify its aperture instead of an f-number (lens_by_aperture). If the lens is open, the optics must be views,
+  /// and the focal plane must be in front of their eyes.
   ThinLens(const Optics& optics, const Affine3f& world_from_display, const ViewLens& lens, std::uint32_t seed);
 
   bool is_open() const { return radius_ > 0.0f; }
 
-  /// Moves sixteen pinhole rays to points on the lens: replaces their origin, direction and tfar. A pixel's samples are spread
-  /// evenly over the disc.
+  /// Moves sixteen pinhole rays to points on the lens. Changes origin, direction and tfar of the rays. The samples of a pixel
+  /// are spread evenly over the lens.
   void spread(const LensLanes& lanes, RayPacket& rays) const;
 
  private:
-  float radius_;  ///< in mm of the display
+  float radius_;  ///< radius of the lens in mm of the display frame
   std::uint32_t seed_;
-  Vec3f right_, up_;     ///< world vectors of 1 mm on the lens
-  Vec3f forward_;        ///< unit length
-  float origin_share_;   ///< shift of the ray's origin relative to the shift of its point on the lens
+  Vec3f right_, up_;     ///< vectors of 1 mm across the lens, in world space
+  Vec3f forward_;        ///< unit vector along the lens's axis
+  float origin_share_;   ///< shift of a ray's origin divided by the shift of its point on the lens
   float inverse_focus_;  ///< 1 / distance from the eyes to the focal plane, in world units
 };
 

@@ -1,10 +1,10 @@
-// The loop over camera packets that produces every image, layer and record. Packets generate rays, the integrator shades them,
-// and sinks record other data.
+// The loop over camera packets that makes all images, layers and records. It combines objects of three kinds: packets generate
+// rays, the integrator shades them, and sinks record other data.
 //
-//   Packets     bool fill(int packet, int sample, CameraPacket& into)   returns false if no lane is active
-//   Integrator  void primary(CameraPacket& packet)   shades traced rays; may queue secondary rays
-//               void finish()                        traces all queued rays
-//               void begin(int sample)               optional: sets the sample number of the next rays
+//    Packets     bool fill(int packet, int sample, CameraPacket& into)   returns false if no lane is active
+//    Integrator  void primary(CameraPacket& packet)   shades traced rays; may queue secondary rays
+//                void finish()                        traces all queued rays
+//                void begin(int sample)               optional: sets the sample number of the next rays
 #pragma once
 
 #include <algorithm>
@@ -24,11 +24,11 @@ struct Batch {
 };
 
 struct PacketSinks {
-  Image* film = nullptr;                 ///< pixels are set to 0 before their first sample
-  const PointCapture* points = nullptr;  ///< records first hits
+  Image* film = nullptr;                 ///< the film whose pixels are set to 0 before their first sample; may be null
+  const PointCapture* points = nullptr;  ///< records first hits; may be null
 };
 
-/// An integrator that does nothing, for runs that only fill sinks.
+/// An integrator that computes nothing, for calls that only fill sinks.
 struct NoIntegrator {
   void primary(const CameraPacket&) {}
   void finish() {}
@@ -39,7 +39,7 @@ inline void clear_pixels(const CameraPacket& packet, Image& film) {
     if (packet.active.lane[i]) std::fill_n(film.data.begin() + 3 * static_cast<std::ptrdiff_t>(packet.target[i]), 3, 0.0f);
 }
 
-/// Deactivates lanes whose light is blocked. Returns whether any lane is left.
+/// Deactivates lanes whose light is blocked. Returns whether any lane is still active.
 inline bool leave_out_blocked(CameraPacket& packet) {
   int left = 0;
   for (int i = 0; i < kLanes; ++i) {
@@ -68,7 +68,7 @@ void trace_batch(const ShadedScene& scene, Packets&& packets, const Batch& batch
   }
 }
 
-/// Traces one camera ray through the centre of each pixel of the shot's rows. Many threads call `integrator` concurrently.
+/// Traces one camera ray through the centre of each pixel of the shot's rows. Many threads use `integrator` at once.
 template <class Integrator>
 void trace_centres(const Shot& shot, RayOrder order, const ThreadPool& pool, Integrator& integrator,
                    const PacketSinks& sinks = {}) {

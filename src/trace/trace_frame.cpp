@@ -13,7 +13,7 @@ namespace {
 /// Traces selected packets of a frame.
 class FrameTracer {
  public:
-  /// Light is also added to `parts`, which must be zero-initialized.
+  /// Light is added to `film` and to `parts`, whose arrays must be filled with 0.
   FrameTracer(const Shot& shot, const TraceParams& params, Image& film, const PathFilm& parts = {})
       : scene_(shot.device.shaded()),
         integrator_(shot.device.integrator().model()),
@@ -26,7 +26,7 @@ class FrameTracer {
     film_.all = film.data.data();
   }
 
-  /// Restricts tracing to one share of the samples. Shares after the first add to the film.
+  /// Traces only one share of the samples from now on. Shares after the first add to the film instead of clearing it.
   void take(SampleShare share) {
     share_ = share;
     if (!share.is_first()) sinks_.film = nullptr;
@@ -34,7 +34,7 @@ class FrameTracer {
 
   void capture_to(const PointCapture* points) { sinks_.points = points; }
 
-  /// Makes tracing fill `touched` with the blocks whose rays meet the boxes of `probe`.
+  /// From now on, tracing fills `touched` with the blocks whose rays meet the boxes of `probe`.
   void probe_with(const TouchProbe& probe, TouchedBlocks& touched) {
     const std::size_t blocks = static_cast<std::size_t>(source_.strips()) * blocks_in(source_.packets_per_strip());
     touched.lowest_horizon.assign(blocks, TouchedBlocks::kNever);
@@ -49,7 +49,7 @@ class FrameTracer {
   }
 
  private:
-  /// Traces a strip. Checks for cancellation per batch, because a strip with many samples may take minutes.
+  /// Traces a strip. Tests for cancellation after each batch, because a strip with many samples may take minutes.
   RayCounts trace_strip(const FrameWork& work, std::size_t strip, const Context& context) const {
     const std::unique_ptr<FrameIntegrator> integrator = integrator_.make({scene_, beam_, params_, film_});
     std::optional<BlockProbe> probe;
@@ -85,7 +85,7 @@ void allocate_light(Vec2i film_size, FrameAovs& aovs) {
     if (aovs.wants(aov)) aovs.allocate(aov, film_size);
 }
 
-/// Returns the outputs for the wanted light layers, which must be allocated.
+/// Returns the outputs for the wanted light layers. These layers must be allocated.
 PathFilm light_in(FrameAovs& aovs) {
   PathFilm film;
   const auto part = [&](Aov aov) { return aovs.wants(aov) ? aovs[aov].data.data() : nullptr; };
@@ -93,7 +93,7 @@ PathFilm light_in(FrameAovs& aovs) {
   return film;
 }
 
-/// Converts the alpha layer from the number of open samples per pixel to coverage.
+/// Converts the alpha layer to coverage. Before, it holds the number of samples per pixel that hit nothing.
 void finish_alpha(int spp, FrameAovs& aovs) {
   if (!aovs.wants(Aov::kAlpha)) return;
   for (float& alpha : aovs[Aov::kAlpha].data) alpha = std::max(0.0f, 1.0f - alpha / static_cast<float>(spp));

@@ -1,4 +1,4 @@
-// Renders one frame: traces each pixel's rays through the array and shades them with the DeviceScene's integrator.
+// Renders one frame. Traces each pixel's rays through the lens array, and shades them by the DeviceScene's integrator.
 #pragma once
 
 #include <cstdint>
@@ -23,33 +23,38 @@ namespace lippmann {
 
 struct TraceParams {
   RayOrder order = RayOrder::kViewTiles;
-  int spp = 1;                                          ///< samples per pixel; stratified over the pixel's area if > 1
-  int max_depth = 6;                                    ///< maximum number of path vertices; 1: no mirrors
-  AngularFilter angular_filter = AngularFilter::kNone;  ///< how views are filtered; needs more than 1 sample per pixel
-  ViewLens lens{};                                      ///< specified by its aperture (lens_by_aperture)
-  std::uint32_t seed = 0;   ///< seed of sample positions within pixels; the same in every frame, so static parts do not flicker
-  std::uint32_t frame = 0;  ///< path tracing: frame number, so that the noise differs between frames
-  float clamp_indirect = 0.0f;  ///< path tracing: upper limit of an indirect contribution, which loses light; 0: no limit
+  int spp = 1;        ///< samples per pixel; several samples are stratified over the pixel's area
+  int max_depth = 6;  ///< maximum number of vertices of a path; 1: no mirrors
+  /// How the pixels of a view are filtered over directions; needs more than 1 sample per pixel.
+  AngularFilter angular_filter = AngularFilter::kNone;
+  ViewLens lens{};  ///< must specify its aperture (lens_by_aperture)
+  /// Seed of sample positions within pixels; constant over frames, so that static parts do not flicker.
+  std::uint32_t seed = 0;
+  std::uint32_t frame = 0;  ///< path tracing only: number of the frame, which makes the noise of frames different
+  /// Path tracing only: upper limit of the indirect light of one path, at the cost of lost light; 0: no limit.
+  float clamp_indirect = 0.0f;
 };
 
-/// The outputs of trace_frame().
 struct TraceTargets {
-  Image& film;                ///< resized to 3 linear channels and film_size(shot)
-  FrameAovs* aovs = nullptr;  ///< light layers; path tracing only (find_first_hits, trace/first_hits.hpp, fills the others)
-  /// Receives the first hits behind the pixels' centres. Free with one sample per pixel; otherwise needs an extra pass.
+  Image& film;  ///< resized to film_size(shot), with 3 linear channels
+  /// Path tracing only: layers of light; find_first_hits() in trace/first_hits.hpp fills the other layers.
+  FrameAovs* aovs = nullptr;
+  /// Receives the first hits behind the pixels' centres; may be null. With one sample per pixel they cost nothing, otherwise
+  /// they take an extra pass.
   PrimaryPoints* points = nullptr;
-  TouchedBlocks* touched = nullptr;  ///< filled with the blocks whose rays meet its boxes
+  TouchedBlocks* touched = nullptr;  ///< receives the blocks whose rays meet its boxes; may be null
 };
 
-/// Traces a frame. The result does not depend on the number of threads. After cancellation it returns early with an unfinished
-/// film. `share` selects samples; all samples have the same weight. The first share clears the film and later shares, in order,
-/// add to it. The film and its light layers are complete after the last share. `points` and `touched` need all samples in one
-/// call.
+/// Traces a frame. The result does not depend on the number of threads. After cancellation, returns early with an unfinished
+/// film.
+/// `share` selects samples, all of which have the same weight. The first share clears the film. Later shares must follow in
+/// order and add to it. The film and its light layers are complete after the last share. Requests for `points` and `touched`
+/// need all samples in one call.
 RayCounts trace_frame(const Shot& shot, const TraceParams& params, const Workers& workers, const TraceTargets& into,
                       SampleShare share = {});
 
-/// Traces the blocks with a nonzero entry in `wanted` (indexed as in TouchedBlocks). The result is bit-identical to
-/// trace_frame(). `film` must have the size of the shot; other blocks stay unchanged.
+/// Traces only the blocks with a nonzero entry in `wanted`, which is indexed as in TouchedBlocks. These blocks are
+/// bit-identical to those of trace_frame(). `film` must have the size of the shot. Other blocks keep their content.
 RayCounts trace_blocks(const Shot& shot, const TraceParams& params, std::span<const std::uint8_t> wanted,
                        const Workers& workers, Image& film);
 

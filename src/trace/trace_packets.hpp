@@ -1,4 +1,4 @@
-// Traces selected packets of a frame when the others are reused from other frames.
+// Traces selected packets of a frame, while other packets are copied or interpolated from other frames.
 #pragma once
 
 #include <cstdint>
@@ -8,11 +8,12 @@
 
 namespace lippmann {
 
-/// Traces the packets with a nonzero entry in `wanted`. Packets are 16 neighbours in a strip's order (strip_order.hpp), strip
-/// by strip from the top; `wanted` also has entries for the empty packets of a lower last strip. The rays equal those of
-/// trace_frame(), except for rounding where mirrored rays share packets with different rays. `film` must have the panel's size;
-/// other packets stay unchanged. The result does not depend on the number of threads. After cancellation it returns early with
-/// some packets unfinished.
+/// Traces the packets with a nonzero entry in `wanted`. A packet holds 16 consecutive pixels of a strip's order
+/// (strip_order.hpp). Packets are counted strip by strip from the top, including the empty packets of a last strip with fewer
+/// rows.
+/// `film` must have the size of the panel. Other packets keep their content. Mirrored rays may share packets with other rays
+/// than in trace_frame(), which changes rounding. Otherwise the result equals that of trace_frame(). It does not depend on the
+/// number of threads. After cancellation, returns early with some packets unfinished.
 RayCounts trace_packets(const Shot& shot, const TraceParams& params, std::span<const std::uint8_t> wanted,
                         const Workers& workers, Image& film);
 

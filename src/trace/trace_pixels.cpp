@@ -13,7 +13,7 @@ namespace {
 
 using Pixels = std::span<const std::uint32_t>;
 
-/// Returns each pixel's position in the ray order of a full strip, indexed by y * width + x.
+/// Returns each pixel's position in the order of a full strip, for pixel index y * width + x.
 std::vector<std::uint32_t> ranks_in_strip(const StripOrder& order, int width) {
   std::vector<std::uint32_t> ranks(order.pixels.size());
   for (std::uint32_t i = 0; i < order.pixels.size(); ++i)
@@ -21,7 +21,8 @@ std::vector<std::uint32_t> ranks_in_strip(const StripOrder& order, int width) {
   return ranks;
 }
 
-/// Pixels sorted by strip and ray order. The pixels of strip s are entries begin[s] to begin[s + 1] - 1.
+/// Pixels sorted by strip and by the order within the strip. The pixels of strip s are pixels[begin[s]] to pixels[begin[s + 1]
+/// - 1].
 struct OrderedPixels {
   std::vector<std::uint32_t> pixels;
   std::vector<std::size_t> begin;
@@ -45,7 +46,7 @@ OrderedPixels in_ray_order(Pixels pixels, const Optics& optics, RayOrder ray_ord
   return ordered;
 }
 
-/// Computes the rays and targets of listed pixels for each sample number.
+/// Computes the rays of listed pixels, for each sample number.
 struct PixelRays {
   PixelRays(const Shot& shot, const SubPixel& where)
       : sub_pixel(where),
@@ -56,15 +57,15 @@ struct PixelRays {
   SubPixel sub_pixel;
   SampleRays samples;
   std::uint32_t width;
-  std::uint32_t first_pixel;  ///< index of the first rendered pixel in the whole film
+  std::uint32_t first_pixel;  ///< index in the whole film of the first rendered pixel
 };
 
-/// Packets of 16 listed pixels, for trace_batch().
+/// Packets of 16 listed pixels each, for trace_batch().
 struct PixelPackets {
   const PixelRays& from;
   Pixels pixels;
 
-  /// Lanes beyond the last pixel repeat its ray and are inactive.
+  /// Lanes beyond the last pixel are inactive and repeat the last pixel's ray.
   bool fill(int packet, int sample, CameraPacket& into) const {
     const auto first = static_cast<std::size_t>(packet) * kLanes;
     const SubPixel& sub_pixel = from.sub_pixel;

@@ -1,4 +1,4 @@
-// Traces single pixels of a frame when the others are reused from other frames.
+// Traces single pixels of a frame, while other pixels are copied or interpolated from other frames.
 #pragma once
 
 #include <cstdint>
@@ -8,11 +8,12 @@
 
 namespace lippmann {
 
-/// Traces exactly `pixels` (indices y * width + x, strictly ascending). The result is bit-identical to trace_frame(). Writes
-/// into `film` (3 channels, the panel's size) and, if given, `points`; other pixels stay unchanged. Packets follow the ray
-/// order, so the pixels of a strip and view stay together. The result does not depend on the number of threads. After
-/// cancellation it returns early with some pixels unfinished. `open` has the meaning of PathFilm::open and hides the
-/// surroundings; null: they are visible.
+/// Traces exactly the listed pixels, given as indices y * width + x in ascending order without repetition. They are
+/// bit-identical to those of trace_frame(). Writes to `film` (3 channels, the size of the panel) and, unless null, to `points`.
+/// Other pixels keep their content.
+/// Packets follow the ray order, so that the pixels of a strip and of a view stay together. The result does not depend on the
+/// number of threads. After cancellation, returns early with some pixels unfinished. `open` is PathFilm::open. It hides the
+/// surroundings, unless it is null.
 RayCounts trace_pixels(const Shot& shot, const TraceParams& params, std::span<const std::uint32_t> pixels,
                        const Workers& workers, Image& film, PrimaryPoints* points = nullptr, float* open = nullptr);
 

@@ -6,7 +6,7 @@
 namespace lippmann {
 namespace {
 
-/// Limits the number of lights per pass. Shadow packets of more lights would not fit into the cache.
+/// Maximum number of lights that are computed together. Shadow packets of more lights would not fit into the cache.
 constexpr std::size_t kMostLightsAtOnce = 32;
 
 int count_lanes(const LaneMask& mask) {
@@ -15,8 +15,8 @@ int count_lanes(const LaneMask& mask) {
   return count;
 }
 
-/// Computes the light that the surface itself sends towards the ray, weighted by opacity: color * (ambient + diffuse light) +
-/// highlight + emission. Tachyon materials are not weighted.
+/// Computes one channel of the light that the surface itself sends to the viewer: color * (ambient + diffuse light) + highlight
+/// + emission. The light is multiplied by the opacity, except for Tachyon's materials, where whole = 1.
 template <Lanes Lanes3::*kChannel>
 LIPPMANN_INLINE void radiance_channel(const SurfacePacket& s, const DirectLight& direct, float whole, Lanes3& out) {
   LIPPMANN_FOR_LANES(i) {
@@ -35,7 +35,7 @@ LIPPMANN_MULTIVERSION void local_radiance(const SurfacePacket& s, const DirectLi
   radiance_channel<&Lanes3::z>(s, direct, whole, out);
 }
 
-/// Computes mirrored rays and straight transmitted rays.
+/// Computes mirrored rays, and transmitted rays that are straight.
 LIPPMANN_MULTIVERSION void branch_off(const RayPacket& rays, const SurfacePacket& s, Branches& branches) {
   LIPPMANN_FOR_LANES(i) {
     const float dx = rays.dir_x[i], dy = rays.dir_y[i], dz = rays.dir_z[i];
@@ -56,8 +56,8 @@ LIPPMANN_MULTIVERSION void branch_off(const RayPacket& rays, const SurfacePacket
   }
 }
 
-/// Lists the entries that have a ray: for each lane first the mirrored, then the transmitted one. The order of a pixel's
-/// contributions thus does not depend on the packets.
+/// Lists the entries of Branches that have a ray. For each lane, the mirrored ray precedes the transmitted one. The order of a
+/// pixel's contributions thus does not depend on how rays are grouped into packets. Returns the number of entries.
 int list_branches(const SurfacePacket& s, int* entry) {
   int count = 0;
   for (int i = 0; i < kLanes; ++i) {
@@ -69,7 +69,8 @@ int list_branches(const SurfacePacket& s, int* entry) {
   return count;
 }
 
-/// Refracts d by Snell's law. Total reflection returns the mirror direction. eta = n_from / n_to; the normal faces the ray.
+/// Returns the direction d after refraction by Snell's law, or the mirror direction at total reflection. eta = n_from / n_to.
+/// The normal n is on the side of the ray's origin.
 Vec3f refracted(Vec3f d, Vec3f n, float eta) {
   const float cosine = -glm::dot(d, n);
   const float k = 1.0f - eta * eta * (1.0f - cosine * cosine);
@@ -77,7 +78,7 @@ Vec3f refracted(Vec3f d, Vec3f n, float eta) {
   return glm::normalize(eta * d + (eta * cosine - std::sqrt(k)) * n);
 }
 
-/// Evaluates the background gradient along the unit vector (x, y, z).
+/// The background gradient. A height of 0 is the horizon's colour, and 1 the zenith's colour.
 struct Sky {
   explicit Sky(const Background& b)
       : horizon(b.horizon),
@@ -95,7 +96,7 @@ struct Sky {
   float begin, inverse_range;
 };
 
-/// Sets the radiance of lanes that hit nothing.
+/// Sets the radiance of lanes that hit nothing to the background gradient.
 LIPPMANN_MULTIVERSION void see_sky(const Background& background, const RayHitPacket& packet, Lanes3& radiance) {
   const Sky sky(background);
   LIPPMANN_FOR_LANES(i) {
@@ -107,7 +108,7 @@ LIPPMANN_MULTIVERSION void see_sky(const Background& background, const RayHitPac
   }
 }
 
-/// Sets the radiance of lanes that hit nothing, like see_sky(), from a panorama.
+/// Sets the radiance of lanes that hit nothing to the panorama.
 void see_panorama(const Environment& environment, const RayHitPacket& packet, Lanes3& radiance) {
   for (int i = 0; i < kLanes; ++i)
     if (packet.hit.geomID[i] == kNoId)
@@ -121,14 +122,14 @@ void see_lights(const std::vector<WhittedLight>& lights, const RayHitPacket& pac
   }
 }
 
-/// Returns the lanes whose rays have hit only holes since the lens.
+/// Returns the lanes whose rays have passed only holes since the camera.
 LaneMask still_open(const Bundle& bundle) {
   LaneMask lanes;
   LIPPMANN_FOR_LANES(i) lanes.lane[i] = bundle.open[i] > 0.0f ? -1 : 0;
   return lanes;
 }
 
-/// Adds the background at the end of a path, for branch `first` + lane. In Tachyon mode, adds the unweighted background
+/// Adds the background at the end of a path, for the branches `first` + lane. In Tachyon mode, adds the unweighted background
 /// straight ahead.
 LIPPMANN_MULTIVERSION void end_branches(const Background& background, const RayPacket& rays, const Branches& branches,
                                         int first, bool tachyon, Lanes3& radiance) {
@@ -146,7 +147,7 @@ LIPPMANN_MULTIVERSION void end_branches(const Background& background, const RayP
   }
 }
 
-/// Adds a panorama at the end of a path, like end_branches().
+/// Adds the panorama at the end of a path, for the branches `first` + lane.
 void end_in_panorama(const Environment& environment, const LaneMask& hit, const Branches& branches, int first,
                      Lanes3& radiance) {
   for (int i = 0; i < kLanes; ++i) {
@@ -203,8 +204,8 @@ void WhittedTracer::finish() {
   }
 }
 
-/// Adds the light of splats and scales the weight of the light behind them by their transmittance. Deactivates lanes with no
-/// transmittance.
+/// Adds the light of splats, and multiplies the weight of the light behind them by their transmittance. Deactivates lanes with
+/// transmittance 0.
 void WhittedTracer::look_at_splats(const RayPacket& rays, LaneMask& active, Bundle& bundle) {
   SplatLight light;
   see_splats(scene_, active, rays, splat_hits_, light);
@@ -251,10 +252,10 @@ void WhittedTracer::gather_light(const RayHitPacket& packet, DirectLight& direct
         packet, std::span(scene_.lights).subspan(first).first(std::min(shadows_.size(), scene_.lights.size() - first)), direct);
 }
 
-/// Adds the direct light of `lights`, which must not outnumber the shadow packets.
+/// Adds the direct light of `lights`. Their number must not exceed shadows_.size().
 void WhittedTracer::gather_lights(const RayHitPacket& packet, std::span<const WhittedLight> lights, DirectLight& direct) {
   const float least_light = scene_.tachyon ? 0.001959f : 0.0f;  // Tachyon's threshold, about 1/512
-  // Three loops, so that the kernel of one light overlaps with the square roots and divisions of the previous one.
+  // Three separate loops let the CPU overlap the kernel of one light with the square roots and divisions of the light before.
   for (std::size_t l = 0; l < lights.size(); ++l) shadow_rays_[l] = aim_at_light(lights[l], surface_, least_light, shadows_[l]);
   for (std::size_t l = 0; l < lights.size(); ++l) {
     if (shadow_rays_[l] == 0) continue;
@@ -267,7 +268,7 @@ void WhittedTracer::gather_lights(const RayHitPacket& packet, std::span<const Wh
     if (shadow_rays_[l] != 0) add_light(lights[l], surface_, packet.ray, shadows_[l], scene_.tachyon, direct);
 }
 
-/// Queues the mirrored and transmitted rays, or ends the paths with the background if `last` is set.
+/// Queues the mirrored and transmitted rays. If `last` is set, ends the paths with the background instead.
 void WhittedTracer::branch(const RayHitPacket& packet, const Bundle& bundle, bool last, Lanes3& radiance) {
   Branches branches;
   branch_off(packet.ray, surface_, branches);

@@ -2,8 +2,10 @@
 // wave.
 //
 // Based on: T. Whitted, "An improved illumination model for shaded display", CACM 23(6), 1980.
-// This implementation deviates in two points: (1) it is breadth first, so secondary rays are traced in full packets of
-// neighbours; (2) at the depth limit a mirror shows the background instead of black, as Tachyon does.
+//
+// We deviate:
+// 1. Rays are traced breadth first, so that neighbouring secondary rays form full packets.
+// 2. At the depth limit, a mirror shows the background instead of black, as in Tachyon.
 #pragma once
 
 #include <cstdint>
@@ -24,15 +26,15 @@
 namespace lippmann {
 
 struct WhittedParams {
-  int max_depth = 6;  ///< 1: no mirrors
-  int spp = 1;        ///< samples per pixel; each has the weight 1 / spp
+  int max_depth = 6;  ///< maximum number of surfaces on a path; 1: no mirrors
+  int spp = 1;        ///< samples per pixel; each sample has the weight 1 / spp
 };
 
-/// Traces rays for one thread and adds radiance to the film. The constructor's arguments must outlive this object.
+/// Traces rays for one thread, and adds radiance to the film. The constructor's arguments must outlive this object.
 class WhittedTracer final : public FrameIntegrator {
  public:
-  /// film.all must not be null. If film.open is not null, it receives the number of samples that miss all surfaces, and these
-  /// samples add no surroundings to the film.
+  /// film.all must not be null. film.open may be null. Otherwise it receives the number of samples that hit no surface, and
+  /// these samples add no surroundings to the film.
   WhittedTracer(const ShadedScene& scene, const BeamFootprint& beam, const WhittedParams& params, const PathFilm& film);
 
   /// Shades camera rays that have been traced. Queues mirrored and refracted rays for finish().
@@ -45,7 +47,7 @@ class WhittedTracer final : public FrameIntegrator {
 
   void begin(int) override {}
 
-  /// Appends all secondary packets to `log` from now on.
+  /// From now on, appends all secondary packets to `log`.
   void log_to(RayLog* log) { log_ = log; }
 
   void set_probe(BlockProbe* probe) override { probe_ = probe; }
@@ -63,7 +65,7 @@ class WhittedTracer final : public FrameIntegrator {
   const ShadedScene& scene_;
   const BeamFootprint& beam_;
   int max_depth_;
-  float weight_;  ///< weight of a sample
+  float weight_;  ///< weight of a sample in the film
   PathFilm film_;
   RayCounts counts_;
   RayLog* log_ = nullptr;
@@ -71,8 +73,8 @@ class WhittedTracer final : public FrameIntegrator {
   RayQueue wave_, next_;
   SurfacePacket surface_;
   SplatHits splat_hits_;
-  std::vector<ShadowPacket> shadows_;  ///< one packet per light of a pass
-  std::vector<int> shadow_rays_;       ///< active lanes of each shadow packet
+  std::vector<ShadowPacket> shadows_;  ///< one packet for each of the lights that are computed together
+  std::vector<int> shadow_rays_;       ///< number of active lanes of each shadow packet
 };
 
 }  // namespace lippmann

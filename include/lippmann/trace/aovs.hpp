@@ -1,7 +1,8 @@
-// Additional layers of a frame (AOVs): properties of the first hit behind each pixel's centre, and parts of the light.
+// Additional layers of a frame (AOVs): properties of the first surface that a ray through each pixel's centre hits, and parts
+// of the light.
 //
-// First hits skip surfaces that an alpha mask cuts away and blended surfaces with an opacity below one half. All other
-// surfaces, glass included, count as opaque.
+// The ray passes surfaces that an alpha mask cuts away, and blended surfaces with an opacity below one half. All other surfaces
+// count as opaque, glass included.
 #pragma once
 
 #include <array>
@@ -16,34 +17,35 @@
 namespace lippmann {
 
 enum class Aov : std::uint8_t {
-  kDepth,       ///< z in display mm (> 0 in front of the array)
-  kNormal,      ///< unit length, world space, towards the origin of the ray
-  kId,          ///< index in Scene::instances
-  kPosition,    ///< position in world space
-  kRayDepth,    ///< mm along the ray from its start (resolved_z_front_mm); for views, mm from the eye
-  kAlbedo,      ///< base colour, including textures and vertex colours
-  kMotion,      ///< movement since the previous frame, in pixels to the right and down: see place_in_view
-  kProvenance,  ///< source of the pixel: a value of Provenance
-  kDirect,      ///< path tracing only: emission, and light that one surface has scattered
+  kDepth,   ///< z in mm of the display frame, > 0 in front of the array
+  kNormal,  ///< surface normal in world space, unit length, on the side of the ray's origin
+  kId,      ///< index of the object in Scene::instances
+  kPosition,
+  kRayDepth,    ///< distance from the ray's start in mm (resolved_z_front_mm); in views, from the eye
+  kAlbedo,      ///< base colour with textures and vertex colours
+  kMotion,      ///< movement of the surface point since the previous frame, in pixels to the right and down (place_in_view)
+  kProvenance,  ///< how the pixel was made: a value of Provenance
+  kDirect,      ///< path tracing only: emission, and light that exactly one surface has scattered
   /// Path tracing only: all other light. kDirect + kIndirect equals the film before denoising, up to rounding.
   kIndirect,
-  kAlpha,  ///< coverage of the pixel, including partial alpha; if requested, the film omits the surroundings
+  /// Coverage of the pixel by surfaces, partial alpha included; if this layer is requested, the film omits the surroundings.
+  kAlpha,
 };
 
-/// Source of a pixel: the values of Aov::kProvenance. A pixel is missed if no point of another frame is projected onto it.
+/// How a pixel was made. A pixel is "missed" if no point of another frame is projected onto it.
 enum class Provenance : std::uint8_t {
-  kTraced,        ///< traced in this frame
-  kCopied,        ///< copied from a key frame; the pixel provably does not change
+  kTraced,
+  kCopied,        ///< copied from a key frame, because the pixel provably has not changed
   kInterpolated,  ///< interpolated from points of other frames
   kFilled,        ///< missed, and filled from neighbouring pixels
   kRetraced,      ///< missed, and traced
   kBlack,         ///< missed, and left black in the image
 };
 struct ProvenanceInfo {
-  std::string_view name{};  ///< name of the source, for users
+  std::string_view name{};  ///< name of the value for users
   bool missed{};
 };
-/// Indexed by Provenance.
+/// The names in the order of Provenance.
 inline constexpr ProvenanceInfo kProvenanceInfos[] = {
     {"traced", false},        {"copied from a key frame", false}, {"interpolated", false},
     {"missed, filled", true}, {"missed, traced", true},           {"missed, left black", true},
@@ -52,19 +54,19 @@ static_assert(std::size(kProvenanceInfos) == static_cast<std::size_t>(Provenance
 
 /// How a layer is computed.
 enum class AovOrigin : std::uint8_t {
-  kFirstHit,  ///< traced with one ray through the pixel's centre
-  kLight,     ///< averaged over all samples that the pixel's light is computed from
-  kFrame,     ///< reported by the code that makes the frame, at no cost
+  kFirstHit,
+  kLight,  ///< averaged over all samples of the pixel
+  kFrame,  ///< written by the code that makes the frame, at no extra cost
 };
 
-/// Properties of a layer. To add a layer, add a value of Aov, a row below and the code that computes it.
+/// Properties of a layer. A new layer needs a value of Aov, a row in kAovInfos, and code that computes it.
 struct AovInfo {
   std::string_view name{};  ///< name in flags, files and other programs
   int channels{};
-  float nothing{};  ///< value of the pixels whose ray hits nothing
+  float nothing{};  ///< value of pixels without a hit
   AovOrigin origin{};
-  /// Channel names in OpenEXR, as compositing programs expect them: "layer.channel", or "channel" if the layer has no name.
-  /// Layers are stored as float if half is not precise enough.
+  /// Layer and channel names in OpenEXR files, which compositing programs expect. A channel is called "layer.channel", or
+  /// "channel" if the layer has no name. is_float: stored as float, because half is not precise enough.
   struct InExr {
     std::string_view layer;
     std::array<std::string_view, 3> channels{};
@@ -72,7 +74,7 @@ struct AovInfo {
     double bytes_per_pixel;  ///< approximate compressed size, measured on the built-in scenes
   } exr{};
 };
-/// Indexed by Aov.
+/// The layers in the order of Aov.
 inline constexpr AovInfo kAovInfos[] = {
     {"depth", 1, -std::numeric_limits<float>::infinity(), AovOrigin::kFirstHit, {"", {"Z"}, true, 3.0}},
     {"normal", 3, 0.0f, AovOrigin::kFirstHit, {"N", {"X", "Y", "Z"}, false, 1.5}},
@@ -93,7 +95,7 @@ constexpr const AovInfo& info_of(Aov aov) { return kAovInfos[static_cast<std::si
 constexpr int channels_of(Aov aov) { return info_of(aov).channels; }
 constexpr bool is_light(Aov aov) { return info_of(aov).origin == AovOrigin::kLight; }
 
-/// Indexed by Aov.
+/// The layers' names in the order of Aov.
 inline constexpr std::array<std::string_view, kAovs> kAovNames = [] {
   std::array<std::string_view, kAovs> names;
   for (std::size_t i = 0; i < kAovs; ++i) names[i] = kAovInfos[i].name;
@@ -102,7 +104,7 @@ inline constexpr std::array<std::string_view, kAovs> kAovNames = [] {
 
 struct FrameAovs {
   std::array<bool, kAovs> wanted{};
-  std::array<Image, kAovs> images{};  ///< one per Aov: as large as the film if wanted, otherwise empty
+  std::array<Image, kAovs> images{};  ///< one image per Aov: as large as the film if wanted, otherwise empty
 
   bool wants(Aov aov) const { return wanted[static_cast<std::size_t>(aov)]; }
   bool wants_any(AovOrigin origin) const;
@@ -110,7 +112,7 @@ struct FrameAovs {
   Image& operator[](Aov aov) { return images[static_cast<std::size_t>(aov)]; }
   const Image& operator[](Aov aov) const { return images[static_cast<std::size_t>(aov)]; }
 
-  /// Resizes the image of a wanted layer to the film and fills it with the value of pixels without a hit.
+  /// Resizes the image of a wanted layer to the film. Fills it with the value of pixels without a hit.
   void allocate(Aov aov, Vec2i film_size);
 };
 

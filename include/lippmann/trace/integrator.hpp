@@ -1,4 +1,4 @@
-// The integrators: which light they compute, and with which method.
+// The integrators. Each computes a part of the light by a certain method.
 #pragma once
 
 #include <span>
@@ -6,18 +6,19 @@
 
 namespace lippmann {
 
-/// Properties of an integrator. Code outside the integrators depends on these only, never on which integrator is used.
+/// Properties of an integrator. Code outside the integrators depends only on these properties, not on the integrator itself.
 struct IntegratorFacts {
-  std::string_view name{};         ///< name in flags and job files
-  int default_samples = 1;         ///< number of samples per pixel
-  bool is_stochastic = false;      ///< images have noise that differs between frames and decreases with the number of samples
-  bool can_share_pixels = false;   ///< frames may copy or interpolate pixels from other frames
-  bool separates_light = false;    ///< true: fills the layers of direct and indirect light
-  bool samples_all_light = false;  ///< needs tables of all lights, emissive surfaces and media of the scene
-  bool is_lit_by_surroundings = false;  ///< the surroundings suffice to light a scene without lamps
+  std::string_view name{};
+  int default_samples = 1;        ///< default number of samples per pixel
+  bool is_stochastic = false;     ///< images have noise, which differs between frames and decreases with the number of samples
+  bool can_share_pixels = false;  ///< frames may copy or interpolate pixels from other frames
+  bool separates_light = false;   ///< the layers of direct and indirect light are available
+  /// All lights, emissive surfaces and media of the scene are tabulated, because the integrator samples them.
+  bool samples_all_light = false;
+  bool is_lit_by_surroundings = false;  ///< the background alone lights a scene, so that lamps are not needed
 };
 
-struct IntegratorModel;  // trace/integrator_model.hpp
+struct IntegratorModel;  // defined in trace/integrator_model.hpp
 
 /// Identifies an integrator. Two objects are equal if they refer to the same model.
 class Integrator {

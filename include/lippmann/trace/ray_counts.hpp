@@ -1,4 +1,4 @@
-// Numbers of rays traced, by purpose.
+// Numbers of traced rays, by purpose.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,7 @@
 namespace lippmann {
 
 struct RayCounts {
-  std::uint64_t primary = 0, shadow = 0, reflection = 0, indirect = 0;  ///< reflection: mirrored and refracted rays
+  std::uint64_t primary = 0, shadow = 0, reflection = 0, indirect = 0;  ///< reflection counts mirrored and refracted rays
   std::uint64_t total() const { return primary + shadow + reflection + indirect; }
 };
 

@@ -3,14 +3,14 @@
 
 namespace lippmann {
 
-/// The order in which the pixels of a frame are traced ("pixel-tracing style" in the paper). It does not change the image.
+/// The order in which the pixels of a frame are traced. Images do not depend on it.
 enum class RayOrder {
-  kRows,       ///< row by row; "horizontal" in the paper
-  kColumns,    ///< column by column below each lens; "vertical" in the paper
-  kViewTiles,  ///< tiles of one directional view: the rays of a packet share one direction
+  kRows,       ///< row by row
+  kColumns,    ///< column by column below each lens
+  kViewTiles,  ///< tiles of one directional view, whose rays all have nearly the same direction
 };
 
-/// Returns the order's name as a flag value.
+/// Returns the value of the command-line flag for the order.
 const char* to_string(RayOrder order);
 
 }  // namespace lippmann
