@@ -1,14 +1,14 @@
-// Runs Embree's builders, which call our callbacks on any thread of the calling arena.
+// Runs Embree's builders. They call our callbacks on any thread of the calling oneTBB arena.
 #pragma once
 
 #include "device/embree_shim.hpp"
 
 namespace lippmann {
 
-/// Builds the acceleration structure of a scene.
 void commit_scene(const EmbreeScene& scene);
 
-/// Lives as long as a callback from a builder, to declare to ThreadSanitizer that the callback runs within commit_scene().
+/// Declares to ThreadSanitizer that a callback runs within commit_scene(). Construct a BuilderCall at the start of the
+/// callback.
 class BuilderCall {
  public:
   BuilderCall();

@@ -33,8 +33,8 @@ Error embree_error(RTCError code, const std::string& doing, std::uint64_t wanted
 }
 
 EmbreeDevice make_embree_device(int threads, EmbreeMemory& memory) {
-  // Embree builds on the oneTBB threads of the calling arena. If `threads` were larger than the arena, Embree would start
-  // threads of its own.
+  // Embree builds on the oneTBB threads of the calling arena. It would start its own threads if `threads` were larger than the
+  // arena.
   const std::string config = fmt::format("threads={},set_affinity=0", threads);
   EmbreeDevice device(rtcNewDevice(config.c_str()));
   if (!device) throw embree_error(rtcGetDeviceError(nullptr), "making a device", 0);

@@ -1,4 +1,4 @@
-// Makes Embree's device and reports its errors.
+// Makes Embree's device, and reports its errors.
 #pragma once
 
 #include <atomic>
@@ -13,9 +13,9 @@ namespace lippmann {
 /// Counts the memory that Embree allocates. Thread-safe.
 class EmbreeMemory {
  public:
-  /// Records an allocation before it happens, or a release after it has happened (negative bytes), as Embree reports them.
+  /// Records an allocation of `bytes` that is about to happen, or a release of -bytes that has happened. Embree reports both.
   void add(std::int64_t bytes);
-  /// Returns the peak of the requested memory.
+  /// Returns the largest amount of memory that Embree has requested.
   std::uint64_t wanted_bytes() const { return wanted_; }
 
  private:
@@ -23,13 +23,13 @@ class EmbreeMemory {
   std::atomic<std::uint64_t> wanted_{0};
 };
 
-/// Makes a device that reports its allocations to `memory`, which must outlive it. Throws Error.
+/// Makes a device. It reports its allocations to `memory`, which must outlive the device. Throws Error.
 EmbreeDevice make_embree_device(int threads, EmbreeMemory& memory);
 
-/// Throws Error if any call to the device has failed since the last check, on any thread.
+/// Throws Error if any call to the device has failed on any thread since the last check.
 void check_embree(RTCDevice device, const char* doing, const EmbreeMemory& memory);
 
-/// Returns the error for one of Embree's error codes.
+/// Returns the exception for one of Embree's error codes.
 Error embree_error(RTCError code, const std::string& doing, std::uint64_t wanted_bytes);
 
 }  // namespace lippmann

@@ -1,11 +1,15 @@
 // Embree's representation of a scene.
 //
-// There are two Embree scenes, traced one after the other with the same packet. `fixed` is built once and holds everything that
-// never moves: meshes flattened to world space, and meshes with many instances as Embree instances. `moving` is rebuilt per
-// frame over instances and moving primitives; its meshes are built once. Geometry ids are unique over both scenes: the id is
-// the index of the geometry's GeometryRecord. Deforming meshes are geometries of `moving` with new vertices per frame. Their
-// trees are built for the first frame of the animation and refitted for every other frame, so the result does not depend on the
-// order of frames. Infinite planes are not part of Embree: they are intersected first and shorten the rays.
+// There are two Embree scenes, `fixed` and `moving`. Each packet is traced through both.
+// - `fixed` is built once. It holds everything that never moves: meshes flattened to world space, and meshes with many
+// instances as Embree instances.
+// - `moving` is rebuilt for each frame. It holds Embree instances and moving primitives. The meshes of its instances are built
+// once.
+// - Deforming meshes belong to `moving` and get new vertices for each frame. Their trees are built for the first frame of the
+// animation and refitted for all others, so the result does not depend on the order of frames.
+//
+// Ids of geometries are unique over both scenes: the id is the index of the GeometryRecord. Infinite planes are not part of
+// Embree's scenes. They are intersected first and shorten the rays.
 #pragma once
 
 #include <map>
@@ -18,27 +22,28 @@
 
 namespace lippmann {
 
-/// Primitive geometries of one of the two scenes.
+/// The geometries of analytic primitives in `fixed` or in `moving`.
 struct PrimitiveGeometries {
   EmbreeGeometry spheres, cylinders, rings, boxes;
 };
 
 struct RayScene::Embree {
-  EmbreeMemory memory;  ///< declared before the device, which reports to it
+  EmbreeMemory memory;  ///< declared before the device, because the device reports to it until destroyed
   EmbreeDevice device;
   int native_width = 16;
   EmbreeScene fixed, moving, splats;
   bool has_fixed = false, has_moving = false;
-  std::map<std::pair<int, int>, EmbreeScene> mesh_scenes;  ///< by shape and material index
+  std::map<std::pair<int, int>, EmbreeScene> mesh_scenes;  ///< the key is (shape index, material index)
   PrimitiveGeometries fixed_primitives, moving_primitives;
-  std::vector<std::unique_ptr<ShadowCaster>> shadow_casters;  ///< one per mesh that is not opaque
-  std::vector<EmbreeGeometry> placed;                         ///< the Embree instances that may move, by record id
-  std::vector<int> moving_records;                            ///< ids of records in `moving` that are placed meshes
-  std::vector<EmbreeGeometry> posed;  ///< in the order of SceneGeometry::posed; these have copies of the vertices, because
-                                      ///< Embree reads beyond the last vertex
+  std::vector<std::unique_ptr<ShadowCaster>> shadow_casters;  ///< one per mesh geometry that is not opaque
+  std::vector<EmbreeGeometry> placed;                         ///< Embree instances that may move; the index is the record id
+  std::vector<int> moving_records;                            ///< record ids of the placed meshes in `moving`
+  /// Deforming meshes in the order of SceneGeometry::posed; Embree reads beyond the last vertex, so they have padded copies of
+  /// the vertices.
+  std::vector<EmbreeGeometry> posed;
 };
 
-/// The data that building and moving a scene need: its geometry and Embree's data.
+/// The data that are built and moved: the scene's geometry and Embree's scenes.
 struct BuiltScene {
   SceneGeometry& geometry;
   RayScene::Embree& embree;
@@ -48,7 +53,7 @@ struct BuiltScene {
 void build_scene(const BuiltScene& scene, const ResolvedScene& resolved, const ShadowMaterials& materials,
                  const ThreadPool& pool);
 
-/// Moves all objects to their places in `resolved`.
+/// Moves all objects to their positions in `resolved`.
 void move_scene(const BuiltScene& scene, const ResolvedScene& resolved, const ThreadPool& pool);
 
 }  // namespace lippmann

@@ -9,7 +9,7 @@ namespace {
 
 static_assert(RTC_MAX_INSTANCE_LEVEL_COUNT == 1, "one level of instances is all that scene_builder.cpp makes");
 
-// Packets are passed to Embree without conversion.
+// These layouts must agree, because packets are passed to Embree without conversion.
 static_assert(kNoId == RTC_INVALID_GEOMETRY_ID);
 static_assert(sizeof(RayPacket) == sizeof(RTCRay16) && alignof(RayPacket) == alignof(RTCRay16));
 static_assert(offsetof(RayPacket, tnear) == offsetof(RTCRay16, tnear) &&
@@ -19,7 +19,7 @@ static_assert(offsetof(HitPacket, primID) == offsetof(RTCHit16, primID) &&
               offsetof(HitPacket, instID) == offsetof(RTCHit16, instID));
 static_assert(offsetof(RayHitPacket, hit) == offsetof(RTCRayHit16, hit));
 
-// A 16-packet and its two 8-packet halves hold the same fields in the same order. Each field is an array of 16 or 8 words.
+// A packet of 16 rays and its halves of 8 rays have the same fields in the same order. Each field is an array of 16 or 8 words.
 template <class Wide, class Half>
 void take_half(const Wide& wide, int half, Half& out) {
   constexpr std::size_t fields = sizeof(Half) / (8 * sizeof(float));
@@ -87,7 +87,7 @@ LIPPMANN_MULTIVERSION LaneMask sound_lanes(const RayPacket& rays, float reach, c
 
 namespace {
 
-/// `query` is the arguments (Embree 4) or the context (Embree 3) of the call.
+/// `query` holds the arguments of the call (Embree 4) or its context (Embree 3).
 template <class Query>
 void intersect_packet(RTCScene scene, int native_width, const LaneMask& active, RayHitPacket& packet, Query* query) {
   if (native_width != 8) {
@@ -144,7 +144,7 @@ void occluded(RTCScene scene, int native_width, const LaneMask& active, RayPacke
   arguments.context = &context.embree;
   const auto query = &arguments;
 #else
-  rtcInitIntersectContext(&context.embree);  // without the coherent flag, with which rtcOccluded16 can hang in Embree 3.13
+  rtcInitIntersectContext(&context.embree);  // not flagged as coherent, because rtcOccluded16 can then hang in Embree 3.13
   const auto query = &context.embree;
 #endif
   if (native_width != 8) {

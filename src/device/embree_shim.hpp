@@ -1,8 +1,8 @@
-// Wraps Embree; no other header includes it. Provides ownership of devices and scenes, 16-ray packets, and the calls that
+// Wraps Embree, so that no other header includes Embree's headers. Provides ownership of devices and scenes, and the calls that
 // differ between Embree 3.13 and 4.
 //
-// Packets are 16 rays wide everywhere. On machines with 8 native lanes (AVX2), a packet is traced as two halves, so user
-// geometry callbacks still get whole native packets. On other machines, Embree splits packets itself.
+// All packets have 16 rays. On machines with 8 native lanes (AVX2), a packet is traced as two halves, so that callbacks of user
+// geometries still get full native packets. On other machines, Embree splits packets itself.
 #pragma once
 
 #if __has_include(<embree4/rtcore.h>)
@@ -20,7 +20,6 @@
 
 namespace lippmann {
 
-/// Owns a reference-counted Embree handle.
 template <class Handle, void (*release)(Handle)>
 class EmbreeHandle {
  public:
@@ -45,32 +44,34 @@ using EmbreeDevice = EmbreeHandle<RTCDevice, rtcReleaseDevice>;
 using EmbreeScene = EmbreeHandle<RTCScene, rtcReleaseScene>;
 using EmbreeGeometry = EmbreeHandle<RTCGeometry, rtcReleaseGeometry>;
 
-/// Returns the packet width that the device supports natively: 16, 8 or 4.
+/// Returns the width of packets that the device supports natively: 16, 8 or 4.
 int native_packet_width(RTCDevice device);
 
-/// A context for occlusion queries. Geometry filters multiply its transmittance at see-through surfaces.
+/// The context of an occlusion query. Geometry filters multiply its transmittance at transparent surfaces.
 struct ShadowContext {
 #if RTC_VERSION_MAJOR >= 4
   RTCRayQueryContext embree;
 #else
   RTCIntersectContext embree;
 #endif
-  // `embree` must come first: Embree passes its address to filters, which cast it to this type. The id of a ray is its lane.
+  // `embree` must be the first member, because Embree passes its address to filters, which cast it to ShadowContext. The id of
+  // a ray is its lane.
   alignas(64) float transmittance[kLanes];
-  Lanes3 tint;  ///< multiplies the transmittance if is_tinted is set
+  Lanes3 tint;  ///< factor on the transmittance if is_tinted is true
   bool is_tinted = false;
-  const SceneGeometry* geometry = nullptr;  ///< used by filters of meshes to look up hits
+  const SceneGeometry* geometry = nullptr;  ///< lets filters of meshes look up hits
 };
 
-/// Returns the active lanes whose rays have finite coordinates within `reach`, which is less than kLargestReach if instances
-/// magnify coordinates. Other lanes hit nothing. Scenes and optics are checked at load time, but products of valid numbers may
-/// still overflow.
+/// Returns the active lanes whose coordinates are finite and within `reach`. `reach` is below kLargestReach if instances
+/// magnify coordinates. The remaining lanes hit nothing. They exist because products of valid inputs may still overflow.
 LaneMask sound_lanes(const RayPacket& rays, float reach, const LaneMask& active);
 
-/// Traces the active lanes, which must be sound. Changes tfar and the hit of a lane if there is a hit nearer than its tfar.
+/// Traces the active lanes, which must come from sound_lanes(). Sets tfar and the hit of each lane that hits something nearer
+/// than its tfar.
 void intersect(RTCScene scene, int native_width, const LaneMask& active, RayHitPacket& packet, Coherence coherence);
 
-/// A context for queries that collect splats. `embree` must come first, as in ShadowContext; a ray's id is its lane.
+/// The context of a query that collects splats. `embree` must be the first member, as in ShadowContext. The id of a ray is its
+/// lane.
 struct SplatContext {
 #if RTC_VERSION_MAJOR >= 4
   RTCRayQueryContext embree;
@@ -80,11 +81,12 @@ struct SplatContext {
   SplatHits* hits = nullptr;
 };
 
-/// Calls the geometries' intersect functions for all candidates of the active lanes, which must be sound.
+/// Calls the intersect functions of user geometries for all primitives that the active lanes may hit. The lanes must come from
+/// sound_lanes().
 void gather(RTCScene scene, int native_width, const LaneMask& active, RayHitPacket& packet, SplatContext& context);
 
-/// Sets tfar to -inf for active lanes that are occluded between tnear and tfar. The lanes must be sound. Initialize
-/// `context.transmittance` to 1; each see-through surface multiplies it.
+/// Sets tfar to -inf for active lanes that are occluded between tnear and tfar. The lanes must come from sound_lanes(). The
+/// caller sets context.transmittance to 1, and each transparent surface multiplies it.
 void occluded(RTCScene scene, int native_width, const LaneMask& active, RayPacket& packet, ShadowContext& context);
 
 }  // namespace lippmann

@@ -1,4 +1,4 @@
-// Updates deforming meshes for a frame: vertices, texture gradients and Embree's copy.
+// Updates deforming meshes for a frame: vertices, gradients of texture coordinates, and Embree's copy of the vertices.
 #pragma once
 
 #include "device/embree_shim.hpp"
@@ -8,10 +8,10 @@
 
 namespace lippmann {
 
-/// Returns one gradient per triangle. `uvs` is one of the mesh's sets of texture coordinates and must not be empty.
+/// Returns one gradient per triangle. `uvs` is one of the mesh's sets of texture coordinates. It must not be empty.
 std::vector<UvGradient> make_uv_gradients(const Mesh& mesh, const std::vector<Vec2f>& uvs);
 
-/// Sets the mesh's vertices and gradients to the pose.
+/// Sets the vertices and gradients of `posed` to the pose.
 void pose_vertices(const MeshPose& pose, PosedMesh& posed, const ThreadPool& pool);
 
 /// Updates Embree's copy of the vertices. The caller must commit the scene afterwards.

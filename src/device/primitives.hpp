@@ -1,8 +1,8 @@
-// Ray intersections with analytic shapes in world space: exact spheres, open cylinders, rings, boxes and planes.
+// Intersections of rays with analytic shapes in world space: spheres, open cylinders, rings, boxes and planes.
 //
 // Each `distance(primitive, ray)` returns the parameter t of the nearest intersection with t_near < t < t_far, or +infinity.
-// The functions are scalar and branch-free, so that loops over the lanes of a packet vectorise. Directions need not have unit
-// length, unless a primitive requires it.
+// The functions are scalar and branch-free, so that loops over the lanes of a packet vectorise. Directions may have any length,
+// except where a primitive requires unit length.
 #pragma once
 
 #include <cstdint>
@@ -21,17 +21,17 @@ LIPPMANN_INLINE float nearest_valid(float t0, float t1, bool valid0, bool valid1
   return valid0 ? t0 : second;
 }
 
-/// A sphere. Intersection requires rays of unit length.
+/// A sphere. Directions of rays must have unit length.
 struct WorldSphere {
   float x, y, z, radius;
 };
 
-/// The intersection of a ray with a sphere. The discriminant uses the part of (centre - origin) perpendicular to the ray, which
-/// stays accurate for small, far spheres: Haines, Gunther, Akenine-Moller, "Precision Improvements for Ray/Sphere
+/// The intersection of a ray with a sphere. The discriminant uses the part of (centre - origin) that is perpendicular to the
+/// ray. It is accurate even for small, distant spheres: Haines, Gunther, Akenine-Moller, "Precision Improvements for Ray/Sphere
 /// Intersection", Ray Tracing Gems, 2019.
 struct SphereCrossing {
-  float middle;        ///< t of the ray's point closest to the centre
-  float discriminant;  ///< squared half length of the chord; < 0: no intersection
+  float middle;        ///< t at the ray's point closest to the centre
+  float discriminant;  ///< squared half length of the chord; negative if the ray misses
 };
 
 LIPPMANN_INLINE SphereCrossing crossing(const WorldSphere& s, const LaneRay& r) {
@@ -51,14 +51,14 @@ LIPPMANN_INLINE float distance(const WorldSphere& s, const LaneRay& r) {
   return nearest_valid(t0, t1, real & (t0 > r.t_near) & (t0 < r.t_far), real & (t1 > r.t_near) & (t1 < r.t_far));
 }
 
-/// Returns whether the ray intersects the surface, for shadow rays.
+/// Returns whether the ray intersects the primitive. Used for shadow rays.
 template <class Primitive>
 LIPPMANN_INLINE bool crosses(const Primitive& primitive, const LaneRay& r) {
   return distance(primitive, r) < kInfinity;
 }
 
-/// Returns whether the ray intersects the sphere. Avoids the square root: t0 = b - half > t_near is equivalent to b - t_near >
-/// half, and so on.
+/// Returns whether the ray intersects the sphere. Compares squares to avoid the square root: t0 = b - half > t_near is
+/// equivalent to b - t_near > half. The other bounds are tested likewise.
 LIPPMANN_INLINE bool crosses(const WorldSphere& s, const LaneRay& r) {
   const auto [b, squared] = crossing(s, r);
   const float past_near = b - r.t_near, past_far = b - r.t_far;
@@ -78,7 +78,7 @@ LIPPMANN_INLINE float distance(const WorldCylinder& c, const LaneRay& r) {
   const float ox = r.ox - c.x, oy = r.oy - c.y, oz = r.oz - c.z;
   const float o_axial = ox * c.ax + oy * c.ay + oz * c.az;
   const float d_axial = r.dx * c.ax + r.dy * c.ay + r.dz * c.az;
-  // Project to the plane perpendicular to the axis, where the cylinder is a circle.
+  // The ray is projected to the plane perpendicular to the axis, where the cylinder is a circle.
   const float mx = r.dx - d_axial * c.ax, my = r.dy - d_axial * c.ay, mz = r.dz - d_axial * c.az;
   const float qx = ox - o_axial * c.ax, qy = oy - o_axial * c.ay, qz = oz - o_axial * c.az;
   const float a = mx * mx + my * my + mz * mz;
@@ -102,7 +102,7 @@ struct WorldPlane {
 LIPPMANN_INLINE float distance(const WorldPlane& p, const LaneRay& r) {
   const float along = p.nx * r.dx + p.ny * r.dy + p.nz * r.dz;
   const float height = p.offset - (p.nx * r.ox + p.ny * r.oy + p.nz * r.oz);
-  const float t = height / along;  // +-inf or NaN for parallel rays; both fail the test
+  const float t = height / along;  // +-inf or NaN for parallel rays, which fails the test below
   const bool valid = (t > r.t_near) & (t < r.t_far);
   return valid ? t : kInfinity;
 }
@@ -120,10 +120,10 @@ LIPPMANN_INLINE float distance(const WorldRing& g, const LaneRay& r) {
   return valid ? t : kInfinity;
 }
 
-/// The image of the cube [-1, 1]^3 under an affine map.
+/// A box: the cube [-1, 1]^3 under an affine map.
 struct WorldBox {
-  float m[9];  ///< box_from_world, linear part, columns
-  float t[3];  ///< box_from_world, translation
+  float m[9];  ///< linear part of box_from_world, column by column
+  float t[3];  ///< translation of box_from_world
   float center[3];
 };
 
@@ -144,7 +144,7 @@ LIPPMANN_INLINE float distance(const WorldBox& b, const LaneRay& r) {
                        real & (leave > r.t_near) & (leave < r.t_far));
 }
 
-// ---- World-space forms of the scene's shapes, and their bounds and normals ------------------------------------------
+// ---- Conversion of the scene's shapes to world space; bounds and normals ------------------------------------------------
 
 WorldSphere to_world(const Affine3f& world_from_local, const struct Sphere& sphere);
 WorldCylinder to_world(const Affine3f& world_from_local, const struct Cylinder& cylinder);
@@ -157,7 +157,7 @@ Bounds3f bounds(const WorldCylinder& c);
 Bounds3f bounds(const WorldRing& g);
 Bounds3f bounds(const WorldBox& b);
 
-/// Returns the outward normal (for rings and planes, the stored one) at a surface point, not normalised.
+/// Returns the outward normal at a surface point, in any length. Rings and planes return their stored normal.
 LIPPMANN_INLINE Vec3f normal_at(const WorldSphere& s, Vec3f p) { return {p.x - s.x, p.y - s.y, p.z - s.z}; }
 LIPPMANN_INLINE Vec3f normal_at(const WorldCylinder& c, Vec3f p) {
   const Vec3f axis(c.ax, c.ay, c.az), q = p - Vec3f(c.x, c.y, c.z);
@@ -165,10 +165,10 @@ LIPPMANN_INLINE Vec3f normal_at(const WorldCylinder& c, Vec3f p) {
 }
 LIPPMANN_INLINE Vec3f normal_at(const WorldRing& g, Vec3f) { return {g.nx, g.ny, g.nz}; }
 LIPPMANN_INLINE Vec3f normal_at(const WorldPlane& p, Vec3f) { return {p.nx, p.ny, p.nz}; }
-/// Returns the normal of the face that contains p. It is the face on the axis of the largest box coordinate.
+/// Returns the normal of the box's face that contains p. This is the face on the axis where p has its largest box coordinate.
 Vec3f normal_at(const WorldBox& b, Vec3f p);
-/// Returns the normal by Tachyon's rule, which is the world axis with the largest component of |p - centre|. On elongated boxes
-/// it differs from the face's normal.
+/// Returns the normal by Tachyon's rule: the world axis on which p - centre has its largest component. On elongated boxes, it
+/// may differ from the face's normal.
 Vec3f tachyon_box_normal(const WorldBox& b, Vec3f p);
 
 }  // namespace lippmann

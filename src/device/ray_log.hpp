@@ -8,7 +8,7 @@
 namespace lippmann {
 
 struct LoggedPacket {
-  RayPacket rays;  ///< as passed to Embree, after planes have shortened them
+  RayPacket rays;  ///< the rays as passed to Embree, after planes have shortened them
   LaneMask active;
   bool shadow = false;
   Coherence coherence = Coherence::kIncoherent;
@@ -16,7 +16,7 @@ struct LoggedPacket {
 
 using RayLog = std::vector<LoggedPacket>;
 
-/// Returns a record of rays traced for their nearest hits.
+/// Returns a record of rays that search their nearest hits.
 inline LoggedPacket logged(const RayPacket& rays, const LaneMask& active, Coherence coherence) {
   LoggedPacket packet{rays, active, false, coherence};
   make_ready(packet.rays);

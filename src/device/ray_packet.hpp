@@ -1,14 +1,13 @@
 // A packet of sixteen rays and their hits.
 //
-// The memory layout is Embree's, so packets are passed on without conversion (embree_shim.cpp checks this), but no header
-// depends on Embree.
+// The memory layout is Embree's, so packets need no conversion. embree_shim.cpp asserts this. No header depends on Embree.
 #pragma once
 
 #include "device/lanes.hpp"
 
 namespace lippmann {
 
-/// The caller sets origin, direction, tnear and tfar. make_ready() sets the other fields, which are internal to the device.
+/// The caller sets origin, direction, tnear and tfar. make_ready() sets the other fields, which only src/device uses.
 struct alignas(64) RayPacket {
   float org_x[kLanes], org_y[kLanes], org_z[kLanes], tnear[kLanes];
   float dir_x[kLanes], dir_y[kLanes], dir_z[kLanes], time[kLanes];
@@ -16,7 +15,7 @@ struct alignas(64) RayPacket {
   unsigned mask[kLanes], id[kLanes], flags[kLanes];
 };
 
-/// Sets the fields that are internal to the device.
+/// Sets the fields that only src/device uses.
 LIPPMANN_INLINE void make_ready(RayPacket& rays) {
   LIPPMANN_FOR_LANES(i) {
     rays.time[i] = 0.0f;
@@ -26,12 +25,13 @@ LIPPMANN_INLINE void make_ready(RayPacket& rays) {
   }
 }
 
-/// The hits of a packet. A lane's values are valid if its geomID is not kNoId.
+/// The hits of a packet. The values of a lane are defined if its geomID is not kNoId.
 struct alignas(64) HitPacket {
-  float Ng_x[kLanes], Ng_y[kLanes], Ng_z[kLanes];  ///< normal of the facet, any length; in mesh space for placed meshes
-  float u[kLanes], v[kLanes];                      ///< barycentric coordinates of a triangle's second and third corner
+  /// Normal of the facet, any length; in mesh space if the mesh is an Embree instance, otherwise in world space.
+  float Ng_x[kLanes], Ng_y[kLanes], Ng_z[kLanes];
+  float u[kLanes], v[kLanes];  ///< barycentric weights of the triangle's second and third corner
   unsigned primID[kLanes], geomID[kLanes], instID[1][kLanes];
-  unsigned reserved[kLanes];  ///< written by versions of Embree that support instance arrays
+  unsigned reserved[kLanes];  ///< written by Embree if it supports instance arrays
 };
 
 struct alignas(64) RayHitPacket {
@@ -39,20 +39,20 @@ struct alignas(64) RayHitPacket {
   HitPacket hit;
 };
 
-/// Prepares a packet for tracing and clears its hits.
+/// Prepares a packet for tracing, and clears its hits.
 void clear_hits(RayHitPacket& packet);
 
 inline constexpr unsigned kNoId = 0xffffffffu;
-/// Geometry ids from this value on are infinite planes.
+/// kPlaneId + p is the geometry id of infinite plane p.
 inline constexpr unsigned kPlaneId = 0x80000000u;
-/// Geometry ids from this value on are visible lights.
+/// kLightId + l is the geometry id of visible light l.
 inline constexpr unsigned kLightId = 0xC0000000u;
 
-/// Bits of RayPacket::mask. A ray intersects geometries whose mask shares a bit with its own mask. Rays of other kinds have all
-/// bits set.
+/// Bits of RayPacket::mask. A ray intersects only geometries whose mask shares a bit with the ray's mask. Rays that are neither
+/// camera nor shadow rays have all bits set.
 inline constexpr unsigned kCameraRay = 1, kShadowRay = 2;
 
-/// States whether the rays of a packet have similar directions.
+/// Whether the rays of a packet have similar directions.
 enum class Coherence { kCoherent, kIncoherent };
 
 }  // namespace lippmann

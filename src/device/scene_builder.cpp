@@ -1,4 +1,4 @@
-// Builds Embree's scenes from a scene description, and moves objects.
+// Builds Embree's scenes from a scene description, and moves their objects.
 #include <algorithm>
 #include <map>
 
@@ -13,23 +13,23 @@
 namespace lippmann {
 namespace {
 
-// Fixed meshes with several instances are flattened up to this total number of triangles. Larger ones are shared by Embree
-// instances.
+// Fixed meshes with several instances are flattened if the copies have at most this number of triangles in total. Larger meshes
+// become Embree instances, which share one tree.
 constexpr std::size_t kFlattenTriangles = 200'000;
 
-/// Minimum reach of rays relative to the scene's size, regardless of how much instances magnify coordinates.
+/// Minimum reach of rays relative to the scene's size, however strongly instances magnify coordinates.
 constexpr float kLeastReach = 1000.0f;
 
-/// Makes a scene with robust intersection. Without it, one in ten rays along an edge shared by two triangles passes between
-/// them, because Embree's faster test rounds the edge differently from both sides.
+/// Makes a scene with robust intersection. Embree's faster test rounds an edge differently for the two triangles that share it,
+/// so that one in ten rays along the edge would pass between them.
 EmbreeScene make_scene(RTCDevice device, RTCSceneFlags flags) {
   EmbreeScene scene(rtcNewScene(device));
   rtcSetSceneFlags(scene.get(), flags | RTC_SCENE_FLAG_ROBUST);
   return scene;
 }
 
-/// Returns a matrix that transforms normals like the inverse transpose, up to length, and keeps them on the outer side. It also
-/// works for singular matrices. Each column of the result is the cross product of the other two columns of m.
+/// Returns a matrix that transforms normals like the inverse transpose, up to a factor, and keeps them on the outer side. Each
+/// of its columns is the cross product of the other two columns of m, so that it also works for singular m.
 Mat3f outward_normals(const Mat3f& m) {
   const Mat3f cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
   return glm::determinant(m) < 0.0f ? -cofactors : cofactors;
@@ -40,21 +40,21 @@ Vec3f normalized_or(Vec3f v, Vec3f otherwise) {
   return length > 0.0f ? v / length : otherwise;
 }
 
-/// Returns whether a node's scale is 0 along an axis, so that rays cannot be transformed to its space.
+/// Returns whether m scales by 0 along an axis, so that rays cannot be transformed to the node's space.
 bool is_singular(const Mat3f& m) {
   const float volume = std::abs(glm::determinant(m));
   return !(volume > 1e-12f * glm::length(m[0]) * glm::length(m[1]) * glm::length(m[2]));
 }
 
-/// Returns the largest ray coordinate that stays within kLargestReach when transformed to a node's space.
+/// Returns the largest coordinate of rays that stays within kLargestReach after transformation to a node's space.
 float reach_of(const Affine3f& mesh_from_world) {
   const Mat3f& m = mesh_from_world.linear;
   const Vec3f sums = glm::abs(m[0]) + glm::abs(m[1]) + glm::abs(m[2]), moved = glm::abs(mesh_from_world.translation);
   const float factor = std::max({1.0f, sums.x, sums.y, sums.z}), offset = std::max({moved.x, moved.y, moved.z});
-  return std::max(0.0f, (kLargestReach - offset) / factor);  // NaN becomes 0
+  return std::max(0.0f, (kLargestReach - offset) / factor);  // std::max turns NaN into 0
 }
 
-/// Attaches geometries and assigns record ids.
+/// Attaches geometries to Embree's scenes, and assigns record ids.
 class SceneBuilder {
  public:
   SceneBuilder(const BuiltScene& built, const ResolvedScene& resolved, const ShadowMaterials& materials, const ThreadPool& pool)
@@ -137,7 +137,7 @@ class SceneBuilder {
     for (Vec3f& n : world->normals) n = normalized_or(normal_matrix * n, n);
     const float turned = glm::determinant(place.linear) < 0.0f ? -1.0f : 1.0f;  // mirroring reverses the bitangent
     for (Vec4f& t : world->tangents) t = Vec4f(normalized_or(place.linear * Vec3f(t), Vec3f(t)), turned * t.w);
-    if (glm::determinant(place.linear) < 0.0f)  // reverse the winding of mirrored meshes, so that it agrees with the normals
+    if (glm::determinant(place.linear) < 0.0f)  // mirrored meshes get the opposite winding, so that it agrees with the normals
       for (auto& triangle : world->triangles) std::swap(triangle[1], triangle[2]);
     const EmbreeGeometry geometry = make_triangles(*world, index);
     set_rays_met(geometry.get(), index);
@@ -153,7 +153,7 @@ class SceneBuilder {
   }
 
   void add_placed(const Mesh& mesh, const Instance& instance, std::uint32_t index, bool moving, const Affine3f& place) {
-    // One scene per mesh and material, because a see-through material's shadow filter belongs to the geometry.
+    // There is one scene per mesh and material, because the shadow filter of a transparent material belongs to the geometry.
     EmbreeScene& mesh_scene = embree_.mesh_scenes[{instance.shape, instance.material}];
     if (!mesh_scene) {
       mesh_scene = make_scene(embree_.device.get(), RTC_SCENE_FLAG_NONE);
@@ -197,12 +197,12 @@ class SceneBuilder {
       filter_shadows(geometry.get(), *caster);
       embree_.shadow_casters.push_back(std::move(caster));
     }
-    rtcSetGeometryMask(geometry.get(), ~0u);  // because Embree 4 sets only one bit by default
+    rtcSetGeometryMask(geometry.get(), ~0u);  // Embree 4 sets only one bit by default
     rtcCommitGeometry(geometry.get());
     return geometry;
   }
 
-  /// Sets the mask that selects which rays intersect the instance.
+  /// Sets the mask that selects which kinds of rays intersect the instance.
   void set_rays_met(RTCGeometry geometry, std::uint32_t index) const {
     const Instance& instance = scene_.instances[index];
     const unsigned hidden_from =
@@ -280,12 +280,11 @@ class SceneBuilder {
   std::map<int, int> uses_;
 };
 
-/// Places a mesh instance. Hides it if it is singular or if it would reduce the reach of rays below least_reach, because its
-/// scale is then practically 0.
+/// Places a mesh instance. Hides the instance if its scale is practically 0: its transform is singular, or it would reduce the
+/// reach of rays below least_reach.
 void place(GeometryRecord& record, RTCGeometry geometry, const Affine3f& world_from_mesh, float least_reach) {
   record.reach = reach_of(inverse(world_from_mesh));
-  if (is_singular(world_from_mesh.linear) ||
-      !(record.reach >= least_reach)) {  // animations may hide objects by scaling them to 0
+  if (is_singular(world_from_mesh.linear) || !(record.reach >= least_reach)) {  // animations hide objects by scaling them to 0
     record.reach = kLargestReach;
     record.hidden = true;
     rtcDisableGeometry(geometry);
@@ -311,7 +310,7 @@ float least_reach_of(const std::vector<GeometryRecord>& records) {
   return reach;
 }
 
-/// Updates the world-space primitives of one table, in the order in which the builder added them.
+/// Moves the primitives of one table. Their order is the one in which the builder added them.
 template <class Source, class Primitive>
 void move_primitives(PrimitiveTable<Primitive>& table, const EmbreeGeometry& geometry, const Scene& scene,
                      const ResolvedScene& resolved) {

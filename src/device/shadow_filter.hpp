@@ -6,8 +6,8 @@
 
 namespace lippmann {
 
-/// Calls `caster` for each hit of a shadow ray with the geometry. Hits attenuate the ray (ShadowContext) and end it only at a
-/// transmittance of 0. `caster` must outlive the geometry.
+/// From now on, `caster` is called for each hit of a shadow ray with the geometry. A hit multiplies the ray's transmittance
+/// (ShadowContext), and ends the ray only if no light passes. `caster` must outlive the geometry.
 void filter_shadows(RTCGeometry geometry, const ShadowCaster& caster);
 
 }  // namespace lippmann

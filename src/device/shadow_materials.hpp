@@ -1,4 +1,4 @@
-// The interface through which shadow rays find out how much light passes straight through surfaces.
+// The interface by which shadow rays get the share of light that passes straight through surfaces.
 #pragma once
 
 #include <cstdint>
@@ -16,23 +16,23 @@ struct ShadowHit {
   std::uint32_t triangle;
   Vec2f barycentric;  ///< weights of the triangle's second and third corner
   Vec3f facet;        ///< normal of the facet on the outer side, in mesh space, any length
-  Vec3f direction;    ///< direction of the ray, towards the light, in world space
+  Vec3f direction;    ///< direction of the ray in world space, from the surface to the light
 };
 
 /// The transmittance of a mesh that is not fully opaque. Thread-safe.
 class ShadowCaster {
  public:
   virtual ~ShadowCaster() = default;
-  /// Returns the share of red, green and blue light that passes. 0 ends the ray.
+  /// Returns the shares of red, green and blue light that pass the hit. If all are 0, the ray ends.
   virtual Vec3f transmittance(const ShadowHit& hit) const = 0;
 };
 
 class ShadowMaterials {
  public:
   virtual ~ShadowMaterials() = default;
-  /// Returns the transmittance of an instance's whole surface; 0: opaque.
+  /// Returns the transmittance of an instance, the same at all points; 0: opaque.
   virtual float transmittance(std::uint32_t instance) const = 0;
-  /// Returns the caster of an instance of a mesh, or null if it is opaque.
+  /// Returns the shadow caster of an instance of a mesh, or null if the mesh is opaque.
   virtual std::unique_ptr<ShadowCaster> caster(std::uint32_t instance) const = 0;
 };
 

@@ -10,7 +10,8 @@
 namespace lippmann {
 namespace {
 
-/// Returns a splat in world space, or nothing if it is invisible or its node scales it to practically 0 or infinity.
+/// Returns splat i of a set in world space. Returns nothing if the splat is invisible, or if its node scales it to practically
+/// 0 or infinity.
 std::optional<WorldSplat> world_splat(const SplatSet& set, std::uint32_t set_index, std::uint32_t i, const Affine3f& place) {
   const Splats& splats = *set.splats;
   const float reach = reach_of_splat(splats.opacities[i]);
@@ -35,8 +36,8 @@ void splat_bounds(const RTCBoundsFunctionArguments* args) {
   const glm::dmat3 rows = glm::transpose(glm::inverse(to_splat));
   const Vec3f center(splat.x, splat.y, splat.z);
   const Vec3f half = std::sqrt(splat.reach) * Vec3f(glm::length(rows[0]), glm::length(rows[1]), glm::length(rows[2]));
-  // Pad the bounds by more than the rounding errors, because grazing rays could otherwise miss them, and those of flat splats
-  // may have no thickness.
+  // The bounds are padded by more than rounding errors. Otherwise grazing rays could miss them, and the bounds of flat splats
+  // might have no thickness.
   const Vec3f pad = 1e-4f * half + 1e-6f * (glm::abs(center) + half);
   const Vec3f lower = center - half - pad, upper = center + half + pad;
   args->bounds_o->lower_x = lower.x, args->bounds_o->upper_x = upper.x;
@@ -44,14 +45,14 @@ void splat_bounds(const RTCBoundsFunctionArguments* args) {
   args->bounds_o->lower_z = lower.z, args->bounds_o->upper_z = upper.z;
 }
 
-/// The hits of a packet of n rays with a splat.
+/// The hits of a packet of n rays with one splat.
 struct SplatMeeting {
   alignas(64) float t[kLanes], alpha[kLanes];
   alignas(64) int met[kLanes];
 };
 
-/// Returns whether any lane hits the splat. `words` is a packet of n rays in Embree's layout, which consists of arrays of n
-/// words.
+/// Fills `meeting`. Returns whether any lane hits the splat. `words` is a packet of n rays in Embree's layout, which consists
+/// of arrays of n words.
 LIPPMANN_INLINE int meet_in_lanes(const WorldSplat& splat, const int* valid, const float* words, unsigned n,
                                   SplatMeeting& meeting) {
   int any = 0;
@@ -79,7 +80,7 @@ LIPPMANN_MULTIVERSION int meet_splat(const WorldSplat& splat, const int* valid, 
   return meet_in_lanes(splat, valid, words, n, meeting);
 }
 
-/// Prefetches the splat's colour (spherical harmonics), which is probably not in the cache.
+/// Prefetches the splat's spherical harmonics, which are probably not in the cache.
 void fetch_colour(const SplatTable& table, const WorldSplat& splat) {
   constexpr std::size_t kCacheLine = 64;
   const Splats& splats = *table.sets[splat.set].splats;
@@ -92,8 +93,7 @@ void collect_splat(const RTCIntersectFunctionNArguments* args) {
   const auto& table = *static_cast<const SplatTable*>(args->geometryUserPtr);
   auto* words = reinterpret_cast<float*>(args->rayhit);
   const unsigned n = args->N;
-  // The next splats on the space-filling curve are the most likely to be hit next. (Prefetches beyond the table's end are
-  // harmless.)
+  // The next splats on the space-filling curve will most likely be tested next. Prefetches beyond the table's end are harmless.
   for (unsigned ahead = 1; ahead <= 2; ++ahead) __builtin_prefetch(table.splats.data() + args->primID + ahead);
   SplatMeeting meeting;
   if (!meet_splat(table.splats[args->primID], args->valid, words, n, meeting)) return;

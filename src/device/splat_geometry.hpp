@@ -1,4 +1,4 @@
-// Makes an Embree geometry of splats and collects the splats that rays hit.
+// Makes an Embree geometry of splats, and collects the splats that rays hit.
 #pragma once
 
 #include "device/embree_scene.hpp"
@@ -6,10 +6,10 @@
 
 namespace lippmann {
 
-/// Fills the table of splats and builds their Embree scene for the node positions in `resolved`.
+/// Fills the table of splats, and builds their Embree scene for the node transforms in `resolved`.
 void place_splats(const BuiltScene& built, const ResolvedScene& resolved);
 
-/// Adds the splats that the active lanes hit from tnear to tfar. The lanes must be sound.
+/// Adds to `hits` the splats that the active lanes hit between tnear and tfar. The lanes must come from sound_lanes().
 void collect_splats(RTCScene scene, int native_width, const LaneMask& active, RayHitPacket& packet, SplatHits& hits);
 
 }  // namespace lippmann

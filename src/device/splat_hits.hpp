@@ -1,8 +1,8 @@
 // The splats along sixteen rays, nearest first.
 //
-// A ray's list ends where the transmittance falls below kDark. Splats behind that point are dropped, and the search can stop
-// there. The final list does not depend on the order in which splats are found: a splat is only dropped if the splats before it
-// are opaque enough, and more splats before it only lower the transmittance.
+// The list of a ray ends where the transmittance falls below kDark. Splats behind this point are dropped, and the search stops
+// there. The final list does not depend on the order in which splats are found. A splat is only dropped if the splats in front
+// of it are opaque enough, and further splats in front only lower the transmittance.
 #pragma once
 
 #include <algorithm>
@@ -18,13 +18,13 @@ namespace lippmann {
 inline constexpr float kDark = 1.0f / 1024.0f;
 
 struct SplatHit {
-  float t;              ///< distance of the splat's maximum along the ray
-  float alpha;          ///< opacity at distance t
-  float left;           ///< transmittance of this splat and all before it
+  float t;              ///< distance along the ray at which the splat has its maximum
+  float alpha;          ///< opacity of the splat at distance t
+  float left;           ///< transmittance of this splat and all splats in front of it
   std::uint32_t splat;  ///< index in SplatTable::splats
 };
 
-/// Holds the lists of a packet's lanes. Reuses its memory from packet to packet.
+/// The hits of each lane. The memory is reused from packet to packet.
 class SplatHits {
  public:
   void clear() {
@@ -33,8 +33,8 @@ class SplatHits {
 
   const std::vector<SplatHit>& of(int lane) const { return of_lane_[static_cast<std::size_t>(lane)]; }
 
-  /// Adds a splat to a lane's list, unless the splats before it are opaque. Returns the distance up to which further splats
-  /// count, at most `reach`.
+  /// Adds a splat to a lane's list, unless the splats in front of it are opaque. Returns the distance up to which further
+  /// splats may be visible, at most `reach`.
   float add(std::size_t lane, SplatHit hit, float reach);
 
  private:

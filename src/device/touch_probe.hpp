@@ -1,4 +1,4 @@
-// Tests rays against boxes while they are traced (touched_blocks.hpp).
+// Tests rays against boxes while the rays are traced. touched_blocks.hpp explains the purpose.
 #pragma once
 
 #include <memory>
@@ -13,22 +13,22 @@ namespace lippmann {
 /// Tests rays against a set of boxes. Thread-safe.
 class TouchProbe {
  public:
-  /// Uses the device of `scene`, which must outlive this object.
+  /// Uses the Embree device of `scene`, which must outlive this object.
   TouchProbe(const RayScene& scene, const std::vector<HorizonBox>& boxes);
   ~TouchProbe();
   TouchProbe(const TouchProbe&) = delete;
   TouchProbe& operator=(const TouchProbe&) = delete;
 
-  /// Returns the lowest horizon of the boxes that the active rays hit from tnear to tfar.
+  /// Returns the lowest horizon of the boxes that the active rays hit between tnear and tfar, or kNever if they hit none.
   std::uint8_t lowest_met(const RayPacket& rays, const LaneMask& active) const;
 
  private:
   struct Boxes;
   std::unique_ptr<Boxes> boxes_;
-  std::uint8_t everything_ = TouchedBlocks::kNever;  ///< lowest horizon of the infinite boxes
+  std::uint8_t everything_ = TouchedBlocks::kNever;  ///< lowest horizon of the infinite boxes, which all rays hit
 };
 
-/// Collects the lowest horizon that the rays of one block have hit so far.
+/// Collects the lowest horizon that the rays of one block have met.
 class BlockProbe {
  public:
   explicit BlockProbe(const TouchProbe& probe) : probe_(probe) {}
@@ -36,7 +36,7 @@ class BlockProbe {
   void add(const RayPacket& rays, const LaneMask& active) {
     if (lowest_ > 0) lowest_ = std::min(lowest_, probe_.lowest_met(rays, active));
   }
-  /// Returns the result for the block and resets the probe for the next one.
+  /// Returns the block's lowest horizon, and resets the probe for the next block.
   std::uint8_t take() { return std::exchange(lowest_, TouchedBlocks::kNever); }
 
  private:

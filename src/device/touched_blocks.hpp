@@ -1,10 +1,12 @@
-// Finds the blocks of a frame whose rays, of any kind, hit given boxes.
+// Finds the blocks of a frame whose rays hit given boxes. Rays of all kinds count.
 //
-// A block is the unit of tracing: neighbouring packets, and the mirror and refracted rays that follow from them. Retracing a
-// block, alone or with others, gives the same bits. (Retracing single pixels does not, because the rays that share a packet
-// affect rounding.) With boxes around everything that moves in the following frames, the blocks without hits provably stay
-// unchanged: their rays meet only static objects and their light. Based on the voxels of D. A. Jevans, "Object space temporal
-// coherence for ray tracing", Graphics Interface 1992.
+// A block is the unit of tracing: neighbouring packets, and the mirrored and refracted rays that follow from them. Retracing a
+// block gives the same bits, whether alone or with other blocks. Retracing single pixels does not, because the rays that share
+// a packet affect rounding.
+//
+// If boxes enclose everything that moves in the following frames, the blocks without hits provably stay unchanged, because
+// their rays meet only static objects and static light. Based on the voxels of D. A. Jevans, "Object space temporal coherence
+// for ray tracing", Graphics Interface 1992.
 #pragma once
 
 #include <cstdint>
@@ -15,16 +17,17 @@
 namespace lippmann {
 
 struct HorizonBox {
-  Bounds3f bounds;           ///< world space; may be infinite
-  std::uint8_t horizon = 0;  ///< a small number defined by the caller
+  Bounds3f bounds;           ///< bounds in world space, which may be infinite
+  std::uint8_t horizon = 0;  ///< number that the caller assigns to the box, < 255
 };
 
 struct TouchedBlocks {
   static constexpr std::uint8_t kNever = 255;
 
-  std::vector<HorizonBox> boxes;             ///< input
-  std::vector<std::uint8_t> lowest_horizon;  ///< output, by block: lowest horizon of the boxes hit; kNever: none
-  std::vector<std::uint32_t> rays;           ///< output, by block: number of rays traced
+  std::vector<HorizonBox> boxes;  ///< input
+  /// output: for each block, the lowest horizon of the boxes that its rays hit; kNever: no box hit.
+  std::vector<std::uint8_t> lowest_horizon;
+  std::vector<std::uint32_t> rays;  ///< output: for each block, the number of traced rays
 };
 
 }  // namespace lippmann

@@ -12,15 +12,15 @@ void bounds_callback(const RTCBoundsFunctionArguments* args) {
   Bounds3f b = bounds(table.primitives[args->primID]);
   const Vec3f size = b.size();
   const float extent = size.x + size.y + size.z;
-  if (!(extent > 0.0f && std::isfinite(extent))) b = {};  // empty bounds, because no ray can hit a primitive scaled to 0
-  // Pad by 10^-6, so that a ray that grazes the exact surface does not miss the rounded box.
+  if (!(extent > 0.0f && std::isfinite(extent))) b = {};  // no ray can hit a primitive scaled to 0, so its bounds are empty
+  // The bounds are padded by 10^-6, so that rays that graze the exact surface do not miss the rounded bounds.
   const Vec3f pad = 1e-6f * glm::max(glm::abs(b.lower), glm::abs(b.upper));
   args->bounds_o->lower_x = b.lower.x - pad.x, args->bounds_o->upper_x = b.upper.x + pad.x;
   args->bounds_o->lower_y = b.lower.y - pad.y, args->bounds_o->upper_y = b.upper.y + pad.y;
   args->bounds_o->lower_z = b.lower.z - pad.z, args->bounds_o->upper_z = b.upper.z + pad.z;
 }
 
-/// A packet of n rays in Embree's layout: 12 arrays of n words, and 8 more for hits.
+/// A packet of n rays in Embree's layout: 12 arrays of n words for the rays, then 8 for the hits.
 struct PacketView {
   float* words;
   unsigned n;
@@ -73,8 +73,8 @@ LIPPMANN_INLINE void intersect_callback(const RTCIntersectFunctionNArguments* ar
     intersect_lanes(primitive, args->valid, packet, args->N, args->primID, args->geomID, inst);
 }
 
-/// Lets shadow rays pass a see-through primitive and attenuates them at each crossing. The id of a ray is its lane (see
-/// ShadowContext).
+/// Lets shadow rays pass a transparent primitive. Multiplies their transmittance at each crossing. The id of a ray is its lane
+/// (ShadowContext).
 template <class Primitive>
 void filter_lanes(const RTCOccludedFunctionNArguments* args, const Primitive& primitive, float transmittance) {
   const PacketView packet{reinterpret_cast<float*>(args->ray), args->N};
@@ -83,7 +83,7 @@ void filter_lanes(const RTCOccludedFunctionNArguments* args, const Primitive& pr
   for (unsigned i = 0; i < args->N; ++i) {
     if (!args->valid[i]) continue;
     LaneRay ray = packet.ray(i);
-    for (int crossing = 0; crossing < 2; ++crossing) {  // every shape here has at most two crossings
+    for (int crossing = 0; crossing < 2; ++crossing) {  // each primitive has at most two crossings
       ray.t_near = distance(primitive, ray);
       if (!(ray.t_near < kInfinity)) break;
       context->transmittance[id[i]] *= transmittance;
@@ -104,7 +104,7 @@ LIPPMANN_INLINE void occluded_callback(const RTCOccludedFunctionNArguments* args
     occlude_lanes(primitive, args->valid, packet, args->N);
 }
 
-// Multiversioned functions cannot be templates, so each kind of primitive has its own two functions.
+// Multiversioned functions cannot be templates, so each kind of primitive has two functions of its own.
 LIPPMANN_MULTIVERSION void intersect_sphere(const RTCIntersectFunctionNArguments* a) { intersect_callback<WorldSphere>(a); }
 LIPPMANN_MULTIVERSION void occlude_sphere(const RTCOccludedFunctionNArguments* a) { occluded_callback<WorldSphere>(a); }
 LIPPMANN_MULTIVERSION void intersect_cylinder(const RTCIntersectFunctionNArguments* a) { intersect_callback<WorldCylinder>(a); }

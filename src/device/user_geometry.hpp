@@ -1,4 +1,4 @@
-// Analytic primitives as Embree user geometries: one geometry per kind, with callbacks that test one primitive against a whole
+// Analytic primitives as Embree user geometries, with one geometry per kind. Its callbacks test one primitive against a whole
 // packet.
 #pragma once
 
@@ -7,14 +7,14 @@
 
 namespace lippmann {
 
-/// These functions return a committed geometry that reads `table`. The table must outlive the geometry and keep its address.
+/// These functions return a committed geometry that reads `table`. The table must outlive the geometry, at the same address.
 EmbreeGeometry make_user_geometry(RTCDevice device, PrimitiveTable<WorldSphere>& table);
 EmbreeGeometry make_user_geometry(RTCDevice device, PrimitiveTable<WorldCylinder>& table);
 EmbreeGeometry make_user_geometry(RTCDevice device, PrimitiveTable<WorldRing>& table);
 EmbreeGeometry make_user_geometry(RTCDevice device, PrimitiveTable<WorldBox>& table);
 
-/// Updates the bounds of a geometry whose primitives have moved. Call this before committing the scene. The number of
-/// primitives must not change.
+/// Updates the bounds of a geometry whose primitives have moved. Commit the scene afterwards. The number of primitives must be
+/// unchanged.
 void update_user_geometry(const EmbreeGeometry& geometry);
 
 }  // namespace lippmann

@@ -1,7 +1,7 @@
 // A splat in world space for ray intersection.
 //
 // Based on: N. Moenne-Loccoz and others, "3D Gaussian Ray Tracing: Fast Tracing of Particle Scenes", SIGGRAPH Asia 2024,
-// section 4.2: a Gaussian is evaluated at its maximum along the ray.
+// section 4.2 (a Gaussian is evaluated at its maximum along the ray).
 #pragma once
 
 #include <cstdint>
@@ -12,19 +12,19 @@
 namespace lippmann {
 
 struct WorldSplat {
-  float m[9];                 ///< columns of the matrix that maps world offsets to standard deviations
-  float x, y, z;              ///< centre
-  float opacity;              ///< 0 to 1
-  float reach;                ///< squared distance from the centre, in standard deviations, up to which the splat is visible
-  std::uint32_t source, set;  ///< index of the splat within SplatTable::sets[set]
+  float m[9];     ///< columns of the matrix from world offsets to offsets in standard deviations
+  float x, y, z;  ///< centre in world space
+  float opacity;
+  float reach;                ///< squared distance from the centre up to which the splat is visible, in standard deviations
+  std::uint32_t source, set;  ///< source: index of the splat within its set; set: index in SplatTable::sets
 };
 static_assert(sizeof(WorldSplat) == 64, "one line of the cache");
 
-/// The point of a unit-length ray that is nearest to the splat when distances are measured in standard deviations: its `t` and
-/// its squared distance.
+/// The point of a ray that is nearest to the splat, if distances are measured in standard deviations. `squared` is its squared
+/// distance from the centre. The ray's direction must have unit length.
 ///
-/// It is computed relative to the ray's point that is nearest to the centre in world space, to avoid cancellation for distant
-/// eyes and flat splats.
+/// approach() computes the point relative to the ray's point that is nearest to the centre in world space. This avoids
+/// cancellation for distant eyes and flat splats.
 struct SplatApproach {
   float t, squared;
 };
@@ -44,7 +44,7 @@ LIPPMANN_INLINE SplatApproach approach(const WorldSplat& s, const LaneRay& r) {
   return {near + along, fx * fx + fy * fy + fz * fz};
 }
 
-/// Returns the opacity at a squared distance from the centre, in standard deviations.
+/// Returns the splat's opacity at a squared distance from the centre, in standard deviations.
 LIPPMANN_INLINE float alpha_at(const WorldSplat& s, float squared) {
   constexpr float kHalfLog2E = 0.72134752f;
   return s.opacity * fast_exp2(-kHalfLog2E * squared);
