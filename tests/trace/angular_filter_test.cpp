@@ -1,4 +1,4 @@
-// Views whose samples are seen from several eyes.
+// Views whose samples are seen from several eye positions (AngularFilter).
 #include "lippmann/optics/angular_filter.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ using namespace test;
 constexpr double kDistance = 20.0, kBaseline = 0.8, kPitch = 0.1;
 constexpr int kViews = 5, kWidth = 80, kHeight = 4;
 
-/// Five eyes, 0.8 mm apart.
+/// Five eye positions, 0.8 mm apart.
 Optics camera_row() {
   Optics optics;
   optics.panel = {kViews * kWidth, kHeight, static_cast<float>(kPitch)};
@@ -25,7 +25,7 @@ Optics camera_row() {
   return optics;
 }
 
-/// Light to the left of x = 0.03, in a plane at depth z.
+/// A glowing half plane at depth z that covers x < 0.03.
 Scene edge_at(float z) {
   SmallScene s;
   Mesh left = square(50.0f, z);
@@ -46,21 +46,26 @@ TEST(AngularFilter, objects_in_the_displays_plane_stay_sharp) {
   EXPECT_EQ(trace(edge_at(0.0f), camera_row(), filtered(16)).film.data, trace(edge_at(0.0f), camera_row(), plain).film.data);
 }
 
-// For an eye at e, the edge at (X, z) appears in the plane at e (1 - m) + X m, m = D / (D - z). At z = -20, m = 1/2: it moves
-// by 0.4 mm = 4 pixels from eye to eye. Spread over a view's share it becomes a ramp of 4 pixels with variance 16 / 12.
-// Differences of pixels, each averaged over its width, add 1 / 6.
+// Let D = 20 mm be the distance of the eyes. An eye at e sees the edge (X, z) in the display plane at e (1 - m) + X m, with m =
+// D / (D - z).
+// Shift per eye: at z = -20, m = 1/2. Eyes 0.8 mm apart shift the edge by 0.4 mm = 4 pixels.
+// Variance of the ramp: the filter spreads eye positions over 0.8 mm, which gives a ramp of 4 pixels with variance 4^2 / 12 =
+// 16/12.
+// Variance of the measurement: averages over a pixel and differences of neighbouring pixels are boxes one pixel wide. Each has
+// variance 1/12, so they add 1/6.
 TEST(AngularFilter, far_edges_become_ramps) {
   const int spp = 256;
   const Picture sharp = trace(edge_at(-20.0f), camera_row(), {.spp = spp});
   const Picture ramp = trace(edge_at(-20.0f), camera_row(), filtered(spp));
   for (int view = 0; view < kViews; ++view) {
     const double eye = kBaseline * (view - 2), place = 0.5 * kWidth + (0.5 * eye + 0.5 * 0.03) / kPitch;
-    // 256 samples resolve a pixel's area to 2/256, and six pixels make the ramp: 12/256, and for the variance their distances
-    // from the middle count (2 x (2.5 + 1.5 + 0.5) x 2/256). The measured error is less than half of that.
+    // Tolerance of the place: 256 samples resolve a pixel's area to 2/256. The ramp has six pixels, so the error is at most
+    // 12/256 = 0.047. Tolerance of the variance: pixels at distance d from the middle count d times, 2 (2.5 + 1.5 + 0.5) 2/256
+    // = 0.07. The measured errors are less than half of these bounds.
     EXPECT_NEAR(edge_in(sharp, view * kWidth, kWidth).place_px, place, 0.01) << view;
     EXPECT_NEAR(edge_in(ramp, view * kWidth, kWidth).place_px, place, 0.02) << view;
     EXPECT_LE(edge_in(sharp, view * kWidth, kWidth).variance_px2, 0.25 + 0.01)
-        << view;  // at most 1/4, depending on its place within a pixel
+        << view;  // a (1 - a) if the edge is at a within its pixel, at most 1/4
     EXPECT_NEAR(edge_in(ramp, view * kWidth, kWidth).variance_px2, 16.0 / 12 + 1.0 / 6, 0.04) << view;
   }
 }

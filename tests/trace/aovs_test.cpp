@@ -1,4 +1,5 @@
-// Extra layers of a frame, worked out by hand. Single views are from (0, 0, 10) at the square +-2, with 32 pixels of width 1/8.
+// Layers of a frame, compared with values worked out by hand. The camera of a single view is at (0, 0, 10). It sees the square
+// from -2 to 2 in x and y at z = 0, with 32 pixels of width 1/8.
 #include <gtest/gtest.h>
 
 #include <tuple>
@@ -11,9 +12,9 @@ namespace {
 using namespace test;
 
 constexpr int kAovSize = 32;
-constexpr float kPlaceRounding = 1e-4f;  ///< pixels: single precision of positions about 10 mm from the middle
+constexpr float kPlaceRounding = 1e-4f;  ///< in pixels: rounding of float positions about 10 mm from the origin
 
-/// Returns the layers at time `now`, with motion since `before`.
+/// Returns the layers at time `now`, with motion since time `before`.
 FrameAovs step(const Scene& scene, const Optics& optics, double before, double now, const Affine3f& display_before = {},
                const Affine3f& display_now = {}) {
   const ThreadPool pool(1);
@@ -33,7 +34,7 @@ void expect_motion(const FrameAovs& aovs, int x, int y, Vec2f expected) {
   EXPECT_NEAR(motion[1], expected.y, kPlaceRounding) << x << ", " << y;
 }
 
-/// A square at depth z that moves by `shift` within a second.
+/// A square at depth z that moves by `shift` during the first second.
 Scene sliding(float z, Vec3f shift) {
   SmallScene s;
   s.add(square(1, z), s.material(glowing(Vec3f(1.0f))), s.moving_node(Vec3f(0.0f), shift));
@@ -44,7 +45,7 @@ Scene sliding(float z, Vec3f shift) {
 
 TEST(Aovs, motion_of_a_square_is_in_pixels) {
   expect_motion(step(sliding(0.0f, {0.375f, -0.25f, 0.0f}), single_view(kAovSize), 0.0, 1.0), 16, 16, {3, 2});
-  // Half-way to the eye everything appears twice as large.
+  // At z = 5, half-way to the eye, everything appears twice as large.
   expect_motion(step(sliding(5.0f, {0.375f, -0.25f, 0.0f}), single_view(kAovSize), 0.0, 1.0), 16, 16, {6, 4});
 }
 
@@ -61,7 +62,8 @@ TEST(Aovs, motion_of_static_objects_opposes_the_displays) {
   expect_motion(step(sliding(0.0f, Vec3f(0.0f)), single_view(kAovSize), 0.0, 1.0, {}, moved), 16, 16, {-3, 0});
 }
 
-// Pixel (8, 16) looks at x = -0.9375, y = -0.0625 in z = 0; a point that came from z = -1 was seen at 10/11 of that.
+// Pixel (8, 16) sees the point (-0.9375, -0.0625, 0). Before, the point was at z = -1, where it appeared at 10/11 of these
+// coordinates. In pixels of 1/8, it has moved by (-7.5, 0.5) (1 - 10/11).
 TEST(Aovs, motion_towards_the_viewer_points_outwards) {
   const FrameAovs aovs = step(sliding(-1.0f, {0.0f, 0.0f, 1.0f}), single_view(kAovSize), 0.0, 1.0);
   expect_motion(aovs, 8, 16, {-7.5f / 11.0f, 0.5f / 11.0f});
@@ -69,15 +71,15 @@ TEST(Aovs, motion_towards_the_viewer_points_outwards) {
 
 TEST(Aovs, motion_below_lenses_is_in_view_samples) {
   for (const float z : {0.0f, 2.0f, -3.0f})
-    for (const int x : {46, 49}) {  // two views: 1 mm is 2 lenses of 0.5 mm, 0.125 mm is two rows
+    for (const int x : {46, 49}) {  // pixels of two views; 1 mm across is 2 lenses of 0.5 mm, and 0.125 mm upwards is 2 rows
       const FrameAovs aovs = step(sliding(z, {1.0f, 0.125f, 0.0f}), lenticular_view(), 0.0, 1.0);
       ASSERT_EQ(aovs[Aov::kId].pixel(x, 25)[0], 0.0f);
       expect_motion(aovs, x, 25, {2, -2});
     }
 }
 
-// A view's slope below its lens follows from its pixel's offset o from the lens's centre: -o / 16. A point that comes nearer by
-// z moves by z times the slope: z o / 16 / 0.5 lenses.
+// Let o be the offset of a view's pixel from the centre of its lens, in pixels. The view's rays have the slope -o / 16. A point
+// that comes nearer by z = 1 moves by o / 16 mm, which is o / 16 / 0.5 lenses.
 TEST(Aovs, motion_towards_viewers_depends_on_the_view) {
   const FrameAovs aovs = step(sliding(0.0f, {0.0f, 0.0f, 1.0f}), lenticular_view(), 0.0, 1.0);
   for (int x = 24; x < 40; ++x) {
@@ -86,7 +88,7 @@ TEST(Aovs, motion_towards_viewers_depends_on_the_view) {
   }
 }
 
-// The square grows from corners +-0.5 to +-1, so the point at x came from x / 2.
+// The square's half size grows from 0.5 to 1, so a point now at x was at x / 2.
 TEST(Aovs, motion_follows_deforming_meshes) {
   SmallScene s;
   Mesh growing = square(0.5f, 0);
@@ -103,7 +105,7 @@ TEST(Aovs, motion_follows_deforming_meshes) {
 
 // ---- Albedo and coverage --------------------------------------------------------------------------------------------
 
-/// Four texels in a row, with red 0, 85, 170, 255 and the given alpha.
+/// Four texels in a row. Their red values are 0, 85, 170, 255, and their alphas are given.
 Texture four_texels(std::array<int, 4> alpha) {
   Texture t;
   t.width = 4, t.height = 1, t.srgb = false;
@@ -113,7 +115,7 @@ Texture four_texels(std::array<int, 4> alpha) {
   return t;
 }
 
-/// A textured metallic-roughness square in front of another of albedo 0.25.
+/// A textured square of a metallic-roughness material, in front of a square of albedo 0.25.
 Scene textured(std::array<int, 4> alpha, const MetallicRoughness& kind) {
   SmallScene s;
   s.scene.textures.push_back(four_texels(alpha));
@@ -130,7 +132,7 @@ TEST(Aovs, albedo_is_the_textured_base_colour) {
   for (const Integrator integrator : {Integrator::kWhitted, Integrator::kPath}) {
     const Picture p = trace(textured({255, 255, 255, 255}, half), single_view(kAovSize), {}, 1, 0.0, {}, integrator);
     for (const auto& [x, red] : {std::pair(4, 0.0f), {12, 85 / 510.0f}, {20, 170 / 510.0f}, {28, 0.5f}}) {
-      // The centres of texels lie between pixels 3 and 4, 11 and 12, ...: 1/16 of a texel off.
+      // The centres of texels are between pixels 3 and 4, 11 and 12 and so on. The pixels tested here are 1/16 of a texel off.
       EXPECT_NEAR(p.aovs[Aov::kAlbedo].pixel(x, 16)[0], red, 85 / 510.0f / 15.0f);
       EXPECT_NEAR(p.aovs[Aov::kAlbedo].pixel(x, 16)[1], 0.5f, 1e-5f);
     }
@@ -141,7 +143,7 @@ TEST(Aovs, pixels_of_low_alpha_are_empty) {
   MetallicRoughness mask, blend, glass;
   mask.alpha_cutoff = 0.75f;
   blend.blend = true;
-  glass.blend = true, glass.transmission = 1.0f;  // uncovered only by transmission: counts as covered
+  glass.blend = true, glass.transmission = 1.0f;  // has full alpha and full transmission, so it counts as covered
   for (const auto& [kind, alpha, id] : {std::tuple(mask, 180, 1.0f), {mask, 200, 0.0f}, {blend, 120, 1.0f}, {blend, 140, 0.0f}})
     for (const Integrator integrator : {Integrator::kWhitted, Integrator::kPath}) {
       const Picture p = trace(textured({alpha, alpha, alpha, alpha}, kind), single_view(kAovSize), {}, 1, 0.0, {}, integrator);
@@ -155,7 +157,8 @@ TEST(Aovs, pixels_of_low_alpha_are_empty) {
 
 TEST(Aovs, ray_depth_is_measured_along_the_ray) {
   const Picture p = trace(sliding(1.0f, Vec3f(0.0f)), single_view(kAovSize));
-  const float x = 3.5f / 8.0f, y = 0.5f / 8.0f;  // where pixel (19, 16) is in z = 0, 10 in front of the eye
+  // Pixel (19, 16) sees this point of z = 0, whose distance in z from the eye is 10.
+  const float x = 3.5f / 8.0f, y = 0.5f / 8.0f;
   EXPECT_NEAR(p.aovs[Aov::kRayDepth].pixel(19, 16)[0], 0.9f * std::sqrt(x * x + y * y + 100.0f), 1e-5f);
   EXPECT_EQ(p.aovs[Aov::kRayDepth].pixel(0, 0)[0], kInfinity);
 }
@@ -170,7 +173,7 @@ TEST(Aovs, direct_and_indirect_light_sum_to_the_film) {
   double indirect = 0.0;
   for (std::size_t i = 0; i < p.film.data.size(); ++i) {
     const float sum = p.aovs[Aov::kDirect].data[i] + p.aovs[Aov::kIndirect].data[i];
-    ASSERT_NEAR(sum, p.film.data[i], 1e-5f * (1.0f + p.film.data[i])) << i;  // sums of about 50 floats
+    ASSERT_NEAR(sum, p.film.data[i], 1e-5f * (1.0f + p.film.data[i])) << i;  // rounding of a sum of about 50 floats
     indirect += static_cast<double>(p.aovs[Aov::kIndirect].data[i]);
   }
   EXPECT_GT(indirect, 0.0);

@@ -1,4 +1,4 @@
-// Detection of meshes that enclose a volume, and its benefit for lamps.
+// Detection of closed meshes, and sampling of closed lamps.
 #include "shading/closed_mesh.hpp"
 
 #include <gtest/gtest.h>
@@ -15,8 +15,8 @@ namespace {
 
 using namespace test;
 
-/// Adds the face of a cube of side 2 * half around the origin whose outward normal is `axis` times `sign`; counter-clockwise
-/// from outside.
+/// Adds a face of the cube from -half to half. The face's outward normal is `axis` times `sign`, and its triangles are
+/// counter-clockwise seen from outside.
 void add_face(Mesh& mesh, int axis, float sign, float half) {
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
   for (const auto& [u, v] : {std::pair{-1.0f, -1.0f}, {1.0f, -1.0f}, {1.0f, 1.0f}, {-1.0f, 1.0f}}) {
@@ -28,7 +28,7 @@ void add_face(Mesh& mesh, int axis, float sign, float half) {
   mesh.triangles.push_back({first, first + 2, first + 3});
 }
 
-/// With four separate vertices for each face.
+/// Returns a cube with four separate vertices for each face.
 Mesh cube(float half) {
   Mesh mesh;
   for (int axis = 0; axis < 3; ++axis)
@@ -84,7 +84,7 @@ TEST(ClosedMesh, open_and_inconsistent_meshes_are_not_closed) {
   }
 }
 
-/// A floor below a glowing cube, made of one mesh or of six squares, which give the same picture.
+/// A floor below a glowing cube. The cube is one closed mesh, or six separate squares. Both give the same picture.
 SmallScene below_cube(bool is_closed, bool is_mirrored = false) {
   SmallScene s;
   MetallicRoughness floor, shines;
@@ -108,7 +108,8 @@ SmallScene below_cube(bool is_closed, bool is_mirrored = false) {
   return s;
 }
 
-const Affine3f kEye{Mat3f(0.1f), Vec3f(0.0f)};  // at (0, 0, 1), looking at the square +-0.2 around the origin
+// Places the eye at (0, 0, 1); it sees the square from -0.2 to 0.2 in x and y at z = 0.
+const Affine3f kEye{Mat3f(0.1f), Vec3f(0.0f)};
 
 Image floor_below(const SmallScene& s, int spp) { return trace_paths(s.scene, single_view(16), spp, {}, 1, kEye).film; }
 
@@ -121,7 +122,7 @@ double squared_error(const Image& film, const Image& truth) {
   return sum;
 }
 
-// Half of the faces point away from any point; closed lamps rarely sample these.
+// About half of a cube's faces point away from a point of the floor. These faces are rarely sampled if the lamp is closed.
 TEST(ClosedMesh, closed_lamps_have_less_noise) {
   const Image truth = floor_below(below_cube(false), 4096);
   for (const bool is_mirrored : {false, true}) {
@@ -131,7 +132,7 @@ TEST(ClosedMesh, closed_lamps_have_less_noise) {
   }
 }
 
-/// A floor below a lamp with edges of `half`.
+/// A floor below a small glowing cube with edges 2 * half long.
 SmallScene below_small_cube(float half) {
   SmallScene s;
   MetallicRoughness floor, shines;
@@ -145,15 +146,15 @@ SmallScene below_small_cube(float half) {
   return s;
 }
 
-// Shadow rays end slightly before the light. If they continued through the edge of a small lamp to its far side, which is
-// sampled very rarely, each of them would be a white dot.
+// Shadow rays end slightly before the light, so near an edge they may reach the far side of a small lamp. The far side is
+// sampled so rarely that each such ray would leave a white dot.
 TEST(ClosedMesh, small_lamps_do_not_leak_at_edges) {
   const Image film = trace_paths(below_small_cube(0.001f).scene, single_view(64), 4, {}, 1, kEye).film;
   const float brightest = *std::max_element(film.data.begin(), film.data.end());
   EXPECT_LT(static_cast<double>(brightest), 2.0 * mean(film));
 }
 
-// From within, all faces show their inner side, and none is excluded.
+// From within, all faces show their inner side, so none may be excluded.
 TEST(ClosedMesh, inward_glowing_rooms_give_light) {
   SmallScene s;
   MetallicRoughness grey, shines;
@@ -162,7 +163,8 @@ TEST(ClosedMesh, inward_glowing_rooms_give_light) {
   shines.base_color = Vec4f(0, 0, 0, 1), shines.emissive = Vec3f(1.0f);
   s.add(square(0.5f, 0), s.material(grey));
   s.add(cube(3.0f), s.material(shines));
-  // A furnace: a matte floor shows its albedo times the radiance all around; the floor does not shade itself.
+  // In uniform light from all sides, a matte floor shows its albedo times the radiance of the light. The flat floor does not
+  // shade itself.
   const auto albedo = static_cast<double>(grey.base_color.x);
   EXPECT_NEAR(mean(floor_below(s, 256)), albedo, 0.01 * albedo);
 }

@@ -1,4 +1,3 @@
-// A ball of a few facets with smooth normals.
 #pragma once
 
 #include <cmath>
@@ -9,7 +8,8 @@
 
 namespace lippmann::test {
 
-/// Returns a ball with a few faces, smooth normals and no gaps: two poles and `rings` rings with twice as many corners.
+/// Returns a closed mesh of a ball with few facets and smooth normals. It has two poles, and between them `rings` rings of 2 *
+/// rings vertices.
 inline Mesh coarse_ball(float radius, std::uint32_t rings) {
   const float step = std::numbers::pi_v<float> / static_cast<float>(rings + 1);
   const std::uint32_t corners = 2 * rings;

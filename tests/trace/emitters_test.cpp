@@ -1,4 +1,4 @@
-// Meshes that emit light by a texture: the estimated brightness of each triangle, and its effect on pictures.
+// Meshes that emit light by a texture: the estimated luminance of each triangle, and the noise of pictures.
 #include "shading/emitters.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ using namespace test;
 
 constexpr int kCornerTexels = 64, kBrightTexels = 16;
 
-/// Black except for this many white texels along each edge at the corner (0, 0).
+/// A black texture with a white square of bright x bright texels at the corner (0, 0).
 Texture bright_corner(int bright = kBrightTexels, int size = kCornerTexels) {
   Texture texture{"", size, size, {}, false, Wrap::kClamp, Wrap::kClamp};
   for (int y = 0; y < size; ++y)
@@ -25,7 +25,7 @@ Texture bright_corner(int bright = kBrightTexels, int size = kCornerTexels) {
   return texture;
 }
 
-/// The square of test::square(), cut into cells x cells squares of two triangles.
+/// The square of test::square(), divided into cells x cells squares of two triangles each.
 Mesh grid(float half, float z, int cells) {
   Mesh mesh;
   for (int row = 0; row <= cells; ++row)
@@ -68,7 +68,7 @@ Vec3f mean_of(const DeviceTexture& texture, const Mesh& mesh, std::size_t triang
 
 TEST(Emitters, triangles_average_their_part_of_the_texture) {
   const DeviceTexture texture = device_of(bright_corner());
-  const Mesh mesh = grid(1.0f, 0.0f, 8);  // cells of 8 texels: the first two of the first two rows are white
+  const Mesh mesh = grid(1.0f, 0.0f, 8);  // each cell has 8 x 8 texels, so the first two cells of the first two rows are white
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const std::size_t row = t / 16, column = t % 16 / 2;
     if (row < 1 && column < 1) {
@@ -80,8 +80,8 @@ TEST(Emitters, triangles_average_their_part_of_the_texture) {
   }
 }
 
-// Half of a ramp from 0 to 1 along u: the mean over the triangle (0,0), (0,1), (1,1) is the mean of u, 1/3; over the other,
-// 2/3. Four look-ups next to the texture's clamped edges deviate by a few hundredths.
+// The texture is a ramp from 0 to 1 along u. Triangle (0,0), (0,1), (1,1) has the mean of its corners' u, 1/3. The other
+// triangle has 2/3. Four lookups next to the texture's clamped edges deviate by a few hundredths.
 TEST(Emitters, large_triangles_are_sampled_everywhere) {
   Texture ramp{"", 256, 256, {}, false, Wrap::kClamp, Wrap::kClamp};
   for (int i = 0; i < 256 * 256; ++i)
@@ -123,9 +123,9 @@ TEST(Emitters, instances_share_their_meshs_estimate) {
   EXPECT_EQ(emitters.of(3), nullptr);
 }
 
-/// A lamp of 2 x 2, two metres above a white floor.
+/// Height and radiance of a lamp of 2 x 2 above a white floor.
 constexpr float kGridHeight = 2.0f, kGridRadiance = 10.0f;
-/// The eye at (0, 0, 1), looking at the square +-0.2 around the origin.
+/// Places the eye at (0, 0, 1). It sees the square from -0.2 to 0.2 in x and y at z = 0.
 const Affine3f kEyeBelowGrid{Mat3f(0.1f), Vec3f(0.0f)};
 
 Scene below_bright_corner() {
@@ -136,25 +136,27 @@ Scene below_bright_corner() {
   return s.scene;
 }
 
-/// Brightness of the texture along one axis: 1 up to the centre of the last white texel, 0 from the centre of the first black
-/// one on.
+/// Returns the interpolated texture along one axis. It is 1 up to the centre of the last white texel, and 0 from the centre of
+/// the first black texel on.
 double shown_along(double u) { return std::clamp((kBrightTexels + 0.5) - kCornerTexels * u, 0.0, 1.0); }
 
-/// Returns the radiance of the floor at a point: its irradiance / pi, by the midpoint rule over the white part and its edge.
+/// Returns the radiance of the floor at a point, irradiance / pi. Integrates over the lamp's white part and its edge by the
+/// midpoint rule.
 double floor_radiance(double x, double y) {
-  constexpr int kSteps = 136;  // 8 for each of 17 texels
+  constexpr int kSteps = 136;  // 8 steps for each of 17 texels
   constexpr double kStep = 17.0 / kCornerTexels / kSteps;
   double sum = 0.0;
   for (int i = 0; i < kSteps; ++i)
     for (int j = 0; j < kSteps; ++j) {
       const double u = (i + 0.5) * kStep, v = (j + 0.5) * kStep, dx = 2.0 * u - 1.0 - x, dy = 1.0 - 2.0 * v - y;
       const double squared = dx * dx + dy * dy + 4.0;
-      sum += shown_along(u) * shown_along(v) * 4.0 / (squared * squared);  // both cosines are 2 / distance
+      // The cosines at lamp and floor are both 2 / distance.
+      sum += shown_along(u) * shown_along(v) * 4.0 / (squared * squared);
     }
-  return 10.0 / M_PI * sum * 4.0 * kStep * kStep;  // the lamp is 2 wide: du = dx / 2
+  return 10.0 / M_PI * sum * 4.0 * kStep * kStep;  // area of a step: the lamp is 2 wide, so a step is 2 kStep long
 }
 
-/// Returns the values at the pixels' centres of a film of the floor.
+/// Returns the floor's radiance at the centres of all pixels.
 std::vector<double> floor_reference(int size) {
   std::vector<double> reference;
   for (int y = 0; y < size; ++y)
@@ -163,7 +165,8 @@ std::vector<double> floor_reference(int size) {
   return reference;
 }
 
-// If all triangles had the same probability, 15 of 16 shadow rays would go to black ones, and the error would be 0.18.
+// The limit 0.06 requires that bright triangles are preferred. With equal probabilities for all triangles, 15 of 16 shadow rays
+// would go to black triangles, and the error would be 0.18.
 TEST(Emitters, shadow_rays_prefer_bright_triangles) {
   const Picture picture = trace_paths(below_bright_corner(), single_view(16), 64, {}, 1, kEyeBelowGrid);
   const std::vector<double> reference = floor_reference(16);
@@ -176,7 +179,7 @@ TEST(Emitters, shadow_rays_prefer_bright_triangles) {
   EXPECT_NEAR(sum, expected, 0.01 * expected);
 }
 
-// A white ball vanishes in front of a uniformly glowing dome with a grey texture.
+// A white ball is invisible in front of a uniformly glowing dome. The dome's emission is a grey texture.
 TEST(Emitters, textured_furnaces_are_uniform) {
   SmallScene s;
   s.scene.max_depth = 8;

@@ -1,4 +1,5 @@
-// Meshes that cameras do not see, or that cast no shadow. Views are from (0, 0, 10) at the square +-2.
+// Meshes that cameras do not see, or that cast no shadow. The camera is at (0, 0, 10) and sees the square from -2 to 2 in x and
+// y at z = 0.
 #include <gtest/gtest.h>
 
 #include "trace/small_scene.hpp"
@@ -11,14 +12,14 @@ using namespace test;
 const Integrator kEitherLight[] = {Integrator::kWhitted, Integrator::kPath};
 constexpr Vec3f kRed{1, 0, 0}, kBlue{0, 0, 0.25f};
 
-/// Returns the middle of the picture. Depth is that of the first hit.
 Picture seen(const SmallScene& s, Integrator integrator, int spp = 1) {
   TraceParams params;
   params.spp = spp;
   return trace(s.scene, single_view(32), params, 2, 0.0, {}, integrator);
 }
 
-/// A blue wall at z = -1 with a hidden red square in front of it, on a moving node or none.
+/// A blue wall at z = -1, with a hidden red square in front of it at z = 0. The square belongs to node `moving`, or to no node
+/// if it is -1.
 SmallScene hidden_before_wall(int moving = -1) {
   SmallScene s;
   s.scene.max_depth = 4;
@@ -59,7 +60,7 @@ TEST(Hidden, hidden_meshes_stay_hidden_behind_holes) {
   expect_color(seen(s, Integrator::kWhitted).at(16, 16), 0.5f * kBlue);
   const Vec3f path = seen(s, Integrator::kPath, 256).at(16, 16);
   EXPECT_EQ(path.x, 0.0f);
-  EXPECT_NEAR(path.z, 0.125f, 0.025f);  // 3.2 sigma for 256 samples
+  EXPECT_NEAR(path.z, 0.125f, 0.025f);  // 3.2 standard deviations for 256 samples
 }
 
 TEST(Hidden, mirrors_and_panes_show_hidden_meshes) {
@@ -78,7 +79,7 @@ TEST(Hidden, mirrors_and_panes_show_hidden_meshes) {
   for (const Integrator integrator : kEitherLight) EXPECT_GT(seen(s, integrator).at(16, 16).x, 0.9f);
 }
 
-/// A matte floor at z = -1 below a lamp at z = 5, with a hidden square between them.
+/// A matte floor at z = -1 below a lamp at z = 5. A square between them is hidden from cameras.
 SmallScene shaded_floor(bool casts_no_shadow) {
   SmallScene s;
   s.scene.max_depth = 2;
@@ -97,12 +98,12 @@ TEST(Hidden, shadows_follow_their_own_flag) {
     SmallScene open = shaded_floor(true);
     open.scene.instances.pop_back();
     EXPECT_GT(lit, 0.0f);
-    // Paths may hit the roof, which is black and lights nothing.
+    // The light is exactly equal, because paths that hit the roof get no light from its black surface.
     EXPECT_EQ(lit, seen(open, integrator).at(16, 16).x);
   }
 }
 
-/// A lamp that shines down is equally bright on the floor whether it is visible or not.
+/// A lamp that shines down gives the floor the same light whether the lamp is visible or hidden.
 TEST(Hidden, hidden_lamps_give_light) {
   SmallScene s;
   s.scene.max_depth = 2;

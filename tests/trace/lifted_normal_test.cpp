@@ -1,4 +1,4 @@
-// Normals whose mirror direction would be below the facet.
+// Normals whose mirror direction would point below the facet.
 #include "shading/lifted_normal.hpp"
 
 #include <numbers>
@@ -13,7 +13,7 @@ using namespace test;
 
 Vec3f mirrored_at(Vec3f normal, Vec3f view) { return 2.0f * glm::dot(normal, view) * normal - view; }
 
-/// Returns a uniformly distributed direction with z above 0.
+/// Returns a random direction with z > 0, uniform over the hemisphere.
 Vec3f upwards(std::mt19937& random) {
   std::uniform_real_distribution<float> in_unit(1e-3f, 1.0f), turn(0.0f, 2.0f * std::numbers::pi_v<float>);
   const float z = in_unit(random), r = std::sqrt(1.0f - z * z), phi = turn(random);
@@ -24,13 +24,13 @@ TEST(LiftedNormal, stays_if_its_mirror_direction_is_valid) {
   const Vec3f normal = glm::normalize(Vec3f(0.3f, -0.2f, 1.0f)), view = glm::normalize(Vec3f(0.1f, 0.4f, 1.0f));
   EXPECT_EQ(lifted_normal(normal, {0, 0, 7}, view), normal);
   EXPECT_EQ(lifted_normal({0, 0, 1}, {0, 0, 2}, glm::normalize(Vec3f(1.0f, 0.0f, 1e-3f))),
-            Vec3f(0, 0, 1));  // at a grazing angle
+            Vec3f(0, 0, 1));  // a view at a grazing angle
 }
 
 TEST(LiftedNormal, lifts_a_normal_as_computed_by_hand) {
-  // The view is 60 degrees from the facet's normal, the given normal 80 degrees from it on the other side, 140 from the view.
-  // To be mirrored to 0.01 above the facet, 89.427 degrees from its normal, the view needs the half-way normal: (89.427 - 60) /
-  // 2 = 14.714 degrees.
+  // All angles are measured from the facet's normal. The view is at -60 degrees and the given normal at 80 degrees, so the
+  // normal faces away from the view. Mirror directions must be 0.01 above the facet, at acos(0.01) = 89.427 degrees. The normal
+  // that mirrors the view to this direction is half-way between both: (89.427 - 60) / 2 = 14.7135 degrees.
   const auto at = [](float degrees) {
     const float a = degrees * std::numbers::pi_v<float> / 180.0f;
     return Vec3f(std::sin(a), 0.0f, std::cos(a));
@@ -49,10 +49,10 @@ TEST(LiftedNormal, mirrors_any_view_above_the_facet) {
     EXPECT_NEAR(glm::length(got), 1.0f, 1e-5f);
     if (got == normal) continue;
     ++lifted;
-    EXPECT_NEAR(mirrored_at(got, view).z, height, 1e-6f);                  // no further than necessary
-    EXPECT_NEAR(glm::dot(glm::cross(normal, z), got), 0.0f, 1e-5f);        // in the plane of both
-    EXPECT_GE(glm::dot(got, z), normal.z - 1e-6f);                         // and nearer to the facet's
-    EXPECT_GE(glm::dot(glm::cross(z, normal), glm::cross(z, got)), 0.0f);  // on the same side of it
+    EXPECT_NEAR(mirrored_at(got, view).z, height, 1e-6f);                  // lifted no further than necessary
+    EXPECT_NEAR(glm::dot(glm::cross(normal, z), got), 0.0f, 1e-5f);        // in the plane of the given and the facet's normal
+    EXPECT_GE(glm::dot(got, z), normal.z - 1e-6f);                         // closer to the facet's normal than the given normal
+    EXPECT_GE(glm::dot(glm::cross(z, normal), glm::cross(z, got)), 0.0f);  // on the same side of the facet's normal
   }
   EXPECT_GT(lifted, 500);
 }
@@ -60,10 +60,11 @@ TEST(LiftedNormal, mirrors_any_view_above_the_facet) {
 TEST(LiftedNormal, degenerate_normals_become_the_facets) {
   const Vec3f view = glm::normalize(Vec3f(1.0f, 0.0f, 1.0f));
   EXPECT_EQ(lifted_normal({0, 0, -1}, {0, 0, 1}, view), Vec3f(0, 0, 1));
-  EXPECT_EQ(lifted_normal({1, 0, 0}, {0, 0, 0}, view), Vec3f(1, 0, 0));  // a facet without area has no normal
+  // A facet without area has no normal, so the given one is kept.
+  EXPECT_EQ(lifted_normal({1, 0, 0}, {0, 0, 0}, view), Vec3f(1, 0, 0));
 }
 
-/// Renders a coarse ball in a white sky.
+/// Renders a coarse ball in a uniform white sky.
 Image in_white_furnace(const MetallicRoughness& surface, int size) {
   SmallScene s;
   surround(s, Vec3f(1.0f));
@@ -77,8 +78,9 @@ MetallicRoughness of(float metallic, float roughness) {
   return surface;
 }
 
-// If the smooth normal faces away from the view, the gloss would take all light from the paint below it, which leaves 0.82
-// of the light in the darkest of 500 pixels. Lifting gives 0.91. Surfaces with rare layers must do as well.
+// Without lifting, the gloss takes all light from the paint below it where the smooth normal faces away from the view. The
+// darkest of every 500 pixels then has 0.82 of the sky's light, with lifting 0.91. Surfaces with rare layers (LayeredBsdf) must
+// reach the same limit.
 TEST(LiftedNormal, glossy_coarse_balls_have_no_dark_rim) {
   for (const bool layered : {false, true}) {
     MetallicRoughness paint = of(0.0f, 0.3f);
@@ -90,9 +92,9 @@ TEST(LiftedNormal, glossy_coarse_balls_have_no_dark_rim) {
   }
 }
 
-// One of 65,536 samples may be lost: a mirrored ray that starts on the edge of a facet can hit the adjacent facet, on
-// processors on which Embree intersects it that way (measured with AVX-512: 7 of 830,000 samples in six sizes). A rim would
-// lose all light of its pixels.
+// The mean may lose a share of 10^-4. A mirrored ray that starts on a facet's edge can hit the adjacent facet, depending on how
+// Embree intersects it on the processor: 7 of 830,000 samples with AVX-512, in six sizes. A dark rim would lose all light of
+// its pixels.
 TEST(LiftedNormal, coarse_mirror_balls_have_no_dark_rim) {
   const std::vector<float> values = in_white_furnace(of(1.0f, 0.0f), 32).data;
   double sum = 0.0;

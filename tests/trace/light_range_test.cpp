@@ -1,4 +1,4 @@
-// Lights of every kind that are too faint or too strong for single precision: rendering ends with finite pictures.
+// Lights of every kind that are too weak or too strong for single precision. Rendering them must give finite pictures.
 #include "transport/light_range.hpp"
 
 #include <gtest/gtest.h>

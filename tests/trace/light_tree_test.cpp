@@ -1,4 +1,4 @@
-// The tree that draws one of many lights, against sums over all of them.
+// The light tree, compared with sums over all lights.
 #include "shading/light_tree.hpp"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ class RandomPlaces {
 enum class Kind { kPoints, kSpots, kFadingSpots, kBalls, kFaces, kClosedFaces };
 constexpr Kind kKinds[] = {Kind::kPoints, Kind::kSpots, Kind::kFadingSpots, Kind::kBalls, Kind::kFaces, Kind::kClosedFaces};
 
-/// Returns lights with powers from 0.01 to 1, every third with a range from 1 to 10.
+/// Returns lights with powers from 0.01 to 1. Every third light has a range from 1 to 10.
 std::vector<TreeLight> random_lights(Kind kind, std::size_t count, unsigned seed) {
   RandomPlaces random(seed);
   std::vector<TreeLight> lights;
@@ -53,7 +53,7 @@ std::vector<TreeLight> random_lights(Kind kind, std::size_t count, unsigned seed
   return lights;
 }
 
-/// Returns the light that reaches a perpendicular surface, without shadows.
+/// Returns the irradiance of a light on a surface perpendicular to its direction, without shadows.
 float light_of(const TreeLight& light, Vec3f at) {
   const Vec3f from = at - light.middle;
   const float distance = glm::length(from);
@@ -82,7 +82,8 @@ TEST(LightTree, of_one_light_always_draws_it) {
   EXPECT_EQ(tree.probability(0, {}), 1.0f);
 }
 
-// Straight above at distances 1 and 2: 1 : 1/4. With one above and one below, the second keeps 1/16: 16/17.
+// Two lamps straight above, at distances 1 and 2, have weights 1 and 1/4, so the first has probability 1 / (1 + 1/4) = 0.8.
+// With one lamp above and one below the horizon, the second keeps 1/16 of its weight, so the first has 1 / (1 + 1/16) = 16/17.
 TEST(LightTree, draws_by_squared_distance_and_horizon) {
   const LightTree far(std::vector{lamp({0, 0, 1}), lamp({0, 0, 2})});
   EXPECT_NEAR(far.probability(0, {Vec3f(0.0f), {0, 0, 1}}), 0.8f, 1e-6f);
@@ -92,7 +93,8 @@ TEST(LightTree, draws_by_squared_distance_and_horizon) {
   EXPECT_NEAR(below.probability(0, {}), 0.5f, 1e-6f) << "both sides can receive light";
 }
 
-// A face seen at 60 degrees from its normal gives half of its light at normal incidence; its variance is 0 here.
+// The first face is seen along its normal. The second is seen at 60 degrees from its normal, so its weight is cos 60 = 1/2. The
+// first thus has probability 2/3. The variance of both is 0.
 TEST(LightTree, draws_faces_by_their_cosine) {
   std::vector<TreeLight> lights{lamp({0, 0, 1}), lamp({0, 0, -1})};
   lights[0].face = {0, 0, 1};
@@ -100,7 +102,8 @@ TEST(LightTree, draws_faces_by_their_cosine) {
   EXPECT_NEAR(LightTree(lights).probability(0, {}), 2.0f / 3.0f, 1e-6f);
 }
 
-// A closed body's face counts fully in front of it, and keeps a sixteenth behind it.
+// In front of it, a face of a closed body has its full weight. Behind it, the face keeps 1/16. The probability is 1 / (1 +
+// 1/16) = 16/17.
 TEST(LightTree, draws_front_faces_of_closed_bodies) {
   std::vector<TreeLight> lights{lamp({0, 0, 1}), lamp({0, 0, -1})};
   for (TreeLight& light : lights) light.face = {0, 0, -1}, light.is_closed = true;
@@ -109,7 +112,8 @@ TEST(LightTree, draws_front_faces_of_closed_bodies) {
   EXPECT_NEAR(tree.probability(0, {}) + tree.probability(1, {}), 1.0f, 1e-6f);
 }
 
-// Half-way between the cosines of its outer and inner cone, a lamp gives a quarter of its light along the axis.
+// Fading: half-way between the cosines of outer and inner cone, it is (1/2)^2 = 1/4. The second lamp is seen there, and the
+// first along its axis. The first thus has probability 1 / (1 + 1/4) = 0.8.
 TEST(LightTree, draws_spots_by_their_falloff) {
   std::vector<TreeLight> lights{lamp({0, 0, 1}), lamp({1, 0, 0})};
   for (TreeLight& light : lights) light.half_angle = 0.5f * kPi, light.inner_angle = 0.0f;
@@ -118,8 +122,9 @@ TEST(LightTree, draws_spots_by_their_falloff) {
   EXPECT_NEAR(LightTree(lights).probability(0, {}), 0.8f, 1e-5f);
 }
 
-// Sixteen lamps that light a half space, all towards the point, have the profile 1/2 + 3/4 x by Legendre polynomials, x = 1
-// along their axis; if every other one points away, the profile is 1/2 in all directions.
+// Each cluster has sixteen lamps, each of which emits into a half space. By Legendre polynomials up to degree 2, the mean
+// emission of lamps with the same axis is 1/2 + 3/4 x, where x is the cosine to the axis. If all point towards the receiver,
+// this is 1.25. If every other lamp points away, the mean is 1/2 in all directions.
 TEST(LightTree, draws_clusters_of_spots_by_their_mean) {
   std::vector<TreeLight> lights;
   for (int l = 0; l < 32; ++l) {
@@ -140,7 +145,7 @@ TEST(LightTree, has_less_noise_than_bounding_cones) {
   for (TreeLight& light : hard) light.inner_angle = light.half_angle;
   const LightTree tree(lights), of_hard(hard);
   RandomPlaces random(8);
-  double by_tree = 0.0, by_cones = 0.0;  // variances over the squared total light
+  double by_tree = 0.0, by_cones = 0.0;  // sums of variances divided by the squared total light
   for (int k = 0; k < 50; ++k) {
     const LightReceiver at{random.place(), Vec3f(0.0f)};
     double all = 0.0, of_tree = 0.0, of_cones = 0.0;
@@ -166,8 +171,9 @@ TEST(LightTree, probabilities_sum_to_one_everywhere) {
         double sum = 0.0;
         for (std::uint32_t l = 0; l < count; ++l) sum += static_cast<double>(tree.probability(l, at));
         const bool any = tree.choose(at, 0.5f).has_value();
-        if (!any) continue;  // all are out of range
-        // If a cluster seems to be in range but no light in it is, the descent ends without one.
+        if (!any) continue;  // all lights are out of range
+        // The sum may be below 1: a cluster may seem to be in range although no light in it is. The descent then ends without a
+        // light.
         EXPECT_LE(sum, 1.0 + 1e-4) << static_cast<int>(kind) << ' ' << count;
         EXPECT_GT(sum, kind == Kind::kFaces || kind == Kind::kClosedFaces ? 0.999 : 0.0)
             << static_cast<int>(kind) << ' ' << count;
@@ -188,14 +194,14 @@ TEST(LightTree, draws_lights_with_the_stated_probability) {
           EXPECT_NEAR(choice->probability, tree.probability(choice->light, at), 1e-5f * choice->probability);
           ++drawn[choice->light];
         }
-      // With evenly spaced numbers, a light's numbers form one interval that is cut off at both ends.
+      // The numbers u are evenly spaced. Those that choose a light form one interval, which may cut off a number at either end.
       for (std::uint32_t l = 0; l < 100; ++l)
         EXPECT_NEAR(drawn[l], tree.probability(l, at) * kDraws, 2.0f) << static_cast<int>(kind) << ' ' << l;
     }
   }
 }
 
-// The estimator light / probability for evenly spaced numbers, against the sum over all lights.
+// The mean of light / probability over evenly spaced numbers, compared with the sum over all lights.
 TEST(LightTree, estimates_the_total_light) {
   constexpr int kDraws = 1 << 18;
   for (const Kind kind : kKinds) {
@@ -229,7 +235,7 @@ TEST(LightTree, never_omits_a_contributing_light) {
   }
 }
 
-// Half the variance of drawing by power alone, and far less close to a lamp.
+// The tree has at most half of the second moment of sampling by power alone.
 TEST(LightTree, has_less_noise_than_drawing_by_power) {
   const std::vector<TreeLight> lights = random_lights(Kind::kPoints, 1000, 1);
   const LightTree tree(lights);
@@ -238,7 +244,7 @@ TEST(LightTree, has_less_noise_than_drawing_by_power) {
   RandomPlaces random(8);
   for (int k = 0; k < 10; ++k) {
     const LightReceiver at{random.place(), Vec3f(0.0f)};
-    double by_tree = 0.0, by_power = 0.0;  // second moments
+    double by_tree = 0.0, by_power = 0.0;  // second moments of light / probability
     for (std::uint32_t l = 0; l < lights.size(); ++l) {
       const double light = static_cast<double>(light_of(lights[l], at.position));
       if (!(light > 0.0)) continue;
@@ -305,7 +311,7 @@ TEST(LightTree, does_not_depend_on_units) {
   }
 }
 
-// Lights whose ball the ray's line passes near, in front and within range.
+// A ball is met if the ray's line passes through it, in front of the origin and within reach.
 TEST(LightTree, rays_find_all_balls_they_pass) {
   const std::vector<TreeLight> lights = random_lights(Kind::kBalls, 2000, 13);
   const LightTree tree(lights);

@@ -1,4 +1,5 @@
-// Pictures with so many lamps that a tree draws one of them, against sums of pictures with one lamp each, which use no tree.
+// Pictures with so many lamps that a tree chooses among them, compared with sums of pictures with one lamp each, which need no
+// tree.
 #include <gtest/gtest.h>
 
 #include "shading/shaded_scene.hpp"
@@ -9,7 +10,7 @@ namespace {
 
 using namespace test;
 
-/// The eye at (0, 0, 1), looking at the square +-0.2 around the origin.
+/// Places the eye at (0, 0, 1). It sees the square from -0.2 to 0.2 in x and y at z = 0.
 const Affine3f kNearEye{Mat3f(0.1f), Vec3f(0.0f)};
 constexpr int kCount = 40;
 
@@ -22,8 +23,8 @@ MetallicRoughness floor_of(float metallic, float roughness) {
 enum class LampKind { kPoint, kSpot, kBall, kSquare };
 constexpr LampKind kLampKinds[] = {LampKind::kPoint, LampKind::kSpot, LampKind::kBall, LampKind::kSquare};
 
-/// Places lamps above the eye, in a spiral that rises from 1.3 to 3.2; squares lie in one plane, so that none occludes another;
-/// every third is far stronger. Spots point in all directions.
+/// Adds lamp l of a spiral above the eye, which rises from z = 1.3 to 3.2. Square lamps are all at z = 2, so that none occludes
+/// another. Every third lamp is ten times as strong as the others. Spots point in all directions.
 void add_lamp(SmallScene& s, LampKind kind, int l) {
   const float angle = 2.4f * static_cast<float>(l), share = static_cast<float>(l) / kCount, strength = l % 3 == 0 ? 2.0f : 0.2f;
   const Vec3f at{1.8f * std::sqrt(share) * std::cos(angle), 1.8f * std::sqrt(share) * std::sin(angle), 1.3f + 1.9f * share};
@@ -56,7 +57,7 @@ double light_below(LampKind kind, const MetallicRoughness& floor, int first, int
   return mean(trace_paths(below(kind, floor, first, end).scene, single_view(8), spp, {}, 1, kNearEye).film);
 }
 
-// A floor that all of them light without occlusion.
+// All lamps light the floor without occlusion.
 TEST(ManyLamps, light_is_the_sum_over_lamps) {
   for (const LampKind kind : kLampKinds)
     for (const MetallicRoughness& floor : {floor_of(0.0f, 1.0f), floor_of(1.0f, 0.4f)}) {
@@ -68,7 +69,7 @@ TEST(ManyLamps, light_is_the_sum_over_lamps) {
     }
 }
 
-// Mirrors find lamps with a size only by rays: each ray asks the tree for the lamps that it hits.
+// Mirrors see lamps with a size only by rays that hit them. Each ray searches the tree for the lamps that it hits.
 TEST(ManyLamps, a_mirror_shows_each_ball_once) {
   const MetallicRoughness mirror = floor_of(1.0f, 0.0f);
   Image sum;
@@ -101,7 +102,7 @@ TEST(ManyLamps, dark_and_distant_lamps_change_only_noise) {
   EXPECT_NEAR(mean(trace_paths(s.scene, single_view(8), 4096, {}, 1, kNearEye).film), before, 0.03 * before);
 }
 
-/// Calls `ask` with the light table of a scene at a point above the floor.
+/// Returns the result of `question` for the scene's light table.
 template <class Ask>
 auto ask(const Scene& scene, const Ask& question) {
   const ThreadPool pool(1);
@@ -109,7 +110,7 @@ auto ask(const Scene& scene, const Ask& question) {
   return question(*device.shaded().path->lights);
 }
 
-// Four are drawn by power alone, five by a tree.
+// Up to four lamps are chosen by power alone, so the probability is the same at both points. Five lamps are chosen by a tree.
 TEST(ManyLamps, few_lamps_are_drawn_by_power) {
   for (const int lamps : {4, 5}) {
     const SmallScene s = below(LampKind::kBall, floor_of(0.0f, 1.0f), 0, lamps);
@@ -143,7 +144,7 @@ TEST(ManyLamps, probabilities_of_balls_and_sun_sum_to_1) {
   }
 }
 
-/// Returns whether the table of a moment is that of the moment before.
+/// Returns whether update() to `time` keeps the light table.
 bool keeps_table(const Scene& scene, double time) {
   const ThreadPool pool(1);
   DeviceScene device(scene, pool, Integrator::kPath);
@@ -168,7 +169,7 @@ TEST(ManyLamps, table_is_rebuilt_only_for_moving_lights) {
   EXPECT_FALSE(keeps_table(scene_of(false, true, false), 0.5));
 }
 
-// A frame must not depend on the frames made before it.
+// A frame must not depend on the frames that were rendered before it.
 TEST(ManyLamps, pictures_do_not_depend_on_earlier_frames) {
   SmallScene s = busy_scene(3);
   for (int l = 0; l < kCount; ++l) add_lamp(s, LampKind::kSquare, l);

@@ -1,4 +1,5 @@
-// Path-traced volumes, prisms and leaves compared with theory. The view is from (0, 0, 10) at the square +-2.
+// Path-traced volumes, prisms and leaves, compared with theory. The camera is at (0, 0, 10) and sees the square from -2 to 2 in
+// x and y at z = 0.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,7 +11,7 @@ namespace {
 
 using namespace test;
 
-/// Smooth, by default with the index of air: no refraction or reflection.
+/// A smooth transmissive surface. The default index of refraction is that of air, without refraction and reflection.
 MetallicRoughness clear(const Volume& volume, float ior = 1.0f) {
   MetallicRoughness m;
   m.metallic = 0.0f, m.roughness = 0.0f, m.ior = ior;
@@ -53,7 +54,8 @@ TEST(MaterialExtensions, thin_walls_do_not_refract) {
     s.scene.max_depth = 8;
     s.add(Spheres{{{0, 0, 0}, 1.5f}}, s.material(clear({}, 1.5f)));
     s.add(square(50, -3), s.material(glowing(Vec3f(1.0f))));
-    s.add(square(0.5f, -2.9f), s.material(glowing(Vec3f(0.0f))));  // in the middle; a lens would spread it over the sphere
+    // A dark square in the middle, which a lens would spread over the whole sphere.
+    s.add(square(0.5f, -2.9f), s.material(glowing(Vec3f(0.0f))));
     const Picture p = by_paths ? trace_paths(s.scene, single_view(33), 256) : trace(s.scene, single_view(33));
     EXPECT_NEAR(p.at(16, 16).x, 0.0f, 0.15f) << by_paths;
     EXPECT_GT(p.at(24, 16).x, 0.7f) << by_paths;
@@ -73,12 +75,12 @@ TEST(MaterialExtensions, layered_white_spheres_vanish_in_furnaces) {
     s.scene.max_depth = 64;
     surround(s, Vec3f(1.0f));
     s.add(Spheres{{{0, 0, 0}, 3.0f}}, s.material(m));
-    // 1 %: noise, of three separate colours with dispersion.
+    // Tolerance: noise, which is larger with dispersion because each path has only one colour
     EXPECT_NEAR(mean(trace_paths(s.scene, single_view(8), 1024).film), 1.0, 0.01) << "kind " << kind;
   }
 }
 
-// A wall's edge behind a prism: red light is bent less than blue.
+// The edge of a dark square behind a prism. Red light is bent less than blue light.
 TEST(MaterialExtensions, dispersion_separates_colours) {
   SmallScene s;
   s.scene.max_depth = 8;
@@ -102,7 +104,7 @@ TEST(MaterialExtensions, leaves_transmit_diffuse_light) {
   Light& light = s.point_light({0, 0, 0}, Vec3f(kPi));
   light.kind = LightKind::kDirectional;
   s.scene.nodes[static_cast<std::size_t>(light.node)].matrix =
-      Affine3f{Mat3f(-1, 0, 0, 0, 1, 0, 0, 0, -1), Vec3f(0.0f)};  // upwards, at the back
+      Affine3f{Mat3f(-1, 0, 0, 0, 1, 0, 0, 0, -1), Vec3f(0.0f)};  // shines upwards, at the back of the leaf
   const Vec3f seen = trace_paths(s.scene, single_view(9), 64).at(4, 4);
   EXPECT_NEAR(seen.x, 0.5f * 0.2f, 2e-3f);
   EXPECT_NEAR(seen.y, 0.5f * 0.8f, 2e-3f);

@@ -1,4 +1,4 @@
-// Look-ups of metallic-roughness surfaces of meshes: maps with transforms and sets, vertex colours, alphas.
+// Lookups of metallic-roughness surfaces on meshes: maps with transforms and sets of coordinates, vertex colours, and alphas.
 #include <gtest/gtest.h>
 
 #include "trace/small_scene.hpp"
@@ -12,7 +12,7 @@ using test::SmallScene;
 using test::square;
 using test::trace;
 
-/// One row of texels, each with its grey and the same alpha.
+/// Returns a texture of one row, with the given greys and one alpha for all texels.
 Texture row_of(std::initializer_list<int> greys, int alpha = 255) {
   Texture t;
   t.width = static_cast<int>(greys.size()), t.height = 1;
@@ -29,7 +29,7 @@ MetallicRoughness unlit() {
   return s;
 }
 
-/// Pixels in the middle of the left and right half of a square that fills the picture, in front of a background of 1.
+/// The pixels in the middle of the left and right half of a square that fills the picture. The background is 1.
 struct Halves {
   float left, right;
 };
@@ -50,7 +50,7 @@ TEST(MeshMaterial, maps_follow_their_transform) {
   const Halves as_it_is = render(square(2, 0), s, row_of({0, 0, 255, 255}));
   EXPECT_EQ(as_it_is.left, 0.0f);
   EXPECT_EQ(as_it_is.right, 1.0f);
-  s.base_color_map.offset = {0.5f, 0.0f};  // shifted by half the texture, which repeats
+  s.base_color_map.offset = {0.5f, 0.0f};  // shifted by half of the texture, which repeats
   const Halves moved = render(square(2, 0), s, row_of({0, 0, 255, 255}));
   EXPECT_EQ(moved.left, 1.0f);
   EXPECT_EQ(moved.right, 0.0f);
@@ -64,9 +64,9 @@ TEST(MeshMaterial, maps_follow_their_transform) {
 TEST(MeshMaterial, footprint_grows_with_the_scale_of_the_transform) {
   MetallicRoughness s = unlit();
   s.base_color_map.texture = 0;
-  s.base_color_map.matrix[0].x = 64.0f;  // 64 periods of black and white on 32 pixels: only their mean is visible
+  s.base_color_map.matrix[0].x = 64.0f;  // 64 periods of black and white on 32 pixels, so only their mean is visible
   const Halves blurred = render(square(2, 0), s, row_of({0, 0, 255, 255}));
-  EXPECT_NEAR(blurred.left, 0.5f, 1e-3f);  // the codes of the coarsest level
+  EXPECT_NEAR(blurred.left, 0.5f, 1e-3f);  // rounding of the 16-bit codes in the coarsest level
   EXPECT_NEAR(blurred.right, 0.5f, 1e-3f);
 }
 
@@ -101,13 +101,13 @@ TEST(MeshMaterial, blend_multiplies_all_alphas) {
   s.base_color = Vec4f(0, 0, 0, 0.5f);
   s.base_color_map.texture = 0;
   s.blend = true;
-  // Alpha 1/8 of black in front of white.
+  // A black surface with alpha 0.5 (material) x 0.5 (vertices) x 128/255 (texture) in front of white.
   EXPECT_NEAR(render(mesh, s, row_of({255}, 128)).left, 1.0f - 0.25f * 128.0f / 255.0f, 1e-5f);
 }
 
 TEST(MeshMaterial, mask_compares_the_product_of_alphas) {
   Mesh mesh = square(2, 0);
-  mesh.alphas = {0.4f, 0.8f, 0.8f, 0.4f};  // grows from left to right: 0.5 at a quarter, 0.7 at three quarters
+  mesh.alphas = {0.4f, 0.8f, 0.8f, 0.4f};  // grows from left to right: 0.5 at 1/4 and 0.7 at 3/4 of the width
   MetallicRoughness s = unlit();
   s.base_color = Vec4f(0, 0, 0, 0.5f);
   s.alpha_cutoff = 0.3f;
@@ -133,7 +133,7 @@ TEST(MeshMaterial, vertex_colours_multiply_base_colour_and_texture) {
   EXPECT_NEAR(render(mesh, s, row_of({51})).left, 0.5f * 0.5f * 0.2f, 1e-5f);
 }
 
-/// Path traces brushed metal in front of a lamp: brushed along x, rotated by an angle.
+/// Path traces brushed metal below a lamp. The metal is brushed along x and then rotated by `turned` radians.
 Picture brushed(float strength, float turned, const Texture* map = nullptr) {
   SmallScene s;
   MetallicRoughness metal;
@@ -148,14 +148,14 @@ Picture brushed(float strength, float turned, const Texture* map = nullptr) {
 
 TEST(MeshMaterial, map_rotates_and_scales_anisotropy) {
   Texture map = row_of({0});
-  map.rgba = {128, 255, 128, 255};  // a quarter turn, half the strength
+  map.rgba = {128, 255, 128, 255};  // a quarter turn (green), and half of the strength (blue)
   const Picture by_map = brushed(1.0f, 0.0f, &map), by_numbers = brushed(0.5f, 1.5707964f), along = brushed(0.5f, 0.0f);
   EXPECT_NEAR(by_map.at(8, 8).x / by_numbers.at(8, 8).x, 1.0f, 0.02f);
   EXPECT_NEAR(by_map.at(12, 3).x / by_numbers.at(12, 3).x, 1.0f, 0.02f);
   EXPECT_GT(std::abs(along.at(8, 8).x / by_numbers.at(8, 8).x - 1.0f), 0.1f);
 }
 
-/// A map of one normal that leans to the right by this angle.
+/// A normal map with one normal, which leans to the right by this angle.
 Texture leaning(float degrees) {
   const float a = radians(degrees);
   Texture map = row_of({0});
@@ -164,7 +164,8 @@ Texture leaning(float degrees) {
   return map;
 }
 
-/// Clear-coated, with both normal maps. layered: with a sheen that only LayeredBsdf has, too faint to be visible.
+/// A clear-coated surface with normal maps for base and coat. layered: with a sheen too faint to be visible, so that
+/// LayeredBsdf is used.
 MetallicRoughness coated(bool layered) {
   MetallicRoughness m;
   m.clearcoat = 1.0f;
@@ -173,7 +174,7 @@ MetallicRoughness coated(bool layered) {
   return m;
 }
 
-/// Returns a surface's middle seen perpendicularly, with a lamp to the right at this angle.
+/// Returns the radiance of a surface's middle, seen perpendicularly. The lamp is to the right at this angle from the normal.
 float lit_from(MetallicRoughness m, float base_degrees, float coat_degrees, float lamp_degrees) {
   SmallScene s;
   s.scene.textures = {leaning(base_degrees), leaning(coat_degrees)};
@@ -183,7 +184,8 @@ float lit_from(MetallicRoughness m, float base_degrees, float coat_degrees, floa
   return test::trace_paths(s.scene, single_view(33), 16).at(16, 16).x;
 }
 
-// The base reflects a lamp at twice the angle of its normal, and the coat one at twice the angle of its own normal.
+// The base reflects a lamp at twice the angle of the base's normal, and the coat reflects a lamp at twice the angle of the
+// coat's normal.
 TEST(MeshMaterial, coat_and_base_use_separate_normal_maps) {
   for (const bool layered : {false, true}) {
     MetallicRoughness m = coated(layered);
@@ -201,7 +203,8 @@ TEST(MeshMaterial, coat_and_base_use_separate_normal_maps) {
   }
 }
 
-// A lamp below the horizon of the base's bent normal, but above the facet and the coat's: a black base must not hide it.
+// The lamp is below the horizon of the base's bent normal, but in front of the facet and of the coat's normal. A black base
+// must not hide it from the coat.
 TEST(MeshMaterial, rough_coats_show_lamps_behind_the_base) {
   for (const bool layered : {false, true}) {
     MetallicRoughness m = coated(layered);
@@ -213,7 +216,7 @@ TEST(MeshMaterial, rough_coats_show_lamps_behind_the_base) {
   }
 }
 
-// The same for light from all around: shadow rays must omit nothing. 1 %: noise.
+// In uniform light from all sides, shadow rays must not omit light either. The tolerance of 1 % is noise.
 TEST(MeshMaterial, rough_coats_keep_their_albedo) {
   const auto in_white_furnace = [](const MetallicRoughness& m, float base_degrees) {
     SmallScene s;

@@ -1,4 +1,5 @@
-// Sixteen surfaces at once compared with MetalRoughBsdf, which has its own tests: the bits must match.
+// Sixteen surfaces at once, compared with MetalRoughBsdf for each surface. The results must be bit-identical. MetalRoughBsdf
+// has its own tests.
 #include "shading/metal_rough_lanes.hpp"
 
 #include <gtest/gtest.h>
@@ -16,10 +17,10 @@ const GgxAlbedo& albedo() {
   return tables;
 }
 
-/// kAny includes glass.
+/// kAny: all supported surfaces, including glass.
 enum class Kind { kLambert, kGloss, kAny };
 
-/// Sixteen supported surfaces, each with its own view, some with a separate normal of the gloss.
+/// Sixteen surfaces, each with its own view. In some, the gloss has a separate normal.
 struct Points {
   Points(unsigned seed, Kind kind) : random(seed) {
     for (std::size_t i = 0; i < kLanes; ++i) {

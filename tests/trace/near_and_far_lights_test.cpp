@@ -1,5 +1,5 @@
-// A floor below lights with and without falloff by distance. The eye is at (0, 0, 1) and looks at the square +-0.2 around the
-// origin, so that all floors of these tests look the same.
+// A floor below near lights (with falloff by distance) and far lights (without). The eye is at (0, 0, 1) and sees the square
+// from -0.2 to 0.2 in x and y at z = 0, so that the floor always fills the picture.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -48,7 +48,7 @@ SmallScene floor_below(Near near, Far far, float half_size, float roughness = 1.
   return s;
 }
 
-/// Returns the standard deviation over the pixels, relative to their mean.
+/// Returns the standard deviation of all values, relative to their mean.
 double noise(const Image& film) {
   const double average = mean(film);
   double squares = 0.0;
@@ -76,12 +76,13 @@ double light_below(Near near, Far far, float roughness) {
   return mean(trace_paths(floor_below(near, far, 5.0f, roughness).scene, single_view(16), 512, {}, 1, kNearby).film);
 }
 
-// Diffuse floors sample lights, glossy ones mostly hit them.
+// On diffuse floors, shadow rays find most of the light. On glossy floors, reflected rays do.
 TEST(NearAndFarLights, light_is_the_sum_of_both) {
   for (const float roughness : {1.0f, 0.3f})
     for (const Near near : kNears)
       for (const Far far : kFars) {
-        const Near dark = near == Near::kSquare ? Near::kDarkSquare : Near::kNone;  // it hides a part of the sky
+        // The dark square hides the same part of the sky.
+        const Near dark = near == Near::kSquare ? Near::kDarkSquare : Near::kNone;
         const double sum = light_below(near, Far::kNone, roughness) + light_below(dark, far, roughness);
         EXPECT_NEAR(light_below(near, far, roughness), sum, 0.015 * sum)
             << static_cast<int>(near) << ", " << static_cast<int>(far) << ", roughness " << roughness;

@@ -34,7 +34,8 @@ TEST(NoisyFrame, film_equals_the_frames_film) {
     EXPECT_EQ(traced(s.scene, spp).film.data, trace_paths(s.scene, single_view(kNoisySize), spp).film.data);
 }
 
-// The halves of stratified samples differ by more than the error of their mean, because they fill each other's gaps.
+// The estimate may exceed the error: the halves of stratified samples fill each other's gaps, so they differ by more than the
+// error of their mean.
 TEST(NoisyFrame, noise_matches_the_errors_without_bias) {
   const SmallScene s = busy_scene(3);
   const Image truth = trace_paths(s.scene, single_view(kNoisySize), 1024).film;
@@ -54,8 +55,8 @@ TEST(NoisyFrame, noise_matches_the_errors_without_bias) {
   }
 }
 
-// The square's edge passes through pixel 24 at 0.4 of it, as in the tests of alpha; it lies 2 mm in front of the display's
-// plane.
+// The square's edge covers 0.4 of pixel 24: it is at x = 1.05, and the pixel extends from x = 1 to 1.125. In `moved`, the
+// display is 2 mm behind the square.
 TEST(NoisyFrame, surfaces_are_averaged_over_samples) {
   SmallScene s;
   s.scene.background.horizon = s.scene.background.zenith = Vec3f(0.25f);

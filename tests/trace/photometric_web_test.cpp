@@ -1,4 +1,4 @@
-// Lamps with measured light distributions: pictures below them, and sampling among them.
+// Lamps with measured light distributions (photometric webs): pictures below such lamps, and the choice among them.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,11 +12,12 @@ namespace {
 
 using namespace test;
 
-/// The eye at (0, 0, 1), looking at the square +-0.2 around the origin.
+/// Places the eye at (0, 0, 1). It sees the square from -0.2 to 0.2 in x and y at z = 0.
 const Affine3f kEyeBelowWeb{Mat3f(0.1f), Vec3f(0.0f)};
 constexpr float kWebHeight = 2.0f;
 
-/// Returns cos^n of the angle to -z, 0 beyond 90 degrees, in steps of half a degree, relative to its mean.
+/// Returns a web with the intensity cos^n a, where a is the angle to -z, and 0 for a > 90 degrees. It is sampled in steps of
+/// half a degree and divided by its mean.
 PhotometricWeb cosine_web(double n) {
   PhotometricWeb web;
   for (int step = 0; step <= 180; ++step) {
@@ -30,7 +31,7 @@ PhotometricWeb cosine_web(double n) {
   return web;
 }
 
-/// Returns the inverse of the mean, 1 / (2 (n + 1)): the peak of a web of flux 4 pi.
+/// Returns the peak intensity of cosine_web(n). The mean of cos^n a over the sphere is 1 / (2 (n + 1)).
 double cosine_peak(double n) { return 2.0 * (n + 1.0); }
 
 MetallicRoughness white_floor() {
@@ -39,7 +40,7 @@ MetallicRoughness white_floor() {
   return m;
 }
 
-/// A floor, and above it a lamp of radiant intensity `color` that points down, tilted towards +x.
+/// A floor below a lamp of radiant intensity `color`. The lamp points down, tilted towards +x.
 SmallScene below_lamp(Vec3f color, float tilt) {
   SmallScene s;
   s.add(square(2, 0), s.material(white_floor()));
@@ -60,7 +61,7 @@ void expect_same_light(const Image& a, const Image& b, float tolerance) {
   for (std::size_t i = 0; i < a.data.size(); ++i) ASSERT_NEAR(a.data[i], b.data[i], tolerance * b.data[i]) << i;
 }
 
-// A spot without an inner cone whose outer cone is 90 degrees falls off with the squared cosine.
+// The intensity of a spot with an inner cone of 0 and an outer cone of 90 degrees is proportional to the squared cosine.
 TEST(PhotometricWeb, squared_cosine_matches_a_spot) {
   for (const float tilt : {0.0f, 0.6f})
     for (const Integrator integrator : {Integrator::kPath, Integrator::kWhitted}) {
@@ -73,7 +74,7 @@ TEST(PhotometricWeb, squared_cosine_matches_a_spot) {
     }
 }
 
-// Radiance straight below: intensity / (pi distance^2).
+// Radiance of the white floor straight below: intensity / (pi distance^2), with distance 2.
 TEST(PhotometricWeb, light_below_is_peak_over_squared_distance) {
   for (const double n : {1.0, 8.0, 40.0}) {
     SmallScene s = below_lamp(Vec3f(1.0f), 0.0f);
@@ -85,7 +86,7 @@ TEST(PhotometricWeb, light_below_is_peak_over_squared_distance) {
   }
 }
 
-// The flux through a closed room around the lamp is 4 pi times its colour: the sum of irradiance over a sphere at distance 1.
+// The mean irradiance over a sphere of radius 1 around the lamp equals the lamp's colour, 1, so that its flux is 4 pi.
 TEST(PhotometricWeb, flux_equals_an_isotropic_lamps) {
   SmallScene s = below_lamp(Vec3f(1.0f), 0.3f);
   s.scene.webs.push_back(cosine_web(5));
@@ -105,7 +106,7 @@ TEST(PhotometricWeb, flux_equals_an_isotropic_lamps) {
   EXPECT_NEAR(sum / (kSteps * kSteps), 1.0, 2e-3);
 }
 
-// Forty lamps that point in all directions, of which a tree draws one.
+// Forty lamps point in all directions. A tree chooses one of them.
 TEST(PhotometricWeb, many_webs_are_sampled_without_bias) {
   for (const float radius : {0.0f, 0.1f}) {
     const auto lamps = [&](int first, int end) {
@@ -134,7 +135,8 @@ TEST(WebBeam, beam_summarises_the_web) {
   EXPECT_NEAR(beam.axis.z, -1.0f, 1e-4f);
   EXPECT_GE(beam.half_angle, 0.5f * kPi - 0.06f);
   EXPECT_LT(beam.half_angle, 0.5f * kPi + 0.2f);
-  // (2 k + 1) / 2 times the integral of 6 c^2 over c from 0 to 1, weighted by 1, c and (3 c^2 - 1) / 2.
+  // The coefficient of Legendre polynomial P_k is (2 k + 1) / 2 times the integral of 6 c^2 P_k(c) over the cosine c from 0 to
+  // 1, with P_0 = 1, P_1 = c and P_2 = (3 c^2 - 1) / 2.
   EXPECT_NEAR(beam.profile.mean, 1.0, 0.01);
   EXPECT_NEAR(beam.profile.linear, 1.5 * 6.0 / 4.0, 0.02);
   EXPECT_NEAR(beam.profile.square, 2.5 * 0.5 * 6.0 * (3.0 / 5.0 - 1.0 / 3.0), 0.02);

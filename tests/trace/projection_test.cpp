@@ -7,14 +7,14 @@
 namespace lippmann {
 namespace {
 
-// Float error of one arc tangent and a division.
+// Rounding error of one arc tangent and one division.
 constexpr float kProjectionRounding = 1e-6f;
 
 struct ProjectedPoint {
   float u, v, blur;
 };
 
-/// Projects one point in a lane whose neighbours are empty.
+/// Projects one point in lane kLane. The other lanes are not wanted.
 ProjectedPoint project(const ImageProjection& projection, Vec3f point, float path_length) {
   constexpr int kLane = 5;
   Lanes3 points;
@@ -43,7 +43,8 @@ TEST(Project, plane_takes_coordinates_along_its_axes) {
   ImageProjection p = projection(ProjectionKind::kPlane);
   p.scale = {0.5f, -0.25f, 100.0f};
   p.rotate = {0.1f, 0.2f, 0.0f};
-  // U = 3, V = 1: u = 1.5 + 0.1 -> 0.6; v = -0.25 + 0.2 = -0.05 -> 0.95. Blur 0.05 x 8 x 0.5; scale.z is not used.
+  // u: U = 3, so 0.5 x 3 + 0.1 = 1.6, whose fraction is 0.6. v: V = 1, so -0.25 x 1 + 0.2 = -0.05, whose fraction is 0.95.
+  // Blur: 0.05 x 8 x 0.5 = 0.2. scale.z has no effect.
   const ProjectedPoint at = project(p, {13, 21, 77}, 8.0f);
   EXPECT_NEAR(at.u, 0.6f, kProjectionRounding);
   EXPECT_NEAR(at.v, 0.95f, kProjectionRounding);
@@ -52,7 +53,7 @@ TEST(Project, plane_takes_coordinates_along_its_axes) {
 
 TEST(Project, blur_ends_at_1) { EXPECT_EQ(project(projection(ProjectionKind::kPlane), {0, 0, 0}, 1e6f).blur, 1.0f); }
 
-/// Around y from x towards v_axis x u_axis = -z: x at 0, -z at 1/4, -x at 1/2, z at 3/4.
+/// Angles around y are measured from x towards v_axis x u_axis = -z, in turns: 0 at x, 1/4 at -z, 1/2 at -x, 3/4 at z.
 TEST(Project, cylinder_starts_at_u_axis_around_v_axis) {
   const ImageProjection p = projection(ProjectionKind::kCylinder);
   EXPECT_NEAR(project(p, {12, 20, 30}, 1.0f).u, 0.0f, kProjectionRounding);
@@ -65,7 +66,8 @@ TEST(Project, cylinder_uses_height_and_distance) {
   ImageProjection p = projection(ProjectionKind::kCylinder);
   p.scale = {2.0f, 3.0f, 0.0f};
   const ProjectedPoint at = project(p, {13, 24.1f, 30}, 40.0f);  // |q| = hypot(3, 4.1)
-  EXPECT_NEAR(at.v, 0.3f, 1e-5f);                                // 12.3, of which float keeps 6 digits
+  // V scale = 4.1 x 3 = 12.3; the tolerance is larger because a float keeps only 6 digits of it.
+  EXPECT_NEAR(at.v, 0.3f, 1e-5f);
   EXPECT_NEAR(at.blur, 0.05f * 40.0f / (8.0f * std::hypot(3.0f, 4.1f)) * 3.0f, kProjectionRounding);
 }
 

@@ -17,7 +17,7 @@ std::vector<Optics> optics_of_odd_sizes() {
   o.panel = {48, 37, 0.125f};
   o.model = LenticularSheet{};
   all.push_back(o);
-  std::get<LenticularSheet>(o.model).lens_pitch_mm = 1.1f;  // not a whole number of pixels
+  std::get<LenticularSheet>(o.model).lens_pitch_mm = 1.1f;  // not a multiple of the pixel width
   all.push_back(o);
   o.panel = {24, 40, 0.25f};
   o.model = MicrolensArray{};
@@ -66,8 +66,9 @@ TEST(StripOrder, view_tiles_of_microlenses_share_one_direction) {
 }
 
 TEST(StripOrder, view_tiles_of_a_slanted_panel_follow_its_lenses) {
-  // A lens of 10 sub-pixels that shifts by 600 * 0.25 / 100 = 1.5 of them per row: straight down, 8 rows would cross two
-  // lenses; along the slant only the rounding to whole sub-pixels and the second column (1/10 each) remain.
+  // A lens is 10 sub-pixels wide and shifts by 600 x 0.25 / 100 = 1.5 sub-pixels per row. Straight columns of 8 rows would
+  // extend over two lenses. Along the slant, only the rounding to whole sub-pixels and the second column remain, which are 1/10
+  // of a lens each.
   Optics o;
   o.panel = {200, 100, 0.3f};
   for (const double tilt : {0.25, -0.25}) {
@@ -84,7 +85,8 @@ TEST(StripOrder, view_tiles_of_a_slanted_panel_follow_its_lenses) {
       }
       if (high - low > 0.21) ++wide;
     }
-    // At the edge packets wrap around: 16 rows shift by 24 sub-pixels, in two packets for every two columns.
+    // Packets at the panel's edge wrap around. Over 16 rows the lenses shift by 24 sub-pixels. Each pair of columns has two
+    // packets, so up to 24 packets wrap.
     EXPECT_LE(wide, 24);
   }
 }
@@ -132,7 +134,8 @@ TEST(SubPixel, samples_of_a_pixel_fill_every_stratum) {
     const Vec2f p = sub.position(1234, s);
     ASSERT_GE(std::min(p.x, p.y), 0.0f);
     ASSERT_LT(std::max(p.x, p.y), 1.0f);
-    // The shift moves all points equally: 16 different sixteenths, relative to the start of the strata.
+    // The shift of a pixel is the same for all its samples. Relative to sample 0, they must be in 16 different sixteenths of
+    // the pixel.
     columns.insert(static_cast<int>(std::floor((p.x - sub.position(1234, 0).x + 1.0f) * 16.0f + 0.5f)) % 16);
     rows.insert(static_cast<int>(std::floor((p.y - sub.position(1234, 0).y + 1.0f) * 16.0f + 0.5f)) % 16);
   }

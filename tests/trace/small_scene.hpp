@@ -1,4 +1,4 @@
-// Scenes of a few shapes, and pictures of them a few pixels wide, for tests of tracing.
+// Helpers for tests of tracing: scenes of a few shapes, and pictures of a few pixels.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -11,7 +11,6 @@
 
 namespace lippmann::test {
 
-/// Builds a Scene one shape, light or node at a time.
 class SmallScene {
  public:
   SmallScene() {
@@ -24,7 +23,7 @@ class SmallScene {
     return static_cast<int>(scene.nodes.size()) - 1;
   }
 
-  /// Adds a node with an animated position: `position` at time 0.
+  /// Adds a node that moves from `position` at time 0 to `position_after_a_second` at time 1. Returns the node's index.
   int moving_node(Vec3f position, Vec3f position_after_a_second) {
     scene.nodes.push_back({"", -1, {}, {}});
     NodeAnimation animation;
@@ -41,7 +40,7 @@ class SmallScene {
     return static_cast<int>(scene.materials.size()) - 1;
   }
 
-  /// Returns the object id.
+  /// Adds an instance of the shape. Returns its object id.
   int add(Shape shape, int material_index, int node_index = -1) {
     scene.shapes.push_back(std::move(shape));
     scene.instances.push_back({"", static_cast<int>(scene.shapes.size()) - 1, material_index, node_index});
@@ -59,15 +58,15 @@ class SmallScene {
   Scene scene;
 };
 
-/// The default tolerance is that of single-precision shading along one path.
+/// The default tolerance is the rounding of single-precision shading along one path.
 inline void expect_color(Vec3f got, Vec3f expected, float tolerance = 2e-5f) {
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(got[c], expected[c], tolerance) << "channel " << c;
 }
 
-/// Adds a uniform sky.
+/// Sets a uniform background.
 inline void surround(SmallScene& s, Vec3f light) { s.scene.background.horizon = s.scene.background.zenith = light; }
 
-/// Returns a surface that shows its colour in any light.
+/// Returns a surface that shows its colour regardless of the light.
 inline PhongSurface glowing(Vec3f color) {
   PhongSurface s;
   s.color = color;
@@ -90,8 +89,8 @@ inline PhongSurface mirror(float share) {
   return s;
 }
 
-/// A sky of `light` with a sun of one texel of 1.4 degrees, which adds `irradiance` to surfaces facing it and lies close to a
-/// direction with z > 0.
+/// A uniform sky of `light` with a sun. The sun is one texel, 1.4 degrees wide, close to the direction `toward`, whose z must
+/// be > 0. It adds `irradiance` to surfaces that face it.
 inline EnvironmentMap sunny_sky(Vec3f light, Vec3f toward, Vec3f irradiance) {
   constexpr int kWidth = 256, kHeight = 128;
   constexpr double kStep = M_PI / kHeight;
@@ -100,13 +99,15 @@ inline EnvironmentMap sunny_sky(Vec3f light, Vec3f toward, Vec3f irradiance) {
   const Vec3f d = glm::normalize(toward);
   const auto x = static_cast<int>((0.5 + std::atan2(static_cast<double>(d.z), static_cast<double>(d.x)) * 0.5 / M_PI) * kWidth);
   const auto y = static_cast<int>(std::acos(static_cast<double>(d.y)) / kStep);
-  // Solid angle of a bilinear texel: two texels wide in each direction, weight 1/4 on average.
+  // A texel interpolated bilinearly is two texels wide and high with a mean weight of 1/4, so its solid angle is that of one
+  // texel.
   const auto inverse = static_cast<float>(1.0 / (kStep * kStep * std::sin((y + 0.5) * kStep)));
   for (int c = 0; c < 3; ++c) map.radiance.pixel(x, y)[c] += irradiance[c] * inverse;
   return map;
 }
 
-/// Two triangles in the plane z = `z`, facing +z, corners at +-half, uv from (0, 0) at the top left to (1, 1).
+/// A square of two triangles from -half to half in x and y, in the plane z, facing +z. uv is (0, 0) at the top left and (1, 1)
+/// at the bottom right.
 inline Mesh square(float half, float z) {
   Mesh m;
   m.positions = {{-half, half, z}, {half, half, z}, {half, -half, z}, {-half, -half, z}};
@@ -115,7 +116,7 @@ inline Mesh square(float half, float z) {
   return m;
 }
 
-/// Adds a square like square() that shines only towards -z. Returns the object id.
+/// Adds a square lamp at height z that faces -z. Returns its object id.
 inline int add_lamp_facing_down(SmallScene& s, float half, float z, Vec3f light) {
   MetallicRoughness shining;
   shining.emissive = light;
@@ -123,8 +124,8 @@ inline int add_lamp_facing_down(SmallScene& s, float half, float z, Vec3f light)
   return s.add(square(half, 0), s.material(shining), s.node(turned));
 }
 
-/// Matte, mirroring and glass spheres at seeded random places, on a long box, below one light: rays of every kind. The
-/// materials are 0, 1 and 2, in this order.
+/// Matte, mirroring and glass spheres at random positions that depend on `seed`, on a long box below one light. Pictures of it
+/// need rays of every kind. The materials are 0 (matte), 1 (mirror) and 2 (glass).
 inline SmallScene busy_scene(unsigned seed) {
   SmallScene s;
   s.scene.max_depth = 4;
@@ -142,7 +143,7 @@ inline SmallScene busy_scene(unsigned seed) {
   return s;
 }
 
-/// 8 lenses of 8 pixels, 50 rows, showing the same square as single_view.
+/// A lenticular sheet of 8 lenses with 8 pixels each, and 50 rows. It shows the same square as single_view().
 inline Optics lenticular_view() {
   Optics optics;
   optics.panel = {64, 50, 4.0f / 64};
@@ -155,7 +156,7 @@ inline Optics lenticular_view() {
   return optics;
 }
 
-/// A single view from (0, 0, 10) of the square +-2 around the origin, `size` pixels wide.
+/// A single view with `size` x `size` pixels. The camera is at (0, 0, 10) and sees the square from -2 to 2 in x and y at z = 0.
 inline Optics single_view(int size) {
   Optics optics;
   optics.panel = {size, size, 4.0f / static_cast<float>(size)};
@@ -189,10 +190,9 @@ inline Picture trace(const Scene& scene, const Optics& optics, TraceParams param
   return picture;
 }
 
-/// Places the eye of a single view at (0, 0, 1), looking at the square +-0.2 around the origin.
+/// Scales the display by 1/10: the eye of a single view is at (0, 0, 1) and sees the square from -0.2 to 0.2 in x and y.
 inline const Affine3f kNearby{Mat3f(0.1f), Vec3f(0.0f)};
 
-/// Path traces with spp samples per pixel.
 inline Picture trace_paths(const Scene& scene, const Optics& optics, int spp, TraceParams params = {}, int threads = 1,
                            const Affine3f& world_from_display = {}) {
   params.spp = spp;

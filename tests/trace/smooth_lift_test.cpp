@@ -9,12 +9,12 @@ namespace {
 
 using namespace test;
 
-// The corners of a quarter arc in the plane z = 0: the point half-way lies 1 - cos 45 degrees below each tangent, and each
-// pushes it along its normal by half of that.
+// The corners are the ends of a quarter circle. The point half-way between them lies 1 - 1/2 = 1/2 below each tangent. Each
+// tangent moves the point by this distance along its normal, weighted by 1/2, which gives 1/4 along x and y.
 TEST(SmoothLift, half_way_along_chords_matches_by_hand) {
   const SmoothTriangle chord{{{{1, 0, 0}, {0, 1, 0}, {0, 1, 0}}}, {{{1, 0, 0}, {0, 3, 0}, {0, 1, 0}}}, {0.5f, 0.5f, 0.0f}};
   expect_color(smooth_lift(chord, 1.0f), {0.25f, 0.25f, 0.0f});
-  EXPECT_EQ(smooth_lift(chord, -1.0f), Vec3f(0.0f));  // a hollow is not filled
+  EXPECT_EQ(smooth_lift(chord, -1.0f), Vec3f(0.0f));  // on the inner side, the smooth surface is below the chord
 }
 
 TEST(SmoothLift, corners_and_flat_triangles_are_not_lifted) {
@@ -25,7 +25,7 @@ TEST(SmoothLift, corners_and_flat_triangles_are_not_lifted) {
   EXPECT_EQ(smooth_lift(bent, 1.0f), Vec3f(0.0f));
 }
 
-/// A lamp to the right and slightly in front, above a ball that fills most of the view.
+/// A ball that fills most of the view, lit by a lamp far to the right and slightly in front.
 template <class Shape>
 SmallScene lit_ball(const Shape& ball) {
   SmallScene s;
@@ -35,7 +35,7 @@ SmallScene lit_ball(const Shape& ball) {
   return s;
 }
 
-/// Returns the largest difference of two pictures away from the ball's outline.
+/// Returns the largest difference of two pictures in the middle, away from the ball's outline.
 float largest_difference(const Image& a, const Image& b) {
   float most = 0.0f;
   for (int y = 0; y < a.height; ++y)
@@ -48,7 +48,7 @@ float largest_difference(const Image& a, const Image& b) {
   return most;
 }
 
-// Without the lift, facets near the terminator are dark one by one.
+// Without smooth_lift(), single facets near the terminator would be dark.
 TEST(SmoothLift, coarse_balls_are_lit_like_balls) {
   const SmallScene round = lit_ball(Spheres{{{{0, 0, 0}, 1.5f}}}), coarse = lit_ball(coarse_ball(1.5f, 8));
   const Optics view = single_view(48);

@@ -1,5 +1,5 @@
-// Features of the shading of Tachyon scenes, compared with values worked out by hand. The view is from (0, 0, 10) at the square
-// +-2; its central rays run along -z.
+// The shading of Tachyon scenes, compared with values worked out by hand. The camera is at (0, 0, 10) and sees the square from
+// -2 to 2 in x and y at z = 0. Its central rays run along -z.
 #include <gtest/gtest.h>
 
 #include "trace/small_scene.hpp"
@@ -19,7 +19,7 @@ SmallScene tachyon_scene() {
 
 Vec3f middle(const SmallScene& s) { return trace(s.scene, single_view(kShadedSize)).at(kShadedMiddle, kShadedMiddle); }
 
-/// A square that shows only its highlight. Light and view are at right angles: N.H = cos 22.5 degrees.
+/// A surface that shows only its highlight. With light and view at 45 degrees to each other, N.H = cos 22.5 degrees.
 PhongSurface highlighted(Highlight kind) {
   PhongSurface surface = matte(Vec3f(1.0f, 0.5f, 0.25f));
   surface.diffuse = 0.0f;
@@ -28,7 +28,8 @@ PhongSurface highlighted(Highlight kind) {
   surface.highlight_size = 2.0f;
   return surface;
 }
-const float kLobe = 0.5f * std::cos(kPi / 8) * std::cos(kPi / 8);  // light 45 degrees off the view along the normal
+// Highlight x (N.H)^2 for a light at 45 degrees from the normal, seen along the normal.
+const float kLobe = 0.5f * std::cos(kPi / 8) * std::cos(kPi / 8);
 
 TEST(TachyonShading, metal_highlight_has_the_surfaces_colour) {
   SmallScene s = tachyon_scene();
@@ -71,11 +72,11 @@ TEST(TachyonShading, light_below_a_512th_is_ignored) {
   expect_color(middle(s), Vec3f(0.0f), 0.0f);
 }
 
-/// 45 degrees is half-way between 30 and 60.
+/// The light is seen at 45 degrees, half-way between its cones of 30 and 60 degrees.
 TEST(TachyonShading, spot_light_falls_off_linearly_with_the_angle) {
   SmallScene s = tachyon_scene();
   s.add(square(2, 0), s.material(matte(Vec3f(1.0f))));
-  Light& light = s.point_light({4, 0, 4});  // shines along -z, 45 degrees off the centre
+  Light& light = s.point_light({4, 0, 4});  // shines along -z; the centre is at 45 degrees from its axis
   light.kind = LightKind::kSpot;
   light.inner_cone = radians(30.0f), light.outer_cone = radians(60.0f);
   expect_color(middle(s), Vec3f(0.5f * std::sqrt(0.5f)));
@@ -102,7 +103,7 @@ TEST(TachyonShading, last_transparent_surface_adds_the_background) {
   expect_color(middle(s), Vec3f(0.1f + 0.5f));
 }
 
-/// Sphere, box and cylinder are crossed twice, each time with 1 - opacity.
+/// A shadow ray crosses sphere, box and cylinder twice. Each crossing transmits 1 - opacity.
 TEST(SeeThrough, closed_shapes_attenuate_shadow_rays_twice) {
   PhongSurface veil = matte(Vec3f(0.0f));
   veil.opacity = 0.25f;
@@ -111,7 +112,7 @@ TEST(SeeThrough, closed_shapes_attenuate_shadow_rays_twice) {
     SmallScene s;
     s.add(square(2, 0), s.material(matte(Vec3f(1.0f))));
     s.add(shape, s.material(veil));
-    s.point_light({0, 0, 20});  // the blocker is behind the viewer
+    s.point_light({0, 0, 20});  // the shape is behind the camera
     expect_color(middle(s), Vec3f(0.75f * 0.75f));
   }
 }
@@ -129,11 +130,12 @@ TEST(SeeThrough, light_inside_closed_shapes_is_attenuated_once) {
 TEST(VertexColors, are_interpolated_and_multiply_the_materials) {
   SmallScene s;
   Mesh mesh = square(2, 0);
-  mesh.colors = {{1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 1, 0}};  // the middle lies on the diagonal of corners 0 and 2
+  mesh.colors = {{1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 1, 0}};  // the middle is on the diagonal from corner 0 to corner 2
   s.add(mesh, s.material(glowing({0.5f, 0.5f, 1.0f})));
   expect_color(middle(s), {0.5f, 0.0f, 0.0f});
   const Picture p = trace(s.scene, single_view(kShadedSize));
-  // 8 pixels of 4/33 to the right: u and v of the triangle 0 2 1 change by that over the side, 4.
+  // The pixel is 8 pixels of 4/33 right of the middle. The square's side is 4, so the weights in triangle 0 2 1 change by this
+  // distance / 4.
   const float moved = 8.0f * (4.0f / kShadedSize) / 4.0f;
   expect_color(p.at(kShadedMiddle + 8, kShadedMiddle), {0.5f * (1.0f - moved), 0.5f * moved, 0.0f});
 }
@@ -141,10 +143,10 @@ TEST(VertexColors, are_interpolated_and_multiply_the_materials) {
 TEST(Background, gradient_runs_between_its_two_heights) {
   SmallScene s;
   s.scene.background = {{1, 0, 0}, {0, 0, 1}, {0, 0, -1}, 0.5f, 1.5f};
-  expect_color(middle(s), {0.5f, 0.0f, 0.5f});  // straight along up: 1 lies half-way from 0.5 to 1.5
+  expect_color(middle(s), {0.5f, 0.0f, 0.5f});  // the ray runs along `up`, so its height is 1, half-way from 0.5 to 1.5
 }
 
-/// Far from the origin, rounding moves hit points by more than any fixed small distance.
+/// Far from the origin, rounding moves hit points by more than a small constant distance.
 TEST(Secondary, surface_far_away_does_not_shade_itself) {
   SmallScene s = tachyon_scene();
   s.add(Spheres{{{0, 0, -20000}, 15000.0f}}, s.material(matte(Vec3f(1.0f))));

@@ -16,7 +16,7 @@ using namespace test;
 constexpr double kDistance = 20.0, kBaseline = 0.8, kPitch = 0.1, kEdge = 0.03;
 constexpr int kViews = 3, kWidth = 120, kHeight = 4, kSamples = 256;
 
-/// Three eyes, 0.8 mm apart.
+/// Three eye positions, 0.8 mm apart.
 Optics camera_row() {
   Optics optics;
   optics.panel = {kViews * kWidth, kHeight, static_cast<float>(kPitch)};
@@ -24,7 +24,7 @@ Optics camera_row() {
   return optics;
 }
 
-/// Light to the left of x = 0.03, in a plane at depth z.
+/// A glowing half plane at depth z that covers x < 0.03.
 Scene edge_at(float z) {
   SmallScene s;
   Mesh left = square(50.0f, z);
@@ -45,10 +45,11 @@ struct Focus {
 
 class ThinLensEdge : public testing::TestWithParam<Focus> {};
 
-// A circle of confusion A |z - f| / (D - z) wide in the plane z = f is D / (D - f) times that on the display. Across an edge
-// its light falls off like a uniform disc of diameter c, whose variance along one axis is c^2 / 16. Differences of pixels, each
-// averaged over its width, add 1/6 px^2. An eye at e sees the edge (X, z) on the display at e (1 - m) + X m, m = D / (D - z),
-// for any lens.
+// Let D be the distance of the eyes, f the focal plane, z the edge's depth, and A the aperture.
+// Circle of confusion: its diameter is A |z - f| / (D - z) in the plane z = f. On the display it is D / (D - f) times as large.
+// Variance: across an edge, light falls off like the area of a uniform disc of diameter c, whose variance along one axis is c^2
+// / 16. Averages over a pixel and differences of neighbouring pixels add 1/12 px^2 each, together 1/6.
+// Place: an eye at e sees the edge (X, z) on the display at e (1 - m) + X m with m = D / (D - z), for any lens.
 TEST_P(ThinLensEdge, is_as_wide_as_the_circle_of_confusion) {
   const auto [z, f, aperture] = GetParam();
   const double circle_px = aperture * std::abs(z - f) / (kDistance - z) * kDistance / (kDistance - f) / kPitch;
@@ -57,15 +58,16 @@ TEST_P(ThinLensEdge, is_as_wide_as_the_circle_of_confusion) {
   for (int view = 0; view < kViews; ++view) {
     const double eye = kBaseline * (view - 1), place = 0.5 * kWidth + (eye * (1.0 - m) + kEdge * m) / kPitch;
     const Edge edge = edge_in(blurred, view * kWidth, kWidth);
-    // 256 samples stratified over the lens estimate a pixel's share of it: 16 x 16 cells, of which the edge cuts about 20, each
-    // with an error within its own area. That is a standard deviation of 0.5 sqrt(20) / 256 = 0.01 per pixel; with c pixels in
-    // the ramp the place has an error of 0.01 sqrt(c), here at most 0.06, and the test allows three times that.
+    // Tolerance of the place: 256 samples are stratified over the lens in 16 x 16 cells. The edge cuts about 20 cells, each
+    // with an error of at most half its area, so a pixel has a standard deviation of 0.5 sqrt(20) / 256 = 0.01. With c pixels
+    // in the ramp, the place has an error of 0.01 sqrt(c), at most 0.06. The test allows three times this error.
     EXPECT_NEAR(edge.place_px, place, 0.2) << view;
     EXPECT_NEAR(edge.variance_px2, circle_px * circle_px / 16.0 + 1.0 / 6.0, 0.03 * circle_px * circle_px / 16.0 + 0.1) << view;
   }
 }
 
-// Behind the display and in front of it; focused on it, in front of it and behind it: circles of 20, 20, 33 and 20 pixels.
+// Each Focus holds the edge's depth, the focal plane and the aperture in mm. The circles of confusion have diameters of 20, 20,
+// 33 and 20 pixels.
 INSTANTIATE_TEST_SUITE_P(Depths, ThinLensEdge,
                          testing::Values(Focus{-20.0f, 0.0f, 4.0f}, Focus{10.0f, 0.0f, 2.0f}, Focus{-20.0f, 5.0f, 4.0f},
                                          Focus{5.0f, -10.0f, 3.0f}));
@@ -74,7 +76,7 @@ TEST(ThinLens, focal_plane_is_as_sharp_as_a_pinhole) {
   for (const float z : {0.0f, -8.0f, 6.0f}) {
     const Image sharp = trace(edge_at(z), camera_row(), through({}, 16)).film;
     const Image focused = trace(edge_at(z), camera_row(), through({4.0f, 0.0f, z}, 16)).film;
-    // Equal except for rounding, by which a sample next to the edge may cross it: 1/16.
+    // Rounding may move a sample across the edge, which changes the pixel by 1/16.
     for (std::size_t i = 0; i < sharp.data.size(); ++i) ASSERT_NEAR(focused.data[i], sharp.data[i], 1.5f / 16.0f) << i;
   }
 }
@@ -87,9 +89,11 @@ TEST(ThinLens, zero_aperture_equals_a_pinhole) {
             trace(s.scene, camera_row(), pinhole).film.data);
 }
 
-// All points of the lens see a parallel plate at the same size, so a picture that contains the whole blurred plate has as much
-// light as a sharp one. 16 samples in each of 64 x 64 pixels: the sharp picture resolves the plate's area to 0.1 %, the other
-// one, with random samples, to sqrt(4 rim pixels x 30 wide x 0.25 / 16) / 1024 = 0.2 %, and the test allows three times that.
+// All points of the lens see a parallel plate at the same size. A picture that contains the whole blurred plate thus has as
+// much light as a sharp picture.
+// Tolerance: pictures have 64 x 64 pixels with 16 samples. The sharp picture resolves the plate's area to 0.1 %. The blurred
+// one has random samples in 4 x 30 pixels at its rim, with a standard deviation of sqrt(4 x 30 x 0.25 / 16) / 1024 = 0.2 %. The
+// test allows three times this error.
 TEST(ThinLens, blur_keeps_the_light) {
   SmallScene s;
   s.add(square(2.0f, -10.0f), s.material(glowing(Vec3f(1.0f))));
@@ -137,7 +141,7 @@ TEST(ThinLens, partial_samples_make_the_same_frame) {
     trace_frame({device, camera_row(), {}}, params, {pool, context}, {shares}, {first, 3});
   ASSERT_EQ(shares.data.size(), whole.data.size());
   for (std::size_t i = 0; i < whole.data.size(); ++i)
-    ASSERT_NEAR(shares.data[i], whole.data[i], 1e-5f) << i;  // sums of seven values, in another order
+    ASSERT_NEAR(shares.data[i], whole.data[i], 1e-5f) << i;  // rounding: sums of seven values in another order
 }
 
 }  // namespace

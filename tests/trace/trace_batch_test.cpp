@@ -1,4 +1,4 @@
-// The loop over camera packets, with an integrator defined in the test.
+// trace_batch() and for_each_batch(), with an integrator defined in this test.
 #include "trace/trace_batch.hpp"
 
 #include <gtest/gtest.h>
@@ -10,10 +10,10 @@ namespace {
 
 using namespace test;
 
-/// Counts camera rays by pixel, and records the order of the loop's calls.
+/// Counts camera rays and hits by pixel, and records the order of calls.
 struct CountingIntegrator {
   std::vector<int> rays, hits;
-  std::vector<char> calls;  ///< b: begin, p: primary, f: finish
+  std::vector<char> calls;  ///< 'b': begin, 'p': primary, 'f': finish
 
   explicit CountingIntegrator(std::size_t pixels) : rays(pixels), hits(pixels) {}
 
@@ -31,7 +31,7 @@ struct CountingIntegrator {
 
 class TraceBatch : public ::testing::Test {
  protected:
-  /// A square that fills the left half of the picture, 20 pixels wide and high, which is not a multiple of a packet's 16.
+  /// The square fills the left half of a picture of 20 x 20 pixels. 20 is not a multiple of a packet's 16 lanes.
   TraceBatch() {
     s_.add(square(0.5f, 0.0f), s_.material(matte(Vec3f(0.5f))), s_.node({Mat3f(1.0f), {-0.5f, 0.0f, 0.0f}}));
     device_.emplace(s_.scene, pool_);
@@ -82,7 +82,7 @@ TEST(FrameWork, wanted_packets_form_batches) {
   for_each_batch({FrameWork::Unit::kPackets, wanted}, 1, 40, keep);
   EXPECT_EQ(batches, (std::vector<std::vector<int>>{{1, 5, 39}}));
 
-  std::vector<std::uint8_t> blocks(2 * 3, 0);  // a strip of 40 packets has three blocks, the last one of 8
+  std::vector<std::uint8_t> blocks(2 * 3, 0);  // a strip of 40 packets has three blocks, of 16, 16 and 8 packets
   blocks[5] = 1;
   batches.clear();
   std::size_t block = 0;

@@ -1,4 +1,4 @@
-// Settings that must not change a picture: threads, ray order, storage of instances, redundant samples.
+// Settings that must not change a picture: number of threads, ray order, storage of instances, and redundant samples.
 #include "trace/trace_frame.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ namespace {
 
 using namespace test;
 
-/// Spheres, boxes and a floor, including mirrors and glass.
+/// Spheres, boxes and a floor, with mirrors and glass, under two lights.
 SmallScene scene_with_all_rays() {
   SmallScene s = busy_scene(3);
   s.add(square(3, -2), 1);
@@ -64,13 +64,14 @@ TEST(TraceFrame, moving_objects_equal_static_ones) {
     const double d = fixed.film.data[i] - moved.film.data[i];
     squares += d * d;
   }
-  // Rounding of the transform may move an edge across a pixel's centre: for at most a few of the 3,200 pixels.
+  // Tolerance: rounding of the transform may move an edge across a pixel's centre, in at most a few of the 3,200 pixels.
   EXPECT_LT(squares / static_cast<double>(fixed.film.data.size()), 1e-4);
   EXPECT_NE(trace(build(true).scene, lenticular_view(), {}, 1, 0.0).film.data, moved.film.data);
 }
 
 TEST(TraceFrame, instanced_meshes_equal_flattened_ones) {
-  // Above the flattening limit (200,000 triangles in all its copies) a mesh is shared; a finely divided square exceeds it.
+  // A mesh becomes an Embree instance if its copies have more than 200,000 triangles in total. A finely divided square exceeds
+  // this limit, and a coarse one does not.
   const auto build = [&](int cuts) {
     SmallScene s;
     Mesh grid;
@@ -100,7 +101,7 @@ TEST(TraceFrame, instanced_meshes_equal_flattened_ones) {
 TEST(TraceFrame, samples_average_edges_by_coverage) {
   SmallScene s;
   Mesh half = square(10, 0);
-  for (Vec3f& p : half.positions) p.x = p.x < 0 ? -10.0f : 0.0f;  // covers x < 0: half of the middle column
+  for (Vec3f& p : half.positions) p.x = p.x < 0 ? -10.0f : 0.0f;  // covers x < 0, half of the middle column
   s.add(half, s.material(glowing(Vec3f(1.0f))));
   TraceParams params;
   params.spp = 64;

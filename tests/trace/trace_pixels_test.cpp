@@ -1,4 +1,4 @@
-// Tracing single pixels into a frame, and the first hits kept while tracing.
+// Tracing of single pixels into a frame, and the first hits recorded during tracing.
 #include "trace/trace_pixels.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ namespace {
 
 using namespace test;
 
-/// Includes a visible light, in front of a sky.
+/// A scene with a visible light and a background.
 SmallScene scene_of_everything() {
   SmallScene s = busy_scene(7);
   s.scene.background.horizon = {0.2f, 0.3f, 0.5f};
@@ -39,7 +39,7 @@ class TracePixels : public testing::Test {
     return t;
   }
 
-  /// Returns some pixels of every strip, in ascending order.
+  /// Returns random pixels of every strip, in ascending order.
   std::vector<std::uint32_t> some_pixels() const {
     std::vector<std::uint32_t> pixels;
     std::mt19937 random(11);
@@ -105,18 +105,18 @@ TEST_F(TracePixels, points_equal_depth_and_object_layers) {
     const TracedPixels t = whole();
     std::size_t lights = 0, background = 0;
     for (std::size_t p = 0; p < 64 * 50; ++p) {
-      // Lights are objects after the instances; the layer of ids has none.
+      // In `points`, light l is object instances.size() + l. In the layer of ids, lights have id -1.
       const std::uint32_t object = t.points.object[p];
       const bool is_light = object == s_.scene.instances.size() + 1;
       lights += is_light, background += object == kNoObject;
       const float id = object < s_.scene.instances.size() ? static_cast<float>(object) : -1.0f;
       ASSERT_EQ(t.aovs[Aov::kId].data[p], id) << p;
       if (is_light)
-        ASSERT_NEAR(t.points.z[p], 1.8f, 0.301f);  // on its sphere
+        ASSERT_NEAR(t.points.z[p], 1.8f, 0.301f);  // on the light's sphere of radius 0.3
       else if (object == kNoObject)
         ASSERT_EQ(t.points.z[p], -kInfinity);
       else
-        ASSERT_NEAR(t.points.z[p], t.aovs[Aov::kDepth].data[p], 1e-5f) << p;  // single precision of lengths around 10
+        ASSERT_NEAR(t.points.z[p], t.aovs[Aov::kDepth].data[p], 1e-5f) << p;  // rounding of lengths around 10
     }
     EXPECT_GT(lights, 0u);
     EXPECT_GT(background, 0u);

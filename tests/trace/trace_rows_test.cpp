@@ -1,4 +1,4 @@
-// Tracing some rows of a film: light and first hits have the same bits as in the whole film.
+// Tracing of some rows of a film. Light and first hits are bit-identical to those of the whole film.
 #include <gtest/gtest.h>
 
 #include "trace/small_scene.hpp"

@@ -1,4 +1,5 @@
-// Films with alpha: the background lights the scene but is invisible. Views are from (0, 0, 10) at the square +-2.
+// Films with alpha: the background lights the scene but is invisible. The camera is at (0, 0, 10) and sees the square from -2
+// to 2 in x and y at z = 0.
 #include <gtest/gtest.h>
 
 #include "trace/small_scene.hpp"
@@ -46,13 +47,13 @@ TEST(Transparent, hits_are_unchanged_and_misses_empty) {
   }
 }
 
-// The square's edge at x = 1.05 passes through pixel 24, from x = 1 to 1.125: 0.4 of it.
+// The square's edge is at x = 1.05. Pixel 24 extends from x = 1 to 1.125, so the square covers 0.4 of it.
 TEST(Transparent, edges_have_partial_alpha) {
   SmallScene s;
   s.add(square(1.05f, 0), s.material(glowing(Vec3f(1.0f))));
   for (const Integrator integrator : kBoth) {
     const Picture p = traced(s.scene, integrator, 64);
-    EXPECT_NEAR(alpha(p, 24, 16), 0.4f, 1.0f / 64);  // the samples' x are 1/64 of a pixel apart
+    EXPECT_NEAR(alpha(p, 24, 16), 0.4f, 1.0f / 64);  // tolerance: the x of samples are 1/64 of a pixel apart
     EXPECT_NEAR(p.at(24, 16).x, alpha(p, 24, 16), 1e-5f) << "colours are multiplied by alpha";
   }
 }
@@ -63,7 +64,7 @@ TEST(Transparent, blended_surfaces_have_partial_alpha) {
   const Scene scene = square_before_grey(veil).scene;
   EXPECT_EQ(alpha(traced(scene, Integrator::kWhitted, 1), 16, 16), 0.25f);
   EXPECT_NEAR(traced(scene, Integrator::kWhitted, 1).at(16, 16).x, 0.25f, 1e-6f);
-  EXPECT_NEAR(alpha(traced(scene, Integrator::kPath, 1024), 16, 16), 0.25f, 0.05f);  // 3.7 sigma for 1024 samples
+  EXPECT_NEAR(alpha(traced(scene, Integrator::kPath, 1024), 16, 16), 0.25f, 0.05f);  // 3.7 standard deviations for 1024 samples
 }
 
 TEST(Transparent, masked_parts_are_empty_glass_is_not) {

@@ -1,5 +1,5 @@
-// Shading compared with values worked out by hand. The view is from (0, 0, 10) at the square +-2; its central rays run along
-// -z.
+// Whitted shading, compared with values worked out by hand. The camera is at (0, 0, 10) and sees the square from -2 to 2 in x
+// and y at z = 0. Its central rays run along -z.
 #include <gtest/gtest.h>
 
 #include "lippmann/core/error.hpp"
@@ -10,9 +10,9 @@ namespace {
 
 using namespace test;
 
-// An odd size puts a pixel's centre on the axis.
+// With an odd size, the centre of a pixel is on the camera's axis.
 constexpr int kSize = 33, kMiddle = 16;
-// Tolerance of single-precision shading along one path.
+// Rounding of single-precision shading along one path.
 constexpr float kRounding = 2e-5f;
 
 TEST(Whitted, empty_scenes_show_the_background) {
@@ -28,7 +28,7 @@ TEST(Whitted, background_blends_by_the_sine_of_elevation) {
   SmallScene s;
   s.scene.background = {{0, 0, 0}, {1, 1, 1}, {0, 1, 0}};
   const Picture p = trace(s.scene, single_view(kSize));
-  const float y = 2.0f * 16.0f / 16.5f;  // the top row's centre in the plane z = 0
+  const float y = 2.0f * 16.0f / 16.5f;  // y of the top row's centre in the plane z = 0
   expect_color(p.at(kMiddle, 0), Vec3f(y / std::sqrt(y * y + 100.0f)), kRounding);
   expect_color(p.at(kMiddle, kSize - 1), Vec3f(0.0f), 0.0f);
 }
@@ -55,7 +55,7 @@ TEST(Whitted, inverse_square_and_range_and_directional_light) {
   expect_color(trace(s.scene, single_view(kSize)).at(kMiddle, kMiddle), Vec3f(8.0f / 16.0f), kRounding);
   light.range = 3.9f;
   expect_color(trace(s.scene, single_view(kSize)).at(kMiddle, kMiddle), Vec3f(0.0f), 0.0f);
-  light.kind = LightKind::kDirectional;  // along -z, straight down on the square; range and distance do not matter
+  light.kind = LightKind::kDirectional;  // shines along -z onto the square; range and distance have no effect
   expect_color(trace(s.scene, single_view(kSize)).at(kMiddle, kMiddle), Vec3f(8.0f), 1e-4f);
 }
 
@@ -68,9 +68,10 @@ TEST(Whitted, spot_light_ends_at_its_outer_cone) {
   light.outer_cone = radians(30.0f);
   const Picture p = trace(s.scene, single_view(kSize));
   expect_color(p.at(kMiddle, kMiddle), Vec3f(1.0f), kRounding);
-  const int outside = kMiddle + 10;  // x = 1.21, 31 degrees off the axis
+  const int outside = kMiddle + 10;  // x = 1.21, at 31 degrees from the light's axis
   expect_color(p.at(outside, kMiddle), Vec3f(0.0f), 0.0f);
-  // x = 0.4848, 13.63 degrees: the square of the linear ramp in the cosine between the cones, times N.L.
+  // x = 0.4848, at 13.63 degrees from the light's axis. The light is the squared linear ramp of the cosine between the cones,
+  // times N.L.
   const float x = 4.0f * 4.0f / 33.0f, cosine = 2.0f / std::sqrt(x * x + 4.0f);
   const float ramp = (cosine - std::cos(radians(30.0f))) / (std::cos(radians(10.0f)) - std::cos(radians(30.0f)));
   expect_color(p.at(kMiddle + 4, kMiddle), Vec3f(ramp * ramp * cosine), 1e-4f);
@@ -86,7 +87,7 @@ TEST(Whitted, blinn_highlight_has_value_and_tint) {
   const int material = s.material(surface);
   s.add(square(2, 0), material);
   s.point_light({3, 0, 4});
-  // N = V = z, L = (3, 0, 4) / 5: H = (0.6, 0, 1.8) / |.|.
+  // N = V = (0, 0, 1) and L = (3, 0, 4) / 5, so H is (0.6, 0, 1.8) divided by its length.
   const float n_h = 1.8f / std::sqrt(0.36f + 3.24f);
   const float lobe = 0.75f * std::pow(n_h, 20.0f);
   expect_color(trace(s.scene, single_view(kSize)).at(kMiddle, kMiddle), lobe * Vec3f(0.5f, 0.25f, 1.0f), kRounding);
@@ -98,7 +99,7 @@ TEST(Whitted, spheres_cast_shadows) {
   SmallScene s;
   s.add(square(2, 0), s.material(matte(Vec3f(1.0f))));
   s.add(Spheres{{{1.0f, 0, 3.0f}, 0.3f}}, s.material(matte(Vec3f(1.0f))));
-  s.point_light({2, 0, 6});  // through the sphere's centre to the origin
+  s.point_light({2, 0, 6});  // the line to the origin passes the sphere's centre
   const Picture p = trace(s.scene, single_view(kSize));
   expect_color(p.at(kMiddle, kMiddle), Vec3f(0.0f), 0.0f);
   EXPECT_GT(p.at(kMiddle - 8, kMiddle).x, 0.5f);
@@ -114,33 +115,35 @@ TEST(Whitted, transparent_blockers_attenuate_by_opacity) {
     if (analytic)
       s.add(Rings{{{0, 0, 12}, {0, 0, 1}, 0.0f, 1.0f}}, material);
     else
-      s.add(square(1, 12), material, s.node({Mat3f(1.0f), {0.3f, 0, 0}}));  // off its diagonal, which two triangles share
-    s.point_light({0, 0, 20});                                              // the blocker is behind the viewer
+      // Moved so that the ray does not hit the diagonal, which two triangles share.
+      s.add(square(1, 12), material, s.node({Mat3f(1.0f), {0.3f, 0, 0}}));
+    s.point_light({0, 0, 20});  // the blocker is behind the camera
     expect_color(trace(s.scene, single_view(kSize)).at(kMiddle, kMiddle), Vec3f(0.75f), kRounding);
   }
 }
 
 TEST(Whitted, rays_along_shared_edges_hit) {
-  // A square larger than the view with its diagonal through pixels' centres, rotated in its mesh and rotated back by its node,
-  // so that crossings of the diagonal round in both directions.
+  // The square is larger than the view. Its diagonal passes the centres of pixels. The mesh is rotated, and its node rotates it
+  // back, so that crossings of the diagonal are rounded in both directions.
   constexpr int kPixels = 200;
   int holes = 0;
   for (int n = 1; n <= 100; ++n) {
     SmallScene s;
     const Mat3f turn = glm::mat3_cast(glm::angleAxis(0.37f * static_cast<float>(n), glm::normalize(Vec3f(0.3f, 0.4f, 0.8f))));
     Mesh mesh = square(2.5f, 0);
-    mesh.triangles = {{3, 2, 0}, {2, 1, 0}};  // the shared edge is a different side of each: their tests round differently
+    // The shared edge is a different side of each triangle, so that their tests round differently.
+    mesh.triangles = {{3, 2, 0}, {2, 1, 0}};
     for (Vec3f& p : mesh.positions) p = glm::transpose(turn) * p;
     s.add(mesh, s.material(glowing(Vec3f(1.0f))), s.node({turn, Vec3f(0.0f)}));
-    s.add(Shape(mesh), 0, s.node({turn, Vec3f(0.0f, 100.0f, 0.0f)}));  // a second use makes both of them Embree instances
+    s.add(Shape(mesh), 0, s.node({turn, Vec3f(0.0f, 100.0f, 0.0f)}));  // meshes used twice become Embree instances
     const Picture p = trace(s.scene, single_view(kPixels));
     for (int i = 0; i < kPixels; ++i) holes += p.at(i, i).x != 1.0f;
   }
   EXPECT_EQ(holes, 0);
 }
 
-/// A right-angled triangle in the plane z = 0 that covers the quarter x > 0, y > 0 of the view, lit perpendicularly; its
-/// normals are given, or the facet's.
+/// A right-angled triangle in the plane z = 0, lit perpendicularly. It covers the quarter x > 0, y > 0 of the view. smooth:
+/// with vertex normals.
 Picture picture_of_corner(const Affine3f& place, bool smooth, bool moving) {
   SmallScene s;
   Mesh corner;
@@ -254,7 +257,8 @@ TEST(Whitted, mirrors_show_objects_behind_the_viewer) {
 }
 
 TEST(Whitted, facing_mirrors_end_at_the_depth_limit) {
-  // Vertices: front mirror, back mirror, front mirror ...; each adds 1 x emission. At the limit the background is visible.
+  // The vertices alternate between front and back mirror. Each adds its emission of 1. At the depth limit, the background is
+  // visible.
   SmallScene s;
   s.scene.background.horizon = s.scene.background.zenith = Vec3f(8.0f);
   PhongSurface surface = mirror(0.5f);
@@ -268,21 +272,22 @@ TEST(Whitted, facing_mirrors_end_at_the_depth_limit) {
     for (int vertex = 0; vertex < depth; ++vertex, share *= 0.5f) expected += share;
     expected += share * 8.0f;
     expect_color(trace(s.scene, single_view(kSize)).at(kMiddle, kMiddle), Vec3f(expected), 1e-4f);
-    s.scene.encoding = Encoding::kTachyonTruncate;  // adds the background without the last mirror's share
+    s.scene.encoding = Encoding::kTachyonTruncate;  // Tachyon adds the background without the last mirror's share
     expect_color(trace(s.scene, single_view(kSize)).at(kMiddle, kMiddle), Vec3f(expected + share * 8.0f), 1e-4f);
     s.scene.encoding = Encoding::kSrgb;
   }
 }
 
 TEST(Whitted, glass_slabs_shift_by_snells_law) {
-  // A ray that enters a slab of thickness d at angle a leaves parallel, shifted sideways by d sin(a - b) / cos b.
+  // A ray that enters a slab of thickness d at angle a and continues inside at angle b leaves it parallel, shifted sideways by
+  // d sin(a - b) / cos b.
   SmallScene s;
   s.scene.max_depth = 3;
   PhongSurface glass = matte(Vec3f(0.0f));
   glass.opacity = 0.0f;
   glass.ior = 1.5f;
   s.add(Boxes{{{-20, -20, 0}, {20, 20, 4}}}, s.material(glass));
-  Mesh ramp = square(20, -1);  // its colour encodes x: 0 at -20, 1 at +20
+  Mesh ramp = square(20, -1);  // its colour encodes x: 0 at x = -20, 1 at x = 20
   Texture gradient;
   gradient.width = 256, gradient.height = 1;
   gradient.srgb = false;
@@ -294,11 +299,11 @@ TEST(Whitted, glass_slabs_shift_by_snells_law) {
   glow.texture = 0;
   s.add(ramp, s.material(glow));
   const Picture p = trace(s.scene, single_view(kSize));
-  const float x0 = 4.0f * 16.0f / 33.0f;  // the last pixel's intersection with z = 0
-  const float slope = x0 / 10.0f;         // tan a
+  const float x0 = 4.0f * 16.0f / 33.0f;  // x at which the last pixel's ray meets z = 0
+  const float slope = x0 / 10.0f;         // tangent of the angle a
   const float sine = slope / std::sqrt(1.0f + slope * slope), inside = std::tan(std::asin(sine / 1.5f));
   const float x = slope * (10.0f - 4.0f) + inside * 4.0f + slope * 1.0f;
-  // The texture steps by 40 / 256 per texel; the tolerance is half a step.
+  // The texture has a step of 40 / 256 per texel. The tolerance is below half a step.
   EXPECT_NEAR(p.at(kSize - 1, kMiddle).x * 40.0f * 255.0f / 256.0f - 20.0f + 20.0f / 256.0f, x, 0.03f);
 }
 
@@ -337,7 +342,7 @@ TEST(Whitted, visible_lights_are_balls_without_shadow) {
 TEST(Whitted, infinite_planes_are_visible_and_cast_shadows) {
   SmallScene s;
   s.add(Planes{{{0, 0, -1}, {0, 0, 1}}}, s.material(matte(Vec3f(1.0f))));
-  s.point_light({0, 0, -3});  // behind the plane
+  s.point_light({0, 0, -3});  // behind the plane, seen from the camera
   expect_color(trace(s.scene, single_view(kSize)).at(kMiddle, kMiddle), Vec3f(0.0f), 0.0f);
   s.point_light({0, 0, 3}, Vec3f(0.5f));
   expect_color(trace(s.scene, single_view(kSize)).at(kMiddle, kMiddle), Vec3f(0.5f), kRounding);
