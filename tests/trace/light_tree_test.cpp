@@ -311,7 +311,7 @@ TEST(LightTree, does_not_depend_on_units) {
   }
 }
 
-// A ball is met if the ray's line passes through it, in front of the origin and within reach.
+// Expects all balls whose centre the ray approaches to less than the radius, within `reach`.
 TEST(LightTree, rays_find_all_balls_they_pass) {
   const std::vector<TreeLight> lights = random_lights(Kind::kBalls, 2000, 13);
   const LightTree tree(lights);

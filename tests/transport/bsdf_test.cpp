@@ -12,7 +12,7 @@ namespace {
 using test::albedo;
 using test::kNormal;
 
-/// Returns a direction at an angle from the normal.
+/// Returns a direction at this angle from the normal.
 Vec3f view_at(float degrees_from_normal) {
   return Basis(kNormal).to_world({std::sin(radians(degrees_from_normal)), 0.0f, std::cos(radians(degrees_from_normal))});
 }
@@ -39,7 +39,7 @@ std::vector<MetalRoughSurface> surfaces() {
   return all;
 }
 
-/// Returns the mean of three channels' weights over `count` samples, and of their squares.
+/// Returns the mean weight of `count` samples, and the mean of its square. A weight is the mean of three channels.
 template <class Bsdf>
 std::pair<double, double> mean_weight(const Bsdf& bsdf, int count) {
   double sum = 0.0, squares = 0.0;
@@ -84,7 +84,7 @@ TEST(MetalRoughBsdf, sample_agrees_with_evaluate) {
   }
 }
 
-// White inside white: at any angle, roughness and kind, all incoming light leaves.
+// White furnace: a white surface in uniform white light reflects all light, at any angle, roughness and kind of surface.
 TEST(MetalRoughBsdf, white_furnace_conserves_energy) {
   for (const float metallic : {0.0f, 0.5f, 1.0f})
     for (int r = 0; r <= 10; ++r)
@@ -92,7 +92,7 @@ TEST(MetalRoughBsdf, white_furnace_conserves_energy) {
         MetalRoughSurface white;
         white.metallic = metallic, white.roughness = 0.1f * static_cast<float>(r);
         const auto [mean, squares] = mean_weight(bsdf_of(white, angle), 16'384);
-        // 0.5 %, and noise: three standard errors of independent samples.
+        // Tolerance: 0.5 % for the tables, and three standard errors of independent samples.
         EXPECT_NEAR(mean, 1.0, 0.005 + 3.0 * std::sqrt(std::max(0.0, squares - mean * mean) / 16'384))
             << "metallic " << metallic << ", roughness 0." << r << ", " << angle << " degrees";
       }
@@ -104,7 +104,7 @@ TEST(MetalRoughBsdf, smooth_glass_loses_nothing) {
   for (const bool entering : {true, false}) EXPECT_NEAR(mean_weight(bsdf_of(glass, 50.0f, entering), 4096).first, 1.0, 1e-4);
 }
 
-// 1 %: interpolation in the tables, and noise.
+// The tolerance of 1 % covers interpolation in the tables and noise.
 TEST(MetalRoughBsdf, rough_glass_conserves_energy) {
   for (const float ior : {1.33f, 1.5f, 2.0f})
     for (int r = 1; r <= 10; ++r)
@@ -123,7 +123,7 @@ TEST(MetalRoughBsdf, glass_follows_fresnel_and_snell) {
   MetalRoughSurface glass;
   glass.metallic = 0.0f, glass.roughness = 0.0f, glass.transmission = 1.0f, glass.ior = 1.5f;
   const MetalRoughBsdf bsdf = bsdf_of(glass, 0.0f);
-  EXPECT_FALSE(bsdf.sample(0.039f, Vec2f(0.5f))->transmitted);  // 4 % at normal incidence
+  EXPECT_FALSE(bsdf.sample(0.039f, Vec2f(0.5f))->transmitted);  // glass of index 1.5 reflects 4 % at normal incidence
   EXPECT_TRUE(bsdf.sample(0.041f, Vec2f(0.5f))->transmitted);
   const std::optional<BsdfSample> bent = bsdf_of(glass, 30.0f).sample(0.9f, Vec2f(0.5f));
   EXPECT_NEAR(glm::length(glm::cross(bent->direction, kNormal)), 0.5f / 1.5f, 1e-5f);
@@ -135,7 +135,7 @@ TEST(MetalRoughBsdf, is_reciprocal_as_documented) {
   const Vec3f a = view_at(20.0f), b = view_at(65.0f);
   const Vec3f ab = MetalRoughBsdf(diffuse, albedo(), kNormal, kNormal, a, true).evaluate(b).cosine_f / glm::dot(b, kNormal);
   const Vec3f ba = MetalRoughBsdf(diffuse, albedo(), kNormal, kNormal, b, true).evaluate(a).cosine_f / glm::dot(a, kNormal);
-  // Except for the gloss's compensation, which depends on one side: a few thousandths for F0 = 0.04.
+  // Tolerance: the compensation of the gloss depends only on the viewer's side. Its effect is a few thousandths for F0 = 0.04.
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(ab[c], ba[c], 3e-3f * ab[c]);
 }
 

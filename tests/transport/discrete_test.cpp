@@ -9,7 +9,7 @@ namespace lippmann {
 namespace {
 
 TEST(DiscreteDistribution, finds_the_interval_of_a_number) {
-  const DiscreteDistribution d(std::array{1.0f, 0.0f, 2.0f, 1.0f, 0.0f});  // cumulative shares: .25, .25, .75, 1, 1
+  const DiscreteDistribution d(std::array{1.0f, 0.0f, 2.0f, 1.0f, 0.0f});  // cumulative probabilities: .25, .25, .75, 1, 1
   float rest = -1.0f;
   EXPECT_EQ(d.sample(0.0f, rest), 0u);
   EXPECT_EQ(d.sample(0.25f, rest), 2u);

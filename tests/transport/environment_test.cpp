@@ -31,16 +31,16 @@ Environment::Density density_of(const Environment& e, Vec3f direction) {
   return e.density(rays, 0);
 }
 
-// Eight columns of 45 degrees; column 4 starts at +x, and z grows with the column.
+// The panorama has eight columns of 45 degrees. Column 4 begins at +x, and the next columns turn towards +z.
 TEST(Environment, a_panorama_lies_as_documented) {
   Background b = panorama(8, 4, [](int x, int y) { return Vec3f(static_cast<float>(x), static_cast<float>(y), 1.0f); });
   const Environment e(b);
-  const float turn = radians(22.5f);  // to the centre of a column
+  const float turn = radians(22.5f);  // half of a column
   const Vec3f x_axis = e.radiance({std::cos(turn) * std::cos(turn), std::sin(turn), std::sin(turn) * std::cos(turn)});
   EXPECT_NEAR(x_axis.x, 4.0f, 1e-4f);
-  EXPECT_NEAR(x_axis.y, 1.0f, 1e-4f);  // row 1 is centred 22.5 degrees above the horizon
+  EXPECT_NEAR(x_axis.y, 1.0f, 1e-4f);  // the centre of row 1 is 22.5 degrees above the horizon
   const float quarter = radians(112.5f);
-  EXPECT_NEAR(e.radiance({std::cos(quarter), 0.0f, std::sin(quarter)}).x, 6.0f, 1e-4f);  // beyond +z
+  EXPECT_NEAR(e.radiance({std::cos(quarter), 0.0f, std::sin(quarter)}).x, 6.0f, 1e-4f);  // column 6 begins at +z
   EXPECT_NEAR(e.radiance({0.0f, 1.0f, 0.0f}).y, 0.0f, 1e-4f);
   EXPECT_NEAR(e.radiance({0.0f, -1.0f, 0.0f}).y, 3.0f, 1e-4f);
 }
@@ -111,7 +111,7 @@ TEST(Environment, rotation_moves_x_towards_z) {
   EXPECT_NEAR(Environment(b).radiance({std::cos(angle), 0.0f, std::sin(angle)}).x, 1.0f, 1e-4f);
 }
 
-/// Returns light of 1 except for one texel that holds as much light as all others. Texels of 1.4 degrees.
+/// Returns a panorama of radiance 1, in which one texel has as much light as all others together. A texel is 1.4 degrees wide.
 Background sunny(int sun_x, int sun_y) {
   constexpr int kWidth = 256, kHeight = 128;
   const double step = M_PI / kHeight, texel = (std::cos(step * sun_y) - std::cos(step * (sun_y + 1))) * 2.0 * M_PI / kWidth;
@@ -120,7 +120,7 @@ Background sunny(int sun_x, int sun_y) {
   });
 }
 
-/// Calls fn(direction, share of the sphere) for a grid of directions, `within` times as fine as a panorama.
+/// Calls fn(direction, solid angle) for a grid of directions that has `within` times the resolution of the panorama.
 void for_each_direction(const Background& b, int within, const std::function<void(Vec3f, double)>& fn) {
   const int width = b.map->radiance.width * within, height = b.map->radiance.height * within;
   for (int y = 0; y < height; ++y)
@@ -160,8 +160,9 @@ TEST(Environment, one_texel_suns_are_found_anywhere) {
   for (const Vec2i at : {Vec2i(100, 40), Vec2i(0, 64), Vec2i(255, 64), Vec2i(30, 0), Vec2i(255, 0), Vec2i(0, 127)}) {
     const Background b = sunny(at.x, at.y);
     const Environment e(b);
-    // At a pole, light extends beyond its texel: the half row next to the pole has 1 / 4 of that row's solid angle, and the
-    // next one twice it at half the light, 5 / 4 together.
+    // Expected share at a pole: light extends beyond the texel's row. Relative to the row's solid angle, the half row of
+    // patches at the pole has 1/4, and the next row has twice as much at half the light. Together they have 5/4 instead of 1,
+    // so the share is 1.25 / 2.25.
     EXPECT_NEAR(e.sun_share(), at.y % 127 == 0 ? 1.25f / 2.25f : 0.5f, 0.002f) << at.x << ", " << at.y;
     double solid_angle = 0.0;
     for_each_direction(b, 3, [&](Vec3f d, double steradian) {
@@ -169,11 +170,11 @@ TEST(Environment, one_texel_suns_are_found_anywhere) {
       solid_angle += of_sun ? steradian : 0.0;
       EXPECT_TRUE(of_sun || e.radiance(d).y <= 1.01f) << "the sun's light extends beyond it, at " << at.x << ", " << at.y;
     });
-    EXPECT_LT(solid_angle, 0.0025);  // two texels by two
+    EXPECT_LT(solid_angle, 0.0025);  // limit: a square of two by two texels
   }
 }
 
-// By quadrature over a grid of 6 x 6 points per texel.
+// The integrals are computed with 6 x 6 points per texel.
 TEST(Environment, sun_and_rest_integrate_to_one) {
   Background b = sunny(200, 50);
   b.map->rotation = 0.3f;
@@ -194,7 +195,7 @@ TEST(Environment, sun_and_rest_integrate_to_one) {
   EXPECT_NEAR(sampled, light, 0.002 * light);
 }
 
-// The radiance matches the density everywhere, so one sample of the sun gives the same result as all.
+// The density is proportional to the radiance, so every sample of the sun gives the same estimate.
 TEST(Environment, samples_of_a_sun_have_no_noise) {
   const Background b = sunny(200, 50);
   const Environment e(b);
@@ -211,9 +212,9 @@ TEST(Environment, soft_skies_have_no_sun) {
   gradient.zenith = Vec3f(1.0f), gradient.horizon_at = 0.99f;
   const Background even = panorama(256, 128, [](int, int) { return Vec3f(2.0f); }),
                    dark = panorama(256, 128, [](int, int) { return Vec3f(0.0f); }),
-                   // 0.15 steradian, which have nearly all the light
+                   // 0.15 steradian with nearly all the light
       window = panorama(256, 128, [](int x, int y) { return Vec3f(x < 16 && y > 56 && y < 72 ? 1000.0f : 0.1f); }),
-                   // a hundred times as bright as the rest, but a hundredth of its light
+                   // 200 times as bright as the rest, but with only a hundredth of all light
       veiled = panorama(256, 128, [](int x, int y) { return Vec3f(x == 9 && y == 60 ? 200.0f : 1.0f); });
   for (const Background* b : std::initializer_list<const Background*>{&gradient, &even, &dark, &window, &veiled}) {
     const Environment e(*b);

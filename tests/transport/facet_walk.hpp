@@ -1,4 +1,4 @@
-// Follows light from facet to facet of a rough metal, as a reference for multiple scattering.
+// Simulates walks of light between the facets of a rough metal, as a reference for multiple scattering.
 //
 // Based on: E. Heitz et al., "Multiple-Scattering Microfacet BSDFs with the Smith Model", SIGGRAPH 2016, section 4.
 #pragma once
@@ -11,7 +11,8 @@
 
 namespace lippmann::test {
 
-/// A ray below the top of a Smith surface of uniform heights. below: share of heights below the ray.
+/// A ray between the facets of a Smith surface whose heights are uniformly distributed. `below` is the share of heights below
+/// the ray.
 struct FacetWalk {
   AnisotropicGgx ggx;
   Vec3f direction;
@@ -20,7 +21,7 @@ struct FacetWalk {
 
   double number() { return std::uniform_real_distribution<double>()(random); }
 
-  /// Returns whether the ray leaves; otherwise moves it to the next facet.
+  /// Returns whether the ray leaves the surface. Otherwise moves the ray to the next facet.
   bool leaves() {
     const double away = static_cast<double>(ggx.lambda(direction)), lambda = direction.z > 0.0f ? away : -1.0 - away;
     const double free = direction.z > 0.0f ? std::pow(below, lambda) : 0.0, u = number();
@@ -29,7 +30,7 @@ struct FacetWalk {
     return false;
   }
 
-  /// Reflects the ray and returns Schlick's reflectance.
+  /// Reflects the ray at a facet. Returns Schlick's reflectance.
   Vec3f bounce(Vec3f f0) {
     const Vec3f back = -direction, h = ggx.sample_visible(back, {static_cast<float>(number()), static_cast<float>(number())});
     const float cosine = std::max(0.0f, glm::dot(back, h));

@@ -5,7 +5,7 @@
 namespace lippmann {
 namespace {
 
-// 3e-7: slightly more than one unit in the last place of pi.
+// Slightly more than the distance between floats next to pi.
 constexpr float kTolerance = 3e-7f;
 
 TEST(FastAngles, arc_tangents_match_the_library) {
