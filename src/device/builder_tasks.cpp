@@ -5,7 +5,7 @@
 namespace lippmann {
 namespace {
 
-/// Returns the task order that all builders share, because a callback cannot know which builder called it.
+/// Returns the TaskOrder that all builders share, because a callback cannot know which builder called it.
 TaskOrder& order() {
   static TaskOrder order;
   return order;

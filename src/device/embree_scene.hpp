@@ -37,7 +37,7 @@ struct RayScene::Embree {
   PrimitiveGeometries fixed_primitives, moving_primitives;
   std::vector<std::unique_ptr<ShadowCaster>> shadow_casters;  ///< one per mesh geometry that is not opaque
   std::vector<EmbreeGeometry> placed;                         ///< Embree instances that may move; the index is the record id
-  std::vector<int> moving_records;                            ///< record ids of the placed meshes in `moving`
+  std::vector<int> moving_records;                            ///< record ids of the mesh instances in `moving`
   /// Deforming meshes in the order of SceneGeometry::posed; Embree reads beyond the last vertex, so they have padded copies of
   /// the vertices.
   std::vector<EmbreeGeometry> posed;

@@ -62,7 +62,7 @@ struct ShadowContext {
   const SceneGeometry* geometry = nullptr;  ///< lets filters of meshes look up hits
 };
 
-/// Returns the active lanes whose coordinates are finite and within `reach`. `reach` is below kLargestReach if instances
+/// Returns the active lanes whose rays have finite coordinates within `reach`. `reach` is below kLargestReach if instances
 /// magnify coordinates. The remaining lanes hit nothing. They exist because products of valid inputs may still overflow.
 LaneMask sound_lanes(const RayPacket& rays, float reach, const LaneMask& active);
 

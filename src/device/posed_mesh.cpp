@@ -16,7 +16,7 @@ std::vector<UvGradient> make_uv_gradients(const Mesh& mesh, const std::vector<Ve
       gradients.push_back({Vec3f(0.0f), Vec3f(0.0f), Vec3f(0.0f)});
       continue;
     }
-    // gradients of the barycentric coordinates of corners b and c
+    // Gradients of the barycentric coordinates of corners b and c
     const Vec3f to_b = glm::cross(edge_c, n) / squared, to_c = glm::cross(n, edge_b) / squared;
     gradients.push_back({uv_b.x * to_b + uv_c.x * to_c, uv_b.y * to_b + uv_c.y * to_c, n / std::sqrt(squared)});
   }

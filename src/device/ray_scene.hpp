@@ -1,7 +1,8 @@
 // The interface for tracing rays. update() moves the scene. trace() and trace_shadows() trace rays. The rest of this folder is
 // the implementation.
 //
-// The data of hits (records, planes and others) are public, because shading reads them. Embree's structures are private.
+// The data that hits refer to (records, planes and others) are public, because shading reads them. Embree's structures are
+// private.
 #pragma once
 
 #include <memory>

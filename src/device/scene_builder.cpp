@@ -17,7 +17,7 @@ namespace {
 // become Embree instances, which share one tree.
 constexpr std::size_t kFlattenTriangles = 200'000;
 
-/// Minimum reach of rays relative to the scene's size, however strongly instances magnify coordinates.
+/// Rays may always reach coordinates of kLeastReach times the scene's size, however strongly instances magnify coordinates.
 constexpr float kLeastReach = 1000.0f;
 
 /// Makes a scene with robust intersection. Embree's faster test rounds an edge differently for the two triangles that share it,
@@ -280,8 +280,8 @@ class SceneBuilder {
   std::map<int, int> uses_;
 };
 
-/// Places a mesh instance. Hides the instance if its scale is practically 0: its transform is singular, or it would reduce the
-/// reach of rays below least_reach.
+/// Places a mesh instance. Hides the instance if its scale is practically 0: its transform is singular, or it would limit the
+/// coordinates of rays to less than least_reach.
 void place(GeometryRecord& record, RTCGeometry geometry, const Affine3f& world_from_mesh, float least_reach) {
   record.reach = reach_of(inverse(world_from_mesh));
   if (is_singular(world_from_mesh.linear) || !(record.reach >= least_reach)) {  // animations hide objects by scaling them to 0

@@ -1,5 +1,5 @@
-// The data of hits: the id of a geometry is the index of its GeometryRecord. Infinite planes and visible lights have other ids
-// (ray_packet.hpp).
+// The data that hits refer to. The id of a geometry is the index of its GeometryRecord. Infinite planes and visible lights have
+// other ids (ray_packet.hpp).
 #pragma once
 
 #include <array>
@@ -30,16 +30,16 @@ struct UvGradient {
 
 struct GeometryRecord {
   GeometryKind kind = GeometryKind::kMesh;
-  /// true: an Embree instance of a mesh, whose normals and positions must be transformed by world_from_mesh.
+  /// True for an Embree instance of a mesh, whose normals and positions must be transformed by world_from_mesh.
   bool placed = false;
-  bool hidden = false;         ///< true: a placed mesh whose scale is practically 0
+  bool hidden = false;         ///< true for a placed mesh whose scale is practically 0
   std::uint32_t instance = 0;  ///< index in Scene::instances; meshes only
   const Mesh* mesh = nullptr;  ///< its vertices are in mesh space if `placed` is set, otherwise in world space
   /// For each uv set, one gradient per triangle; null if the mesh lacks the set.
   std::array<const std::vector<UvGradient>*, 2> uv_gradients{};
   const void* primitives = nullptr;  ///< analytic shapes only: the PrimitiveTable of this kind
   const std::vector<std::uint32_t>* instance_of_primitive = nullptr;
-  bool one_material = true;     ///< true: all instances of this record have the same material
+  bool one_material = true;     ///< whether all instances of this record have the same material
   float reach = kLargestReach;  ///< largest coordinate of rays that stays within kLargestReach in mesh space, for placed meshes
   Affine3f world_from_mesh;
   Mat3f normal_from_mesh{1.0f};  ///< inverse transpose of world_from_mesh.linear
@@ -93,7 +93,7 @@ struct SceneGeometry {
   float reach = kLargestReach;  ///< largest allowed coordinate of rays: the minimum over all records
   float size = 1.0f;            ///< largest coordinate of the scene in the first frame, without planes
   float radius = 1.0f;          ///< half the diagonal of the scene in the first frame, without planes
-  /// true: Tachyon's conventions for box normals, mirrors at the depth limit and visible lights (Scene::encoding).
+  /// Whether Tachyon's conventions apply to box normals, mirrors at the depth limit and visible lights (Scene::encoding).
   bool tachyon = false;
   float secondary_t_near = 1e-4f;  ///< distance at which secondary rays start
 

@@ -26,8 +26,9 @@ LIPPMANN_INLINE Slab cross(float lower, float upper, float origin, float directi
 LIPPMANN_INLINE float larger(float a, float b) { return a > b ? a : b; }
 LIPPMANN_INLINE float smaller(float a, float b) { return a < b ? a : b; }
 
-/// Intersects n rays with a box. The rays are in Embree's layout, which consists of arrays of n words. `lowest` holds the
-/// lowest horizon that each ray has met. Rays that hit a box with horizon 0 end, because no horizon is lower.
+/// Intersects n rays with a box. The rays are in Embree's layout, which consists of arrays of n words. `lowest` holds, for each
+/// ray, the lowest horizon (HorizonBox) of the boxes that the ray has hit. Rays that hit a box with horizon 0 end, because no
+/// horizon is lower.
 LIPPMANN_INLINE void meet_lanes(const Vec3f lower, const Vec3f upper, float horizon, const int* valid, float* words, unsigned n,
                                 float* lowest) {
   const auto* id = reinterpret_cast<const unsigned*>(words + 10 * n);

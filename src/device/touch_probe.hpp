@@ -1,4 +1,5 @@
-// Tests rays against boxes while the rays are traced. touched_blocks.hpp explains the purpose.
+// Tests rays against boxes while the rays are traced. Each box has a horizon, a number assigned by the caller
+// (touched_blocks.hpp).
 #pragma once
 
 #include <memory>

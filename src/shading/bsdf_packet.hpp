@@ -1,6 +1,6 @@
-// The BSDFs at the hits of a packet. Surfaces that consist only of a glTF base or are purely diffuse are evaluated for all
-// lanes at once. All other surfaces are evaluated lane by lane. The choice for a lane depends only on its own surface, so
-// results do not depend on the other lanes.
+// The BSDFs at the hits of a packet. The most common surfaces are evaluated for all lanes at once: metallic roughness without
+// coat or other layers, and purely diffuse surfaces. All other surfaces are evaluated lane by lane. The choice for a lane
+// depends only on its own surface, so results do not depend on the other lanes.
 #pragma once
 
 #include <array>
@@ -54,7 +54,7 @@ class BsdfPacket {
  private:
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-  LaneMask base_{}, others_{};  ///< base_: lanes stored in lanes_; others_: lanes stored in bsdfs_
+  LaneMask base_{}, others_{};  ///< base_: lanes whose surface is in lanes_; others_: lanes whose surface is in bsdfs_
   bool any_base_ = false, any_other_ = false;
   const GgxAlbedo* albedo_ = nullptr;
   MetalRoughLanes lanes_;

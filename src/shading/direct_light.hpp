@@ -1,8 +1,8 @@
 // Direct light from one light on a packet of surface points, with shadow rays, Lambert's N.L and Blinn's highlight.
 //
 // Based on: T. Whitted, "An improved illumination model for shaded display", CACM 23(6), 1980; J. F. Blinn, "Models of light
-// reflection for computer synthesized pictures", SIGGRAPH 1977 (the half-vector highlight). We deviate: like Tachyon, the
-// highlight lacks the factor N.L.
+// reflection for computer synthesized pictures", SIGGRAPH 1977 (the half-vector highlight). We deviate: the highlight lacks the
+// factor N.L, as in Tachyon.
 #pragma once
 
 #include "device/transmittance.hpp"
@@ -10,7 +10,8 @@
 
 namespace lippmann {
 
-/// Sums over lights, per lane. The caller multiplies `diffuse` by the surface's colour and `highlight` by its tint.
+/// Direct light, summed over lights, for each lane. The caller multiplies `diffuse` by the surface's colour and `highlight` by
+/// its tint.
 struct DirectLight {
   Lanes3 diffuse;  ///< sum of light colour * N.L * visibility
   /// Sum of light colour * (N.H)^size * visibility. In Tachyon mode, `highlight` omits the light's fading and transmittance

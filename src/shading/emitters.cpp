@@ -12,8 +12,8 @@ namespace {
 
 /// A triangle is divided into at most kMostParts parts along each edge, with one texture lookup per part.
 constexpr int kMostParts = 2;
-/// Lower bound of a textured triangle's luminance, as a share of the luminance under the texture's mean. It is needed because
-/// lookups may miss small bright areas.
+/// Lower bound of a textured triangle's luminance, relative to the luminance that the texture's mean would give. It is needed
+/// because lookups may miss small bright areas.
 constexpr float kLeastShare = 1e-2f, kLeastMean = 1.0f / 65535.0f;
 /// Triangles per parallel task.
 constexpr std::size_t kPiece = 4096;

@@ -24,7 +24,7 @@ Vec2f angle_of(float vx, float vz, float height) {
   const float beside = std::sqrt(std::max(0.0f, 1.0f - wanted * wanted));
   const Vec2f doubled(s * wanted + c * beside, c * wanted - s * beside);
   return doubled.y > 0.0f ? Vec2f(doubled.x, 1.0f + doubled.y)
-                          : Vec2f(1.0f - doubled.y, doubled.x);  // half-angle formula of the two that avoids cancellation here
+                          : Vec2f(1.0f - doubled.y, doubled.x);  // of the two half-angle formulas, this one avoids cancellation
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ struct LightSources {
   std::span<const WhittedMaterial> materials;
   std::span<const DeviceTexture> textures;
   const Emitters& emitters;
-  std::span<const WebBeam> beams;  ///< indexed by the scene's webs
+  std::span<const WebBeam> beams;  ///< one beam per photometric web, in the order of scene.webs
   float size;                      ///< half the scene's diagonal; lamps much smaller than this are treated as points
 };
 

@@ -30,9 +30,10 @@
 // A cluster has the mean over its lamps, as a polynomial of second degree in -d / sqrt(d^2 + v), fitted over all directions.
 // The factor `shining` of faces is
 //    shining = sqrt((d.M d + v / 16) / (d^2 + v) + 1e-6) - F.d / sqrt(d^2 + v)
-// M is the mean over the cluster's faces of a m m^T, and F is the mean of b m. Faces of closed bodies have a = ((1 + 1/16) /
-// 2)^2 and b = (1 - 1/16) / 2, and m points outward. All other faces have a = 1 and b = 0. For a single face of a closed body,
-// `shining` is thus the cosine in front of the face, and a sixteenth of the cosine behind it.
+// Each face has two coefficients, a and b. M is the mean of a * m m^T over the cluster's faces, and F is the mean of b * m.
+// Faces of closed bodies have a = ((1 + 1/16) / 2)^2 and b = (1 - 1/16) / 2, and their m points outward. All other faces have a
+// = 1 and b = 0. For a single face of a closed body, `shining` is thus the cosine in front of the face, and a sixteenth of the
+// cosine behind it.
 #pragma once
 
 #include <cstdint>

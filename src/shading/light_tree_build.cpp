@@ -99,8 +99,8 @@ class LightTreeBuilder {
     return node;
   }
 
-  /// Splits the members into at most kLanes parts. Splits the largest part repeatedly, until each part fits into a subtree of
-  /// the least possible depth.
+  /// Splits the lights `members` into at most kLanes parts. Splits the largest part repeatedly, until each part fits into a
+  /// subtree of the least possible depth.
   std::vector<Members> cut(Members members) const {
     std::size_t fits = 1;
     while (fits * kLanes < members.size()) fits *= kLanes;
@@ -117,8 +117,8 @@ class LightTreeBuilder {
     return parts;
   }
 
-  /// Cuts the members in two, and reorders them so that one side of the cut comes first. Returns the number of lights on that
-  /// side.
+  /// Cuts the lights `members` in two, and reorders them so that one side of the cut comes first. Returns the number of lights
+  /// on that side.
   std::size_t halve(Members members) const {
     Bounds3f box;
     for (const std::uint32_t l : members) box.add(lights_[l].middle);

@@ -18,7 +18,7 @@ class OpenMesh : public ShadowCaster {
   Vec3f transmittance(const ShadowHit& hit) const override { return Vec3f(open(hit, material_.opacity)); }
 
  protected:
-  /// Returns the share of light that passes, given the alpha of texture and vertices, times `opacity`.
+  /// Returns the share of light that passes: 1 minus the product of `opacity` and the alpha of texture and vertices.
   float open(const ShadowHit& hit, float opacity) const {
     if (!material_.has_alpha) return material_.blocks_light ? 0.0f : std::clamp(1.0f - opacity, 0.0f, 1.0f);
     const Mesh& mesh = *hit.record.mesh;

@@ -99,7 +99,7 @@ class MetalRoughLanes {
   Lanes alpha_{}, dielectric_f90_{}, gloss_f90_{};
   // The members of Glass, per lane. Its tint is base_color_.
   Lanes glass_{}, eta_{}, glass_compensation_{};
-  /// probabilities with which sample() chooses a lobe; they add up to 1 or are all 0
+  /// Probabilities with which sample() chooses a lobe; they add up to 1 or are all 0
   Lanes diffuse_share_{}, gloss_share_{}, glass_share_{};
 };
 

@@ -6,8 +6,8 @@
 //   cylinder  U = angle(q)       V = q.v_axis                                       L = path / (8 |q|)
 //   sphere    U = angle(q)       V = angle between q and -v_axis, in half turns     L = path / (8 |q|)
 //   u = fraction of U scale.x + rotate.x,  v = fraction of V scale.y + rotate.y,  each in [0, 1)
-//   blur = min(1, 0.05 L max(|scale.x|, |scale.y|)): 0 is the full texture, 1 its mean
-// A blur of 0 selects the full texture, 1 its mean.
+//   blur = min(1, 0.05 L max(|scale.x|, |scale.y|))
+// Blur 0 stands for the full texture, and 1 for its mean.
 #pragma once
 
 #include "device/lanes.hpp"

@@ -4,10 +4,12 @@
 // Based on: P. Shirley, C. Wang, K. Zimmerman, "Monte Carlo Techniques for Direct Lighting Calculations", ACM Transactions on
 // Graphics 15(1), 1996, section 3.3 (spheres by their solid angle).
 //
-// The radiance of a lamp is uniform. \n Sphere: radiance = intensity / (pi radius^2). Its power and its unoccluded irradiance
-// equal those of a point lamp. \n Disc of half angle a: radiance = illuminance / (pi sin^2 a). A surface that faces the disc
-// thus receives `illuminance`. \n Inside a sphere, light comes from all directions, so the irradiance is intensity / radius^2
-// on every surface. \n Lamps do not block rays.
+// The radiance of a lamp is uniform:
+// - Sphere: radiance = intensity / (pi radius^2). Its power and its unoccluded irradiance equal those of a point lamp.
+// - Disc of half angle a: radiance = illuminance / (pi sin^2 a). A surface that faces the disc thus receives `illuminance`.
+// - Inside a sphere, light comes from all directions, so the irradiance is intensity / radius^2 on every surface.
+//
+// Lamps do not block rays.
 #pragma once
 
 #include <optional>

@@ -96,7 +96,7 @@ LIPPMANN_INLINE int choose_probes(const DeviceTexture& texture, const UvLanes& u
   const auto last = static_cast<float>(texture.levels.size() - 1);
   std::int32_t most = 1;
   LIPPMANN_FOR_LANES(i) {
-    // above 10^6, a float has hardly any fraction left
+    // Above 10^6, a float has hardly any fraction left.
     const bool known = (std::abs(uv.u[i]) < 1e6f) & (std::abs(uv.v[i]) < 1e6f);
     probes.u[i] = known ? uv.u[i] : 0.0f;
     probes.v[i] = known ? uv.v[i] : 0.0f;
@@ -130,7 +130,7 @@ LIPPMANN_INLINE int choose_probes(const DeviceTexture& texture, const UvLanes& u
 /// A wrap mode as factors, so that all modes share the same branch-free arithmetic.
 struct WrapNumbers {
   float period, inverse_period, fold;
-  std::int32_t repeats;  ///< index of the texel after the last: 1 means the first texel, 0 the last texel
+  std::int32_t repeats;  ///< 1: the first texel follows the last one; 0: the last texel is repeated
 };
 
 LIPPMANN_INLINE WrapNumbers numbers_of(Wrap mode) {
@@ -208,7 +208,8 @@ Vec4f sample_point(const DeviceTexture& texture, Vec2f uv, std::size_t of_level)
 
 namespace {
 
-/// Chooses levels as Tachyon does. Tachyon blends between levels, but uses the last level alone from the second to last on.
+/// Chooses levels as Tachyon does. Tachyon blends two levels, but from the second to last level on, it uses only the last
+/// level.
 LIPPMANN_INLINE void choose_levels(const DeviceTexture& texture, const ProjectedLanes& at, LevelPair& level) {
   const auto count = static_cast<std::int32_t>(texture.levels.size());
   const float range = static_cast<float>(count) - 0.9999f;

@@ -12,7 +12,7 @@ struct ShadingPoint {
   Vec3f position{0.0f};
   Vec3f facet{0.0f};   ///< normal of the facet on the viewer's side, any length
   Vec3f normal{0.0f};  ///< smooth normal on the same side as `facet`, unit length
-  /// the packet of the point, if the mesh has vertex normals and transmits no light; otherwise null
+  /// The packet of the point, if the mesh has vertex normals and transmits no light; otherwise null
   const SurfacePacket* smooth = nullptr;
   int lane = 0;
   Vec3f emission{0.0f};

@@ -72,7 +72,7 @@ LightGroup ShiningTriangles::group() const {
   for (const Triangle& t : triangles_) {
     const bool has_area = t.normal != Vec3f(0.0f);
     const Emitter& emitter = *sources_.emitters.of(sources_.records[t.record].instance);
-    // factor 2: both sides emit
+    // Factor 2: both sides emit
     const float power = has_area ? finite_power(kPi * 2.0f * t.area * emitter.of(t.prim)) : 0.0f;
     group.near.push_back(power);
     group.lights.push_back(power > 0.0f ? tree_light(t.origin, t.edge_b, t.edge_c, power, t.closed) : TreeLight{});

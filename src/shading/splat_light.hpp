@@ -2,9 +2,13 @@
 //
 // Based on: B. Kerbl, G. Kopanas, T. Leimkuehler, G. Drettakis, "3D Gaussian Splatting for Real-Time Radiance Field Rendering",
 // ACM TOG 42(4), 2023, equations 2 and 3, and its spherical harmonics; N. Moenne-Loccoz and others, "3D Gaussian Ray Tracing:
-// Fast Tracing of Particle Scenes", SIGGRAPH Asia 2024: each Gaussian is evaluated at its maximum along the ray, in the order
-// of these maxima. \n\n We deviate: \n 1. sRGB-encoded splats are blended in encoded form. The blended colour is then
-// linearised, because surfaces behind the splats have linear radiance. \n 2. A transmittance below kDark counts as 0.
+// Fast Tracing of Particle Scenes", SIGGRAPH Asia 2024 (each Gaussian is evaluated at its maximum along the ray, in the order
+// of these maxima).
+//
+// We deviate:
+// 1. sRGB-encoded splats are blended in encoded form. The blended colour is then linearised, because surfaces behind the splats
+// have linear radiance.
+// 2. A transmittance below kDark counts as 0.
 #pragma once
 
 #include "shading/shaded_scene.hpp"

@@ -11,7 +11,7 @@ class BeamFootprint;
 
 struct SurfacePacket {
   LaneMask hit;  ///< -1 if the lane has hit a surface, otherwise 0; the arrays below are defined only in lanes with a hit
-  /// whether any active lane has hit a surface, and whether any active lane has missed all surfaces
+  /// Whether any active lane has hit a surface, and whether any active lane has missed all surfaces
   bool any_hit = false, any_miss = false;
   Lanes3 position;
   Lanes3 normal;      ///< shading normal on the ray's side of the facet, unit length
@@ -26,7 +26,7 @@ struct SurfacePacket {
   Lanes mirror, mirror_tint, opacity, ior;
   const ShadedScene* scene = nullptr;
   const RayHitPacket* packet = nullptr;  ///< the rays that hit the surfaces; they must outlive this object
-  /// colour channel (R, G or B) of each lane's path; set by the caller if the surface disperses light
+  /// Colour channel (R, G or B) of each lane's path; set by the caller if the surface disperses light
   std::uint8_t color_channel[kLanes];
   bool any_smooth = false;  ///< whether any lane has hit a mesh with vertex normals
   bool any_highlight = false, any_mirror = false, any_see_through = false;
@@ -63,7 +63,8 @@ class BeamFootprint {
         axis_y_(world_from_display.linear[1] / scale_),
         z_front_mm_(resolved_z_front_mm(optics)) {}
 
-  /// Return full widths along axis_x and axis_y in world units. sample_widths() covers one sample, and widths() one pixel.
+  /// These functions return full widths along axis_x and axis_y in world units. sample_widths() covers one sample, and widths()
+  /// one pixel.
   Vec2f sample_widths(float path_length) const { return of_sample_ * widths(path_length); }
   Vec2f widths(float path_length) const { return scale_ * sample_footprint_mm(optics_, z_front_mm_ - path_length / scale_); }
   Vec3f axis_x() const { return axis_x_; }

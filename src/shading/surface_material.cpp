@@ -35,7 +35,7 @@ struct UvFootprint {
   Vec2f uv, a, b;
 };
 
-/// set: index of the mesh's uv set. widths: widths of the beam at the hit.
+/// Returns the footprint at the hit of lane i. set: index of the mesh's uv set. widths: widths of the beam at the hit.
 UvFootprint uv_footprint(const GeometryRecord& record, const RayHitPacket& packet, int i, int set, const BeamFootprint& beam,
                          Vec2f widths) {
   const Vec2f uv = at_hit(uvs_of(*record.mesh, set), record, packet, i);

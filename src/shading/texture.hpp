@@ -18,7 +18,7 @@ namespace lippmann {
 struct DeviceTexture {
   struct Level {
     int width, height;
-    /// linear codes, 65535 stands for 1; 16 bits keep all 8-bit codes distinct, sRGB-encoded or not
+    /// Linear codes, 65535 stands for 1; 16 bits keep all 8-bit codes distinct, sRGB-encoded or not
     std::vector<std::uint16_t> rgba;
   };
   std::vector<Level> levels;  ///< levels[0] is the finest; each level has half the size of the one before, down to 1 x 1

@@ -90,7 +90,7 @@ class PathIntegrator final : public FrameIntegrator {
   PathParams params_;
   PathFilm film_;
   float weight_;                          ///< weight of a sample in the film
-  std::array<float, 2> noise_weights_{};  ///< weights_of_halves()
+  std::array<float, 2> noise_weights_{};  ///< result of weights_of_halves() (NoisyFrame)
   float noise_weight_ = 0.0f;             ///< element of noise_weights_ for the current sample
   RayCounts counts_;
   std::vector<PathRay> wave_, next_;  ///< rays of the current and of the next wave

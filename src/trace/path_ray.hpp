@@ -10,11 +10,11 @@ namespace lippmann {
 
 struct PathRay {
   Vec3f origin{0.0f}, direction{0.0f}, throughput{1.0f};
-  Vec3f lit_side{0.0f};      ///< LightReceiver::normal at the last vertex that changed the direction
-  float near_share = -1.0f;  ///< LightReceiver::near_share at that vertex
+  Vec3f lit_side{0.0f};      ///< LightReceiver::normal at the last change of direction
+  float near_share = -1.0f;  ///< LightReceiver::near_share at the last change of direction
   float t_near = 0.0f, path_length = 0.0f;
-  float scattered_at = 0.0f;  ///< path length at that vertex; 0 before the first vertex
-  float density = kInfinity;  ///< density of `direction` at that vertex; kInfinity for Dirac lobes and camera rays
+  float scattered_at = 0.0f;  ///< path length at the last change of direction; 0 before the first
+  float density = kInfinity;  ///< density with which `direction` was sampled; kInfinity for Dirac lobes and camera rays
   std::uint32_t pixel = 0;
   std::uint32_t seed = 0, index = 0;  ///< seed and index of the random numbers (transport/sampler.hpp)
   std::uint16_t depth = 0;            ///< number of vertices so far
@@ -77,7 +77,7 @@ inline void scatter(PathRay& ray, const ShadingPoint& point, const BsdfSample& s
   ray.density = sample.density, ray.scattered_at = length;
 }
 
-/// Returns the light receiver at the last vertex that changed the direction, as it was used to sample lights.
+/// Returns the light receiver at the last change of direction, as it was used to sample lights.
 inline LightReceiver last_receiver(const PathRay& ray) {
   return {ray.origin - (ray.path_length - ray.scattered_at) * ray.direction, ray.lit_side, ray.near_share};
 }

@@ -9,7 +9,8 @@
 namespace lippmann {
 namespace {
 
-/// Maximum number of rays of one wave, which take about 200 MB. Depths at which images still change need far fewer rays.
+/// Maximum number of rays of one wave, which take about 200 MB. Waves are far smaller up to the depths at which images stop
+/// changing.
 constexpr std::size_t kMostRays = std::size_t{1} << 22;
 
 /// Pointers to the elements of one ray in all arrays of the queue.

@@ -46,7 +46,7 @@ class RayQueue {
   void grow();
 
   std::size_t size_ = 0, capacity_ = 0;
-  /// KFields arrays of size capacity_: origin, direction, weight, path length, tnear and open.
+  /// kFields arrays of size capacity_: origin, direction, weight, path length, tnear and open.
   std::unique_ptr<float[]> values_;
   std::unique_ptr<std::uint32_t[]> pixel_;
 };

@@ -15,7 +15,7 @@ DiscreteDistribution::DiscreteDistribution(std::span<const float> weights) {
     if (counted(weights[i]) > 0.0) last = i;
     cumulative_.push_back(static_cast<float>((sum += counted(weights[i])) / total_));
   }
-  // All u < 1 must select an index with a positive weight, also if the sum is rounded below 1.
+  // All u < 1 must select an index with a positive weight, even if the sum is rounded below 1.
   std::fill(cumulative_.begin() + static_cast<std::ptrdiff_t>(last), cumulative_.end(), 1.0f);
   step_ = 1.0f / static_cast<float>(weights.size());
   for (std::uint32_t part = 0, index = 0; part < weights.size(); ++part) {

@@ -41,7 +41,7 @@ class DiscreteDistribution {
  private:
   float start_of(std::size_t part) const { return std::min(static_cast<float>(part) * step_, 0x1.fffffep-1f); }
 
-  std::vector<float> cumulative_;  ///< probability of each index or a lower one; the last entry is 1
+  std::vector<float> cumulative_;  ///< for each index, the probability of this index or a lower one; the last entry is 1
   /// Guide table: [0, 1) is divided into equal parts, and first_ holds the index at the start of each part.
   std::vector<std::uint32_t> first_;
   float step_ = 0.0f;  ///< length of each part of the guide table

@@ -45,7 +45,7 @@ class Environment {
   struct Sample {
     Vec3f direction{0.0f};
     float density = 0.0f;
-    Vec3f radiance{0.0f};  ///< up to rounding
+    Vec3f radiance{0.0f};  ///< radiance along `direction`, exact up to rounding
   };
   /// Samples a direction of the sun. Requires sun_share() > 0.
   Sample sample_sun(Vec2f u) const { return sample(sun_, u); }

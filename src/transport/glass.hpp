@@ -9,7 +9,7 @@
 
 namespace lippmann {
 
-/// Glass at one point, for light and view in a medium `here` and transmitted light in a medium `beyond`.
+/// Glass at one point. `here` is the medium on the viewer's side, and `beyond` the medium on the other side.
 struct Glass {
   Vec3f tint{0.0f};           ///< colour of refracted light
   float share = 0.0f;         ///< share of the surface that is glass; 0: no glass

@@ -27,8 +27,8 @@ struct MetalRoughSurface {
 struct MetalRoughBase {
   Vec3f view;  ///< unit vector from the point to the viewer
   float alpha;
-  Vec3f diffuse_color;   ///< albedo of the diffuse part, without the share that the gloss reflects
-  Vec3f diffuse_passes;  ///< share of light that passes the gloss between the diffuse part and the viewer
+  Vec3f diffuse_color;   ///< albedo, times the share of light that passes the gloss to the viewer, divided by diffuse_passes
+  Vec3f diffuse_passes;  ///< share of light that passes the gloss, as the cosine-weighted mean over all directions
   /// Reflectance at normal incidence: dielectric_f0 of the dielectric, gloss_f0 of the mix with metal.
   Vec3f dielectric_f0, gloss_f0;
   float dielectric_f90, gloss_f90;           ///< reflectance at grazing incidence, of the dielectric and of the mix with metal

@@ -1,4 +1,7 @@
 // Samples directions and points by two random numbers in [0, 1), and computes densities.
+//
+// Based on: P. Shirley, K. Chiu, "A Low Distortion Map Between Disk and Square", JGT 2(3), 1997; T. Duff et al., "Building an
+// Orthonormal Basis, Revisited", JCGT 6(1), 2017.
 #pragma once
 
 #include "transport/fast_angles.hpp"

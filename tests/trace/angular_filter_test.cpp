@@ -65,7 +65,7 @@ TEST(AngularFilter, far_edges_become_ramps) {
     EXPECT_NEAR(edge_in(sharp, view * kWidth, kWidth).place_px, place, 0.01) << view;
     EXPECT_NEAR(edge_in(ramp, view * kWidth, kWidth).place_px, place, 0.02) << view;
     EXPECT_LE(edge_in(sharp, view * kWidth, kWidth).variance_px2, 0.25 + 0.01)
-        << view;  // a (1 - a) if the edge is at a within its pixel, at most 1/4
+        << view;  // variance a (1 - a), at most 1/4, for an edge at the position a of its pixel
     EXPECT_NEAR(edge_in(ramp, view * kWidth, kWidth).variance_px2, 16.0 / 12 + 1.0 / 6, 0.04) << view;
   }
 }

@@ -75,7 +75,7 @@ TEST(MaterialExtensions, layered_white_spheres_vanish_in_furnaces) {
     s.scene.max_depth = 64;
     surround(s, Vec3f(1.0f));
     s.add(Spheres{{{0, 0, 0}, 3.0f}}, s.material(m));
-    // Tolerance: noise, which is larger with dispersion because each path has only one colour
+    // Tolerance: noise, which is larger with dispersion because each path has only one colour.
     EXPECT_NEAR(mean(trace_paths(s.scene, single_view(8), 1024).film), 1.0, 0.01) << "kind " << kind;
   }
 }

@@ -97,7 +97,7 @@ TEST(PathTracer, lambert_matches_whitted) {
   s.add(square(2, 0), s.material(matte({0.5f, 0.25f, 1.0f})));
   s.point_light({3, 0, 4}, {1.0f, 0.5f, 0.25f});
   const Vec3f whitted = trace(s.scene, single_view(33)).at(16, 16), path = trace_paths(s.scene, single_view(33), 4).at(16, 16);
-  // tolerance: samples are spread over the pixel.
+  // Tolerance: samples are spread over the pixel.
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(path[c], whitted[c], 0.01f * whitted[c]);
 }
 
