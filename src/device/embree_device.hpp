@@ -13,7 +13,8 @@ namespace lippmann {
 /// Counts the memory that Embree allocates. Thread-safe.
 class EmbreeMemory {
  public:
-  /// Records an allocation of `bytes` that is about to happen, or a release of -bytes that has happened. Embree reports both.
+  /// Records an allocation (bytes > 0) before it happens, or a release (bytes < 0) after it has happened, as Embree reports
+  /// them.
   void add(std::int64_t bytes);
   /// Returns the largest amount of memory that Embree has requested.
   std::uint64_t wanted_bytes() const { return wanted_; }

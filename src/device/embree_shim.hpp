@@ -62,8 +62,8 @@ struct ShadowContext {
   const SceneGeometry* geometry = nullptr;  ///< lets filters of meshes look up hits
 };
 
-/// Returns the active lanes whose rays have finite coordinates within `reach`. `reach` is below kLargestReach if instances
-/// magnify coordinates. The remaining lanes hit nothing. They exist because products of valid inputs may still overflow.
+/// Returns the active lanes whose rays have finite coordinates within `reach`. All other lanes hit nothing. Invalid rays occur
+/// because products of valid inputs may overflow. `reach` is below kLargestReach if instances magnify coordinates.
 LaneMask sound_lanes(const RayPacket& rays, float reach, const LaneMask& active);
 
 /// Traces the active lanes, which must come from sound_lanes(). Sets tfar and the hit of each lane that hits something nearer

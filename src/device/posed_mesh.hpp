@@ -11,7 +11,6 @@ namespace lippmann {
 /// Returns one gradient per triangle. `uvs` is one of the mesh's sets of texture coordinates. It must not be empty.
 std::vector<UvGradient> make_uv_gradients(const Mesh& mesh, const std::vector<Vec2f>& uvs);
 
-/// Sets the vertices and gradients of `posed` to the pose.
 void pose_vertices(const MeshPose& pose, PosedMesh& posed, const ThreadPool& pool);
 
 /// Updates Embree's copy of the vertices. The caller must commit the scene afterwards.

@@ -58,7 +58,7 @@ LIPPMANN_INLINE bool crosses(const Primitive& primitive, const LaneRay& r) {
 }
 
 /// Returns whether the ray intersects the sphere. Compares squares to avoid the square root: t0 = b - half > t_near is
-/// equivalent to b - t_near > half. The other bounds are tested likewise.
+/// equivalent to b - t_near > half, and the other conditions are rewritten in the same way.
 LIPPMANN_INLINE bool crosses(const WorldSphere& s, const LaneRay& r) {
   const auto [b, squared] = crossing(s, r);
   const float past_near = b - r.t_near, past_far = b - r.t_far;

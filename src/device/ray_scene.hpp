@@ -33,8 +33,8 @@ class RayScene : public SceneGeometry {
   void update(const ResolvedScene& resolved, const ThreadPool& pool);
 
   /// Finds the nearest hit of each active lane, and sets tfar to its distance. Without a hit, tfar is unchanged. `of_cameras`
-  /// marks lanes with camera rays that have passed only holes. These lanes ignore objects that are hidden from cameras. A null
-  /// pointer marks no lanes.
+  /// marks camera rays that have only passed surfaces made transparent by alpha. The marked lanes ignore objects that are
+  /// hidden from cameras. A null pointer marks no lanes.
   void trace(const LaneMask& active, RayHitPacket& packet, Coherence coherence, const LaneMask* of_cameras = nullptr) const;
 
   /// Sets tfar to -inf for active lanes that an opaque surface occludes between tnear and tfar. Multiplies the transmittance of

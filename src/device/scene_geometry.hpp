@@ -69,7 +69,6 @@ struct PosedMesh {
   bool mirrored;  ///< whether the triangles have the opposite winding from those in the scene's mesh
 };
 
-/// The splats of one instance.
 struct SplatSet {
   std::uint32_t instance;  ///< index in Scene::instances
   const Splats* splats;

@@ -10,7 +10,6 @@
 
 namespace lippmann {
 
-/// A hit of a shadow ray on a mesh.
 struct ShadowHit {
   const GeometryRecord& record;
   std::uint32_t triangle;

@@ -24,7 +24,7 @@ struct HorizonBox {
 struct TouchedBlocks {
   static constexpr std::uint8_t kNever = 255;
 
-  std::vector<HorizonBox> boxes;  ///< input
+  std::vector<HorizonBox> boxes;  ///< input: the boxes to test
   /// Output: for each block, the lowest horizon of the boxes that its rays hit; kNever: no box hit.
   std::vector<std::uint8_t> lowest_horizon;
   std::vector<std::uint32_t> rays;  ///< output: for each block, the number of traced rays

@@ -13,7 +13,6 @@
 
 namespace lippmann {
 
-/// A mesh with an emissive material.
 struct Emitter {
   BodyFacing closed = BodyFacing::kNone;  ///< facing of the mesh in its own space, before transforms and poses
   float luminance = 0.0f;                 ///< luminance of the emission without textures

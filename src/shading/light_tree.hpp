@@ -45,7 +45,6 @@
 
 namespace lippmann {
 
-/// A point that receives light.
 struct LightReceiver {
   Vec3f position{0.0f};
   Vec3f normal{0.0f};        ///< unit length, on the side that receives light; null: both sides receive light

@@ -9,7 +9,6 @@
 
 namespace lippmann {
 
-/// The BsdfValue of each lane.
 struct BsdfValueLanes {
   Lanes3 cosine_f;
   Lanes density;

@@ -17,7 +17,6 @@ BodyFacing mirrored(BodyFacing facing, const Affine3f& place) {
   return facing == BodyFacing::kOutward ? BodyFacing::kInward : BodyFacing::kOutward;
 }
 
-/// Returns whether the material blocks all shadow rays.
 bool is_opaque(const WhittedMaterial& m) { return !m.has_alpha && !(m.wall_ior > 0.0f) && !(shadow_transmittance(m) > 0.0f); }
 
 constexpr Bounds3f kEndless{Vec3f(-kInfinity), Vec3f(kInfinity)};

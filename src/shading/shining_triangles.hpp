@@ -15,7 +15,6 @@ class ShiningTriangles {
  public:
   explicit ShiningTriangles(const LightSources& sources);
 
-  /// Returns the triangles as a group for LightChoice.
   LightGroup group() const;
 
   /// Returns the index of triangle `prim` of a record, or nothing if the record does not emit.

@@ -167,7 +167,6 @@ const GeometryRecord* evaluate_record(const ShadedScene& scene, unsigned id, con
   return &record;
 }
 
-/// Calls evaluate_material() once for each material among the lanes.
 void evaluate_materials(const ShadedScene& scene, const GeometryRecord* record, const RayHitPacket& packet,
                         const PacketBeams& beams, LaneMask lanes, SurfacePacket& s) {
   alignas(64) std::uint32_t material[kLanes];

@@ -114,7 +114,6 @@ void disperse(const SurfaceExtensions& e, int channel, MetalRoughSurface& s) {
   if (bends && e.dispersion > 0.0f && s.transmission > 0.0f) s.ior = ior_of_channel(s.ior, e.dispersion, channel);
 }
 
-/// The normals of a surface point and the direction to the viewer.
 struct Facing {
   MetalRoughBsdf::Normals normals;
   Vec3f view;

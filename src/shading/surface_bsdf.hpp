@@ -13,7 +13,6 @@
 
 namespace lippmann {
 
-/// The BSDF of any surface model.
 class Bsdf {
  public:
   Bsdf(const PhongBsdf& bsdf) : bsdf_(bsdf) {}
@@ -50,9 +49,9 @@ class Bsdf {
     const auto* layered = std::get_if<LayeredBsdf>(&bsdf_);
     return layered ? layered->straight() : Vec3f(0.0f);
   }
-  /// Returns the normal of the side from which light reaches the viewer, or null if light may come from both sides. This is the
-  /// diffuse part's normal. If the coat has its own normal, it is `smooth`, the point's normal without normal maps, because the
-  /// coat may be lit from behind the diffuse part's normal.
+  /// Returns the normal of the side from which light reaches the viewer, or null if light may come from both sides. Normally,
+  /// this is the diffuse part's normal. If the coat has its own normal, returns `smooth` instead, the point's normal without
+  /// normal maps, because the coat may be lit from behind the diffuse part's normal.
   Vec3f lit_side(Vec3f smooth) const {
     if (scatters_through()) return Vec3f(0.0f);
     return std::visit([&](const auto& b) { return b.has_coat_apart() ? smooth : b.normal(); }, bsdf_);
@@ -72,7 +71,6 @@ struct Maps {
   Vec4f operator()(const TextureMap& map) const;
 };
 
-/// A surface point and its viewer.
 struct SeenPoint {
   Vec3f normal;   ///< smooth normal on the viewer's side, unit length
   Vec3f view;     ///< unit vector from the point to the viewer

@@ -10,7 +10,7 @@
 namespace lippmann {
 namespace {
 
-/// Maximum number of holes that a ray passes. The next hit counts as opaque.
+/// Maximum number of holes (surfaces that alpha makes transparent) that a ray passes. The next hit counts as opaque.
 constexpr int kMostHoles = 64;
 
 Vec3f unit_direction(const RayHitPacket& packet, int i) {

@@ -21,9 +21,9 @@ Vec4f display_z(const Affine3f& world_from_display);
 struct PathFilm {
   float* all = nullptr;
   float* direct = nullptr;    ///< emission, and light that exactly one surface has scattered
-  float* indirect = nullptr;  ///< all other light
-  float* noise = nullptr;     ///< NoisyFrame::noise
-  float* seen = nullptr;      ///< NoisyFrame::seen
+  float* indirect = nullptr;  ///< light that is not in `direct`
+  float* noise = nullptr;     ///< see NoisyFrame::noise
+  float* seen = nullptr;      ///< see NoisyFrame::seen
   const FirstSurfaces* surfaces = nullptr;
   float* open = nullptr;  ///< one channel: number of samples that hit no surface; if not null, the film omits the surroundings
 };

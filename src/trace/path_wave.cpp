@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t kBuckets = 64;
 
 /// Loads up to 16 rays into a packet. Lanes from `count` on are inactive and repeat the last ray. `of_cameras` marks camera
-/// rays that have passed only holes.
+/// rays that have only passed surfaces made transparent by alpha.
 void load_rays(const PathRay* rays, std::size_t count, RayHitPacket& packet, LaneMask& active, LaneMask& of_cameras) {
   for (std::size_t i = 0; i < kLanes; ++i) {
     const PathRay& ray = rays[std::min(i, count - 1)];

@@ -11,7 +11,7 @@ namespace lippmann {
 struct Bundle {
   Lanes3 weight;      ///< factor on a lane's radiance when it is added to its pixel
   Lanes path_length;  ///< path length at the origin of the lane's ray
-  Lanes open;         ///< share of the camera ray that has passed only holes; 0 behind any other surface
+  Lanes open;  ///< share of a camera ray that has only passed surfaces made transparent by alpha; 0 behind other surfaces
   alignas(64) std::uint32_t pixel[kLanes];
 };
 

@@ -1,4 +1,4 @@
-// Transmitted rays of the Whitted integrator behind holes and thin walls.
+// Transmitted rays of the Whitted integrator, behind thin walls and behind surfaces that alpha makes transparent.
 #pragma once
 
 #include "shading/surface.hpp"
@@ -6,7 +6,7 @@
 
 namespace lippmann {
 
-/// Sets branches.open. Rays through holes by alpha stay open, while rays through glass do not.
+/// Sets branches.open. Rays stay open behind surfaces that alpha makes transparent, but not behind glass.
 void keep_holes_open(const ShadedScene& scene, const SurfacePacket& surface, Branches& branches);
 
 /// Multiplies the shares of transmitted rays by the transmittance of thin walls. `rays` are the rays that hit the walls.

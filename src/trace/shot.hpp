@@ -18,7 +18,6 @@ struct Shot {
   FilmRows rows{};                ///< rows to render; films, layers and pixel indices cover only these rows
 };
 
-/// Returns the size of the rendered image.
 inline Vec2i film_size(const Shot& shot) { return film_size(shot.optics, shot.rows); }
 
 enum class Progress { kSilent, kReported };

@@ -10,7 +10,6 @@
 namespace lippmann {
 namespace {
 
-/// Traces selected packets of a frame.
 class FrameTracer {
  public:
   /// Light is added to `film` and to `parts`, whose arrays must be filled with 0.

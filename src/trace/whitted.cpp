@@ -122,7 +122,7 @@ void see_lights(const std::vector<WhittedLight>& lights, const RayHitPacket& pac
   }
 }
 
-/// Returns the lanes whose rays have passed only holes since the camera.
+/// Returns the lanes whose camera rays have only passed surfaces made transparent by alpha.
 LaneMask still_open(const Bundle& bundle) {
   LaneMask lanes;
   LIPPMANN_FOR_LANES(i) lanes.lane[i] = bundle.open[i] > 0.0f ? -1 : 0;

@@ -56,7 +56,7 @@ class Environment {
   void sample_rest(SkyDraws& draws) const;
 
   struct Density {
-    float value = 0.0f;   ///< per steradian
+    float value = 0.0f;   ///< density per steradian
     bool of_sun = false;  ///< true: sample_sun() samples the direction; false: sample_rest() does
   };
   /// Returns the density with which sample_sun() or sample_rest() samples the direction of ray i. The radiance of `rays` must
@@ -64,7 +64,6 @@ class Environment {
   Density density(const SkyRays& rays, int i) const;
 
   bool is_dark() const { return sun_.is_dark() && rest_.is_dark(); }
-  /// Returns the mean radiance over all directions.
   Vec3f mean_radiance() const { return mean_radiance_; }
 
  private:

@@ -78,9 +78,7 @@ class GgxAlbedo {
     return f0 * of_f0 + f90 * of_f90 + of_more_bounces(of_f0 + of_f90, edge, f0, f90) * (f0 * mixed(2) + f90 * mixed(3));
   }
 
-  /// Returns the table for rough glass.
   const GlassAlbedo& glass() const { return glass_; }
-  /// These functions return the tables for anisotropic gloss and for sheen.
   const BrushedAlbedo& brushed() const { return brushed_; }
   const SheenAlbedo& sheen() const { return sheen_; }
 
@@ -111,7 +109,7 @@ class GgxAlbedo {
 
   // Plain arrays instead of std::array or vectors, because GCC 14 does not vectorise loops that take the address of a table in
   // a member.
-  float single_f0_[kSize * kSize], single_f90_[kSize * kSize];  ///< [roughness][cosine]
+  float single_f0_[kSize * kSize], single_f90_[kSize * kSize];  ///< indexed by [roughness][cosine]
   /// For each roughness, means over the hemisphere of x, y, x (1 - E) / E and y (1 - E) / E; x and y are those of single().
   float mean_[4][kSize];
   GlassAlbedo glass_;

@@ -11,7 +11,7 @@ namespace lippmann {
 /// Surface parameters at one point, with textures applied. The parts are independent, so their sum may reflect more light than
 /// arrives.
 struct PhongPoint {
-  Vec3f diffuse{0.8f};  ///< albedo
+  Vec3f diffuse{0.8f};  ///< albedo of the diffuse part
   Vec3f highlight{0.0f};
   float highlight_size = 1.0f;
   Vec3f mirror{0.0f};

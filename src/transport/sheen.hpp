@@ -33,7 +33,7 @@ class SheenAlbedo {
 
  private:
   static constexpr int kSize = 32;                            ///< entries per dimension
-  using Table = std::array<std::array<float, kSize>, kSize>;  ///< [roughness][cosine]
+  using Table = std::array<std::array<float, kSize>, kSize>;  ///< indexed by [roughness][cosine]
   static Table integrated();
 
   mutable std::once_flag once_;

@@ -10,7 +10,7 @@
 namespace lippmann {
 
 struct ThinFilm {
-  float ior = 1.3f;  ///< >= 1
+  float ior = 1.3f;  ///< index of refraction, >= 1
   float thickness_nm = 400.0f;
 };
 

@@ -44,12 +44,12 @@ TEST(LiftedNormal, mirrors_any_view_above_the_facet) {
   for (int i = 0; i < 2000; ++i) {
     const Vec3f view = upwards(random), normal = upwards(random), z(0, 0, 1), got = lifted_normal(normal, {0, 0, 0.1f}, view);
     const float height = std::min(0.9f * view.z, 0.01f);
-    EXPECT_GE(mirrored_at(got, view).z, height - 1e-6f);  // single precision
+    EXPECT_GE(mirrored_at(got, view).z, height - 1e-6f);  // tolerance: single precision
     EXPECT_GT(glm::dot(got, view), 0.0f);
     EXPECT_NEAR(glm::length(got), 1.0f, 1e-5f);
     if (got == normal) continue;
     ++lifted;
-    EXPECT_NEAR(mirrored_at(got, view).z, height, 1e-6f);                  // lifted no further than necessary
+    EXPECT_NEAR(mirrored_at(got, view).z, height, 1e-6f);                  // not lifted further than necessary
     EXPECT_NEAR(glm::dot(glm::cross(normal, z), got), 0.0f, 1e-5f);        // in the plane of the given and the facet's normal
     EXPECT_GE(glm::dot(got, z), normal.z - 1e-6f);                         // closer to the facet's normal than the given normal
     EXPECT_GE(glm::dot(glm::cross(z, normal), glm::cross(z, got)), 0.0f);  // on the same side of the facet's normal

@@ -112,8 +112,8 @@ TEST(LightTree, draws_front_faces_of_closed_bodies) {
   EXPECT_NEAR(tree.probability(0, {}) + tree.probability(1, {}), 1.0f, 1e-6f);
 }
 
-// Fading: half-way between the cosines of outer and inner cone, it is (1/2)^2 = 1/4. The second lamp is seen there, and the
-// first along its axis. The first thus has probability 1 / (1 + 1/4) = 0.8.
+// Half-way between the cosines of outer and inner cone, a lamp fades to (1/2)^2 = 1/4. The second lamp is seen at this angle,
+// and the first along its axis. The first thus has probability 1 / (1 + 1/4) = 0.8.
 TEST(LightTree, draws_spots_by_their_falloff) {
   std::vector<TreeLight> lights{lamp({0, 0, 1}), lamp({1, 0, 0})};
   for (TreeLight& light : lights) light.half_angle = 0.5f * kPi, light.inner_angle = 0.0f;
@@ -123,8 +123,8 @@ TEST(LightTree, draws_spots_by_their_falloff) {
 }
 
 // Each cluster has sixteen lamps, each of which emits into a half space. By Legendre polynomials up to degree 2, the mean
-// emission of lamps with the same axis is 1/2 + 3/4 x, where x is the cosine to the axis. If all point towards the receiver,
-// this is 1.25. If every other lamp points away, the mean is 1/2 in all directions.
+// emission of lamps with the same axis is 1/2 + 3/4 x, where x is the cosine to the axis. In the first cluster, all lamps point
+// towards the receiver, so the mean is 1.25. In the second, every other lamp points away, so the mean is 1/2 in all directions.
 TEST(LightTree, draws_clusters_of_spots_by_their_mean) {
   std::vector<TreeLight> lights;
   for (int l = 0; l < 32; ++l) {

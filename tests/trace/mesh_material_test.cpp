@@ -22,7 +22,6 @@ Texture row_of(std::initializer_list<int> greys, int alpha = 255) {
   return t;
 }
 
-/// A surface that shows only its base colour.
 MetallicRoughness unlit() {
   MetallicRoughness s;
   s.unlit = true;

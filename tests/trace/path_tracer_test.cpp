@@ -1,5 +1,5 @@
 // Path-traced light, compared with theory. The camera is at (0, 0, 10) and sees the square from -2 to 2 in x and y at z = 0.
-// kNearby scales both by 1/10.
+// kNearby scales the camera's distance and the square by 1/10.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -66,7 +66,7 @@ TEST(Project, cylinder_uses_height_and_distance) {
   ImageProjection p = projection(ProjectionKind::kCylinder);
   p.scale = {2.0f, 3.0f, 0.0f};
   const ProjectedPoint at = project(p, {13, 24.1f, 30}, 40.0f);  // |q| = hypot(3, 4.1)
-  // V scale = 4.1 x 3 = 12.3; the tolerance is larger because a float keeps only 6 digits of it.
+  // v is the fraction of V scale.y = 4.1 x 3 = 12.3, of which a float keeps only 6 digits.
   EXPECT_NEAR(at.v, 0.3f, 1e-5f);
   EXPECT_NEAR(at.blur, 0.05f * 40.0f / (8.0f * std::hypot(3.0f, 4.1f)) * 3.0f, kProjectionRounding);
 }

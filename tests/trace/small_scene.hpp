@@ -63,7 +63,6 @@ inline void expect_color(Vec3f got, Vec3f expected, float tolerance = 2e-5f) {
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(got[c], expected[c], tolerance) << "channel " << c;
 }
 
-/// Sets a uniform background.
 inline void surround(SmallScene& s, Vec3f light) { s.scene.background.horizon = s.scene.background.zenith = light; }
 
 /// Returns a surface that shows its colour regardless of the light.

@@ -1,4 +1,5 @@
-// Blocks of a frame. Traced alone, they equal those of the whole frame. They record which boxes their rays hit.
+// Blocks of a frame. A block traced alone equals the same block of the whole frame. Each block records which boxes its rays
+// hit.
 #include <gtest/gtest.h>
 
 #include "lippmann/optics/optics.hpp"

@@ -300,7 +300,7 @@ TEST(Whitted, glass_slabs_shift_by_snells_law) {
   s.add(ramp, s.material(glow));
   const Picture p = trace(s.scene, single_view(kSize));
   const float x0 = 4.0f * 16.0f / 33.0f;  // x at which the last pixel's ray meets z = 0
-  const float slope = x0 / 10.0f;         // tangent of the angle a
+  const float slope = x0 / 10.0f;         // tangent of the ray's angle a to the slab's normal
   const float sine = slope / std::sqrt(1.0f + slope * slope), inside = std::tan(std::asin(sine / 1.5f));
   const float x = slope * (10.0f - 4.0f) + inside * 4.0f + slope * 1.0f;
   // The texture has a step of 40 / 256 per texel. The tolerance is below half a step.

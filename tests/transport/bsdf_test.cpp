@@ -12,7 +12,6 @@ namespace {
 using test::albedo;
 using test::kNormal;
 
-/// Returns a direction at this angle from the normal.
 Vec3f view_at(float degrees_from_normal) {
   return Basis(kNormal).to_world({std::sin(radians(degrees_from_normal)), 0.0f, std::cos(radians(degrees_from_normal))});
 }

@@ -35,7 +35,7 @@ Environment::Density density_of(const Environment& e, Vec3f direction) {
 TEST(Environment, a_panorama_lies_as_documented) {
   Background b = panorama(8, 4, [](int x, int y) { return Vec3f(static_cast<float>(x), static_cast<float>(y), 1.0f); });
   const Environment e(b);
-  const float turn = radians(22.5f);  // half of a column
+  const float turn = radians(22.5f);  // half of the width of a column
   const Vec3f x_axis = e.radiance({std::cos(turn) * std::cos(turn), std::sin(turn), std::sin(turn) * std::cos(turn)});
   EXPECT_NEAR(x_axis.x, 4.0f, 1e-4f);
   EXPECT_NEAR(x_axis.y, 1.0f, 1e-4f);  // the centre of row 1 is 22.5 degrees above the horizon

@@ -63,7 +63,7 @@ TEST(GgxAlbedo, agrees_with_quadrature) {
 TEST(GgxAlbedo, of_smooth_surfaces_is_fresnels) {
   const Vec3f single = albedo().single(0.5f, 0.0f);
   EXPECT_NEAR(single.x + single.y, 1.0f, 1e-3f);
-  EXPECT_NEAR(single.y, 0.03125f, 2e-3f);  // (1 - 0.5)^5
+  EXPECT_NEAR(single.y, 0.03125f, 2e-3f);  // Schlick's weight (1 - 0.5)^5
 }
 
 TEST(GgxAlbedo, compensated_white_conserves_energy) {

@@ -47,7 +47,8 @@ TEST(Ggx, facets_follow_their_density) {
 }
 
 TEST(Fresnel, of_glass_is_known_at_three_angles) {
-  EXPECT_NEAR(fresnel_dielectric(1.0f, 1.5f), 0.04f, 1e-6f);  // ((1.5 - 1) / (1.5 + 1))^2
+  // Reflectance at normal incidence: ((1.5 - 1) / (1.5 + 1))^2 = 0.04.
+  EXPECT_NEAR(fresnel_dielectric(1.0f, 1.5f), 0.04f, 1e-6f);
   // At Brewster's angle, whose tangent is 1.5, no parallel light is reflected. The perpendicular part is ((1.5^2 - 1) / (1.5^2
   // + 1))^2 = 0.147929. The reflectance is half of it.
   EXPECT_NEAR(fresnel_dielectric(std::cos(std::atan(1.5f)), 1.5f), 0.5f * 0.147929f, 1e-5f);

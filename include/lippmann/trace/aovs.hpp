@@ -37,12 +37,12 @@ enum class Provenance : std::uint8_t {
   kTraced,
   kCopied,        ///< copied from a key frame, because the pixel provably has not changed
   kInterpolated,  ///< interpolated from points of other frames
-  kFilled,        ///< missed, and filled from neighbouring pixels
-  kRetraced,      ///< missed, and traced
-  kBlack,         ///< missed, and left black in the image
+  kFilled,        ///< missed, then filled from neighbouring pixels
+  kRetraced,      ///< missed, then traced
+  kBlack,         ///< missed, then left black
 };
 struct ProvenanceInfo {
-  std::string_view name{};  ///< name of the value for users
+  std::string_view name{};  ///< name that users see
   bool missed{};
 };
 /// The names in the order of Provenance.

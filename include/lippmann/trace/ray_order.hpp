@@ -5,7 +5,7 @@ namespace lippmann {
 
 /// The order in which the pixels of a frame are traced. Images do not depend on it.
 enum class RayOrder {
-  kRows,       ///< row by row
+  kRows,
   kColumns,    ///< column by column below each lens
   kViewTiles,  ///< tiles of one directional view, whose rays all have nearly the same direction
 };
