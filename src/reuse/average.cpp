@@ -10,12 +10,13 @@
 namespace lippmann {
 namespace {
 
-constexpr std::size_t kStripPixels = 8192;  // number of pixels processed at a time
+constexpr std::size_t kStripPixels = 8192;  // number of pixels per task
 
-constexpr std::size_t kAveragedBlock = 64;  // pixels; the compiler vectorises loops of this fixed length
+// Number of pixels averaged together. The compiler vectorises loops of this fixed length.
+constexpr std::size_t kAveragedBlock = 64;
 
-/// Computes a + weight_b (b - a), which preserves the bits of equal inputs. `count` is 3, or 4 if the next float may be read
-/// and written, too.
+/// Sets out = a + weight_b (b - a), which preserves the bits of equal inputs. `count` is 3. If one more float may be read and
+/// written, a `count` of 4 is faster.
 template <std::size_t count>
 LIPPMANN_INLINE void mix(const float* color_a, const float* color_b, float weight_b, float* out) {
   float a[count], b[count], mixed[count];
@@ -32,15 +33,16 @@ struct Landed {
   const float* color(std::uint64_t key) const { return film + 3 * std::size_t{SplatBuffer::source(key)}; }
 };
 
-/// Mixes the colours of pixels first ... end without branches, which would be unpredictable. Lists, in ascending order, the
-/// pixels that must be computed separately: those without a point from both frames, those whose colour changes, and some at the
-/// end of the range. Returns the number of listed pixels. `special` must have room for all pixels.
+/// Mixes the colours of pixels first ... end - 1 without branches, because the branches would be unpredictable. Writes to
+/// `special` the ascending indices of pixels whose colours must be computed separately. A pixel is special if a source has no
+/// point there, if its colour changes beside the sample, or if it is left over at the end of the range. Returns the number of
+/// special pixels. `special` must have room for end - first entries.
 LIPPMANN_MULTIVERSION std::size_t mix_plainly(const Landed& a, const Landed& b, float weight_b, std::size_t first,
                                               std::size_t end, Image& film, std::uint32_t* special) {
   const std::uint64_t *keys_a = a.keys, *keys_b = b.keys;
   const float *film_a = a.film, *film_b = b.film;
-  const auto last =
-      static_cast<std::uint32_t>(film.data.size() / 3 - 1);  // the last pixel has no next float to read; kNoSource is larger
+  // mix<4>() reads one float after a colour, so it must not read the last pixel. kNoSource is larger than `last`.
+  const auto last = static_cast<std::uint32_t>(film.data.size() / 3 - 1);
   std::size_t count = 0, p = first;
   for (; p + kAveragedBlock < end; p += kAveragedBlock) {
     alignas(64) std::uint32_t source_a[kAveragedBlock], source_b[kAveragedBlock], is_special[kAveragedBlock];
@@ -52,7 +54,7 @@ LIPPMANN_MULTIVERSION std::size_t mix_plainly(const Landed& a, const Landed& b, 
       is_special[i] = nearest_last >= last ? 1u : changes;
       source_a[i] = at_a < last ? at_a : 0u, source_b[i] = at_b < last ? at_b : 0u;
     }
-    for (std::size_t i = 0; i < kAveragedBlock; ++i) {  // prefetch the colours of the whole block
+    for (std::size_t i = 0; i < kAveragedBlock; ++i) {
       __builtin_prefetch(film_a + 3 * std::size_t{source_a[i]});
       __builtin_prefetch(film_b + 3 * std::size_t{source_b[i]});
     }
@@ -67,7 +69,7 @@ LIPPMANN_MULTIVERSION std::size_t mix_plainly(const Landed& a, const Landed& b, 
   return count;
 }
 
-/// Interpolated colours of one frame, for pixels whose colour changes between neighbouring samples.
+/// The interpolated colours of one source frame, for pixels whose colours change between neighbouring samples.
 class ColorsBetween {
  public:
   ColorsBetween(const SplatSource& source, const EpipolarSampler* sampler, std::span<const std::uint32_t> pixels) {
@@ -84,7 +86,8 @@ class ColorsBetween {
     next_ = colors_.get();
   }
 
-  /// Returns the colour of the next pixel. Call this once per pixel, in order.
+  /// Returns the colour of the next pixel: `plain`, or the interpolated colour if the pixel's colour changes. Call this once
+  /// per pixel, in the order of the constructor's `pixels`.
   const float* next_or(std::uint64_t key, const float* plain) {
     const bool changes = next_ && SplatBuffer::color_changes(key);
     const float* color = changes ? next_ : plain;
@@ -97,7 +100,7 @@ class ColorsBetween {
   const float* next_ = nullptr;
 };
 
-/// Computes the colours of pixels first ... end and appends missed pixels.
+/// Computes the colours of pixels first ... end - 1. Appends the missed pixels to `missed`.
 void average_strip(const SplatSource& previous, const SplatSource& following, const EpipolarSampler* sampler, std::size_t first,
                    std::size_t end, Image& film, std::vector<std::uint32_t>& missed) {
   const Landed a(previous), b(following);
@@ -122,7 +125,7 @@ struct MovedPoint {
   std::uint32_t object = kMissedObject;
 };
 
-/// Returns the point that has landed on a pixel. The key gives its depth at the new moment.
+/// Returns the point that landed on a pixel. Its depth is the depth at the new moment.
 MovedPoint moved_point(const SplatSource& source, std::size_t pixel) {
   const std::uint64_t key = source.landed.keys[pixel];
   if (key == 0) return {};

@@ -1,10 +1,9 @@
-// Computes the colours of an in-between frame as the weighted mean of the colours of points projected from the previous and the
-// following frame.
+// Computes the colours of an in-between frame from the projected points of the previous and the following frame.
 //
-// Based on the paper's interpolation: if points of both frames land on a pixel, its colour is the mean of their colours. If
-// only one point does, the pixel gets its colour. Without a point, the pixel is missed (status -1). This implementation
-// deviates in one point: the frame nearer in time has more weight (see in_between.cpp). Half way, which is the only case in the
-// paper's recursion, the weights are equal.
+// Based on the paper's interpolation. If points of both frames land on a pixel, the pixel's colour is the weighted mean of
+// their colours. If one point lands, the pixel gets that point's colour. If no point lands, the pixel is missed (status -1). We
+// deviate: the frame nearer in time has a larger weight (see in_between.cpp). The paper's recursion needs only the weights half
+// way between two frames, which are equal.
 #pragma once
 
 #include <cstdint>
@@ -18,22 +17,23 @@
 
 namespace lippmann {
 
-/// A source frame of colours, and its points as they land on the pixels of the new frame.
+/// A source frame, and its points projected to the new frame.
 struct SplatSource {
   const PointImage& image;
   const Motion& motion;
   const SplatBuffer& landed;
-  float weight = 0.5f;  ///< weight of its colour; the weights of both sources add up to 1
+  /// Weight of the colours of this source. The weights of both sources add up to 1.
+  float weight = 0.5f;
 };
 
-/// Fills `film` (of the panel's size; missed pixels are black) and `missed` (ascending pixel indices). With a sampler, changing
-/// colours are interpolated between the samples; both images must have its contrast. Without a sampler, pixels get the colours
-/// of the points that land on them.
+/// Sets `film` to the averaged colours and `missed` to the missed pixels (ascending). `film` must have the panel's size. Missed
+/// pixels become black. With a sampler, changing colours are interpolated between samples; both images then need
+/// PointImage::contrast. Without a sampler, pixels get the colours of the points that land on them.
 void average(const SplatSource& previous, const SplatSource& following, const EpipolarSampler* sampler, const ThreadPool& pool,
              Image& film, std::vector<std::uint32_t>& missed);
 
-/// Computes the points that belong to the averaged colours, so that the frame can be the source of other frames. Each point
-/// lies on its pixel's ray: at the mean depth of both points if they belong to one object, otherwise at the depth of the point
+/// Computes the points of the averaged frame, so that the frame can be a source of other frames. Each point lies on the ray of
+/// its pixel. If both landed points belong to one object, the result has their mean depth. Otherwise the result is the point
 /// nearer to the viewer. Missed pixels get kMissedObject.
 void average_points(const SplatSource& previous, const SplatSource& following, const ThreadPool& pool, PrimaryPoints& points);
 

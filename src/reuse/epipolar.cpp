@@ -9,11 +9,15 @@
 namespace lippmann {
 namespace {
 
-constexpr float kContrast = 0.15f;  // share of the image's range; smaller colour steps are not worth the search
-constexpr int kViews = 3;           // number of views searched on each side
-constexpr float kViewCost = 0.03f;  // penalty in lenses per view of distance
-constexpr float kExact = 1e-3f;     // in lenses; points that land closer to the sample's centre use its colour
-constexpr float kFar = 9.0f;        // in lenses; farther than any candidate
+// Smallest colour step that is interpolated, as a fraction of the image's range. The search is too slow for smaller steps.
+constexpr float kContrast = 0.15f;
+constexpr int kViews = 3;  // number of views searched on each side
+// Penalty for each view between the pixel's view and a sample's view. Counts as a distance, in lenses.
+constexpr float kViewCost = 0.03f;
+// A point that lands closer than this to the sample's centre uses the sample's colour unchanged. In lenses.
+constexpr float kExact = 1e-3f;
+// Cost of a missing candidate, in lenses. Larger than the cost of any candidate.
+constexpr float kFar = 9.0f;
 
 template <class T>
 LIPPMANN_INLINE void gather(const T* from, const std::int32_t* index, T* to) {
@@ -32,10 +36,12 @@ struct alignas(64) Ids {
   std::uint32_t v[kPointLanes];
 };
 
-/// The best candidate on one side of the place searched for.
+/// The best sample on one side of the position `place`.
 struct Side {
-  Floats cost;   ///< distance from the place in lenses, plus the penalty for the view's distance
-  Floats extra;  ///< the penalty for the distance of the view; included in `cost`
+  /// Distance from `place` in lenses, plus the penalty for the distance between views.
+  Floats cost;
+  /// The penalty that `cost` includes.
+  Floats extra;
   Floats column;
 };
 
@@ -46,7 +52,7 @@ LIPPMANN_INLINE void take_if(bool better, float cost, float extra, float column,
   side.column.v[i] = better ? column : old_column;
 }
 
-/// The best sample of other views on one side of the place searched for.
+/// The best sample of the other views on one side of the position `place`.
 struct Candidate {
   Floats cost, column;
 };
@@ -57,23 +63,26 @@ LIPPMANN_INLINE void offer(float cost, float column, Candidate& best, int i) {
   best.column.v[i] = cost < old_cost ? column : old_column;
 }
 
-/// The state of a search for kPointLanes colours. Each step fills the inputs of the next one.
+/// The state of a search for kPointLanes colours. Each step fills the inputs of the next step.
 struct Search {
   Ints source, row_begin;  ///< pixel of the sample, and first pixel of its row
-  Floats row, column;      ///< position of the sample's pixel
-  Floats beside, behind;   ///< column of the sample's neighbour, and of the one of the two that is farther from the viewer
+  Floats row, column;      ///< row and column of the sample's pixel
+  /// beside: column of the next sample of the same view. behind: column of the sample or of the next sample, whichever is
+  /// farther from the viewer.
+  Floats beside, behind;
   Ids object, object_beside, layer;
-  Floats view, place,
-      off;  ///< place: where the match is searched for, in samples of the view; off: offset of the projected point from the
-            ///< centre of its nearest sample
-  Floats slope;      ///< slope of the view's rays
-  Floats depth;      ///< depth of the layer, mm
-  Floats per_view;   ///< shift of the layer's points from view to view, in samples
-  Side left, right;  ///< the best samples of the pixel's own view, later of all views
+  /// view: number of the view. place: position in the view whose colour is searched. off: offset of the projected point from
+  /// the centre of its nearest sample. Positions and offsets are in samples.
+  Floats view, place, off;
+  Floats slope;     ///< slope of the rays of the view
+  Floats depth;     ///< depth of the layer, mm
+  Floats per_view;  ///< shift of a point of the layer from view to view, in samples
+  /// At first the samples of the pixel's own view, later the best samples of all views.
+  Side left, right;
   Candidate other_left, other_right;
 };
 
-/// The two pixels between which a colour is interpolated.
+/// The two pixels whose colours are interpolated.
 struct Samples {
   Ints left, right;
   Floats left_weight;
@@ -89,8 +98,8 @@ EpipolarSampler::EpipolarSampler(const Optics& optics, Encoding encoding)
 namespace {
 
 /// Sets differs[x] if floats x and x + ahead of a row differ by more than about kContrast of the image's range.
-/// Display-referred films are compared by value. Linear films are compared by their square roots: |sqrt(a) - sqrt(b)| > c is
-/// nearly equivalent to (a - b)^2 > 2 c^2 (a + b).
+/// Display-referred films are compared by value. Linear films are compared by square root: |sqrt(a) - sqrt(b)| > c is almost
+/// equivalent to (a - b)^2 > 2 c^2 (a + b), which needs no roots.
 LIPPMANN_MULTIVERSION void compare_floats(const float* row, int count, int ahead, bool linear, std::uint32_t* differs) {
   const float fixed = linear ? 0.0f : kContrast * kContrast, relative = linear ? 2.0f * kContrast * kContrast : 0.0f;
   for (int x = 0; x < count; ++x) {
@@ -100,7 +109,8 @@ LIPPMANN_MULTIVERSION void compare_floats(const float* row, int count, int ahead
   }
 }
 
-/// `differs` must have room for the row's floats.
+/// Fills one row of PointImage::contrast. `step` is the distance in pixels to the next sample of a view. `differs` is a buffer
+/// for 3 width values.
 LIPPMANN_MULTIVERSION void contrast_of_row(const float* colors, int width, int step, bool linear, std::uint32_t* differs,
                                            std::uint8_t* contrast) {
   const int pairs = std::max(0, width - step);
@@ -129,11 +139,11 @@ void EpipolarSampler::find_contrast(PointImage& image, const ThreadPool& pool) c
 
 namespace {
 
-/// The place and slope of a pixel's rays (see GridLanding), computed from its lens and view.
+/// Computes the position and slope of a pixel's rays from the pixel's lens and view. `place` and `slope` are those of GridLine.
 struct SampleAxis {
-  float per_lens, per_pixel;  ///< pixels per lens, and its inverse
-  float place, pitch;         ///< position of lens 0, and distance between lenses, mm
-  float slope, slope_per_px;  ///< slope of view 0, and step between views
+  float per_lens, per_pixel;  ///< pixels per lens, and lenses per pixel
+  float place, pitch;         ///< position of lens 0, and distance between lenses, in mm
+  float slope, slope_per_px;  ///< slope of view 0, and difference between neighbouring views
 };
 
 struct Sample {
@@ -145,7 +155,7 @@ LIPPMANN_INLINE Sample sample_at(const SampleAxis& axis, float pixel) {
   return {lens, view, axis.place + lens * axis.pitch, axis.slope + view * axis.slope_per_px};
 }
 
-/// Makes an axis from the functions `place` and `slope` of a pixel.
+/// Returns the axis whose pixels have the positions place(pixel) and the slopes slope(pixel).
 template <class Place, class Slope>
 SampleAxis sample_axis(const GridScale& scale, int pixels, const Place& place, const Slope& slope) {
   const int step = static_cast<int>(scale.step);
@@ -154,7 +164,6 @@ SampleAxis sample_axis(const GridScale& scale, int pixels, const Place& place, c
           slope(0),   step > 1 ? (slope(step - 1) - slope(0)) / static_cast<float>(step - 1) : 0.0f};
 }
 
-/// Constants of the grid of samples.
 struct Constants {
   float samples_per_mm, shift, vergence, width;
   SampleAxis columns, rows;
@@ -173,18 +182,19 @@ struct Constants {
             [&](int j) { return grid.lines[static_cast<std::size_t>(j)].slope; })) {}
 };
 
-/// Returns the coordinate of a point in a view, in samples. The centre of sample k is at k + 0.5.
+/// Returns the coordinate of a point (x, z) in a view whose rays have the slope `slope`. The unit is samples. The centre of
+/// sample k is at k + 0.5.
 LIPPMANN_INLINE float coordinate(const Constants& c, float x, float z, float slope) {
   return (x + slope * z) / (1.0f - z * c.vergence) * c.samples_per_mm + c.shift;
 }
 
-/// Sets the rows and columns of the source pixels.
+/// Sets the rows and columns of the source pixels and resets the candidates.
 LIPPMANN_INLINE void start(const Constants& c, const std::uint32_t* sources, Search& s) {
   const std::int32_t width = static_cast<std::int32_t>(c.width);
   const double rows_per_pixel = 1.0 / static_cast<double>(c.width);
   for (int i = 0; i < kPointLanes; ++i) {
     const std::int32_t source = static_cast<std::int32_t>(sources[i]);
-    // exact, because the value is always at least half a pixel away from an integer
+    // This is exact, because the value before rounding is at least half a pixel away from an integer row.
     const std::int32_t row = static_cast<std::int32_t>((static_cast<double>(source) + 0.5) * rows_per_pixel);
     s.source.v[i] = source;
     s.row_begin.v[i] = row * width;
@@ -194,7 +204,7 @@ LIPPMANN_INLINE void start(const Constants& c, const std::uint32_t* sources, Sea
   }
 }
 
-/// Looks up the depths and objects of the pixels at the given columns.
+/// Sets z and object to those of the pixels at the given columns.
 LIPPMANN_INLINE void look_up(const PrimaryPoints& points, const Ints& row_begin, const Floats& column, Floats& z, Ids& object) {
   Ints pixel;
   for (int i = 0; i < kPointLanes; ++i) pixel.v[i] = row_begin.v[i] + static_cast<std::int32_t>(column.v[i]);
@@ -202,8 +212,8 @@ LIPPMANN_INLINE void look_up(const PrimaryPoints& points, const Ints& row_begin,
   gather(points.object.data(), pixel.v, object.v);
 }
 
-/// Step 1. Computes the offset of the projected point from its sample's centre, and finds the sample of the same view on the
-/// other side of the place.
+/// Step 1 of the header. Computes the offset of the projected point from its sample's centre. Also finds the next sample of the
+/// same view on the side of the searched position.
 LIPPMANN_INLINE void locate(const Constants& constants, const PrimaryPoints& points, const Motion& motion, Search& s) {
   const Constants c = constants;
   Positions p;
@@ -233,7 +243,7 @@ LIPPMANN_INLINE void locate(const Constants& constants, const PrimaryPoints& poi
   }
 }
 
-/// Selects the layer, which is that of the sample or of its neighbour, whichever is nearer to the viewer.
+/// Step 2. Chooses the layer: the surface of the sample, or of the sample beside it, whichever is nearer to the viewer.
 LIPPMANN_INLINE void choose_layer(const Constants& constants, const PrimaryPoints& points, Search& s) {
   const Constants c = constants;
   Floats z_beside;
@@ -259,8 +269,8 @@ LIPPMANN_INLINE void choose_layer(const Constants& constants, const PrimaryPoint
   }
 }
 
-/// Step 2. Considers the view `step` views to the right: its samples on both sides of the place become candidates, at the
-/// layer's depth.
+/// Step 3. Offers the samples of the view `step` views to the right. The candidates are its samples to the left and to the
+/// right of the searched position, assuming the layer's depth.
 LIPPMANN_INLINE void offer_view(const Constants& constants, float step, Search& s) {
   const Constants c = constants;
   const float extra = std::abs(step) * kViewCost;
@@ -275,8 +285,8 @@ LIPPMANN_INLINE void offer_view(const Constants& constants, float step, Search& 
   }
 }
 
-/// Step 3. Looks up the best sample of other views on one side (-1 left, 1 right). Takes that sample if it is better than the
-/// samples of the pixel's own view.
+/// Step 4. Looks up the best sample of the other views on one side (`side` is -1 for left and 1 for right). Takes this sample
+/// if it is better than the samples of the pixel's own view.
 LIPPMANN_INLINE void look_at(const Constants& constants, const PrimaryPoints& points, const Candidate& best, float side,
                              Search& s) {
   const Constants c = constants;
@@ -289,7 +299,7 @@ LIPPMANN_INLINE void look_at(const Constants& constants, const PrimaryPoints& po
     const float extra = std::abs(there.view - s.view.v[i]) * kViewCost;
     const float x = position_on_line(there.place, there.slope, c.vergence, z.v[i]);
     const float r = coordinate(c, x, z.v[i], s.slope.v[i]) - s.place.v[i];
-    // One condition per selection, so that the compiler vectorises the loop.
+    // Each selection uses a single condition, because the compiler vectorises only such loops.
     float as_end = s.object.v[i] != s.object_beside.v[i] ? cost_there : kFar;
     as_end = depth_or_behind_all(z.v[i], id.v[i]) <= s.depth.v[i] ? as_end : kFar;
     as_end = id.v[i] != kMissedObject ? as_end : kFar;
@@ -303,8 +313,8 @@ LIPPMANN_INLINE void look_at(const Constants& constants, const PrimaryPoints& po
   }
 }
 
-/// Step 4. Computes the weights of both samples from their distances, without view penalties. Background has no position, so it
-/// keeps the sample's colour.
+/// Step 5. Computes the weights of the left and right sample from their distances without the penalties. A background point has
+/// no position, so it keeps the sample's colour.
 LIPPMANN_INLINE void weigh(const Search& s, Samples& out) {
   for (int i = 0; i < kPointLanes; ++i) {
     const bool exact = (std::abs(s.off.v[i]) < kExact) | (s.object.v[i] >= kMissedObject);

@@ -8,7 +8,8 @@
 namespace lippmann {
 namespace {
 
-constexpr double kNormal99 = 2.326;  // one-sided normal quantile; the header explains why 99 % and not 95 %
+// The 99 % normal quantile (one-sided). The header explains why it is not the 95 % quantile.
+constexpr double kNormal99 = 2.326;
 
 constexpr std::array<std::uint8_t, 256> kLevels = [] {
   std::array<std::uint8_t, 256> levels{};
@@ -20,7 +21,7 @@ constexpr std::array<std::uint8_t, 256> kLevels = [] {
   return levels;
 }();
 
-/// Tracks the position of the next sample within the current run of each level.
+/// Chooses the held-out patch of each run (see the header). Tracks the current run of every level.
 class Runs {
  public:
   Runs(std::uint32_t length, std::uint32_t seed, int frame)
@@ -28,7 +29,7 @@ class Runs {
     for (std::uint32_t level = 0; level < kUncertaintyLevels; ++level) begin(level);
   }
 
-  /// Returns whether the next patch of a level is the sample of its run.
+  /// Returns whether the next patch of a level is the held-out patch of its run.
   bool draw(std::uint32_t level) {
     Run& run = runs_[level];
     const bool drawn = run.place == run.sample;

@@ -7,11 +7,12 @@
 namespace lippmann {
 namespace {
 
-/// Sets how the two frames are weighted: equally (0), by nearness in time (1), or in between. Nearness lets light and shadow
-/// change evenly; equal weights average out sampling errors of both frames. An intermediate value has the lowest error.
+/// How strongly the nearer frame is preferred. With 0, both frames have equal weights, which averages out their sampling
+/// errors. With 1, the weights follow the distance in time, so that light and shadow change evenly. The value between has the
+/// lowest error.
 constexpr float kNearness = 0.7f;
 
-/// Returns the weight of the following frame for a position between the two frames.
+/// Returns the weight of the following frame. `position` is 0 at the previous frame and 1 at the following frame.
 float weight_at(float position) { return 0.5f + kNearness * (position - 0.5f); }
 
 bool has_size(const Image& film, Vec2i size) { return film.width == size.x && film.height == size.y && film.channels == 3; }
@@ -21,7 +22,7 @@ Provenance provenance_of_missed(MissedFill fill) {
   return kByFill[static_cast<std::size_t>(fill)];
 }
 
-/// Marks the traced pixels of a predicted frame.
+/// Updates the provenance of pixels that were traced in a predicted frame.
 void mark_traced(std::span<const std::uint32_t> pixels, std::vector<std::uint8_t>& provenance) {
   for (const std::uint32_t pixel : pixels) {
     const bool missed = provenance[pixel] == static_cast<std::uint8_t>(Provenance::kFilled);
@@ -29,7 +30,7 @@ void mark_traced(std::span<const std::uint32_t> pixels, std::vector<std::uint8_t
   }
 }
 
-/// Blends two images. Equal inputs keep their bits.
+/// Blends two images. Values that are equal in both images keep their bits.
 void blend(const Image& a, const Image& b, float weight_b, const ThreadPool& pool, Image& film) {
   constexpr std::size_t kPiece = std::size_t{1} << 15;
   const std::size_t values = film.data.size();
@@ -57,7 +58,7 @@ InBetweenMaker::InBetweenMaker(const Scene& scene, const Optics& optics, const F
 }
 
 Image& InBetweenMaker::film_of(PointImage& frame) const {
-  // an image of the right size is reused because each pixel is overwritten
+  // A film of the right size is not cleared, because every pixel will be overwritten.
   if (!has_size(frame.film, film_size_)) frame.film = Image(film_size_.x, film_size_.y, 3);
   return frame.film;
 }

@@ -1,7 +1,8 @@
-// Makes one in-between frame from the point images of two others: projects points, averages colours and fills missed pixels.
+// Makes an in-between frame from the point images of two other frames. Projects their points, averages the colours and fills
+// missed pixels.
 //
-// Based on the paper's interpolated animation. The treatment of missed pixels follows S. J. Adelson, L. F. Hodges, "Generating
-// exact ray-traced animation frames by reprojection", IEEE Computer Graphics and Applications 15(3), 1995 (retrace).
+// Based on the paper's interpolated animation. Retracing missed pixels follows S. J. Adelson, L. F. Hodges, "Generating exact
+// ray-traced animation frames by reprojection", IEEE Computer Graphics and Applications 15(3), 1995.
 #pragma once
 
 #include <optional>
@@ -18,17 +19,20 @@ namespace lippmann {
 enum class Provenance : std::uint8_t;
 
 enum class SplatSampling {
-  kPixel,     ///< pixels get the colour of the point that lands anywhere within them, as in the paper
-  kEpipolar,  ///< changing colours are interpolated between samples (epipolar.hpp); only for arrays with whole pixels per lens
+  /// A pixel gets the colour of the point that lands anywhere within the pixel, as in the paper.
+  kPixel,
+  /// Where colours change, they are interpolated between samples (epipolar.hpp). Only for arrays with a whole number of pixels
+  /// per lens.
+  kEpipolar,
 };
 
 struct ForwardParams {
   SplatParams splat;
   SplatSampling sampling = SplatSampling::kEpipolar;
   MissedFill fill = MissedFill::kInterpolate;
-  std::optional<FloorParams> floor;       ///< for make_to_floor()
-  RayOrder order = RayOrder::kViewTiles;  ///< the order in which pixels are traced; only used with a floor
-  bool wants_provenance = false;          ///< whether PointImage::provenance of made frames is filled
+  std::optional<FloorParams> floor;       ///< only needed for make_to_floor()
+  RayOrder order = RayOrder::kViewTiles;  ///< order of traced pixels; only used with a floor
+  bool wants_provenance = false;          ///< whether made frames get PointImage::provenance
 };
 
 struct InBetweenCounts {
@@ -37,41 +41,43 @@ struct InBetweenCounts {
   std::uint64_t retraced = 0;
 };
 
-/// A frame's position between its two source frames.
+/// The two source frames of an in-between frame.
 struct SourcePair {
   const PointImage& previous;
   const PointImage& following;
-  float position;  ///< share of the way from the previous to the following frame, 0 ... 1
+  float position;  ///< time between the sources: 0 is the previous frame, 1 the following frame
 };
 
-/// Makes in-between frames and reuses memory from frame to frame. Use one object per animation; it is not thread-safe.
+/// Makes in-between frames. Reuses memory from frame to frame, so it is not thread-safe. Use one object per animation.
 class InBetweenMaker {
  public:
-  /// `scene` and `optics` must be those of the traced frames. With SplatMode::kLens, or optics that do not suit kEpipolar,
-  /// colours are sampled by kPixel.
+  /// `scene` and `optics` must be those of the traced frames. Colours are sampled as in kPixel if the mode is SplatMode::kLens,
+  /// or if the optics do not support kEpipolar.
   InBetweenMaker(const Scene& scene, const Optics& optics, const ForwardParams& params);
 
-  /// Completes a traced frame (film, points, moment), so that other frames can be made from it.
+  /// Adds the data that a source frame needs to a traced frame, which has film, points and moment.
   void prepare(PointImage& frame, const ThreadPool& pool) const;
 
-  /// Makes the film of the frame at frame.moment. If `as_source` is set, also fills the other data of a source frame.
+  /// Makes the film of the frame at frame.moment. If `as_source` is set, also makes the points and contrast that a source frame
+  /// needs. Returns the counts of missed pixels.
   InBetweenCounts make(const SourcePair& between, bool as_source, const TracePixels& trace, const ThreadPool& pool,
                        PointImage& frame);
 
-  /// Predicts the film of a traced frame, compares it with the traced film, and returns the evidence for other frames between
-  /// the same two. `number` is the frame's number in its animation. The previous frame must have ray counts.
+  /// Predicts the film of a traced frame and compares it with the traced film. Returns the errors and costs, which help to
+  /// predict other frames between the same sources. `number` is the frame's number in the animation. The previous frame must
+  /// have ray counts.
   FloorLesson learn_floor(const SourcePair& between, int number, const PointImage& traced, const ThreadPool& pool);
 
-  /// Makes the film of the frame with a PSNR of at least params.floor, or finds that tracing the whole frame costs less; then
-  /// the film is unusable.
+  /// Makes the film of the frame with a PSNR of at least params.floor. If tracing the whole frame would cost about the same or
+  /// less, returns an outcome whose `holds` is false. The film is then unusable.
   FloorOutcome make_to_floor(const SourcePair& between, int number, const Evidence& learned, const TracePackets& trace,
                              const ThreadPool& pool, PointImage& frame, InBetweenCounts& counts);
 
  private:
   Image& film_of(PointImage& frame) const;
-  /// Sets the provenance of a frame. The colours of the pixels in missed_ have the provenance `missed`.
+  /// Sets the provenance of a frame: `missed` for the pixels in missed_, kInterpolated for all others.
   void set_provenance(Provenance missed, PointImage& frame) const;
-  /// Fills frame.film with the prediction, and uncertainty_.
+  /// Sets frame.film to the prediction, and sets uncertainty_.
   void predict(const SourcePair& between, const ThreadPool& pool, PointImage& frame, InBetweenCounts& counts);
 
   ForwardParams params_;
@@ -85,7 +91,7 @@ class InBetweenMaker {
   std::vector<std::uint32_t> missed_;
   std::optional<UncertaintyEstimator> uncertainty_estimator_;
   std::optional<Patches> patches_;
-  Image from_previous_, from_following_;  ///< predictions from one key frame alone
+  Image from_previous_, from_following_;  ///< predictions from one source frame each
   std::vector<std::uint8_t> uncertainty_;
 };
 

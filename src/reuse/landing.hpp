@@ -1,23 +1,27 @@
-// Projects a moved point back to a pixel: in the same directional view, or below the same lens.
+// Projects a moved point back to a pixel. The point lands on the pixel that shows it, in the same directional view or below the
+// same lens as before.
 //
-// Both projections are closed-form inverses of the optics. A point lands on at most one pixel. (X, Y, Z) is the moved point in
-// display mm. Symbols as in optics/lens_axis.hpp: lens l, offset o of a pixel from the centre of its lens's cell, m / g,
-// viewing distance V, and the eye e to which the cells converge.
+// Both projections are closed-form inverses of the optics, so a point lands on at most one pixel. (X, Y, Z) is the moved point
+// in display mm. The symbols are those of optics/lens_axis.hpp: l is a lens position, o is the offset of a pixel from the
+// centre of its lens's cell, m / g is the slope per pixel of offset, V is the viewing distance, and e is the eye position to
+// which the cells converge.
 //
-// Same view (`SplatMode::kView`). Rays with one offset o below every lens form a parallel (V = inf) or perspective image of the
-// scene with one sample per lens: the ray through lens position l has the slope -o m/g - (l - e)/V, so the point is seen
-// through
+// Same view (`SplatMode::kView`). The rays with the same offset o below every lens form an image of the scene with one sample
+// per lens. The image is parallel if V is infinite, and perspective otherwise. The ray through lens position l has the slope -o
+// m/g - (l - e)/V. The point is therefore seen through
 //   l = (X + a Z) / (1 - Z/V),   a = o m/g - e/V
-// and belongs to the nearest lens. A row of a lenticular sheet and a view of a quilt follow the same formula with o = 0 and e
-// the height of the eye or the eye of the view. Without whole pixels per lens, the pixel of that lens nearest to the offset o
-// is used: on slanted sheets in the row where the point lands, in hexagonal cells within the cell.
+// and belongs to the nearest lens. Rows of a lenticular sheet and views of a quilt follow the same formula with o = 0. For
+// them, e is the height of the eye, or the eye of the view. If the number of pixels per lens is not whole, the point lands on
+// the pixel of that lens that is nearest to the offset o. On slanted sheets this pixel is in the row where the point lands; in
+// hexagonal arrays it is within the cell.
 //
 // Same lens (`SplatMode::kLens`, as in the paper). Lens l sees the point at the offset o = -((X - l)/Z + (l - e)/V) g/m in its
-// cell; outside the cell, the point is dropped. Very near the lens plane, where a shift by 1/1000 of a lens would move the
-// image through the whole cell, the point stays in its pixel. Single views and the views of a quilt have no lenses (and
-// lenticular sheets none along their axis); there both modes are the same.
+// cell. A point outside the cell is dropped. A point very near the lens plane stays in its pixel, because a shift by 1/1000 of
+// a lens would move its image through the whole cell. Single views and quilts have no lenses, and lenticular sheets have none
+// along their axis. There, both modes are the same.
 //
-// The functions are inlined into loops over the pixels of a row (splat.cpp), so that these vectorise.
+// The functions are inlined into the loops over the pixels of a row (splat.cpp), so that the compiler can vectorise these
+// loops.
 #pragma once
 
 #include <cmath>
@@ -32,36 +36,39 @@
 
 namespace lippmann {
 
-/// A projected position on one axis: the pixel index, below 0 if the point is not visible, and the point's offset from the
-/// centre of that pixel's sample. The offset is -0.5 ... 0.5 steps between samples of the same view (lenses or rows).
+/// The projected position of a point on one axis. `pixel` is an index, and is below 0 if the point is not visible. `off` is the
+/// point's offset from the centre of that pixel's sample. It ranges from -0.5 to 0.5 steps, where one step leads to the next
+/// sample of the same view (next lens or row).
 struct AxisLanding {
   float pixel, off;
 };
 
-/// A projected position on both axes. If the point is not visible, at least one index is below 0.
+/// The projected position of a point on both axes. If the point is not visible, at least one of `column` and `row` is below 0.
 struct PointLanding {
   float column, row, off_x, off_y;
 };
 
 inline constexpr float kNowhere = -1.0f;
 
-/// Written without branches and without bools in structs, because both prevent vectorisation.
+/// Returns the pixel, or kNowhere if the point is not seen. Has no branches and takes no bools in structs, because both prevent
+/// vectorisation.
 LIPPMANN_INLINE float pixel_if(bool seen, float pixel) { return seen ? pixel : kNowhere; }
 
-// ---- A regular grid: the samples of each view are a whole number of pixels apart ----------------------------------------
+// ---- Regular grids: neighbouring samples of a view are a whole number of pixels apart -----------------------------------
 
-/// One axis of a view: sample k = floor(l samples_per_mm + shift) is pixel first + k step, valid within low ... high.
+/// The samples of a view along one axis. A position l (mm) belongs to sample k = floor(l samples_per_mm + shift). Sample k is
+/// pixel first + k step, if this pixel is within low ... high.
 struct GridScale {
   float samples_per_mm, shift, step;
 };
 
 struct GridLine {
-  float place;  ///< where the pixel's rays cross z = 0, mm
-  float slope;  ///< a
+  float place;  ///< position at which the pixel's rays cross z = 0, in mm
+  float slope;  ///< the slope a in the formula at the top
   float first, low, high;
 };
 
-/// Returns the position of a pixel's ray at depth z.
+/// Returns the position at depth z on the ray of a pixel.
 LIPPMANN_INLINE float position_on_line(float place, float slope, float vergence, float z) {
   return place - z * (slope + place * vergence);
 }
@@ -74,22 +81,23 @@ LIPPMANN_INLINE AxisLanding land_on_grid(const GridScale& scale, const GridLine&
   return {pixel_if((pixel >= line.low) & (pixel <= line.high), pixel), t - k - 0.5f};
 }
 
-/// Landing for arrays with whole pixels per lens, quilts and single views.
+/// Landing rule for quilts, single views and arrays with a whole number of pixels per lens.
 struct GridLanding {
   struct Constants {
-    GridScale across, down;  ///< `down` counts along -y
-    float vergence;          ///< 1/V
+    GridScale across, down;  ///< rows count along -y
+    float vergence;          ///< 1/V, per mm
   };
   struct Row {
     Constants c;
-    const float *place, *slope, *first, *low, *high;  ///< by column
-    GridLine line;                                    ///< the rays of the row's pixels, in y
+    const float *place, *slope, *first, *low, *high;  ///< one entry per column
+    GridLine line;                                    ///< the line along y that all pixels of the row share
   };
 
   Constants c;
   int width;
-  std::vector<float> place, slope, first, low, high;  ///< by column; one set of `width` after another
-  std::vector<GridLine> lines;                        ///< by row
+  /// One entry per column. Rows with different directions have different sets of `width` entries, stored one after another.
+  std::vector<float> place, slope, first, low, high;
+  std::vector<GridLine> lines;  ///< one entry per row
   std::vector<int> set_of_row;
 
   Row row(int j, int i) const {
@@ -113,9 +121,9 @@ LIPPMANN_INLINE PointLanding land(const GridLanding::Row& r, int i, float x, flo
   return {pixel_if(from_eye > 0.0f, across.pixel), down.pixel, across.off, down.off};
 }
 
-// ---- Cells of any width -------------------------------------------------------------------------------------------------
+// ---- Lens arrays whose cells may have a fractional number of pixels -----------------------------------------------------
 
-/// A pixel's position on a lens axis.
+/// The position of a pixel on a lens axis.
 struct CellPlace {
   float lens;    ///< index of the lens
   float offset;  ///< distance from the centre of the lens's cell, in pixels
@@ -133,7 +141,8 @@ LIPPMANN_INLINE CellPlace place_in_cell(const LensAxis<float>& axis, float s_px)
 
 inline constexpr float kNotSeen = std::numeric_limits<float>::quiet_NaN();
 
-/// Lens and offset at which a moved point is seen; NaN if it is not visible.
+/// Lens and cell offset (in pixels) at which a moved point is seen. `offset` is NaN if the point is not visible. `off` is the
+/// distance of the point from the lens centre, in lenses.
 struct CellLanding {
   float lens, offset, off;
 };
@@ -146,7 +155,8 @@ LIPPMANN_INLINE CellLanding land_in_view(const LensAxis<float>& axis, CellPlace 
   return {lens, from_eye > 0.0f ? from.offset : kNotSeen, t - lens};
 }
 
-/// Returns the offset below the lens at which a point is seen. It may lie outside the lens's cell.
+/// Returns the offset from the cell's centre (in pixels) at which a lens shows a point. The offset may lie outside the lens's
+/// cell.
 LIPPMANN_INLINE float offset_below_lens(const LensAxis<float>& axis, CellPlace from, float x, float z) {
   const float l = axis.lens0_mm + from.lens * axis.pitch_mm;
   const bool in_plane = std::abs(z) * axis.slope_per_px * axis.cell_px <= 1e-3f * axis.pitch_mm;
@@ -165,14 +175,15 @@ LIPPMANN_INLINE CellLanding land_in_cells(const LensAxis<float>& axis, CellPlace
   return mode == SplatMode::kView ? land_in_view(axis, from, x, z) : land_below_lens(axis, from, x, z);
 }
 
-/// Returns the pixel that contains a position below a lens. At the edge of the cell, returns the nearest pixel whose centre
-/// lies within it. Pixels are 1 / per_pixel apart on the axis; pixel 0 begins at `begin`.
+/// Returns the pixel that contains a position below a lens. Only pixels whose centre lies within the lens's cell are returned;
+/// at the edge of the cell, this is the nearest such pixel. Pixels are 1 / per_pixel apart on the axis. Pixel 0 begins at
+/// `begin`.
 template <SplatMode mode>
 LIPPMANN_INLINE AxisLanding pixel_below_lens(const LensAxis<float>& axis, const CellLanding& at, float begin, float per_pixel) {
   const float cell = axis.start_px + at.lens * axis.cell_px - begin;
   const float place = (cell + 0.5f * axis.cell_px + at.offset) * per_pixel;
   const float first = std::ceil(cell * per_pixel - 0.5f), end = std::ceil((cell + axis.cell_px) * per_pixel - 0.5f);
-  float pixel = std::floor(place);  // NaN stays NaN
+  float pixel = std::floor(place);  // a NaN offset gives a NaN pixel
   pixel = pixel < first ? first : pixel;
   pixel = pixel > end - 1.0f ? end - 1.0f : pixel;
   return {pixel_if((first < end) & (pixel >= 0.0f), pixel), mode == SplatMode::kView ? at.off : place - pixel - 0.5f};
@@ -185,9 +196,10 @@ struct SheetLanding {
   struct Row {
     LenticularConstants<float> c;
     GridScale down;
-    float eye_slope;  ///< slope of the rows, which count along -y: e/V
+    /// The slope a of all rows: e/V. Rows count along -y.
+    float eye_slope;
     float width, height;
-    float px, py;  ///< centre of entry 0
+    float px, py;  ///< panel coordinates of the centre of pixel 0, in pixels
   };
 
   Row constants;
@@ -199,7 +211,7 @@ struct SheetLanding {
   }
 };
 
-/// Returns the point at depth z on a ray given by its position at z = 0 and its slopes.
+/// Returns the point at depth z on a ray. `line` holds the ray's position at z = 0 and its slopes.
 LIPPMANN_INLINE Vec3f point_on(const Crossing& line, float z) {
   return {line.x + z * line.slope_x, line.y + z * line.slope_y, z};
 }
@@ -216,11 +228,11 @@ LIPPMANN_INLINE PointLanding land_on_sheet(const typename SheetLanding<mode>::Ro
 
 // ---- Microlenses --------------------------------------------------------------------------------------------------------
 
-/// Square and hexagonal cells.
+/// Constants of a microlens array, for a row of pixels.
 struct MicrolensRow {
   MicrolensConstants<float> c;
   float width, height;
-  float px, py;  ///< centre of entry 0
+  float px, py;  ///< panel coordinates of the centre of pixel 0, in pixels
 };
 
 template <SplatMode mode>
@@ -251,9 +263,9 @@ struct HexagonLanding {
   }
 };
 
-/// Lens and offset (in pixels) of a position on the panel.
+/// The lens that covers a position of the panel, and the offset of the position from the centre of the lens's cell, in pixels.
 struct HexagonPlace {
-  float column, row;  ///< in odd rows, columns are offset by half a step
+  float column, row;  ///< odd rows of lenses are shifted by half a column
   float offset_x, offset_y;
 };
 
@@ -262,8 +274,8 @@ LIPPMANN_INLINE HexagonPlace place_in_hexagon(const MicrolensConstants<float>& c
   return {cell.column, cell.row, cell.from_column * c.columns.cell_px, cell.from_row * c.rows.cell_px};
 }
 
-/// Returns the pixel that contains a position below a lens. If that pixel's centre belongs to a neighbouring lens, returns the
-/// pixel one step nearer to the lens's centre.
+/// Returns the pixel that contains a position below a lens. If the centre of that pixel belongs to a neighbouring lens, returns
+/// the pixel one step nearer to the centre of the cell instead.
 LIPPMANN_INLINE PointLanding pixel_below_hexagon(const MicrolensConstants<float>& c, float column, float row, float offset_x,
                                                  float offset_y) {
   const float centre_x = c.columns.start_px + (column + 0.5f) * c.columns.cell_px;
@@ -304,10 +316,11 @@ LIPPMANN_INLINE PointLanding land_on_hexagons(const MicrolensRow& s, int i, floa
   return at;
 }
 
-// ---- By rule ------------------------------------------------------------------------------------------------------------
+// ---- Overloads for every landing rule -----------------------------------------------------------------------------------
 
-// point_by(rule, row, i, z): returns the point at depth z behind pixel i of a row (counted from the row's first entry).
-// land_by(rule, row, i, ...): returns where that pixel's point lands after it has moved.
+// point_by(rule, row, i, z) returns the point at depth z on the ray of pixel i of a row.
+// land_by(rule, row, i, x, y, z) returns where a point of pixel i lands after it has moved to (x, y, z).
+// Pixel i is counted from the start of the row, which rule.row() sets.
 
 LIPPMANN_INLINE Vec3f point_by(const GridLanding&, const GridLanding::Row& row, int i, float z) {
   return point_behind(row, i, z);

@@ -8,7 +8,7 @@
 namespace lippmann {
 namespace {
 
-/// Returns a grid for one row of tiles, views or lenses. The caller fills in columns and rows.
+/// Returns a grid whose columns and rows are still empty. `sets` is the number of sets of columns (GridLanding::place).
 GridLanding empty_grid(const Panel& panel, double vergence, int sets) {
   GridLanding grid{};
   grid.c.vergence = static_cast<float>(vergence);
@@ -27,7 +27,7 @@ void set_column(GridLanding& grid, int set, int i, const GridLine& line) {
   grid.high[at] = line.high;
 }
 
-/// Returns the scale of an axis with whole pixels per cell.
+/// Returns the scale of an axis whose cells have a whole number of pixels.
 GridScale scale_of(const LensAxis<double>& axis) {
   return {static_cast<float>(1.0 / axis.pitch_mm), static_cast<float>(0.5 - axis.lens0_mm / axis.pitch_mm),
           static_cast<float>(axis.whole_pixels)};
@@ -41,15 +41,16 @@ GridLine line_of(const LensAxis<double>& axis, int pixel, int size) {
           static_cast<float>(size - 1)};
 }
 
-/// Returns the line of pixel i of a view with one sample per pixel, whose pixel 0 is `first`. `slope` as in GridLine.
+/// Returns the line of pixel i of a view with one sample per pixel. `first` is pixel 0 of the view. `slope` is that of
+/// GridLine.
 GridLine plain_line(const GridScale& scale, double slope, int i, int first, int low, int high) {
   const double place = (i - first + 0.5 - scale.shift) / scale.samples_per_mm;
   return {static_cast<float>(place), static_cast<float>(slope), static_cast<float>(first), static_cast<float>(low),
           static_cast<float>(high)};
 }
 
-/// Returns the scale of a sheet's rows, which the eye at V sees in perspective: row = floor(y0 samples_per_mm + shift), with y0
-/// along -y.
+/// Returns the scale of the rows of a sheet. The eye at distance V sees the rows in perspective: row = floor(y0 samples_per_mm
+/// + shift), where y0 counts along -y.
 GridScale sheet_rows(const LenticularConstants<double>& c) {
   const double spread = 1.0 + c.gap_mm * c.axis.vergence;
   return {static_cast<float>(spread / c.pixel_pitch_mm),
@@ -73,7 +74,7 @@ GridLanding microlens_grid(const Panel& panel, const MicrolensConstants<double>&
   return grid;
 }
 
-/// Returns the grid of an image of several views. Padding pixels belong to the adjacent view.
+/// Returns the grid of an image that holds several views. Padding pixels belong to the adjacent view.
 GridLanding views_grid(const Panel& panel, const MultiView& views) {
   const MultiViewRays c = make_multi_view(panel, views, 0.0f);
   const int tile_width = panel.width / views.columns, tile_height = panel.height / views.rows;
@@ -95,8 +96,8 @@ GridLanding views_grid(const Panel& panel, const MultiView& views) {
   for (int j = 0; j < panel.height; ++j) {
     const int row = std::max(0, j - padding) / tile_height, first = padding + row * tile_height;
     grid.set_of_row[static_cast<std::size_t>(j)] = row;
-    const float eye =
-        c.first_eye_mm.y + static_cast<float>(views.rows - 1 - row) * c.baseline_mm;  // eyes count upwards, lines downwards
+    // Eyes count upwards, rows downwards.
+    const float eye = c.first_eye_mm.y + static_cast<float>(views.rows - 1 - row) * c.baseline_mm;
     grid.lines[static_cast<std::size_t>(j)] =
         plain_line(grid.c.down, eye * c.inverse_distance, j, first, row == 0 ? 0 : first, first + tile_height - 1);
   }
@@ -160,7 +161,7 @@ AnyLanding landing(const Panel& panel, const SlantedPanel& slanted, SplatMode mo
                          0.5f * height, blue_first ? -1.0f : 1.0f, 0.0f, 0.0f}};
 }
 
-/// Optics models without a landing rule.
+/// For all optics models without a landing rule.
 template <class Model>
 AnyLanding landing(const Panel&, const Model&, SplatMode) {
   throw usage_error("reuse", "interpolate needs optics that can project points", "`reuse` copy, light, none or auto");

@@ -11,19 +11,19 @@
 namespace lippmann {
 namespace {
 
-/// Neighbours belong to different layers if their depths differ by more than this factor times (1 mm + the depth).
+/// Two neighbours belong to different layers if their depths differ by more than kSameLayer (1 mm + |depth|).
 constexpr float kSameLayer = 0.1f;
 
-/// The visible point of a pixel; if both sources have one, the point nearer to the viewer.
+/// The visible point of a pixel in the in-between frame. If both source frames have a point there, it is the point nearer to
+/// the viewer.
 struct Seen {
   std::uint32_t pixel;
-  float z;  ///< -inf for background
+  float z;  ///< -infinity for background
   const SplatSource* by;
 
   std::uint32_t object() const { return by->image.points.object[SplatBuffer::source(by->landed.keys[pixel])]; }
 };
 
-/// Returns the visible point of a pixel, or nothing if neither source has a point there.
 std::optional<Seen> seen_at(const SplatPair& pair, std::uint32_t pixel) {
   const std::uint64_t previous = pair.previous.landed.keys[pixel], following = pair.following.landed.keys[pixel];
   if ((previous | following) == 0) return std::nullopt;
@@ -37,7 +37,7 @@ struct Neighbour {
   float distance_px;
 };
 
-/// The nearest neighbours of a pixel in the directions of kStepDirections.
+/// The nearest pixel with a point in each of the directions of kStepDirections.
 using Surroundings = std::array<std::optional<Neighbour>, 4>;
 
 Surroundings look_around(const SplatPair& pair, const ViewSteps& steps, std::uint32_t pixel) {
@@ -79,7 +79,7 @@ Vec3f interpolated(const SplatPair& pair, std::uint32_t pixel, const Surrounding
     if (neighbour) farthest = std::min(farthest, neighbour->seen.z);
   if (farthest == kInfinity)
     return 0.5f * (color_at(pair.previous.image.film, pixel) + color_at(pair.following.image.film, pixel));
-  // all background (-inf) belongs to one layer
+  // If the farthest neighbour is background (-infinity), only background neighbours belong to its layer.
   const float layer_end = farthest == -kInfinity ? farthest : farthest + kSameLayer * (1.0f + std::abs(farthest));
   Vec3f sum(0.0f);
   float weights = 0.0f;

@@ -16,7 +16,7 @@ GroupMotion to_group_motion(const Affine3d& a) {
   return motion;
 }
 
-/// Returns the motion relative to the display.
+/// Returns the motion relative to the display of an object with the motion `world` in world space.
 GroupMotion display_motion(const Affine3d& world, const Moment& from, const Moment& to) {
   if (world == Affine3d{} && from.world_from_display == to.world_from_display) {
     GroupMotion still = to_group_motion({});

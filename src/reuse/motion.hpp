@@ -1,9 +1,10 @@
-// Describes motion between two moments relative to the display, with one transform per group of objects that move together.
+// Computes how objects move between two moments, relative to the display. Objects that move together form a group, which has
+// one transform.
 //
 // A point p (display mm at moment a) of an object on node n moves at moment b to
 //   p' = display_from_world(b) world_from_n(b) n_from_world(a) world_from_display(a) p.
-// The product is composed in double precision, because the world may be large compared to a pixel. All static objects form one
-// group. If only the camera moves, it is the only group.
+// The product is composed in double precision, because world coordinates may be large compared to a pixel. All static objects
+// form one group. If only the camera moves, this group is the only one.
 #pragma once
 
 #include <array>
@@ -15,29 +16,35 @@
 
 namespace lippmann {
 
-/// The groups of objects that move together. Make this once per scene.
+/// Assigns each object to the group that it moves with. Make this once per scene.
 struct MotionGroups {
-  std::vector<std::uint32_t> group_of_object;  ///< indexed by object: first instances, then lights
-  std::vector<int> node_of_group;              ///< group 0 is static and has -1
+  /// Indexed by object: the instances, followed by the lights.
+  std::vector<std::uint32_t> group_of_object;
+  /// Node that moves each group. Group 0 holds the static objects; its entry is -1.
+  std::vector<int> node_of_group;
 };
 
-/// Groups the objects of a scene. Deforming meshes are not supported; frames/frame_maker.cpp rejects them for interpolated
+/// Groups the objects of a scene. Does not support deforming meshes, so frames/frame_maker.cpp rejects them for interpolated
 /// frames.
 MotionGroups make_motion_groups(const Scene& scene);
 
 struct GroupMotion {
-  std::array<float, 12> rows;  ///< p' = linear p + translation: x from entries 0 ... 2 and 3, y from 4 ... 7, z from 8 ... 11
-  bool still = false;          ///< p' = p exactly: points stay in their pixels despite rounding
+  /// Rows of the 3x4 matrix that maps p to p'. Row x has entries 0 to 3, row y entries 4 to 7 and row z entries 8 to 11. The
+  /// last entry of a row is the translation.
+  std::array<float, 12> rows;
+  /// True if p' = p exactly. Still points then keep their pixels despite rounding errors.
+  bool still = false;
 };
 
 struct Motion {
-  std::vector<GroupMotion> groups;  ///< one group if all objects move together
+  /// One entry per group. Has a single entry if all objects move together.
+  std::vector<GroupMotion> groups;
   const std::vector<std::uint32_t>* group_of_object = nullptr;
 
   bool uniform() const { return groups.size() == 1; }
 };
 
-/// Returns the motion from one moment to another. `groups` must outlive the result.
+/// Returns the motion between two moments. The result refers to `groups`, which must outlive it.
 Motion motion_between(const MotionGroups& groups, const Moment& from, const Moment& to);
 
 }  // namespace lippmann

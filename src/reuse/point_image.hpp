@@ -1,7 +1,6 @@
-// The point image of a frame holds a point and a colour for each pixel. Other frames are made from it.
-//
-// Based on the paper's point image. A pixel without a point ("missed", the paper's status -1) has a colour, but the colour is
-// not used for other frames.
+// The point image of a frame holds the first hit point and the colour of each pixel. In-between frames are made from the point
+// images of key frames (the paper's point image). A pixel without a known point is "missed" (the paper's status -1). In-between
+// frames do not use the colour of a missed pixel.
 #pragma once
 
 #include <cstdint>
@@ -15,26 +14,31 @@
 
 namespace lippmann {
 
-/// Value of PrimaryPoints::object for pixels without a known point; the depth is NaN.
+/// Value of PrimaryPoints::object for a missed pixel.
 inline constexpr std::uint32_t kMissedObject = kNoObject - 1;
 inline constexpr float kMissedDepth = std::numeric_limits<float>::quiet_NaN();
 
-/// The state of scene nodes and display at one time.
+/// The poses of all scene nodes and of the display at one time.
 struct Moment {
   ResolvedScene resolved;
-  Affine3f world_from_display;  ///< a similarity
+  Affine3f world_from_display;  ///< rotation, translation and uniform scale
 };
 
-/// Bits of PointImage::contrast: the colour differs from that of the next sample of the view to the right or to the left.
+/// Bits of PointImage::contrast. kRightDiffers: the colour differs from that of the next sample to the right in the same view.
+/// kLeftDiffers: the colour differs from that of the next sample to the left.
 inline constexpr std::uint8_t kRightDiffers = 1, kLeftDiffers = 2;
 
 struct PointImage {
   Moment moment;
-  PrimaryPoints points;                  ///< at `moment`; kNoObject: background, kMissedObject: unknown
-  Image film;                            ///< 3 channels, linear
-  std::vector<std::uint8_t> contrast;    ///< by pixel, the bits kRightDiffers and kLeftDiffers; empty: not computed
-  std::vector<std::uint8_t> provenance;  ///< by pixel, values of Provenance; empty: all pixels were traced, or not recorded
-  std::vector<std::uint32_t> rays;       ///< by block of rays traced together (TouchedBlocks::rays); empty: not counted
+  /// Points at `moment`. The object is kNoObject for background and kMissedObject for a missed pixel.
+  PrimaryPoints points;
+  Image film;  ///< 3 channels, linear
+  /// One entry per pixel: the bits kRightDiffers and kLeftDiffers. Empty if not computed.
+  std::vector<std::uint8_t> contrast;
+  /// One value of Provenance per pixel. Empty if all pixels were traced, or if the provenance is not recorded.
+  std::vector<std::uint8_t> provenance;
+  /// Number of rays of each block of pixels (TouchedBlocks::rays). Empty if the rays are not counted.
+  std::vector<std::uint32_t> rays;
 };
 
 }  // namespace lippmann

@@ -12,7 +12,7 @@ namespace {
 
 using Indices = std::span<const std::uint32_t>;
 
-/// Returns the display codes of the wanted patches, one patch after the other.
+/// Returns the RGB display codes of the wanted patches, one patch after another.
 std::vector<unsigned char> codes_of(const Image& film, const Patches& patches, Indices wanted, Encoding encoding) {
   Image picked(static_cast<int>(kPatchPixels * wanted.size()), 1, 3);
   float* to = picked.data.data();
@@ -21,8 +21,9 @@ std::vector<unsigned char> codes_of(const Image& film, const Patches& patches, I
   return to_codes(picked, encoding).rgb;
 }
 
-/// Returns the squared errors of patches, computed from their predicted and traced codes. A patch's error is the sum over its
-/// pixels divided by the mean number of values per patch, so the mean over all patches equals the mean over all pixels.
+/// Returns one squared error per wanted patch, from the predicted and the traced codes. The error is the sum over the patch's
+/// values, divided by the mean number of values of a patch. The mean over all patches is thus the mean over all pixels,
+/// although some patches are smaller.
 std::vector<double> errors_of(const Patches& patches, Indices wanted, const std::vector<unsigned char>& predicted,
                               const std::vector<unsigned char>& traced) {
   const double mean_values = 3.0 * static_cast<double>(patches.pixel_count()) / static_cast<double>(patches.count());
@@ -45,7 +46,7 @@ double share_of_rays(std::span<const float> costs, std::span<const std::uint8_t>
   return sum / static_cast<double>(costs.size());
 }
 
-/// Returns a mask of the patches of level `level` or above that are not held out.
+/// Returns a mask of the patches that have at least the level `level` and are not held out.
 std::vector<std::uint8_t> of_levels_from(int level, std::span<const std::uint8_t> uncertainty, Indices held_out) {
   std::vector<std::uint8_t> wanted(uncertainty.size());
   for (std::size_t p = 0; p < uncertainty.size(); ++p) wanted[p] = level_of(uncertainty[p]) >= level;
@@ -53,7 +54,7 @@ std::vector<std::uint8_t> of_levels_from(int level, std::span<const std::uint8_t
   return wanted;
 }
 
-/// Returns the largest mean squared error that keeps the PSNR floor.
+/// Returns the largest mean squared error that the PSNR floor allows.
 double most_error(const FloorParams& params) { return 255.0 * 255.0 * std::pow(10.0, -0.1 * params.min_psnr_db); }
 
 std::uint64_t pixels_in(const Patches& patches, std::span<const std::uint8_t> wanted) {

@@ -10,10 +10,12 @@
 
 namespace lippmann {
 
-/// Traces the given pixels (ascending) of the current frame into its film and, if not null, its points.
+/// Traces some pixels of the current frame. `pixels` holds ascending pixel indices. Writes colours to `film`, and hit points to
+/// `points` if it is not null.
 using TracePixels = std::function<void(std::span<const std::uint32_t> pixels, Image& film, PrimaryPoints* points)>;
 
-/// Traces the packets of the current frame with a nonzero entry in `wanted` (trace/trace_packets.hpp) into its film.
+/// Traces the packets with a nonzero entry in `wanted` (one entry per packet, see trace/trace_packets.hpp). Writes colours to
+/// `film`.
 using TracePackets = std::function<void(std::span<const std::uint8_t> wanted, Image& film)>;
 
 }  // namespace lippmann

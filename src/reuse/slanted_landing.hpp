@@ -1,14 +1,20 @@
-// Projects a moved point to a slanted panel, where no two rows share their directions.
+// Finds the sub-pixel of a slanted panel on which a moved point lands. No two rows of a slanted panel share their ray
+// directions.
 //
-// The sub-pixel's ray comes from the eye at (e, h, D). From there, the point (X, Y, Z) appears in the plane z = 0 at
-//   s = (X - e Z / D) / (1 - Z / D),   y = (Y - h Z / D) / (1 - Z / D),
-// in the row that contains y. That row has one sub-pixel below each lens with the phase of the original sub-pixel; the one
-// nearest to s is used. If d is the difference between the phase at s and that phase, it lies at s - (d - round(d)) lenses. Its
-// ray has the same direction to within half the distance between two sub-pixels, and it is at most half a lens from s. Static
-// points stay in place. Only striped sub-pixels are supported, because otherwise a sub-pixel's place does not follow from its
-// number.
+// A sub-pixel's ray comes from the eye position (e, h, D) of its view. (X, Y, Z) is the moved point. The phase of a sub-pixel
+// is its position below its lens, in lenses.
+// 1. Seen from the eye, the point appears in the plane z = 0 at
+//      s = (X - e Z / D) / (1 - Z / D),   y = (Y - h Z / D) / (1 - Z / D).
+// 2. The row of the result is the row that contains y.
+// 3. In that row, each lens covers one sub-pixel with the phase of the original sub-pixel. The result is the one nearest to s.
+//    Let d be the phase at s minus the phase of the original sub-pixel. The result lies at s - (d - round(d)) lenses.
+// The ray of the result has the direction of the original ray to within half the distance between two sub-pixels. It is at most
+// half a lens away from s. Points of still objects stay in place.
 //
-// Symbols as in optics/slanted_panel.hpp. As in landing.hpp, the functions are inlined into loops so that these vectorise.
+// Only striped sub-pixels are supported, because for other layouts the position of a sub-pixel does not follow from its number.
+//
+// The other symbols are those of optics/slanted_panel.hpp. The functions are inlined into loops, so that the compiler can
+// vectorise the loops.
 #pragma once
 
 #include "optics/slanted_panel.hpp"
@@ -18,12 +24,13 @@ namespace lippmann {
 
 struct SlantedLanding {
   struct Row {
-    SlantedPanelRays c;  ///< at z = 0
+    SlantedPanelRays c;  ///< rays at z = 0
     float lenses_per_sub_pixel, sub_pixels_per_lens;
-    float lenses_per_row;  ///< change of the phase per row down
+    float lenses_per_row;  ///< change of the phase from one row to the next row below
     float sub_pixels_per_mm, width, height, middle_x, middle_y;
-    float turned;  ///< -1: blue comes first, so positions within a pixel count from the right; otherwise 1
-    float px, py;  ///< centre of entry 0
+    /// -1 if blue is the first sub-pixel of a pixel, so that sub-pixels count from the right; otherwise 1.
+    float turned;
+    float px, py;  ///< panel coordinates of the centre of pixel 0, in pixels
   };
 
   Row constants;
@@ -35,7 +42,8 @@ struct SlantedLanding {
   }
 };
 
-/// Converts a film column (centre at + 0.5) to its position along the row, in sub-pixels. The function is its own inverse.
+/// Converts a film column to its position along the row, in sub-pixels. Columns have their centres at + 0.5. The function is
+/// its own inverse.
 LIPPMANN_INLINE float along_row(const SlantedLanding::Row& r, float column) {
   const float pixel = std::floor(column * (1.0f / 3.0f)), middle = 3.0f * pixel + 1.5f;
   return middle + r.turned * (column - middle);

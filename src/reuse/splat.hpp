@@ -1,9 +1,10 @@
 // Projects the points of a point image to another moment, and finds the visible point of each pixel.
 //
-// Based on the paper's projection of point images with a z-buffer. Of all points that land on a pixel, the one nearest to the
-// viewer wins (largest z in the display frame); among equals, the one with the lowest source pixel. The result thus does not
-// depend on the order of processing or on threads. Background has no position: it stays in its pixel behind everything else, as
-// if it were infinitely far away and the display did not turn.
+// Based on the paper's projection of point images with a z-buffer. A point lands on the pixel that shows it at the new moment.
+// If several points land on a pixel, the point nearest to the viewer wins: it has the largest z in the display frame. If depths
+// are equal, the point with the lowest source pixel wins. The result therefore does not depend on the order of processing or on
+// threads. Background points stay in their pixels, behind all other points, as if they were infinitely far away and the display
+// did not turn.
 #pragma once
 
 #include <bit>
@@ -23,19 +24,21 @@ namespace lippmann {
 
 inline constexpr std::uint32_t kNoSource = 0x7fffffffu;
 
-/// The landed point of each pixel as one number; the largest wins. The upper half is the depth (0: nothing, 1: background,
-/// otherwise z at the new moment, mapped so that larger is nearer to the viewer). The lower half is the inverted source pixel;
-/// the lowest bit is set if the colour changes on the side of the sample on which the pixel's centre lies
-/// (PointImage::contrast).
+/// The visible point of each pixel, encoded as a 64-bit key. The largest key wins.
+/// - Bits 32 to 63: the depth. 0 means no point and 1 means background. Otherwise the bits encode z at the new moment; larger
+///   values are nearer to the viewer.
+/// - Bits 1 to 31: the inverted index of the source pixel.
+/// - Bit 0: set if the colour changes between the point's sample and the next sample on the side of the target pixel's centre
+///   (see PointImage::contrast).
 struct SplatBuffer {
   static constexpr std::uint32_t kBackgroundOrder = 1;
 
-  std::vector<std::uint64_t> keys;  ///< one per pixel
+  std::vector<std::uint64_t> keys;  ///< one key per pixel
 
-  /// Returns the source pixel of the point, or kNoSource.
+  /// Returns the index of the source pixel, or kNoSource for an empty key.
   static std::uint32_t source(std::uint64_t key) { return ~static_cast<std::uint32_t>(key) >> 1; }
   static bool color_changes(std::uint64_t key) { return (key & 1) != 0; }
-  /// Returns z at the new moment; -inf for background.
+  /// Returns z at the new moment. Returns -infinity for background.
   static float depth(std::uint64_t key) {
     const auto order = static_cast<std::uint32_t>(key >> 32);
     if (order == kBackgroundOrder) return -std::numeric_limits<float>::infinity();
@@ -45,10 +48,12 @@ struct SplatBuffer {
 
 struct SplatParams {
   SplatMode mode = SplatMode::kView;
-  bool z_buffer = true;  ///< false: the highest source pixel wins, as if painted in order; gives wrong images, for experiments
+  /// If false, the highest source pixel wins, as if points were painted in order. This gives wrong images and is for
+  /// experiments only.
+  bool z_buffer = true;
 };
 
-/// Projects point images for an animation. Thread-safe; make one object per animation.
+/// Projects the point images of an animation. Thread-safe. Make one object per animation.
 class Splatter {
  public:
   /// `optics` must pass validate().
@@ -57,11 +62,12 @@ class Splatter {
   Splatter(const Splatter&) = delete;
   Splatter& operator=(const Splatter&) = delete;
 
-  /// Projects `image`, which must have the panel's size. `motion` moves its points to the new moment.
+  /// Projects the points of `image` to the new moment and stores the visible points in `buffer`. `image` must have the size of
+  /// the panel.
   void splat(const PointImage& image, const Motion& motion, const ThreadPool& pool, SplatBuffer& buffer) const;
 
-  /// Returns the pixel on which a single point lands after `motion`. The point belongs to `object` and lies at depth z behind
-  /// `pixel`. Returns nothing if it is not visible.
+  /// Returns the pixel on which a single point lands after `motion`. The point belongs to `object` and lies at depth z on the
+  /// ray of `pixel`. Returns nothing if the point is not visible.
   std::optional<std::uint32_t> landing(std::uint32_t pixel, float z, std::uint32_t object, const Motion& motion) const;
 
  private:

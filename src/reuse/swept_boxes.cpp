@@ -9,12 +9,13 @@
 namespace lippmann {
 namespace {
 
-constexpr int kPartsPerAxis = 12;               // number of parts along each axis of a large mesh; smaller meshes have 4
+constexpr int kPartsPerAxis = 12;               // number of grid cells along each axis of a large mesh; smaller meshes have 4
 constexpr std::size_t kTrianglesToPart = 2000;  // minimum number of triangles of a large mesh
 
 const Bounds3f kEverything{Vec3f(-kInfinity), Vec3f(kInfinity)};
 
-/// Returns a mesh's triangles, grouped by the grid cell of their first vertex. Empty cells are left out.
+/// Returns groups of triangle indices of a mesh. The triangles of a group have their first vertices in one cell of a grid.
+/// Empty cells have no group.
 std::vector<std::vector<std::size_t>> triangles_by_part(const Mesh& mesh) {
   Bounds3f whole;
   for (const Vec3f& p : mesh.positions) whole.add(p);
@@ -30,7 +31,7 @@ std::vector<std::vector<std::size_t>> triangles_by_part(const Mesh& mesh) {
   return parts;
 }
 
-/// Returns the boxes of a mesh's parts.
+/// Returns a box around each part of a mesh.
 std::vector<Bounds3f> parts_of(const Mesh& mesh) {
   std::vector<Bounds3f> boxes;
   for (const std::vector<std::size_t>& part : triangles_by_part(mesh)) {
@@ -41,7 +42,7 @@ std::vector<Bounds3f> parts_of(const Mesh& mesh) {
   return boxes;
 }
 
-/// Returns the vertices of each of a mesh's parts. A vertex on a border belongs to several parts.
+/// Returns the vertex indices of each part of a mesh. A vertex on a border belongs to several parts.
 std::vector<std::vector<std::uint32_t>> vertices_by_part(const Mesh& mesh) {
   std::vector<std::vector<std::uint32_t>> vertices;
   for (const std::vector<std::size_t>& part : triangles_by_part(mesh)) {
@@ -53,7 +54,7 @@ std::vector<std::vector<std::uint32_t>> vertices_by_part(const Mesh& mesh) {
   return vertices;
 }
 
-/// Returns the exact boxes of analytic shapes, in the space of their node.
+/// Returns one exact box per analytic shape, in the space of the shapes' node.
 template <class Shapes>
 std::vector<Bounds3f> parts_of(const Shapes& shapes) {
   std::vector<Bounds3f> parts;
@@ -66,10 +67,10 @@ std::vector<Bounds3f> parts_of(const Shapes& shapes) {
   return parts;
 }
 
-/// Returns one box around all visible splats: one box each would be too many.
+/// Returns a single box around all visible splats, because one box per splat would be too many.
 std::vector<Bounds3f> parts_of(const Splats& splats) { return {whole_bounds(splats, {})}; }
 
-/// Transforms a box like transform_bounds(). `reach` holds the absolute values of the linear part.
+/// Returns a box around the transformed box. `reach` holds the absolute values of a.linear.
 Bounds3f around_transformed(const Affine3f& a, const Mat3f& reach, const Bounds3f& box) {
   const Vec3f center = transform_point(a, box.center()), half = reach * (0.5f * box.size());
   return {center - half, center + half};
@@ -81,8 +82,8 @@ bool contains(const Bounds3f& outer, const Bounds3f& inner) {
   return glm::all(glm::lessThanEqual(outer.lower, inner.lower)) && glm::all(glm::greaterThanEqual(outer.upper, inner.upper));
 }
 
-/// Adds the boxes of one part, which does not change during its first `rests_for` frames. `box_at` returns the part's box at a
-/// frame.
+/// Adds the boxes of one part of a mesh. The part does not change during its first `rests_for` frames, and gets no box for
+/// horizons within them. `box_at` returns the box of the part in a frame.
 template <class BoxAt>
 void add_boxes(std::size_t frames, std::size_t rests_for, std::span<const int> horizons, std::vector<HorizonBox>& boxes,
                const BoxAt& box_at) {
@@ -127,7 +128,8 @@ std::vector<HorizonBox> SweptBoxes::around(int first, std::span<const int> horiz
   std::vector<ResolvedScene> moments;
   std::vector<HorizonBox> boxes;
   const int last = std::min(first + horizons.back() - 1, last_frame);
-  std::size_t known = horizons.size();  // horizons with a lower index already have boxes
+  // Horizons with a lower index than `known` get finite boxes. Longer horizons already have an infinite box.
+  std::size_t known = horizons.size();
   for (int frame = first; frame <= last; ++frame) {
     moments.push_back(evaluate(scene_, scene_.timeline.time(frame)));
     if (!all_changes(moments.front(), moments.back())) continue;

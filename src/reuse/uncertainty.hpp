@@ -1,20 +1,22 @@
 // Estimates the error of each predicted pixel of an in-between frame before any part of the frame is traced.
 //
-// Uncertainty is in display codes, 0 ... 255. It only ranks pixels; the squared error of a given uncertainty is measured by
+// Uncertainty is in display codes, 0 ... 255. It only ranks pixels. The squared error at an uncertainty is measured from
 // samples (held_out.hpp).
 //
 //   uncertainty = a + A/2 + a'/2 + g/8 + g'/8
-//   a   disagreement of the two key frames' predictions of the pixel. Lights, shadows, highlights and mirror images that move
-//       differently from the surface disagree, as do most points that land beside an edge.
-//   A   the largest a among the 8 neighbours in the same view; a' is that of the two adjacent pixels, which belong to other
-//       views. Both keys may agree on a wrong colour, but rarely in all neighbours.
-//   g   contrast of the predicted image: the largest difference to the 8 neighbours in the same view; g' is that to the two
-//       adjacent pixels. A point lands up to half a step beside the pixel's centre, so its colour is wrong by part of the
-//       contrast.
-// The minimum is kOneKeyUncertainty if only one key frame has a landed point, and kMissedUncertainty if neither has.
+//   a   Difference between the predictions of the pixel from the two key frames. Predictions differ for lights, shadows,
+//   highlights and mirror images that do not move with the surface, and for most points that land beside an edge.
+//   A   Largest a of the 8 neighbours in the same view. Both key frames may predict the same wrong colour at a pixel, but
+//   rarely at all its neighbours.
+//   a'  Largest a of the two adjacent pixels, which belong to other views.
+//   g   Contrast of the predicted image: the largest difference between the pixel and its 8 neighbours in the same view. A
+//   point lands up to half a step beside the pixel's centre, so its colour is wrong by part of the contrast.
+//   g'  Largest difference between the pixel and the two adjacent pixels.
+// If points of only one key frame land on a pixel, its uncertainty is at least kOneKeyUncertainty. If no point lands, it is at
+// least kMissedUncertainty.
 //
-// Codes of film that will be encoded as sRGB are approximated by square roots, with an error of up to 10 codes. Otherwise the
-// codes are the values themselves.
+// If the film will be encoded as sRGB, display codes are approximated by square roots, with an error of up to 10 codes.
+// Otherwise the codes are the film's values.
 #pragma once
 
 #include <cstdint>
@@ -30,31 +32,32 @@ namespace lippmann {
 
 inline constexpr std::uint8_t kOneKeyUncertainty = 48, kMissedUncertainty = 96;
 
-/// The prediction of an in-between frame from one key frame. Pixels on which none of its points land have the colour of the
-/// other prediction.
+/// The prediction of an in-between frame from one key frame. A pixel without a landed point has the colour of the other key
+/// frame's prediction.
 struct Prediction {
   const Image& colors;
   const SplatBuffer& landed;
 };
 
-/// Estimates uncertainty and reuses memory from frame to frame. Not thread-safe.
+/// Estimates the uncertainty of frames. Reuses memory from frame to frame, so it is not thread-safe.
 class UncertaintyEstimator {
  public:
-  /// `optics` must pass validate(). Distances between neighbours of a view are rounded to whole pixels.
+  /// Distances between neighbours of a view are rounded to whole pixels.
   UncertaintyEstimator(const Optics& optics, Encoding encoding);
 
-  /// Fills `uncertainty`, one entry per pixel. `film` is the prediction from both keys.
+  /// Sets `uncertainty`, which gets one entry per pixel. `film` is the prediction from both key frames.
   void estimate(const Prediction& previous, const Prediction& following, const Image& film, const ThreadPool& pool,
                 std::vector<std::uint8_t>& uncertainty);
 
  private:
-  /// One value per pixel, in rows with a margin of `across_` on both sides.
+  /// One value per pixel. Each row has a margin of `across_` pixels on both sides.
   using Plane = std::vector<std::uint8_t>;
 
   void make_planes(const Prediction& previous, const Prediction& following, const Image& film, int row);
 
-  int width_, height_, across_, down_;  ///< across_, down_: pixels between neighbours of a view
-  std::size_t stride_;                  ///< length of a plane's row, including margins
+  /// across_ and down_ are the distances in pixels to the next sample of the same view, along a row and down a column.
+  int width_, height_, across_, down_;
+  std::size_t stride_;  ///< length of a row of a Plane, including margins
   bool linear_film_;
   Plane disagreement_, codes_[3];
 };
