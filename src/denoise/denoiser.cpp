@@ -9,13 +9,13 @@ namespace lippmann {
 namespace {
 
 constexpr int kFilterSteps[] = {1, 2, 4};
-/// Constant added to the albedo before light is divided by it, because highlights on dark surfaces do not scale with the
-/// albedo.
+/// Added to the albedo before light is divided by it. Highlights on dark surfaces do not scale with the albedo, and would
+/// otherwise become very large.
 constexpr float kLeastFactor = 0.04f;
-/// Light is clamped to this value, so that sums of its squares stay finite.
+/// Upper limit of light. Sums of squares of larger values would overflow.
 constexpr float kMostLight = 1e15f;
 
-/// Calls fn(pixel), in parallel, for all pixels in the views at which a surface is visible.
+/// Calls fn(pixel), in parallel, for each pixel of the views that shows a surface.
 template <class Fn>
 void for_each_texel(const SortedViews& views, const Texels& texels, const ThreadPool& pool, const Fn& fn) {
   const Vec2i size = views.size();
@@ -33,8 +33,7 @@ void set_rgb(Vec3f color, float* image, std::size_t p) {
 
 Vec3f limited(Vec3f light) { return glm::clamp(light, Vec3f(-kMostLight), Vec3f(kMostLight)); }
 
-/// Returns the factor by which Texels::light is multiplied to get the film's light. Texels::albedo must already be divided by
-/// `met`.
+/// Returns the film's light divided by Texels::light, for pixel p. Texels::albedo must already be divided by `met`.
 Vec3f factor_of(const Texels& texels, std::size_t p) { return texels.met[p] * (rgb(texels.albedo, p) + Vec3f(kLeastFactor)); }
 
 }  // namespace
@@ -42,7 +41,7 @@ Vec3f factor_of(const Texels& texels, std::size_t p) { return texels.met[p] * (r
 struct Denoiser::Impl {
   SortedViews views;
   RayGenerator rays;
-  std::uint32_t width, first_row;  ///< width of the film, and first row of the frame in it
+  std::uint32_t width, first_row;  ///< width of the film, and the film row of the frame's first row
 
   Ray ray_of(std::size_t pixel) const {
     const auto p = static_cast<std::uint32_t>(pixel);
@@ -61,7 +60,8 @@ int Denoiser::rows_around(const Optics& optics) {
   for (const int step : kFilterSteps) rows += step * (kNeighbours / 2);
   const int film_rows = film_size(optics).y;
   if (const std::optional<ViewTiles> tiles = view_tiles(optics)) return tiles->rows > 1 ? film_rows : rows;
-  // Hexagonal cells overlap the rows of lenses above and below their own.
+  // Without tiles, a view has one pixel below each lens, so the rows count lenses. Two lenses are added because hexagonal cells
+  // overlap the rows of lenses above and below.
   if (const std::optional<LensCells> cells = lens_cells(optics))
     return std::min(film_rows, std::max(rows, static_cast<int>(std::ceil((rows + 2) * cells->cell_px.y))));
   return rows;

@@ -11,35 +11,36 @@
 namespace lippmann {
 namespace {
 
-// Standard deviations of the Gaussian weights that compare two surfaces. docs/develop/decisions/0013 has the measurements.
-constexpr float kNormalSpread = 0.2f;  ///< for the length of the difference of unit normals
+// Standard deviations of the Gaussian weights that compare two surfaces. docs/develop/decisions/0013 has the measurements
+// behind them.
+constexpr float kNormalSpread = 0.2f;  ///< of the length of the difference between two unit normals
 constexpr float kAlbedoSpread = 0.2f;
 constexpr float kMetSpread = 0.2f;
-constexpr float kPlaneSpread = 3.0f;  ///< for the distance from the surface's plane, in sample distances
-/// Differences in light below this share of the light are invisible. They count as no difference, as do differences due to
-/// noise.
+constexpr float kPlaneSpread = 3.0f;  ///< of a point's distance from the plane of the surface, in distances between samples
+/// Relative difference in light that counts as one standard deviation, in addition to the noise. Smaller differences are
+/// invisible.
 constexpr float kRelativeSpread = 0.01f;
 
-constexpr int kViewReach = 3;  ///< number of views to the left, to the right, up and down
+constexpr int kViewReach = 3;  ///< number of views searched to the left, to the right, up and down
 
-// Thresholds for pixels that a single bright path dominates.
-constexpr float kOneHalf =
-    0.4f;  ///< minimum ratio of noise to light; it is 0.4 if one half of the samples has 70 % of the light
-constexpr float kBrighter = 2.0f;         ///< minimum ratio of the pixel's light to that of its second-brightest neighbour
-constexpr float kSameMaterial = 4.0f;     ///< maximum material_difference()
+// Thresholds of the test for fireflies (find_outliers()).
+/// Minimum ratio of noise to light. The ratio is 0.4 if one half of the samples has 70 % of the light.
+constexpr float kOneHalf = 0.4f;
+constexpr float kBrighter = 2.0f;         ///< minimum ratio of the pixel's light to the light of its second-brightest neighbour
+constexpr float kSameMaterial = 4.0f;     ///< maximum material_difference() of two pixels of the same material
 constexpr float kLeastNeighbours = 8.0f;  ///< minimum number of neighbours of the same material
 
-/// A neighbour gets less weight if its variance exceeds the pixel's own by more than this factor. Otherwise the noisy edge of a
-/// highlight would spread into its surroundings.
+/// A neighbour gets a lower weight if its variance exceeds the pixel's variance by more than this factor. Otherwise the noisy
+/// edge of a highlight would spread into its surroundings.
 constexpr float kInfluence = 16.0f;
 
-/// Filtering may change light, as a squared difference, by this share of the estimated variance. The estimate is about twice
-/// the true variance (NoisyFrame::noise), and a sum over 49 pixels is accurate to about 25 %.
+/// Largest squared change of light by the filter, as a fraction of the estimated variance. The estimate is about twice the true
+/// variance (NoisyFrame::noise). A sum over 7 x 7 pixels is accurate to about 25 %.
 constexpr float kExplained = 0.7f;
 
 constexpr float kNoNoise = 1e-10f;
 
-// ---- Rows of a piece of a view: one array per component, with margins on both sides ------------------------------------
+// ---- Rows of a part of a view: one array per component, with margins on both sides --------------------------------------
 
 constexpr int kColumns = 128, kMargin = 8, kRow = kColumns + 2 * kMargin;
 constexpr int kRowsPerPiece = 16;
@@ -47,9 +48,9 @@ constexpr int kRowsPerPiece = 16;
 struct alignas(64) SurfaceRow {
   float x[kRow], y[kRow], z[kRow];
   float normal_x[kRow], normal_y[kRow], normal_z[kRow];
-  float red[kRow], green[kRow], blue[kRow];  ///< albedo
+  float red[kRow], green[kRow], blue[kRow];  ///< the albedo
   float met[kRow];
-  float there[kRow];  ///< 1: a surface is visible; 0: none is, and the other arrays are undefined
+  float there[kRow];  ///< 1 if the pixel shows a surface; 0 if not, and then the other arrays are undefined
 };
 
 struct alignas(64) LightRow {
@@ -75,12 +76,13 @@ LIPPMANN_INLINE void set_light(const float* light, float variance, int i, LightR
 
 void set_light(const Estimate& estimate, int i, LightRow& row) { set_light(&estimate.light.x, estimate.variance, i, row); }
 
-/// A part of a view: `columns` columns starting at `column`, and `rows` rows starting at `row`, `stride` rows apart.
+/// A rectangle of a view that one task processes: `columns` columns from `column` on, and `rows` rows from `row` on. The rows
+/// are `stride` rows apart.
 struct Piece {
   int view, column, columns, row, rows, stride;
 };
 
-/// Calls fn(piece) for pieces that cover all views, in parallel.
+/// Calls fn(piece), in parallel, for pieces that cover all views.
 template <class Fn>
 void for_each_piece(const SortedViews& views, int stride, const ThreadPool& pool, const Fn& fn) {
   const Vec2i size = views.size();
@@ -88,7 +90,8 @@ void for_each_piece(const SortedViews& views, int stride, const ThreadPool& pool
   const int in_class = (size.y + stride - 1) / stride, parts = (in_class + kRowsPerPiece - 1) / kRowsPerPiece;
   const auto pieces = static_cast<std::size_t>(views.views()) * static_cast<std::size_t>(across * stride * parts);
   pool.for_each(pieces, [&](std::size_t index) {
-    // The view index varies fastest, because pixels of different views are neighbours in the film of a lens array.
+    // Consecutive pieces belong to different views, because the film of a lens array stores pixels of different views side by
+    // side.
     const int view = static_cast<int>(index % static_cast<std::size_t>(views.views()));
     const int in_view = static_cast<int>(index / static_cast<std::size_t>(views.views()));
     const int column = in_view % across * kColumns, part = in_view / across;
@@ -98,14 +101,15 @@ void for_each_piece(const SortedViews& views, int stride, const ThreadPool& pool
   });
 }
 
-/// A sliding window over the rows of a piece. If the piece is processed from top to bottom, each row is loaded only once.
+/// The `kHeight` rows of a view around the current row. If a piece is processed from top to bottom, each row is loaded only
+/// once.
 template <int kHeight, class Row>
 class RowWindow {
  public:
   RowWindow(const SortedViews& views, const Piece& piece) : views_(views), piece_(piece) { loaded_.fill(-1); }
 
-  /// Returns row y + d stride at index d + kHeight / 2, or null beyond the view. load(pixel, i, row) is called for pixels at
-  /// which a surface is visible, and copies the pixel to column i of the row.
+  /// Returns the rows around row y. Entry d + kHeight / 2 is row y + d stride, or null if that row lies outside the view.
+  /// load(pixel, i, row) copies a pixel to column i of the row; it is called for each pixel that shows a surface.
   template <class Load>
   const std::array<const Row*, kHeight>& around(int y, int margin, const float* met, const Load& load) {
     for (int d = -kHeight / 2; d <= kHeight / 2; ++d) {
@@ -140,7 +144,7 @@ class RowWindow {
   std::array<const Row*, kHeight> around_;
 };
 
-/// Calls fn(y) for those rows of a piece in which a surface is visible.
+/// Calls fn(y) for each row of a piece in which any pixel shows a surface.
 template <class Fn>
 void for_each_row(const SortedViews& views, const Piece& piece, const float* met, const Fn& fn) {
   for (int row = 0; row < piece.rows; ++row) {
@@ -152,8 +156,7 @@ void for_each_row(const SortedViews& views, const Piece& piece, const float* met
   }
 }
 
-/// Calls fn(pixel, column) for every pixel of row y at which a surface is visible. `column` counts from the first column of the
-/// piece.
+/// Calls fn(pixel, column) for each pixel of row y that shows a surface. `column` counts from the first column of the piece.
 template <class Fn>
 void for_each_pixel(const SortedViews& views, const Piece& piece, int y, const float* met, const Fn& fn) {
   const std::uint32_t* pixels = views.row(piece.view, y) + piece.column;
@@ -161,7 +164,7 @@ void for_each_pixel(const SortedViews& views, const Piece& piece, int y, const f
     if (pixels[i] != SortedViews::kNoPixel && met[pixels[i]] > 0.0f) fn(pixels[i], i);
 }
 
-/// Rounds a number of columns up to whole vectors. Results beyond the last column are not used.
+/// Rounds a number of columns up to whole vectors. Results for the added columns are not used.
 int whole_lanes(int columns) { return (columns + 15) / 16 * 16; }
 
 #define LIPPMANN_FOR_COLUMNS(i, count) _Pragma("GCC ivdep") for (int i = 0; i < (count); ++i)
@@ -174,7 +177,7 @@ constexpr float inverse_square(float x) { return 1.0f / (x * x); }
 LIPPMANN_INLINE float least(float a, float b) { return a < b ? a : b; }
 LIPPMANN_INLINE float most(float a, float b) { return a > b ? a : b; }
 
-/// Returns the sum of the squared differences in normal, albedo and coverage, each difference divided by its spread.
+/// Returns the sum of the squared differences in normal, albedo and coverage. Each difference is divided by its spread.
 LIPPMANN_INLINE float material_difference(const SurfaceRow& a, int i, const SurfaceRow& b, int j) {
   return squares(a.normal_x[i] - b.normal_x[j], a.normal_y[i] - b.normal_y[j], a.normal_z[i] - b.normal_z[j]) *
              inverse_square(kNormalSpread) +
@@ -191,7 +194,8 @@ LIPPMANN_INLINE float light_difference(const LightRow& a, int i, const LightRow&
   return most(difference, 0.0f) / (variance + visible);
 }
 
-/// Returns a factor from 0 to 1 that reduces the weight of a much noisier pixel (kInfluence).
+/// Returns a factor from 0 to 1 for the weight of a neighbour with the variance `of_other`. The factor is below 1 if the
+/// neighbour is much noisier (see kInfluence).
 LIPPMANN_INLINE float influence(float variance, float of_other) {
   return least(1.0f, kInfluence * (variance + kNoNoise) / (of_other + kNoNoise));
 }
@@ -203,8 +207,8 @@ LIPPMANN_INLINE float weight_of(float difference) {
   return power;
 }
 
-/// Scaled normals of a row of points. The dot product of a normal with the offset of another point is that point's distance
-/// from the plane, divided by its spread.
+/// Scaled normals of the points of a row. The dot product of a normal and the offset to another point is that point's distance
+/// from the plane, divided by kPlaneSpread sample distances.
 struct alignas(64) PlaneRow {
   float x[kColumns], y[kColumns], z[kColumns];
 };
@@ -224,7 +228,7 @@ LIPPMANN_INLINE float plane_difference(const PlaneRow& planes, const SurfaceRow&
   return square(planes.x[i] * (b.x[j] - a.x[at]) + planes.y[i] * (b.y[j] - a.y[at]) + planes.z[i] * (b.z[j] - a.z[at]));
 }
 
-/// Weighted sums over a pixel's neighbours. mean() divides them by the sum of the weights.
+/// Weighted sums over the neighbours of each pixel of a row. mean() divides them by the sum of the weights.
 struct alignas(64) SumRow {
   float red[kColumns], green[kColumns], blue[kColumns], variance[kColumns], weight[kColumns], squares[kColumns];
 
@@ -246,14 +250,14 @@ LIPPMANN_INLINE void add(const LightRow& light, int j, float weight, SumRow& sum
   sums.weight[i] += weight;
 }
 
-// ---- Kernels: one row of one piece -----------------------------------------------------------------------------------------
+// ---- Kernels: each computes one row of a piece --------------------------------------------------------------------------
 
 using RowsOfFive = std::array<const TexelRow*, kNeighbours>;
 using RowsOfSeven = std::array<const TexelRow*, 7>;
 static_assert(2 * kOutlierReach + 1 == 7 && 2 * kBlurReach + 1 == 7 && 2 * kGuideReach + 1 == kNeighbours);
 
-/// For each pixel, the squared light of the brightest and the second-brightest neighbour of the same material within 7 x 7
-/// pixels, and the number of such neighbours.
+/// Results of a search among the neighbours of each pixel, within 7 x 7 pixels and of the same material. `brightest` and
+/// `second` are the squared light of the two brightest neighbours; `neighbours` is the number of neighbours.
 struct alignas(64) BrightRow {
   float brightest[kColumns], second[kColumns], neighbours[kColumns];
 };
@@ -320,26 +324,28 @@ void smooth_row(const RowsOfFive& rows, int step, float distance_mm, float verge
   }
 }
 
-/// A row of pixels of any view, with the data that gather() reads.
+/// The pixels of any view that correspond to a row of pixels, with the data that gather() reads.
 struct GatherRow {
   SurfaceRow surface{};
   LightRow light{}, guide{};
 };
 
-/// Positions of a row's points in another view: column and row of the pixel to the left of each point, and 1 in `right` if the
-/// pixel to its right contributes too. Positions outside the view are clamped to just beyond its edge.
+/// Positions of the points of a row in another view. `column` and `row` are those of the pixel to the left of the point.
+/// `right` is 1 if the pixel to the right of the point contributes as well. Positions outside the view are clamped to just
+/// beyond its edge.
 struct alignas(64) PlaceRow {
   int column[kColumns], row[kColumns], right[kColumns];
 };
 
 LIPPMANN_INLINE float perspective(float z, float vergence) { return 1.0f / most(1.0f - z * vergence, 1e-3f); }
 
-/// Finds the positions of a row's points in another view. `below` is 0 for the upper two of the four pixels around a point and
-/// 1 for the lower two.
+/// Finds the positions of a row's points in another view. A point lies between four pixels. `below` is 0 for the upper two of
+/// them and 1 for the lower two.
 LIPPMANN_MULTIVERSION
 void find_places(const SurfaceRow& a, const SortedViews& views, const SortedViews::Sight& sight, int below, int count,
                  PlaceRow& places) {
-  constexpr float kLeastShare = 1.0f / 64;  // bilinear weight below which a pixel is ignored
+  // Smallest bilinear weight of a pixel that is used.
+  constexpr float kLeastShare = 1.0f / 64;
   const Vec2f samples_per_mm = views.samples_per_mm(), size(views.size());
   const float vergence = views.vergence(), first_row = static_cast<float>(views.first_row());
   const float* shifts = views.shifts();
@@ -356,8 +362,8 @@ void find_places(const SurfaceRow& a, const SortedViews& views, const SortedView
   }
 }
 
-/// Adds one pixel of another view to each sum. Its weight falls linearly with the distance between its ray and the point, and
-/// is zero from one sample distance on.
+/// Adds one pixel of another view to each sum. The pixel's weight falls linearly with the distance between its ray and the
+/// point, and reaches zero at one sample distance.
 LIPPMANN_MULTIVERSION
 void add_found(const GatherRow& a, const PlaneRow& planes, const GatherRow& b, const SortedViews& views,
                const SortedViews::Sight& sight, int count, SumRow& sums) {
@@ -385,7 +391,8 @@ void start_means(const GatherRow& a, float distance_mm, float vergence, int coun
   LIPPMANN_FOR_COLUMNS(i, count) add(a.light, i + kMargin, 1.0f, sums, i);
 }
 
-/// For each pixel, two sums over 7 x 7 pixels: the squared change in light, and the variance of the noise.
+/// Sums over the 7 x 7 pixels around each pixel of a row: the squared change of light by the filter, and the variance of the
+/// noise.
 struct alignas(64) ChangeRow {
   float change[kRow], variance[kRow];
 };
@@ -409,7 +416,7 @@ void add_changes(const std::array<const BlurRow*, 7>& rows, int count, ChangeRow
 
 }  // namespace
 
-// ---- Passes -----------------------------------------------------------------------------------------------------------------
+// ---- Passes over a frame ------------------------------------------------------------------------------------------------
 
 void find_outliers(const SortedViews& views, const Texels& texels, const ThreadPool& pool, std::vector<Estimate>& estimates) {
   for_each_piece(views, 1, pool, [&](const Piece& piece) {
@@ -455,7 +462,7 @@ void make_guides(const SortedViews& views, const Texels& texels, const ThreadPoo
 
 namespace {
 
-/// Searches other views for the points of one row of a piece.
+/// Averages the points of one row of a piece with the pixels of other views that show them.
 class Gatherer {
  public:
   Gatherer(const SortedViews& views, const Texels& texels, const std::vector<Estimate>& guides)

@@ -10,14 +10,14 @@
 namespace lippmann {
 namespace {
 
-/// The ray of a pixel as x(z) = place + s z, with k = place / V + s.
+/// The ray of a pixel: x(z) = place + s z. Its view direction is k = place / V + s.
 struct PixelLine {
   std::uint32_t pixel;
   int row;  ///< row of the film
   Vec2d place, k;
 };
 
-/// Calls fn(line) for every pixel of the film, row by row.
+/// Calls fn(line) for each pixel of the film, row by row.
 template <class Fn>
 void for_each_line(const Optics& optics, double vergence, const Fn& fn) {
   const RayGenerator generator(optics);
@@ -36,15 +36,15 @@ void for_each_line(const Optics& optics, double vergence, const Fn& fn) {
   }
 }
 
-/// Returns the column and row of the pixel within its cell. The small offset keeps positions that repeat below many lenses away
-/// from the boundaries between pixels, where rounding errors would decide.
+/// Returns the column and row of the pixel within its cell. The small constant moves positions away from the boundaries between
+/// pixels. Positions there repeat below many lenses, and rounding errors would decide to which pixel they belong.
 Vec2i in_cell_px(const LensCells::Cell& cell) { return Vec2i(glm::floor(cell.in_cell + 0.0137)); }
 
-/// The ranges of the lens indices, and of the pixel indices below a lens.
+/// Ranges of the lens indices, and of the pixel indices within cells.
 struct LensBounds {
   std::map<int, Vec2i> columns_of_rows;
   Vec2i first_px{std::numeric_limits<int>::max()}, last_px{std::numeric_limits<int>::min()};
-  int most_in_row = 0;  ///< maximum number of pixels below one lens in one row of the film
+  int most_in_row = 0;  ///< maximum number of pixels below one lens within one row of the film
 
   void add(const LensCells::Cell& cell, int row) {
     Vec2i& columns = columns_of_rows.try_emplace(cell.lens.y, cell.lens.x, cell.lens.x).first->second;
@@ -84,7 +84,7 @@ void SortedViews::sort_by_tiles(const Optics& optics, RowRange rows) {
   const ViewLayout layout = view_tiles(optics) ? film_layout(optics, "denoise") : ViewLayout{LayoutKind::kStack, {1, 1}, {}};
   grid_ = layout.grid;
   const Vec2i size = view_size(layout, film, "denoise"), middle = size / 2;
-  const bool one_row = size.y == film.y;  // true if a quilt has only one row of tiles
+  const bool one_row = size.y == film.y;  // true if the quilt has a single row of tiles
   first_row_ = one_row ? rows.first : 0;
   size_ = {size.x, one_row ? rows.end - rows.first : size.y};
   shifts_.assign(static_cast<std::size_t>(size_.y + 2 * kBeyond), 0.0f);
@@ -146,11 +146,13 @@ void SortedViews::sort_by_lenses(const Optics& optics, const LensCells& cells, R
     if (!is_in_rows(line)) return;
     const int y = cell.lens.y - lens_rows.x, x = cell.lens.x - bounds.columns_of_rows[cell.lens.y].x;
     const int view = free_view(px, x, y);
-    if (view < 0) return;  // the pixel is not denoised; this does not happen with any known optics
+    // The pixel is then not denoised. This does not happen with any known optics.
+    if (view < 0) return;
     pixels_[slot(view, y) + static_cast<std::size_t>(x)] = line.pixel - before;
     shifts_[static_cast<std::size_t>(y + kBeyond)] = static_cast<float>(at.x - cell.in_lens - x);
   });
-  Sight sight;  // a view that only holds surplus pixels of its neighbours takes the sight of the previous view
+  // A view that holds only surplus pixels of its neighbours has no rays of its own. It gets the sight of the previous view.
+  Sight sight;
   for (const Sums& sum : sums) {
     if (sum.pixels > 0.0) sight = {Vec2f(sum.k / sum.pixels), Vec2f(sum.first / sum.pixels)};
     sights_.push_back(sight);

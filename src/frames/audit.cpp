@@ -13,24 +13,29 @@
 namespace lippmann {
 namespace {
 
-/// One pixel in this many is held out. The audit adds 2 x kPathsPerSample / kPixelsPerHeldOut = 1.6 % to the frame's paths.
+/// One pixel of every kPixelsPerHeldOut is held out. The audit adds 2 x kPathsPerSample / kPixelsPerHeldOut = 1.6 % to the
+/// frame's paths.
 constexpr std::size_t kPixelsPerHeldOut = 500;
-/// Minimum number of held-out pixels in small images. With fewer, the interval is wider than 6 dB.
+/// Minimum number of held-out pixels, for small images. With fewer pixels, the interval would be wider than 6 dB.
 constexpr std::size_t kLeastHeldOut = 64;
-/// Paths per pixel of each retraced image, as a multiple of the frame's. Both images together have eight times the frame's
-/// paths, so they can measure a denoised frame that is as accurate as one with eight times its paths.
+/// Paths per held-out pixel in each of the two retraced images, as a multiple of the frame's paths per pixel. The two images
+/// together have eight times the frame's paths. They can thus measure a denoised frame that is as accurate as a frame with
+/// eight times its paths.
 constexpr int kPathsPerSample = 4;
-/// Minimum number of paths. With few paths, the sRGB code of their mean is biased, because the transfer curve is not linear.
+/// Minimum number of paths per held-out pixel. The transfer curve of sRGB is not linear, so the sRGB code of a mean of few
+/// paths is biased.
 constexpr int kLeastPaths = 32;
-/// Half the width of the 90 % interval, in standard errors. A normal distribution needs 1.645, but the standard error is
-/// underestimated if a few pixels cause most of the error. `lippmann-bench estimates` measures how often the interval holds.
+/// Half the width of the 90 % interval, in standard errors. A normal distribution would need 1.645. The standard error is
+/// underestimated if a few pixels cause most of the error, so the interval is wider. `lippmann-bench estimates` measures how
+/// often the interval contains the true error.
 constexpr double kDeviations = 2.0;
 
 constexpr std::uint32_t kPlacesSalt = 0x61756469u, kFirstSalt = 0x61756431u, kSecondSalt = 0x61756432u;
 
 using Color = std::array<double, 3>;
 
-/// Divides the pixels into runs of equal length and picks one pixel at random from each run. The result is in ascending order.
+/// Returns the indices of the held-out pixels in ascending order. The pixels are divided into runs of equal length, and each
+/// run contributes one pixel at random.
 std::vector<std::uint32_t> held_out_pixels(std::size_t pixels, std::uint32_t seed) {
   const std::size_t count = std::min(pixels, std::max(kLeastHeldOut, pixels / kPixelsPerHeldOut));
   std::vector<std::uint32_t> chosen;
@@ -54,7 +59,8 @@ std::vector<Color> codes_at(std::span<const std::uint32_t> pixels, const Image& 
   return codes;
 }
 
-/// Retraces `pixels` with other random numbers and returns their sRGB codes. The film is used as a buffer and then restored.
+/// Traces `pixels` again with the random numbers of `trace` and returns their sRGB codes. Overwrites these pixels of the film
+/// and then restores them.
 std::vector<Color> traced_codes(const Shot& shot, const TraceParams& trace, std::span<const std::uint32_t> pixels,
                                 const Workers& workers, Image& film, float* open, RayCounts& rays) {
   std::vector<float> own;

@@ -1,4 +1,4 @@
-// Renders frames band by band into one film in memory. Tracing needs working memory for one band of rows only.
+// Renders frames in bands of rows, into one film in memory. Tracing then needs working memory for one band only.
 #pragma once
 
 #include <memory>
@@ -8,8 +8,8 @@
 
 namespace lippmann {
 
-/// Returns a maker whose frames have the same bits as frames rendered in the same number of strips. `film` is the size of a
-/// whole frame, `wanted` its layers. `context` must outlive the maker.
+/// Returns a frame maker. Its frames have the same bits as frames rendered in the same number of strips. `film` is the size of
+/// a whole frame. `wanted` holds the layers of a frame. `context` must outlive the result.
 std::unique_ptr<FrameMaker> make_banded_frames(StripMaker bands, Vec2i film, const FrameAovs& wanted, const Context& context);
 
 }  // namespace lippmann

@@ -16,14 +16,16 @@
 namespace lippmann {
 namespace {
 
-/// Number of intervals per segment. One interval decides for the whole segment whether prediction pays off.
+/// Number of key frame intervals per segment. The first interval decides for the whole segment whether frames are predicted.
 constexpr int kSegmentIntervals = 8;
-/// If a prediction costs more than this share of a traced frame, it is not tried, because tracing the uncertain pixels would
-/// use up the rest.
+/// Maximum cost of predicting a frame, as a fraction of the cost of tracing it. If prediction costs more, it is not tried,
+/// because tracing the uncertain pixels would use up the rest.
 constexpr double kMostPredictionCost = 1.0 / 3.0;
-/// Minimum saving of a whole interval, including its key, for predicting frames. Costs are accurate to about a third.
+/// Minimum saving of predicting an interval, as a fraction of the cost of tracing it, including its key frame. Estimated costs
+/// are accurate to about a third.
 constexpr double kLeastIntervalSaving = 0.05;
-/// Expected reduction of the tracing cost when keys are twice as close, in traced frames.
+/// Expected reduction of the cost of partial tracing when key frames are twice as close, as a fraction of the cost of tracing a
+/// frame.
 constexpr double kHalvingGains = 0.1;
 
 void add_spent(const FrameReport& spent, FrameReport& report) {
@@ -32,12 +34,12 @@ void add_spent(const FrameReport& spent, FrameReport& report) {
   add(spent.rays, report.rays);
 }
 
-/// Returns the position of a frame within an interval: 0 for the interval's first frame, 1 for its last.
+/// Returns the position of a frame within an interval, from 0 (first frame) to 1 (last frame).
 float position(int frame, const FrameInterval& interval) {
   return static_cast<float>(frame - interval.first) / static_cast<float>(interval.last - interval.first);
 }
 
-/// Returns the PSNR of the estimate, or of its bound if all held-out pixels have an error of 0.
+/// Returns the PSNR of the estimated error. If all held-out pixels have an error of 0, returns the PSNR of the upper bound.
 double estimated_psnr(const ErrorEstimate& error) { return psnr_db(error.mse > 0.0 ? error.mse : error.bound); }
 
 class ErrorBoundedFrames final : public FrameMaker {
@@ -49,21 +51,21 @@ class ErrorBoundedFrames final : public FrameMaker {
 
  private:
   struct Segment {
-    int length = 0;     ///< frames between keys; 0: all frames are traced
-    Evidence evidence;  ///< measured errors of the segment's predictions, by uncertainty
+    int length = 0;     ///< number of frames from key frame to key frame; 0 if all frames are traced
+    Evidence evidence;  ///< measured errors of predictions, per level of uncertainty
   };
 
-  /// Renders a frame and its sources, and stores the results in films_ or keys_.
+  /// Renders a frame and its source frames. Stores them in films_ and keys_.
   void render(int frame);
   void render_between(int frame, const FrameInterval& interval, const Evidence& learned);
-  /// Returns the segment of a frame, after trying it out on first use.
+  /// Returns the segment that contains a frame. Calls try_segment() the first time.
   const Segment& segment_of(int frame);
   Segment try_segment(int first);
-  /// Traces the middle frame of a key interval and compares it with its prediction.
+  /// Traces the middle frame between two key frames and compares it with its prediction.
   FloorLesson learn(const FrameInterval& interval);
-  /// Returns whether predicting the middle frame of an interval, which is made first, paid off.
+  /// Predicts the middle frame of an interval before the other frames. Returns whether the prediction was kept.
   bool middle_holds(const FrameInterval& interval, const Evidence& learned);
-  /// Predicts a frame, or traces it if prediction does not pay off. Returns false if the frame was traced.
+  /// Predicts a frame, or traces it if prediction does not pay off. Returns whether the frame was predicted.
   bool predict_or_trace(int frame, const FrameInterval& interval, const Evidence& learned);
   void trace(int frame, const FrameReport& spent = {});
   const PointImage& key(int frame);
@@ -74,11 +76,11 @@ class ErrorBoundedFrames final : public FrameMaker {
   Interpolate reuse_;
   int every_, last_frame_;
   InBetweenMaker maker_;
-  std::map<int, ForwardSource> keys_;          ///< by frame
-  std::map<int, RenderedFrame> films_;         ///< finished frames that are not yet returned, by frame
-  std::map<int, Segment> segments_;            ///< by first frame
-  std::map<int, bool> middle_holds_;           ///< by middle frame
-  std::map<int, FrameReport> source_reports_;  ///< reports of frames rendered only as sources, by frame
+  std::map<int, ForwardSource> keys_;          ///< indexed by frame
+  std::map<int, RenderedFrame> films_;         ///< finished frames that make() has not returned yet, indexed by frame
+  std::map<int, Segment> segments_;            ///< indexed by the first frame of the segment
+  std::map<int, bool> middle_holds_;           ///< indexed by the middle frame
+  std::map<int, FrameReport> source_reports_;  ///< reports of frames that were rendered only as sources, indexed by frame
 };
 
 ErrorBoundedFrames::ErrorBoundedFrames(const MakerParts& parts, const Interpolate& reuse)
@@ -111,7 +113,8 @@ void ErrorBoundedFrames::render(int frame) {
 void ErrorBoundedFrames::render_between(int frame, const FrameInterval& interval, const Evidence& learned) {
   forget_before(interval.first);
   const bool holds = middle_holds(interval, learned);
-  if (parts_.context.cancelled || films_.contains(frame)) return;  // the middle frame has been made already
+  if (parts_.context.cancelled || films_.contains(frame))
+    return;  // true if `frame` is the middle frame, which middle_holds() has made
   if (holds)
     predict_or_trace(frame, interval, learned);
   else
@@ -157,7 +160,7 @@ FloorLesson ErrorBoundedFrames::learn(const FrameInterval& interval) {
 
 bool ErrorBoundedFrames::middle_holds(const FrameInterval& interval, const Evidence& learned) {
   const int middle = middle_frame(interval);
-  if (keys_.contains(middle)) return true;  // learn() has made the middle frame a key
+  if (keys_.contains(middle)) return true;  // true if learn() has traced the middle frame
   if (const auto known = middle_holds_.find(middle); known != middle_holds_.end()) return known->second;
   const bool holds = predict_or_trace(middle, interval, learned);
   return middle_holds_[middle] = holds;
@@ -246,8 +249,9 @@ std::unique_ptr<FrameMaker> make_error_bounded_frames(const MakerParts& parts, c
 double error_bounded_frames_bytes_per_pixel() {
   constexpr double kFilm = 3 * sizeof(float), kPoint = sizeof(float) + sizeof(std::uint32_t), kContrast = 1;
   const int halvings = halving_depth(kDefaultKeyframes);
-  const int images = 1 + halvings, films = halvings - 1;  // upper bounds; these images rarely all exist at the same time
-  // projected points and predictions of both keys, and the planes of the uncertainty estimate
+  // Upper bounds. These images rarely exist at the same time.
+  const int images = 1 + halvings, films = halvings - 1;
+  // Projected points and predictions of both key frames, and the planes of the uncertainty estimate.
   constexpr double kUncertainty = 2 * sizeof(std::uint64_t) + 2 * kFilm + 5;
   return images * (kFilm + kPoint + kContrast) + films * kFilm + kUncertainty;
 }

@@ -1,15 +1,19 @@
-// Interpolated frames with a minimum PSNR (--reuse interpolate --min-psnr). Key frames are traced; the others are predicted
-// from them and traced where they are uncertain (reuse/quality_floor.hpp).
+// Makes interpolated frames with a minimum PSNR (--reuse interpolate --min-psnr). Key frames are traced. All other frames are
+// predicted from key frames, and traced where the prediction is uncertain (reuse/quality_floor.hpp).
 //
-// Counts (reuse/tracing_costs.hpp), never a clock, decide whether prediction pays off. The animation is divided into segments
-// of kSegmentIntervals intervals, each of kDefaultKeyframes frames or the requested number. In the first interval of a segment,
-// the middle frame is predicted, traced completely and compared: its errors calibrate the uncertainty in the segment and the
-// cost of the other frames. If prediction pays off, the whole segment uses such intervals; if not, intervals of half the length
-// are tried, unless a length was requested. If nothing pays off, all frames of the segment are traced at no further cost. In
-// each interval the middle frame is made first; if it has to be traced completely, so are the others.
+// Estimated costs decide whether prediction pays off. The estimates use counts (reuse/tracing_costs.hpp) and never a clock.
+//   1. The animation is divided into segments of kSegmentIntervals intervals. An interval has kDefaultKeyframes frames, or the
+//      requested number.
+//   2. In the first interval of a segment, the middle frame is both predicted and completely traced. The errors of the
+//      prediction calibrate the uncertainty, and the cost of the other frames.
+//   3. If prediction pays off, the whole segment uses intervals of this length.
+//   4. If not, step 2 is repeated with half the interval length, unless a length was requested.
+//   5. If no length pays off, all frames of the segment are traced. No further trials are made.
+//   6. In each interval the middle frame is made first. If it has to be traced completely, the other frames of the interval are
+//      traced as well.
 //
-// The trials and their results depend on the whole animation only, so a part of an animation that is rendered alone has the
-// same bytes as in the whole.
+// Trials and their results depend only on the whole animation. A part of an animation that is rendered alone has the same bytes
+// as in the whole animation.
 #pragma once
 
 #include <memory>

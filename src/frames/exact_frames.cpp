@@ -12,7 +12,8 @@
 namespace lippmann {
 namespace {
 
-// If reuse saves less than this share of the time, it pauses for a number of frames that doubles each time, up to kLongestRest.
+// If copying blocks saves less than kLeastSpanSaving of the time, it is switched off for some frames. The number of frames
+// doubles each time, up to kLongestRest.
 constexpr double kLeastSpanSaving = 0.02;
 constexpr int kLongestRest = 256;
 
@@ -25,7 +26,7 @@ class ExactFrames final : public FrameMaker {
  private:
   RenderedFrame key(int frame);
   RenderedFrame from_key(int frame);
-  /// Fills the provenance layer, if wanted. Marks the pixels of settled blocks as copied.
+  /// Sets the provenance layer if it is wanted: pixels of settled blocks were copied, all others were traced.
   void mark_copied(const Shot& shot, std::span<const std::uint8_t> unsettled, FrameAovs& aovs) const;
   void judge(const FrameReport& in_between);
 
@@ -34,13 +35,15 @@ class ExactFrames final : public FrameMaker {
   int last_frame_;
   SettledBlocks settled_;
 
-  int key_ = 0, span_ = 0;  ///< the key is used for frames key_ ... key_ + span_ - 1
-  Image film_;              ///< of the key frame
-  TouchedBlocks blocks_;    ///< of the key frame
+  /// The key frame is key_. Its blocks are copied to the frames key_ + 1 ... key_ + span_ - 1.
+  int key_ = 0, span_ = 0;
+  Image film_;            ///< film of the key frame
+  TouchedBlocks blocks_;  ///< blocks of the key frame
 
-  // Timings decide how long reuse continues. They do not affect the images.
-  double full_seconds_ = 0.0, key_seconds_ = 0.0;  ///< CPU time of the last full frame and key; 0: not yet measured
-  int rest_ = 0;                                   ///< number of frames to trace before the next key is tried
+  // Measured times decide how long blocks are copied. They do not affect the images.
+  /// CPU time of the last fully traced frame, and of the last key frame. 0 if not yet measured.
+  double full_seconds_ = 0.0, key_seconds_ = 0.0;
+  int rest_ = 0;  ///< number of frames to trace before the next key frame
   int next_rest_ = 16;
 };
 
@@ -108,7 +111,7 @@ void ExactFrames::mark_copied(const Shot& shot, std::span<const std::uint8_t> un
                            [&](std::uint32_t pixel) { codes[pixel] = static_cast<float>(Provenance::kTraced); });
 }
 
-/// Ends the key's span if its frames would take about as long as full ones.
+/// Ends the span of the key frame if copying saves too little time compared to tracing all frames.
 void ExactFrames::judge(const FrameReport& in_between) {
   const double span_seconds = key_seconds_ + (span_ - 1) * in_between.cpu_seconds;
   if (span_seconds < (1.0 - kLeastSpanSaving) * span_ * full_seconds_) {

@@ -1,5 +1,5 @@
-// Exact reuse traces key frames completely. In other frames, it traces only the blocks that may differ from the key and copies
-// the rest. The bits are the same as if every frame were traced, whichever frames are keys.
+// Traces key frames completely. In other frames, traces only the blocks that may differ from the key frame, and copies all
+// other blocks. The bits are the same as if every frame were traced, whichever frames are key frames.
 #pragma once
 
 #include <memory>

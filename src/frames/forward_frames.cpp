@@ -15,7 +15,7 @@
 namespace lippmann {
 namespace {
 
-/// Returns whether halving makes frames between this middle frame and an end of its interval.
+/// Returns whether a middle frame is a source of other frames, which lie between it and an end of its interval.
 bool is_source(int frame, const FrameInterval& interval) { return frame - interval.first > 1 || interval.last - frame > 1; }
 
 class ForwardFrames final : public FrameMaker {
@@ -30,7 +30,8 @@ class ForwardFrames final : public FrameMaker {
   using Source = ForwardSource;
 
   Source between(int frame, const FrameInterval& interval, bool as_source);
-  /// Returns the intervals to process until a frame that is not a key can be made from the ends of the last one.
+  /// Returns the intervals to process for a frame that is not a key frame. The frame is made from the ends of the last
+  /// interval.
   std::vector<FrameInterval> path_to(int frame) const;
   void keep_only_sources_of(int frame);
   const Source& key(int frame);
@@ -41,8 +42,8 @@ class ForwardFrames final : public FrameMaker {
   int every_, last_frame_;
   InBetweenMaker maker_;
   SpareImages spare_films_;
-  std::map<int, Source> sources_;              ///< by frame
-  std::map<int, FrameReport> source_reports_;  ///< reports of frames rendered only as sources, by frame
+  std::map<int, Source> sources_;              ///< indexed by frame
+  std::map<int, FrameReport> source_reports_;  ///< reports of frames that were rendered only as sources, indexed by frame
 };
 
 ForwardFrames::ForwardFrames(const MakerParts& parts, const Interpolate& reuse)
@@ -149,7 +150,7 @@ std::unique_ptr<FrameMaker> make_forward_frames(const MakerParts& parts, const I
 
 double forward_frames_bytes_per_pixel(const Interpolate& reuse) {
   constexpr double kFilm = 3 * sizeof(float), kPoint = sizeof(float) + sizeof(std::uint32_t), kContrast = 1, kSpareFilms = 2;
-  // The memory holds two key frames, one made frame per halving, the SplatBuffer keys of both sources, and reusable films.
+  // The memory holds two key frames, one made frame per halving, the SplatBuffer keys of both sources, and spare films.
   const int images = 2 + (reuse.halving ? halving_depth(key_frame_interval(reuse)) : 0);
   return images * (kFilm + kPoint + kContrast) + 2 * sizeof(std::uint64_t) + kSpareFilms * kFilm;
 }

@@ -1,5 +1,5 @@
-// The paper's interpolated animation: key frames are traced, and the frames between them are made from their points, directly
-// or by halving (reuse/frame_plan.hpp). Only the sources of the current frame are kept.
+// Makes the paper's interpolated animation. Key frames are traced. The frames between them are made from the points of key
+// frames, directly or by halving (reuse/frame_plan.hpp). Only the sources of the current frame are kept.
 #pragma once
 
 #include <memory>

@@ -71,13 +71,14 @@ void add_first_hits(const Stage& stage, const Sampling& sampling, const Moment& 
 
 namespace {
 
-/// Maximum number of times per exposure. More times would cost more scene updates without a visible effect.
+/// Maximum number of times at which a frame with motion blur is exposed. Each time needs a scene update. More times have no
+/// visible effect.
 constexpr int kMostTimes = 32;
 
-/// Traces one share of a frame's samples.
+/// Traces a share of the samples of a frame.
 using TraceShare = std::function<RayCounts(const Shot&, const TraceParams&, SampleShare, FramePictures&)>;
 
-/// Traces each share of the samples at its own time.
+/// Traces the samples of a frame with motion blur. Each share of the samples has its own time.
 RayCounts trace_exposure(Stage& stage, const std::vector<ExposureTime>& times, const TraceParams& params,
                          const Workers& workers, const TraceShare& trace, FramePictures& pictures) {
   RayCounts rays;
@@ -104,7 +105,8 @@ RenderedFrame render_with(Stage& stage, const Sampling& sampling, int frame, con
   if (sampling.shutter > 0.0f) {
     const std::vector<ExposureTime> times = exposure_times(sampling, stage.scene.timeline, frame);
     rendered.report.rays = trace_exposure(stage, times, params, workers, trace, rendered.pictures);
-    stage.device.update(moment.resolved, workers.pool);  // first-hit layers show the scene at the frame's own time
+    // Moves the scene back to the frame's time, which first-hit layers show.
+    stage.device.update(moment.resolved, workers.pool);
   } else {
     rendered.report.rays = trace(stage.shot(moment), params, {}, rendered.pictures);
   }

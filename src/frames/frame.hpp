@@ -20,28 +20,28 @@
 
 namespace lippmann {
 
-/// The parts of rendering that are set up once for all frames.
+/// The scene, the optics and the device scene, which are set up once for all frames.
 struct Stage {
   Scene scene;
   FittedArray array;
   PlacedOptics placed;
   DeviceScene device;  ///< refers to `scene`, so a Stage cannot be moved
-  FilmRows rows{};     ///< the rows of every frame to render (strip_maker.hpp)
+  FilmRows rows{};     ///< the rows that are rendered of every frame (strip_maker.hpp)
 
   /// Builds the device scene. The scene must pass validate().
   Stage(Scene scene, FittedArray array, PlacedOptics placed, Integrator integrator, const ThreadPool& pool);
   Stage(const Stage&) = delete;
   Stage& operator=(const Stage&) = delete;
 
-  /// Return the state of the scene at a frame or a time.
+  /// Return the poses of the scene and the display, for a frame or for a time.
   Moment moment_at(int frame) const;
   Moment moment_at_time(double seconds) const;
 
-  /// Returns the shot for the moment that the device scene was moved to.
+  /// Returns the scene and the optics for tracing. The device scene must have been moved to `moment`.
   Shot shot(const Moment& moment) const { return {device, placed.optics, moment.world_from_display, rows}; }
 };
 
-/// Measures the time of rendering one frame, starting at construction.
+/// Measures the time of rendering a frame. The measurement begins at construction.
 class FrameClock {
  public:
   explicit FrameClock(const ThreadPool& pool) : pool_(pool), cpu_start_(pool.cpu_seconds()) {}
@@ -57,38 +57,40 @@ class FrameClock {
   double cpu_start_;
 };
 
-/// One of the times at which a frame with motion blur is exposed, and its share of the samples.
+/// A frame with motion blur is exposed at several times. This is one of them, with its share of the samples.
 struct ExposureTime {
   double seconds = 0.0;
   SampleShare share;
 };
 
-/// Returns times spread evenly over the open time of the shutter, each with its share of the samples of every pixel.
+/// Returns times spread evenly over the interval in which the shutter is open. Each time has a share of the samples of every
+/// pixel.
 std::vector<ExposureTime> exposure_times(const Sampling& sampling, const Timeline& timeline, int frame);
 
-/// Returns the layers that a frame needs.
+/// Returns a frame's layers, still empty, marked as wanted by `sampling`.
 FrameAovs wanted_aovs(const Sampling& sampling);
 
-/// Fills the provenance layer, if wanted, with one value for all pixels.
+/// Sets all pixels of the provenance layer to one value. Does nothing if the layer is not wanted.
 void set_provenance(Provenance all, Vec2i film_size, FrameAovs& aovs);
 
-/// Fills the provenance layer, if wanted, from values of Provenance by pixel. If `of_pixels` is empty, all pixels were traced.
+/// Sets the provenance layer. `of_pixels` has one value of Provenance per pixel; if it is empty, all pixels were traced. Does
+/// nothing if the layer is not wanted.
 void set_provenance(std::span<const std::uint8_t> of_pixels, Vec2i film_size, FrameAovs& aovs);
 
 /// Returns the parameters for tracing. Quilts for displays use beams as wide as a view, unless `sampling` selects another
-/// filter.
+/// angular filter.
 TraceParams trace_params(const Sampling& sampling, const Stage& stage);
 
-/// Fills the layers that are computed separately from the light. The device scene must be at the frame's `moment`.
+/// Computes the layers that show first hits, such as depth. The device scene must be at `moment`.
 void add_first_hits(const Stage& stage, const Sampling& sampling, const Moment& moment, int frame, const ThreadPool& pool,
                     FrameAovs& aovs);
 
-/// Moves the device scene to the frame's time and traces the frame. `touched` has the meaning of TraceTargets::touched. The
-/// result is incomplete if context.cancelled is set meanwhile.
+/// Moves the device scene to the frame's time and traces the frame. `touched` is that of TraceTargets::touched. The result is
+/// incomplete if context.cancelled is set meanwhile.
 RenderedFrame render_frame(Stage& stage, const Sampling& sampling, int frame, const ThreadPool& pool, const Context& context,
                            TouchedBlocks* touched = nullptr);
 
-/// Renders the same frame with its film and the denoiser's inputs in `noisy`.
+/// Renders the same frame as render_frame(). Stores its film and the denoiser's other inputs in `noisy`.
 RenderedFrame render_noisy_frame(Stage& stage, const Sampling& sampling, int frame, const ThreadPool& pool,
                                  const Context& context, NoisyFrame& noisy);
 

@@ -17,7 +17,7 @@
 namespace lippmann {
 namespace {
 
-/// Interpolation moves points with their nodes, so it does not support deforming meshes.
+/// Throws if a mesh deforms. Interpolation moves points with their nodes, so it supports only rigid objects.
 void refuse_deforming_meshes(const Scene& scene) {
   const std::vector<bool> moves = moving_instances(scene);
   for (std::size_t i = 0; i < scene.instances.size(); ++i)
@@ -28,14 +28,14 @@ void refuse_deforming_meshes(const Scene& scene) {
                         "copy, none or auto for this scene");
 }
 
-/// A point image has one point per pixel, but splats have many along a ray.
+/// Throws if the scene has splats. A point image has one point per pixel, but a ray can hit many splats.
 void refuse_splats(const Scene& scene) {
   if (has_splats(scene))
     throw usage_error("reuse", "interpolated frames need one surface behind each pixel, and splats have many",
                       "copy, none or auto for this scene");
 }
 
-/// Makes the maker for each kind of reuse.
+/// Creates the frame maker for each kind of reuse.
 struct MakerOf {
   const MakerParts& parts;
 
@@ -50,7 +50,7 @@ struct MakerOf {
   }
 };
 
-/// Returns bytes per pixel for each kind of reuse.
+/// Returns the working memory of each kind of reuse, in bytes per pixel.
 struct WorkingBytes {
   const Sampling& sampling;
   int frames;
@@ -63,7 +63,7 @@ struct WorkingBytes {
   }
 };
 
-/// Returns the segment length for each kind of reuse.
+/// Returns the segment length of each kind of reuse, in frames.
 struct SegmentLength {
   int operator()(const AutoReuse&) const { return 1; }
   int operator()(const TraceAll&) const { return 1; }
@@ -78,7 +78,7 @@ struct SegmentLength {
 std::unique_ptr<FrameMaker> make_frame_maker(Stage& stage, const FrameParams& params, const ThreadPool& pool,
                                              const Context& context) {
   MakerParts parts{stage, params.sampling, pool, context};
-  // a reprojected point belongs to a single eye position, so views are not filtered
+  // A projected point belongs to a single eye position, so views must not be filtered over angles.
   if (std::holds_alternative<Interpolate>(params.reuse)) parts.sampling.angular_filter = AngularFilter::kNone;
   return std::visit(MakerOf{parts}, resolved_reuse(params));
 }

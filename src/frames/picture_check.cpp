@@ -18,10 +18,10 @@ namespace {
 
 constexpr int kRaysAcross = 128;
 constexpr double kLeastShare = 0.001;
-/// Surfaces count as visible with at least this opacity.
+/// Minimum opacity of a visible surface.
 constexpr float kLeastOpacity = 1.0f / 256.0f;
 
-/// Returns a view through the display's frame from the viewer's eye.
+/// Returns optics with a single view, from the viewer's eye through the frame of the display.
 Optics through_the_frame(const Optics& optics) {
   const Vec2f window = window_size_mm(optics);
   const float across = std::min(window.x, window.y) / static_cast<float>(kRaysAcross);
@@ -36,7 +36,7 @@ Optics through_the_frame(const Optics& optics) {
   return view;
 }
 
-/// Returns an upper bound of the opacity of the instance's surface.
+/// Returns an upper bound of the opacity of a surface.
 float largest_alpha(const Scene& scene, const MetallicRoughness& surface, const Shape& shape) {
   float largest = surface.base_color.w;
   if (const auto* mesh = std::get_if<Mesh>(&shape); mesh && !mesh->alphas.empty())
@@ -78,7 +78,7 @@ bool any_area(const Scene& scene) {
   });
 }
 
-/// Returns whether all finite objects lie behind the point where the rays start.
+/// Returns whether all finite objects lie behind the plane where the viewer's rays start.
 bool all_behind(const Stage& stage, int frame) {
   const Moment moment = stage.moment_at(frame);
   const Bounds3f bounds = finite_bounds(stage.scene, moment.resolved, inverse(moment.world_from_display));
@@ -116,7 +116,6 @@ bool has_light(const Scene& scene) {
          std::any_of(scene.materials.begin(), scene.materials.end(), gives_light);
 }
 
-/// Returns whether all pixels have the same colour.
 bool is_uniform(const Image& film) {
   const auto channels = static_cast<std::size_t>(film.channels);
   return std::equal(film.data.begin() + static_cast<std::ptrdiff_t>(std::min(channels, film.data.size())), film.data.end(),

@@ -16,7 +16,7 @@
 namespace lippmann {
 namespace {
 
-/// Checks a placement, because one made for another scene may refer to a node that does not exist.
+/// Throws if a placement does not fit the scene. A placement of another scene may refer to a node that does not exist.
 void check(const Placement& placement, const Scene& scene) {
   const FittedArray& array = placement.array;
   const int nodes = static_cast<int>(scene.nodes.size());
@@ -32,7 +32,7 @@ void check(const Placement& placement, const Scene& scene) {
   validate(placement.placed.optics);
 }
 
-/// Checks and completes the parameters before anything is built.
+/// Returns the complete parameters after checking them. Called before anything is built.
 FrameParams checked(FrameParams params, const Placement& placement, const Scene& scene) {
   check(placement, scene);
   const bool interpolates = std::holds_alternative<Interpolate>(params.reuse);
@@ -49,7 +49,7 @@ Scene checked(Scene scene) {
   return scene;
 }
 
-/// Moves the settings of a Context into a new one. A Context as a whole cannot be moved, because its flag is atomic.
+/// Moves the members of a Context into a new Context. A Context cannot be moved as a whole, because its flag is atomic.
 std::shared_ptr<const Context> moved(Context&& context) {
   const auto kept = std::make_shared<Context>();
   kept->threads = context.threads;
@@ -59,7 +59,7 @@ std::shared_ptr<const Context> moved(Context&& context) {
   return kept;
 }
 
-/// Returns a pointer that does not own the context.
+/// Returns a pointer to the context that does not own it.
 std::shared_ptr<const Context> borrowed(const Context& context) { return {std::shared_ptr<void>(), &context}; }
 
 }  // namespace
@@ -70,7 +70,7 @@ struct Renderer::Impl {
   ThreadPool pool;
   Stage stage;
   std::unique_ptr<FrameMaker> maker;
-  bool is_checked = false;  ///< whether the first frame has been checked
+  bool is_checked = false;  ///< whether picture_check has examined the first frame
 
   Impl(Scene scene, Placement placement, FrameParams requested, std::shared_ptr<const Context> caller)
       : context(std::move(caller)),

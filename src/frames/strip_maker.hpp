@@ -1,7 +1,5 @@
 // Renders frames in strips of rows, for stills that take too much time or memory in a single process. Each strip is rendered
-// separately and needs memory for its own rows only.
-//
-// The pixels of a strip have the same bits as in the whole frame.
+// separately and needs memory for its own rows only. The pixels of a strip have the same bits as in the whole frame.
 #pragma once
 
 #include "frames/frame.hpp"
@@ -9,11 +7,10 @@
 
 namespace lippmann {
 
-/// Renders strips of frames.
 class StripMaker {
  public:
-  /// `params` must pass check_strips(). `stage`, `pool` and `context` must outlive this object, and nothing else may render
-  /// with the stage.
+  /// `params` must pass check_strips(). `stage`, `pool` and `context` must outlive this object. The stage must not be used by
+  /// other renderers.
   StripMaker(Stage& stage, const FrameParams& params, int strips, const ThreadPool& pool, const Context& context);
 
   int strips() const { return strips_; }
@@ -21,8 +18,8 @@ class StripMaker {
   /// Returns the film rows of a strip. Strips are numbered from 0 at the top.
   FilmRows rows_of(int strip) const;
 
-  /// Renders the film and layers of one strip. Strips may be made in any order. The result is incomplete if the context is
-  /// cancelled meanwhile.
+  /// Renders the film and the layers of one strip. Strips may be rendered in any order. The result is incomplete if the context
+  /// is cancelled meanwhile.
   RenderedFrame make(int frame, int strip);
 
  private:
@@ -33,11 +30,12 @@ class StripMaker {
   const Context& context_;
 };
 
-/// Returns the maximum number of strips of a frame. Bands of rows whose rays are traced together cannot be divided.
+/// Returns the maximum number of strips of a frame. It is limited because some rows of rays are traced together and cannot be
+/// divided.
 int most_strips(const Optics& optics);
 
-/// Throws a usage Error if frames cannot be rendered in `strips` strips: if there are too few rows, or if a strip needs the
-/// pixels of the whole frame.
+/// Throws a usage Error if frames cannot be rendered in `strips` strips. This is the case if there are too few rows, or if a
+/// strip needs the pixels of the whole frame.
 void check_strips(const FrameParams& params, const Optics& optics, int strips);
 
 /// Combines the reports of a frame's strips: adds their times and rays, and combines their error estimates. `rows` holds the

@@ -18,13 +18,12 @@ int rows_around(const Sampling& sampling, const Optics& optics) {
 
 namespace {
 
-/// Extends `rows` by `around` rows on both sides, rounded outwards to whole bands of rows that are traced together.
+/// Extends `rows` by `around` rows on both sides. Rounds outwards to whole bands of rows that are traced together.
 FilmRows with_rows_around(FilmRows rows, int around, const Optics& optics) {
   const int height = film_size(optics).y, together = rows_per_strip(optics), end = std::min(rows.end, height) + around;
   return {std::max(rows.first - around, 0) / together * together, std::min((end + together - 1) / together * together, height)};
 }
 
-/// Makes frames by tracing all of their pixels.
 class TracedFrames final : public FrameMaker {
  public:
   explicit TracedFrames(const MakerParts& parts);
@@ -36,8 +35,9 @@ class TracedFrames final : public FrameMaker {
   void keep_rows(FilmRows rows, FramePictures& pictures) const;
 
   MakerParts parts_;
-  FilmRows traced_rows_;              ///< the stage's rows, and the rows above and below them that the denoiser reads
-  std::optional<Denoiser> denoiser_;  ///< empty: frames are not denoised
+  /// The rows that are rendered, and the rows above and below them that the denoiser reads.
+  FilmRows traced_rows_;
+  std::optional<Denoiser> denoiser_;  ///< empty if frames are not denoised
 };
 
 TracedFrames::TracedFrames(const MakerParts& parts)
@@ -70,7 +70,7 @@ RenderedFrame TracedFrames::denoised(int frame) {
   return rendered;
 }
 
-/// Crops the film and the layers from the traced rows to `rows`.
+/// Crops the film and the layers from traced_rows_ to `rows`.
 void TracedFrames::keep_rows(FilmRows rows, FramePictures& pictures) const {
   rows.end = std::min(rows.end, film_size(parts_.stage.placed.optics).y);
   if (rows == traced_rows_) return;

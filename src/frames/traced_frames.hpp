@@ -1,4 +1,4 @@
-// Traces every frame separately. Path-traced frames are denoised (denoise/denoiser.hpp) if is_denoised() is true.
+// Makes frames by tracing all of their pixels. Path-traced frames are denoised (denoise/denoiser.hpp) if is_denoised() is true.
 #pragma once
 
 #include <memory>
@@ -7,14 +7,13 @@
 
 namespace lippmann {
 
-/// Returns the number of film rows above and below a row that affect its pixels. It is 0 without denoising, and the film's
-/// height for a denoised quilt with several rows of tiles.
+/// Returns how many film rows above and below a row affect its pixels. Returns 0 without denoising. Returns the film's height
+/// for a denoised quilt with several rows of tiles.
 int rows_around(const Sampling& sampling, const Optics& optics);
 
-/// Makes frames by tracing all of their pixels.
 std::unique_ptr<FrameMaker> make_traced_frames(const MakerParts& parts);
 
-/// Returns the working memory in bytes per pixel, in addition to the film and the layers.
+/// Returns the working memory in bytes per pixel. The film and the layers are not included.
 double traced_frames_bytes_per_pixel(const Sampling& sampling);
 
 }  // namespace lippmann

@@ -1,5 +1,5 @@
-// Parameters for rendering the frames of a scene for its optics: the sampling of each frame, and reuse between frames. Scene
-// names, folders and flags are not part of them.
+// Parameters for rendering the frames of a scene for given optics: the sampling of each frame, and the reuse between frames.
+// Scene names, folders and flags are not included.
 #pragma once
 
 #include <cstdint>
@@ -17,40 +17,50 @@
 
 namespace lippmann {
 
-/// Selects whether path-tracing noise is removed (denoise/denoiser.hpp).
+/// Selects whether the noise of path tracing is removed (denoise/denoiser.hpp).
 enum class Denoise {
-  kAuto,  ///< denoise path-traced frames with 2 or more samples per pixel: see is_denoised()
-  kNone,  ///< do not denoise
+  /// Denoises path-traced frames with 2 or more samples per pixel (see is_denoised()).
+  kAuto,
+  kNone,  ///< does not denoise
 };
 
-/// How to trace a frame, and which layers to produce.
+/// How a frame is traced, and which layers it has.
 struct Sampling {
-  std::optional<Integrator> integrator{};  ///< default: see completed()
+  std::optional<Integrator> integrator{};  ///< if empty, completed() chooses it
   RayOrder order = RayOrder::kViewTiles;
-  int spp = 0;  ///< samples per pixel; 0: the integrator's default, or see completed()
-  /// Default: kBox for a display's quilt with several samples per pixel, see PlacedOptics.
+  /// Samples per pixel. 0 selects the default of the integrator, or of completed().
+  int spp = 0;
+  /// Filter over the angles of a view. If empty, quilts for displays with several samples per pixel use kBox (see
+  /// PlacedOptics), and all other pictures use none.
   std::optional<AngularFilter> angular_filter{};
-  ViewLens lens{};  ///< depth of field of the views; needs 2 or more samples per pixel
-  /// Motion blur: the shutter is open for this share of the frame interval, centred on the frame's time; 0 to 1.
+  /// Depth of field of the views. Needs 2 or more samples per pixel.
+  ViewLens lens{};
+  /// Motion blur: the fraction of the frame interval for which the shutter is open, 0 to 1. The open time is centred on the
+  /// frame's time.
   float shutter = 0.0f;
-  int max_depth = 0;  ///< maximum number of path vertices; 0: the scene's own limit
+  /// Maximum number of path vertices. 0 selects the limit of the scene.
+  int max_depth = 0;
   std::uint32_t seed = 0;
-  float clamp_indirect = 0.0f;  ///< path tracing: upper limit of a path's indirect contribution (linear light); 0: none
+  /// Path tracing: upper limit of the indirect light that a path contributes, as linear light. 0 means no limit.
+  float clamp_indirect = 0.0f;
   Denoise denoise = Denoise::kAuto;
-  bool transparent = false;  ///< adds alpha to pictures: the surroundings light the scene but are invisible
-  std::vector<Aov> aov{};    ///< extra layers to produce
+  /// Adds an alpha channel to pictures. The surroundings light the scene but are invisible.
+  bool transparent = false;
+  std::vector<Aov> aov{};  ///< extra layers of each frame
 };
 
-/// All parameters of frames besides the scene and its optics.
+/// All parameters of frames except the scene and its optics.
 struct FrameParams {
   Sampling sampling{};
   Reuse reuse{};
 };
 
-/// Chooses the integrator if `sampling` has none. The tool, Renderer and the Python module all use this function.
-/// - physical scenes: path tracing with 16 samples per pixel; Whitted shading with 1 if frames are interpolated
-/// - Whitted scenes: Whitted shading with 1 sample per pixel
-/// - splats: Whitted shading with 4 samples per pixel, unless `sampling` sets spp
+/// Returns `sampling` with an integrator. If `sampling` has none, it is chosen as follows. The tool, Renderer and the Python
+/// module all use this function.
+/// - Physical scenes: path tracing with 16 samples per pixel. If frames are interpolated: Whitted shading with 1 sample per
+///   pixel.
+/// - Whitted scenes: Whitted shading with 1 sample per pixel.
+/// - Splats: Whitted shading with 4 samples per pixel, unless `sampling` sets spp.
 Sampling completed(Sampling sampling, SceneKind scene, bool interpolates);
 
 inline Integrator integrator_of(const Sampling& sampling) { return sampling.integrator.value_or(Integrator::kWhitted); }
@@ -60,23 +70,24 @@ inline int samples_per_pixel(const Sampling& sampling) {
   return sampling.spp > 0 ? sampling.spp : facts_of(sampling).default_samples;
 }
 
-/// Returns whether frames are denoised. One sample per pixel is never denoised, because its noise cannot be estimated.
+/// Returns whether frames are denoised. Frames with one sample per pixel are never denoised, because their noise cannot be
+/// estimated.
 inline bool is_denoised(const Sampling& sampling) {
   return sampling.denoise == Denoise::kAuto && facts_of(sampling).is_stochastic && samples_per_pixel(sampling) > 1;
 }
 
-/// Returns whether CopySettled can be used: only with Whitted shading, without motion blur and transparency, and with no extra
+/// Returns whether CopySettled can be used. It requires Whitted shading without motion blur and transparency, and without extra
 /// layers except provenance.
 bool can_copy_settled(const Sampling& sampling);
 
-/// Returns params.reuse. AutoReuse is replaced by CopySettled if the sampling allows it, otherwise by TraceAll.
+/// Returns params.reuse, with AutoReuse replaced: by CopySettled if the sampling allows it, otherwise by TraceAll.
 Reuse resolved_reuse(const FrameParams& params);
 
 /// Throws a usage Error if parameters are out of range, contradict each other, or do not apply to `optics`. The error names the
 /// parameter as in job files (min-psnr for min_psnr_db) and the accepted values.
 void check(const FrameParams& params, const Optics& optics);
 
-/// Does only the checks that need no optics. Throws a usage Error as the function above.
+/// Makes only the checks that need no optics. Throws a usage Error like check(params, optics).
 void check(const FrameParams& params);
 
 }  // namespace lippmann

@@ -1,4 +1,4 @@
-// A rendered frame: its film and layers in the native layout of the optics, and its report.
+// A rendered frame with its layers and its report.
 #pragma once
 
 #include "lippmann/frames/frame_report.hpp"
@@ -14,7 +14,7 @@ struct FramePictures {
   Image8 codes{};    ///< 8-bit codes of the film for files and videos; empty if not needed
 };
 
-/// A frame and its report. pictures.codes is left empty.
+/// A frame and its report. The renderer leaves pictures.codes empty.
 struct RenderedFrame {
   FramePictures pictures{};
   FrameReport report{};

@@ -1,4 +1,4 @@
-// Reuse of pixels between the frames of an animation: several kinds, each with its own parameters.
+// Selects how the frames of an animation reuse pixels of other frames. Each kind of reuse has its own parameters.
 #pragma once
 
 #include <optional>
@@ -8,29 +8,34 @@
 
 namespace lippmann {
 
-/// Selects CopySettled if the sampling allows it, else TraceAll: see resolved_reuse().
+/// Selects CopySettled if the sampling allows it, otherwise TraceAll (see resolved_reuse()).
 struct AutoReuse {};
 
-/// Traces every frame in full.
+/// Traces every frame completely.
 struct TraceAll {};
 
 /// Copies pixels from key frames where they provably do not change. Frames have the same bits as with TraceAll. Requires
 /// Whitted shading.
 struct CopySettled {
-  std::optional<int> keyframes{};  ///< frames from one key frame to the next; default: chosen automatically
+  /// Number of frames from one key frame to the next. If empty, it is chosen automatically.
+  std::optional<int> keyframes{};
 };
 
-/// Interpolates as in the paper: projects the points of key frames into the frames between them, and fills the pixels that no
-/// point projects onto. Requires Whitted shading.
+/// Interpolates frames as in the paper. Projects the points of key frames into the frames between them, and then fills the
+/// pixels that no point projects onto. Requires Whitted shading.
 struct Interpolate {
-  /// Frames from one key frame to the next; default: kDefaultKeyframes, or chosen automatically with min_psnr_db.
+  /// Number of frames from one key frame to the next. If empty, it is kDefaultKeyframes, or chosen automatically with
+  /// min_psnr_db.
   std::optional<int> keyframes{};
-  /// Minimum PSNR of every frame in 8-bit codes, in dB. Uncertain pixels are traced to reach it. Default: no minimum.
+  /// Minimum PSNR of every frame, in dB, measured in 8-bit codes. Uncertain pixels are traced to reach it. If empty, there is
+  /// no minimum.
   std::optional<double> min_psnr_db{};
   SplatMode splat = SplatMode::kView;
   MissedFill fill = MissedFill::kInterpolate;
-  bool halving = false;      ///< use interpolated frames as sources, too (reuse/frame_plan.hpp), not only key frames
-  bool no_z_buffer = false;  ///< let points overwrite each other in pixel order; incorrect, for experiments only
+  /// Uses interpolated frames as sources, and not only key frames (reuse/frame_plan.hpp).
+  bool halving = false;
+  /// Lets points overwrite each other in pixel order. This gives wrong images and is for experiments only.
+  bool no_z_buffer = false;
 };
 
 using Reuse = std::variant<AutoReuse, TraceAll, CopySettled, Interpolate>;

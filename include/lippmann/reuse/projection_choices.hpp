@@ -1,18 +1,18 @@
-// Options of the paper's interpolation: where points may be projected, and how missed pixels are filled.
+// Options of the paper's interpolation. Points of key frames are projected into in-between frames.
 #pragma once
 
 namespace lippmann {
 
 enum class SplatMode {
-  /// A point stays below its own lens, as in the paper. It is dropped when it leaves the lens's cell.
+  /// A point is only projected to pixels below its own lens, as in the paper. A point that leaves the lens's cell is dropped.
   kLens,
-  kView,  ///< a point stays in its own directional view
+  kView,  ///< a point is only projected to pixels of its own directional view
 };
 
 enum class MissedFill {
-  kInterpolate,  ///< missed pixels are filled from neighbouring pixels
+  kInterpolate,  ///< missed pixels get the colours of neighbouring pixels
   kRetrace,      ///< missed pixels are traced
-  kBlack,        ///< missed pixels are left black, as in the paper's figures 4 and 5
+  kBlack,        ///< missed pixels stay black, as in the paper's figures 4 and 5
 };
 
 }  // namespace lippmann
