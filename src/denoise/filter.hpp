@@ -20,10 +20,9 @@ struct Estimate {
 /// 0.
 struct Texels {
   float* light;  ///< 3 numbers: light divided by the albedo
-  float*
-      /// 3 numbers: x and y of the visible point, in mm in the display frame, followed by the mean variance of the light around
-      /// the point.
-      place;
+  /// 3 numbers: x and y of the visible point, in mm in the display frame, followed by the mean variance of the light around the
+  /// point.
+  float* place;
   /// 3 numbers, in the display frame. Shorter than 1 if the samples of the pixel have different normals.
   float* normal;
   float* albedo;  ///< 3 numbers

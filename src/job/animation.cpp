@@ -24,7 +24,7 @@
 namespace lippmann {
 namespace {
 
-/// Prepares the render folder and records the frames to be rendered.
+/// Prepares the folder of the render and records the frames to render.
 RenderFolder open_folder(const RenderSetup& setup, const Context& context) {
   make_room_for_videos(setup.videos, setup.layout, setup.stage.display.get(), context);
   RenderFolder folder = open_job_folder(setup.folder, setup.fingerprint, setup.job, setup.parts.of_job,
@@ -61,7 +61,7 @@ int kept_parts(const RenderSetup& setup, RenderFolder& folder) {
   return static_cast<int>(std::count_if(setup.parts.parts.begin(), setup.parts.parts.end(), is_finished));
 }
 
-/// Renders the parts: as whole frames, or only as strips if another process joins them.
+/// Renders the parts as whole frames, or only as strips if another process joins them. A part is a frame or a strip (RunParts).
 void make_parts(const RenderSetup& setup, const std::vector<int>& parts, FrameLoop& loop, StrippedFrames* strips) {
   if (setup.leaves_strips()) return strips->make_strips(parts);
   loop.take(frames_of_parts(parts, setup.parts.strips));
@@ -69,8 +69,8 @@ void make_parts(const RenderSetup& setup, const std::vector<int>& parts, FrameLo
 
 /// Claims units one by one and renders them until none is left.
 void share_parts(const Run& run, FrameLoop& loop, StrippedFrames* strips) {
-  constexpr int kUnitsPerRank =
-      8;  // few, since starting a unit costs time, but enough for all ranks to end at about the same time
+  // Starting a unit costs time, so there are few units. There are enough for all ranks to end at about the same time.
+  constexpr int kUnitsPerRank = 8;
   const RenderSetup& setup = run.setup;
   Ranks& ranks = *setup.run.ranks;
   const std::vector<std::vector<int>> units = units_of(setup.parts.parts, setup.parts.segment, kUnitsPerRank * ranks.size());
@@ -96,7 +96,7 @@ void report_strips(const RenderSetup& setup, const StrippedFrames& strips, Rende
 void make_run(const Run& run, FrameMaker& maker, StrippedFrames* strips) {
   const RenderSetup& setup = run.setup;
   RenderReport& report = run.report;
-  // With ranks, frames of the other ranks would arrive too late for a video that is encoded along with the frames.
+  // With ranks, the frames of other ranks would arrive too late for a video that is encoded along with the frames.
   const bool writes_videos = !setup.run.ranks;
   FrameLoop loop(run, maker, writes_videos ? setup.videos : std::vector<VideoFile>());
   run.progress.planned(setup.plan(kept_parts(setup, run.folder)));
@@ -114,8 +114,8 @@ void make_run(const Run& run, FrameMaker& maker, StrippedFrames* strips) {
   report.run.write_seconds = loop.write_seconds();
 }
 
-/// Returns whether all strips of a frame are recorded and their files exist. False for a frame that was joined before, since
-/// joining deletes its strips.
+/// Returns whether all strips of a frame are recorded and their files exist. Returns false if the frame is already joined,
+/// because joining deletes the strips.
 bool has_all_strips(const FolderJournal& journal, const std::filesystem::path& folder, int frame, int strips) {
   const auto recorded = journal.strips.find(frame);
   if (recorded == journal.strips.end()) return false;
@@ -167,7 +167,7 @@ RenderReport render_animation(RenderSetup& setup, const Context& context, const 
   const bool is_first = setup.run.is_first_rank();
   if (setup.parts.frames.empty())
     context.warning(fmt::format("unit {} has no frames: the job has fewer parts", write_units(*setup.run.units)));
-  if (!is_first) ranks->begin();  // the first rank has prepared the folder before
+  if (!is_first) ranks->begin();  // waits until the first rank has prepared the folder
   RenderFolder folder = open_folder(setup, context);
   const KeptLease lease(folder);
   RunProgress progress(observer, ranks);

@@ -1,4 +1,4 @@
-// Renders an animation into a folder. Each frame is traced while the ones before it are encoded and written.
+// Renders an animation into a folder. While a frame is traced, earlier frames are encoded and written.
 #pragma once
 
 #include "job/render_plan.hpp"
@@ -11,15 +11,15 @@
 
 namespace lippmann {
 
-/// Writes the pictures, the videos, job.toml and report.json into output_folder(). The pictures and videos are the same, byte
-/// for byte, for any number of threads, and whether or not the render was interrupted and resumed.
+/// Renders the frames of a job and writes the pictures, the videos, job.toml and report.json into output_folder(). Pictures and
+/// videos have the same bytes for any number of threads, and whether or not the render was interrupted and resumed.
 ///
-/// If frames are rendered in strips (RenderParams::strips), runs of units and ranks leave the strips in the folder. Runs of the
-/// whole job, and runs with only_finished, join the strips to frames.
+/// If frames are rendered in strips (RenderParams::strips), a run that renders only some units or that has ranks leaves the
+/// strips in the folder. A run of the whole job, or a run with only_finished, joins the strips to frames.
 ///
-/// Stops soon after context.cancelled is set. Finished frames are kept, the current frame and unfinished videos leave no files,
-/// and report.json has `interrupted` set. Throws Error for jobs that cannot be rendered (before any file is made) and for files
-/// that cannot be written; the frames finished by then are kept for --resume.
+/// Stops soon after context.cancelled is set. Finished frames are then kept, the current frame and unfinished videos leave no
+/// files, and report.json has `interrupted` set. Throws Error for jobs that cannot be rendered, before any file is made. Throws
+/// Error for files that cannot be written; --resume then keeps the frames that are finished.
 RenderReport render_animation(const ResolvedJob& job, const Context& context, const RenderObserver& observer = {},
                               const RunParams& run = {});
 

@@ -24,13 +24,14 @@ void check_transparent(const RenderParams& params) {
   if (params.optics.precompensate) throw usage_error(kFlag, "cannot be combined with --precompensate", "one of the two");
 }
 
-/// Returns whether frames are written in a light-field format. False for formats that are names of layouts.
+/// Returns whether frames are written in a light-field format. Names of layouts are not light-field formats.
 bool is_light_field(const PictureParams& pictures) {
   constexpr std::array<std::string_view, 4> kLayouts{"integral", "quilt", "views", "native"};
   return !pictures.to.empty() && std::find(kLayouts.begin(), kLayouts.end(), pictures.to) == kLayouts.end();
 }
 
-/// Throws for layers other than depth, and for a depth layer in light-field formats that do not store depth.
+/// Throws if a light-field format is combined with layers other than depth, or with a depth layer that the format does not
+/// store.
 void check_light_field(const RenderParams& params) {
   const bool stores_depth = find_format(params.output.pictures.to, "to").uses_cameras;
   for (const Aov layer : params.sampling.aov)

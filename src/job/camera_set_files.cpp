@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the finished frames, with the paths of their pictures relative to the folder.
+/// Returns the pictures and cameras of the finished frames. Paths are relative to the folder.
 std::vector<PosedPicture> pictures_of(const RenderSetup& setup, const FolderJournal& journal) {
   const int count = setup.stage.scene.timeline.frame_count;
   const char* ending = setup.layout.format() == PictureFormat::kExr ? "exr" : "png";

@@ -1,4 +1,4 @@
-// Writes the files that list all pictures of a data set of cameras around a scene.
+// Writes the files that list the cameras of a data set whose cameras stand around a scene.
 #pragma once
 
 #include "folder/render_folder.hpp"
@@ -10,9 +10,9 @@ namespace lippmann {
 /// other optics and formats.
 void complete_camera_set(RenderParams& params);
 
-/// Writes the cameras of the frames in the folder's journal, in the format of the job: transforms.json with
-/// transforms_train.json and transforms_test.json, or sparse/0, or poses_bounds.npy. Does nothing for jobs without cameras
-/// around the scene, and before the first frame is finished.
+/// Writes the cameras of all frames in the folder's journal, in the format of the job: transforms.json with
+/// transforms_train.json and transforms_test.json, or sparse/0, or poses_bounds.npy. Does nothing if the job has no cameras
+/// around the scene, or before the first frame is finished.
 void write_camera_set_files(const RenderSetup& setup, RenderFolder& folder);
 
 }  // namespace lippmann

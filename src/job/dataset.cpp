@@ -58,7 +58,7 @@ void write_json(const fs::path& path, const Json& json) {
   write_file_atomically(path, std::as_bytes(std::span(text)));
 }
 
-/// Returns nullopt if the file does not exist, and a discarded value if it is not valid JSON.
+/// Returns nullopt if the file does not exist. Returns a discarded value if the file is not valid JSON.
 std::optional<Json> read_optional_json(const fs::path& path) {
   std::error_code ignored;
   if (!fs::exists(path, ignored)) return std::nullopt;
@@ -77,7 +77,8 @@ void claim_dataset_folder(const DatasetParams& params) {
   if (!there) write_json(path, wanted);
 }
 
-/// Returns the sample.json of a sample if the sample is complete and its files have the recorded sizes; otherwise nullopt.
+/// Returns the sample.json of a sample if the sample is complete and its files have the recorded sizes. Returns nullopt
+/// otherwise.
 std::optional<Json> complete_sample(const fs::path& folder) {
   std::optional<Json> json = read_optional_json(folder / "sample.json");
   if (!json || !json->is_object() || !json->contains("files") || !(*json)["files"].is_array()) return std::nullopt;
@@ -98,7 +99,7 @@ class SampleFiles {
       : folder_(std::move(folder)),
         shape_{static_cast<std::size_t>(views), static_cast<std::size_t>(size.y), static_cast<std::size_t>(size.x)} {}
 
-  /// Writes one array with the samples of all views, with one or more values per pixel.
+  /// Writes one array that holds the pixels of all views, with one or more values per pixel.
   template <class Sample>
   void add(const std::string& name, const std::vector<Sample>& samples) {
     std::vector<std::size_t> shape = shape_;
@@ -121,7 +122,8 @@ class SampleFiles {
   std::uint64_t bytes_ = 0;
 };
 
-/// Returns by how many pixels each point shifts to the left from a view to its right neighbour; -inf for the background.
+/// Returns the disparity of each pixel. It is the number of pixels by which the point shifts to the left from a view to the
+/// next view on the right. The background has the disparity -infinity.
 std::vector<float> disparities(const std::vector<float>& depth_mm, const DatasetCameras& cameras) {
   std::vector<float> disparity;
   disparity.reserve(depth_mm.size());
@@ -182,7 +184,7 @@ std::vector<int> samples_of(const DatasetParams& params) {
   return params.units ? frames_of(*params.units, all, 1) : all;
 }
 
-/// Writes the manifest if all samples exist. Returns whether they do.
+/// Writes the manifest if all samples exist. Returns whether all samples exist.
 bool write_manifest(const DatasetParams& params) {
   Json samples = Json::array();
   for (int index = 0; index < params.count; ++index) {

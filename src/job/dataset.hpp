@@ -1,11 +1,12 @@
 // Makes training data: light fields of random scenes with depth, disparity, normals, motion and ids, as NumPy arrays.
 //
 // FOLDER/dataset.json      the parameters; a run with other parameters is refused
-// FOLDER/sample_000000/    views.npy and one array a layer, and sample.json: the cameras, and sizes and checksums of the files
-// FOLDER/manifest.json     all sample.json, once every sample is there
+// FOLDER/sample_000000/    views.npy, one array per layer, and sample.json (the cameras, and the sizes and checksums of the
+// files)
+// FOLDER/manifest.json     the contents of all sample.json files, written when every sample exists
 //
-// A sample's folder appears only when it is complete, so an interrupted run continues with the next sample. Samples are divided
-// among units. Two runs of the same unit must not overlap.
+// A sample's folder appears only when the sample is complete. An interrupted run can therefore continue with the next sample.
+// Samples can be divided into units, which different runs render. Two runs of the same unit must not overlap.
 #pragma once
 
 #include <cstdint>
@@ -23,20 +24,22 @@
 namespace lippmann {
 
 struct DatasetParams {
-  std::vector<std::string> scenes;  ///< built-in names or files whose meshes become objects, in addition to spheres and boxes
+  /// Built-in names or files. Their meshes become objects, in addition to spheres and boxes.
+  std::vector<std::string> scenes;
   std::filesystem::path folder;
   int count = 1;
   std::uint32_t seed = 0;
   ViewGrid grid{9, 9};
   Vec2i view_size{128, 128};
   int spp = 16;                     ///< samples per pixel of path tracing
-  std::optional<Units> units = {};  ///< nullopt: all samples
+  std::optional<Units> units = {};  ///< units to render; nullopt: all samples
 };
 
 struct DatasetReport {
-  int wanted = 0;            ///< number of samples in this run's units
-  int kept = 0, made = 0;    ///< number of samples found complete, and number rendered
-  double seconds = 0.0;      ///< time spent rendering and writing
+  int wanted = 0;  ///< number of samples in the units of this run
+  /// kept: number of samples that were already complete. made: number of rendered samples.
+  int kept = 0, made = 0;
+  double seconds = 0.0;      ///< seconds of rendering and writing
   std::uint64_t bytes = 0;   ///< number of bytes written
   bool is_complete = false;  ///< whether every sample and the manifest exist
 };
@@ -46,8 +49,8 @@ struct DatasetObserver {
   std::function<void(int index, double seconds)> made = {};
 };
 
-/// Renders the missing samples. Stops soon after context.cancelled is set; the current sample leaves no files. Throws Error for
-/// scenes that cannot be read, for a folder that holds other data, and for files that cannot be written.
+/// Renders the missing samples. Stops soon after context.cancelled is set; the current sample then leaves no files. Throws
+/// Error if a scene cannot be read, if the folder holds other data, or if a file cannot be written.
 DatasetReport make_dataset(const DatasetParams& params, const Context& context, const DatasetObserver& observer = {});
 
 }  // namespace lippmann

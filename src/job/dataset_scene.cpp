@@ -1,4 +1,4 @@
-// Rotations are based on: Shoemake, "Uniform random rotations", Graphics Gems III, 1992.
+// SampleRandom::turn() follows K. Shoemake, "Uniform random rotations", Graphics Gems III, 1992.
 #include "job/dataset_scene.hpp"
 
 #include <algorithm>
@@ -67,7 +67,7 @@ Shape object_shape(const std::vector<Mesh>& meshes, SampleRandom& random) {
   return Boxes{{.lower = Vec3f(-0.6f), .upper = Vec3f(0.6f)}};
 }
 
-/// Moves a node linearly between two positions from frame 0 to frame 1.
+/// Moves and rotates a node by a random step from frame 0 to frame 1.
 void animate(Scene& scene, int node, SampleRandom& random) {
   const Transform& local = scene.nodes[static_cast<std::size_t>(node)].local;
   const std::vector<double> times{0.0, scene.timeline.time(1)};

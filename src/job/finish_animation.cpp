@@ -24,7 +24,7 @@ std::vector<int> frames_to_render(const FolderCheck& check) {
   return {frames.begin(), frames.end()};
 }
 
-/// Returns the job of the folder, including all frames that its runs were requested to render.
+/// Returns the job of the folder, with all frames that its runs were requested to render.
 RenderParams job_of(const fs::path& folder, const std::vector<fs::path>& join) {
   const fs::path own = folder / kJob;
   const bool is_own = join.empty() || is_regular_file_there(own);
@@ -36,7 +36,7 @@ RenderParams job_of(const fs::path& folder, const std::vector<fs::path>& join) {
   return params;
 }
 
-/// Writes the job file of a folder into which other folders were joined, even if its frames are not complete yet.
+/// Writes the job file of a folder into which other folders were joined, even if frames are still missing.
 void write_joint_job(const fs::path& folder, const RenderParams& params) {
   const std::string job = read_journal(folder).value_or(FolderJournal{}).job;
   RenderFolder(folder, job).write(kJob, [&](const FolderJournal&) { return job_text(params, folder); });

@@ -9,9 +9,9 @@
 namespace lippmann {
 namespace {
 
-/// Expected number of frames per key frame if any frame may be a key from which others are copied. A key that does not pay off
-/// is followed by an equal number of frames without a key, and one that pays off by about as many copies
-/// (frames/exact_frames.cpp). The first frame of a measurement is always a key.
+/// Expected number of frames per key frame, if any frame may become a key frame from which others are copied. A key frame that
+/// does not pay off is followed by 16 or more frames without a key frame. A key frame that pays off is followed by about as
+/// many copies (frames/exact_frames.cpp). The first frame of a measurement is always a key frame.
 constexpr double kFramesPerFreeKey = 16.0;
 
 double mean_cost(const std::vector<double>& costs) {
@@ -26,7 +26,7 @@ double sum_of_cpu(const std::vector<FrameReport>& frames) {
   return sum;
 }
 
-/// Returns the mean cost for each position of a frame in its segment.
+/// Returns the mean cost of the frames at each position in their segments.
 std::map<int, double> costs_by_place(const std::vector<FrameReport>& frames, int segment) {
   std::map<int, std::vector<double>> costs;
   std::vector<double> free_keys;
@@ -54,8 +54,8 @@ std::set<int> segments_of(const std::vector<FrameReport>& frames, int segment) {
   return segments;
 }
 
-/// Returns the mean cost per unit of the source frames that a unit renders besides its own frames. Sources of a measured
-/// segment that belong to the job do not count, since the unit renders them as frames anyway.
+/// Returns the mean cost of the source frames that a unit renders in addition to its own frames. If a source is in a measured
+/// segment and belongs to the job, it is not counted, because the unit renders it as one of its own frames.
 double source_cost(const MeasuredRun& run, const std::vector<int>& of_job, int segment) {
   const std::set<int> measured = segments_of(run.frames, segment);
   double sum = 0.0;

@@ -19,7 +19,7 @@
 namespace lippmann {
 namespace {
 
-/// Returns the EXR attributes that describe the render, for readers that do not have the report.
+/// Returns EXR attributes that describe the render, for programs that read a picture without the report.
 std::vector<ExrAttribute> about_render(const RenderSetup& setup) {
   std::vector<ExrAttribute> about{{"lippmann.version", version()},
                                   {"lippmann.scene", setup.job.scene().name},
@@ -68,7 +68,7 @@ void FrameLoop::take(const std::vector<int>& frames) {
 void FrameLoop::keep(const FrameReport& kept) {
   run_.report.frames.push_back(kept);
   run_.report.frames.back().kept = true;
-  // If an earlier run was killed, strips of the finished frame may be left.
+  // An earlier run that was killed may have left strips of the finished frame.
   if (run_.setup.job.is_in_strips()) remove_strips(run_.setup.folder, kept.frame, run_.setup.parts.strips);
   sink_.add_kept(kept.frame);
 }
@@ -85,13 +85,14 @@ bool FrameLoop::make(int frame) {
   run_.report.frames.push_back(made.report);
   run_.report.run.frames.push_back(frame);
   const bool in_strips = run_.setup.job.is_in_strips();
-  if (!in_strips) run_.progress.traced(made.report);  // strips were reported one by one after tracing
+  // Strips are reported one by one after they are traced.
+  if (!in_strips) run_.progress.traced(made.report);
   sink_.add(std::move(made));
   if (in_strips || run_.setup.memory.one_at_a_time) sink_.wait();
   return true;
 }
 
-/// Renders the frame. Warns if it is the job's first frame and shows nothing.
+/// Renders a frame. If it is the first frame of the job and shows nothing, warns with the reason.
 RenderedFrame FrameLoop::rendered(int frame) {
   RenderSetup& setup = run_.setup;
   const bool is_checked = frame == setup.parts.of_job.front() && !setup.job.is_in_strips() && !setup.job.is_test_pattern();

@@ -1,4 +1,4 @@
-// The loop over the frames of a run. Each frame is kept from an earlier run or made, reported, and passed to the writer.
+// The loop over the frames of a run. A frame is kept from an earlier run, or rendered and passed to the writer.
 #pragma once
 
 #include <vector>
@@ -13,7 +13,7 @@
 
 namespace lippmann {
 
-/// State shared by the parts of a run.
+/// Objects that all steps of a run share.
 struct Run {
   RenderSetup& setup;
   RenderFolder& folder;
@@ -24,23 +24,23 @@ struct Run {
 
 class FrameLoop {
  public:
-  /// `maker` and the objects that `run` refers to must outlive this object. Videos are discarded unless finish_videos() is
-  /// called.
+  /// `maker` and the objects that `run` refers to must outlive this object. Unfinished videos are discarded unless
+  /// finish_videos() is called.
   FrameLoop(const Run& run, FrameMaker& maker, const std::vector<VideoFile>& videos);
 
-  /// Renders or keeps the frames in order until the context is cancelled. Throws Error for a frame that cannot be written.
+  /// Renders or keeps `frames` in order until the context is cancelled. Throws Error if a frame cannot be written.
   void take(const std::vector<int>& frames);
 
-  /// Adds frames that exist in the folder to the videos.
+  /// Adds frames that already exist in the folder to the videos.
   void add_kept(const std::vector<int>& frames);
 
-  /// Waits until all files are written. Throws like take().
+  /// Waits until all files are written. Throws Error if a frame cannot be written.
   void wait();
 
-  /// Completes the videos. Call after wait().
+  /// Completes the videos. Call this after wait().
   void finish_videos();
 
-  /// Returns the seconds spent so far on encoding and writing, summed over threads.
+  /// Returns the seconds spent on encoding and writing so far, summed over threads.
   double write_seconds() const { return sink_.write_seconds(); }
 
  private:

@@ -1,4 +1,4 @@
-// Refuses flags that have no effect on a render, as they are probably mistakes.
+// Rejects flags that have no effect on a render, because they are probably mistakes.
 #pragma once
 
 #include <span>
@@ -8,9 +8,9 @@
 
 namespace lippmann {
 
-/// Throws a usage Error for the first of `given` (parameter names as in params_table) that has no effect on the job. The error
-/// names settings with which the parameter has an effect. Parameters that other set-up code refuses (such as `lenses`) are not
-/// checked again here.
+/// Throws a usage Error for the first parameter of `given` that has no effect on the job. `given` holds parameter names as in
+/// params_table. The error names settings with which the parameter has an effect. Parameters that other set-up code checks
+/// (such as `lenses`) are not checked here.
 void refuse_idle_flags(std::span<const std::string_view> given, const ResolvedJob& job);
 
 }  // namespace lippmann

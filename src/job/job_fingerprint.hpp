@@ -1,4 +1,4 @@
-// Fingerprints of jobs, made of everything that affects their pictures.
+// Computes fingerprints of jobs from everything that affects their pictures.
 #pragma once
 
 #include <filesystem>
@@ -12,11 +12,11 @@
 namespace lippmann {
 
 /// Returns 16 hexadecimal digits that identify everything that affects the pictures: the job's parameters, the scene, the
-/// display and this program's version.
+/// display and the version of this program.
 std::string job_fingerprint(const ResolvedJob& job, const Scene& scene, const Display* display = nullptr);
 
-/// Returns the names of the picture-affecting parameters that differ between a job file and `job`; empty if the file cannot be
-/// read.
+/// Returns the names of the parameters that differ between a job file and `job`, if they affect pictures. Returns nothing if
+/// the file cannot be read.
 std::vector<std::string> differences(const std::filesystem::path& job_file, const ResolvedJob& job);
 
 }  // namespace lippmann

@@ -1,4 +1,4 @@
-// Loads the scene of a job and applies its light.
+// Loads the scene of a job and adds the light that the job requests.
 #pragma once
 
 #include <string>
@@ -10,18 +10,19 @@
 
 namespace lippmann {
 
-/// Facts about a loaded scene that the scene itself does not store.
+/// Facts about a loaded scene that Scene does not store.
 struct SceneNotes {
-  std::vector<std::string> camera_names;  ///< in the file's order
-  std::string light;                      ///< one sentence naming the light and the reason for it
+  std::vector<std::string> camera_names;  ///< in the order of the file
+  std::string light;                      ///< one sentence that names the light and the reason for it
 };
 
 struct JobScene {
-  Scene scene;  ///< the scene, which passes validate(); the camera that sets the view comes first
+  /// Passes validate(). The camera that sets the view comes first.
+  Scene scene;
   SceneNotes notes;
 };
 
-/// Loads the job's scene, or an empty one for the test pattern. Throws Error.
+/// Loads the job's scene, or an empty scene for the test pattern. Throws Error if the scene cannot be loaded.
 JobScene load_scene_of(const ResolvedJob& job, const Context& context);
 
 }  // namespace lippmann

@@ -1,4 +1,4 @@
-// The stage of a job: its display, its lit scene, and the placed optics.
+// The stage of a job: its display, its lit scene and its placed optics.
 #pragma once
 
 #include <memory>
@@ -13,15 +13,16 @@
 namespace lippmann {
 
 struct JobStage : Stage {
-  std::unique_ptr<const Display> display;  ///< null: the optics come from parameters alone
+  std::unique_ptr<const Display> display;  ///< null if the job has no display
   std::string light;                       ///< SceneNotes::light
 
-  /// Loads the scene, places the optics and builds the ray-tracing structures. Throws Error.
+  /// Loads the scene, places the optics and builds the acceleration structures. Throws Error.
   JobStage(const ResolvedJob& job, const ThreadPool& pool, const Context& context);
-  /// Makes the stage from a loaded scene. The scene keeps its light, whatever environment the job names. Throws Error.
+  /// Makes the stage from a loaded scene. The scene keeps its light, even if the job names another environment. Throws Error.
   JobStage(JobScene loaded, const ResolvedJob& job, const ThreadPool& pool);
 
-  /// Replaces the optics by those of a job with the same scene, light and integrator. If it throws Error, nothing has changed.
+  /// Replaces the optics by the optics of `job`, which must have the same scene, light and integrator. If it throws Error, the
+  /// stage is unchanged.
   void place(const ResolvedJob& job);
 
  private:

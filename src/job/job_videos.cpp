@@ -18,7 +18,7 @@ namespace {
 
 VideoOptions video_options(const OutputParams& output, const fs::path& video, double frames_per_second) {
   VideoOptions options{.rate = frame_rate(frames_per_second), .codec = output.video_codec, .crf = output.crf};
-  // The default codec of .mkv is lossless and has no quality.
+  // The default codec of .mkv is lossless and has no quality setting.
   if (!output.video_codec && video.extension() == ".mkv") options.crf.reset();
   return options;
 }

@@ -1,4 +1,4 @@
-// The videos of a job: their files, their encoding, and their preconditions.
+// The videos of a job: their files, their encoding and their preconditions.
 #pragma once
 
 #include <filesystem>
@@ -14,22 +14,23 @@
 
 namespace lippmann {
 
-/// Throws a usage Error if videos cannot be made of the job's pictures. is_shared: other processes render some of the frames.
+/// Throws a usage Error if no video can be made of the job's pictures. `is_shared` states whether other processes render some
+/// of the frames.
 void check_videos(const OutputParams& output, const FrameLayout& layout, bool is_shared);
 
-/// Returns the videos requested by the job.
+/// Returns the videos that the job requests.
 std::vector<VideoFile> job_videos(const ResolvedJob& job, const FrameLayout& layout, double frames_per_second);
 
 /// Returns the file names of the videos.
 std::vector<std::string> names_of(const std::vector<VideoFile>& videos);
 
-/// Makes the folders of videos and removes files left by a killed run. Warns of limits of `display` (may be null) that a video
-/// exceeds. Throws Error for a video that cannot be written.
+/// Makes the folders of the videos and removes files left by a killed run. Warns if a video exceeds the limits of `display`,
+/// which may be null. Throws Error if a video cannot be written.
 void make_room_for_videos(const std::vector<VideoFile>& videos, const FrameLayout& layout, const Display* display,
                           const Context& context);
 
-/// Completes the videos of these frames, all of which `sink` has received. Records the videos in the folder's journal and, if
-/// the folder is a companion (kSingleFolder), in the journal of the light field's folder too.
+/// Completes the videos of `frames`, which `sink` must have received. Records the videos in the folder's journal. If the folder
+/// holds the plain picture of a light field (kSingleFolder), also records them in the journal of the light field's folder.
 void finish_videos(const std::vector<VideoFile>& videos, const std::vector<int>& frames, FrameSink& sink, RenderFolder& folder);
 
 }  // namespace lippmann

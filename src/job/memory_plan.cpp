@@ -17,10 +17,10 @@ namespace {
 
 constexpr double kFilm = 3 * sizeof(float);
 
-/// Files are encoded into a vector that grows by doubling.
+/// Ratio of allocated to used memory of an encoded file, because the file is a vector that grows by doubling.
 constexpr double kGrowth = 2.0;
 
-/// Share of the available memory that a plan may use. The rest allows for errors of the estimate and for other programs.
+/// Fraction of the available memory that a plan may use. The rest allows for errors of the estimate and for other programs.
 constexpr double kReserve = 0.8;
 
 std::vector<Aov> layers_of(const MemoryFacts& facts) {
@@ -40,8 +40,8 @@ double frame_held(const MemoryFacts& facts) {
   return bytes;
 }
 
-/// Returns the bytes per pixel for encoding a picture: for its codes and for the encoded file. Assumes files as large as those
-/// of noisy pictures.
+/// Returns the bytes per pixel for encoding a picture: its codes and the encoded file. The size of the file is that of noisy
+/// pictures.
 double picture_written(const MemoryFacts& facts) {
   constexpr double kPngFile = 3 * 0.6, kPng16File = 3 * 1.7, kHalfFile = 3 * 1.3, kFloatFile = 3 * 2.9;
   constexpr double kCodes = 3.0, kCodes16 = 6.0, kHalves = 6.0;
@@ -60,8 +60,8 @@ double picture_written(const MemoryFacts& facts) {
   return (floats ? kGrowth * kFloatFile : kHalves + kGrowth * kHalfFile) + video_codes;
 }
 
-/// Returns the bytes per pixel for encoding layers. Layers stored as 16-bit floats are converted first. Alpha counts as part of
-/// the picture, since its codes are interleaved with the picture's.
+/// Returns the bytes per pixel for encoding layers. Layers that are stored as 16-bit floats are converted first. The codes of
+/// an alpha layer are interleaved with those of the picture, so alpha counts as part of the picture.
 double layers_written(const MemoryFacts& facts) {
   double bytes = 0.0;
   for (const Aov aov : layers_of(facts)) {
@@ -74,7 +74,7 @@ double layers_written(const MemoryFacts& facts) {
   return bytes;
 }
 
-/// Returns the bytes per pixel for rearranging a frame in another layout, which takes a second film, and one layer at a time.
+/// Returns the bytes per pixel for rearranging a frame in another layout. Needs a second film, and one layer at a time.
 double moved_bytes(const MemoryFacts& facts) {
   if (!facts.layout.moves()) return 0.0;
   double layer = 0.0;
@@ -82,13 +82,13 @@ double moved_bytes(const MemoryFacts& facts) {
   return kFilm + layer;
 }
 
-/// Returns the bytes per pixel for a light field that is assembled from film and depth before it is written.
+/// Returns the bytes per pixel of a light field that is assembled from film and depth before it is written.
 double light_field_bytes(const MemoryFacts& facts) {
   if (!facts.layout.light_field()) return 0.0;
   return kFilm + 2.0 * sizeof(float);
 }
 
-/// Returns the bytes per pixel that encoders buffer.
+/// Returns the bytes per pixel that a video encoder buffers.
 double video_bytes(VideoCodec codec) {
   switch (codec) {
     case VideoCodec::kH264:
@@ -114,21 +114,21 @@ double videos_written(const MemoryFacts& facts) {
   return bytes;
 }
 
-/// Returns the bytes per pixel for writing a frame, without its film and layers.
+/// Returns the bytes per pixel for writing a frame, in addition to its film and layers.
 double writing(const MemoryFacts& facts) {
   const double precompensated = facts.params.optics.precompensate ? 2.0 * kFilm : 0.0;
   return picture_written(facts) + layers_written(facts) + moved_bytes(facts) + light_field_bytes(facts) + precompensated +
          videos_written(facts);
 }
 
-/// Returns the bytes per pixel of the layout's table of film pixels, which all frames share.
+/// Returns the bytes per pixel of the table that maps pixels of the layout to film pixels. All frames share the table.
 double layout_tables(const MemoryFacts& facts) { return facts.layout.moves() ? sizeof(std::uint32_t) : 0.0; }
 
 double working(const MemoryFacts& facts) { return working_bytes_per_pixel(facts.frame_settings, facts.frames); }
 
 double pixels_of(const MemoryFacts& facts) { return static_cast<double>(facts.film.x) * facts.film.y; }
 
-/// Returns the reason why frames cannot be cut into bands; empty if they can.
+/// Returns the reason why frames cannot be traced in bands. Returns an empty string if they can.
 std::string reason_against_bands(const MemoryFacts& facts) {
   const FrameParams& frame_settings = facts.frame_settings;
   if (facts.rows_around >= facts.film.y) return "the denoiser (`denoise`) averages views of all rows of the quilt";
@@ -138,7 +138,7 @@ std::string reason_against_bands(const MemoryFacts& facts) {
   return {};
 }
 
-/// Returns the share of a frame's rows that is traced at once.
+/// Returns the fraction of a frame's rows that is traced at once.
 double traced_share(const MemoryFacts& facts, int bands) {
   return bands > 1 ? std::min(1.0, 1.0 / bands + 2.0 * facts.rows_around / facts.film.y) : 1.0;
 }
@@ -167,7 +167,7 @@ double joined_frame_bytes(const MemoryFacts& facts) {
 }
 
 MemoryPlan plan_strips_memory(const MemoryFacts& facts, int strips, bool joins, double available) {
-  constexpr double kCopies = 2.0;  // the strip, and its file, which is encoded in memory
+  constexpr double kCopies = 2.0;  // the strip itself, and its file, which is encoded in memory
   const double strip = pixels_of(facts) * traced_share(facts, strips) * (kCopies * frame_held(facts) + working(facts));
   if (strip > available)
     throw Error("strips",
@@ -180,7 +180,8 @@ MemoryPlan plan_strips_memory(const MemoryFacts& facts, int strips, bool joins, 
                 fmt::format("joining a frame of {}x{} pixels from its strips needs about {} of memory, but {} are available",
                             facts.film.x, facts.film.y, bytes_text(joined), bytes_text(available)),
                 "fewer pixels, fewer layers, or more memory");
-  return {1, false, strip + joined};  // the sum, because the heap keeps most of the memory used for tracing
+  // The sum, because the heap keeps most of the memory that tracing used.
+  return {1, false, strip + joined};
 }
 
 MemoryPlan plan_memory(const MemoryFacts& facts, double available) {

@@ -1,4 +1,4 @@
-// Converts parameter values to and from text: numbers in a range, extents such as 64x64, names of choices.
+// Converts parameter values to and from text: numbers in a range, extents such as 64x64, and names of choices.
 //
 // The functions read_* throw a usage Error at `where` that names the accepted values. Floats are written with the fewest digits
 // that read back to the same value.
@@ -26,18 +26,18 @@ Extent<float> read_extent(std::string_view text, float lowest, float highest, co
 std::string write_extent(const Extent<int>& extent);
 std::string write_extent(const Extent<float>& extent);
 
-/// Reads millimetres > 0, "inf", or "auto" (nullopt).
+/// Reads a number of millimetres above 0, "inf", or "auto". Returns nullopt for "auto".
 std::optional<float> read_distance(std::string_view text, const std::string& where);
 std::string write_distance(std::optional<float> distance_mm);
 
-/// Reads millimetres, such as 150, or degrees, such as 30deg.
+/// Reads millimetres (150) or degrees (30deg).
 EyeHeight read_eye_height(std::string_view text, const std::string& where);
 std::string write_eye_height(const EyeHeight& height);
 
 /// Reads NEAR:FAR in mm. FAR must be less than NEAR.
 DepthRange read_depth_range(std::string_view text, const std::string& where);
 
-/// Reads the name of a choice and returns its index. The Error lists the names.
+/// Reads the name of a choice and returns its index in `names`. The Error lists the names.
 std::size_t read_choice(std::string_view text, std::span<const std::string_view> names, const std::string& where);
 
 }  // namespace lippmann

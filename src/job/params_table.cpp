@@ -41,17 +41,18 @@ constexpr std::array<std::string_view, 7> kLayoutNames{"integral", "quilt", "vie
 constexpr std::array<std::string_view, 1> kCompanionNames{"single"};
 constexpr std::array<std::string_view, 2> kExrPixelNames{"half", "float"};
 constexpr std::array<std::string_view, 2> kDepthScaleNames{"disparity", "depth"};
-/// The layers accepted by `aov`. Alpha is left out, since `transparent` selects it.
+/// The layers that `aov` accepts. Alpha, the last layer, is left out because `transparent` selects it.
 const std::span<const std::string_view> kWantedAovNames(kAovNames.data(), kAovs - 1);
 
-constexpr int kMaxCount = 1 << 20;  ///< maximum number of pixels or lenses along one side; panel_size() limits the whole panel
+/// Maximum number of pixels or lenses along one side. panel_size() limits the size of the whole panel.
+constexpr int kMaxCount = 1 << 20;
 
-/// Reads and writes values of one type. Each row of the table makes its `set` and `get` from a codec.
+/// Reads and writes values of one type. `set` and `get` of each row of the table use a codec.
 template <class T>
 struct Codec {
   std::function<T(std::string_view, const std::string& where)> read;
   std::function<std::string(const T&)> write;
-  /// The words that `read` accepts; empty: values that are not from a list of words.
+  /// The words that `read` accepts. Empty if values are not from a list of words.
   std::vector<std::string_view> choices = {};
 };
 
@@ -86,7 +87,7 @@ Codec<Extent<T>> extent(T lowest, T highest) {
           [](const Extent<T>& value) { return value.x == T{0} ? std::string() : write_extent(value); }};
 }
 
-/// Reads WxH; a single number sets both.
+/// Reads WxH. A single number sets width and height.
 Codec<Extent<int>> full_extent(int highest) {
   Codec<Extent<int>> codec = extent(1, highest);
   codec.read = [highest](std::string_view value, const std::string& where) {
@@ -105,7 +106,7 @@ Codec<E> choice(const std::array<std::string_view, N>& names) {
       {names.begin(), names.end()}};
 }
 
-/// Also accepts names used by job files of earlier versions.
+/// Also accepts the names that job files of earlier versions use.
 Codec<ReuseChoice> reuse_choice() {
   Codec<ReuseChoice> codec = choice<ReuseChoice>(kReuseNames);
   codec.read = [by_name = codec.read](std::string_view value, const std::string& where) {
@@ -125,13 +126,11 @@ Codec<Denoise> denoise_choice() {
   return codec;
 }
 
-/// Reads and writes an optional flag.
 Codec<std::optional<bool>> optional_flag() {
   return {[](std::string_view value, const std::string& where) { return std::optional(read_flag(value, where)); },
           [](const std::optional<bool>& value) { return value ? std::string(*value ? "true" : "false") : std::string(); }};
 }
 
-/// Reads and writes an optional number.
 template <class T>
 Codec<std::optional<T>> optional_number(double lowest, double highest) {
   const Codec<T> codec = number<T>(lowest, highest);
@@ -139,7 +138,6 @@ Codec<std::optional<T>> optional_number(double lowest, double highest) {
           [codec](const std::optional<T>& value) { return value ? codec.write(*value) : std::string(); }};
 }
 
-/// Reads and writes an optional choice.
 template <class E, std::size_t N>
 Codec<std::optional<E>> optional_choice(const std::array<std::string_view, N>& names) {
   const Codec<E> made = choice<E>(names);
@@ -171,7 +169,6 @@ Codec<std::optional<Integrator>> integrator_name() {
   return {read, write, names};
 }
 
-/// Reads and writes cameras around the scene.
 Codec<std::optional<CameraSet>> camera_set() {
   return {[](std::string_view value, const std::string& where) {
             return std::optional(read_camera_set(std::string(value), where));
@@ -179,7 +176,6 @@ Codec<std::optional<CameraSet>> camera_set() {
           [](const std::optional<CameraSet>& value) { return value ? write_camera_set(*value) : std::string(); }};
 }
 
-/// Reads and writes the name of a light field format.
 Codec<std::string> light_field_name() {
   return {[](std::string_view value, const std::string& where) { return std::string(find_format(value, where).name); },
           [](const std::string& value) { return value; }};
@@ -189,7 +185,7 @@ struct Documentation {
   std::string_view name, group, type, doc;
 };
 
-/// Returns the member at the end of a path of member pointers.
+/// Returns the member of `value` that a path of member pointers leads to.
 template <class T>
 T& member_of(T& value) {
   return value;
@@ -199,8 +195,8 @@ auto& member_of(T& value, M Group::*member, Rest... rest) {
   return member_of(value.*member, rest...);
 }
 
-/// Makes a row for the value at the end of a path of member pointers. If the codec's `write` returns an empty text, the
-/// parameter counts as not given.
+/// Makes the row of a parameter. `members` is the path of member pointers from RenderParams to the value. If the codec's
+/// `write` returns an empty text, the parameter counts as not given.
 template <class T, class... Members>
 ParamInfo row_of(ParamKind kind, Codec<T> codec, Documentation words, Members... members) {
   ParamInfo info{words.name, words.group, words.type, words.doc, kind, true, false, {}, {}};

@@ -1,4 +1,4 @@
-// A job's optics, placed in its scene. Everything that renders, describes or plans a job takes them from here.
+// The optics of a job, placed in its scene. All code that renders, describes or plans a job uses this placement.
 #pragma once
 
 #include <memory>
@@ -13,7 +13,7 @@
 namespace lippmann {
 
 struct PlacedJob {
-  std::unique_ptr<const Display> display;  ///< null: the job has no display
+  std::unique_ptr<const Display> display;  ///< null if the job has no display
   FittedArray array;
   PlacedOptics placed;
 };
@@ -22,10 +22,10 @@ struct PlacedJob {
 /// other.
 Screen screen_of(const ResolvedJob& job, const Scene& scene, const Display* display);
 
-/// Loads the job's display, fits the array to the scene, and makes the optics. Rays start at the viewer, or
-/// behind walls that the file's camera does not see, so that a camera inside a room shows the room. `scene` must pass
-/// validate(). Throws Error for a display that cannot be read, and a usage Error for parameters that contradict each other or
-/// make no rays.
+/// Loads the job's display, fits the array to the scene, and makes the optics. Rays start at the viewer. If walls that the
+/// file's camera does not see hide the scene from the viewer, rays start behind these walls, so that a camera inside a room
+/// shows the room. `scene` must pass validate(). Throws Error if the display cannot be read. Throws a usage Error if parameters
+/// contradict each other or give no rays.
 PlacedJob place(const ResolvedJob& job, const Scene& scene);
 
 }  // namespace lippmann

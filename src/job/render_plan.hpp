@@ -1,4 +1,4 @@
-// The plan of a render: folder, frames, sizes and memory, for progress displays and dry runs.
+// The plan of a render: folder, frames, sizes and memory. It is shown by progress displays and dry runs.
 #pragma once
 
 #include <cstdint>
@@ -16,19 +16,22 @@ struct RenderPlan {
   std::filesystem::path folder;
   FrameNames names;
   PictureFormat format = PictureFormat::kPng;
-  std::vector<int> frames;               ///< the frames of this unit, or of the whole job; ascending
-  std::vector<std::string> videos = {};  ///< the files of the videos
-  int strips = 0;                        ///< number of strips of `frames` to render in this unit; 0: whole frames are rendered
-  int kept = 0;                          ///< number of `frames`, or of their strips, that are kept from earlier runs
+  /// Frames to render, in ascending order: those of the requested units, or of the whole job.
+  std::vector<int> frames;
+  std::vector<std::string> videos = {};  ///< video files
+  /// Number of strips to render. 0 if whole frames are rendered.
+  int strips = 0;
+  int kept = 0;  ///< number of frames (or strips) that are kept from earlier runs
   Vec2i picture_size{0, 0};
   int pictures_per_frame = 1;
-  double memory_bytes = 0.0;  ///< estimated memory for frames, without the scene (memory_plan.hpp)
-  int bands = 1;              ///< bands per frame; more than 1 only if memory is short
-  double join_bytes = 0.0;    ///< estimated memory for joining a frame from strips; 0: no frame is joined
+  double memory_bytes = 0.0;  ///< estimated memory of frames, without the scene (memory_plan.hpp)
+  int bands = 1;              ///< number of bands per frame; above 1 only if memory is short
+  /// Estimated memory for joining a frame from strips. 0 if no frame is joined.
+  double join_bytes = 0.0;
 };
 
-/// Returns the bytes of all pictures of a plan before compression, an upper bound for PNG and EXR files. Layers and videos are
-/// not included. job/size_estimate.hpp estimates the sizes of the compressed files.
+/// Returns the size of all pictures of a plan before compression, in bytes. It is an upper limit for PNG and EXR files. Layers
+/// and videos are not included. job/size_estimate.hpp estimates the sizes of compressed files.
 std::uint64_t largest_picture_bytes(const RenderPlan& plan, ExrPixels exr_pixels);
 
 }  // namespace lippmann

@@ -1,4 +1,4 @@
-// The set-up of one run of a job before its first frame. Invalid jobs are refused here, before anything is written.
+// Sets up one run of a job before its first frame. Invalid jobs are rejected here, before anything is written.
 #pragma once
 
 #include <chrono>
@@ -25,25 +25,28 @@ struct RenderSetup {
   const std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 
  public:
-  ResolvedJob job;  ///< the job, with the output folder filled in
+  ResolvedJob job;  ///< the job, with its output folder filled in
   const FrameParams frame_settings;
   const RunParams run;
   const ThreadPool pool;
   JobStage stage;
   const RunParts parts;
   const FrameLayout layout;
-  MemoryPlan memory;                ///< the plan that makes frames fit into the available memory
-  double join_bytes = 0.0;          ///< estimated memory for joining a frame from strips; 0: no frame is joined
-  std::optional<double> crosstalk;  ///< crosstalk to correct, as a sigma in the optics' pixels or views; nullopt: none
-  FormatOptions writing;            ///< options of the light-field format
-  std::vector<VideoFile> videos;    ///< videos of all frames; empty if other runs render some of the frames
-  std::string fingerprint;          ///< fingerprint of the job (job_fingerprint.hpp)
-  std::filesystem::path folder;     ///< output folder
-  /// The default folder if it holds another render, so that `folder` is a different one; otherwise empty.
+  MemoryPlan memory;  ///< how frames fit into the available memory
+  /// Estimated memory for joining a frame from strips. 0 if no frame is joined.
+  double join_bytes = 0.0;
+  /// Crosstalk to correct: a standard deviation, in pixels or views of the optics. nullopt if none is corrected.
+  std::optional<double> crosstalk;
+  FormatOptions writing;  ///< options of the light-field format
+  /// Videos of all frames. Empty if other runs render some of the frames.
+  std::vector<VideoFile> videos;
+  std::string fingerprint;       ///< fingerprint of the job (job_fingerprint.hpp)
+  std::filesystem::path folder;  ///< output folder
+  /// The default output folder, if it holds another render. `folder` is then a different folder. Empty otherwise.
   std::filesystem::path crowded_folder;
 
-  /// Loads the scene unless `loaded` is given. Throws Error for jobs that cannot be rendered, and for folders that hold
-  /// anything but this render.
+  /// Loads the scene unless `loaded` is given. Throws Error if the job cannot be rendered, or if the folder holds anything
+  /// except this render.
   RenderSetup(const ResolvedJob& wanted, const RunParams& run, const Context& context,
               std::optional<JobScene> loaded = std::nullopt);
   RenderSetup(const RenderSetup&) = delete;
@@ -54,15 +57,15 @@ struct RenderSetup {
 
   const Optics& optics() const { return stage.placed.optics; }
 
-  /// Returns whether finished frames of earlier runs are kept. False if a video needs codes that the pictures do not store
-  /// exactly.
+  /// Returns whether finished frames of earlier runs are kept. They are not kept if a video needs exact codes that the pictures
+  /// do not store.
   bool keeps_frames() const;
 
-  /// Returns whether the run leaves its frames in strips, because other runs render some of the strips or because frames are
-  /// joined after all ranks have ended.
+  /// Returns whether the run leaves its frames in strips. This is the case if other runs render some of the strips, or if
+  /// frames are joined after all ranks have ended.
   bool leaves_strips() const { return job.is_in_strips() && (run.units || run.parts || run.ranks); }
 
-  /// Returns the plan of the run. `kept` is the number of parts that exist already.
+  /// Returns the plan of the run. `kept` is the number of frames or strips that exist already.
   RenderPlan plan(int kept) const;
 
   /// Returns a report without frames.

@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Describes the precompensation, including the corrected crosstalk.
+/// Returns the figures of the crosstalk correction, and the crosstalk itself. Returns null without crosstalk correction.
 Json precompensation_json(const RenderReport& report) {
   Json json = to_json(precompensation_of(report));
   if (!report.crosstalk_px || json.is_null()) return nullptr;
@@ -44,7 +44,7 @@ Json totals_json(const RenderReport& report) {
           {"threads", report.run.threads}};
 }
 
-/// Describes the runs without their source frames, which the totals include.
+/// Returns the runs without their source frames, because the totals include the source frames.
 Json runs_json(const RenderReport& report) {
   Json runs = Json::array();
   for (const RunReport& run : report.runs.empty() ? std::vector{report.run} : report.runs) {

@@ -1,4 +1,4 @@
-// Figures of a render, per frame and in total. report.json holds them; docs/reference/formats.md explains every key.
+// Figures of a render, per frame and in total. They are written to report.json; docs/reference/formats.md explains every key.
 #pragma once
 
 #include <cstdint>
@@ -20,24 +20,30 @@ struct RenderReport {
   std::string scene;
   Optics optics;
   RenderParams params;
-  Reuse reuse;        ///< the kind in effect
-  std::string light;  ///< one sentence on the light used, and why
+  Reuse reuse;        ///< the kind of reuse that was used
+  std::string light;  ///< one sentence on the light, and the reason for it
   std::string view;   ///< FittedArray::how
   std::string cut;    ///< PlacedOptics::cut
   ShownDepth depth;
-  float depth_scale = 1.0f;            ///< factor of depth: depth on the display / depth in the scene
-  std::optional<double> crosstalk_px;  ///< corrected crosstalk: a sigma in the optics' pixels or views
+  /// Factor of depth: depth on the display divided by depth in the scene.
+  float depth_scale = 1.0f;
+  /// Corrected crosstalk: a standard deviation, in pixels or views of the optics.
+  std::optional<double> crosstalk_px;
   double frames_per_second = 25.0;
-  /// Figures of the frames, in ascending order; kept frames have the figures of the run that rendered them.
+  /// Reports of the frames, in ascending order. Kept frames have the figures of the run that rendered them.
   std::vector<FrameReport> frames;
-  std::vector<FrameReport> strips;  ///< figures of strips whose frames are not in `frames`
-  RunReport run;                    ///< figures of this run besides those of its frames, or the totals of all runs
-  std::vector<RunReport> runs;      ///< all runs that rendered into the folder; empty: `run` is the only one
+  std::vector<FrameReport> strips;  ///< reports of strips whose frames are not in `frames`
+  /// Figures of this run except those of its frames. In the report of a folder, the totals of all runs.
+  RunReport run;
+  /// All runs that rendered into the folder. Empty if `run` is the only run.
+  std::vector<RunReport> runs;
   std::vector<std::string> videos;  ///< names of the video files
-  bool interrupted = false;         ///< whether the run stopped before the last frame; the listed frames are complete
+  /// Whether the run stopped before its last frame. The frames in the report are complete.
+  bool interrupted = false;
 };
 
-/// Returns the mean share of clipped samples and the largest residual over all frames; nullopt without crosstalk correction.
+/// Returns the mean share of clipped samples and the largest residual over all frames. Returns nullopt without crosstalk
+/// correction.
 std::optional<Precompensation> precompensation_of(const RenderReport& report);
 
 nlohmann::ordered_json to_json(const RenderReport& report);

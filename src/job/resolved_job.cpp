@@ -16,7 +16,7 @@ void complete_pictures(RenderParams& params) {
   complete_camera_set(params);
   PictureParams& pictures = params.output.pictures;
   if (pictures.layout == PictureLayout::kRgbd && pictures.to.empty()) pictures.layout.reset(), pictures.to = "rgbd";
-  if (pictures.to == "rgbd" && !params.optics.kind) params.optics.kind = OpticsKind::kSingle;  // RGB-D needs one view
+  if (pictures.to == "rgbd" && !params.optics.kind) params.optics.kind = OpticsKind::kSingle;  // RGB-D pictures have one view
   std::vector<Aov>& layers = params.sampling.aov;
   if (!pictures.to.empty() && find_format(pictures.to, "to").uses_cameras &&
       std::find(layers.begin(), layers.end(), Aov::kDepth) == layers.end())
@@ -27,7 +27,7 @@ void complete_pictures(RenderParams& params) {
 
 ResolvedJob::ResolvedJob(RenderParams asked) : params_(std::move(asked)) {
   complete_pictures(params_);
-  if (params_.sampling.integrator) return;  // return early, so that no file is opened to determine its kind
+  if (params_.sampling.integrator) return;  // scene_kind() would open the scene's file
   const bool interpolates = params_.reuse.choice == ReuseChoice::kInterpolate;
   params_.sampling = completed(std::move(params_.sampling), scene_kind(params_.scene.name), interpolates);
 }

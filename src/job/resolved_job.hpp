@@ -1,4 +1,4 @@
-// A job with all defaults filled in, from which scenes, optics and frames are made.
+// A job whose defaults are filled in. Scenes, optics and frames are made from it.
 #pragma once
 
 #include <filesystem>
@@ -10,11 +10,11 @@
 
 namespace lippmann {
 
-/// The parameters of a job with all defaults filled in. Only the constructor applies defaults, so no caller can forget them or
-/// apply them twice.
+/// The parameters of a job with all defaults filled in. Only the constructor fills in defaults, so they cannot be forgotten or
+/// applied twice.
 class ResolvedJob {
  public:
-  /// Makes a job from the parameters `asked`, and fills in:
+  /// Makes a job from the parameters `asked`. Fills in:
   /// - the integrator: see completed() (frames/frame_params.hpp);
   /// - the depth layer for output formats that store depth;
   /// - a single view for RGB-D pictures.
@@ -32,10 +32,10 @@ class ResolvedJob {
   /// Returns whether each frame is rendered in strips of rows.
   bool is_in_strips() const { return params_.strips > 1; }
 
-  /// Returns the number of rendering threads: the requested one, or the default of `context`.
+  /// Returns the number of rendering threads: the requested number, or the default of `context`.
   int threads(const Context& context) const;
 
-  /// Returns the frame rate of the animation and of videos: the requested one, or the scene's own.
+  /// Returns the frame rate of the animation and of videos: the requested rate, or the rate of the scene.
   double frames_per_second(const Timeline& timeline) const;
 
   /// Returns the same job with its files in another folder.

@@ -6,7 +6,8 @@
 namespace lippmann {
 namespace {
 
-/// Returns the first flag of interpolation whose value differs from its default; empty if there is none.
+/// Returns the first flag of interpolation whose value differs from its default. Returns an empty string if all have their
+/// defaults.
 std::string interpolation_flag(const ReuseParams& params) {
   const ReuseParams defaults;
   if (params.splat != defaults.splat) return "--splat";
@@ -49,9 +50,9 @@ Interpolate interpolate(const ReuseParams& params) {
           params.halving,   params.no_z_buffer};
 }
 
-/// Returns the kind of reuse that kAuto stands for. Ignores some parameters instead of refusing them, so that one set of flags
-/// serves many scenes: key frames where no frame can be copied, and a minimum PSNR where pixels are copied or traced without
-/// noise, which satisfies any minimum.
+/// Returns the kind of reuse that kAuto stands for. Some parameters are ignored and not rejected, so that the same flags work
+/// for many scenes. Key frames are ignored if no frame can be copied. A minimum PSNR is ignored if pixels are copied or traced
+/// without noise, because such pixels satisfy any minimum.
 Reuse reuse_by_sampling(ReuseParams params, const Sampling& sampling) {
   if (can_copy_settled(sampling)) return copy_settled(params);
   params.keyframes.reset();
@@ -77,7 +78,8 @@ Reuse wanted_reuse(const ReuseParams& params, const Sampling& sampling) {
 
 FrameParams frame_params(const ResolvedJob& job) {
   FrameParams frames{job.sampling(), wanted_reuse(job.params().reuse, job.sampling())};
-  if (optics_kind(job.params()).info().is_camera) frames.sampling.lens.f_number = 0.0f;  // the camera's rays have the lens
+  if (optics_kind(job.params()).info().is_camera)
+    frames.sampling.lens.f_number = 0.0f;  // the camera's rays already pass through its lens
   check(frames);
   return frames;
 }

@@ -8,8 +8,8 @@ namespace lippmann {
 inline constexpr int kMaxKeyframes = 4096;
 inline constexpr double kMinPsnr = 20.0, kMaxPsnr = 90.0;  ///< range of --min-psnr
 
-/// Returns how the frames of a job are made. kAuto is replaced by the kind that suits the job's sampling. Throws a usage Error
-/// for parameters that the resulting kind of reuse does not use, and for everything that check() rejects.
+/// Returns how the frames of a job are made. kAuto is replaced by the kind of reuse that suits the job's sampling. Throws a
+/// usage Error for parameters that the resulting kind of reuse does not use, and for everything that check() rejects.
 FrameParams frame_params(const ResolvedJob& job);
 
 /// Throws a usage Error if a minimum PSNR is combined with exposure or tone mapping.

@@ -1,4 +1,4 @@
-// Sentences that summarise a render for the user: its kind of reuse, the share of reused pixels, and the estimated error.
+// Sentences that summarise a render for the user: the kind of reuse, the share of reused pixels, and the estimated error.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@ namespace lippmann {
 /// Returns the kind of reuse (name_of()), followed by its effect.
 std::string reuse_sentence(const RenderReport& report);
 
-/// Returns the PSNR of the frame with the largest error and its 90 % interval, e.g. "estimated error 42 dB (40 to 44)". If the
-/// held-out pixels show no error, returns only the lower bound. Returns an empty string if no frame has an estimate.
+/// Returns the PSNR and the 90 % interval of the frame with the largest error, such as "estimated error 42 dB (40 to 44)". If
+/// the held-out pixels show no error, returns only the lower bound. Returns an empty string if no frame has an estimate.
 std::string error_sentence(const std::vector<FrameReport>& frames);
 
 }  // namespace lippmann

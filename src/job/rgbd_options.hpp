@@ -10,8 +10,9 @@ namespace lippmann {
 
 struct Stage;
 
-/// Returns the options with the requested range, or else the depth range visible in the whole animation, independent of the
-/// frames, strips or parts to render. Throws a usage Error for a range that is not in front of the eye.
+/// Returns the options with the requested depth range. If no range is requested, uses the depth range that is visible in the
+/// whole animation; it does not depend on the frames or strips to render. Throws a usage Error for a range that is not in front
+/// of the eye.
 FormatOptions rgbd_options(const DepthParams& wanted, const Stage& stage, const ThreadPool& pool);
 
 }  // namespace lippmann

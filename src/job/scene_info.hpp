@@ -27,17 +27,20 @@ struct SceneInfo {
   bool keys_on_frames = true;           ///< whether every key of the animation falls on a frame
   std::size_t moving_instances = 0;     ///< number of instances that move or change their shape
   std::vector<std::string> animations;  ///< names of all animations in the file
-  int animation = -1;                   ///< index of the animation shown
+  int animation = -1;                   ///< index of the shown animation
   std::vector<std::string> variants;    ///< names of the material variants, for --variant
 
-  Vec3d origin{0.0};  ///< origin of the coordinates below, in the file's coordinates
-  Bounds3f bounds;    ///< bounds of all finite shapes, in world coordinates, over the animation (sampled at up to 32 frames)
+  /// Origin of `bounds` and `array_center`, in the coordinates of the file.
+  Vec3d origin{0.0};
+  /// Bounds of all finite shapes over the animation, which is sampled at up to 32 frames. In world coordinates.
+  Bounds3f bounds;
 
   FittedArray array;
   Optics optics;
-  float units_per_mm = 1.0f, depth_scale = 1.0f;  ///< as in PlacedOptics
-  Vec3f array_center{0.0f};                       ///< centre of the lens array in world coordinates, at the first frame
-  std::vector<std::string> warnings;              ///< sentences on parts of the file that the importer left out
+  float units_per_mm = 1.0f, depth_scale = 1.0f;  ///< see PlacedOptics
+  /// Centre of the lens array at the first frame. In world coordinates.
+  Vec3f array_center{0.0f};
+  std::vector<std::string> warnings;  ///< sentences on contents of the file that the importer left out
 };
 
 /// Loads the scene and places the optics as a render would. Throws Error.
@@ -45,7 +48,7 @@ SceneInfo describe_scene(const ResolvedJob& job, const Context& context);
 
 nlohmann::ordered_json to_json(const SceneInfo& info);
 
-/// Returns several lines for the user.
+/// Returns several lines of text for the user.
 std::string to_text(const SceneInfo& info);
 
 }  // namespace lippmann

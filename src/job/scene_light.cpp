@@ -24,7 +24,7 @@ constexpr std::string_view kNone = "none", kStudio = "studio";
 constexpr const char* kAccepted =
     "none, studio, a colour as #rrggbb or R,G,B (linear light), or a panorama, .hdr, .exr, .pfm or .tif";
 
-/// Parses "#ffcc00", in sRGB codes.
+/// Parses sRGB codes, such as "#ffcc00".
 std::optional<Vec3f> parse_hexadecimal(std::string_view text) {
   unsigned codes = 0;
   const char* const end = text.data() + text.size();
@@ -35,7 +35,7 @@ std::optional<Vec3f> parse_hexadecimal(std::string_view text) {
   return Vec3f(channel(16), channel(8), channel(0));
 }
 
-/// Parses "1,0.8,0.2", in linear light.
+/// Parses linear light, such as "1,0.8,0.2".
 Vec3f read_linear(std::string_view text, const std::string& where) {
   constexpr double kMax = 1e6;
   Vec3f color{0.0f};
@@ -48,7 +48,7 @@ Vec3f read_linear(std::string_view text, const std::string& where) {
   return color;
 }
 
-/// Parses a colour. Returns nullopt if the value does not look like a colour, and throws if it looks like one but is invalid.
+/// Parses a colour. Returns nullopt if the value does not look like a colour. Throws if it looks like a colour but is invalid.
 std::optional<Vec3f> read_color(std::string_view value, const std::string& where) {
   if (value.starts_with('#')) {
     const std::optional<Vec3f> color = parse_hexadecimal(value);
@@ -61,8 +61,8 @@ std::optional<Vec3f> read_color(std::string_view value, const std::string& where
 
 Surrounding surrounding_of(const SceneParams& params) { return {params.environment_strength, params.environment_rotation_deg}; }
 
-/// Returns the error for an unknown environment: a missing file if the name has an extension, otherwise a word that may be
-/// misspelt.
+/// Returns the error for an unknown environment. If the name has an extension, the error reports a missing file. Otherwise the
+/// name may be a misspelt word.
 Error no_such_environment(const std::string& value) {
   const std::filesystem::path path(value);
   if (path.has_extension()) return Error(value, "there is no such file", kAccepted);
@@ -72,7 +72,7 @@ Error no_such_environment(const std::string& value) {
                      kAccepted);
 }
 
-/// Applies the light that --environment requests.
+/// Adds the light that --environment requests. Returns a sentence on the light.
 std::string requested_light(Scene& scene, const SceneParams& params, const Context& context) {
   const std::string& value = params.environment;
   if (value == kNone) return "The scene has only its own light, as requested by --environment none.";

@@ -1,5 +1,5 @@
-// The screen that shows a job's images. The array is fitted to the scene with the screen's aspect; the optics are then made
-// from the fitted array.
+// The screen that shows a job's images. First the lens array is fitted to the scene with the aspect of the screen. Then the
+// optics are made from the fitted array.
 #pragma once
 
 #include <functional>
@@ -12,13 +12,14 @@ namespace lippmann {
 /// Made from a job's parameters (screen_of_params.hpp), from a display (screen_of_display.hpp), or for two eyes
 /// (screen_for_stereo.hpp).
 struct Screen {
-  float window_aspect = 1.0f;  ///< width / height of the visible part of the display plane: the panel, or one view of a quilt
+  /// Width / height of the visible part of the display plane, which is the panel or one view of a quilt.
+  float window_aspect = 1.0f;
 
-  /// Returns the optics for an array that was fitted with this aspect. Throws a usage Error if no optics exist for the array's
-  /// viewer.
+  /// Returns the optics for an array that was fitted with window_aspect. Throws a usage Error if no optics exist for the
+  /// array's viewer.
   std::function<Optics(const FittedArray&)> optics;
 
-  /// The viewer stays where it was fitted, and the optics decide how much of the scene they see: cameras.
+  /// Used for cameras. If true, the viewer stays where it was fitted, and the optics decide how much of the scene is visible.
   bool keeps_viewer = false;
 };
 

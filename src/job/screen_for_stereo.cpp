@@ -47,7 +47,7 @@ double eyes_distance_mm(const RenderParams& params, const FittedArray& array, co
   const double distance = params.optics.viewing_distance_mm.value_or(
       display ? static_cast<float>(viewing_distance_mm(*display))
               : array.viewing_distance / scene_units_per_mm(array, static_cast<float>(height_mm)));
-  // An orthographic camera has no distance.
+  // An orthographic camera has no viewing distance, so a default is used.
   if (!params.optics.viewing_distance_mm && !std::isfinite(distance)) return 3.0 * height_mm;
   if (!std::isfinite(distance))
     throw usage_error("viewing-distance", "cannot be infinite for two eyes", "millimetres above 0, or auto");

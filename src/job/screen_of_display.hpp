@@ -1,8 +1,10 @@
-// The screen of a display that is chosen by name, in the display's millimetres, with changes that the parameters request.
+// The screen of a display that is chosen by name. Lengths are the display's millimetres. Parameters can change some properties
+// of the display.
 //
-// Slanted panels show a quilt or, with --layout native, an interlaced image of their sub-pixels. Sheets and microlens arrays
-// show the image behind their lenses. The viewer is at the display's viewing distance instead of the scene's camera, so that
-// cells converge at the viewer's eyes. --optics single renders the view of one eye in front of the middle of the display.
+// Slanted panels show a quilt. With --layout native, they show an interlaced image of their sub-pixels. Lenticular sheets and
+// microlens arrays show the image behind their lenses. The viewer is at the display's viewing distance and not at the scene's
+// camera, so that cells converge at the viewer's eyes. --optics single renders the view of one eye in front of the middle of
+// the display.
 #pragma once
 
 #include "job/params.hpp"

@@ -9,7 +9,7 @@
 namespace lippmann {
 
 /// Returns the screen. Throws a usage Error for parameters that contradict each other (job/panel_size.hpp). Screen::optics
-/// throws a usage Error if the lens pitch would be below the pixel pitch.
+/// throws a usage Error if the lens pitch would be smaller than a pixel.
 Screen screen_of_params(const RenderParams& params, const Scene& scene);
 
 }  // namespace lippmann

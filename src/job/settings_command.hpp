@@ -6,12 +6,12 @@
 
 namespace lippmann {
 
-/// Returns one line for a shell. settings: as made by settings_json(). Omits defaults, and `resume`, because it does not affect
-/// the pictures. An unknown setting becomes a flag with the setting's name.
+/// Returns one line for a shell. `settings` comes from settings_json(). Defaults are left out. `resume` is left out too,
+/// because it does not affect the pictures. An unknown setting becomes a flag with the setting's name.
 std::string command_of_settings(const std::string& scene, const nlohmann::ordered_json& settings);
 
-/// Returns the words for one setting: its flag, with the value if it takes one; for a list, one flag per value. Empty for a
-/// default.
+/// Returns the flag of one setting, with its value if it takes one. A list gives one flag per value. Returns an empty string
+/// for a default value.
 std::string flags_of_setting(const std::string& name, const nlohmann::ordered_json& value);
 
 }  // namespace lippmann

@@ -17,7 +17,7 @@ Json setting_json(const ParamInfo& info, const RenderParams& params) {
   if (info.kind == ParamKind::kList) return values;
   if (values.empty()) return nullptr;
   if (info.kind == ParamKind::kText) return values.front();
-  return json_from_text(values.front());  // numbers and flags have JSON notation
+  return json_from_text(values.front());  // the text of a number or a flag is valid JSON
 }
 
 }  // namespace

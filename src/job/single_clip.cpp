@@ -32,7 +32,7 @@ RenderParams single_clip(const RenderParams& params, const Optics& optics) {
   single.optics.size = params.optics.display.empty() ? extent_of_picture(optics) : Extent<int>{};
   single.output.pictures.layout.reset(), single.output.pictures.to.clear(),
       single.output.pictures.mirror = false, single.output.pictures.pseudoscopic = false, single.output.pictures.quilt = {};
-  single.strips = 1;  // one view has too few rows for strips to pay off
+  single.strips = 1;  // a single view has too few rows for strips to pay off
   single.output.pictures.depth = {};
   single.output.pictures.stereo = {}, single.optics.ipd_mm.reset(), single.optics.screen_width_mm.reset();
   single.output.folder = (fs::path(output_folder(params)) / kSingleFolder).string();

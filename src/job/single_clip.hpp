@@ -6,9 +6,9 @@
 
 namespace lippmann {
 
-/// Returns the parameters that render the plain picture into the folder kSingleFolder beside the light field's pictures, with
-/// videos named NAME_single.mp4 etc. optics: the optics of `params`. The picture is as wide as the panel, or as one view of a
-/// quilt; for a display, it has the panel's size.
+/// Returns the parameters that render the plain picture. Its folder is kSingleFolder in the folder of the light field. Its
+/// videos are named NAME_single.mp4 etc. `optics` are the optics of `params`. The picture is as wide as the panel, or as one
+/// view of a quilt. For a display, it has the size of the panel.
 RenderParams single_clip(const RenderParams& params, const Optics& optics);
 
 }  // namespace lippmann

@@ -10,7 +10,7 @@
 namespace lippmann {
 namespace {
 
-/// The amount of noise in a picture, which determines how well it compresses.
+/// The amount of noise in a picture, which determines how well the picture compresses.
 enum class Texture { kClean, kDenoised, kNoisy };
 
 Texture texture_of(const RenderParams& params) {
@@ -22,8 +22,8 @@ double of(Texture texture, double clean, double denoised, double noisy) {
   return texture == Texture::kClean ? clean : texture == Texture::kDenoised ? denoised : noisy;
 }
 
-// All factors in this file are means measured for the built-in room, teapot and tree behind 64 lenses of 8 pixels, path-traced
-// with 16 samples per pixel. Layers of light were not measured; all of their three channels hold noise.
+// All factors in this file are measured means. The pictures were the built-in room, teapot and tree behind 64 lenses of 8
+// pixels, path-traced with 16 samples per pixel. Layers of light were not measured; noise in all three channels is assumed.
 
 /// Returns the bytes per sample of a picture. A pixel has three samples.
 double picture_bytes_per_sample(const RenderParams& params, PictureFormat format) {
@@ -46,7 +46,7 @@ double video_bytes_per_pixel(const RenderParams& params, VideoCodec codec) {
   const std::optional<CrfRange> range = crf_range(codec);
   if (!range) return of(texture, 0.8, 0.9, 1.0);  // a lossless codec
   const double crf_steps = params.output.crf.value_or(range->standard) - range->standard;
-  return of(texture, 0.06, 0.06, 0.07) * std::pow(2.0, -crf_steps / 6.0);  // six steps of CRF halve the size
+  return of(texture, 0.06, 0.06, 0.07) * std::pow(2.0, -crf_steps / 6.0);  // raising CRF by 6 halves the size
 }
 
 }  // namespace

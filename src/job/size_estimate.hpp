@@ -1,7 +1,8 @@
 // Estimates the size of a render's files before rendering, from measured bytes per pixel.
 //
-// For scenes that fill the picture, the estimate is accurate to a factor of about two. A small object in front of a plain
-// background takes only a fifth of the estimate. Once a frame is written, the sizes of its files give a better estimate.
+// The estimate is accurate to a factor of about two if the scene fills the picture. A small object in front of a plain
+// background takes only a fifth of the estimate. After the first frame is written, the sizes of its files give a better
+// estimate.
 #pragma once
 
 #include <string>
@@ -11,16 +12,16 @@
 
 namespace lippmann {
 
-/// Estimated sizes of the files of all frames, in bytes.
+/// Estimated total sizes of the files of all frames, in bytes.
 struct FileSizes {
   double pictures = 0.0, layers = 0.0, videos = 0.0;
   double all() const { return pictures + layers + videos; }
 };
 
-/// Returns the estimated sizes for all frames of a plan, including kept ones.
+/// Returns the estimated sizes for all frames of a plan, including kept frames.
 FileSizes estimated_file_sizes(const RenderPlan& plan, const RenderParams& params);
 
-/// Returns "0.35 MB", "12 MB", "4.1 GB": two significant digits.
+/// Returns a size with two significant digits, such as "0.35 MB", "12 MB" or "4.1 GB".
 std::string bytes_text(double bytes);
 
 }  // namespace lippmann

@@ -1,4 +1,4 @@
-// Renders frames in strips: each strip goes into a file of the folder, and frames are joined from these files.
+// Renders frames in strips. Each strip is written to a file of the folder. Frames are joined from these files.
 #pragma once
 
 #include <vector>
@@ -16,8 +16,8 @@ class StrippedFrames final : public FrameMaker {
   struct Settings {
     FrameAovs wanted;             ///< layers to render
     Vec2i film{0, 0};             ///< size of a whole frame
-    bool keeps_finished = false;  ///< keep strips that are recorded and unchanged
-    bool only_joins = false;      ///< render no strip; a missing one is an Error
+    bool keeps_finished = false;  ///< whether to keep strips that are recorded in the journal and unchanged
+    bool only_joins = false;      ///< if true, no strip is rendered, and a missing strip is an Error
   };
 
   /// A strip that was rendered and recorded.
@@ -31,7 +31,7 @@ class StrippedFrames final : public FrameMaker {
   StrippedFrames(const StripMaker& strips, RenderFolder& folder, const Settings& settings, RunProgress& progress,
                  const Context& context);
 
-  /// Renders those of the parts (parts_of) whose strips are missing. Stops early if the context is cancelled.
+  /// Renders the missing strips of `parts` (see parts_of()). Stops early if the context is cancelled.
   void make_strips(const std::vector<int>& parts);
 
   /// Renders the missing strips of a frame and joins all strips. Throws Error if a strip is still missing afterwards.

@@ -1,4 +1,5 @@
-// Submits a job in units to clusters and render farms: a Slurm script, an Open Job Description template, or plain commands.
+// Submits a job to clusters and render farms, as a Slurm script, an Open Job Description template, or plain commands. The job
+// is divided into units. Each task of the cluster renders one unit.
 #pragma once
 
 #include <cstdint>
@@ -9,37 +10,37 @@
 namespace lippmann {
 
 struct Submission {
-  std::filesystem::path program;  ///< the command-line tool, as an absolute path or a name in PATH
-  std::filesystem::path job;      ///< a job file, absolute
-  std::filesystem::path folder;   ///< the output folder of the job, absolute
-  std::string name;               ///< name of the job, for lists
+  std::filesystem::path program;  ///< path of the command-line tool: absolute, or a name in PATH
+  std::filesystem::path job;      ///< absolute path of a job file
+  std::filesystem::path folder;   ///< absolute path of the job's output folder
+  std::string name;               ///< name of the job in lists
   int units = 1;
-  int chunk = 1;                    ///< number of units that a task renders in sequence, if the scheduler supports such tasks
-  int threads = 1;                  ///< threads of each task
-  std::optional<int> minutes = {};  ///< time limit of a task; none: the scheduler's default
-  std::optional<std::uint64_t> memory_bytes = {};  ///< memory limit of a task; none: the scheduler's default
-  /// Memory limit of the finishing task, if joining strips needs more than `memory_bytes`.
+  int chunk = 1;                    ///< number of units that one task renders in sequence, if the scheduler supports such tasks
+  int threads = 1;                  ///< number of threads of each task
+  std::optional<int> minutes = {};  ///< time limit of a task; nullopt: the default of the scheduler
+  std::optional<std::uint64_t> memory_bytes = {};  ///< memory limit of a task; nullopt: the default of the scheduler
+  /// Memory limit of the task that finishes the job, if joining strips needs more than `memory_bytes`.
   std::optional<std::uint64_t> finish_memory_bytes = {};
   std::string partition = {};  ///< Slurm partition; empty: the default of Slurm
 };
 
-/// Returns a time limit for units that need `cpu_seconds`: three times the estimate plus five minutes, to allow for busy or
-/// slower machines.
+/// Returns a time limit in minutes for a unit that needs `cpu_seconds`. It is three times the estimate plus five minutes, to
+/// allow for busy or slower machines.
 int minutes_for(double cpu_seconds, int threads);
 
-/// Returns a memory limit: one and a half times the estimate.
+/// Returns a memory limit in bytes: one and a half times the estimate.
 std::uint64_t memory_for(std::uint64_t peak_memory_bytes);
 
-/// Returns a script that submits an array job over the units, and a job that finishes the folder after all units have
-/// succeeded. Tasks may be requeued at any time; a requeued task keeps the frames that it has finished.
+/// Returns a script that submits two jobs. The first is an array job over the units. The second finishes the folder after all
+/// units have succeeded. Tasks may be requeued at any time; a requeued task keeps its finished frames.
 std::string slurm_script(const Submission& submission);
 
-/// Returns an Open Job Description template (jobtemplate-2023-09) as JSON, with one step over the units and a step that
-/// finishes the folder after it. If chunk > 1, the tasks are of type CHUNK[INT] (extension TASK_CHUNKING).
+/// Returns an Open Job Description template (jobtemplate-2023-09) as JSON. It has one step over the units, and a second step
+/// that finishes the folder. If chunk > 1, the tasks are of type CHUNK[INT] (extension TASK_CHUNKING).
 std::string openjd_template(const Submission& submission);
 
-/// Returns one command per line: first the units, which may run in any order and on any machines; last the command to run after
-/// all of them.
+/// Returns one command per line. The commands of the units come first; they may run in any order and on any machines. The last
+/// command must run after all of them.
 std::string shell_commands(const Submission& submission);
 
 }  // namespace lippmann

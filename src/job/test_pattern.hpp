@@ -1,13 +1,13 @@
-// A test pattern that shows at a glance whether a display and its calibration match. It is computed from rays alone: the colour
-// of a pixel depends on where its ray crosses the display plane, and on where it arrives in the viewing zone.
+// A test pattern that shows whether a display matches its calibration. The colour of a pixel depends on where its ray crosses
+// the display plane, and on where the ray arrives in the viewing zone.
 //
-// In the display plane: a white frame, a grid, a circle. By direction, from left to right in the zone: red, orange, grey, cyan,
-// blue. Red and orange have an arrow to the left, cyan and blue one to the right. An eye in the middle of the zone should see a
-// grey display. Other images indicate the error:
-//   coloured stripes across the display     wrong pitch (upright stripes) or slope (leaning stripes)
+// The display plane has a white frame, a grid and a circle. The viewing zone has five colours from left to right: red, orange,
+// grey, cyan, blue. Red and orange show an arrow to the left, cyan and blue an arrow to the right. An eye in the middle of the
+// zone should see a grey display. Other images indicate an error:
+//   coloured stripes across the display     wrong pitch (upright stripes) or slant (leaning stripes)
 //   one colour, but not grey                wrong centre
 //   arrows that point away from the eye     reversed order of views
-//   an oval                                 wrong aspect
+//   an oval instead of a circle             wrong aspect
 #pragma once
 
 #include <memory>
@@ -21,17 +21,17 @@
 
 namespace lippmann {
 
-/// The name of the pattern for `render`, in place of a scene.
+/// The name that `render` accepts in place of a scene.
 inline constexpr std::string_view kTestPattern = "test-pattern";
 
-/// Returns an empty scene with one frame. The array to show the pattern on is part of the scene.
+/// Returns an empty scene with one frame. It includes the array that shows the pattern.
 Scene test_pattern_scene();
 
-/// Returns the linear RGB of a ray that crosses the display at `place`, in half heights from its middle (x right, y up), and
-/// arrives at `zone`, from 0 (leftmost) to 1. aspect: width / height of the display.
+/// Returns the linear RGB of a ray. The ray crosses the display at `place`, in half heights of the display from its middle (x
+/// right, y up). It arrives at `zone` in the viewing zone, from 0 (leftmost) to 1. `aspect` is width / height of the display.
 Vec3f test_pattern(Vec2f place, float aspect, float zone);
 
-/// Returns a maker of the pattern's frames, which traces no rays. The arguments must outlive the result.
+/// Returns a frame maker for the pattern. It traces no rays. The arguments must outlive the result.
 std::unique_ptr<FrameMaker> make_pattern_frames(const Stage& stage, const ThreadPool& pool);
 
 /// Returns a film that shows the pattern.

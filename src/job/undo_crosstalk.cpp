@@ -26,7 +26,7 @@ std::optional<double> crosstalk_to_undo(const RenderParams& params, const Optics
   if (!sigma)
     throw usage_error(kPrecompensateFlag, "the crosstalk of the display is unknown", "--crosstalk, or a display file with it");
   Image nothing;
-  // Throws for invalid values now, before hours are spent on frames.
+  // Throws for invalid values before any frame is rendered.
   precompensate(optics, *sigma, kPrecompensateFlag, nothing);
   return sigma;
 }
