@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Largest number of server threads that wait for changes at once. Requests of further pages are answered without waiting.
+/// Maximum number of server threads that wait for changes at once. Requests of further pages are answered without waiting.
 constexpr int kMaxWaiting = 8;
 constexpr std::chrono::milliseconds kPatience{250};
 
@@ -46,7 +46,7 @@ Json choices_json() {
   return choices;
 }
 
-/// Returns whether the body requests all frames: its "frames" is "all". The only other valid value is "this".
+/// Returns whether "frames" of a request's body is "all". The only other valid value is "this".
 bool wants_all(const std::string& body) {
   const Json json = json_from_text(body);
   const auto frames = json.is_object() ? json.value("frames", Json()) : Json();

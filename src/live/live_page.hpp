@@ -1,10 +1,11 @@
-// Answers the requests of a page for a scene that is set up live, without knowledge of sockets.
+// Answers the requests of a page that shows a live scene. Does not depend on sockets.
 //
-//   GET  live/state/SERIAL   LiveScene::state_after, as JSON; waits up to a second for changes
-//   GET  live/views/ID, live/depth/ID, live/panel/ID   an image; empty (204) if it is not the latest
-//   POST live/settings       LiveScene::change; {"version": N}
-//   POST live/save           {"file": NAME}
-//   POST live/render         {"frames": "all" or "this"}; live/cancel stops it
+//   GET  live/state/SERIAL   LiveScene::state_after() as JSON; waits up to a second for changes
+//   GET  live/views/ID, live/depth/ID, live/panel/ID   an image; an empty answer (204) if a newer image exists
+//   POST live/settings       LiveScene::change(); answers {"version": N}
+//   POST live/save           LiveScene::save(); answers {"file": NAME}
+//   POST live/render         starts a render; the body is {"frames": "all"} or {"frames": "this"}
+//   POST live/cancel         stops the render
 // Refused requests are answered with status 422 and {"error": MESSAGE}.
 #pragma once
 
@@ -18,7 +19,7 @@ namespace lippmann {
 
 class LiveAnswers : public LivePage {
  public:
-  /// plays: whether the page starts with the image of the panel.
+  /// `plays` states whether the page starts with the image of the panel.
   explicit LiveAnswers(std::unique_ptr<LiveScene> scene, bool plays = false) : scene_(std::move(scene)), plays_(plays) {}
 
   nlohmann::ordered_json field() const override;

@@ -1,4 +1,4 @@
-// A render that is started from the page. It runs in a thread, reports its progress and can be cancelled.
+// A render that the page starts. It runs in a thread, reports its progress and can be cancelled.
 #pragma once
 
 #include <functional>
@@ -21,7 +21,7 @@ class LiveRender {
   LiveRender(const LiveRender&) = delete;
   LiveRender& operator=(const LiveRender&) = delete;
 
-  /// Runs render_animation in a thread and calls `ended` afterwards. Throws an Error if a render is running.
+  /// Runs render_animation() in a thread and calls `ended` afterwards. Throws an Error if a render is running.
   void start(const ResolvedJob& job, std::function<void()> ended);
 
   /// Stops the render like Ctrl-C. Finished frames remain, so that `lippmann render job.toml --resume` can continue.
@@ -29,8 +29,9 @@ class LiveRender {
 
   bool is_running() const;
 
-  /// Returns the state of the render for the page: "state" (running, finished, stopped, failed), "frames", "done", "share" (of
-  /// the whole render), "seconds_left" (null if not known yet), "folder" and "error". Returns null before the first render.
+  /// Returns the state of the render for the page: "state" (running, finished, stopped or failed), "frames", "done", "share"
+  /// (finished fraction of the whole render), "seconds_left" (null if not known yet), "folder" and "error". Returns null before
+  /// the first render.
   nlohmann::ordered_json json() const;
 
  private:
@@ -41,7 +42,7 @@ class LiveRender {
   Context context_;
   std::string state_, folder_, error_;
   int frames_ = 0, done_ = 0;
-  double share_ = 0.0;  ///< traced share of the current frame, from 0 to 1
+  double share_ = 0.0;  ///< traced fraction of the current frame, from 0 to 1
   double started_ = 0.0;
 };
 

@@ -21,13 +21,13 @@ using Json = nlohmann::ordered_json;
 
 Bytes encoded(const Image8& picture) { return std::make_shared<const std::string>(encoded_picture(picture, 0).bytes); }
 
-/// Describes the display plane: its distance from the viewer and the limits of that distance, in world units.
+/// Describes the display plane: its distance from the viewer, and the limits of this distance, in world units.
 Json plane_json(double distance, double nearest, double farthest) {
   if (!std::isfinite(distance)) return nullptr;
   return {{"distance", distance}, {"nearest", nearest}, {"farthest", farthest}};
 }
 
-/// Describes the panel. Returns null unless the display is a slanted panel, the only kind that interlaces views.
+/// Describes the panel. Returns null if the display is not a slanted panel, because only slanted panels interlace views.
 Json panel_json(const Display* display, const InterlaceParams& interlace) {
   if (!display || display->kind != DisplayKind::kSlantedPanel) return nullptr;
   return page_display_json({*display, interlace});
@@ -71,7 +71,7 @@ void LiveScene::work() {
   }
 }
 
-/// Waits for settings that are not rendered yet. Returns nullopt when the thread is to end.
+/// Waits for settings that are not rendered yet. Returns nullopt when the thread has to end.
 std::optional<LiveScene::Order> LiveScene::next_order() {
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [this] { return ending_ || done_version_ != version_ || (!is_whole_ && !render_.is_running()); });
@@ -113,7 +113,7 @@ void LiveScene::make(const Order& order) {
   live_.set(order.settings.job());
   begin(order);
   if (is_stale(order.version)) return;
-  const PageFacts facts = facts_;  // no lock is needed, since only this thread changes facts_
+  const PageFacts facts = facts_;  // needs no lock, because only this thread changes facts_
   const auto depth_of = [&](Vec2i size) {
     return facts.has_depth ? encoded(depth_picture(live_, facts, size, frame)) : Bytes();
   };
@@ -143,7 +143,7 @@ void LiveScene::publish(const Order& order, const char* pass, const LivePictures
     if (order.version != version_) return;
     picture_ = {next_id_++, order.version, order.settings.frame(), pass, made.view_size, views, depth, panel, facts_json_};
     error_.clear();
-    picture_.facts.erase("frames");  // the frames do not change, so they are left out
+    picture_.facts.erase("frames");  // the list of frames never changes, so the page needs it only once
     ++serial_;
   }
   changed_.notify_all();
@@ -163,7 +163,7 @@ void LiveScene::end(const Order& order, const std::string& error, bool is_whole)
 
 // ---- Requests of pages -----------------------------------------------------------------------------------------
 
-/// Moves the display plane to depth z of the shown image. The viewer stays at its place.
+/// Moves the display plane to depth z_mm of the shown image. The viewer does not move.
 void LiveScene::set_plane(LiveSettings& settings, double z_mm) const {
   const double distance = distance_ - z_mm * world_per_shown_mm_;
   if (!std::isfinite(distance) || !(distance > 0.0))
@@ -259,7 +259,7 @@ bool LiveScene::is_outdated(std::uint64_t id) const {
   return id > 0 && id < picture_.id;
 }
 
-/// Throws if an error occurred while the current settings were rendered.
+/// Throws if rendering the current settings has failed.
 void LiveScene::require_renderable() const {
   if (broken_version_ == version_) throw Error("settings", error_);
 }
@@ -284,7 +284,8 @@ void LiveScene::render(bool all_frames) {
     if (!all_frames) params.output.frames = FrameRanges{{frame, frame}};
   }
   render_.start(ResolvedJob(params), [this] { notify_pages(); });
-  context_.cancelled = true;  // stops finer images, which wait until the render has ended
+  // Stops finer images. They are rendered after the render has ended.
+  context_.cancelled = true;
   notify_pages();
 }
 

@@ -12,7 +12,8 @@
 namespace lippmann {
 namespace {
 
-/// Returns a text that differs for settings for which the scene, its light or its tables must be loaded again.
+/// Returns a text that identifies the scene, its light and its acceleration structures. If the text changes, they must be
+/// loaded again.
 std::string scene_key(const ResolvedJob& job) {
   RenderParams key;
   key.scene = job.scene();
@@ -21,8 +22,8 @@ std::string scene_key(const ResolvedJob& job) {
   return job_text(key, {});
 }
 
-/// Returns the parameters for a single frame. Settled pixels are not copied: that would need a search, and tracing them gives
-/// the same bits.
+/// Returns the parameters for a single frame. Pixels are not copied between frames, because finding unchanged pixels takes
+/// time, and tracing gives the same bits.
 FrameParams params_of_one_frame(const ResolvedJob& job) {
   FrameParams frame_settings = frame_params(job);
   if (std::holds_alternative<CopySettled>(resolved_reuse(frame_settings))) frame_settings.reuse = TraceAll{};
@@ -55,7 +56,8 @@ std::optional<RenderedFrame> LiveStage::frame(int frame) {
   last_frame_ = frame;
   RenderedFrame made = maker_->make(frame);
   if (!context_.cancelled) return made;
-  maker_.reset();  // the maker's shared data is unfinished too, so that it cannot be used again
+  // The maker holds unfinished data too, so it cannot be used again.
+  maker_.reset();
   return std::nullopt;
 }
 

@@ -1,4 +1,4 @@
-// Keeps the stage of a scene up to date while its settings change, rebuilding only what a change affects.
+// Keeps the stage of a scene up to date while its settings change. Rebuilds only what a change affects.
 #pragma once
 
 #include <memory>
@@ -19,8 +19,8 @@ class LiveStage {
   /// Loads the scene. `context` must outlive this object. Throws Error.
   LiveStage(const ResolvedJob& job, const Context& context);
 
-  /// Applies settings: fits the array and makes the optics. Reloads the scene only if the scene, its light or its integrator
-  /// changed. On failure throws Error and leaves the stage unchanged.
+  /// Applies the settings of `job`: fits the array and makes the optics. Reloads the scene only if the scene, its light or its
+  /// integrator has changed. Throws Error on failure; the stage is then unchanged.
   void set(const ResolvedJob& job);
 
   const ResolvedJob& job() const { return job_; }
@@ -28,8 +28,8 @@ class LiveStage {
   const JobStage& stage() const { return *stage_; }
   const ThreadPool& pool() const { return pool_; }
 
-  /// Renders a frame as `lippmann render` does. Data that frames share is kept as long as only the frame number changes, which
-  /// works best if frames are requested in ascending order. Returns nullopt if cancelled. Throws Error for parameters that
+  /// Renders a frame as `lippmann render` does. Data that frames share is kept as long as only the frame number changes. This
+  /// saves most time if frames are requested in ascending order. Returns nullopt if cancelled. Throws Error if parameters
   /// contradict each other.
   std::optional<RenderedFrame> frame(int frame);
 
@@ -41,8 +41,8 @@ class LiveStage {
   ThreadPool pool_;
   ResolvedJob job_;
   std::unique_ptr<JobStage> stage_;
-  std::unique_ptr<FrameMaker> maker_;  ///< makes the frames of the current job; null: not made yet
-  int last_frame_ = 0;                 ///< the frame that maker_ made last
+  std::unique_ptr<FrameMaker> maker_;  ///< makes the frames of the current job; null until the first frame
+  int last_frame_ = 0;                 ///< the last frame that maker_ made
 };
 
 }  // namespace lippmann

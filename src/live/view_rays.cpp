@@ -11,7 +11,8 @@
 namespace lippmann {
 namespace {
 
-/// Makes the ray of a view's pixel as seen from the view's eye. Eye slopes are multiplied by `parallax` (with_parallax).
+/// Makes the ray of a view's pixel, as seen from the eye of the view. The slopes of the eye are multiplied by `parallax`
+/// (with_parallax()).
 class EyeRays {
  public:
   EyeRays(const PlacedOptics& placed, const PageFacts& facts)
@@ -36,7 +37,7 @@ class EyeRays {
   double parallax_, z_front_;
 };
 
-/// Makes the ray of the film pixel that shows a given point of the view.
+/// Makes the ray of the film pixel that shows a given point of a view.
 class PixelRays {
  public:
   PixelRays(const Optics& optics, const ViewLayout& film, const PageFacts& facts)

@@ -7,13 +7,13 @@
 
 namespace lippmann {
 
-/// Returns a size of views, at most facts.view_size, with which all views together have about `pixels` samples. Samples are
-/// equally dense across and up in the plane z = 0.
+/// Returns a size of a view, at most facts.view_size, so that all views together have about `pixels` samples. In the plane z =
+/// 0, samples have the same distance across and up.
 Vec2i coarse_view_size(const PageFacts& facts, double pixels);
 
-/// Returns optics that are a table of rays; their film is a quilt of facts.tiles tiles of view_size. For views that consist of
-/// whole pixels, each ray is that of the panel's nearest pixel. Otherwise the ray passes from the view's eye through the point
-/// of the plane z = 0.
+/// Returns optics that consist of a table of rays. Their film is a quilt with facts.tiles tiles of the size view_size. If views
+/// consist of whole pixels of the panel, each ray is the ray of the nearest pixel of the panel. Otherwise the ray passes from
+/// the view's eye through its point of the plane z = 0.
 Optics view_rays(const PlacedOptics& placed, const PageFacts& facts, Vec2i view_size);
 
 }  // namespace lippmann
