@@ -1,4 +1,4 @@
-// Develops a traced frame into a picture: applies tone, undoes crosstalk, and arranges the pixels in the layout.
+// Develops a traced frame into a picture: applies the tone curve, corrects crosstalk, and arranges the pixels in the layout.
 #pragma once
 
 #include <optional>
@@ -15,13 +15,15 @@ struct Development {
   const FrameLayout& layout;
   const Optics& optics;  ///< optics of the film
   Tone tone = {};
-  Encoding encoding = Encoding::kSrgb;           ///< encoding of the scene's values
-  std::optional<double> crosstalk_to_undo = {};  ///< a sigma in the optics' pixels or views (optics/crosstalk.hpp)
-  bool keeps_light = false;                      ///< keeps linear light, without tone mapping, premultiplied by alpha
+  Encoding encoding = Encoding::kSrgb;  ///< encoding of the scene's values
+  /// Crosstalk to correct: a standard deviation, in pixels or views of the optics (optics/crosstalk.hpp).
+  std::optional<double> crosstalk_to_undo = {};
+  /// If true, the picture holds linear light, premultiplied by alpha, without tone mapping.
+  bool keeps_light = false;
 };
 
-/// Develops the film and the layers in place, but does not convert them to codes. If the picture needs a new buffer, returns
-/// the film's old buffer; otherwise returns an empty image.
+/// Develops the film and the layers in place. Does not convert them to codes. If the picture needs a new buffer, returns the
+/// old buffer of the film. Otherwise returns an empty image.
 Image develop_frame(const Development& development, RenderedFrame& rendered);
 
 }  // namespace lippmann

@@ -27,7 +27,7 @@ bool is_of_frame(const FolderJournal& journal, int frame, const std::string& nam
   return found != journal.frames.end() && found->second.files.contains(name);
 }
 
-/// Adds the foreign files that lie directly in the subfolder `below` of `folder`.
+/// Adds the foreign files in the subfolder `below` of `folder`. Searches folders of views too, but no deeper folders.
 void add_foreign(const fs::path& folder, const fs::path& below, const FolderJournal& journal,
                  std::vector<std::string>& foreign) {
   for (const fs::directory_entry& entry : entries_of(folder / below)) {
@@ -79,7 +79,8 @@ void add_strips(const fs::path& folder, const FolderJournal& journal, FolderChec
   }
 }
 
-/// Returns the videos of the render in kSingleFolder, by their paths from `folder`. That render's own check covers them.
+/// Returns the paths, relative to `folder`, of the videos of the plain picture (kSingleFolder). add_single() checks these
+/// videos.
 std::set<std::string> videos_of_single(const fs::path& folder, const FolderJournal& journal) {
   std::set<std::string> names;
   if (!journal.companions.contains(kSingleFolder)) return names;
@@ -88,7 +89,7 @@ std::set<std::string> videos_of_single(const fs::path& folder, const FolderJourn
   return names;
 }
 
-/// Checks the single view's render. A folder without a journal counts as missing.
+/// Checks the render of the plain picture. If its folder has no journal, the folder counts as missing.
 void add_single(const fs::path& folder, FolderCheck& check) {
   const std::optional<FolderJournal> journal = read_journal(folder / kSingleFolder);
   if (!journal || journal->job.empty()) return add_file(kSingleFolder, FileState::kMissing, check);

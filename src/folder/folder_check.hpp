@@ -1,4 +1,4 @@
-// Checks that a render's folder holds all recorded files unchanged, and no foreign files of frames.
+// Checks that the folder of a render holds all recorded files unchanged, and no foreign files of frames.
 #pragma once
 
 #include <filesystem>
@@ -10,30 +10,34 @@
 
 namespace lippmann {
 
-/// Returns the files in `folder` that are named like those of frames but are not in the journal, sorted, relative to `folder`.
-/// Includes folders of views, unless they are symbolic links. Returns nothing for a folder that does not exist.
+/// Returns the files in `folder` that are named like files of frames but are not in the journal. The names are sorted and
+/// relative to `folder`. Folders of views are searched too, unless they are symbolic links. Returns nothing if the folder does
+/// not exist.
 std::vector<std::string> foreign_files(const std::filesystem::path& folder, const FolderJournal& journal = {});
 
-/// The finished parts of a folder according to its journal, and the differences found.
+/// The finished frames and strips of a folder according to its journal, and the differences from the journal.
 struct FolderCheck {
-  int frames = 0;         ///< finished frames
-  std::size_t files = 0;  ///< files of finished frames and of strips of unfinished frames, job.toml, report.json, videos and
-                          ///< files in the companion folders
+  int frames = 0;  ///< number of finished frames
+  /// Number of recorded files: those of finished frames, strips of unfinished frames, job.toml, report.json, videos, and the
+  /// files in the companion folders (FolderJournal::companions).
+  std::size_t files = 0;
   std::vector<int> unfinished;  ///< requested frames that have not been rendered
-  /// The missing strips of partly rendered frames, from 0 at the top.
+  /// Missing strips of partly rendered frames, indexed by frame. Strips are numbered from 0 at the top.
   std::map<int, std::vector<int>> strips_left;
-  std::map<std::string, std::vector<int>> unfinished_beside;  ///< unfinished frames of renders in subfolders, by folder name
-  std::vector<int> joinable;                                  ///< missing or damaged frames whose strips are all present
-  std::vector<std::string> missing;                           ///< files that do not exist
-  std::vector<std::string> damaged;                           ///< files with other bytes, or not regular files
-  std::vector<std::string> foreign;  ///< see foreign_files(); leftovers of unfinished frames do not count
+  /// Unfinished frames of renders in subfolders, indexed by the name of the subfolder.
+  std::map<std::string, std::vector<int>> unfinished_beside;
+  /// Missing or damaged frames that can be joined, because all their strips exist.
+  std::vector<int> joinable;
+  std::vector<std::string> missing;  ///< recorded files that do not exist
+  std::vector<std::string> damaged;  ///< files whose bytes differ from the record, or that are not regular files
+  std::vector<std::string> foreign;  ///< see foreign_files(); leftovers of unfinished frames are not included
   bool passed() const {
     return unfinished.empty() && unfinished_beside.empty() && missing.empty() && damaged.empty() && foreign.empty();
   }
 };
 
-/// Reads every file in the journals of `folder` and its companion folders. Throws Error if there is no journal, or a damaged
-/// one.
+/// Reads every file that the journals of `folder` and its companion folders record. Throws Error if the journal is missing or
+/// damaged.
 FolderCheck check_folder(const std::filesystem::path& folder);
 
 }  // namespace lippmann

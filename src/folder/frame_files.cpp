@@ -28,7 +28,7 @@ ExrLayer layer_of(Aov aov, const Image& image) {
   return layer;
 }
 
-/// Returns all layers except alpha, which is stored with the colours.
+/// Returns all layers except alpha, because alpha is stored with the colours.
 std::vector<ExrLayer> aov_layers(const FrameAovs& aovs) {
   std::vector<ExrLayer> layers;
   for (std::size_t i = 0; i < kAovs; ++i)
@@ -41,7 +41,7 @@ class PictureWriter {
  public:
   explicit PictureWriter(const FrameFiles& files) : files_(files) {}
 
-  /// Returns the files written.
+  /// Returns the paths of the written files.
   std::vector<fs::path> write(const fs::path& picture, const fs::path& aov, const FramePictures& pictures) const {
     std::vector<ExrLayer> layers = aov_layers(pictures.aovs);
     switch (files_.format) {
@@ -76,7 +76,7 @@ class PictureWriter {
   const FrameFiles& files_;
 };
 
-/// Returns piece `i` of `count` pieces stacked vertically.
+/// Returns piece `i` of an image that consists of `count` pieces of equal height, stacked vertically.
 template <class Sample>
 std::vector<Sample> piece_of(const std::vector<Sample>& samples, int i, int count) {
   const auto size = static_cast<std::ptrdiff_t>(samples.size()) / count;

@@ -14,35 +14,36 @@
 
 namespace lippmann {
 
-/// Data for a render whose frames are the views of one data set, with one camera per frame.
+/// Settings of a render whose frames form a single data set, with one camera per frame.
 struct OneSet {
   int count = 1;              ///< number of frames
   double units_per_mm = 1.0;  ///< world units per millimetre of the display frame
 };
 
-/// Settings shared by all frames of a render.
+/// Settings that all frames of a render share.
 struct FrameFiles {
   std::filesystem::path folder;
   FrameNames names;
   PictureFormat format = PictureFormat::kPng;
   ExrPixels exr_pixels = ExrPixels::kHalf;
   Encoding encoding = Encoding::kSrgb;
-  double pixels_per_mm = 0.0;            ///< resolution written to TIFF files; 0: unknown
+  double pixels_per_mm = 0.0;            ///< resolution written to TIFF files; 0 if unknown
   std::vector<ExrAttribute> about = {};  ///< attributes of EXR files
   FormatOptions writing = {};            ///< options of the light-field formats
-  std::optional<OneSet> one_set = {};    ///< nullopt: every frame is a separate light field
+  /// nullopt if every frame is a light field of its own.
+  std::optional<OneSet> one_set = {};
 };
 
-/// Returns the file name extension "png", "tif" or "exr".
+/// Returns the file name extension: "png", "tif" or "exr".
 const char* ending_of(PictureFormat format);
 
-/// Writes the files of a frame, each of them atomically. If names.views > 0, the views are stacked vertically in `pictures`.
-/// Extra layers go into EXR pictures, else into a separate file (layers_path). Returns the files written. Throws Error naming
-/// the file.
+/// Writes the files of a frame. Each file appears atomically. If names.views > 0, `pictures` holds views that are stacked
+/// vertically. EXR pictures include the extra layers; other pictures have a separate file for them (layers_path()). Returns the
+/// paths of the written files. Throws Error that names the file.
 std::vector<std::filesystem::path> write_frame_files(const FrameFiles& files, int frame, const FramePictures& pictures);
 
-/// Writes the views of a film in a light-field format, as a folder or as one picture. `pictures` holds codes (linear values for
-/// EXR), and depth if the format uses it (Aov::kDepth).
+/// Writes the views of a film in a light-field format, as a folder or as one picture. `pictures` holds codes, or linear values
+/// for EXR. It also holds depth (Aov::kDepth) if the format uses depth. Returns the paths of the written files.
 std::vector<std::filesystem::path> write_light_field_files(const FrameFiles& files, int frame, const LightFieldFormat& format,
                                                            const Optics& optics, const FramePictures& pictures);
 

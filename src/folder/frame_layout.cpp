@@ -15,7 +15,8 @@
 namespace lippmann {
 namespace {
 
-constexpr std::int64_t kMaxFilePixels = std::int64_t{1} << 28;  ///< limit for reading and writing PNG and EXR files
+/// Maximum number of pixels of PNG and EXR files, which readers and writers share.
+constexpr std::int64_t kMaxFilePixels = std::int64_t{1} << 28;
 
 ViewLayout wanted_layout(const PictureParams& params, PictureLayout layout, const ViewLayout& film) {
   const ViewGrid& grid = film.grid;
@@ -42,7 +43,7 @@ double display_aspect(const Optics& optics) {
   return static_cast<double>(window.x) / window.y;
 }
 
-/// Returns the default layout. If views in tiles are made for a display, this is a quilt.
+/// Returns the default layout: a quilt if the optics are tiles for a display, otherwise the integral image.
 PictureLayout default_layout(const Optics& optics, const Display* display) {
   const bool is_quilt = display && view_tiles(optics);
   return is_quilt ? PictureLayout::kQuilt : PictureLayout::kIntegral;
@@ -53,7 +54,7 @@ void refuse_without(bool has_other, bool given, const char* name, const char* ot
     throw usage_error(name, fmt::format("has no effect without {}", other), fmt::format("{} with it", other));
 }
 
-/// Returns the layout that has a format's name, if any.
+/// Returns the layout that has the name of the format `format`. Returns nullopt if no layout has this name.
 std::optional<PictureLayout> layout_named(const std::string& format) {
   if (format == "integral") return PictureLayout::kIntegral;
   if (format == "quilt") return PictureLayout::kQuilt;
@@ -64,7 +65,7 @@ std::optional<PictureLayout> layout_named(const std::string& format) {
   return std::nullopt;
 }
 
-/// If `to` is the name of a layout, selects that layout.
+/// Returns the parameters with the layout that `to` names. Nothing changes if `to` is not the name of a layout.
 PictureParams with_layout(PictureParams params) {
   if (params.layout == PictureLayout::kRgbd && params.to.empty()) params.to = "rgbd";
   if (params.to.empty()) return params;
@@ -172,7 +173,7 @@ void FrameLayout::arrange_views(const PictureParams& params, PictureLayout layou
   if (!same_places(film, wanted)) arrangement_.emplace(film, wanted, film_, "layout");
 }
 
-/// Arranges the film's two views in the stereo picture. For packings that squeeze the views, the film's views are rendered
+/// Arranges the two views of the film in the stereo picture. If the packing squeezes the views, the film's views are already
 /// squeezed.
 void FrameLayout::pair_views(const StereoLayout& layout, const Optics& optics) {
   const ViewLayout film = film_layout(optics, "layout");
@@ -217,8 +218,8 @@ Image FrameLayout::arrange(const Image& film) const {
 void FrameLayout::arrange(FrameAovs& aovs) const {
   for (std::size_t i = 0; i < kAovs; ++i) {
     if (!aovs.wanted[i]) continue;
-    const bool whole_pixels =
-        sub_pixels_ && !is_light(static_cast<Aov>(i));  // layers of light have separate colours for sub-pixels
+    // Layers of light have separate colours for sub-pixels; all other layers have one value per whole pixel.
+    const bool whole_pixels = sub_pixels_ && !is_light(static_cast<Aov>(i));
     aovs.images[i] = whole_pixels ? middle_sub_pixels(aovs.images[i]) : arrange(aovs.images[i]);
   }
   if (mirrors_ && aovs.wants(Aov::kMotion))

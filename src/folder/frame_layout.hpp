@@ -21,8 +21,8 @@ namespace lippmann {
 
 class FrameLayout {
  public:
-  /// `display` is the display of the optics, or null. Throws a usage Error if views must be rearranged and the optics have none
-  /// of whole pixels, or if the optics do not fit the tiles.
+  /// `display` is the display of the optics, or null. Throws a usage Error if views must be rearranged but the optics have no
+  /// views of whole pixels. Also throws if the number of tiles does not match the optics.
   FrameLayout(const PictureParams& params, const Optics& optics, const Display* display = nullptr);
 
   const FrameNames& names() const { return names_; }
@@ -30,44 +30,44 @@ class FrameLayout {
   /// Returns the file format of pictures.
   PictureFormat format() const { return format_; }
 
-  /// Returns the light-field format of the frames; null for pictures and folders of views.
+  /// Returns the light-field format of the frames. Returns null if frames are pictures or folders of views.
   const LightFieldFormat* light_field() const { return light_field_; }
 
-  /// Returns whether each frame is one picture, as videos require.
+  /// Returns whether each frame is a single picture. Videos require this.
   bool is_picture() const { return names_.views == 0 && (!light_field_ || is_rgbd_); }
 
   /// Returns whether each frame is one view with its depth beside it.
   bool is_rgbd() const { return is_rgbd_; }
 
-  /// Returns the number of pictures per frame; each has picture_size().
+  /// Returns the number of pictures per frame. Each picture has picture_size().
   int pictures_per_frame() const { return pictures_per_frame_; }
 
   /// Returns the path of a video of these pictures. Quilt, stereo and RGB-D videos get a suffix.
   std::filesystem::path video_path(const std::filesystem::path& requested) const;
 
-  /// For quilts, returns the tiles and the display's aspect.
+  /// Returns the tiles and the aspect of the display, for quilts only.
   const std::optional<QuiltName>& quilt() const { return quilt_; }
 
-  /// For stereo pictures, returns the arrangement of the two views.
+  /// Returns the arrangement of the two views, for stereo pictures only.
   const std::optional<StereoLayout>& stereo() const { return stereo_; }
 
-  /// Returns whether the picture has the film's pixels at other positions.
+  /// Returns whether the pixels of the picture have other positions than in the film.
   bool moves() const { return stereo_ || arrangement_ || sub_pixels_ || mirrors_; }
 
-  /// Returns whether the panel shows the arranged picture instead of the film. The picture's pixels are then joined from
-  /// sub-pixels.
+  /// Returns whether each pixel of the picture is joined from sub-pixels of the film. The panel then shows the arranged
+  /// picture, and not the film.
   bool joins_sub_pixels() const { return sub_pixels_; }
 
-  /// Returns the display's resolution, or 0 without a display.
+  /// Returns the resolution of the display in pixels per mm, or 0 without a display.
   double pixels_per_mm() const { return pixels_per_mm_; }
 
-  /// Returns the size of a view, or of the whole picture if the film's pixels are not moved.
+  /// Returns the size of a picture: the size of a view if views are separate pictures.
   Vec2i picture_size() const;
 
   /// Throws a usage Error if pictures or extra layers exceed the limits of their file format.
   void check_picture_size(bool with_layers) const;
 
-  /// Rearranges a film, or a layer of the same size. Views are stacked vertically if names().views > 0.
+  /// Returns a rearranged film, or a rearranged layer of the same size. If names().views > 0, the views are stacked vertically.
   Image arrange(const Image& film) const;
 
   /// Arranges all layers that are present.
@@ -85,10 +85,10 @@ class FrameLayout {
   PictureFormat format_ = PictureFormat::kPng;
   const LightFieldFormat* light_field_ = nullptr;
   int pictures_per_frame_ = 1;
-  Vec2i view_size_{0, 0};  ///< size of a light field's view
+  Vec2i view_size_{0, 0};  ///< size of a view of the light field
   std::optional<Arrangement> arrangement_;
   std::optional<StereoLayout> stereo_;
-  std::vector<std::uint32_t> stereo_pixels_;  ///< index of the film's pixel for each pixel of the picture
+  std::vector<std::uint32_t> stereo_pixels_;  ///< index of the film's pixel, for each pixel of the picture
   Vec2i stereo_size_{0, 0};
   bool sub_pixels_ = false, mirrors_ = false, is_rgbd_ = false;
   double pixels_per_mm_ = 0.0;

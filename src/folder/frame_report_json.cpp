@@ -15,7 +15,7 @@ std::optional<double> number_or_none(const Json& json) {
   return json.is_null() ? std::nullopt : std::optional(json.get<double>());
 }
 
-/// Reads a figure that reports of earlier versions lack.
+/// Reads a figure that may be missing, because reports of earlier versions do not have it.
 std::optional<double> number_if_any(const Json& json, const char* key) {
   const auto found = json.find(key);
   return found == json.end() ? std::nullopt : number_or_none(*found);
@@ -67,8 +67,8 @@ std::optional<FrameReport> frame_report_from_json(const Json& json) try {
   if (!is_count(json.at("frame"), std::numeric_limits<int>::max())) return std::nullopt;
   json.at("frame").get_to(frame.frame);
   json.at("kind").get_to(frame.kind);
-  if (frame.kind == "shared")
-    frame.kind = "full";  // earlier versions wrote "shared" for path-traced frames with soft light from a cache
+  // Earlier versions wrote "shared" for path-traced frames whose soft light came from a cache.
+  if (frame.kind == "shared") frame.kind = "full";
   json.at("seconds").get_to(frame.seconds);
   json.at("cpu_seconds").get_to(frame.cpu_seconds);
   const Json& rays = json.at("rays");

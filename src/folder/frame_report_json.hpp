@@ -12,7 +12,8 @@ nlohmann::ordered_json to_json(const RayCounts& rays);
 nlohmann::ordered_json to_json(const std::optional<Precompensation>& done);
 nlohmann::ordered_json to_json(const FrameReport& frame);
 
-/// Reads a report, also one of an earlier version. Returns nullopt if a value is missing or of the wrong type.
+/// Reads the report of a frame, which may come from an earlier version. Returns nullopt if a value is missing or has the wrong
+/// type.
 std::optional<FrameReport> frame_report_from_json(const nlohmann::ordered_json& json);
 
 }  // namespace lippmann

@@ -19,14 +19,14 @@
 namespace lippmann {
 namespace {
 
-/// Returns the number of writing threads. Writing costs less than tracing, so half as many threads suffice.
+/// Returns the number of writing threads. Writing costs less than tracing, so half the number of rendering threads suffices.
 int writing_threads(int rendering_threads) { return std::clamp(rendering_threads / 2, 1, 8); }
 
-/// Returns the capacity of the queue. It is one more than the number of writing threads, so that no thread has to wait for its
+/// Returns the capacity of the queue. It is one more than the number of writing threads, so that a thread never waits for its
 /// next frame.
 int queue_capacity(int rendering_threads) { return writing_threads(rendering_threads) + 1; }
 
-/// Adds the wall time of its lifetime to a sum of nanoseconds.
+/// Measures the wall time between its construction and its destruction. Adds the time to a sum of nanoseconds.
 class TimedWork {
  public:
   explicit TimedWork(std::atomic<std::int64_t>& sum) : sum_(sum) {}
@@ -57,12 +57,12 @@ struct FrameSink::Impl {
   const FrameFiles files;
   std::vector<std::unique_ptr<VideoWriter>> videos;
   std::map<int, Precompensation> precompensated;
-  int first_frame = -1;  ///< first frame of the videos; -1: no frame has been added
+  int first_frame = -1;  ///< first frame of the videos; -1 if no frame has been added
   std::atomic<std::int64_t> write_nanoseconds{0};
-  BackgroundQueue queue;  ///< declared last, as its threads use the members above
+  BackgroundQueue queue;  ///< the last member, because its threads use the other members
 
-  /// Writes a frame and returns its records. Computes the checksums at once, because the bytes are still in memory and
-  /// rendering continues in parallel.
+  /// Writes a frame and returns the records of its files. Computes the checksums immediately, because the bytes are still in
+  /// memory and the next frame is rendered in parallel.
   FileRecords write(RenderedFrame& rendered) {
     const TimedWork timed(write_nanoseconds);
     Image as_traced = develop(rendered);
@@ -78,14 +78,15 @@ struct FrameSink::Impl {
 
   bool keeps_light() const { return files.format == PictureFormat::kExr; }
 
-  /// Returns whether the pictures' 8-bit codes are kept, so that a video is the same whether its frames come from the film or
-  /// from kept pictures.
+  /// Returns whether 8-bit codes of the pictures are kept. A video then has the same bytes whether its frames come from films
+  /// or from pictures of an earlier run.
   bool needs_codes() const {
-    if (settings.layout.light_field()) return false;  // light-field pictures have their own codes, which videos read back
+    // Pictures in light-field formats have their own codes. Videos read these codes from the files.
+    if (settings.layout.light_field()) return false;
     return files.format == PictureFormat::kPng || files.format == PictureFormat::kTiff || !videos.empty();
   }
 
-  /// Develops the film in place. Returns the film's buffer if the pictures have a new one.
+  /// Develops the film in place. If the picture gets a new buffer, returns the old buffer of the film.
   Image develop(RenderedFrame& rendered) const {
     FramePictures& pictures = rendered.pictures;
     const Tone tone = tone_of(settings.pictures);
@@ -114,7 +115,8 @@ struct FrameSink::Impl {
     return written;
   }
 
-  /// Copies the depth range to the video's side file. All frames have the same range.
+  /// Copies the depth range of the first frame to the side files of the videos. All frames have the same range. Returns whether
+  /// the frame has a side file.
   bool describe_depth() const {
     const auto frame = picture_paths(files.folder, files.names, first_frame).front();
     const std::optional<RgbdSideFile> side = read_rgbd_side_file(frame);
@@ -123,7 +125,7 @@ struct FrameSink::Impl {
     return side.has_value();
   }
 
-  /// Returns toned codes for videos if the pictures store linear light.
+  /// Returns codes with the tone curve applied. Videos need them if the pictures store linear light.
   Image8 toned_codes(const Tone& tone, Image film) const {
     apply_tone(tone, film);
     return to_codes(film, settings.encoding);

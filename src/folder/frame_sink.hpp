@@ -1,4 +1,5 @@
-// Encodes and writes rendered frames in the background, a bounded number at a time, and records completed frames.
+// Encodes and writes rendered frames in the background, and records finished frames in the journal. The number of frames in
+// memory is limited.
 #pragma once
 
 #include <cstdint>
@@ -33,49 +34,54 @@ class FrameSink {
   struct Settings {
     PictureParams pictures;
     const FrameLayout& layout;
-    const Optics& optics;                          ///< optics of the films
-    Encoding encoding = Encoding::kSrgb;           ///< encoding of the scene's values
-    std::optional<double> crosstalk_to_undo = {};  ///< a sigma in the optics' pixels or views (optics/crosstalk.hpp)
+    const Optics& optics;                 ///< optics of the films
+    Encoding encoding = Encoding::kSrgb;  ///< encoding of the scene's values
+    /// Crosstalk to correct: a standard deviation, in pixels or views of the optics (optics/crosstalk.hpp).
+    std::optional<double> crosstalk_to_undo = {};
     std::vector<VideoFile> videos = {};
-    FormatOptions writing = {};                 ///< options of the light-field formats
-    std::vector<ExrAttribute> about = {};       ///< attributes of EXR files
-    int threads = 1;                            ///< rendering threads; writing uses up to half as many more
-    std::function<void(Image)> done_with = {};  ///< called with the film of every written frame, on any thread; may be empty
-    /// Called when a frame's files are written, with their size in bytes. Calls come in the order of frames, one at a time, on
-    /// any thread. May be empty.
+    FormatOptions writing = {};            ///< options of the light-field formats
+    std::vector<ExrAttribute> about = {};  ///< attributes of EXR files
+    /// Number of rendering threads. Writing uses up to half this number of additional threads.
+    int threads = 1;
+    /// Called with the film of every written frame, on any thread. May be empty.
+    std::function<void(Image)> done_with = {};
+    /// Called when the files of a frame are written, with their total size in bytes. Calls are made in the order of frames and
+    /// one at a time, but on any thread. May be empty.
     std::function<void(int frame, std::uintmax_t bytes)> written = {};
-    std::optional<OneSet> one_set = {};  ///< set if all frames are views of one data set
+    std::optional<OneSet> one_set = {};  ///< set if all frames are views of a single data set
   };
 
-  /// `folder` must outlive the sink, and nothing else may record in it during the sink's lifetime. Throws Error for videos that
+  /// `folder` must outlive the sink. Nothing else may record files in it during the sink's lifetime. Throws Error if a video
   /// cannot be begun.
   FrameSink(const Settings& settings, RenderFolder& folder);
-  /// Discards unwritten frames, and videos unless finish_videos() was called.
+  /// Discards unwritten frames. Discards the videos unless finish_videos() was called.
   ~FrameSink();
   FrameSink(const FrameSink&) = delete;
   FrameSink& operator=(const FrameSink&) = delete;
 
-  /// Queues a frame; frames must ascend. Blocks while the queue is full. If an earlier frame could not be written, throws its
-  /// Error, but only once.
+  /// Queues a frame. Frames must be added in ascending order. Blocks while the queue is full. If an earlier frame could not be
+  /// written, throws its Error once.
   void add(RenderedFrame rendered);
 
-  /// Adds a frame whose picture exists, for the videos only, which read the picture from its file. Otherwise behaves like
-  /// add().
+  /// Adds a frame whose picture exists already. Only videos use the frame; they read the picture from its file. Blocks and
+  /// throws like add().
   void add_kept(int frame);
 
   /// Waits until all frames are written. Throws the same Errors as add().
   void wait();
 
-  /// Completes the videos; call after wait(). Returns whether each of the videos has a side file.
+  /// Completes the videos. Call this after wait(). Returns whether the videos have side files.
   bool finish_videos();
 
-  /// Returns the results of undoing crosstalk, by frame; call after wait(). Empty if undoing crosstalk was not requested.
+  /// Returns the results of the crosstalk correction, indexed by frame. Call this after wait(). Empty if no correction was
+  /// requested.
   const std::map<int, Precompensation>& precompensated() const;
 
-  /// Returns the seconds spent so far on encoding and writing, summed over threads.
+  /// Returns the seconds spent on encoding and writing so far, summed over threads.
   double write_seconds() const;
 
-  /// Returns the maximum number of films in memory for a number of rendering threads, including the one being traced.
+  /// Returns the maximum number of films in memory for a number of rendering threads. The film that is being traced is
+  /// included.
   static int frames_in_memory(int threads);
 
  private:

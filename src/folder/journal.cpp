@@ -30,14 +30,14 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// The reason why a line is invalid.
+/// Thrown for an invalid line of a journal, with the reason.
 using LineProblem = std::runtime_error;
 
 std::string line_of(const Json& json) { return json_to_text(json, -1) + '\n'; }
 
 Json checksum_json(const FileChecksum& sum) { return {{"bytes", sum.bytes}, {"xxh3", sum.xxh3}}; }
 
-/// Returns the JSON values that records of frames and of strips have in common.
+/// Returns the values that the lines of frames and of strips have in common.
 Json finished_json(const FrameReport& report, const FileRecords& files) {
   Json json = to_json(report);
   json["files"] = Json::object();
@@ -117,7 +117,7 @@ void read_asked(const Json& json, FolderJournal& journal) {
   }
 }
 
-/// Returns whether a name is that of a file in the page's folder or its subfolders.
+/// Returns whether `name` is the path of a file in the folder of the page or its subfolders.
 bool is_page_file(const std::string& name) {
   const fs::path path(name);
   return path.is_relative() && path.lexically_normal() == path && path.has_filename() && path.has_parent_path() &&
@@ -175,7 +175,7 @@ void read_strips_of_run(const Json& json, RunReport& run) {
 void read_run(const Json& json, FolderJournal& journal) {
   RunReport run;
   json.at("host").get_to(run.host);
-  if (json.contains("cpu")) json["cpu"].get_to(run.cpu);  // earlier versions did not record it
+  if (json.contains("cpu")) json["cpu"].get_to(run.cpu);  // earlier versions did not record the processor
   json.at("unit").get_to(run.unit);
   run.frames = frames_from_json(json.at("frames"));
   if (json.contains("strips")) read_strips_of_run(json["strips"], run);
@@ -193,7 +193,7 @@ void read_job(const Json& json, FolderJournal& journal) {
   journal.job = job;
 }
 
-/// Reads one line into the journal. Throws LineProblem or an exception of nlohmann::json if the line is invalid.
+/// Adds one line to the journal. Throws LineProblem or an exception of nlohmann::json if the line is invalid.
 void read_line(const Json& json, bool is_first, FolderJournal& journal) {
   if (!json.is_object()) throw LineProblem("is not a JSON object");
   if (is_first)
@@ -214,9 +214,10 @@ void read_line(const Json& json, bool is_first, FolderJournal& journal) {
     read_frame(json, journal);
 }
 
-constexpr std::uintmax_t kMaxJournalBytes = std::uintmax_t{4} << 30;  // a frame of 48 views takes about 5000 bytes
+// Maximum total size of the journal files. A frame of 48 views takes about 5000 bytes.
+constexpr std::uintmax_t kMaxJournalBytes = std::uintmax_t{4} << 30;
 
-/// Returns the problem of a line; empty if there is none.
+/// Adds one line to the journal. Returns the problem of the line, or an empty string if it has none.
 std::string problem_of(const Json& json, bool is_first, FolderJournal& journal) try {
   read_line(json, is_first, journal);
   return {};
@@ -226,17 +227,18 @@ std::string problem_of(const Json& json, bool is_first, FolderJournal& journal) 
   return problem.what();
 }
 
-/// Reads the journal file of one run. A run that was killed while writing its first line counts as empty.
+/// Reads the journal file of one run. The file of a run that was killed while writing its first line counts as empty.
 void read_part(const fs::path& path, std::uintmax_t& bytes_left, FolderJournal& journal) {
   if (!is_regular_file_there(path)) return;  // the file was removed after the folder was listed
   std::istringstream in(read_file_text(path, bytes_left, "the journal of a render"));
   bytes_left -= in.view().size();
   std::string line;
   for (int number = 1; std::getline(in, line); ++number) {
-    if (in.eof() && may_be_cut_line(line)) break;  // incomplete line: the process was killed
+    if (in.eof() && may_be_cut_line(line)) break;  // the process was killed while writing the line
     const Json json = json_from_text(line);
     const bool is_last = in.eof() || in.peek() == std::ifstream::traits_type::eof();
-    if (json.is_discarded() && is_last && number > 1 && may_be_cut_line(line)) break;  // cut by a crash of the machine
+    if (json.is_discarded() && is_last && number > 1 && may_be_cut_line(line))
+      break;  // the machine crashed while the line was written
     if (number == 1) journal.parts.push_back(path);
     const std::string wrong = problem_of(json, number == 1, journal);
     if (!wrong.empty() && journal.problem.empty())
@@ -244,7 +246,7 @@ void read_part(const fs::path& path, std::uintmax_t& bytes_left, FolderJournal& 
   }
 }
 
-/// Returns the job in the first line; empty if there is none.
+/// Returns the job in the first line of a journal file. Returns an empty string if there is no complete first line.
 std::string job_of_part(const fs::path& path) {
   if (!is_regular_file_there(path)) return {};
   std::ifstream in(path, std::ios::binary);
@@ -255,7 +257,8 @@ std::string job_of_part(const fs::path& path) {
   return json.is_object() && job != json.end() && job->is_string() ? job->get<std::string>() : std::string();
 }
 
-/// Removes from `parts` the runs that finished nothing and whose job differs from the others. Returns them.
+/// Removes claims from `parts` and returns them. `parts` are journal files. A claim is the journal file of a run that finished
+/// nothing and whose job differs from the job of the other runs.
 std::vector<fs::path> take_claims(std::vector<fs::path>& parts) {
   std::map<std::string, std::vector<fs::path>> by_job;
   for (const fs::path& part : parts)
@@ -358,8 +361,8 @@ void sync_render(const fs::path& folder, const FolderJournal& journal) {
   std::vector<fs::path> files;
   for (const auto& [frame, record] : journal.frames)
     for (const auto& [name, sum] : record.files) files.push_back(folder / name);
-  if (!journal.strips.empty())
-    files.push_back(folder / strip_name(0, 0));  // one name is enough, because all strips are in the same folder
+  // One name is enough, because all strips are in the same folder.
+  if (!journal.strips.empty()) files.push_back(folder / strip_name(0, 0));
   sync_names(folder, files);
 }
 

@@ -1,26 +1,31 @@
 // The journal of an output folder records the render's job, its finished files, and their checksums.
 //
-// The first line of a run's journal file claims the folder for the run's job before any other file is written.
+// Every run writes a journal file, .lippmann/TIME-HOST-PROCESS.jsonl, and never changes the journal files of other runs.
+// Several runs of one job may therefore render at the same time, also on different machines. A killed run can be resumed. All
+// journal files together form the journal. The first line of a journal file claims the folder for the run's job, before any
+// other file is written. Each line is a JSON object. Lines are only appended:
 //
-// Every run writes its own file, .lippmann/TIME-HOST-PROCESS.jsonl, and never changes another run's. Several runs of one job
-// may therefore render at the same time, also on other machines, and a killed run can be resumed. All files together are the
-// journal. Each line is a JSON object. Lines are only appended:
+//   {"job": "..."}
+//       The first line: job_fingerprint().
+//   {"asked": "0-3", "companions": ["page"]}
+//       The run will render these frames, and will write these companion folders.
+//   {"frame": 2, ..., "files": {"frame_0002.png": {...}}}
+//       A frame is finished. The line has its figures and its files.
+//   {"strip": 3, "strips": 8, "frame": 2, ..., "files": {...}}
+//       Strip 3 of the 8 strips of a frame is finished. The line has its figures and its file.
+//   {"written": "report.json", "bytes": ..., "xxh3": "..."}
+//       The run is about to put another file in place, with this size and checksum.
+//   {"video": "a.mp4", "frames": "0-3", "bytes": ..., "xxh3": "..."}
+//       A video is in place. Its path is relative to the folder. Without a checksum, the video is about to be written.
+//   {"video": ..., "side": {"bytes": ..., "xxh3": "..."}}
+//       A video is in place with its side file, VIDEO.json.
+//   {"companion": "page", "files": {"page/index.html": {...}}}
+//       Files of the page are in place.
+//   {"run": {...}}
+//       The run has ended. The line has the figures of the run, without those of its frames.
 //
-//   {"job": "..."}                                          the first line: job_fingerprint()
-//   {"asked": "0-3", "companions": ["page"]}                the run is to render these frames, and to write these folders
-//                                                           beside them
-//   {"frame": 2, ..., "files": {"frame_0002.png": {...}}}   a frame is finished: its figures, its files
-//   {"strip": 3, "strips": 8, "frame": 2, ..., "files": {...}}  a strip of a frame is finished, of so many: its figures, its
-//   file
-//   {"written": "report.json", "bytes": ..., "xxh3": "..."} another file is about to be put in place, with these bytes
-//   {"video": "a.mp4", "frames": "0-3", "bytes": ..., "xxh3": "..."}  a video is in place, by its path from the folder; without
-//                                                           a checksum: is about to be
-//   {"video": ..., "side": {"bytes": ..., "xxh3": "..."}}   the same with its side file, VIDEO.json
-//   {"companion": "page", "files": {"page/index.html": {...}}}  files of the page are in place
-//   {"run": {...}}                                          the run has ended: what it took beside its frames
-//
-// A journal is untrusted input. File names must be those of files that a render writes below its folder (videos: names of
-// videos, anywhere), and numbers must be within their limits.
+// A journal is untrusted input. File names must be names of files that a render writes inside its folder. Videos may be
+// anywhere but must have names of videos. Numbers must be within their limits.
 #pragma once
 
 #include <cstdint>
@@ -37,13 +42,13 @@
 
 namespace lippmann {
 
-/// Checksums of finished files, by their names relative to the folder.
+/// Checksums of finished files, indexed by file name relative to the folder.
 using FileRecords = std::map<std::string, FileChecksum>;
 
-/// Syncs the names of files in `folder` or its subfolders, so that they survive a power loss.
+/// Syncs the names of files in `folder` or its subfolders, so that the files survive a power loss.
 void sync_names(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& files);
 
-/// Syncs the names of files in `folder` and returns their records. Throws Error naming a file that cannot be read.
+/// Syncs the names of files in `folder` and returns their checksums. Throws Error that names a file that cannot be read.
 FileRecords records_of(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& files);
 
 struct JournalEntry {
@@ -54,86 +59,103 @@ struct JournalEntry {
 /// Identifies a strip of a frame. Strips are numbered from 0 at the top.
 struct StripNumber {
   int frame = 0, strip = 0;
-  int count = 1;  ///< strips per frame
+  int count = 1;  ///< number of strips per frame
 };
 
 struct JournalStrips {
-  int count = 1;                         ///< strips per frame
-  std::map<int, JournalEntry> finished;  ///< by strip; if a strip has several lines, the last one counts
+  int count = 1;  ///< number of strips per frame
+  /// Indexed by strip. If a strip has several lines, the last line counts.
+  std::map<int, JournalEntry> finished;
 };
 
 struct JournalVideo {
-  std::vector<FileChecksum> sums;  ///< checksums of all written versions; empty: a run stopped while writing the video
-  std::vector<int> frames;         ///< frames of the video, ascending
-  std::vector<FileChecksum> side;  ///< checksums of all versions of its side file; empty: it has none
+  /// Checksums of all versions that were written. Empty if a run stopped while writing the video.
+  std::vector<FileChecksum> sums;
+  std::vector<int> frames;  ///< frames of the video, in ascending order
+  /// Checksums of all versions of the video's side file. Empty if it has no side file.
+  std::vector<FileChecksum> side;
 };
 
-/// Companion folders inside a render's folder: the single view's render, with its own journal, and a page for browsers.
+/// Companion folders in the folder of a render. kSingleFolder holds the render of the plain picture, with its own journal.
+/// kPageFolder holds a page for browsers.
 inline constexpr const char* kSingleFolder = "single";
 inline constexpr const char* kPageFolder = "page";
 
-/// The figures of a run, apart from those of its frames.
+/// The figures of a run, without those of its frames.
 struct RunReport {
-  std::string host = {};                        ///< the machine's name
-  std::string cpu = {};                         ///< name of the processor; empty: not recorded
-  std::string unit = {};                        ///< e.g. 7/200; empty: all frames
-  std::vector<int> frames = {};                 ///< frames rendered by the run, ascending
-  std::map<int, std::vector<int>> strips = {};  ///< strips rendered by the run, by frame, ascending
-  double setup_seconds = 0.0;                   ///< wall time before the first frame: loading, building
-  double write_seconds = 0.0;                   ///< encoding and writing, summed over threads; overlaps rendering
+  std::string host = {};         ///< name of the machine
+  std::string cpu = {};          ///< name of the processor; empty if not recorded
+  std::string unit = {};         ///< unit of the run, such as 7/200; empty for all frames
+  std::vector<int> frames = {};  ///< frames that the run rendered, in ascending order
+  /// Strips that the run rendered, indexed by frame, in ascending order.
+  std::map<int, std::vector<int>> strips = {};
+  double setup_seconds = 0.0;  ///< wall time of the set-up before the first frame
+  /// Time of encoding and writing, summed over threads. It overlaps with rendering.
+  double write_seconds = 0.0;
   std::uint64_t peak_memory_bytes = 0;
   int threads = 1;
-  std::vector<FrameReport> sources = {};  ///< source frames rendered besides the run's own; ascending
+  /// Reports of source frames that were rendered in addition to the run's own frames, in ascending order.
+  std::vector<FrameReport> sources = {};
 };
 
 struct FolderJournal {
-  std::string job;                      ///< fingerprint of the job
-  std::vector<int> asked;               ///< frames requested by all runs of the job, unique, ascending
-  std::set<std::string> companions;     ///< companions requested by runs of the job: kSingleFolder, kPageFolder
-  FileRecords page;                     ///< files of the page, by path relative to the folder
-  std::map<int, JournalEntry> frames;   ///< finished frames; if a frame has several lines, the last one counts
-  std::map<int, JournalStrips> strips;  ///< by frame; their files are deleted when the frame is finished
-  std::map<std::string, std::vector<FileChecksum>> files;  ///< checksums of all written versions of job.toml, report.json
-  std::map<std::string, JournalVideo> videos;              ///< by path relative to the folder
-  std::vector<RunReport> runs;                             ///< finished runs
-  std::vector<std::filesystem::path> parts;                ///< journal files read, one per run
-  std::vector<std::filesystem::path> claims;               ///< journal files of other jobs' runs that finished nothing
-  std::string problem;  ///< number and problem of the first invalid line; empty: all are valid
+  std::string job;  ///< fingerprint of the job
+  /// Frames that the runs of the job were requested to render, in ascending order without duplicates.
+  std::vector<int> asked;
+  /// Companion folders that the runs of the job were requested to write: kSingleFolder, kPageFolder.
+  std::set<std::string> companions;
+  FileRecords page;  ///< files of the page; paths are relative to the folder
+  /// Finished frames, indexed by frame. If a frame has several lines, the last line counts.
+  std::map<int, JournalEntry> frames;
+  /// Finished strips, indexed by frame. Their files are deleted when the frame is finished.
+  std::map<int, JournalStrips> strips;
+  /// Checksums of all versions of job.toml, report.json and similar files, indexed by name.
+  std::map<std::string, std::vector<FileChecksum>> files;
+  /// Videos, indexed by path relative to the folder.
+  std::map<std::string, JournalVideo> videos;
+  std::vector<RunReport> runs;  ///< reports of runs that have ended
+  /// Journal files that were read, one per run.
+  std::vector<std::filesystem::path> parts;
+  /// Journal files of runs of other jobs that finished nothing.
+  std::vector<std::filesystem::path> claims;
+  /// Number and problem of the first invalid line. Empty if all lines are valid.
+  std::string problem;
 };
 
-/// Returns whether the render finished any file. A render stopped before its first frame has none.
+/// Returns whether the render finished any file. A render that stopped before its first frame has finished none.
 bool holds_anything(const FolderJournal& journal);
 
-/// Returns whether a file has one of these checksums.
+/// Returns whether a file has one of the checksums `sums`.
 bool is_as_written(const std::filesystem::path& file, const std::vector<FileChecksum>& sums);
 
-/// Returns whether the file `name` (job.toml or report.json) equals one of the versions that runs have written.
+/// Returns whether the file `name` (such as job.toml or report.json) equals one of the versions that runs have written.
 bool is_as_written(const FolderJournal& journal, const std::filesystem::path& folder, const std::string& name);
 
-/// Returns whether all files in `files` match their records.
+/// Returns whether all `files` match their checksums.
 bool are_as_recorded(const std::filesystem::path& folder, const FileRecords& files);
 
-/// Returns a run's figures in the JSON form of journals and report.json.
+/// Returns the figures of a run in the JSON form of journals and report.json.
 nlohmann::ordered_json to_json(const RunReport& run);
 
-/// Returns the folder of the journal's files.
+/// Returns the folder that holds the journal files.
 std::filesystem::path journal_folder(const std::filesystem::path& folder);
 
-/// Reads the journal of a folder; nullopt if no run has written there. `problem` names a damaged line, or two runs of different
-/// jobs that both finished something. An incomplete last line is not a problem. Throws Error for a journal that is not a
+/// Reads the journal of a folder. Returns nullopt if no run has written there. `problem` names a damaged line, or two runs of
+/// different jobs that both finished files. An incomplete last line is not a problem. Throws Error if a journal file is not a
 /// regular file or cannot be read.
 std::optional<FolderJournal> read_journal(const std::filesystem::path& folder);
 
 /// Reads the journal file of one run. Returns an empty journal if the file does not exist.
 FolderJournal read_journal_part(const std::filesystem::path& part);
 
-/// Syncs the journal and the names of the frames' files. A killed run may not have synced its last line and last names.
+/// Syncs the journal and the names of the frames' files. Needed because a killed run may not have synced its last line and its
+/// last files.
 void sync_render(const std::filesystem::path& folder, const FolderJournal& journal);
 
 /// Throws Error if the journal has a problem.
 void require_sound(const std::filesystem::path& folder, const FolderJournal& journal);
 
-/// The following functions return lines of a journal, each with a newline at its end.
+/// The following functions return lines of a journal. Each line ends with a newline.
 std::string job_line(const std::string& job);
 std::string asked_line(const std::vector<int>& frames, const std::set<std::string>& companions = {});
 std::string frame_line(const FrameReport& frame, const FileRecords& files);
@@ -144,14 +166,14 @@ std::string video_line(const std::string& name, const std::vector<int>& frames, 
 std::string page_line(const FileRecords& files);
 std::string run_line(const RunReport& run);
 
-/// Returns whether a file belongs to a requested but unfinished frame, or to a strip of one. An interrupted render may have
-/// left it.
+/// Returns whether a file belongs to a requested but unfinished frame, or to a strip of such a frame. An interrupted render may
+/// have left the file.
 bool is_unfinished(const FolderJournal& journal, const std::string& name);
 
 /// Returns the name of a video's side file.
 std::string side_name(const std::string& video);
 
-/// Returns whether a video, given relative to the folder, lies directly in it.
+/// Returns whether a video lies directly in the folder. The path `video` is relative to the folder.
 bool lies_in_folder(const std::string& video);
 
 }  // namespace lippmann

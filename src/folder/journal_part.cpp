@@ -19,7 +19,8 @@ Error part_cannot_be_written(const fs::path& path, const std::error_code& proble
   return Error(path.string(), fmt::format("cannot be written ({})", problem.message()));
 }
 
-/// Returns a file name whose alphabetical order is the order of time, within the accuracy of clocks.
+/// Returns a file name that begins with the current time. The alphabetical order of such names is their order in time, within
+/// the accuracy of clocks.
 std::string first_name() {
   const auto now = std::chrono::system_clock::now().time_since_epoch();
   const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(now).count();

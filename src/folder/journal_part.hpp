@@ -11,18 +11,18 @@ namespace lippmann {
 
 class JournalPart {
  public:
-  /// Creates this run's file in the existing folder of journals. Its first line names the job. Throws Error if it cannot be
-  /// written.
+  /// Creates the run's journal file in the existing folder of journal files. The first line names the job. Throws Error if the
+  /// file cannot be written.
   JournalPart(const std::filesystem::path& folder, const std::string& job);
 
-  /// Appends a line and waits until it is on the disk. Throws Error if it cannot be written or the file was removed. All later
-  /// calls then throw as well, so that an incomplete line stays the last one of the file.
+  /// Appends a line and waits until it is on the disk. Throws Error if the line cannot be written or the file was removed. All
+  /// later calls then throw as well, so that an incomplete line remains the last line of the file.
   void add(const std::string& line);
 
-  /// Renews the lease of the run (is_held). May be called in parallel with add().
+  /// Renews the lease of the run, as is_held() requires. May be called in parallel with add().
   void renew() const;
 
-  /// Removes the file. Call only if nothing has been recorded in it.
+  /// Removes the file. Call this only if no frame or file has been recorded.
   void remove();
 
   const std::filesystem::path& path() const { return path_; }

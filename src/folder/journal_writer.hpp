@@ -1,7 +1,8 @@
 // Finds the process that writes a journal file, and interrupts it.
 //
-// A journal file (part) is named TIME-HOST-PROCESS.jsonl (folder/journal.hpp). Process numbers are reused, so a process counts
-// as the writer only if it has that file open for writing. The system closes the file when the process ends, even by a crash.
+// A journal file, called `part` below, is named TIME-HOST-PROCESS.jsonl (folder/journal.hpp). Process numbers are reused. A
+// process therefore counts as the writer only while it has the file open for writing. The system closes the file when the
+// process ends, even after a crash.
 #pragma once
 
 #include <filesystem>
@@ -11,28 +12,29 @@
 namespace lippmann {
 
 struct JournalWriter {
-  std::string host;    ///< the machine's name (platform::host_name)
+  std::string host;    ///< name of the machine (platform::host_name)
   int process = 0;     ///< process number on that machine
-  double began = 0.0;  ///< whole seconds since 1970, by that machine's clock
+  double began = 0.0;  ///< start of the run, in whole seconds since 1970, by that machine's clock
 
   bool is_of_this_machine() const;
 };
 
-/// Parses the name of a journal file; nullopt if it is not one.
+/// Parses the name of a journal file. Returns nullopt if `part` has no such name.
 std::optional<JournalWriter> writer_of(const std::filesystem::path& part);
 
-/// Returns whether a process of this machine writes the part. Processes of other users may not be detected.
+/// Returns whether a process of this machine writes the journal file. Processes of other users may not be detected.
 bool is_being_written(const std::filesystem::path& part);
 
-/// Duration of a run's lease after its last renewal (JournalPart::renew), if its process cannot be inspected.
+/// Duration of a run's lease after its last renewal (JournalPart::renew). The lease only matters if the process of the run
+/// cannot be inspected.
 inline constexpr double kLeaseSeconds = 600.0;
 
-/// Returns whether the run that writes the part may be active. A run on this machine is active while its process writes the
-/// part. A run on another machine, or one whose process cannot be inspected, counts as active until it records its end or its
-/// lease expires.
+/// Returns whether the run that writes the journal file may still be active. A run on this machine is active while its process
+/// writes the file. Other runs count as active until they record their end or their lease expires. So do runs whose process
+/// cannot be inspected.
 bool is_held(const std::filesystem::path& part);
 
-/// Interrupts the writer as Ctrl-C does. Call this only once, because a second interrupt ends the process immediately. Returns
+/// Interrupts the writer like Ctrl-C. Call this only once, because a second interrupt ends the process immediately. Returns
 /// false if there is no writer.
 bool interrupt_writer(const std::filesystem::path& part);
 

@@ -1,4 +1,4 @@
-// Renews the lease of a run on its folder, so that machines that cannot inspect its process do not consider it dead.
+// Renews the lease of a run on its folder, so that machines that cannot inspect its process consider it active.
 #pragma once
 
 #include <condition_variable>
@@ -11,7 +11,7 @@ namespace lippmann {
 
 class KeptLease {
  public:
-  /// Renews the lease from a background thread during its lifetime. `folder` must outlive this object.
+  /// Starts a background thread that renews the lease until this object is destroyed. `folder` must outlive this object.
   explicit KeptLease(const RenderFolder& folder);
   ~KeptLease();
   KeptLease(const KeptLease&) = delete;

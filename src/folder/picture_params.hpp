@@ -18,21 +18,28 @@ enum class ExrPixels { kHalf, kFloat };
 
 /// The coding of depth in RGB-D pictures (kRgbd).
 struct DepthParams {
-  std::optional<DepthRange> range;   ///< nullopt: the visible range over the animation (job/rgbd_options.hpp)
-  std::optional<DepthScale> linear;  ///< quantity in which grey is linear; nullopt: disparity
+  /// Coded depth range. If nullopt, the range that is visible in the animation (job/rgbd_options.hpp).
+  std::optional<DepthRange> range;
+  /// Quantity that grey levels are linear in. If nullopt, disparity.
+  std::optional<DepthScale> linear;
   bool near_black = false;
 };
 
 struct PictureParams {
-  float exposure_ev = 0.0f;             ///< for encoded pictures and videos; EXR stores linear light unchanged
-  ToneCurve tone = ToneCurve::kNone;    ///< for encoded pictures and videos
-  std::optional<PictureLayout> layout;  ///< nullopt: the native layout of the optics
-  std::string to;                       ///< light-field format in place of a layout; empty: none
-  bool pseudoscopic = false;            ///< kIntegral: rotate elemental images by 180 degrees, which inverts depth
-  bool mirror = false;                  ///< kPrint: exchange left and right, for print on the back of a sheet
-  Extent<int> quilt;                    ///< tiles of kQuilt; 0: native, or nearly square
-  StereoLayout stereo;                  ///< for kStereo
-  DepthParams depth;                    ///< for kRgbd
+  /// Exposure of encoded pictures and videos. EXR files store linear light unchanged.
+  float exposure_ev = 0.0f;
+  ToneCurve tone = ToneCurve::kNone;    ///< tone curve of encoded pictures and videos
+  std::optional<PictureLayout> layout;  ///< if nullopt, the native layout of the optics
+  /// Light-field format that replaces the layout. Empty if there is none.
+  std::string to;
+  /// Only for kIntegral: rotates elemental images by 180 degrees, which inverts depth.
+  bool pseudoscopic = false;
+  /// Only for kPrint: exchanges left and right, for a print on the back of a sheet.
+  bool mirror = false;
+  /// Number of tiles of kQuilt. If 0, the native number, or a nearly square arrangement.
+  Extent<int> quilt;
+  StereoLayout stereo;  ///< only for kStereo
+  DepthParams depth;    ///< only for kRgbd
   PictureFormat format = PictureFormat::kPng;
   ExrPixels exr_pixels = ExrPixels::kHalf;
 };

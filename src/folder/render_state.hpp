@@ -1,4 +1,5 @@
-// Reads the progress of a render in a folder, active or stopped, from its journal and the processes that write it.
+// Reads the progress of a render from its journal and from the processes that write the journal. The render may be active or
+// stopped.
 #pragma once
 
 #include <filesystem>
@@ -14,28 +15,30 @@
 namespace lippmann {
 
 enum class RenderActivity {
-  kRunning,    ///< at least one process of this machine writes the journal
-  kElsewhere,  ///< a run on another machine has not recorded its end, so it is active or was killed
-  kStopped,    ///< frames are missing and no run is active
-  kFinished,   ///< all frames exist
+  kRunning,  ///< at least one process of this machine writes the journal
+  /// A run on another machine has not recorded its end. It is active or was killed.
+  kElsewhere,
+  kStopped,   ///< frames are missing and no run is active
+  kFinished,  ///< all frames exist
 };
 
 struct RenderState {
   RenderActivity activity = RenderActivity::kStopped;
   FolderJournal journal;
-  std::vector<std::filesystem::path> running;  ///< journal files written by processes of this machine
-  std::string elsewhere;               ///< name of another machine whose run has not recorded its end; empty: there is none
-  std::optional<double> seconds_left;  ///< at the current speed; nullopt: unknown
+  std::vector<std::filesystem::path> running;  ///< journal files that processes of this machine write
+  /// Name of another machine whose run has not recorded its end. Empty if there is none.
+  std::string elsewhere;
+  std::optional<double> seconds_left;  ///< estimated seconds left at the current speed; nullopt if unknown
 };
 
-/// Times of a run, in seconds since 1970, from which its speed follows.
+/// Times of a run in seconds since 1970. They give the speed of the run.
 struct RunPace {
-  double began = 0.0, last = 0.0;  ///< start of its journal, and time of its last recorded frame
+  double began = 0.0, last = 0.0;  ///< start of the run, and time of its last recorded frame
   int frames = 0;
 };
 
-/// Estimates the seconds left if all runs share the remaining frames, each at its own speed; nullopt if no run has finished a
-/// frame. The result is at least 0.
+/// Returns the estimated seconds until all frames are finished. Assumes that all runs share the remaining frames, each at its
+/// own speed. Returns nullopt if no run has finished a frame. The result is at least 0.
 std::optional<double> estimated_seconds_left(std::span<const RunPace> runs, int frames_left, double now);
 
 /// Polls one folder. Reads the journal again only if it has grown. Not thread-safe.
@@ -43,7 +46,7 @@ class RenderStateReader {
  public:
   explicit RenderStateReader(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-  /// Reads the state; nullopt if the folder holds no journal. Throws Error for a journal that is damaged or cannot be read.
+  /// Reads the state. Returns nullopt if the folder holds no journal. Throws Error if the journal is damaged or cannot be read.
   std::optional<RenderState> read();
 
  private:
@@ -60,7 +63,7 @@ class RenderStateReader {
   std::optional<FolderJournal> journal_;
 };
 
-/// Returns the picture or folder of views of a finished frame, relative to the render's folder.
+/// Returns the path of a finished frame's picture or folder of views, relative to the folder of the render.
 std::filesystem::path picture_of(const JournalEntry& frame);
 
 }  // namespace lippmann

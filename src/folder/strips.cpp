@@ -18,7 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns a layer stored as floats, so that a joined frame has the same bits as one rendered whole.
+/// Returns a layer that is stored as floats. A frame joined from strips then has the same bits as a frame that was rendered as
+/// a whole.
 ExrLayer float_layer(Aov aov, const Image& image) {
   const AovInfo& info = info_of(aov);
   ExrLayer layer{std::string(info.exr.layer), &image, {}, ExrSample::kFloat};
@@ -32,7 +33,7 @@ std::vector<std::string> channel_names_of(const ExrLayer& layer) {
   return names;
 }
 
-/// Returns the film and the requested layers.
+/// Returns the film and the wanted layers.
 std::vector<ExrLayer> layers_of_strip(const FramePictures& pictures) {
   std::vector<ExrLayer> layers{film_layer(pictures.film, ExrSample::kFloat)};
   for (std::size_t i = 0; i < kAovs; ++i)
@@ -62,8 +63,8 @@ std::optional<FrameReport> find_strip(const fs::path& folder, const FolderJourna
 
 FileRecords write_strip(const fs::path& folder, int frame, int strip, const FramePictures& pictures) {
   const fs::path file = folder / strip_name(frame, strip);
-  write_exr(file, layers_of_strip(pictures),
-            ExrCompression::kNone);  // uncompressed, because the file is temporary and read only once
+  // Uncompressed, because the file is temporary and is read only once.
+  write_exr(file, layers_of_strip(pictures), ExrCompression::kNone);
   return records_of(folder, {file});
 }
 
