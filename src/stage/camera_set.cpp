@@ -30,9 +30,10 @@ Bounds3f still_subject_bounds(const Scene& scene) {
   return bounds;
 }
 
-/// Replaces the animations by each node's transform and morph weights at time 0.
+/// Removes the animations. Each animated node keeps its transform and morph weights of time 0.
 void hold_still(Scene& scene) {
-  Scene loose;  // all nodes without parents, so that world transforms equal local ones
+  // The nodes of `loose` have no parents, so their world transforms equal their local transforms.
+  Scene loose;
   loose.nodes = scene.nodes;
   loose.timeline = scene.timeline;
   for (Node& node : loose.nodes) node.parent = -1;
@@ -45,7 +46,7 @@ void hold_still(Scene& scene) {
   scene.timeline.animations.clear();
 }
 
-/// Returns the rotation of a camera that looks against `direction`, with +y up. Unrotated cameras look along -z.
+/// Returns the rotation of a camera that looks opposite to `direction`, with +y up. A camera without rotation looks along -z.
 Quatf facing(const Vec3d& direction) {
   const Vec3d right = glm::normalize(glm::cross(Vec3d(0.0, 1.0, 0.0), direction));
   return Quatf(glm::quat_cast(glm::dmat3(right, glm::cross(direction, right), direction)));

@@ -9,7 +9,7 @@
 namespace lippmann {
 namespace {
 
-/// Describes the artefact that is visible at `times` the depth budget.
+/// Describes the artefact at a depth of `times` the depth budget.
 std::string beyond(float times, const Optics& optics) {
   if (view_tiles(optics)) return fmt::format("neighbouring views are {:.1f} pixels apart and seen as steps", times);
   return fmt::format("a pixel is as wide as {:.1f} lenses", times);

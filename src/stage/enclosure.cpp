@@ -1,5 +1,5 @@
 // Based on: T. Möller and B. Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", 1997, section 2. This file has its
-// own loop over triangles, because it is used before the ray tracing scene is built, and by `info`, which builds none.
+// own loop over triangles, because it is used before the ray-tracing scene is built. `info` never builds one.
 #include "stage/enclosure.hpp"
 
 #include <algorithm>
@@ -16,7 +16,8 @@ struct EnclosureRay {
   Vec3f origin, direction;
 };
 
-/// Returns direction i of a set that covers the sphere evenly (a Fibonacci spiral). None of them lies along an edge of a box.
+/// Returns direction i of kDirections directions that cover the sphere evenly (a Fibonacci spiral). None of the directions lies
+/// along an edge of a box.
 Vec3f spread_direction(int i) {
   constexpr float kTurn = 2.0f * kPi * (2.0f - std::numbers::phi_v<float>);
   const float z = 1.0f - (2.0f * static_cast<float>(i) + 1.0f) / kDirections;
@@ -24,8 +25,8 @@ Vec3f spread_direction(int i) {
   return {radius * std::cos(angle), z, radius * std::sin(angle)};
 }
 
-/// Returns the distance along the ray to a triangle, in lengths of the ray's direction, or kInfinity without a hit. An edge
-/// belongs to both adjacent triangles, so that there are no gaps.
+/// Returns the distance along the ray to a triangle, in lengths of ray.direction. Returns kInfinity without a hit. An edge
+/// belongs to both adjacent triangles, so that there are no gaps between triangles.
 float distance_to(const EnclosureRay& ray, Vec3f a, Vec3f b, Vec3f c) {
   constexpr float kEdge = 1e-5f;
   const Vec3f u = b - a, v = c - a, p = glm::cross(ray.direction, v);
@@ -80,7 +81,7 @@ std::vector<Wall> walls_of(const Scene& scene, const ResolvedScene& resolved) {
 
 bool sees_light(const std::vector<Wall>& walls, const EnclosureRay& ray) {
   float nearest = kInfinity;
-  bool shines = true;  // the outside is bright
+  bool shines = true;  // a ray that hits nothing reaches the light outside
   for (const Wall& wall : walls) {
     if (!meets(ray, wall.bounds)) continue;
     const EnclosureRay in_mesh{transform_point(wall.mesh_from_world, ray.origin),

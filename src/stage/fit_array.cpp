@@ -1,8 +1,11 @@
-// The fit is exact and needs no search. A viewer at (x, y, d) who looks along -z with half angle a sees a point p if it lies on
-// the inner side of the four sides of the view pyramid. Two of them define the width: +-(p.x - x) cos a + p.z sin a <= d sin a.
-// Let R and L be the largest values of +-p.x cos a + p.z sin a over all points. Both sides touch the points for x = (R - L) /
-// (2 cos a) and d = (R + L) / (2 sin a). The height is analogous; the larger d is used. R and L are bounds along slanted axes,
-// which finite_bounds computes exactly for every kind of shape.
+// The fit is exact and needs no search. The viewer is at (x, y, d) and looks along -z with half angle a. The viewer sees a
+// point p if p lies on the inner side of the four sides of the view pyramid. Two of the sides limit the width:
+//   +-(p.x - x) cos a + p.z sin a <= d sin a.
+// Let R be the largest p.x cos a + p.z sin a of all points, and L the largest -p.x cos a + p.z sin a. Both sides touch the
+// points for
+//   x = (R - L) / (2 cos a),   d = (R + L) / (2 sin a).
+// The height is computed in the same way. The larger of the two d is used. R and L are bounds along slanted axes, which
+// finite_bounds() computes exactly for every kind of shape.
 #include "lippmann/stage/fit_array.hpp"
 
 #include <fmt/format.h>
@@ -21,8 +24,9 @@
 namespace lippmann {
 namespace {
 
-/// Minimum distance of the plane: a nearer plane would turn the whole scene into background.
-constexpr float kNearestPlane = 0.05f;  // as a multiple of the visible part's diagonal
+/// Minimum distance from the viewer to the plane, as a multiple of the visible part's diagonal. At a nearer plane, the whole
+/// scene would be background.
+constexpr float kNearestPlane = 0.05f;
 constexpr float kDefaultFov = radians(45.0f);
 constexpr float kMargin = 1.05f;  ///< ratio of the visible size to the size of the content
 
@@ -38,7 +42,7 @@ Affine3f similarity(const Affine3f& a) {
 
 Mat3f rotation_of(const Affine3f& similarity) { return similarity.linear / uniform_scale(similarity); }
 
-/// The inputs of the rules that place the array.
+/// The inputs of the functions that place the array.
 struct Setting {
   const Scene& scene;
   const ResolvedScene& resolved;  ///< the scene at frame 0
@@ -46,14 +50,15 @@ struct Setting {
   float aspect;
 };
 
-/// Returns the world units per unit of a node at frame 0. Values within rounding errors of 1 become 1.
+/// Returns the world units per unit of a node at frame 0. Values that differ from 1 only by rounding become 1.
 float world_units(const Setting& setting, int node) {
   constexpr float kRounding = 1e-5f;
   const float scale = uniform_scale(similarity(setting.resolved.of(node)));
   return std::abs(scale - 1.0f) <= kRounding ? 1.0f : scale;
 }
 
-/// Returns the frame in which the array of a node is fitted: the node's translation and rotation, in world units of frame 0.
+/// Returns the frame in which the array of a node is fitted. It has the translation and rotation of the node, and world units
+/// of frame 0.
 Affine3f world_from_frame(const Setting& setting, int node, const ResolvedScene& resolved) {
   const Affine3f world_from_node = similarity(resolved.of(node));
   return {world_from_node.linear / world_units(setting, node), world_from_node.translation};
@@ -69,7 +74,7 @@ DisplayPlacement in_world_units(DisplayPlacement display, float units) {
   return display;
 }
 
-/// Calls visit(resolved) for frame 0 and, if anything moves, for other sampled frames.
+/// Calls visit(resolved) for frame 0. If anything moves, also calls it for the other sampled frames.
 template <class Visit>
 void visit_frames(const Scene& scene, const Visit& visit) {
   const std::vector<bool> moves = moving_instances(scene), nodes_move = moving_nodes(scene);
@@ -81,7 +86,8 @@ void visit_frames(const Scene& scene, const Visit& visit) {
   }
 }
 
-/// The size of a camera's view. `half` is half the size at distance 1; for an orthographic camera, at every distance.
+/// The size of a camera's view. `half` is half of the width and height at distance 1. For an orthographic camera, it is the
+/// same at every distance.
 struct CameraView {
   bool is_orthographic;
   Vec2f half;
@@ -97,9 +103,9 @@ ConvexRegion region_of(const CameraView& view) {
   return view.is_orthographic ? beam_region(view.half) : view_region(Vec3f(0.0f), view.half);
 }
 
-/// Places the array perpendicular to a camera's view at a distance, filling the view. Its viewer is at the camera. The position
-/// of an orthographic camera along its view is meaningless, so its viewer is at least so far away that the default angle covers
-/// the view.
+/// Places the array at a distance from a camera, perpendicular to the camera's axis and as large as the view. The viewer of the
+/// array is at the camera. The position of an orthographic camera along its axis is meaningless. Its viewer is at least so far
+/// away that the default angle covers the view.
 void place_before_camera(FittedArray& array, const Camera& camera, float distance, const CameraView& view) {
   array.node_from_plane = {Mat3f(1.0f), {0.0f, 0.0f, -distance}};
   array.plane_height = 2.0f * view.half.y * (view.is_orthographic ? 1.0f : distance);
@@ -130,7 +136,7 @@ SeenParts seen_of(const Setting& setting, Part part, const ResolvedScene& resolv
   return seen;
 }
 
-/// Returns half the width of the visible part of the subject, as in CameraView.
+/// Returns half the width of the visible part of the subject, in the units of CameraView::half.
 float width_of_subject(const Setting& setting, const Camera& camera, const CameraView& view) {
   float half = 0.0f;
   visit_frames(setting.scene, [&](const ResolvedScene& resolved) {
@@ -144,9 +150,9 @@ float width_of_subject(const Setting& setting, const Camera& camera, const Camer
   return half;
 }
 
-/// Returns the view of the image: the camera's own height, or more if the image is too narrow for the visible part of the
-/// subject. Files that specify a resolution (Tachyon, NFF) define the height of the view for any size; files that only specify
-/// an aspect ratio (glTF) define the author's frame.
+/// Returns the view of the image. Its height is the height of the camera's view, or more if the image is too narrow for the
+/// visible part of the subject. In files that specify a resolution (Tachyon, NFF), the view has the same height for images of
+/// any size. In files that only specify an aspect ratio (glTF), the view is the author's frame.
 CameraView view_for(const Setting& setting, const Camera& camera) {
   const CameraView own = view_of(camera);
   float height = own.half.y;
@@ -183,7 +189,7 @@ std::string widened_sentence(const Camera& camera, const CameraView& view) {
       degrees(2.0f * std::atan(tangent_y)), degrees(camera.vertical_fov));
 }
 
-// ---- The rules, in order ------------------------------------------------------------------------------------------------
+// ---- Placing the array, in order of precedence --------------------------------------------------------------------------
 
 FittedArray as_placed(const DisplayPlacement& display) {
   FittedArray array;
@@ -207,8 +213,8 @@ FittedArray at_focus(const Setting& setting, const Camera& camera) {
   return array;
 }
 
-/// Places the plane half-way through the visible part of the subject, or of the scene if the camera does not see the subject.
-/// Only the part of a surrounding room that is in front of the camera counts; an infinite ground does not count.
+/// Places the plane half way through the visible part of the subject. If the camera does not see the subject, all visible parts
+/// are used. Only the part of a room in front of the camera is included. An infinite ground is not included.
 FittedArray half_way_through(const Setting& setting, const Camera& camera) {
   FittedArray array;
   array.origin = FittedArray::Origin::kSceneCenter;
@@ -245,23 +251,25 @@ FittedArray half_way_through(const Setting& setting, const Camera& camera) {
   return array;
 }
 
-// ---- Fitted to bounds ---------------------------------------------------------------------------------------------------
+// ---- Fitting to bounds --------------------------------------------------------------------------------------------------
 
-/// The direction from which to view the subject, and the angle of view.
+/// The direction from which the subject is viewed, and the angle of the view.
 struct Direction {
   int node = -1;                                   ///< node that the array moves with
-  Mat3f node_from_view{1.0f};                      ///< rotation; the view is along its -z
-  float tangent_y = std::tan(0.5f * kDefaultFov);  ///< half the view's height over the distance
+  Mat3f node_from_view{1.0f};                      ///< rotation; the viewer looks along -z of the view
+  float tangent_y = std::tan(0.5f * kDefaultFov);  ///< half the view's height divided by its distance
 };
 
-/// Bounds of the subject over the animation, along the axes of the view and along the slanted axes of its pyramid.
+/// Bounds of the subject over the animation. `straight` is along the axes of the view. The other members are along the slanted
+/// axes of the view pyramid.
 struct SubjectBounds {
   Bounds3f straight;
-  Vec2f right_up{-kInfinity}, left_down{-kInfinity};  ///< R and L of the width and of the height
+  Vec2f right_up{-kInfinity}, left_down{-kInfinity};  ///< R and L (see the top of the file) of width (x) and height (y)
 };
 
 SubjectBounds bounds_in_view(const Setting& setting, const Direction& direction, Vec2f cosine, Vec2f sine) {
-  // Rows: x cos + z sin, -x cos + z sin, and the same for y. The third axis of each is unused.
+  // Rows of the matrix `width`: x cos + z sin, and -x cos + z sin. Rows of `height`: the same with y. The third row of each
+  // matrix is unused.
   const Affine3f width{glm::transpose(Mat3f({cosine.x, 0, sine.x}, {-cosine.x, 0, sine.x}, {0, 0, 1})), Vec3f(0.0f)};
   const Affine3f height{glm::transpose(Mat3f({0, cosine.y, sine.y}, {0, -cosine.y, sine.y}, {0, 0, 1})), Vec3f(0.0f)};
   SubjectBounds all;
@@ -282,9 +290,10 @@ SubjectBounds bounds_in_view(const Setting& setting, const Direction& direction,
   return all;
 }
 
-/// Returns the centre of width and height for a viewer at the given distance in front of the subject's middle, so that the
-/// margins on both sides are equal. The subject may fill only one axis. Along the other axis, it is seen under a smaller angle
-/// than the one it was measured with. The centre stays within the limits of these angles.
+/// Returns the centre (x, y) of the image for a viewer at the given distance from the subject's middle, so that opposite
+/// margins are equal. The subject may fill the image along one axis only. Along the other axis, the subject covers a smaller
+/// angle than the angle that it was measured with, so the measurement is repeated with the smaller angle. The centre stays
+/// within the limits of the full angles.
 Vec2f middle_from(const Setting& setting, const Direction& direction, const SubjectBounds& bounds, Vec2f angle,
                   float distance) {
   constexpr int kMostPasses = 4;
@@ -306,7 +315,7 @@ Vec2f middle_from(const Setting& setting, const Direction& direction, const Subj
   return glm::clamp(middle, least, glm::max(least, most));
 }
 
-/// Places the viewer so far away that the subject just fits and is centred in the image.
+/// Places the viewer so far away that the subject just fits into the image, and centres the subject.
 FittedArray fitted_to_bounds(const Setting& setting, const Direction& direction) {
   FittedArray array;
   array.origin = FittedArray::Origin::kBounds;
@@ -321,7 +330,7 @@ FittedArray fitted_to_bounds(const Setting& setting, const Direction& direction)
   const Vec2f enough = (bounds.right_up + bounds.left_down) / (2.0f * sine);
   const Vec3f size = bounds.straight.size();
   const float plane_z = bounds.straight.center().z;
-  // Keep the viewer outside the subject, even if it is a point or a rod seen along its length.
+  // Keep the viewer outside the subject, even if the subject is a point, or a rod seen along its length.
   const float least = size == Vec3f(0.0f) ? 1.0f : 0.5f * size.z + kNearestPlane * diagonal(bounds.straight);
   const float distance = std::max(std::max(enough.x, enough.y) - plane_z, least);
   const Vec2f middle = middle_from(setting, direction, bounds, angle, distance);
@@ -332,7 +341,7 @@ FittedArray fitted_to_bounds(const Setting& setting, const Direction& direction)
   return array;
 }
 
-/// Rotates about the world's vertical and then upwards, limited to straight above or below.
+/// Rotates the view about the world's vertical and then upwards. The result is limited to straight above or below.
 Mat3f turned(const Mat3f& world_from_view, const Orbit& orbit) {
   const float elevation = degrees(std::asin(std::clamp(world_from_view[2].y, -1.0f, 1.0f)));
   const bool is_upright = world_from_view[1].y >= 0.0f;
@@ -378,7 +387,7 @@ FittedArray without_camera(const Setting& setting, const Orbit& orbit) {
   return array;
 }
 
-/// Returns whether `name`, given as `fit-to`, stands for the whole scene.
+/// Returns whether `name`, given as `fit-to`, means the whole scene.
 bool is_whole_scene(const Scene& scene, const std::string& name) { return name == "all" && !is_name_of_node(scene, name); }
 
 FittedArray fitted_to(const Setting& setting, const std::string& name, const Orbit& orbit) {
@@ -396,7 +405,7 @@ FittedArray fitted_to(const Setting& setting, const std::string& name, const Orb
 
 // ---- Options of the user ------------------------------------------------------------------------------------------------
 
-/// Returns the z of the plane requested by `focus`, in the current frame of the array.
+/// Returns the z of the plane that `focus` requests, in the current frame of the array.
 float wanted_plane_z(const FittedArray& array, const Setting& setting, const std::string& focus) {
   const Affine3f world_from_plane = world_from_frame(setting, array.node, setting.resolved) * array.node_from_plane;
   const Affine3f plane_from_world = inverse(world_from_plane);
@@ -419,14 +428,14 @@ float wanted_plane_z(const FittedArray& array, const Setting& setting, const std
   return array.viewing_distance - static_cast<float>(numbers[0]) / uniform_scale(world_from_plane);
 }
 
-/// Returns whether the view is a beam of constant height, like that of an orthographic camera.
+/// Returns whether the view has the same height at every distance, like the view of an orthographic camera.
 bool shows_a_beam(const FittedArray& array, const Scene& scene) {
   using Origin = FittedArray::Origin;
   return (array.origin == Origin::kFocus || array.origin == Origin::kSceneCenter) &&
          view_of(scene.cameras.front()).is_orthographic;
 }
 
-/// Moves the plane along the view. The viewer and the visible part stay the same.
+/// Moves the plane along the axis of the view. The viewer and the visible part stay the same.
 void focus_at(FittedArray& array, const Setting& setting, const std::string& focus) {
   if (focus.empty()) return;
   const float z = wanted_plane_z(array, setting, focus), distance = array.viewing_distance - z;
@@ -442,7 +451,7 @@ void focus_at(FittedArray& array, const Setting& setting, const std::string& foc
                    : fmt::format(" The focus on {} moves the plane.", printable(focus));
 }
 
-/// Rotates the whole array about the centre of its plane, which is the view's target.
+/// Rotates the array about the centre of its plane, which is the target of the view.
 void turn(FittedArray& array, const Setting& setting, const Orbit& orbit) {
   if (orbit == Orbit{}) return;
   array.node_from_plane.linear = turned_in_node(setting, array.node, array.node_from_plane.linear, orbit);
@@ -457,9 +466,9 @@ void zoom_in(FittedArray& array, float factor) {
   array.how += fmt::format(" The zoom shows it {:g} times as large.", factor);
 }
 
-// ---- Depth --------------------------------------------------------------------------------------------------------------
+// ---- Depth range --------------------------------------------------------------------------------------------------------
 
-/// Measures the depth of all finite shapes in front of the plane and behind it, limited to the viewer's position.
+/// Sets the depth range to the range of all finite shapes, limited to what lies in front of the viewer.
 void measure_all_depth(FittedArray& array, const Setting& setting, const Affine3f& plane_from_world) {
   const Bounds3f bounds = finite_bounds(setting.scene, setting.resolved, plane_from_world);
   if (bounds.empty()) return;
@@ -467,8 +476,9 @@ void measure_all_depth(FittedArray& array, const Setting& setting, const Affine3
   array.depth_back = std::min(bounds.lower.z, array.viewing_distance);
 }
 
-/// Measures the depth of the subject, and of visible walls behind and beside it within one of its diagonals. `subject`: its
-/// bounds if already known. A ground that extends to the horizon does not count: it is sharp where the subject stands on it.
+/// Sets the depth range to the range of the subject and of visible walls within one diagonal of the subject. `subject` holds
+/// the subject's bounds if they are known. A ground that extends to the horizon is not included. It is sharp where the subject
+/// stands on it.
 void measure_depth(FittedArray& array, const Setting& setting, const Affine3f& plane_from_world, Bounds3f subject) {
   const float tangent = 0.5f * array.plane_height / array.viewing_distance;
   ConvexRegion region = view_region({0.0f, 0.0f, array.viewing_distance}, {tangent * setting.aspect, tangent});
@@ -484,7 +494,7 @@ void measure_depth(FittedArray& array, const Setting& setting, const Affine3f& p
   array.depth_back = std::min(subject.lower.z, array.viewing_distance);
 }
 
-/// Returns the bounds of a fitted subject over the animation, in the array's frame.
+/// Returns the bounds of a fitted subject over the animation, in the frame of the array.
 Bounds3f bounds_over_animation(const FittedArray& array, const Setting& setting) {
   Bounds3f bounds;
   visit_frames(setting.scene, [&](const ResolvedScene& resolved) {
@@ -505,7 +515,7 @@ void measure_depth(FittedArray& array, const Setting& setting) {
     measure_depth(array, setting, plane_from_world, is_fitted ? bounds_over_animation(array, setting) : Bounds3f{});
 }
 
-/// Throws Error if floats in the array's space would lose precision or overflow.
+/// Throws Error if the array is so large, so small or so far away that floats would lose precision or overflow.
 void check_extent(const FittedArray& array, const Setting& setting) {
   constexpr float kSmallest = 1e-9f, kLargest = 1e15f;
   const float height = array.plane_height;
@@ -528,7 +538,8 @@ FittedArray place(const Setting& setting, const ViewWish& wish) {
   return camera.focus_distance > 0.0f ? at_focus(setting, camera) : half_way_through(setting, camera);
 }
 
-/// Returns the named subject, or the detected one. A display placed by the scene shows everything.
+/// Returns the named subject, or the subject that find_subject() finds. If the scene places a display, the subject is
+/// everything.
 Subject wanted_subject(const Scene& scene, const ViewWish& wish) {
   if (wish.fit_to.empty()) return scene.display ? whole_scene(scene) : find_subject(scene);
   if (is_whole_scene(scene, wish.fit_to)) return whole_scene(scene);

@@ -18,14 +18,15 @@
 namespace lippmann {
 namespace {
 
-/// Walls that cover at least this share of the frame limit the visible space.
+/// Minimum fraction of the frame that walls must cover to affect the start of rays.
 constexpr double kWallShare = 0.25;
-constexpr float kBeforeWall = 0.999f;  ///< start of the rays, as a share of the way from the near clipping plane to the wall
+/// Position of the start of rays between the near clipping plane (0) and the wall (1).
+constexpr float kBeforeWall = 0.999f;
 
-/// Names at most this many walls.
+/// Maximum number of walls that a sentence names.
 constexpr std::size_t kNamed = 3;
 
-/// Polygons between the near clipping plane and the eye, within the frame.
+/// Collects the polygons between the near clipping plane and the eye, within the frame.
 class Foreground {
  public:
   Foreground(float near, float eye, Vec2f half) : near_(near), eye_(eye), half_(half) {
@@ -36,7 +37,7 @@ class Foreground {
   void add(const Scene& scene, const Instance& instance, const ResolvedScene& resolved, const Affine3f& plane_from_world) {
     const Shape& shape = scene.shapes[static_cast<std::size_t>(instance.shape)];
     walls_.push_back({0.0, eye_, instance.node});
-    if (std::holds_alternative<Splats>(shape)) return;  // splats in front of the viewer are noise of the capture
+    if (std::holds_alternative<Splats>(shape)) return;  // splats near the viewer are noise of the capture
     if (const auto* planes = std::get_if<Planes>(&shape))
       return add_planes(*planes, plane_from_world * resolved.of(instance.node));
     const Bounds3f box = finite_bounds(scene, instance, resolved, plane_from_world);
@@ -44,7 +45,7 @@ class Foreground {
     visit_seen(scene, instance, resolved, plane_from_world, region_, [&](std::span<const Vec3f> polygon) { add(polygon); });
   }
 
-  /// Returns the start of rays, or nothing if there are no polygons.
+  /// Returns the start of rays. Returns nothing if there are no polygons.
   std::optional<FrontOfRays> front(const Scene& scene) const {
     if (!any_) return std::nullopt;
     const double enough = kWallShare * 4.0 * static_cast<double>(half_.x * half_.y);
@@ -100,8 +101,8 @@ class Foreground {
     for (const Plane& plane : planes) add_plane(transform_point(plane_from_node, plane.point), of_normals * plane.normal);
   }
 
-  /// Adds an infinite plane. A plane that separates near plane and eye crosses the line between them. Other planes count if
-  /// they are visible in a corner of the frame.
+  /// Adds an infinite plane. If the plane separates the near clipping plane from the eye, it crosses the line between them. Any
+  /// other plane is added if it is visible in a corner of the frame.
   void add_plane(Vec3f p, Vec3f normal) {
     const float ahead = glm::dot(normal, p - Vec3f(0.0f, 0.0f, eye_));
     for (const float x : {-half_.x, half_.x})
@@ -116,15 +117,15 @@ class Foreground {
 
   /// The walls of one or more instances.
   struct Walls {
-    double area;    ///< area of their projection from the eye to the plane z = 0
-    float nearest;  ///< smallest z
+    double area;    ///< area of the walls, projected from the eye to the plane z = 0
+    float nearest;  ///< smallest z of the walls
     int node = -1;
 
     void add(const Walls& other) { area += other.area, nearest = std::min(nearest, other.nearest); }
   };
 
   float near_, eye_;
-  Vec2f half_;  ///< half the size of the frame on the plane z = 0
+  Vec2f half_;  ///< half the size of the frame in the plane z = 0
   ConvexRegion region_;
   bool any_ = false;
   std::vector<Walls> walls_;  ///< one element per instance

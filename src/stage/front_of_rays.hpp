@@ -1,14 +1,14 @@
-// The start of rays: at the viewer's eye, or nearer to the array's plane if the eye would see the back of a wall.
+// Computes where rays start: at the viewer's eye, or nearer to the array's plane if walls would hide the scene from the eye.
 //
 // The array is fitted to a viewer, which is a camera of the file or was found for the subject. The display's own viewer is
-// often farther away. Through the display's frame, this viewer also sees the space between both viewers, mainly the floor in
-// front of the subject. A wall behind the file's camera lies in this space, too, and would hide everything. So would a wall
-// that the camera's near clipping plane cuts away.
+// often farther away. Through the frame of the display, the display's viewer also sees the space between both viewers. This
+// space shows mainly the floor in front of the subject. But a wall behind the file's camera also lies in this space, and would
+// hide everything. So would a wall that the camera's near clipping plane cuts away.
 //
-// A surface is a wall if the plane of its polygon separates the near clipping plane from the eye, so the eye sees its other
-// side. Both see the upper side of a floor. Rays begin just in front of an instance whose walls cover at least a quarter of the
-// frame, or in front of all walls if only all of them together do. Smaller surfaces, such as a chair behind the camera, are
-// shown.
+// A surface is a wall if the plane of its polygon separates the near clipping plane from the eye, so that the eye sees its
+// other side. A floor is no wall, because camera and eye both see its upper side. Rays start just in front of an instance whose
+// walls cover at least a quarter of the frame. If only all walls together cover a quarter, rays start in front of all walls.
+// Smaller surfaces, such as a chair behind the camera, are shown.
 #pragma once
 
 #include <string>
@@ -19,13 +19,15 @@
 namespace lippmann {
 
 struct FrontOfRays {
-  float z = kInfinity;  ///< start of the rays in the array's plane frame, in units of its node
-  std::string cut;      ///< one sentence that names the walls in front of the start; empty if there are none
+  /// z at which rays start, in the frame of the array's plane and in units of its node.
+  float z = kInfinity;
+  /// One sentence that names the walls between the start of rays and the eye. Empty if there are none.
+  std::string cut;
 };
 
-/// Returns the start of the rays. It is the fitted viewer's z if nothing lies between this viewer's near clipping plane and the
-/// eye. aspect: width / height of the plane. eye: distance of the display's viewer in front of the plane, in the units of z.
-/// Over an animation, returns the start nearest to the plane.
+/// Returns where rays start. If nothing lies between the near clipping plane of the fitted viewer and the eye, rays start at
+/// the fitted viewer. `aspect` is width / height of the plane. `eye` is the distance of the display's viewer in front of the
+/// plane, in units of the array's node. For an animation, returns the start that is nearest to the plane.
 FrontOfRays front_of_rays(const Scene& scene, const FittedArray& array, float aspect, float eye);
 
 }  // namespace lippmann

@@ -15,8 +15,8 @@
 namespace lippmann {
 namespace {
 
-/// Adds a lamp at the viewer without falloff: it lights the visible part of rooms of any size. A white diffuse surface that
-/// faces it has half of display white, plus the light reflected by other walls.
+/// Adds a lamp at the viewer. The lamp has no falloff, so it lights visible parts of rooms of any size. A white diffuse surface
+/// that faces the lamp gets half the display's white, plus light from other walls.
 void add_lamp_at_viewer(Scene& scene, const FittedArray& array) {
   constexpr float kAtViewer = 0.5f * kPi;
   Node node;
@@ -31,7 +31,7 @@ void add_lamp_at_viewer(Scene& scene, const FittedArray& array) {
   scene.lights.push_back(std::move(light));
 }
 
-/// Lights a closed room, where the studio would be invisible. Returns whether the room is closed.
+/// If the viewer is in a closed room, adds a lamp, because the studio would be invisible. Returns whether the room is closed.
 bool light_closed_room(Scene& scene) {
   const FittedArray array = fit_array(scene);
   if (!std::isfinite(array.viewing_distance)) return false;

@@ -7,11 +7,13 @@
 namespace lippmann {
 namespace {
 
-constexpr float kFarAway = 20.0f;  ///< the narrowest gap, relative to the diagonal of the main part
-constexpr float kWideGap = 0.2f;   ///< relative to the longest side of the scene; narrower gaps are normal in a scattered scene
-constexpr float kSliver = 1000.0f;  ///< the longest side of a triangle over the shortest
+/// Minimum width of the narrowest gap, as a multiple of the main part's diagonal.
+constexpr float kFarAway = 20.0f;
+/// Minimum width of a gap, as a fraction of the scene's longest side. Narrower gaps are normal in a scattered scene.
+constexpr float kWideGap = 0.2f;
+constexpr float kSliver = 1000.0f;  ///< minimum ratio of the longest to the shortest side of a sliver
 constexpr int kMostCuts = 64;
-constexpr std::size_t kBins = 512;  ///< resolution of the gap search along an axis
+constexpr std::size_t kBins = 512;  ///< number of bins of the gap search along an axis
 
 struct Gap {
   int axis = 0;
@@ -24,14 +26,15 @@ Bounds3f bounds_of(const std::vector<ScenePiece>& pieces) {
   return all;
 }
 
-/// Returns the longest run of bins without any piece.
+/// Returns the longest run of empty bins along an axis.
 Gap widest_gap(const std::vector<ScenePiece>& pieces, const Bounds3f& all, int axis) {
   const float size = all.size()[axis], bin = size / static_cast<float>(kBins);
   if (!(bin > 0.0f) || !std::isfinite(size)) return {};
   const auto bin_of = [&](float at) {
     return std::min(static_cast<std::size_t>(std::max((at - all.lower[axis]) / bin, 0.0f)), kBins - 1);
   };
-  std::array<int, kBins + 1> begins{};  // pieces that begin in a bin, minus those that ended before it
+  // Number of pieces that begin in a bin, minus the number of pieces that ended in the bin before.
+  std::array<int, kBins + 1> begins{};
   for (const ScenePiece& piece : pieces) {
     ++begins[bin_of(piece.bounds.lower[axis])];
     --begins[bin_of(piece.bounds.upper[axis]) + 1];
@@ -55,7 +58,7 @@ Gap widest_gap(const std::vector<ScenePiece>& pieces, const Bounds3f& all) {
   return widest;
 }
 
-/// Returns the side of the gap with more surface, or for equal areas, with more pieces.
+/// Returns the pieces on the side of the gap with more surface area. If areas are equal, returns the side with more pieces.
 std::vector<ScenePiece> heavier_side(const std::vector<ScenePiece>& pieces, const Gap& gap) {
   std::array<std::vector<ScenePiece>, 2> sides;
   std::array<double, 2> areas{};

@@ -1,9 +1,10 @@
 // Finds the main part of a scene whose parts are so far apart that an image of everything would show nothing.
 //
-// Based on gaps: the bounding box is cut in the middle of the widest gap along an axis, and the side with less surface is
-// dropped; then the remaining box is cut again. The cuts apply if the remaining part is so small relative to the narrowest gap
-// that it would fill less than 1/20 of the image's width. Otherwise the scene is whole. Slivers, which a stray vertex makes of
-// adjacent triangles, do not close gaps.
+// 1. Find the widest gap between parts along an axis of the bounding box. Cut the box in the middle of this gap.
+// 2. Drop the side with less surface area. Repeat step 1 with the other side.
+// 3. The cuts apply if the remaining part is small relative to the narrowest gap, so that it would fill less than 1/20 of the
+//    image's width. Otherwise the scene stays whole.
+// Slivers do not close gaps. A sliver is a long thin triangle, which results if one vertex of adjacent triangles is far away.
 #pragma once
 
 #include <optional>
@@ -21,7 +22,8 @@ struct ScenePiece {
 
 ScenePiece piece_of_triangle(Vec3f a, Vec3f b, Vec3f c);
 
-/// Returns a box around the main part, which cuts no other pieces except slivers. Returns nothing if the scene is whole.
+/// Returns a box around the main part. The box cuts no pieces outside the main part except slivers. Returns nothing if the
+/// scene stays whole.
 std::optional<Bounds3f> find_main_part(std::vector<ScenePiece> pieces);
 
 }  // namespace lippmann

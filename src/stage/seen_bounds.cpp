@@ -1,6 +1,6 @@
-// Based on: Ivan E. Sutherland, Gary W. Hodgman, "Reentrant Polygon Clipping", Communications of the ACM 17(1), 1974: a convex
-// polygon is clipped by one plane after the other. Each clip keeps the corners on the inner side and adds a corner where an
-// edge crosses the plane.
+// Based on: Ivan E. Sutherland, Gary W. Hodgman, "Reentrant Polygon Clipping", Communications of the ACM 17(1), 1974. A polygon
+// is clipped by one plane after another. Each clip keeps the corners on the inner side and adds a corner where an edge crosses
+// the plane.
 #include "stage/seen_bounds.hpp"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 
 using Polygon = std::vector<Vec3f>;
 
-/// Clips polygons and visits the results. Reuses its buffers.
+/// Clips polygons and calls a visitor with the results. Reuses its buffers.
 class Clipper {
  public:
   Clipper(const ConvexRegion& region, const PolygonVisitor& visit) : region_(region), visit_(visit) {}
@@ -60,7 +60,7 @@ void add_mesh(Clipper& clipper, const Mesh& mesh, const std::vector<Vec3f>& posi
   for (const auto& [a, b, c] : mesh.triangles) clipper.add_triangle(positions[a], positions[b], positions[c]);
 }
 
-/// Adds the surface of a box.
+/// Adds the six faces of a box.
 void add_box(Clipper& clipper, const Bounds3f& box) {
   if (box.empty()) return;
   std::array<Vec3f, 8> corner;

@@ -1,5 +1,5 @@
-// Over the window, 1 / depth of an infinite plane is a linear function, so the plane's extreme depths lie in the window's
-// corners.
+// For infinite planes, 1 / depth is a linear function of the position in the window. The extreme depths of a plane therefore
+// lie at the corners of the window.
 #include "stage/seen_depth.hpp"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr float kInfiniteDepth = std::numeric_limits<float>::infinity();
 
-/// A range of depths, initially empty.
+/// A range of depths (z). It is empty at first.
 struct DepthReach {
   float near = -kInfiniteDepth, far = kInfiniteDepth;
 
@@ -58,7 +58,7 @@ class SeenMoment {
         view_(view),
         region_(region_before(view)) {}
 
-  /// Adds one instance. Skips instances whose box cannot extend the range.
+  /// Adds the depth range of one instance. Skips instances whose box cannot extend the range.
   void add(const Instance& instance, DepthReach& reach) const {
     if (instance.hidden_from_cameras) return;
     const Shape& shape = scene_.shapes[static_cast<std::size_t>(instance.shape)];

@@ -20,15 +20,17 @@
 namespace lippmann {
 namespace {
 
-constexpr float kThin = 0.1f;          ///< maximum thickness of a sheet, relative to its longest side
-constexpr float kNearFace = 0.05f;     ///< maximum distance of a sheet from a face, relative to the box's size
-constexpr float kSpanning = 0.8f;      ///< minimum share of a face that its sheets span
-constexpr float kMuchSmaller = 0.5f;   ///< maximum diagonal of the remaining part, relative to the whole
+constexpr float kThin = 0.1f;  ///< maximum thickness of a sheet, as a fraction of its longest side
+/// Maximum distance of a sheet from a face of the bounding box, as a fraction of the box's size.
+constexpr float kNearFace = 0.05f;
+constexpr float kSpanning = 0.8f;  ///< minimum fraction of a face that its sheets must span
+/// Maximum diagonal of the part that remains without surroundings, as a fraction of the whole.
+constexpr float kMuchSmaller = 0.5f;
 constexpr float kSmallBefore = 0.25f;  ///< like kMuchSmaller, if only walls or a shell suggest surroundings
 
 using Indices = std::vector<std::size_t>;
 
-/// One of the six sides of a box.
+/// One of the six faces of a box.
 struct Face {
   int axis;
   bool upper;
@@ -36,7 +38,7 @@ struct Face {
 constexpr Face kFloorFace{1, false}, kCeilingFace{1, true};
 constexpr std::array<Face, 4> kWallFaces{{{0, false}, {0, true}, {2, false}, {2, true}}};
 
-/// Removes surroundings from a scene's instances in rounds: a room may stand on a lawn below a sky.
+/// Removes surroundings from a scene layer by layer. For example, a room may stand on a lawn below a sky.
 class Peeling {
  public:
   explicit Peeling(const Scene& scene) : scene_(scene), subject_(whole_scene(scene)) {
@@ -87,9 +89,9 @@ class Peeling {
     left_ = without(instances);
   }
 
-  // ---- Strays -------------------------------------------------------------------------------------------------------
+  // ---- Distant parts ----------------------------------------------------------------------------------------------------
 
-  /// Splits static meshes into triangles, and list shapes into their primitives.
+  /// Returns the triangles of static meshes, the primitives of list shapes, and the boxes of moving instances.
   std::vector<ScenePiece> pieces() const {
     std::vector<ScenePiece> pieces;
     const ResolvedScene resolved = evaluate(scene_, scene_.timeline.time(0));
@@ -143,7 +145,7 @@ class Peeling {
     }
   }
 
-  // ---- Sheets -------------------------------------------------------------------------------------------------------
+  // ---- Sheets -----------------------------------------------------------------------------------------------------------
 
   bool is_sheet_at(std::size_t i, Face face, const Bounds3f& all) const {
     const Vec3f size = bounds_[i].size();
@@ -160,8 +162,8 @@ class Peeling {
     return true;
   }
 
-  /// Returns the sheets at a face that span it: each alone if `each` is set, otherwise all of them together. Returns none if
-  /// they do not span it.
+  /// Returns the sheets at a face. If `each` is set, returns only sheets that span the face alone. Returns nothing if the
+  /// sheets together do not span the face.
   Indices sheets_at(Face face, const Bounds3f& all, bool each) const {
     Indices sheets;
     for (const std::size_t i : left_)
@@ -169,8 +171,9 @@ class Peeling {
     return spans(bounds_of(sheets), face, all) ? sheets : Indices{};
   }
 
-  /// Removes sheets, if the rest is much smaller, and returns whether it has. each: only sheets that span their face alone. A
-  /// first round with `each` keeps the coins on a table; a second one without it removes a floor made of boards.
+  /// Removes sheets if the remaining part is much smaller. Returns whether sheets were removed. If `each` is set, removes only
+  /// sheets that span their face alone. A first call with `each` keeps coins on a table. A second call without `each` removes a
+  /// floor that is made of boards.
   bool peel_sheets(bool each) {
     const Bounds3f all = bounds_of(left_);
     const Indices floor = sheets_at(kFloorFace, all, each);
@@ -196,10 +199,10 @@ class Peeling {
 
   bool peel_sheets() { return peel_sheets(true) || peel_sheets(false); }
 
-  // ---- Shells -------------------------------------------------------------------------------------------------------
+  // ---- Shells -----------------------------------------------------------------------------------------------------------
 
-  /// Returns the instances that remain without the shell and then without sheets. A sky may surround a ground that is nearly as
-  /// wide as the sky.
+  /// Returns the instances that remain after removing the shell and then sheets. Sheets must be removed because a sky may
+  /// surround a ground that is nearly as wide as the sky.
   Indices core_without(std::size_t shell) const {
     Peeling inner(*this);
     inner.left_ = without({shell});
@@ -208,7 +211,8 @@ class Peeling {
     return inner.left_;
   }
 
-  /// Returns whether the shell keeps a distance of half the content's size from its content on all sides except below.
+  /// Returns whether there is free space between the shell and its content on all sides except below. The free space must be
+  /// half as wide as the content.
   bool leaves_free(std::size_t shell, const Bounds3f& core) const {
     const Vec3f size = core.size();
     const float reach = 0.5f * std::max({size.x, size.y, size.z});
@@ -227,7 +231,7 @@ class Peeling {
     return leaves_free(i, inner);
   }
 
-  /// Removes the largest instance if it is a shell, and returns whether it is. Smaller instances cannot be shells.
+  /// Removes the largest instance if it is a shell. Returns whether it was removed. Smaller instances cannot be shells.
   bool peel_shell() {
     const auto smaller = [&](std::size_t a, std::size_t b) { return diagonal(bounds_[a]) < diagonal(bounds_[b]); };
     const std::size_t largest = *std::max_element(left_.begin(), left_.end(), smaller);
@@ -280,7 +284,7 @@ Subject find_subject(const Scene& scene) { return Peeling(scene).run(); }
 
 namespace {
 
-/// Lists the names of instances with is_listed(instance), without repetition.
+/// Lists the names of instances for which is_listed(instance) is true, without duplicates.
 template <class IsListed>
 std::string list_instances(const Scene& scene, const IsListed& is_listed) {
   constexpr std::size_t kListed = 3;

@@ -1,4 +1,5 @@
-// Selects the camera that defines the view, by name or index, and makes a file's up axis vertical.
+// Selects the camera that defines the view, by name or by index. Also turns a scene so that the up axis of its file becomes
+// vertical.
 #pragma once
 
 #include <cstddef>
@@ -11,18 +12,19 @@ namespace lippmann {
 
 enum class UpAxis { kY, kX, kZ, kMinusX, kMinusY, kMinusZ };
 
-/// Returns the names of the scene's cameras in the file's order. Unnamed cameras have an empty name.
+/// Returns the names of the scene's cameras in the order of the file. Cameras without a name have an empty string.
 std::vector<std::string> camera_names(const Scene& scene);
 
-/// Returns the values that choose_camera() accepts, such as "Front (0), Side (1)".
+/// Returns a list of the values that choose_camera() accepts, such as "Front (0), Side (1)".
 std::string list_cameras(const std::vector<std::string>& names);
 
-/// Moves the camera with the given name, or else with that index, to the front of the scene's list. The first camera defines
-/// the view, even if the scene places an array of its own. An empty string changes nothing. Throws a usage Error that lists the
-/// cameras.
+/// Moves a camera to the front of the scene's list of cameras. The first camera defines the view, even if the scene places its
+/// own lens array. `wanted` is the name of the camera; if no camera has this name, it is an index. An empty string changes
+/// nothing. Throws a usage Error that lists the cameras.
 void choose_camera(Scene& scene, const std::string& wanted);
 
-/// Moves the camera with the given index to the front of the scene's list. Throws a usage Error that lists the cameras.
+/// Moves the camera with the index `index` to the front of the scene's list of cameras. Throws a usage Error that lists the
+/// cameras.
 void choose_camera(Scene& scene, std::size_t index);
 
 /// Rotates the whole scene about the origin so that the axis `up` of the file becomes +y.

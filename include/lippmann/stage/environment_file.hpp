@@ -8,9 +8,9 @@
 
 namespace lippmann {
 
-/// Reads an equirectangular .hdr or .exr with linear light; grey is repeated in all channels. Clamps negative samples to 0.
-/// strength: factor for the light. rotation_deg: rotation about the vertical. Warns about ignored data in the file. Throws
-/// Error that names the file.
+/// Reads an equirectangular .hdr or .exr file with linear light. A grey image gets three equal channels. Negative samples
+/// become 0. `strength` is a factor for the light. `rotation_deg` is the rotation about the vertical. Warns about data of the
+/// file that is ignored. Throws Error that names the file.
 EnvironmentMap read_environment(const std::filesystem::path& path, float strength, float rotation_deg,
                                 const Context& context = Context());
 
