@@ -22,7 +22,7 @@ std::string value_text(const Json& value) {
   return value.is_string() ? value.get<std::string>() : json_to_text(value, -1);
 }
 
-/// Returns the keys of all rows together, since a row may lack keys that other rows have.
+/// Returns the keys that occur in any row. A row may lack keys that other rows have.
 std::vector<std::string> keys_of(const Json& rows) {
   std::vector<std::string> keys;
   for (const Json& row : rows)
@@ -31,7 +31,8 @@ std::vector<std::string> keys_of(const Json& rows) {
   return keys;
 }
 
-/// Returns the largest absolute value of a column, to which its bars are scaled; 0 if the column has no bars.
+/// Returns the largest absolute value of a column. The bars of the column are scaled to this value. Returns 0 if the column has
+/// no bars.
 double largest_in(const Json& rows, const std::string& key) {
   double largest = 0.0;
   for (const Json& row : rows)
@@ -39,7 +40,7 @@ double largest_in(const Json& rows, const std::string& key) {
   return std::isfinite(largest) ? largest : 0.0;
 }
 
-/// Returns a number with a bar below it, scaled to the largest value of the column.
+/// Returns a number with a bar below it, which is scaled to the largest value of the column.
 std::string cell_html(const Json& row, const std::string& key, double largest) {
   if (!row.contains(key)) return {};
   const std::string text = escaped(value_text(row[key]));

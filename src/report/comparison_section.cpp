@@ -13,7 +13,7 @@
 namespace lippmann {
 namespace {
 
-/// Returns the share of CPU time saved relative to the first render.
+/// Returns the CPU time saved relative to the first render, in percent.
 std::string saving_over_first(const RenderFigures& first, const RenderFigures& render) {
   const std::optional<double> mean = cpu_seconds_a_frame(render);
   return mean ? percent_text(saving(*mean, cpu_seconds_a_frame(first))) : kNotKnown;

@@ -1,5 +1,4 @@
-// Compares renders side by side: a table with one row per figure and one column per render, and charts with one line per
-// render.
+// Compares renders side by side. A table has one row per figure and one column per render. Charts have one line per render.
 #pragma once
 
 #include <string>
@@ -9,8 +8,8 @@
 
 namespace lippmann {
 
-/// Returns the HTML for two or more renders. names: one per render, plain text. Savings are relative to the first render.
-/// States what makes the comparison inexact, such as different scenes, frames, sizes or machines.
+/// Returns the HTML for two or more renders. `names` holds one plain-text name per render. Savings are relative to the first
+/// render. The section states what makes the comparison inexact, such as different scenes, frames, sizes or machines.
 std::string comparison_section(const std::vector<RenderFigures>& renders, const std::vector<std::string>& names);
 
 }  // namespace lippmann

@@ -12,6 +12,7 @@ std::string seconds_text(double seconds);                  ///< "12.3 ms", "1.50
 std::string percent_text(std::optional<double> share);     ///< 0.123 becomes "12.3 %"
 std::string decibel_text(std::optional<double> decibels);  ///< "34.50 dB"
 std::string count_text(double count);                      ///< "950", "12.3 k", "1.25 M"
-std::string memory_text(double bytes);  ///< 0 becomes a dash, since it means that the memory was not recorded
+/// 0 becomes a dash, because it means that the memory was not recorded.
+std::string memory_text(double bytes);
 
 }  // namespace lippmann

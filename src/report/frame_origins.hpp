@@ -15,21 +15,21 @@ enum class Origin { kTraced, kCopied, kInterpolated, kFilled };
 inline constexpr std::array<std::string_view, 4> kOriginNames{"traced", "copied", "interpolated", "filled"};
 using OriginShares = std::array<double, kOriginNames.size()>;
 
-/// Returns the shares by Origin, which sum to 1. None if the frame size is unknown.
-///   traced         all rays were traced for this frame
-///   copied         copied from a key frame, provably unchanged (reuse copy)
-///   interpolated   from the points of key frames (reuse interpolate)
-///   filled         no point landed there: filled from neighbours (reuse interpolate, fill interpolate)
+/// Returns the share of each Origin. The shares add up to 1. Returns nullopt if the frame size is unknown.
+///   traced         pixels whose rays were all traced for this frame
+///   copied         pixels copied from a key frame because they provably do not change (reuse copy)
+///   interpolated   pixels made from the points of key frames (reuse interpolate)
+///   filled         pixels without a point, filled from neighbours (reuse interpolate, fill interpolate)
 std::optional<OriginShares> origins_of(const FrameReport& frame, const RenderFigures& render);
 
-/// Returns whether all pixels of the frame were traced, which is so for the kinds full and key.
+/// Returns whether all pixels of the frame were traced. This is true for the kinds full and key.
 bool is_traced_whole(const FrameReport& frame);
 
-/// Returns the mean CPU seconds of fully traced frames (kinds full and key); none without such frames.
+/// Returns the mean CPU seconds of fully traced frames. Returns nullopt without such frames.
 std::optional<double> traced_cpu_seconds(const RenderFigures& render);
 
-/// Returns the saved share of the time, 1 - seconds / traced_seconds; negative if `seconds` is longer. None unless both times
-/// are positive.
+/// Returns the saved share of the time, 1 - seconds / traced_seconds. The result is negative if `seconds` is longer. Returns
+/// nullopt unless both times are positive.
 std::optional<double> saving(double seconds, std::optional<double> traced_seconds);
 
 }  // namespace lippmann

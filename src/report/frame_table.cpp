@@ -57,7 +57,7 @@ std::vector<Column> frame_columns(const RenderFigures& render) {
 
 }  // namespace
 
-/// Makes the table without columns that are empty or 0 in all frames.
+/// Returns the HTML of the table. Leaves out columns that are empty or 0 in all frames.
 std::string frame_table(const RenderFigures& render) {
   HtmlTable table;
   table.rows.resize(render.frames.size());

@@ -9,7 +9,7 @@
 namespace lippmann {
 namespace {
 
-/// Returns valid UTF-8. Uses the JSON writer, which replaces invalid bytes, and a parser, which removes the writer's escapes.
+/// Returns valid UTF-8. The JSON writer replaces invalid bytes, and the JSON parser removes the escapes of the writer.
 std::string as_utf8(std::string_view text) {
   const std::string json = json_to_text(nlohmann::ordered_json(std::string(text)), -1);
   return json_from_text(json).get<std::string>();

@@ -8,7 +8,7 @@
 
 namespace lippmann {
 
-/// Escapes text for use in elements and quoted attributes. Invalid UTF-8 becomes U+FFFD, control characters become spaces.
+/// Escapes text for use in elements and quoted attributes. Invalid UTF-8 becomes U+FFFD. Control characters become spaces.
 std::string escaped(std::string_view text);
 
 /// Returns an invisible element that holds data for the page's script. The data cannot run as a script itself.
@@ -24,7 +24,7 @@ struct HtmlTable {
 /// Returns the table in a box that scrolls in narrow windows. The first cell of each row is the row's heading.
 std::string table_html(const HtmlTable& table);
 
-/// Returns a list of plain-text sentences; empty without sentences.
+/// Returns an HTML list of plain-text sentences. Returns an empty string without sentences.
 std::string sentences_html(const std::vector<std::string>& sentences);
 
 }  // namespace lippmann

@@ -1,4 +1,4 @@
-// Files that the build embeds: src/report/page.css, and from web/dist the script of web/src/report.ts.
+// Files that the build embeds: src/report/page.css, and the script of web/src/report.ts (from web/dist).
 #pragma once
 
 #include <string_view>

@@ -21,7 +21,7 @@ std::string text_at(const Json& json, const char* key) {
   return found != json.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
-/// Returns 0 unless the value is a finite number above 0.
+/// Returns the number with this key. Returns 0 unless the value is a finite number above 0.
 double number_at(const Json& json, const char* key) {
   const auto found = json.find(key);
   const double value = found != json.end() && found->is_number() ? found->get<double>() : 0.0;
@@ -89,7 +89,7 @@ void read_optics(const Json& report, const fs::path& path, RenderFigures& figure
   try {
     const Vec2i film = film_size(optics_from_json(report.at("optics"), path.string()));
     figures.pixels = static_cast<double>(film.x) * film.y;
-  } catch (const std::exception& problem) {  // Error or JSON exception
+  } catch (const std::exception& problem) {  // catches Error and JSON exceptions
     figures.missing.push_back(
         fmt::format("Shares of pixels are unknown because the optics cannot be read: {}", problem.what()));
   }

@@ -1,7 +1,7 @@
 // Reads the figures of a render from its report.json.
 //
-// The file may come from another machine or another version, or from a render that was stopped. Figures that are missing are
-// listed in sentences, and all others are read.
+// The file may come from another machine, from another version, or from a render that was stopped. Sentences state which
+// figures are missing. All other figures are read.
 #pragma once
 
 #include <cstdint>
@@ -15,9 +15,9 @@
 
 namespace lippmann {
 
-/// Figures of one of the runs that rendered frames.
+/// Figures of one run that rendered frames.
 struct RunFigures {
-  std::string host, cpu, unit, frames;  ///< empty: not recorded
+  std::string host, cpu, unit, frames;  ///< empty if not recorded
   double setup_seconds = 0.0, write_seconds = 0.0;
   double peak_memory_bytes = 0.0;
   int threads = 0;
@@ -32,14 +32,15 @@ struct RenderFigures {
   bool interrupted = false;
   std::vector<FrameReport> frames;  ///< in ascending order
   std::vector<RunFigures> runs;
-  std::optional<double> pixels;  ///< number of pixels of a frame's film; none: the optics cannot be read
-  double source_frames = 0.0;    ///< number of frames that were rendered only as sources for other frames
-  double cpu_seconds = 0.0;      ///< CPU time of all frames and source frames
+  /// Number of pixels of a frame's film. nullopt if the optics cannot be read.
+  std::optional<double> pixels;
+  double source_frames = 0.0;  ///< number of frames that were rendered only as sources of other frames
+  double cpu_seconds = 0.0;    ///< CPU time of all frames and source frames
   double setup_seconds = 0.0, write_seconds = 0.0, peak_memory_bytes = 0.0;
-  std::vector<std::string> missing;  ///< sentences about missing figures, for the user
+  std::vector<std::string> missing;  ///< sentences on missing figures, for the user
 };
 
-/// Reads the figures. report: the parsed content of `path`. Throws Error naming the file if it has no list of frames.
+/// Reads the figures. `report` is the parsed content of `path`. Throws Error that names the file if it has no list of frames.
 RenderFigures render_figures(const nlohmann::ordered_json& report, const std::filesystem::path& path);
 
 }  // namespace lippmann

@@ -21,7 +21,7 @@
 namespace lippmann {
 namespace {
 
-/// Returns the scene and the reuse mode: "room, reuse interpolate".
+/// Returns the scene and the reuse mode, such as "room, reuse interpolate".
 std::string subtitle_of(const RenderFigures& render) {
   return render.scene + (render.reuse.empty() ? "" : ", reuse " + render.reuse);
 }
@@ -34,7 +34,7 @@ std::string tiles_html(const RenderFigures& render) {
   return html + "</dl>\n";
 }
 
-// ---- How it was made ----------------------------------------------------------------------------------------------------
+// ---- How the render was made --------------------------------------------------------------------------------------------
 
 std::string command_html(const RenderFigures& render) {
   if (render.settings.empty()) return {};

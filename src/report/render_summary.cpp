@@ -12,7 +12,7 @@
 namespace lippmann {
 namespace {
 
-/// Returns the number of frames by kind: "1 key, 7 in-between".
+/// Returns the number of frames of each kind, such as "1 key, 7 in-between".
 std::string kinds_text(const RenderFigures& render) {
   std::map<std::string, int> kinds;
   for (const FrameReport& frame : render.frames) ++kinds[frame.kind];

@@ -1,4 +1,4 @@
-// Summary figures of a whole render, with the same names in single reports and comparisons.
+// Summary figures of a whole render. Reports of single renders and comparisons show them with the same names.
 #pragma once
 
 #include <optional>
@@ -14,17 +14,17 @@ struct SummaryFigure {
   std::string why;          ///< explanation in one sentence; may be empty
 };
 
-/// Returns the summary figures. They are the same, in the same order, for every render.
+/// Returns the summary figures. Every render has the same figures in the same order.
 std::vector<SummaryFigure> render_summary(const RenderFigures& render);
 
-/// Returns the CPU seconds of all frames and source frames, divided by the number of frames; none without frames.
+/// Returns the CPU seconds of all frames and source frames, divided by the number of frames. Returns nullopt without frames.
 std::optional<double> cpu_seconds_a_frame(const RenderFigures& render);
 
 /// Returns the share of CPU time that reuse saved, compared with tracing all frames fully. The time of source frames is
-/// included. None if no frame or every frame was fully traced.
+/// included. Returns nullopt if no frame or every frame was fully traced.
 std::optional<double> total_saving(const RenderFigures& render);
 
-/// Returns the frame with the lowest PSNR (sure_psnr_db); null if no frame has one.
+/// Returns the frame with the lowest PSNR (sure_psnr_db()). Returns null if no frame has a PSNR.
 const FrameReport* worst_frame(const RenderFigures& render);
 
 }  // namespace lippmann

@@ -18,7 +18,7 @@ namespace {
 
 /// Longer side of a thumbnail, in pixels.
 constexpr int kMostSide = 240;
-/// Compression effort of thumbnails, which are written once and read often.
+/// Compression effort of thumbnails. It is high because thumbnails are written once and read often.
 constexpr int kThumbnailEffort = 6;
 
 /// Returns the middle view in linear light.
@@ -52,7 +52,8 @@ Thumbnail thumbnail_of(const PageField& field, std::size_t frame) {
 
 Thumbnails read_thumbnails(const std::filesystem::path& report, std::size_t most, const Context& context) {
   Thumbnails found;
-  Context quiet;  // without warnings about the light field, which a report page does not show
+  // Has no warnings about the light field, because a report page does not show them.
+  Context quiet;
   quiet.threads = context.threads;
   try {
     LightFieldHints hints;

@@ -12,16 +12,17 @@ namespace lippmann {
 struct Thumbnail {
   std::string label;    ///< label of the frame, from its file name
   std::string source;   ///< the image as a data: URL
-  double aspect = 1.0;  ///< width / height as displayed; pixels may be non-square
+  double aspect = 1.0;  ///< width / height as displayed; pixels need not be square
 };
 
 struct Thumbnails {
   std::vector<Thumbnail> pictures;
-  std::string problem;  ///< sentence that states why images are missing; empty: none is missing
+  /// Sentence that states why images are missing. Empty if none is missing.
+  std::string problem;
 };
 
-/// Returns thumbnails of at most `most` frames, evenly spaced including the first and the last. Reads the frames from the
-/// folder of the report. Sets `problem` if some of them cannot be read.
+/// Returns thumbnails of at most `most` frames. The frames are evenly spaced and include the first and the last frame. Reads
+/// the frames from the folder of the report. Sets `problem` if some frames cannot be read.
 Thumbnails read_thumbnails(const std::filesystem::path& report, std::size_t most, const Context& context);
 
 }  // namespace lippmann
