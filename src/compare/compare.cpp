@@ -18,7 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Throws if `b`, the frames in `path`, lacks a frame that `a`, the frames in `other`, has.
+/// Throws if `a` has a frame that `b` lacks. `a` holds the names of the frames in `other`, and `b` the names of the frames in
+/// `path`.
 void check_has_all(const fs::path& path, const std::vector<std::string>& b, const fs::path& other,
                    const std::vector<std::string>& a) {
   const std::set<std::string> known(b.begin(), b.end());
@@ -74,7 +75,7 @@ class PairSource {
     ++count_;
     const std::string name = reference_->kind() == SourceKind::kVideo
                                  ? b->name
-                                 : a->name;  // prefer the name of a file to the frame number of a video
+                                 : a->name;  // the name of a file is preferred to the frame number of a video
     return Pair{name, std::move(*a), std::move(*b)};
   }
 

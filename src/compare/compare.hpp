@@ -1,4 +1,4 @@
-// Compares two images, two folders of frames, or two videos (or a folder and a video) frame by frame.
+// Compares two images, two folders of frames, two videos, or a folder and a video. Frames are compared in pairs.
 //
 // image/metrics.hpp and docs/reference/metrics.md define all figures.
 #pragma once
@@ -20,8 +20,8 @@ struct FrameComparison {
   PictureMetrics metrics;
 };
 
-/// Values of one frame. A value is empty if it was not requested or is undefined: for equal frames, a single view, or the first
-/// frame.
+/// Consistency metrics of one frame. A value is empty if it was not requested or is undefined. It is undefined for equal
+/// frames, for a single view, or for the first frame.
 struct FrameConsistency {
   std::string name;
   std::optional<double> angular_psnr_db = {}, flicker = {};
@@ -29,19 +29,22 @@ struct FrameConsistency {
 
 struct Comparison {
   std::vector<FrameComparison> frames;
-  ChannelErrors mean_mse, mean_rmse;               ///< means over all frames
-  std::optional<double> mean_psnr_db;              ///< over the frames that are not identical; none if all are
+  ChannelErrors mean_mse, mean_rmse;  ///< means over all frames
+  /// Mean over the frames that are not identical. nullopt if all frames are identical.
+  std::optional<double> mean_psnr_db;
   std::optional<double> mean_ssim;                 ///< mean over the frames that have an SSIM
   bool identical = true;                           ///< whether all codes of all frames are equal
   std::vector<FrameConsistency> consistency = {};  ///< set if the metrics angular or flicker are requested
 };
 
 struct CompareParams {
-  /// Numbers of the frames to compare, in ascending order: the numbers in file names, or the positions in a video. nullopt: all
-  /// frames. Frames that are not listed may be missing; a missing frame of the list is an Error.
+  /// Numbers of the frames to compare, in ascending order. A frame's number is the number in its file name, or its position in
+  /// a video. If nullopt, all frames are compared. Otherwise, frames that are not in the list may be missing, and a missing
+  /// frame of the list is an Error.
   std::optional<std::vector<int>> frames = {};
   MetricChoice choice = {};
-  bool per_view = false;  ///< whether each view of a light field is compared separately, as a FrameComparison of its own
+  /// Whether views of a light field are compared separately. Each view then has its own FrameComparison.
+  bool per_view = false;
   ViewsHints hints = {};
 
   bool compares_views() const {
@@ -50,11 +53,12 @@ struct CompareParams {
 };
 
 /// Compares all frames. Frames of folders are matched by name without extension, and frames of videos by position. Throws Error
-/// if a frame is missing or the sizes of two frames differ. Stops early, with the frames so far, if context.cancelled is set.
+/// if a frame is missing or if the sizes of two frames differ. If context.cancelled is set, stops early and returns the frames
+/// compared so far.
 Comparison compare(const std::filesystem::path& reference, const std::filesystem::path& test, const Context& context,
                    const CompareParams& params = {});
 
-/// Returns a comparison with the means over `frames`.
+/// Returns a comparison that holds `frames` and their means.
 Comparison summarise(std::vector<FrameComparison> frames);
 
 }  // namespace lippmann

@@ -32,7 +32,8 @@ std::vector<fs::path> wanted_fields(const fs::path& path, const CompareParams& p
   return fields;
 }
 
-/// Matches frames of folders by number. Two single light fields are matched whatever their names.
+/// Returns pairs of light fields. Frames of folders are matched by number. If both inputs are single light fields, their names
+/// do not matter.
 std::vector<std::pair<fs::path, fs::path>> pairs_of_fields(const fs::path& reference, const fs::path& test,
                                                            const CompareParams& params) {
   const std::vector<fs::path> a = wanted_fields(reference, params), b = wanted_fields(test, params);

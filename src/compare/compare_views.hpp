@@ -1,4 +1,4 @@
-// Compares light fields view by view, and the consistency of errors between views and frames.
+// Compares light fields view by view. Also measures whether errors are consistent between views and between frames.
 #pragma once
 
 #include <filesystem>
@@ -7,7 +7,7 @@
 
 namespace lippmann {
 
-/// Compares light fields like compare(), which calls this function if CompareParams::compares_views().
+/// Compares light fields like compare(). compare() calls this function if CompareParams::compares_views() is true.
 Comparison compare_views(const std::filesystem::path& reference, const std::filesystem::path& test, const Context& context,
                          const CompareParams& params);
 

@@ -13,10 +13,11 @@ namespace lippmann {
 /// "angular_psnr_db", "flicker"}].
 std::string comparison_json(const Comparison& comparison);
 
-/// Returns one line per frame below a line of titles. Undefined values are empty. Names are quoted as in RFC 4180.
+/// Returns a line of titles, followed by one line per frame. Undefined values are empty. Names are quoted as in RFC 4180.
 std::string comparison_csv(const Comparison& comparison);
 
-/// Returns one line per frame, then one with the means and one with the worst values, with the requested columns.
+/// Returns a table with the requested columns. It has one line per frame, a line with the means and a line with the worst
+/// values.
 std::string comparison_table(const Comparison& comparison, const MetricChoice& choice = {});
 
 }  // namespace lippmann

@@ -1,18 +1,18 @@
 // Based on: Lai, Huang, Wang, Shechtman, Yumer, Yang, "Learning blind video temporal consistency", ECCV 2018, equation 3 (the
 // weight of a pixel) and section 4.2 (the warping error).
 //
-// Flicker: the error is e = test - reference. The error of a pixel is compared with the error of the same surface point in the
-// previous frame, located by the render's motion vectors: e_t(p) - e_{t-1}(p - motion(p)), with bilinear interpolation. Pixels
-// have weight exp(-50 |a_t - a_{t-1}|^2), with the reference's colours a in 0 ... 1, so that points that were hidden or whose
-// shading changed hardly count.
+// Flicker: the error of a pixel p at time t is e_t(p) = test - reference. It is compared with the error of the same surface
+// point in the previous frame, which the render's motion vectors locate: e_t(p) - e_{t-1}(p - motion(p)), with bilinear
+// interpolation. The weight of a pixel is exp(-50 |a_t - a_{t-1}|^2), where a is the reference's colour in 0 ... 1. Points that
+// were hidden, or whose shading changed, thus hardly count.
 //
-// Angular consistency compares differences of neighbouring views, as tLP does for frames: Chu, Xie, Mayer, Leal-Taixe, Thuerey,
-// "Learning temporal coherence via self-supervision for GAN-based video generation", ACM Trans. Graphics 39(4), 2020, section
-// 5.2.
+// Angular consistency compares the differences between neighbouring views, as tLP does for frames: Chu, Xie, Mayer, Leal-Taixe,
+// Thuerey, "Learning temporal coherence via self-supervision for GAN-based video generation", ACM Trans. Graphics 39(4), 2020,
+// section 5.2.
 //
 // We deviate:
-// 1. Motion is exact and known for every pixel, so there is no optical flow and no occlusion mask besides the weights.
-// 2. The warping error is computed on the difference from the reference, so the reference itself scores 0.
+// 1. The motion of every pixel is known exactly, so there is no optical flow, and no occlusion mask besides the weights.
+// 2. The warping error is computed from the difference to the reference, so the reference itself scores 0.
 // 3. Views are compared by codes, not by features of a network.
 #include "compare/consistency.hpp"
 

@@ -58,8 +58,8 @@ class PictureFiles : public FrameSource {
   }
 
  private:
-  /// Warns about channels of the first image that are ignored. Called only for the first image, since the other images of a
-  /// folder have the same channels.
+  /// Warns about ignored channels of an image. Called only for the first image of a folder, because the other images have the
+  /// same channels.
   void warn_of_left_out(const fs::path& file) const {
     if (!warn_) return;
     const LeftOutChannels left_out = left_out_channels(file);
@@ -109,8 +109,8 @@ class VideoFrames : public FrameSource {
   fs::path path_;
   VideoReader reader_;
   std::optional<std::vector<int>> wanted_;
-  std::size_t taken_ = 0;  ///< number of frames of wanted_ returned so far
-  int count_ = 0;          ///< number of frames read
+  std::size_t taken_ = 0;  ///< number of frames of wanted_ that next() has returned
+  int count_ = 0;          ///< number of frames that were read
 };
 
 void keep_wanted(const fs::path& folder, const std::vector<int>& wanted, std::vector<fs::path>& files) {

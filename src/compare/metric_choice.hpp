@@ -1,4 +1,4 @@
-// Optional metrics of a comparison; defined in docs/reference/metrics.md.
+// Optional metrics of a comparison. docs/reference/metrics.md defines the metrics.
 #pragma once
 
 #include <string>
@@ -9,13 +9,15 @@
 namespace lippmann {
 
 struct MetricChoice {
-  bool psnr_y = false, psnr_yuv = false;  ///< always computed; true: shown as columns of the table
+  /// Whether the table shows these metrics. They are always computed.
+  bool psnr_y = false, psnr_yuv = false;
   SlowMetrics slow = {};
-  bool angular = false, flicker = false;  ///< angular: for light fields; flicker: for consecutive frames
+  /// angular is only for light fields. flicker is only for consecutive frames.
+  bool angular = false, flicker = false;
 };
 
 /// Parses names separated by commas: psnr-y, psnr-yuv, ms-ssim, flip, angular, flicker, or "all". Also accepts psnr, ssim and
-/// mse, which are always included. Throws a usage Error naming `metrics`.
+/// mse, which are always included. Throws a usage Error that names `metrics`.
 MetricChoice read_metrics(const std::string& text);
 
 }  // namespace lippmann

@@ -14,8 +14,8 @@ struct MetricColumn {
   std::string_view title;  ///< heading in tables
   int digits = 4;          ///< number of decimals in tables
   bool worst_is_largest = false;
-  /// Returns the metric's value; empty if it was not requested or is undefined (too small an image, or the PSNR of equal
-  /// images).
+  /// Returns the value of the metric. Returns nullopt if the metric was not requested or is undefined. It is undefined if the
+  /// image is too small. The PSNR of equal images is undefined too.
   std::optional<double> (*of)(const PictureMetrics& metrics);
   /// Returns whether tables include the column.
   bool (*is_chosen)(const MetricChoice& choice);
@@ -23,7 +23,8 @@ struct MetricColumn {
 
 std::span<const MetricColumn> metric_columns();
 
-/// Returns the mean over the frames that have a value, and worst_of() the worst value; nullopt if no frame has one.
+/// mean_of() returns the mean over the frames that have a value. worst_of() returns the worst value. Both return nullopt if no
+/// frame has a value.
 std::optional<double> mean_of(const MetricColumn& column, const Comparison& comparison);
 std::optional<double> worst_of(const MetricColumn& column, const Comparison& comparison);
 

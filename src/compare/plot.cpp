@@ -15,10 +15,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Up to this number of frames, tick marks are set explicitly, since gnuplot would place some between frame numbers.
+/// For up to this number of frames, tick marks are set explicitly. gnuplot would place some of them between frame numbers.
 constexpr std::size_t kFewFrames = 20;
 
-/// Returns the number at the end of a frame's name; nullopt if there is none.
+/// Returns the number at the end of a frame's name. Returns nullopt if there is none.
 std::optional<long> trailing_number(const std::string& name) {
   constexpr std::size_t kMaxDigits = 9;
   std::size_t begin = name.size();
