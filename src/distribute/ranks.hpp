@@ -1,7 +1,7 @@
-// Shares work among the processes of one MPI job (mpirun -n N lippmann ...).
+// Shares work among the processes of one MPI job (mpirun -n N lippmann ...). Each process has a rank, which is its number.
 //
 // A thread of rank 0 hands out the numbers of units of work, while rank 0 also renders. The thread polls for messages, because
-// a blocking wait in Open MPI occupies a whole processor. Only processes started by mpirun load the library.
+// a blocking wait in Open MPI occupies a whole processor. Only processes that mpirun started load the library.
 #pragma once
 
 #include <cstdint>
@@ -10,16 +10,16 @@
 
 namespace lippmann {
 
-/// A finished piece of work, reported to rank 0.
+/// A finished frame, reported to rank 0.
 struct WorkDone {
   int frame = 0;
   double seconds = 0.0;  ///< render time
   std::uint64_t rays = 0;
-  std::uint64_t bytes = 0;  ///< size of the frame's files, which are complete
+  std::uint64_t bytes = 0;  ///< total size of the frame's files, which are complete
 };
 
-/// The connection of one rank to the job. Every rank constructs one object and calls begin(), then next() until no work is
-/// left, then end(). If a process exits without end(), mpirun ends the whole job, so no rank waits for it.
+/// The connection of one process to the job. Every process constructs one object. It calls begin(), then next() until no work
+/// is left, then end(). If a process exits without end(), mpirun ends the whole job, so that no process waits for it.
 class Ranks {
  public:
   virtual ~Ranks() = default;
@@ -27,15 +27,15 @@ class Ranks {
   virtual int rank() const = 0;
   virtual int size() const = 0;
 
-  /// Sets the callback of rank 0 for the finished work of other ranks. It is called on a separate thread until end() returns.
-  /// Call before begin().
+  /// Sets the function that rank 0 calls for finished work of other ranks. It is called on a separate thread until end()
+  /// returns. Call this before begin().
   virtual void listen(std::function<void(const WorkDone&)> listener) = 0;
 
   /// Returns at once on rank 0. Other ranks wait until rank 0 has called begin().
   virtual void begin() = 0;
   virtual bool has_begun() const = 0;
 
-  /// Returns the next of the numbers 0, 1, 2, ... Each number goes to one rank; a rank gets ascending numbers.
+  /// Returns the next of the numbers 0, 1, 2, ... Each number is returned to a single rank. A rank gets ascending numbers.
   virtual int next() = 0;
 
   /// Reports finished work to rank 0. Does nothing on rank 0.
@@ -45,18 +45,18 @@ class Ranks {
   virtual void end() = 0;
 };
 
-/// Returns the number of processes that mpirun started, from the environment, or 1 without mpirun. Loads no library.
+/// Returns the number of processes that mpirun started, from the environment. Returns 1 without mpirun. Loads no library.
 int rank_count();
 
-/// Returns the number of threads for a rank that may use `cpus` of the machine's `cpus_online` processors: all of `cpus` if
-/// mpirun bound the rank to them, otherwise an equal share among the ranks on this machine.
+/// Returns the number of threads for a rank. The rank may use `cpus` of the machine's `cpus_online` processors. If mpirun bound
+/// the rank to some processors, the result is `cpus`. Otherwise it is an equal share for each rank on this machine.
 int threads_of_rank(int cpus, int cpus_online, int local_ranks);
 
 /// Returns the number of processes that mpirun started on this machine.
 int local_rank_count();
 
-/// Joins the ranks of the job. Returns null for a single process. Throws Error if there are several processes and the MPI
-/// module is not installed, or they cannot connect.
+/// Joins the job as one of its ranks. Returns null for a single process. If there are several processes, throws Error if the
+/// MPI module is not installed or the processes cannot connect.
 std::unique_ptr<Ranks> join_ranks();
 
 /// Version of this interface. Increment it with every change of this header, so that modules of other versions are rejected.

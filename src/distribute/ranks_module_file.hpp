@@ -1,9 +1,9 @@
-// Checks whether processes started by mpirun can share a render.
+// Checks whether processes that mpirun starts can share a render.
 #pragma once
 
 namespace lippmann {
 
-/// Returns whether the MPI module (distribute/ranks.hpp) is installed, without loading it.
+/// Returns whether the MPI module (distribute/ranks.hpp) is installed. Does not load it.
 bool is_ranks_module_installed();
 
 }  // namespace lippmann

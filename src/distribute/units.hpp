@@ -1,4 +1,4 @@
-// Divides an animation into units of work, which separate processes, machines or runs render into one folder.
+// Divides an animation into units of work. Separate processes, machines or runs render the units into one folder.
 #pragma once
 
 #include <string>
@@ -7,22 +7,22 @@
 
 namespace lippmann {
 
-/// One or more of `count` units. A process that renders several sets up the scene only once.
+/// One or more of `count` units. A process that renders several units sets up the scene only once.
 struct Units {
-  std::vector<int> indices{1};  ///< from 1, ascending
+  std::vector<int> indices{1};  ///< numbers of the units, from 1, in ascending order
   int count = 1;
 };
 
-/// Parses text such as "7/200", or "1-3,5/200" for several units. Throws a usage Error that names `where`.
+/// Parses text such as "7/200" for one unit, or "1-3,5/200" for several units. Throws a usage Error that names `where`.
 Units read_units(std::string_view text, const std::string& where);
 std::string write_units(const Units& units);
 
-/// Divides ascending frames into `count` units, or into one unit per segment if there are fewer segments. The frames between
-/// two multiples of `segment` (frames_per_segment) stay in one unit. No unit is empty, and the numbers of segments differ by at
-/// most one. The result depends only on the arguments.
+/// Divides `frames` (ascending) into `count` units. If there are fewer segments than `count`, makes one unit per segment. A
+/// segment holds the frames between two multiples of `segment` (frames_per_segment) and stays in one unit. No unit is empty.
+/// The numbers of segments of any two units differ by at most one. The result depends only on the arguments.
 std::vector<std::vector<int>> units_of(const std::vector<int>& frames, int segment, int count);
 
-/// Returns the frames of these units. Units beyond the number of segments have no frames.
+/// Returns the frames of the given units. Units beyond the number of segments have no frames.
 std::vector<int> frames_of(const Units& units, const std::vector<int>& frames, int segment);
 
 }  // namespace lippmann
