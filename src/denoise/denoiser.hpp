@@ -35,7 +35,6 @@ struct DenoiserInput {
   Mat3f display_from_world{1.0f};
 };
 
-/// Denoises frames that are rendered for the same optics.
 class Denoiser {
  public:
   /// Frames hold the rows first_row to end_row - 1 of the film. end_row is limited to the film's height.

@@ -13,11 +13,10 @@ namespace {
 /// The ray of a pixel: x(z) = place + s z. Its view direction is k = place / V + s.
 struct PixelLine {
   std::uint32_t pixel;
-  int row;  ///< row of the film
+  int row;
   Vec2d place, k;
 };
 
-/// Calls fn(line) for each pixel of the film, row by row.
 template <class Fn>
 void for_each_line(const Optics& optics, double vergence, const Fn& fn) {
   const RayGenerator generator(optics);

@@ -96,7 +96,7 @@ class ColorsBetween {
   }
 
  private:
-  std::unique_ptr<float[]> colors_;  ///< three floats per pixel
+  std::unique_ptr<float[]> colors_;
   const float* next_ = nullptr;
 };
 

@@ -9,7 +9,8 @@
 namespace lippmann {
 namespace {
 
-// Smallest colour step that is interpolated, as a fraction of the image's range. The search is too slow for smaller steps.
+// Smallest colour step that is interpolated, as a fraction of the image's range. Smaller steps are not worth the time of the
+// search.
 constexpr float kContrast = 0.15f;
 constexpr int kViews = 3;  // number of views searched on each side
 // Penalty for each view between the pixel's view and a sample's view. Counts as a distance, in lenses.
@@ -36,9 +37,9 @@ struct alignas(64) Ids {
   std::uint32_t v[kPointLanes];
 };
 
-/// The best sample on one side of the position `place`.
+/// The best sample on one side of the searched position (Search::place).
 struct Side {
-  /// Distance from `place` in lenses, plus the penalty for the distance between views.
+  /// Distance from the searched position in lenses, plus the penalty for the distance between views.
   Floats cost;
   /// The penalty that `cost` includes.
   Floats extra;
@@ -52,7 +53,7 @@ LIPPMANN_INLINE void take_if(bool better, float cost, float extra, float column,
   side.column.v[i] = better ? column : old_column;
 }
 
-/// The best sample of the other views on one side of the position `place`.
+/// The best sample of the other views on one side of the searched position (Search::place).
 struct Candidate {
   Floats cost, column;
 };
@@ -66,7 +67,7 @@ LIPPMANN_INLINE void offer(float cost, float column, Candidate& best, int i) {
 /// The state of a search for kPointLanes colours. Each step fills the inputs of the next step.
 struct Search {
   Ints source, row_begin;  ///< pixel of the sample, and first pixel of its row
-  Floats row, column;      ///< row and column of the sample's pixel
+  Floats row, column;
   /// beside: column of the next sample of the same view. behind: column of the sample or of the next sample, whichever is
   /// farther from the viewer.
   Floats beside, behind;
@@ -75,8 +76,8 @@ struct Search {
   /// the centre of its nearest sample. Positions and offsets are in samples.
   Floats view, place, off;
   Floats slope;     ///< slope of the rays of the view
-  Floats depth;     ///< depth of the layer, mm
-  Floats per_view;  ///< shift of a point of the layer from view to view, in samples
+  Floats depth;     ///< depth of the surface that the pixel shows, mm
+  Floats per_view;  ///< shift of a point of this surface from view to view, in samples
   /// At first the samples of the pixel's own view, later the best samples of all views.
   Side left, right;
   Candidate other_left, other_right;
@@ -285,8 +286,8 @@ LIPPMANN_INLINE void offer_view(const Constants& constants, float step, Search& 
   }
 }
 
-/// Step 4. Looks up the best sample of the other views on one side (`side` is -1 for left and 1 for right). Takes this sample
-/// if it is better than the samples of the pixel's own view.
+/// Step 4. Looks up the best sample of the other views on one side of the searched position (`side` is -1 for left and 1 for
+/// right). Takes this sample if it is better than the samples of the pixel's own view.
 LIPPMANN_INLINE void look_at(const Constants& constants, const PrimaryPoints& points, const Candidate& best, float side,
                              Search& s) {
   const Constants c = constants;

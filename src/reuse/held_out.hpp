@@ -44,10 +44,9 @@ inline constexpr std::array<std::uint8_t, kUncertaintyLevels> kLevelEnd{0,  1,  
 int level_of(std::uint8_t uncertainty);
 
 /// Lowest assumed error of a patch that was not drawn: the root mean square over the patch, in 8-bit codes. An error in only
-/// one pixel of 16 is divided by 4 by this mean.
+/// one of the 16 pixels counts a quarter.
 inline constexpr double kUnseenError = 12.0;
 
-/// The random sample of patches of one frame.
 struct HeldOut {
   std::vector<std::uint32_t> patches;                        ///< indices of the drawn patches, ascending
   std::vector<std::uint8_t> levels;                          ///< uncertainty level of each entry of `patches`

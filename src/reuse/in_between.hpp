@@ -41,7 +41,6 @@ struct InBetweenCounts {
   std::uint64_t retraced = 0;
 };
 
-/// The two source frames of an in-between frame.
 struct SourcePair {
   const PointImage& previous;
   const PointImage& following;
@@ -77,7 +76,6 @@ class InBetweenMaker {
   Image& film_of(PointImage& frame) const;
   /// Sets the provenance of a frame: `missed` for the pixels in missed_, kInterpolated for all others.
   void set_provenance(Provenance missed, PointImage& frame) const;
-  /// Sets frame.film to the prediction, and sets uncertainty_.
   void predict(const SourcePair& between, const ThreadPool& pool, PointImage& frame, InBetweenCounts& counts);
 
   ForwardParams params_;

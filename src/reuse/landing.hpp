@@ -90,7 +90,7 @@ struct GridLanding {
   struct Row {
     Constants c;
     const float *place, *slope, *first, *low, *high;  ///< one entry per column
-    GridLine line;                                    ///< the line along y that all pixels of the row share
+    GridLine line;                                    ///< positions and slopes along y, which all pixels of the row share
   };
 
   Constants c;
@@ -125,7 +125,7 @@ LIPPMANN_INLINE PointLanding land(const GridLanding::Row& r, int i, float x, flo
 
 /// The position of a pixel on a lens axis.
 struct CellPlace {
-  float lens;    ///< index of the lens
+  float lens;
   float offset;  ///< distance from the centre of the lens's cell, in pixels
 };
 

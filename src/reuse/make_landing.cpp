@@ -161,7 +161,7 @@ AnyLanding landing(const Panel& panel, const SlantedPanel& slanted, SplatMode mo
                          0.5f * height, blue_first ? -1.0f : 1.0f, 0.0f, 0.0f}};
 }
 
-/// For all optics models without a landing rule.
+/// Throws for all optics models whose points cannot be projected.
 template <class Model>
 AnyLanding landing(const Panel&, const Model&, SplatMode) {
   throw usage_error("reuse", "interpolate needs optics that can project points", "`reuse` copy, light, none or auto");

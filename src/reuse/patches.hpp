@@ -22,7 +22,6 @@ class Patches {
   Patches(const Optics& optics, RayOrder order);
 
   std::size_t count() const { return begin_.size() - 1; }
-  /// Returns the total number of pixels of all patches.
   std::size_t pixel_count() const { return pixels_.size(); }
   /// Returns the pixel indices of a patch. There are 16 of them; at the panel's lower edge there may be fewer, or none.
   std::span<const std::uint32_t> pixels(std::size_t patch) const {
@@ -37,7 +36,7 @@ class Patches {
   std::vector<float> costs(std::span<const std::uint32_t> rays_of_blocks) const;
 
  private:
-  std::size_t per_strip_ = 0;          ///< number of patches per strip of rows
+  std::size_t per_strip_ = 0;
   std::vector<std::uint32_t> pixels_;  ///< pixel indices, sorted by patch
   /// Position in pixels_ where each patch begins. The last entry is the size of pixels_.
   std::vector<std::size_t> begin_;

@@ -30,7 +30,7 @@ inline constexpr double kMostCost = 0.9;
 
 /// A predicted frame without its film.
 struct Predicted {
-  int number;                                 ///< frame number in the animation
+  int number;
   std::span<const std::uint8_t> uncertainty;  ///< one entry per pixel
   const Patches& patches;
   std::span<const float> costs;  ///< one entry per patch (Patches::costs)

@@ -27,8 +27,8 @@ constexpr float kBackgroundBelow = std::numeric_limits<float>::lowest();
 /// The target pixels of up to kSplatBlock points. A target is -1 if the point is not visible.
 struct Block {
   alignas(64) std::int32_t target[kSplatBlock];
-  alignas(64) std::uint32_t order[kSplatBlock];   ///< upper half of the keys of SplatBuffer
-  alignas(64) std::uint32_t source[kSplatBlock];  ///< lower half of the keys of SplatBuffer
+  alignas(64) std::uint32_t order[kSplatBlock];   ///< upper half of the points' SplatBuffer keys
+  alignas(64) std::uint32_t source[kSplatBlock];  ///< lower half of the points' SplatBuffer keys
 };
 
 /// The points of one row of the panel, starting at column `first`.

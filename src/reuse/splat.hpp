@@ -33,7 +33,7 @@ inline constexpr std::uint32_t kNoSource = 0x7fffffffu;
 struct SplatBuffer {
   static constexpr std::uint32_t kBackgroundOrder = 1;
 
-  std::vector<std::uint64_t> keys;  ///< one key per pixel
+  std::vector<std::uint64_t> keys;
 
   /// Returns the index of the source pixel, or kNoSource for an empty key.
   static std::uint32_t source(std::uint64_t key) { return ~static_cast<std::uint32_t>(key) >> 1; }
