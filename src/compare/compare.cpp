@@ -52,7 +52,6 @@ struct Pair {
   FrameSource::Item reference, test;
 };
 
-/// Reads the frames of both inputs in pairs.
 class PairSource {
  public:
   PairSource(const fs::path& reference, const fs::path& test, const std::optional<std::vector<int>>& wanted,
@@ -79,7 +78,6 @@ class PairSource {
     return Pair{name, std::move(*a), std::move(*b)};
   }
 
-  /// Returns up to `count` pairs.
   std::vector<Pair> next_batch(int count) {
     std::vector<Pair> batch;
     while (static_cast<int>(batch.size()) < count) {

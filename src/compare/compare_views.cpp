@@ -58,7 +58,6 @@ void require_same_views(const FrameViews& a, const FrameViews& b, const fs::path
                           b.view_size.x, b.view_size.y, a.grid.columns, a.grid.rows, a.view_size.x, a.view_size.y));
 }
 
-/// The views of one frame in both inputs.
 struct ViewsPair {
   fs::path path;  ///< path of the reference frame
   FrameViews reference, test;

@@ -110,7 +110,7 @@ class VideoFrames : public FrameSource {
   VideoReader reader_;
   std::optional<std::vector<int>> wanted_;
   std::size_t taken_ = 0;  ///< number of frames of wanted_ that next() has returned
-  int count_ = 0;          ///< number of frames that were read
+  int count_ = 0;
 };
 
 void keep_wanted(const fs::path& folder, const std::vector<int>& wanted, std::vector<fs::path>& files) {

@@ -10,9 +10,9 @@
 namespace lippmann {
 
 struct MetricColumn {
-  std::string_view key;    ///< name of the metric in JSON and CSV
-  std::string_view title;  ///< heading in tables
-  int digits = 4;          ///< number of decimals in tables
+  std::string_view key;  ///< name of the metric in JSON and CSV
+  std::string_view title;
+  int digits = 4;  ///< number of decimals in tables
   bool worst_is_largest = false;
   /// Returns the value of the metric. Returns nullopt if the metric was not requested or is undefined. It is undefined if the
   /// image is too small. The PSNR of equal images is undefined too.

@@ -13,7 +13,7 @@ namespace lippmann {
 /// A finished frame, reported to rank 0.
 struct WorkDone {
   int frame = 0;
-  double seconds = 0.0;  ///< render time
+  double seconds = 0.0;
   std::uint64_t rays = 0;
   std::uint64_t bytes = 0;  ///< total size of the frame's files, which are complete
 };
@@ -41,7 +41,7 @@ class Ranks {
   /// Reports finished work to rank 0. Does nothing on rank 0.
   virtual void tell(const WorkDone& done) = 0;
 
-  /// Waits until all ranks have called end().
+  /// Waits until end() has been called on all ranks.
   virtual void end() = 0;
 };
 

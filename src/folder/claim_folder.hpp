@@ -25,7 +25,6 @@ using JobDifferences = std::function<std::vector<std::string>(const std::filesys
 void require_free_folder(const std::filesystem::path& folder, const std::string& job, const JobDifferences& differences,
                          const std::vector<int>& frames, const std::vector<std::string>& videos);
 
-/// The render that needs a cleared folder.
 struct NewRender {
   std::string job;
   std::vector<int> frames;

@@ -13,7 +13,7 @@ namespace lippmann {
 
 struct Development {
   const FrameLayout& layout;
-  const Optics& optics;  ///< optics of the film
+  const Optics& optics;
   Tone tone = {};
   Encoding encoding = Encoding::kSrgb;  ///< encoding of the scene's values
   /// Crosstalk to correct: a standard deviation, in pixels or views of the optics (optics/crosstalk.hpp).

@@ -17,7 +17,7 @@ std::vector<std::string> foreign_files(const std::filesystem::path& folder, cons
 
 /// The finished frames and strips of a folder according to its journal, and the differences from the journal.
 struct FolderCheck {
-  int frames = 0;  ///< number of finished frames
+  int frames = 0;
   /// Number of recorded files: those of finished frames, strips of unfinished frames, job.toml, report.json, videos, and the
   /// files in the companion folders (FolderJournal::companions).
   std::size_t files = 0;

@@ -36,12 +36,10 @@ std::vector<ExrLayer> aov_layers(const FrameAovs& aovs) {
   return layers;
 }
 
-/// Writes one picture and its layers.
 class PictureWriter {
  public:
   explicit PictureWriter(const FrameFiles& files) : files_(files) {}
 
-  /// Returns the paths of the written files.
   std::vector<fs::path> write(const fs::path& picture, const fs::path& aov, const FramePictures& pictures) const {
     std::vector<ExrLayer> layers = aov_layers(pictures.aovs);
     switch (files_.format) {
@@ -105,7 +103,6 @@ void make_frame_folder(const fs::path& folder) {
   remove_stale_temporaries(folder);
 }
 
-/// Converts an image to 8-bit or 16-bit codes.
 Picture codes_of(const FrameFiles& files, const Image& stack) {
   if (files.format == PictureFormat::kPng16) return to_codes16(stack, files.encoding);
   return to_codes(stack, files.encoding);

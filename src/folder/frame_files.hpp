@@ -16,7 +16,7 @@ namespace lippmann {
 
 /// Settings of a render whose frames form a single data set, with one camera per frame.
 struct OneSet {
-  int count = 1;              ///< number of frames
+  int count = 1;
   double units_per_mm = 1.0;  ///< world units per millimetre of the display frame
 };
 
@@ -27,9 +27,9 @@ struct FrameFiles {
   PictureFormat format = PictureFormat::kPng;
   ExrPixels exr_pixels = ExrPixels::kHalf;
   Encoding encoding = Encoding::kSrgb;
-  double pixels_per_mm = 0.0;            ///< resolution written to TIFF files; 0 if unknown
-  std::vector<ExrAttribute> about = {};  ///< attributes of EXR files
-  FormatOptions writing = {};            ///< options of the light-field formats
+  double pixels_per_mm = 0.0;  ///< resolution written to TIFF files; 0 if unknown
+  std::vector<ExrAttribute> about = {};
+  FormatOptions writing = {};
   /// nullopt if every frame is a light field of its own.
   std::optional<OneSet> one_set = {};
 };

@@ -84,7 +84,6 @@ void refuse_depth_params(const PictureParams& params) {
   refuse_without(is_rgbd, params.depth.near_black, "near-black", "`layout` rgbd");
 }
 
-/// Returns the image with left and right exchanged.
 Image mirrored(const Image& image) {
   Image mirror(image.width, image.height, image.channels);
   for (int y = 0; y < image.height; ++y)

@@ -27,7 +27,6 @@ class FrameLayout {
 
   const FrameNames& names() const { return names_; }
 
-  /// Returns the file format of pictures.
   PictureFormat format() const { return format_; }
 
   /// Returns the light-field format of the frames. Returns null if frames are pictures or folders of views.
@@ -70,7 +69,6 @@ class FrameLayout {
   /// Returns a rearranged film, or a rearranged layer of the same size. If names().views > 0, the views are stacked vertically.
   Image arrange(const Image& film) const;
 
-  /// Arranges all layers that are present.
   void arrange(FrameAovs& aovs) const;
 
  private:

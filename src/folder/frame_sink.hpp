@@ -23,7 +23,6 @@
 
 namespace lippmann {
 
-/// A video of all frames.
 struct VideoFile {
   std::filesystem::path path;
   VideoOptions options;
@@ -34,13 +33,13 @@ class FrameSink {
   struct Settings {
     PictureParams pictures;
     const FrameLayout& layout;
-    const Optics& optics;                 ///< optics of the films
+    const Optics& optics;
     Encoding encoding = Encoding::kSrgb;  ///< encoding of the scene's values
     /// Crosstalk to correct: a standard deviation, in pixels or views of the optics (optics/crosstalk.hpp).
     std::optional<double> crosstalk_to_undo = {};
     std::vector<VideoFile> videos = {};
-    FormatOptions writing = {};            ///< options of the light-field formats
-    std::vector<ExrAttribute> about = {};  ///< attributes of EXR files
+    FormatOptions writing = {};
+    std::vector<ExrAttribute> about = {};
     /// Number of rendering threads. Writing uses up to half this number of additional threads.
     int threads = 1;
     /// Called with the film of every written frame, on any thread. May be empty.

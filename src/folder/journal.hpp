@@ -99,7 +99,7 @@ struct RunReport {
 };
 
 struct FolderJournal {
-  std::string job;  ///< fingerprint of the job
+  std::string job;
   /// Frames that the runs of the job were requested to render, in ascending order without duplicates.
   std::vector<int> asked;
   /// Companion folders that the runs of the job were requested to write: kSingleFolder, kPageFolder.
@@ -137,7 +137,6 @@ bool are_as_recorded(const std::filesystem::path& folder, const FileRecords& fil
 /// Returns the figures of a run in the JSON form of journals and report.json.
 nlohmann::ordered_json to_json(const RunReport& run);
 
-/// Returns the folder that holds the journal files.
 std::filesystem::path journal_folder(const std::filesystem::path& folder);
 
 /// Reads the journal of a folder. Returns nullopt if no run has written there. `problem` names a damaged line, or two runs of
@@ -170,7 +169,6 @@ std::string run_line(const RunReport& run);
 /// have left the file.
 bool is_unfinished(const FolderJournal& journal, const std::string& name);
 
-/// Returns the name of a video's side file.
 std::string side_name(const std::string& video);
 
 /// Returns whether a video lies directly in the folder. The path `video` is relative to the folder.

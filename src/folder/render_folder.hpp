@@ -71,7 +71,6 @@ class RenderFolder {
   /// Records complete files of the page in this folder.
   void add_page(const std::vector<std::filesystem::path>& files) { part_.add(page_line(records_of(folder_, files))); }
 
-  /// Records the end of the run and its figures.
   void end(const RunReport& run) { part_.add(run_line(run)); }
 
  private:

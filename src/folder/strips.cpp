@@ -33,7 +33,6 @@ std::vector<std::string> channel_names_of(const ExrLayer& layer) {
   return names;
 }
 
-/// Returns the film and the wanted layers.
 std::vector<ExrLayer> layers_of_strip(const FramePictures& pictures) {
   std::vector<ExrLayer> layers{film_layer(pictures.film, ExrSample::kFloat)};
   for (std::size_t i = 0; i < kAovs; ++i)

@@ -28,7 +28,6 @@ std::unique_ptr<FrameMaker> make_error_bounded_frames(const MakerParts& parts, c
 /// Returns the memory that the maker keeps between frames, in bytes per pixel.
 double error_bounded_frames_bytes_per_pixel();
 
-/// Returns the number of frames of a segment.
 int error_bounded_frames_per_segment(const Interpolate& reuse);
 
 }  // namespace lippmann

@@ -11,7 +11,6 @@ struct ForwardSource {
   FrameReport report;
 };
 
-/// Returns the parameters for making in-between frames.
 ForwardParams forward_params(const Sampling& sampling, const Interpolate& reuse);
 
 /// Returns the number of frames from one key frame to the next: the requested number, or the default.

@@ -75,7 +75,6 @@ namespace {
 /// visible effect.
 constexpr int kMostTimes = 32;
 
-/// Traces a share of the samples of a frame.
 using TraceShare = std::function<RayCounts(const Shot&, const TraceParams&, SampleShare, FramePictures&)>;
 
 /// Traces the samples of a frame with motion blur. Each share of the samples has its own time.

@@ -35,7 +35,6 @@ void refuse_splats(const Scene& scene) {
                       "copy, none or auto for this scene");
 }
 
-/// Creates the frame maker for each kind of reuse.
 struct MakerOf {
   const MakerParts& parts;
 

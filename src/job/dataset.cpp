@@ -92,7 +92,6 @@ std::optional<Json> complete_sample(const fs::path& folder) {
   return json;
 }
 
-/// Writes the arrays of one sample.
 class SampleFiles {
  public:
   SampleFiles(fs::path folder, int views, Vec2i size)

@@ -31,7 +31,7 @@ struct DatasetParams {
   std::uint32_t seed = 0;
   ViewGrid grid{9, 9};
   Vec2i view_size{128, 128};
-  int spp = 16;                     ///< samples per pixel of path tracing
+  int spp = 16;
   std::optional<Units> units = {};  ///< units to render; nullopt: all samples
 };
 
@@ -39,8 +39,8 @@ struct DatasetReport {
   int wanted = 0;  ///< number of samples in the units of this run
   /// kept: number of samples that were already complete. made: number of rendered samples.
   int kept = 0, made = 0;
-  double seconds = 0.0;      ///< seconds of rendering and writing
-  std::uint64_t bytes = 0;   ///< number of bytes written
+  double seconds = 0.0;  ///< seconds of rendering and writing
+  std::uint64_t bytes = 0;
   bool is_complete = false;  ///< whether every sample and the manifest exist
 };
 

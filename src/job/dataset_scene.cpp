@@ -27,7 +27,6 @@ int add_texture(Scene& scene, SampleRandom& random) {
   return static_cast<int>(scene.textures.size()) - 1;
 }
 
-/// Adds a material and returns its index.
 int add_material(Scene& scene, bool can_be_textured, SampleRandom& random) {
   MetallicRoughness surface;
   surface.base_color = Vec4f(random.color(0.2f, 1.0f), 1.0f);

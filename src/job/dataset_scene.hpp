@@ -14,7 +14,6 @@
 
 namespace lippmann {
 
-/// Draws random numbers for one sample.
 class SampleRandom {
  public:
   SampleRandom(std::uint32_t seed, std::uint32_t index) : seed_(seed), index_(index) {}

@@ -13,7 +13,6 @@
 
 namespace lippmann {
 
-/// Objects that all steps of a run share.
 struct Run {
   RenderSetup& setup;
   RenderFolder& folder;

@@ -16,7 +16,6 @@ bool traces_paths(const RenderParams& params) { return facts_of(params.sampling)
 
 bool interpolates(const RenderParams& params) { return params.reuse.choice == ReuseChoice::kInterpolate; }
 
-/// Returns whether some frames are key frames.
 bool has_key_frames(const RenderParams& params) {
   const ReuseChoice choice = params.reuse.choice;
   return interpolates(params) || choice == ReuseChoice::kCopy ||

@@ -26,7 +26,6 @@ RenderFolder open_job_folder(const std::filesystem::path& path, const std::strin
 /// Returns the words of a command that resumes the render of a folder without progress messages.
 std::vector<std::string> words_to_resume(const std::filesystem::path& folder);
 
-/// The steps of take_frames().
 struct FrameSteps {
   bool keeps_finished = false;  ///< whether frames are kept if their files match the journal
   bool only_finished = false;   ///< if true, no frame is made, and a missing frame is an Error
@@ -37,7 +36,6 @@ struct FrameSteps {
 /// Calls `keep` or `make` for each frame, in order. Stops if `make` returns false.
 void take_frames(const std::vector<int>& frames, RenderFolder& folder, const FrameSteps& steps);
 
-/// The steps of take_strips().
 struct StripSteps {
   int count = 1;  ///< number of strips per frame
   /// Whether strips are kept if their files match the journal. Strips of finished frames are then skipped.

@@ -14,7 +14,7 @@ namespace lippmann {
 
 struct JobStage : Stage {
   std::unique_ptr<const Display> display;  ///< null if the job has no display
-  std::string light;                       ///< SceneNotes::light
+  std::string light;                       ///< one sentence on the light (SceneNotes::light)
 
   /// Loads the scene, places the optics and builds the acceleration structures. Throws Error.
   JobStage(const ResolvedJob& job, const ThreadPool& pool, const Context& context);

@@ -18,10 +18,8 @@ namespace lippmann {
 /// of the frames.
 void check_videos(const OutputParams& output, const FrameLayout& layout, bool is_shared);
 
-/// Returns the videos that the job requests.
 std::vector<VideoFile> job_videos(const ResolvedJob& job, const FrameLayout& layout, double frames_per_second);
 
-/// Returns the file names of the videos.
 std::vector<std::string> names_of(const std::vector<VideoFile>& videos);
 
 /// Makes the folders of the videos and removes files left by a killed run. Warns if a video exceeds the limits of `display`,

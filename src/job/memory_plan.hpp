@@ -19,7 +19,7 @@ struct MemoryFacts {
   FrameParams frame_settings;
   const FrameLayout& layout;
   Vec2i film{0, 0};
-  int frames = 1;              ///< number of frames to render
+  int frames = 1;
   int frames_at_a_time = 1;    ///< maximum number of frames in memory that are being traced, queued or written
   bool writes_videos = false;  ///< whether videos are written along with the frames
   /// Maximum number of bands per frame. 1 if frames cannot be rendered in bands.

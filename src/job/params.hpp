@@ -72,7 +72,6 @@ struct ReuseParams {
 /// Additional renders that are made of the same frames.
 enum class Companion { kSingle };  ///< kSingle is the plain picture beside a light field (job/single_clip.hpp)
 
-/// The frames to write, and their destination and format.
 struct OutputParams {
   std::string folder;                 ///< output folder; if empty, out/<scene name>
   std::optional<FrameRanges> frames;  ///< frames to render; nullopt: the whole animation

@@ -46,7 +46,7 @@ struct ParamInfo {
 /// Returns all parameters in the order of --help. `scene` comes first.
 const std::vector<ParamInfo>& params_table();
 
-/// Returns the row with the name `name`, or null.
+/// Returns the row of a parameter, or null if there is no such parameter.
 const ParamInfo* find_param(std::string_view name);
 
 /// Returns the flag of a parameter, such as "--spp".

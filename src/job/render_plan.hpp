@@ -18,7 +18,7 @@ struct RenderPlan {
   PictureFormat format = PictureFormat::kPng;
   /// Frames to render, in ascending order: those of the requested units, or of the whole job.
   std::vector<int> frames;
-  std::vector<std::string> videos = {};  ///< video files
+  std::vector<std::string> videos = {};
   /// Number of strips to render. 0 if whole frames are rendered.
   int strips = 0;
   int kept = 0;  ///< number of frames (or strips) that are kept from earlier runs

@@ -37,11 +37,11 @@ struct RenderSetup {
   double join_bytes = 0.0;
   /// Crosstalk to correct: a standard deviation, in pixels or views of the optics. nullopt if none is corrected.
   std::optional<double> crosstalk;
-  FormatOptions writing;  ///< options of the light-field format
+  FormatOptions writing;
   /// Videos of all frames. Empty if other runs render some of the frames.
   std::vector<VideoFile> videos;
-  std::string fingerprint;       ///< fingerprint of the job (job_fingerprint.hpp)
-  std::filesystem::path folder;  ///< output folder
+  std::string fingerprint;
+  std::filesystem::path folder;
   /// The default output folder, if it holds another render. `folder` is then a different folder. Empty otherwise.
   std::filesystem::path crowded_folder;
 
@@ -52,7 +52,6 @@ struct RenderSetup {
   RenderSetup(const RenderSetup&) = delete;
   RenderSetup& operator=(const RenderSetup&) = delete;
 
-  /// Returns the seconds since the set-up began.
   double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count(); }
 
   const Optics& optics() const { return stage.placed.optics; }

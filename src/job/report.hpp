@@ -22,8 +22,8 @@ struct RenderReport {
   RenderParams params;
   Reuse reuse;        ///< the kind of reuse that was used
   std::string light;  ///< one sentence on the light, and the reason for it
-  std::string view;   ///< FittedArray::how
-  std::string cut;    ///< PlacedOptics::cut
+  std::string view;   ///< one sentence on how the array was placed (FittedArray::how)
+  std::string cut;    ///< one sentence on walls that hide the scene (PlacedOptics::cut)
   ShownDepth depth;
   /// Factor of depth: depth on the display divided by depth in the scene.
   float depth_scale = 1.0f;
@@ -37,7 +37,7 @@ struct RenderReport {
   RunReport run;
   /// All runs that rendered into the folder. Empty if `run` is the only run.
   std::vector<RunReport> runs;
-  std::vector<std::string> videos;  ///< names of the video files
+  std::vector<std::string> videos;
   /// Whether the run stopped before its last frame. The frames in the report are complete.
   bool interrupted = false;
 };

@@ -37,10 +37,10 @@ struct RunParams {
 /// The parts of a job that a run makes. A part is a frame. If the job is rendered in strips, a part is a strip, and its number
 /// is frame * strips + strip.
 struct RunParts {
-  int strips = 1;  ///< number of strips per frame
+  int strips = 1;
   /// Units begin at frames that are multiples of this number (frames_per_segment).
   int segment = 1;
-  std::vector<int> of_job;  ///< all frames of the job
+  std::vector<int> of_job;
   std::vector<int> parts;   ///< parts of this run, in ascending order
   std::vector<int> frames;  ///< frames that `parts` belong to
 

@@ -44,7 +44,7 @@ double picture_bytes_per_sample(const RenderParams& params, PictureFormat format
 double video_bytes_per_pixel(const RenderParams& params, VideoCodec codec) {
   const Texture texture = texture_of(params);
   const std::optional<CrfRange> range = crf_range(codec);
-  if (!range) return of(texture, 0.8, 0.9, 1.0);  // a lossless codec
+  if (!range) return of(texture, 0.8, 0.9, 1.0);  // a lossless codec has no CRF
   const double crf_steps = params.output.crf.value_or(range->standard) - range->standard;
   return of(texture, 0.06, 0.06, 0.07) * std::pow(2.0, -crf_steps / 6.0);  // raising CRF by 6 halves the size
 }

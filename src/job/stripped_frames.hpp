@@ -14,13 +14,12 @@ namespace lippmann {
 class StrippedFrames final : public FrameMaker {
  public:
   struct Settings {
-    FrameAovs wanted;             ///< layers to render
+    FrameAovs wanted;
     Vec2i film{0, 0};             ///< size of a whole frame
     bool keeps_finished = false;  ///< whether to keep strips that are recorded in the journal and unchanged
     bool only_joins = false;      ///< if true, no strip is rendered, and a missing strip is an Error
   };
 
-  /// A strip that was rendered and recorded.
   struct MadeStrip {
     StripNumber number;
     FrameReport report;

@@ -15,9 +15,9 @@ struct Submission {
   std::filesystem::path folder;   ///< absolute path of the job's output folder
   std::string name;               ///< name of the job in lists
   int units = 1;
-  int chunk = 1;                    ///< number of units that one task renders in sequence, if the scheduler supports such tasks
-  int threads = 1;                  ///< number of threads of each task
-  std::optional<int> minutes = {};  ///< time limit of a task; nullopt: the default of the scheduler
+  int chunk = 1;  ///< number of units that one task renders in sequence, if the scheduler supports such tasks
+  int threads = 1;
+  std::optional<int> minutes = {};                 ///< time limit of a task; nullopt: the default of the scheduler
   std::optional<std::uint64_t> memory_bytes = {};  ///< memory limit of a task; nullopt: the default of the scheduler
   /// Memory limit of the task that finishes the job, if joining strips needs more than `memory_bytes`.
   std::optional<std::uint64_t> finish_memory_bytes = {};

@@ -34,7 +34,6 @@ Vec3f test_pattern(Vec2f place, float aspect, float zone);
 /// Returns a frame maker for the pattern. It traces no rays. The arguments must outlive the result.
 std::unique_ptr<FrameMaker> make_pattern_frames(const Stage& stage, const ThreadPool& pool);
 
-/// Returns a film that shows the pattern.
 Image test_pattern_film(const Optics& optics, const ThreadPool& pool);
 
 }  // namespace lippmann

@@ -13,7 +13,6 @@
 
 namespace lippmann {
 
-/// Path samples per pixel of a draft.
 inline constexpr int kDraftSamples = 8;
 
 struct LivePictures {

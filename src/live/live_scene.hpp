@@ -79,9 +79,8 @@ class LiveScene {
     std::string pass;
     Vec2i view_size{0, 0};
     Bytes views, depth, panel;
-    nlohmann::ordered_json facts;  ///< see field_json()
+    nlohmann::ordered_json facts;  ///< description of the light field, as by field_json()
   };
-  /// Context of the render thread.
   struct WorkerContext : Context {
     explicit WorkerContext(std::function<void(std::string_view)> warner) { warn = std::move(warner); }
   };

@@ -33,7 +33,6 @@ class LiveSettings {
   /// Sets the current frame, from 0 to frame_count - 1. Throws a usage Error for other values.
   void set_frame(int frame, int frame_count);
 
-  /// Returns the job that the settings define.
   ResolvedJob job() const;
   int frame() const { return frame_; }
 

@@ -24,7 +24,7 @@ struct ChartLevel {
 /// A chart. All text is plain, not HTML.
 struct Chart {
   std::string title = {}, unit = {};
-  std::vector<int> frames = {};  ///< numbers of the frames, in ascending order
+  std::vector<int> frames = {};
   std::vector<ChartSeries> series = {};
   std::vector<ChartLevel> levels = {};
   bool is_stacked = false;  ///< whether the series are drawn as stacked bars instead of lines

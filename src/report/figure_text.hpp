@@ -8,10 +8,10 @@ namespace lippmann {
 
 inline constexpr const char* kNotKnown = "–";
 
-std::string seconds_text(double seconds);                  ///< "12.3 ms", "1.50 s", "2 min 5 s", "3 h 12 min"
+std::string seconds_text(double seconds);                  ///< for example "12.3 ms", "1.50 s", "2 min 5 s", "3 h 12 min"
 std::string percent_text(std::optional<double> share);     ///< 0.123 becomes "12.3 %"
-std::string decibel_text(std::optional<double> decibels);  ///< "34.50 dB"
-std::string count_text(double count);                      ///< "950", "12.3 k", "1.25 M"
+std::string decibel_text(std::optional<double> decibels);  ///< for example "34.50 dB"
+std::string count_text(double count);                      ///< for example "950", "12.3 k", "1.25 M"
 /// 0 becomes a dash, because it means that the memory was not recorded.
 std::string memory_text(double bytes);
 

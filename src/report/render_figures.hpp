@@ -15,7 +15,6 @@
 
 namespace lippmann {
 
-/// Figures of one run that rendered frames.
 struct RunFigures {
   std::string host, cpu, unit, frames;  ///< empty if not recorded
   double setup_seconds = 0.0, write_seconds = 0.0;
@@ -24,8 +23,8 @@ struct RunFigures {
 };
 
 struct RenderFigures {
-  std::filesystem::path report;  ///< path of the report
-  std::string title;             ///< name of the folder that contains the report
+  std::filesystem::path report;
+  std::string title;  ///< name of the folder that contains the report
   std::string version, scene, light, view, reuse;
   nlohmann::ordered_json settings = nlohmann::ordered_json::object();
   double frames_per_second = 25.0;

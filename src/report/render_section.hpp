@@ -8,7 +8,6 @@
 
 namespace lippmann {
 
-/// Returns the HTML of the section.
 std::string render_section(const RenderFigures& render, const Thumbnails& thumbnails);
 
 }  // namespace lippmann

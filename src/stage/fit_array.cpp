@@ -42,7 +42,6 @@ Affine3f similarity(const Affine3f& a) {
 
 Mat3f rotation_of(const Affine3f& similarity) { return similarity.linear / uniform_scale(similarity); }
 
-/// The inputs of the functions that place the array.
 struct Setting {
   const Scene& scene;
   const ResolvedScene& resolved;  ///< the scene at frame 0

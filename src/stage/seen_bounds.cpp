@@ -60,7 +60,6 @@ void add_mesh(Clipper& clipper, const Mesh& mesh, const std::vector<Vec3f>& posi
   for (const auto& [a, b, c] : mesh.triangles) clipper.add_triangle(positions[a], positions[b], positions[c]);
 }
 
-/// Adds the six faces of a box.
 void add_box(Clipper& clipper, const Bounds3f& box) {
   if (box.empty()) return;
   std::array<Vec3f, 8> corner;

@@ -31,7 +31,6 @@ ConvexRegion view_region(Vec3f eye, Vec2f tangent);
 /// with |x| <= half.x and |y| <= half.y.
 ConvexRegion beam_region(Vec2f half);
 
-/// Returns the inside of a box.
 ConvexRegion box_region(const Bounds3f& box);
 
 /// Calls visit(box) with the bounding box of each primitive of a shape that is a list of primitives. Separate boxes of spheres

@@ -30,7 +30,6 @@ constexpr float kSmallBefore = 0.25f;  ///< like kMuchSmaller, if only walls or 
 
 using Indices = std::vector<std::size_t>;
 
-/// One of the six faces of a box.
 struct Face {
   int axis;
   bool upper;
