@@ -30,7 +30,7 @@ std::string gnuplot_quoted(const std::string& text) {
 
 void draw_with_gnuplot(const fs::path& path, const std::string& commands) {
   AtomicFile picture(path);
-  // A temporary file. It is never committed, so its destructor removes it.
+  // The destructor removes this temporary file, because the file is never committed.
   const AtomicFile script(path.string() + ".gnuplot");
   const std::string text = fmt::format("set terminal pngcairo size 960,540 noenhanced font 'sans,11'\nset output {}\n{}",
                                        gnuplot_quoted(picture.temporary_path().string()), commands);

@@ -13,10 +13,11 @@ namespace {
 
 // Standard deviations of the Gaussian weights that compare two surfaces. docs/develop/decisions/0013 has the measurements
 // behind them.
-constexpr float kNormalSpread = 0.2f;  ///< of the length of the difference between two unit normals
+constexpr float kNormalSpread = 0.2f;  ///< for the length of the difference between two unit normals
 constexpr float kAlbedoSpread = 0.2f;
 constexpr float kMetSpread = 0.2f;
-constexpr float kPlaneSpread = 3.0f;  ///< of a point's distance from the plane of the surface, in distances between samples
+/// For a point's distance from the plane of the surface. The unit is the distance between samples.
+constexpr float kPlaneSpread = 3.0f;
 /// Relative difference in light that counts as one standard deviation, in addition to the noise. Smaller differences are
 /// invisible.
 constexpr float kRelativeSpread = 0.01f;

@@ -25,7 +25,7 @@ struct Texels {
   float* place;
   /// 3 numbers, in the display frame. Shorter than 1 if the samples of the pixel have different normals.
   float* normal;
-  float* albedo;  ///< 3 numbers
+  float* albedo;  ///< 3 numbers: red, green, blue
   float* z;       ///< z of the visible point, in mm in the display frame
   float* met;     ///< fraction of the pixel that the surface covers
 };
@@ -37,8 +37,8 @@ struct Texels {
 void find_outliers(const SortedViews& views, const Texels& texels, const ThreadPool& pool, std::vector<Estimate>& estimates);
 
 /// Averages light and variance over 5 x 5 neighbours on the same surface. Sets `guides` to the averages, whose light gather()
-/// compares between views. Also stores the averaged variance in Texels::place. It is more reliable than a variance in
-/// `estimates`, which comes from only two values (the two halves of a pixel's samples).
+/// compares between views. Also stores the averaged variance in Texels::place. The averaged variance is more reliable than the
+/// variances in `estimates`, which come from only two values (the two halves of a pixel's samples).
 void make_guides(const SortedViews& views, const Texels& texels, const ThreadPool& pool, const std::vector<Estimate>& estimates,
                  std::vector<Estimate>& guides);
 

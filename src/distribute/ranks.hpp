@@ -18,8 +18,8 @@ struct WorkDone {
   std::uint64_t bytes = 0;  ///< total size of the frame's files, which are complete
 };
 
-/// The connection of one process to the job. Every process constructs one object. It calls begin(), then next() until no work
-/// is left, then end(). If a process exits without end(), mpirun ends the whole job, so that no process waits for it.
+/// The connection of one process to the job. Every process constructs one object, and calls begin(), then next() until no work
+/// is left, then end(). If a process exits without end(), mpirun ends the whole job, so that the other processes do not wait.
 class Ranks {
  public:
   virtual ~Ranks() = default;

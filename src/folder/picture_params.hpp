@@ -38,8 +38,8 @@ struct PictureParams {
   bool mirror = false;
   /// Number of tiles of kQuilt. If 0, the native number, or a nearly square arrangement.
   Extent<int> quilt;
-  StereoLayout stereo;  ///< only for kStereo
-  DepthParams depth;    ///< only for kRgbd
+  StereoLayout stereo;  ///< only used by kStereo
+  DepthParams depth;    ///< only used by kRgbd
   PictureFormat format = PictureFormat::kPng;
   ExrPixels exr_pixels = ExrPixels::kHalf;
 };

@@ -18,8 +18,8 @@ namespace {
 constexpr std::size_t kPixelsPerHeldOut = 500;
 /// Minimum number of held-out pixels, for small images. With fewer pixels, the interval would be wider than 6 dB.
 constexpr std::size_t kLeastHeldOut = 64;
-/// Paths per held-out pixel in each of the two retraced images, as a multiple of the frame's paths per pixel. The two images
-/// together have eight times the frame's paths. They can thus measure a denoised frame that is as accurate as a frame with
+/// Paths per held-out pixel in each of the two retraced images, as a multiple of the frame's paths per pixel. Together, the two
+/// images have eight times the frame's paths. This is enough to measure a denoised frame that is as accurate as a frame with
 /// eight times its paths.
 constexpr int kPathsPerSample = 4;
 /// Minimum number of paths per held-out pixel. The transfer curve of sRGB is not linear, so the sRGB code of a mean of few

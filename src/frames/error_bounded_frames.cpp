@@ -18,8 +18,8 @@ namespace {
 
 /// Number of key frame intervals per segment. The first interval decides for the whole segment whether frames are predicted.
 constexpr int kSegmentIntervals = 8;
-/// Maximum cost of predicting a frame, as a fraction of the cost of tracing it. If prediction costs more, it is not tried,
-/// because tracing the uncertain pixels would use up the rest.
+/// Maximum cost of predicting a frame, as a fraction of the cost of tracing it. More expensive predictions are not tried,
+/// because tracing the uncertain pixels would use up the remaining saving.
 constexpr double kMostPredictionCost = 1.0 / 3.0;
 /// Minimum saving of predicting an interval, as a fraction of the cost of tracing it, including its key frame. Estimated costs
 /// are accurate to about a third.

@@ -26,7 +26,7 @@ struct Stage {
   FittedArray array;
   PlacedOptics placed;
   DeviceScene device;  ///< refers to `scene`, so a Stage cannot be moved
-  FilmRows rows{};     ///< the rows that are rendered of every frame (strip_maker.hpp)
+  FilmRows rows{};     ///< rows of each frame that are rendered (strip_maker.hpp)
 
   /// Builds the device scene. The scene must pass validate().
   Stage(Scene scene, FittedArray array, PlacedOptics placed, Integrator integrator, const ThreadPool& pool);
@@ -57,7 +57,7 @@ class FrameClock {
   double cpu_start_;
 };
 
-/// A frame with motion blur is exposed at several times. This is one of them, with its share of the samples.
+/// One of the times at which a frame with motion blur is exposed, and its share of the samples.
 struct ExposureTime {
   double seconds = 0.0;
   SampleShare share;

@@ -30,7 +30,7 @@ class StripMaker {
   const Context& context_;
 };
 
-/// Returns the maximum number of strips of a frame. It is limited because some rows of rays are traced together and cannot be
+/// Returns the maximum number of strips of a frame. The number is limited because some rows are traced together and cannot be
 /// divided.
 int most_strips(const Optics& optics);
 

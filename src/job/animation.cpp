@@ -69,7 +69,8 @@ void make_parts(const RenderSetup& setup, const std::vector<int>& parts, FrameLo
 
 /// Claims units one by one and renders them until none is left.
 void share_parts(const Run& run, FrameLoop& loop, StrippedFrames* strips) {
-  // Starting a unit costs time, so there are few units. There are enough for all ranks to end at about the same time.
+  // Number of units per rank. Starting a unit costs time, so there should be few units. With fewer than this, ranks would end
+  // at very different times.
   constexpr int kUnitsPerRank = 8;
   const RenderSetup& setup = run.setup;
   Ranks& ranks = *setup.run.ranks;

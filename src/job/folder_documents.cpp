@@ -96,7 +96,7 @@ bool is_damaged_job(const std::filesystem::path& file, const ResolvedJob& job, c
   return is_of_single || !is_readable_job(file) || !differences(file, job).empty();
 }
 
-/// Returns whether earlier runs already included all frames and companions that this run requests.
+/// Returns whether earlier runs already included all frames and companion folders that this run requests.
 bool holds_all(const FolderJournal& before, const FolderJournal& now) {
   return before.asked == now.asked && before.companions == now.companions;
 }

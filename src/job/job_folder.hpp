@@ -58,7 +58,8 @@ std::map<int, std::vector<int>> strips_of_parts(const std::vector<int>& parts, i
 /// Reads the files. `count` is the number of strips per frame.
 bool is_finished_part(int part, int count, RenderFolder& folder, const FolderJournal& journal);
 
-/// Skips the strips that exist and calls `make` for the others, in order. Stops if `make` returns false.
+/// Calls `make` for the missing strips, in order. Skips strips that exist if keeps_finished is set. Stops if `make` returns
+/// false.
 void take_strips(const std::vector<int>& parts, RenderFolder& folder, const StripSteps& steps);
 
 /// Returns the reports of a frame's strips, from top to bottom. Throws Error that names the first strip that is missing or

@@ -47,7 +47,7 @@ struct SceneParams {
   std::string environment;
   float environment_strength = 1.0f;      ///< factor for the light of the environment
   float environment_rotation_deg = 0.0f;  ///< rotation of the environment about the vertical
-  /// Cameras around the scene, one per frame. They replace the scene's own cameras. If nullopt, the scene's own cameras are
+  /// Cameras around the scene, one per frame, which replace the scene's own cameras. If nullopt, the scene's own cameras are
   /// used.
   std::optional<CameraSet> cameras{};
   /// Diameter of the points of a point cloud, in units of the file. If nullopt, it is derived from the spacing of the points.

@@ -21,7 +21,7 @@ struct Submission {
   std::optional<std::uint64_t> memory_bytes = {};  ///< memory limit of a task; nullopt: the default of the scheduler
   /// Memory limit of the task that finishes the job, if joining strips needs more than `memory_bytes`.
   std::optional<std::uint64_t> finish_memory_bytes = {};
-  std::string partition = {};  ///< Slurm partition; empty: the default of Slurm
+  std::string partition = {};  ///< empty for the default of Slurm
 };
 
 /// Returns a time limit in minutes for a unit that needs `cpu_seconds`. It is three times the estimate plus five minutes, to

@@ -24,11 +24,12 @@ namespace lippmann {
 /// The name that `render` accepts in place of a scene.
 inline constexpr std::string_view kTestPattern = "test-pattern";
 
-/// Returns an empty scene with one frame. It includes the array that shows the pattern.
+/// Returns an empty scene with one frame. The scene places the array that shows the pattern.
 Scene test_pattern_scene();
 
 /// Returns the linear RGB of a ray. The ray crosses the display at `place`, in half heights of the display from its middle (x
-/// right, y up). It arrives at `zone` in the viewing zone, from 0 (leftmost) to 1. `aspect` is width / height of the display.
+/// right, y up). The ray arrives at `zone` in the viewing zone, from 0 (leftmost) to 1. `aspect` is width / height of the
+/// display.
 Vec3f test_pattern(Vec2f place, float aspect, float zone);
 
 /// Returns a frame maker for the pattern. It traces no rays. The arguments must outlive the result.

@@ -284,7 +284,7 @@ void LiveScene::render(bool all_frames) {
     if (!all_frames) params.output.frames = FrameRanges{{frame, frame}};
   }
   render_.start(ResolvedJob(params), [this] { notify_pages(); });
-  // Stops finer images. They are rendered after the render has ended.
+  // Stops the finer images, which are rendered after the job.
   context_.cancelled = true;
   notify_pages();
 }

@@ -22,8 +22,8 @@ struct ReportPage {
 /// are several renders, each is compared with the first. Throws Error that names an input that is none of these.
 ReportPage make_report_page(const std::vector<std::filesystem::path>& inputs, const Context& context);
 
-/// Returns the default path of the page. It is in the folder of the input if there is only one input, and otherwise in the
-/// working folder.
+/// Returns the default path of the page. The page is in the folder of the input if there is only one input, and otherwise in
+/// the working folder.
 std::filesystem::path default_report_file(const std::vector<std::filesystem::path>& inputs);
 
 /// Writes the page, and makes its folder if necessary. Throws Error that names the file if it cannot be written, or if it

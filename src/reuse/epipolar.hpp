@@ -37,7 +37,7 @@ class EpipolarSampler {
   /// Returns whether the optics have regular samples, which requires a whole number of pixels per lens.
   static bool suits(const Optics& optics);
 
-  /// `optics` must satisfy suits(). `encoding` is the encoding of the output image. It decides which colour differences are
+  /// `optics` must satisfy suits(). `encoding` is the encoding of the output image, which decides which colour differences are
   /// visible.
   EpipolarSampler(const Optics& optics, Encoding encoding);
 

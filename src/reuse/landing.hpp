@@ -37,8 +37,8 @@
 namespace lippmann {
 
 /// The projected position of a point on one axis. `pixel` is an index, and is below 0 if the point is not visible. `off` is the
-/// point's offset from the centre of that pixel's sample. It ranges from -0.5 to 0.5 steps, where one step leads to the next
-/// sample of the same view (next lens or row).
+/// point's offset from the centre of that pixel's sample, from -0.5 to 0.5 steps. One step is the distance to the next sample
+/// of the same view (next lens or row).
 struct AxisLanding {
   float pixel, off;
 };

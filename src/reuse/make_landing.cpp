@@ -96,7 +96,7 @@ GridLanding views_grid(const Panel& panel, const MultiView& views) {
   for (int j = 0; j < panel.height; ++j) {
     const int row = std::max(0, j - padding) / tile_height, first = padding + row * tile_height;
     grid.set_of_row[static_cast<std::size_t>(j)] = row;
-    // Eyes count upwards, rows downwards.
+    // `row` counts from the top, but eyes are numbered from the bottom.
     const float eye = c.first_eye_mm.y + static_cast<float>(views.rows - 1 - row) * c.baseline_mm;
     grid.lines[static_cast<std::size_t>(j)] =
         plain_line(grid.c.down, eye * c.inverse_distance, j, first, row == 0 ? 0 : first, first + tile_height - 1);

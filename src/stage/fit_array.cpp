@@ -255,7 +255,7 @@ FittedArray half_way_through(const Setting& setting, const Camera& camera) {
 /// The direction from which the subject is viewed, and the angle of the view.
 struct Direction {
   int node = -1;                                   ///< node that the array moves with
-  Mat3f node_from_view{1.0f};                      ///< rotation; the viewer looks along -z of the view
+  Mat3f node_from_view{1.0f};                      ///< rotation from the axes of the view; the viewer looks along its -z axis
   float tangent_y = std::tan(0.5f * kDefaultFov);  ///< half the view's height divided by its distance
 };
 
@@ -476,8 +476,8 @@ void measure_all_depth(FittedArray& array, const Setting& setting, const Affine3
 }
 
 /// Sets the depth range to the range of the subject and of visible walls within one diagonal of the subject. `subject` holds
-/// the subject's bounds if they are known. A ground that extends to the horizon is not included. It is sharp where the subject
-/// stands on it.
+/// the subject's bounds if they are known. A ground that extends to the horizon is not included, because it is sharp where the
+/// subject stands on it.
 void measure_depth(FittedArray& array, const Setting& setting, const Affine3f& plane_from_world, Bounds3f subject) {
   const float tangent = 0.5f * array.plane_height / array.viewing_distance;
   ConvexRegion region = view_region({0.0f, 0.0f, array.viewing_distance}, {tangent * setting.aspect, tangent});

@@ -61,8 +61,8 @@ Subject find_subject(const Scene& scene);
 inline float diagonal(const Bounds3f& bounds) { return bounds.empty() ? 0.0f : glm::length(bounds.size()); }
 
 /// Return lists of names, such as "'Plane', 'Wall' and 3 others". list_surroundings() lists the surroundings. list_strays()
-/// lists instances that are left out, completely or partly, because they are far away. It also states the number of distant
-/// splats outside the bounds.
+/// lists instances that are left out, completely or partly, because they are far away. list_strays() also states the number of
+/// distant splats outside the bounds.
 std::string list_surroundings(const Scene& scene, const Subject& subject);
 std::string list_strays(const Scene& scene, const Subject& subject);
 
