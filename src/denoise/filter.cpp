@@ -13,10 +13,11 @@ namespace {
 
 // Standard deviations of the Gaussian weights that compare two surfaces. docs/develop/decisions/0013 has the measurements
 // behind them.
-constexpr float kNormalSpread = 0.2f;  ///< for the length of the difference between two unit normals
+constexpr float kNormalSpread = 0.2f;  ///< standard deviation of the length of the difference between two unit normals
 constexpr float kAlbedoSpread = 0.2f;
 constexpr float kMetSpread = 0.2f;
-/// For a point's distance from the plane of the surface. The unit is the distance between samples.
+/// Standard deviation of a point's distance from the plane of the surface. The unit is the distance between samples.
+
 constexpr float kPlaneSpread = 3.0f;
 /// Relative difference in light that counts as one standard deviation, in addition to the noise. Smaller differences are
 /// invisible.
@@ -49,7 +50,7 @@ constexpr int kRowsPerPiece = 16;
 struct alignas(64) SurfaceRow {
   float x[kRow], y[kRow], z[kRow];
   float normal_x[kRow], normal_y[kRow], normal_z[kRow];
-  float red[kRow], green[kRow], blue[kRow];  ///< the albedo
+  float red[kRow], green[kRow], blue[kRow];  ///< albedo
   float met[kRow];
   float there[kRow];  ///< 1 if the pixel shows a surface; 0 if not, and then the other arrays are undefined
 };
@@ -325,7 +326,7 @@ void smooth_row(const RowsOfFive& rows, int step, float distance_mm, float verge
   }
 }
 
-/// The pixels of any view that correspond to a row of pixels, with the data that gather() reads.
+/// Data that gather() reads for a row of pixels. The pixels may come from several rows of another view.
 struct GatherRow {
   SurfaceRow surface{};
   LightRow light{}, guide{};

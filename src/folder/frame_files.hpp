@@ -43,7 +43,7 @@ const char* ending_of(PictureFormat format);
 std::vector<std::filesystem::path> write_frame_files(const FrameFiles& files, int frame, const FramePictures& pictures);
 
 /// Writes the views of a film in a light-field format, as a folder or as one picture. `pictures` holds codes, or linear values
-/// for EXR. It also holds depth (Aov::kDepth) if the format uses depth. Returns the paths of the written files.
+/// for EXR. If the format uses depth, `pictures` also holds depth (Aov::kDepth). Returns the paths of the written files.
 std::vector<std::filesystem::path> write_light_field_files(const FrameFiles& files, int frame, const LightFieldFormat& format,
                                                            const Optics& optics, const FramePictures& pictures);
 

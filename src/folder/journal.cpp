@@ -237,8 +237,8 @@ void read_part(const fs::path& path, std::uintmax_t& bytes_left, FolderJournal& 
     if (in.eof() && may_be_cut_line(line)) break;  // the process was killed while writing the line
     const Json json = json_from_text(line);
     const bool is_last = in.eof() || in.peek() == std::ifstream::traits_type::eof();
-    if (json.is_discarded() && is_last && number > 1 && may_be_cut_line(line))
-      break;  // the machine crashed while the line was written
+    // An incomplete last line was cut by a crash of the machine.
+    if (json.is_discarded() && is_last && number > 1 && may_be_cut_line(line)) break;
     if (number == 1) journal.parts.push_back(path);
     const std::string wrong = problem_of(json, number == 1, journal);
     if (!wrong.empty() && journal.problem.empty())

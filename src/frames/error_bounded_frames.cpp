@@ -113,8 +113,8 @@ void ErrorBoundedFrames::render(int frame) {
 void ErrorBoundedFrames::render_between(int frame, const FrameInterval& interval, const Evidence& learned) {
   forget_before(interval.first);
   const bool holds = middle_holds(interval, learned);
-  if (parts_.context.cancelled || films_.contains(frame))
-    return;  // true if `frame` is the middle frame, which middle_holds() has made
+  // films_ contains `frame` if it is the middle frame, which middle_holds() has made.
+  if (parts_.context.cancelled || films_.contains(frame)) return;
   if (holds)
     predict_or_trace(frame, interval, learned);
   else
@@ -160,7 +160,7 @@ FloorLesson ErrorBoundedFrames::learn(const FrameInterval& interval) {
 
 bool ErrorBoundedFrames::middle_holds(const FrameInterval& interval, const Evidence& learned) {
   const int middle = middle_frame(interval);
-  if (keys_.contains(middle)) return true;  // true if learn() has traced the middle frame
+  if (keys_.contains(middle)) return true;  // learn() has traced the middle frame
   if (const auto known = middle_holds_.find(middle); known != middle_holds_.end()) return known->second;
   const bool holds = predict_or_trace(middle, interval, learned);
   return middle_holds_[middle] = holds;

@@ -24,8 +24,9 @@ struct FinishedAnimation {
 
 /// Copies the frames of the folders `join` (see join_folders) and reads all files of the folder. If all frames of the job
 /// exist, whole or as strips, joins the strips and writes the videos, job.toml and report.json. Renders nothing. Finishes the
-/// job's render in kSingleFolder in the same way. Reads the job from the folder's job.toml. If it does not exist, reads the job
-/// from the first folder of `join`. Throws Error for folders without a render, and for files that cannot be written.
+/// job's render in kSingleFolder in the same way. Reads the job from the job.toml of `folder`. If this file does not exist,
+/// reads the job.toml of the first folder of `join`. Throws Error for folders without a render, and for files that cannot be
+/// written.
 FinishedAnimation finish_animation(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& join,
                                    const Context& context, const RenderObserver& observer = {});
 

@@ -14,8 +14,8 @@ namespace lippmann {
 struct JobCosts {
   /// Cost of loading the scene and building its acceleration structures. Every unit has this cost.
   double setup_cpu_seconds = 0.0;
-  /// Cost of a frame, indexed by its position in its segment (from 0). Positions without an entry cost as much as the nearest
-  /// lower position with one.
+  /// Cost of a frame, indexed by its position in its segment (from 0). A position without an entry costs as much as the nearest
+  /// lower position that has an entry.
   std::map<int, double> at;
   double write_cpu_seconds = 0.0;  ///< cost of writing the files of one frame
   /// Cost of the source frames that a unit renders in addition to its own frames.

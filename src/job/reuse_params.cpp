@@ -78,8 +78,8 @@ Reuse wanted_reuse(const ReuseParams& params, const Sampling& sampling) {
 
 FrameParams frame_params(const ResolvedJob& job) {
   FrameParams frames{job.sampling(), wanted_reuse(job.params().reuse, job.sampling())};
-  if (optics_kind(job.params()).info().is_camera)
-    frames.sampling.lens.f_number = 0.0f;  // the camera's rays already pass through its lens
+  // The rays of a camera already pass through its lens.
+  if (optics_kind(job.params()).info().is_camera) frames.sampling.lens.f_number = 0.0f;
   check(frames);
   return frames;
 }

@@ -109,7 +109,8 @@ class LiveScene {
   LiveSettings settings_;
   LiveJobFile job_file_;
   LiveRender render_;
-  // The following members belong to the latest version of the settings that the render thread has begun.
+  // facts_, facts_json_, placement_, distance_ and world_per_shown_mm_ belong to the latest version of the settings that the
+  // render thread has begun.
   PageFacts facts_;
   nlohmann::ordered_json facts_json_, placement_;
   /// distance_: distance from the viewer to the display plane, in world units. world_per_shown_mm_: world units per mm of shown

@@ -84,7 +84,7 @@ LIPPMANN_INLINE AxisLanding land_on_grid(const GridScale& scale, const GridLine&
 /// Landing rule for quilts, single views and arrays with a whole number of pixels per lens.
 struct GridLanding {
   struct Constants {
-    GridScale across, down;  ///< rows count along -y
+    GridScale across, down;  ///< `down` counts rows along -y
     float vergence;          ///< 1/V, per mm
   };
   struct Row {
