@@ -35,8 +35,8 @@ void for_each_line(const Optics& optics, double vergence, const Fn& fn) {
   }
 }
 
-/// Returns the column and row of the pixel within its cell. The small constant moves positions away from the boundaries between
-/// pixels. Positions there repeat below many lenses, and rounding errors would decide to which pixel they belong.
+/// Returns the column and row of the pixel within its cell. Positions on the boundary between two pixels occur below many
+/// lenses. The constant moves them off the boundary, because otherwise rounding errors would choose the pixel.
 Vec2i in_cell_px(const LensCells::Cell& cell) { return Vec2i(glm::floor(cell.in_cell + 0.0137)); }
 
 /// Ranges of the lens indices, and of the pixel indices within cells.

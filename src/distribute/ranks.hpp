@@ -49,7 +49,7 @@ class Ranks {
 int rank_count();
 
 /// Returns the number of threads for a rank. The rank may use `cpus` of the machine's `cpus_online` processors. If mpirun bound
-/// the rank to some processors, the result is `cpus`. Otherwise it is an equal share for each rank on this machine.
+/// the rank to some processors, the result is `cpus`. Otherwise the ranks on this machine share `cpus` equally.
 int threads_of_rank(int cpus, int cpus_online, int local_ranks);
 
 /// Returns the number of processes that mpirun started on this machine.

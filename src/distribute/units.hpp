@@ -7,7 +7,7 @@
 
 namespace lippmann {
 
-/// One or more of `count` units. A process that renders several units sets up the scene only once.
+/// One or more of the `count` units of a job. A process that renders several units sets up the scene only once.
 struct Units {
   std::vector<int> indices{1};  ///< numbers of the units, from 1, in ascending order
   int count = 1;

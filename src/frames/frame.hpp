@@ -67,7 +67,7 @@ struct ExposureTime {
 /// pixel.
 std::vector<ExposureTime> exposure_times(const Sampling& sampling, const Timeline& timeline, int frame);
 
-/// Returns a frame's layers, still empty, marked as wanted by `sampling`.
+/// Returns empty layers. The layers that `sampling` requests are marked as wanted.
 FrameAovs wanted_aovs(const Sampling& sampling);
 
 /// Sets all pixels of the provenance layer to one value. Does nothing if the layer is not wanted.

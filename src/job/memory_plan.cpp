@@ -74,7 +74,8 @@ double layers_written(const MemoryFacts& facts) {
   return bytes;
 }
 
-/// Returns the bytes per pixel for rearranging a frame in another layout. Needs a second film, and one layer at a time.
+/// Returns the bytes per pixel for rearranging a frame in another layout. This needs a second film, and a second copy of one
+/// layer at a time.
 double moved_bytes(const MemoryFacts& facts) {
   if (!facts.layout.moves()) return 0.0;
   double layer = 0.0;
