@@ -60,8 +60,8 @@ int Denoiser::rows_around(const Optics& optics) {
   for (const int step : kFilterSteps) rows += step * (kNeighbours / 2);
   const int film_rows = film_size(optics).y;
   if (const std::optional<ViewTiles> tiles = view_tiles(optics)) return tiles->rows > 1 ? film_rows : rows;
-  // Without tiles, a view has one pixel below each lens, so the rows count lenses. Two lenses are added because hexagonal cells
-  // overlap the rows of lenses above and below.
+  // Without tiles, a row of a view is a row of lenses. Two rows are added because hexagonal cells overlap the rows of lenses
+  // above and below.
   if (const std::optional<LensCells> cells = lens_cells(optics))
     return std::min(film_rows, std::max(rows, static_cast<int>(std::ceil((rows + 2) * cells->cell_px.y))));
   return rows;

@@ -23,7 +23,7 @@ struct Texels {
   /// 3 numbers: x and y of the visible point, in mm in the display frame, followed by the mean variance of the light around the
   /// point.
   float* place;
-  /// 3 numbers, in the display frame. Shorter than 1 if the samples of the pixel have different normals.
+  /// 3 numbers: mean normal of the samples, in the display frame. Shorter than 1 if the samples have different normals.
   float* normal;
   float* albedo;  ///< 3 numbers: red, green, blue
   float* z;       ///< z of the visible point, in mm in the display frame

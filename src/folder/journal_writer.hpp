@@ -30,8 +30,8 @@ bool is_being_written(const std::filesystem::path& part);
 inline constexpr double kLeaseSeconds = 600.0;
 
 /// Returns whether the run that writes the journal file may still be active. A run on this machine is active while its process
-/// writes the file. Other runs count as active until they record their end or their lease expires. So do runs whose process
-/// cannot be inspected.
+/// writes the file. A run on another machine, or a run whose process cannot be inspected, counts as active until it records its
+/// end or its lease expires.
 bool is_held(const std::filesystem::path& part);
 
 /// Interrupts the writer like Ctrl-C. Call this only once, because a second interrupt ends the process immediately. Returns

@@ -76,10 +76,10 @@ class ErrorBoundedFrames final : public FrameMaker {
   Interpolate reuse_;
   int every_, last_frame_;
   InBetweenMaker maker_;
-  std::map<int, ForwardSource> keys_;          ///< indexed by frame
+  std::map<int, ForwardSource> keys_;          ///< key frames, indexed by frame number
   std::map<int, RenderedFrame> films_;         ///< finished frames that make() has not returned yet, indexed by frame
-  std::map<int, Segment> segments_;            ///< indexed by the first frame of the segment
-  std::map<int, bool> middle_holds_;           ///< indexed by the middle frame
+  std::map<int, Segment> segments_;            ///< segments, indexed by their first frame
+  std::map<int, bool> middle_holds_;           ///< results of middle_holds(), indexed by the middle frame
   std::map<int, FrameReport> source_reports_;  ///< reports of frames that were rendered only as sources, indexed by frame
 };
 

@@ -12,8 +12,8 @@
 namespace lippmann {
 namespace {
 
-// If copying blocks saves less than kLeastSpanSaving of the time, it is switched off for some frames. The number of frames
-// doubles each time, up to kLongestRest.
+// If copying blocks saves less than kLeastSpanSaving of the time, copying is switched off for some frames. The number of these
+// frames doubles each time, up to kLongestRest.
 constexpr double kLeastSpanSaving = 0.02;
 constexpr int kLongestRest = 256;
 

@@ -42,7 +42,7 @@ class ForwardFrames final : public FrameMaker {
   int every_, last_frame_;
   InBetweenMaker maker_;
   SpareImages spare_films_;
-  std::map<int, Source> sources_;              ///< indexed by frame
+  std::map<int, Source> sources_;              ///< source frames, indexed by frame number
   std::map<int, FrameReport> source_reports_;  ///< reports of frames that were rendered only as sources, indexed by frame
 };
 

@@ -18,7 +18,7 @@ bool has_layer(const Sampling& sampling, Aov layer) {
   return std::find(sampling.aov.begin(), sampling.aov.end(), layer) != sampling.aov.end();
 }
 
-/// Returns whether any layer besides provenance is wanted. Only tracing gives such layers, for every pixel. Frame makers fill
+/// Returns whether any layer besides provenance is wanted. Such layers require that every pixel is traced. Frame makers fill
 /// the provenance layer themselves.
 bool has_layers_of_every_pixel(const Sampling& sampling) {
   return std::any_of(sampling.aov.begin(), sampling.aov.end(), [](Aov layer) { return layer != Aov::kProvenance; });

@@ -40,8 +40,8 @@ double frame_held(const MemoryFacts& facts) {
   return bytes;
 }
 
-/// Returns the bytes per pixel for encoding a picture: its codes and the encoded file. The size of the file is that of noisy
-/// pictures.
+/// Returns the bytes per pixel for encoding a picture: its codes and the encoded file. The file is assumed to be as large as
+/// the file of a noisy picture.
 double picture_written(const MemoryFacts& facts) {
   constexpr double kPngFile = 3 * 0.6, kPng16File = 3 * 1.7, kHalfFile = 3 * 1.3, kFloatFile = 3 * 2.9;
   constexpr double kCodes = 3.0, kCodes16 = 6.0, kHalves = 6.0;
@@ -181,7 +181,7 @@ MemoryPlan plan_strips_memory(const MemoryFacts& facts, int strips, bool joins, 
                 fmt::format("joining a frame of {}x{} pixels from its strips needs about {} of memory, but {} are available",
                             facts.film.x, facts.film.y, bytes_text(joined), bytes_text(available)),
                 "fewer pixels, fewer layers, or more memory");
-  // The sum, because the heap keeps most of the memory that tracing used.
+  // Both numbers are added, because the heap keeps most of the memory that tracing used.
   return {1, false, strip + joined};
 }
 

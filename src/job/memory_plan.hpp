@@ -40,8 +40,8 @@ double estimated_bytes(const MemoryFacts& facts, int frames_at_a_time, int bands
 /// Returns the estimated bytes for joining a frame from the files of its strips.
 double joined_frame_bytes(const MemoryFacts& facts);
 
-/// Returns the first of the following plans that fits into `available` bytes with a reserve. Throws Error if no plan fits, with
-/// the reason if frames cannot be traced in bands.
+/// Returns the first of the following plans that fits into `available` bytes with a reserve. Throws Error if no plan fits. If
+/// frames cannot be traced in bands, the error states why.
 /// 1. the usual number of frames at a time
 /// 2. one frame at a time
 /// 3. one frame at a time, in bands

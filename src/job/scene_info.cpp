@@ -66,7 +66,7 @@ Json bounds_json(const SceneInfo& info) {
   return {{"lower", place_json(info, info.bounds.lower)}, {"upper", place_json(info, info.bounds.upper)}};
 }
 
-/// Returns a position as "(1, 2, 3)". Large coordinates get more digits.
+/// Returns a position as "(1, 2, 3)". Uses 12 digits instead of 6 if the scene was moved to another origin.
 std::string place_text(const SceneInfo& info, Vec3f p) {
   const Vec3d place = info.origin + Vec3d(p);
   const int digits = info.origin == Vec3d(0.0) ? 6 : 12;
@@ -99,7 +99,8 @@ std::string describe_keys(const SceneInfo& info) {
                              : "; some keys of the file lie between frames (see --fps)";
 }
 
-/// Describes the animation, as in "48 frames at 24 fps, 2.0 s; 3 of 5 instances move". States if nothing moves.
+/// Describes the animation, as in "48 frames at 24 fps, 2.0 s; 3 of 5 instances move". Returns "none: a still scene" if nothing
+/// moves.
 std::string describe_animation(const SceneInfo& info) {
   if (info.frames == 1 && info.animations.empty() && info.moving_instances == 0) return "none: a still scene";
   return fmt::format("{} frame{} at {:g} fps, {:.1f} s{}; {} of {} instance{} move", info.frames, info.frames == 1 ? "" : "s",

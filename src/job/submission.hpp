@@ -18,7 +18,7 @@ struct Submission {
   int chunk = 1;  ///< number of units that one task renders in sequence, if the scheduler supports such tasks
   int threads = 1;
   std::optional<int> minutes = {};                 ///< time limit of a task; nullopt: the default of the scheduler
-  std::optional<std::uint64_t> memory_bytes = {};  ///< memory limit of a task; nullopt: the default of the scheduler
+  std::optional<std::uint64_t> memory_bytes = {};  ///< memory limit of a task in bytes; nullopt: the default of the scheduler
   /// Memory limit of the task that finishes the job, if joining strips needs more than `memory_bytes`.
   std::optional<std::uint64_t> finish_memory_bytes = {};
   std::string partition = {};  ///< empty for the default of Slurm

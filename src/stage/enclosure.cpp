@@ -1,5 +1,6 @@
 // Based on: T. Möller and B. Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", 1997, section 2. This file has its
-// own loop over triangles, because it is used before the ray-tracing scene is built. `info` never builds one.
+// own loop over triangles, because it is used before the ray-tracing scene is built. The command `info` never builds a
+// ray-tracing scene.
 #include "stage/enclosure.hpp"
 
 #include <algorithm>

@@ -85,7 +85,7 @@ void visit_frames(const Scene& scene, const Visit& visit) {
   }
 }
 
-/// The size of a camera's view. `half` is half of the width and height at distance 1. For an orthographic camera, it is the
+/// The size of a camera's view. `half` is half of the width and height at distance 1. For an orthographic camera, `half` is the
 /// same at every distance.
 struct CameraView {
   bool is_orthographic;

@@ -4,7 +4,7 @@
 // 2. Drop the side with less surface area. Repeat step 1 with the other side.
 // 3. The cuts apply if the remaining part is small relative to the narrowest gap, so that it would fill less than 1/20 of the
 //    image's width. Otherwise the scene stays whole.
-// Slivers do not close gaps. A sliver is a long thin triangle, which results if one vertex of adjacent triangles is far away.
+// A sliver is a long thin triangle. Triangles become slivers if their common vertex is far away. Slivers do not close gaps.
 #pragma once
 
 #include <optional>

@@ -28,7 +28,7 @@ enum class Denoise {
 struct Sampling {
   std::optional<Integrator> integrator{};  ///< if empty, completed() chooses it
   RayOrder order = RayOrder::kViewTiles;
-  /// Samples per pixel. 0 selects the default of the integrator, or of completed().
+  /// Samples per pixel. If 0, completed() or the integrator chooses the number.
   int spp = 0;
   /// Filter over the angles of a view. If empty, quilts for displays with several samples per pixel use kBox (see
   /// PlacedOptics), and all other pictures use none.
