@@ -72,9 +72,8 @@ class PairSource {
           fmt::format("ends after {} frames, but {} has more", count_, a ? reference_path_.string() : test_path_.string()));
     if (!a) return std::nullopt;
     ++count_;
-    const std::string name = reference_->kind() == SourceKind::kVideo
-                                 ? b->name
-                                 : a->name;  // the name of a file is preferred to the frame number of a video
+    // The name of a file is preferred to the frame number of a video.
+    const std::string name = reference_->kind() == SourceKind::kVideo ? b->name : a->name;
     return Pair{name, std::move(*a), std::move(*b)};
   }
 

@@ -1,6 +1,6 @@
 // Reads the frames of an image, a folder of images or a video, one after another.
 //
-// The frames of a folder are its images named frame_*. If no image has such a name, they are all its images. They are sorted by
+// The frames of a folder are its images named frame_*. If no image has such a name, all images are frames. Frames are sorted by
 // name in natural order (2 before 10). Hidden files are skipped.
 #pragma once
 

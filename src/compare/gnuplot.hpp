@@ -7,7 +7,7 @@
 
 namespace lippmann {
 
-/// Quotes a string for gnuplot in single quotes. Inside them, only the single quote itself is special.
+/// Quotes a string for gnuplot in single quotes. Inside single quotes, only the single quote itself is special.
 std::string gnuplot_quoted(const std::string& text);
 
 /// Runs `commands` in gnuplot and writes a PNG file of 960 x 540 pixels. Throws Error if gnuplot is not installed or fails, or

@@ -27,8 +27,8 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kAccepted = "the folder of a render, its report.json, or what `lippmann-bench` prints as JSON";
-constexpr std::uintmax_t kMostBytes = std::uintmax_t{256}  // Maximum size of an input in bytes. A frame takes about 600 bytes.
-                                      << 20;
+// Maximum size of an input in bytes. A frame takes about 600 bytes.
+constexpr std::uintmax_t kMostBytes = std::uintmax_t{256} << 20;
 constexpr std::size_t kMaxPictures = 6;
 /// Text that identifies a report page. A file that contains it may be replaced.
 constexpr std::string_view kMark = "<meta name=\"generator\" content=\"lippmann report\">";

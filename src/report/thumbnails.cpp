@@ -52,7 +52,7 @@ Thumbnail thumbnail_of(const PageField& field, std::size_t frame) {
 
 Thumbnails read_thumbnails(const std::filesystem::path& report, std::size_t most, const Context& context) {
   Thumbnails found;
-  // Has no warnings about the light field, because a report page does not show them.
+  // `quiet` drops warnings about the light field, because a report page does not show them.
   Context quiet;
   quiet.threads = context.threads;
   try {
