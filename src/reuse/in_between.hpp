@@ -21,8 +21,8 @@ enum class Provenance : std::uint8_t;
 enum class SplatSampling {
   /// A pixel gets the colour of the point that lands anywhere within the pixel, as in the paper.
   kPixel,
-  /// Where colours change, they are interpolated between samples (epipolar.hpp). Only for arrays with a whole number of pixels
-  /// per lens.
+  /// Colours that change between samples are interpolated (epipolar.hpp). Only for arrays with a whole number of pixels per
+  /// lens.
   kEpipolar,
 };
 
@@ -63,12 +63,11 @@ class InBetweenMaker {
                        PointImage& frame);
 
   /// Predicts the film of a traced frame and compares it with the traced film. Returns the errors and costs, which help to
-  /// predict other frames between the same sources. `number` is the frame's number in the animation. The previous frame must
-  /// have ray counts.
+  /// predict other frames between the same sources. The previous frame must have ray counts.
   FloorLesson learn_floor(const SourcePair& between, int number, const PointImage& traced, const ThreadPool& pool);
 
-  /// Makes the film of the frame with a PSNR of at least params.floor. If tracing the whole frame would cost about the same or
-  /// less, returns an outcome whose `holds` is false. The film is then unusable.
+  /// Makes the film of the frame with a PSNR of at least params.floor. Returns `holds` = false, and an unusable film, if
+  /// tracing the whole frame would cost about the same or less.
   FloorOutcome make_to_floor(const SourcePair& between, int number, const Evidence& learned, const TracePackets& trace,
                              const ThreadPool& pool, PointImage& frame, InBetweenCounts& counts);
 
