@@ -55,7 +55,6 @@ void refuse_without(bool has_other, bool given, const char* name, const char* ot
     throw usage_error(name, fmt::format("has no effect without {}", other), fmt::format("{} with it", other));
 }
 
-/// Returns the layout named `format`. Returns nullopt if no layout has this name.
 std::optional<PictureLayout> layout_named(const std::string& format) {
   if (format == "integral") return PictureLayout::kIntegral;
   if (format == "quilt") return PictureLayout::kQuilt;

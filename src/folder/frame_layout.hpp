@@ -83,7 +83,7 @@ class FrameLayout {
   PictureFormat format_ = PictureFormat::kPng;
   const LightFieldFormat* light_field_ = nullptr;
   int pictures_per_frame_ = 1;
-  Vec2i view_size_{0, 0};  ///< size of a view of the light field
+  Vec2i view_size_{0, 0};
   std::optional<Arrangement> arrangement_;
   std::optional<StereoLayout> stereo_;
   std::vector<std::uint32_t> stereo_pixels_;  ///< index of the film's pixel, for each pixel of the picture

@@ -113,7 +113,7 @@ struct FolderJournal {
   std::map<std::string, std::vector<FileChecksum>> files;
   /// Videos, indexed by path relative to the folder.
   std::map<std::string, JournalVideo> videos;
-  std::vector<RunReport> runs;  ///< reports of runs that have ended
+  std::vector<RunReport> runs;
   /// Journal files that were read, one per run.
   std::vector<std::filesystem::path> parts;
   /// Journal files of runs of other jobs that finished nothing.
@@ -134,7 +134,6 @@ bool is_as_written(const FolderJournal& journal, const std::filesystem::path& fo
 /// Returns whether all `files` match their checksums.
 bool are_as_recorded(const std::filesystem::path& folder, const FileRecords& files);
 
-/// Returns the figures of a run in the JSON form of journals and report.json.
 nlohmann::ordered_json to_json(const RunReport& run);
 
 std::filesystem::path journal_folder(const std::filesystem::path& folder);

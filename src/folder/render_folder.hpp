@@ -68,7 +68,6 @@ class RenderFolder {
   /// Records a complete video of `frames`, and its side file if it has one.
   void add_video(const std::filesystem::path& video, const std::vector<int>& frames, bool has_side_file = false);
 
-  /// Records complete files of the page in this folder.
   void add_page(const std::vector<std::filesystem::path>& files) { part_.add(page_line(records_of(folder_, files))); }
 
   void end(const RunReport& run) { part_.add(run_line(run)); }

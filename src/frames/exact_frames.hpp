@@ -10,7 +10,7 @@ namespace lippmann {
 
 std::unique_ptr<FrameMaker> make_exact_frames(const MakerParts& parts, const CopySettled& reuse);
 
-/// Memory that the maker keeps between frames, in bytes per pixel.
+/// Memory that the maker keeps between frames.
 inline constexpr double kExactFramesBytesPerPixel = 3 * sizeof(float);
 
 }  // namespace lippmann

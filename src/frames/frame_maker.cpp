@@ -62,7 +62,6 @@ struct WorkingBytes {
   }
 };
 
-/// Returns the segment length of each kind of reuse, in frames.
 struct SegmentLength {
   int operator()(const AutoReuse&) const { return 1; }
   int operator()(const TraceAll&) const { return 1; }

@@ -24,7 +24,6 @@ struct JobCosts {
   std::vector<int> frames;              ///< frames that were measured, completely or in some strips
 };
 
-/// Measurements of a run that rendered a few frames of a job.
 struct MeasuredRun {
   std::vector<FrameReport> frames, sources;
   double setup_cpu_seconds = 0.0;
@@ -46,7 +45,6 @@ std::vector<int> frames_to_measure(const std::vector<int>& of_job, int segment, 
 
 JobCosts frame_costs(const MeasuredRun& run, const std::vector<int>& of_job, int segment);
 
-/// Returns the estimated CPU seconds of a run that renders `frames`.
 double cpu_seconds_of(const std::vector<int>& frames, int segment, const JobCosts& costs);
 
 }  // namespace lippmann

@@ -103,7 +103,6 @@ std::string path_from(const fs::path& folder, const std::string& path) {
   return tidy((here / path).lexically_normal().lexically_relative((here / folder / "").lexically_normal()));
 }
 
-/// Returns whether `path` is inside `folder` or equal to `folder`.
 bool lies_in(const fs::path& folder, const std::string& path) {
   const std::string from = path_from(folder, path);
   return from != ".." && !from.starts_with("../");

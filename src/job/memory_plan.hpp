@@ -37,7 +37,6 @@ struct MemoryPlan {
 /// Returns the estimated bytes of `frames_at_a_time` frames, each traced in `bands` bands.
 double estimated_bytes(const MemoryFacts& facts, int frames_at_a_time, int bands);
 
-/// Returns the estimated bytes for joining a frame from the files of its strips.
 double joined_frame_bytes(const MemoryFacts& facts);
 
 /// Returns the first of the following plans that fits into `available` bytes with a reserve. Throws Error if no plan fits. If

@@ -45,8 +45,8 @@ struct SceneParams {
   float light_scale = 1.0f;  ///< factor for the lamps of the file
   /// "none", "studio", a colour or a panorama file. If empty, light_scene() chooses (job/scene_light.hpp).
   std::string environment;
-  float environment_strength = 1.0f;      ///< factor for the light of the environment
-  float environment_rotation_deg = 0.0f;  ///< rotation of the environment about the vertical
+  float environment_strength = 1.0f;  ///< factor for the light of the environment
+  float environment_rotation_deg = 0.0f;
   /// Cameras around the scene, one per frame, which replace the scene's own cameras. If nullopt, the scene's own cameras are
   /// used.
   std::optional<CameraSet> cameras{};

@@ -27,8 +27,8 @@ struct SceneInfo {
   bool keys_on_frames = true;        ///< whether every key of the animation falls on a frame
   std::size_t moving_instances = 0;  ///< number of instances that move or change their shape
   std::vector<std::string> animations;
-  int animation = -1;                 ///< index of the shown animation
-  std::vector<std::string> variants;  ///< names of the material variants, for --variant
+  int animation = -1;  ///< index of the shown animation
+  std::vector<std::string> variants;
 
   /// Origin of `bounds` and `array_center`, in the coordinates of the file.
   Vec3d origin{0.0};

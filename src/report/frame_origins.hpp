@@ -11,7 +11,6 @@
 namespace lippmann {
 
 enum class Origin { kTraced, kCopied, kInterpolated, kFilled };
-/// The names of the origins, indexed by Origin.
 inline constexpr std::array<std::string_view, 4> kOriginNames{"traced", "copied", "interpolated", "filled"};
 using OriginShares = std::array<double, kOriginNames.size()>;
 

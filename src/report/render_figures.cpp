@@ -89,7 +89,7 @@ void read_optics(const Json& report, const fs::path& path, RenderFigures& figure
   try {
     const Vec2i film = film_size(optics_from_json(report.at("optics"), path.string()));
     figures.pixels = static_cast<double>(film.x) * film.y;
-  } catch (const std::exception& problem) {  // catches Error and JSON exceptions
+  } catch (const std::exception& problem) {
     figures.missing.push_back(
         fmt::format("Shares of pixels are unknown because the optics cannot be read: {}", problem.what()));
   }

@@ -56,7 +56,6 @@ std::string about_html(const RenderFigures& render) {
   return "<dl class=\"about\">" + html + "</dl>\n";
 }
 
-/// Totals of all runs on one machine.
 struct MachineRow {
   std::size_t runs = 0, frames = 0;
   double setup_seconds = 0.0, write_seconds = 0.0, peak_memory_bytes = 0.0;

@@ -205,7 +205,6 @@ LIPPMANN_INLINE void start(const Constants& c, const std::uint32_t* sources, Sea
   }
 }
 
-/// Sets z and object to those of the pixels at the given columns.
 LIPPMANN_INLINE void look_up(const PrimaryPoints& points, const Ints& row_begin, const Floats& column, Floats& z, Ids& object) {
   Ints pixel;
   for (int i = 0; i < kPointLanes; ++i) pixel.v[i] = row_begin.v[i] + static_cast<std::int32_t>(column.v[i]);

@@ -12,7 +12,6 @@ namespace {
 
 using Indices = std::span<const std::uint32_t>;
 
-/// Returns the RGB display codes of the wanted patches, one patch after another.
 std::vector<unsigned char> codes_of(const Image& film, const Patches& patches, Indices wanted, Encoding encoding) {
   Image picked(static_cast<int>(kPatchPixels * wanted.size()), 1, 3);
   float* to = picked.data.data();

@@ -31,7 +31,6 @@ std::vector<std::vector<std::size_t>> triangles_by_part(const Mesh& mesh) {
   return parts;
 }
 
-/// Returns a box around each part of a mesh.
 std::vector<Bounds3f> parts_of(const Mesh& mesh) {
   std::vector<Bounds3f> boxes;
   for (const std::vector<std::size_t>& part : triangles_by_part(mesh)) {

@@ -57,7 +57,6 @@ Bounds3f bounds_of_part(const Scene& scene, const Subject& subject, std::size_t 
 /// Returns the subject of the whole animation. If all finite instances are surroundings, the subject is everything.
 Subject find_subject(const Scene& scene);
 
-/// Returns the length of a box's diagonal. Returns 0 for an empty box.
 inline float diagonal(const Bounds3f& bounds) { return bounds.empty() ? 0.0f : glm::length(bounds.size()); }
 
 /// Return lists of names, such as "'Plane', 'Wall' and 3 others". list_surroundings() lists the surroundings. list_strays()
