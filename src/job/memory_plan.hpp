@@ -27,7 +27,7 @@ struct MemoryFacts {
   int rows_around = 0;  ///< number of extra rows traced above and below a band (frames/traced_frames.hpp)
 };
 
-/// Decides how frames are rendered so that they fit into memory.
+/// How frames are rendered so that they fit into memory.
 struct MemoryPlan {
   int bands = 1;               ///< number of bands of rows per frame, which are traced one after another
   bool one_at_a_time = false;  ///< whether each frame is written before the next frame is traced

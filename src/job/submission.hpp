@@ -13,7 +13,7 @@ struct Submission {
   std::filesystem::path program;  ///< path of the command-line tool: absolute, or a name in PATH
   std::filesystem::path job;      ///< absolute path of a job file
   std::filesystem::path folder;   ///< absolute path of the job's output folder
-  std::string name;               ///< name of the job in lists
+  std::string name;               ///< name of the job in the scheduler's lists
   int units = 1;
   int chunk = 1;  ///< number of units that one task renders in sequence, if the scheduler supports such tasks
   int threads = 1;

@@ -24,7 +24,7 @@ namespace lippmann {
 
 struct SlantedLanding {
   struct Row {
-    SlantedPanelRays c;  ///< rays at z = 0
+    SlantedPanelRays c;  ///< rays, given by their positions at z = 0 and their slopes
     float lenses_per_sub_pixel, sub_pixels_per_lens;
     float lenses_per_row;  ///< change of the phase from one row to the next row below
     float sub_pixels_per_mm, width, height, middle_x, middle_y;

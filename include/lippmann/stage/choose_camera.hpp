@@ -19,7 +19,7 @@ std::vector<std::string> camera_names(const Scene& scene);
 std::string list_cameras(const std::vector<std::string>& names);
 
 /// Moves a camera to the front of the scene's list of cameras. The first camera defines the view, even if the scene places its
-/// own lens array. `wanted` is the name of the camera; if no camera has this name, it is an index. An empty string changes
+/// own lens array. `wanted` is the name of the camera, or its index if no camera has this name. An empty string changes
 /// nothing. Throws a usage Error that lists the cameras.
 void choose_camera(Scene& scene, const std::string& wanted);
 
