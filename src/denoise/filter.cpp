@@ -17,7 +17,6 @@ constexpr float kNormalSpread = 0.2f;  ///< standard deviation of the length of 
 constexpr float kAlbedoSpread = 0.2f;
 constexpr float kMetSpread = 0.2f;
 /// Standard deviation of a point's distance from the plane of the surface. The unit is the distance between samples.
-
 constexpr float kPlaneSpread = 3.0f;
 /// Relative difference in light that counts as one standard deviation, in addition to the noise. Smaller differences are
 /// invisible.

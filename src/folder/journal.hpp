@@ -117,7 +117,6 @@ struct FolderJournal {
   /// Journal files that were read, one per run.
   std::vector<std::filesystem::path> parts;
   /// Journal files of runs that belong to other jobs and have finished no file.
-
   std::vector<std::filesystem::path> claims;
   /// Number and problem of the first invalid line. Empty if all lines are valid.
   std::string problem;

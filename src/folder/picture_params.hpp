@@ -37,7 +37,6 @@ struct PictureParams {
   /// Only for kPrint: exchanges left and right, for a print on the back of a sheet.
   bool mirror = false;
   /// Number of tiles of kQuilt. If 0, the number of the native layout, or a nearly square arrangement.
-
   Extent<int> quilt;
   StereoLayout stereo;  ///< only used by kStereo
   DepthParams depth;    ///< only used by kRgbd
