@@ -1,24 +1,30 @@
 // Projects a moved point back to a pixel. The point lands on the pixel that shows it, in the same directional view or below the
-// same lens as before.
+// same lens as before. Both projections are closed-form inverses of the optics, so a point lands on at most one pixel.
 //
-// Both projections are closed-form inverses of the optics, so a point lands on at most one pixel. (X, Y, Z) is the moved point
-// in display mm. The symbols are those of optics/lens_axis.hpp: l is a lens position, o is the offset of a pixel from the
-// centre of its lens's cell, m / g is the slope per pixel of offset, V is the viewing distance, and e is the eye position to
-// which the cells converge.
+// Symbols, as in optics/lens_axis.hpp:
+//   (X, Y, Z)  the moved point, mm in the display frame
+//   l          position of a lens, mm
+//   o          offset of a pixel from the centre of its lens's cell, pixels
+//   m / g      slope of a ray per pixel of offset
+//   V          viewing distance, mm
+//   e          position of the eye to which the cells converge, mm
 //
-// Same view (`SplatMode::kView`). The rays with the same offset o below every lens form an image of the scene with one sample
-// per lens. The image is parallel if V is infinite, and perspective otherwise. The ray through lens position l has the slope -o
-// m/g - (l - e)/V. The point is therefore seen through
-//   l = (X + a Z) / (1 - Z/V),   a = o m/g - e/V
-// and belongs to the nearest lens. Rows of a lenticular sheet and views of a quilt follow the same formula with o = 0. For
-// them, e is the height of the eye, or the eye of the view. If the number of pixels per lens is not whole, the point lands on
-// the pixel of that lens that is nearest to the offset o. On slanted sheets this pixel is in the row where the point lands; in
-// hexagonal arrays it is within the cell.
+// Same view (`SplatMode::kView`):
+//   The rays with the same offset o below every lens form an image of the scene with one sample per lens. The image is parallel
+//   if V is infinite, and perspective otherwise.
+//   The ray through lens position l has the slope -o m/g - (l - e)/V. The point is therefore seen through
+//     l = (X + a Z) / (1 - Z/V),   a = o m/g - e/V
+//   and belongs to the nearest lens.
+//   Rows of a lenticular sheet and views of a quilt follow the same formula with o = 0. For rows, e is the height of the eye.
+//   For views, e is the eye of the view.
+//   If the number of pixels per lens is not whole, the point lands on the pixel of the lens that is nearest to the offset o. On
+//   slanted sheets, this pixel is in the row where the point lands. In hexagonal arrays, it is within the cell.
 //
-// Same lens (`SplatMode::kLens`, as in the paper). Lens l sees the point at the offset o = -((X - l)/Z + (l - e)/V) g/m in its
-// cell. A point outside the cell is dropped. A point very near the lens plane stays in its pixel, because a shift by 1/1000 of
-// a lens would move its image through the whole cell. Single views and quilts have no lenses, and lenticular sheets have none
-// along their axis. There, both modes are the same.
+// Same lens (`SplatMode::kLens`, as in the paper):
+//   Lens l sees the point at the offset o = -((X - l)/Z + (l - e)/V) g/m in its cell. A point outside the cell is dropped.
+//   A point very near the lens plane stays in its pixel, because a shift by 1/1000 of a lens would move its image through the
+//   whole cell.
+//   Single views and quilts have no lenses, and lenticular sheets have none along their axis. There, both modes are the same.
 //
 // The functions are inlined into the loops over the pixels of a row (splat.cpp), so that the compiler can vectorise these
 // loops.
