@@ -7,8 +7,7 @@
 //      s = (X - e Z / D) / (1 - Z / D),   y = (Y - h Z / D) / (1 - Z / D).
 // 2. The row of the result is the row that contains y.
 // 3. In that row, each lens covers one sub-pixel with the phase of the original sub-pixel. The result is the sub-pixel nearest
-// to s.
-//    Let d be the phase at s minus the phase of the original sub-pixel. The result lies at s - (d - round(d)) lenses.
+//    to s. Let d be the phase at s minus the phase of the original sub-pixel. The result lies at s - (d - round(d)) lenses.
 // The ray of the result has the direction of the original ray to within half the distance between two sub-pixels. It is at most
 // half a lens away from s. Points of still objects stay in place.
 //
