@@ -7,12 +7,10 @@
 //   a   Difference between the predictions of the pixel from the two key frames. Predictions differ for lights, shadows,
 //       highlights and mirror images that do not move with the surface, and for most points that land beside an edge.
 //   A   Largest a of the 8 neighbours in the same view. Both key frames may predict the same wrong colour at a pixel, but
-//   rarely
-//       at all its neighbours.
+//       rarely at all its neighbours.
 //   a'  Largest a of the two adjacent pixels, which belong to other views.
-//   g   Contrast of the predicted image: the largest difference between the pixel and its 8 neighbours in the same view. A
-//   point
-//       lands up to half a step beside the pixel's centre, so its colour is wrong by part of the contrast.
+//   g   Contrast of the predicted image: the largest difference between the pixel and its 8 neighbours in the same view.
+//       A point lands up to half a step beside the pixel's centre, so its colour is wrong by part of the contrast.
 //   g'  Largest difference between the pixel and the two adjacent pixels.
 //
 // If points of only one key frame land on a pixel, its uncertainty is at least kOneKeyUncertainty. If no point lands, it is at
