@@ -92,8 +92,8 @@ TEST(ThinLens, zero_aperture_equals_a_pinhole) {
 // All points of the lens see a parallel plate at the same size. A picture that contains the whole blurred plate thus has as
 // much light as a sharp picture.
 // Tolerance: pictures have 64 x 64 pixels with 16 samples. The sharp picture resolves the plate's area to 0.1 %. The blurred
-// one has random samples in 4 x 30 pixels at its rim, with a standard deviation of sqrt(4 x 30 x 0.25 / 16) / 1024 = 0.13 %. The
-// two errors together are 0.17 %, and the test allows four times this error.
+// one has random samples in 4 x 30 pixels at its rim, with a standard deviation of sqrt(4 x 30 x 0.25 / 16) / 1024 = 0.13 %.
+// The two errors together are 0.17 %, and the test allows four times this error.
 TEST(ThinLens, blur_keeps_the_light) {
   SmallScene s;
   s.add(square(2.0f, -10.0f), s.material(glowing(Vec3f(1.0f))));
