@@ -20,7 +20,8 @@ namespace fs = std::filesystem;
 using testing::AllOf;
 using testing::HasSubstr;
 
-/// Returns the motions of five cameras in a hand-held row; the middle one is the reference.
+/// Returns the transforms of five cameras held by hand in a row. The third camera is the reference, so its transform is the
+/// identity.
 std::vector<Similarity> hand_held() {
   return {moved_about_centre(0.8, 1.02, {9.0, -6.5}),
           moved_about_centre(-1.5, 0.985, {-4.0, 8.25}),
@@ -36,7 +37,7 @@ void write_shots(const fs::path& folder, const std::vector<Similarity>& cameras)
                   shot(static_cast<int>(i) - static_cast<int>(cameras.size() / 2), cameras[i]));
 }
 
-/// The hand-held pictures, aligned once for all tests that examine the result.
+/// Holds the aligned pictures of `hand_held`, so that all tests share one alignment.
 struct AlignedShots {
   TempDir dir;
   AlignedPictures made;
@@ -114,7 +115,8 @@ TEST_F(Align, views_show_the_focus_at_one_place) {
             std::abs(view.rgb[3 * (static_cast<std::size_t>(y) * view.width + x)] - 20.0 - 215.0 * texture_at(place, 21));
         worst = std::max(worst, off), sum += off, ++count;
       }
-    EXPECT_LT(sum / count, 1.5) << i;  // twice half a code of rounding, and 0.1 px at slopes of about 10 codes per pixel
+    // Rounding can add twice half a code. A shift of 0.1 px adds about 1 code where neighbouring pixels differ by 10 codes.
+    EXPECT_LT(sum / count, 1.5) << i;
     EXPECT_LT(worst, 12.0) << i;
   }
 }

@@ -25,7 +25,7 @@ class StereoDepth : public testing::Test {
   std::string warnings_;
 };
 
-/// Returns the share of a disc's pixels whose disparity is within half a pixel of `wanted`.
+/// Returns the share of the pixels within `radius` of `centre` whose disparity differs from `wanted` by less than half a pixel.
 double share_right(const Image& disparity, Vec2d centre, double radius, double wanted) {
   int right = 0, all = 0;
   for (int y = 0; y < disparity.height; ++y)
@@ -51,8 +51,8 @@ TEST_F(StereoDepth, finds_disparities_in_both_pictures) {
 
 TEST_F(StereoDepth, hidden_parts_get_the_background) {
   const StereoDisparity found = disparity_of_pair(shot(0, {}), shot(1, {}), "pair", context_);
-  // The disc at the right moves 9 pixels further to the left than the wall, so the right picture does not show the wall to the
-  // left of the disc.
+  // From the left to the right picture, the disc moves 9 pixels further to the left than the wall. The tested pixel of the wall
+  // is therefore hidden in the right picture.
   EXPECT_NEAR(found.of_left.pixel(520 - 70 - 5, 370)[0], -kFarMove, 1.0);
 }
 
