@@ -1,4 +1,5 @@
-// Benchmarks on a few frames of one scene: the figures present, and properties that hold for any measurement.
+// Runs benchmarks on a few frames of one scene. The tests check that every figure is reported, and properties that do not
+// depend on the machine's speed.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -18,7 +19,7 @@ namespace {
 using testing::HasSubstr;
 using Json = nlohmann::ordered_json;
 
-/// Returns a request for animations of this many frames, without Tachyon's.
+/// Returns a request for the first `frames` frames of a scene. The folder of Tachyon scenes does not exist, so none is run.
 bench::Request small_request(const std::string& scene, int frames) {
   bench::Request request;
   request.scenes = {scene}, request.frames = frames, request.tachyon_scenes = "nowhere";
@@ -83,7 +84,8 @@ TEST(BenchLamps, json_has_a_row_per_kind_and_number_of_lamps) {
 TEST(BenchReplay, all_eyes_see_orthoscopic_depth) {
   const bench::Report report = run_benchmark("replay", {});
   ASSERT_EQ(report.rows.size(), 50u);
-  EXPECT_EQ(report.passed_checks, 100);  // orthoscopic, and pseudoscopic after conversion
+  // 50 rows with two checks each: orthoscopic depth, and pseudoscopic depth after the conversion
+  EXPECT_EQ(report.passed_checks, 100);
   double near = 0.0, beyond = 0.0;
   for (const auto& row : report.rows) {
     EXPECT_GT(row["behind_order_db"], 0.0) << row;
@@ -93,7 +95,7 @@ TEST(BenchReplay, all_eyes_see_orthoscopic_depth) {
   EXPECT_GT(near, beyond + 3.0);
 }
 
-// One run for all checks, because it takes seconds.
+// One test checks all outputs, because the benchmark runs for seconds.
 TEST(BenchPaper, json_text_and_plots_are_complete) {
   const TempDir dir;
   const bool draws = std::system("command -v gnuplot > /dev/null") == 0;
@@ -102,7 +104,7 @@ TEST(BenchPaper, json_text_and_plots_are_complete) {
   std::string said;
   request.csv = dir / "paper.csv", request.say = [&](std::string_view line) { said += line, said += '\n'; };
   const bench::Report report = run_benchmark("paper", request);
-  EXPECT_EQ(report.passed_checks, 2 + 1 + 1 + 1 + 1);  // key frames of the five runs
+  EXPECT_EQ(report.passed_checks, 2 + 1 + 1 + 1 + 1);  // number of key frames in each of the five runs
   ASSERT_EQ(report.rows.size(), 5u);
   for (const Json& row : report.rows) {
     double psnr = 0.0;
@@ -123,7 +125,7 @@ TEST(BenchPaper, json_text_and_plots_are_complete) {
   EXPECT_EQ(report.details["styles"].size(), 1u);
   EXPECT_THAT(said, HasSubstr("primitives: frames 0 to 3\n"));
   EXPECT_THAT(report.text, HasSubstr("mean squared errors"));
-  EXPECT_THAT(report.text, HasSubstr("67 %"));  // saving in table 2: 1 - 333 / 1024
+  EXPECT_THAT(report.text, HasSubstr("67 %"));  // Table 2 of the paper states a saving of 1 - 333 / 1024 = 67 %.
   const std::string csv = file_bytes(dir / "paper.csv");
   EXPECT_THAT(csv, testing::StartsWith("scene,keyframes,saving,paper_saving,psnr_db,paper_psnr_db,reproduced\nprimitives,"));
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 2);
@@ -147,7 +149,7 @@ TEST(BenchPaper, unwritable_tables_are_refused_first) {
 TEST(BenchPaper, unknown_scenes_are_refused) {
   EXPECT_THAT(error_message([] { run_benchmark("paper", small_request("nothing", 0)); }), HasSubstr("gears"));
   bench::Request request = small_request("primitives", 2);
-  request.scenes.emplace_back("nothing");  // beside an existing one
+  request.scenes.emplace_back("nothing");  // the request also names an existing scene
   EXPECT_THAT(error_message([&] { run_benchmark("paper", request); }), HasSubstr("there is no animation 'nothing'"));
 }
 

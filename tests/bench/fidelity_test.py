@@ -1,4 +1,5 @@
-"""The parts of bench/gltf_fidelity.py: FLIP by values of its paper's formulas, PNG filters, cameras, single files, medians."""
+"""Tests the parts of bench/gltf_fidelity.py: the FLIP error against values computed by hand, PNG filters, cameras,
+packing into one file, and medians."""
 
 import base64
 import json
@@ -15,7 +16,7 @@ import numpy as np
 BENCH = Path(__file__).parents[2] / "bench"
 sys.path += [str(BENCH), str(BENCH / "cycles"), str(BENCH / "fidelity")]
 
-import flip  # noqa: E402  (once they can be found)
+import flip  # noqa: E402  (sys.path is extended first)
 import gltf_fidelity  # noqa: E402
 import judge  # noqa: E402
 import lamps  # noqa: E402
@@ -43,12 +44,15 @@ class Flip(unittest.TestCase):
         self.assertEqual(flip.difference(noise, noise).max(), 0.0)
 
     def test_green_and_blue_differ_most(self):
-        np.testing.assert_allclose(flip_of(GREEN, BLUE), 1.0, atol=1e-6)  # these two define the scale
+        # FLIP scales colour errors so that green and blue have an error of 1
+        np.testing.assert_allclose(flip_of(GREEN, BLUE), 1.0, atol=1e-6)
 
     def test_black_and_white_differ_in_lightness(self):
         most = float(flip.hyab(*flip.hunt_lab(np.array([[0.0, 1, 0], [0, 0, 1]])))**0.7)
         split = 0.4 * most
-        expected = 0.95 + 0.05 * (100**0.7 - split) / (most - split)  # beyond the split; L* is 0 and 100
+        # "most" is the largest colour error. FLIP maps errors above `split` to 0.95 .. 1. The lightness L* of black and
+        # white is 0 and 100.
+        expected = 0.95 + 0.05 * (100**0.7 - split) / (most - split)
         np.testing.assert_allclose(flip_of(BLACK, WHITE), expected, atol=1e-5)
         self.assertAlmostEqual(most, 41.277, delta=0.05)
 
@@ -72,7 +76,7 @@ class Flip(unittest.TestCase):
 
 
 def filtered(codes, kinds):
-    """Returns a PNG file whose row i has the filter kinds[i]."""
+    """Returns an RGB PNG file in which row i is encoded with the PNG filter kinds[i]."""
     height, width, step = codes.shape
     above, out = [0] * (width * step), b""
     for row, kind in zip(codes.reshape(height, -1).tolist(), kinds):
@@ -113,7 +117,7 @@ class Pictures(unittest.TestCase):
 
     def test_halves_average_the_covered_light(self):
         picture = plain(WHITE, 2)
-        picture[0] = (*BLACK, 0)  # the upper row is empty and has no weight
+        picture[0] = (*BLACK, 0)  # the upper row is transparent, so its colour has no weight
         np.testing.assert_array_equal(pictures.shrunk(picture, 1, 1), [[[255, 255, 255, 128]]])
         self.assertIsNone(pictures.shrunk(plain(WHITE, 3), 2, 2))
 
@@ -121,7 +125,8 @@ class Pictures(unittest.TestCase):
 class Judge(unittest.TestCase):
     def test_outliers_are_far_from_the_median(self):
         judged = judge.judged({"a": plain((100, 100, 100)), "b": plain((102, 102, 102)), "c": plain((101, 101, 101)), "odd": plain((200, 100, 100))})
-        self.assertGreater(judged["a"]["psnr_db"], 44)  # medians of the rest are at most 102
+        # the grey values are 100, 101 and 102, so each is within 2 of the median
+        self.assertGreater(judged["a"]["psnr_db"], 44)
         self.assertLess(judged["odd"]["psnr_db"], 14)
         self.assertGreater(judged["odd"]["flip"], 10 * judged["a"]["flip"])
 
@@ -182,7 +187,8 @@ class Scenarios(unittest.TestCase):
     def test_an_orbits_camera_looks_at_its_target(self):
         for theta, phi in ((0, 90), (30, 60), (-90, 45), (200, 120)):
             place, (x, y, z, w) = scenarios.camera_place(scenarios.Orbit(theta, phi, 5.0), (1.0, 2.0, 3.0))
-            forward = np.array([-2 * (x * z + w * y), -2 * (y * z - w * x), 2 * (x * x + y * y) - 1])  # -z, rotated
+            # the rotated -z axis
+            forward = np.array([-2 * (x * z + w * y), -2 * (y * z - w * x), 2 * (x * x + y * y) - 1])
             np.testing.assert_allclose(np.array(place) + 5.0 * forward, (1, 2, 3), atol=1e-9)
 
     def test_default_orbit_is_in_front(self):
@@ -249,7 +255,7 @@ class Reads(unittest.TestCase):
 
 
 class Failures(unittest.TestCase):
-    """A renderer without a picture of a file."""
+    """Tests the report about a file of which a renderer made no picture."""
 
     def test_the_reason_is_the_line_of_the_error(self):
         text = "Blender 3.4.1\nTraceback (most recent call last):\n  File x\nValueError: no camera\nError: Python: Traceback (most recent call last):\nError: script failed, file: 'x'\nBlender quit\n"
@@ -298,7 +304,7 @@ class Page(unittest.TestCase):
         self.assertIn("a&amp;b", text)
         self.assertIn("left &lt;out&gt;", text)
         self.assertIn("<td>&lt;other&gt;: EXT_&lt;x&gt;", text)
-        self.assertEqual(text.count("data:image/png;base64,"), 4)  # two pictures, two maps
+        self.assertEqual(text.count("data:image/png;base64,"), 4)  # two pictures and two error maps
         self.assertNotIn("http", text)
 
 

@@ -1,4 +1,4 @@
-// The scenes that are hard to denoise are valid and have motion.
+// Checks that the scenes which are hard to denoise are valid and that something moves in every frame.
 #include "bench/hostile_scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -19,8 +19,8 @@ Scene scene_named(const std::string& name) {
   return std::find_if(all.begin(), all.end(), [&](const HostileScene& scene) { return scene.name == name; })->build();
 }
 
-/// Returns the longest motion since the previous frame, in shares of the array's height and relative to the array, of a node
-/// with a shape or a light, or of a point beside it that rotates with it.
+/// Returns the longest distance that a node with a shape or a light moves from the previous frame to `frame`. A point beside
+/// each node is measured too, so that rotation counts. The distance is relative to the display plane, as a share of its height.
 float largest_step(const Scene& scene, int frame) {
   const ResolvedScene before = evaluate(scene, scene.timeline.time(frame - 1)),
                       after = evaluate(scene, scene.timeline.time(frame));
@@ -67,7 +67,7 @@ TEST(HostileScenes, move_in_every_frame) {
     const Scene scene = hostile.build();
     EXPECT_EQ(scene.timeline.frames_per_second, 25.0) << hostile.name;
     for (int frame = 1; frame < hostile.frames; ++frame) {
-      // One of 120 pixels; thin objects move by a part of a pixel.
+      // The smallest accepted motion is one pixel of a picture with 120 rows. In the scene "thin" it is a fifth of a pixel.
       const float least = hostile.name == "thin" ? 0.2f / 120.0f : 1.0f / 120.0f;
       EXPECT_GT(largest_step(scene, frame), least) << hostile.name << ", frame " << frame;
     }

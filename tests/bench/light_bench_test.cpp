@@ -1,4 +1,4 @@
-// Rows of the benchmarks light and estimates on a few small frames.
+// Tests the JSON rows of the benchmarks `light` and `estimates` on a few small frames.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -36,11 +36,12 @@ TEST(BenchLight, json_has_a_row_per_scene_with_all_figures) {
       EXPECT_TRUE(row[key].is_number()) << key;
       EXPECT_TRUE(row[std::string("full_") + key].is_number()) << key;
     }
-    for (const char* key : {"block_psnr_db", "edge_psnr_db"})  // null if the noise of such small references hides the error
+    // the value is null if the noise of the small reference pictures exceeds the error
+    for (const char* key : {"block_psnr_db", "edge_psnr_db"})
       EXPECT_TRUE(row.contains(key) && row.contains(std::string("full_") + key)) << key;
     EXPECT_EQ(row["frame_flicker"].is_number(), frames[r] >= 3);
     const double ratio = row["full_cpu_seconds"].get<double>() / row["cpu_seconds"].get<double>();
-    EXPECT_NEAR(row["time_ratio"].get<double>(), ratio, 0.02 * ratio);  // seconds have four decimals
+    EXPECT_NEAR(row["time_ratio"].get<double>(), ratio, 0.02 * ratio);  // the seconds in the JSON have four decimals
     EXPECT_NEAR(row["saving_total"].get<double>(), 1.0 - 1.0 / ratio, 0.01);
   }
 }
@@ -60,7 +61,7 @@ TEST(BenchLight, valid_references_are_reused) {
   const TempDir dir;
   bench::Request scene = quick_request({"primitives"}, 2);
   const Json first = light_rows(dir, scene)[0], second = light_rows(dir, scene)[0];
-  EXPECT_EQ(first["references_rendered"], 4);  // two halves of each of two frames
+  EXPECT_EQ(first["references_rendered"], 4);  // two independent halves for each of two frames
   EXPECT_EQ(second["references_kept"], 4);
   EXPECT_EQ(second["references_rendered"], 0);
   EXPECT_EQ(second["psnr_db"], first["psnr_db"]);

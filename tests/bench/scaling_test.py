@@ -1,4 +1,5 @@
-"""Compares the model of docs/lab/scaling.md with a simulation of nodes that take units."""
+"""Compares the formulas of docs/lab/scaling.md with a simulation of machines that each take the next group of frames
+when they are free."""
 
 import random
 import sys
@@ -7,14 +8,14 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "bench"))
 
-import scaling  # noqa: E402  (once it can be found)
+import scaling  # noqa: E402  (sys.path is extended first)
 
 SMALL = scaling.Film(frames=10, segment=4, frame_s=2.0, first_s=1.0, startup_s=3.0, spread=0.0, frame_bytes=0.0, syncs=0)
 
 
 class Scaling(unittest.TestCase):
     def test_units_have_whole_segments(self):
-        self.assertEqual(scaling.unit_sizes(SMALL, 2), [8, 2])  # segments 4, 4, 2
+        self.assertEqual(scaling.unit_sizes(SMALL, 2), [8, 2])  # the film has segments of 4, 4 and 2 frames
         self.assertEqual(scaling.unit_sizes(SMALL, 3), [4, 4, 2])
         self.assertEqual(scaling.unit_sizes(SMALL, 99), [4, 4, 2])
         self.assertEqual(scaling.unit_sizes(scaling.Film(frames=7), 3), [3, 2, 2])
@@ -24,9 +25,11 @@ class Scaling(unittest.TestCase):
         self.assertEqual(scaling.whole_seconds(SMALL), 3 + 10 * 2 + 3 * 1)
 
     def test_free_nodes_take_the_next_unit(self):
-        self.assertEqual(scaling.scheduled_seconds([4.0, 1.0, 1.0, 5.0], 2), 7.0)  # 4 | 1, 1, 5
+        # one node runs 4.0 s; the other runs 1.0 + 1.0 + 5.0 s
+        self.assertEqual(scaling.scheduled_seconds([4.0, 1.0, 1.0, 5.0], 2), 7.0)
         self.assertEqual(scaling.scheduled_seconds([4.0, 1.0], 8), 4.0)
-        self.assertEqual(scaling.simulated_seconds(SMALL, 2, 3, seed=1), 12 + 8)  # units of 12, 12 and 8 seconds
+        # The units take 12, 12 and 8 s. Two nodes run the first two units, and one of the nodes also runs the third.
+        self.assertEqual(scaling.simulated_seconds(SMALL, 2, 3, seed=1), 12 + 8)
 
     def test_the_simulation_is_within_its_bounds(self):
         draw = random.Random(5)
@@ -42,7 +45,7 @@ class Scaling(unittest.TestCase):
             self.assertGreaterEqual(seconds, even * (1 - 1e-9))
             self.assertLessEqual(seconds, (even + (1 - 1 / nodes) * max(durations)) * (1 + 1e-9))
             tight += seconds > even + 0.5 * max(durations)
-        self.assertGreater(tight, 10)  # the upper bound is tight
+        self.assertGreater(tight, 10)
 
     def test_the_longest_unit_matches_the_estimate(self):
         film = scaling.Film(frames=4000, startup_s=0.0)
@@ -55,7 +58,7 @@ class Scaling(unittest.TestCase):
             for nodes in (10, 100, 1000):
                 least, most = scaling.bounds_seconds(film, nodes, 8 * nodes)
                 median = scaling.median_seconds(film, nodes, 8 * nodes)
-                self.assertGreater(median, 0.99 * least)  # the mean of the drawn values varies
+                self.assertGreater(median, 0.99 * least)  # the random durations make the median vary by 1 %
                 self.assertLess(median, most)
 
     def test_the_disk_limits_the_time(self):

@@ -1,4 +1,4 @@
-// The scenes of benchmarks do not depend on the defaults of a render.
+// Checks that benchmark scenes do not depend on the default render parameters.
 #include "bench/scenes.hpp"
 
 #include <gtest/gtest.h>
