@@ -29,7 +29,7 @@ using test::TempDir;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-/// Makes a folder of `count` frames; `phase` makes them differ from another folder's.
+/// Writes `count` frames to the folder. Folders with different phases have different frames.
 fs::path make_folder(const fs::path& folder, int count, double phase = 0.0) {
   fs::create_directories(folder);
   for (int i = 0; i < count; ++i)
@@ -101,7 +101,7 @@ TEST(Compare, folder_equals_its_lossless_video) {
   const TempDir dir;
   fs::create_directories(dir / "a");
   VideoWriter video(dir / "a.mkv");
-  for (int i = 0; i < 12; ++i) {  // natural order: picture_9 comes before picture_10
+  for (int i = 0; i < 12; ++i) {  // more than ten pictures, because picture_9 must come before picture_10
     write_png(dir / "a" / ("picture_" + std::to_string(i) + ".png"), smooth_codes(32, 24, 0.2 * i));
     video.add_frame(smooth_codes(32, 24, 0.2 * i));
   }

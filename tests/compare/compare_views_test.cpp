@@ -34,7 +34,8 @@ void write_motion(const fs::path& path) {
   write_exr(path, std::array{ExrLayer{"motion", &motion, {"X", "Y"}, ExrSample::kFloat}});
 }
 
-/// Makes still frames of two views each, with motion layers; view v of frame f is brighter by errors[f][v].
+/// Writes frames of two views each, with EXR files of zero motion. In frame f, view v is errors[f][v] codes brighter than
+/// smooth_codes.
 fs::path make_frames(const fs::path& folder, const std::vector<std::array<int, 2>>& errors) {
   for (std::size_t f = 0; f < errors.size(); ++f) {
     const fs::path frame = folder / fmt::format("frame_{:04}", f);

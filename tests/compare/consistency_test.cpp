@@ -15,7 +15,6 @@ Image8 grey(int width, int height, unsigned char code) {
   return {width, height, std::vector<unsigned char>(std::size_t{3} * width * height, code)};
 }
 
-/// Returns one row of grey codes.
 Image8 row(const std::vector<unsigned char>& codes) {
   Image8 image{static_cast<int>(codes.size()), 1, {}};
   for (const unsigned char code : codes) image.rgb.insert(image.rgb.end(), 3, code);
@@ -61,7 +60,8 @@ TEST(Flicker, error_moving_with_its_surface_is_ignored) {
 TEST(Flicker, half_pixel_of_motion_mixes_two_pixels) {
   const Image8 flat = grey(3, 1, 100), error = row({100, 100, 108});
   const std::vector<float> motion{0, 0, -0.5f, 0, 0, 0};
-  // Errors of the previous frame at the sources: 0, 4, 8; of this frame: 0.
+  // The errors of the previous frame's pixels are 0, 0 and 8. Pixel 1 moved by half a pixel, so its error is interpolated: (0 +
+  // 8) / 2 = 4. The current frame has no error.
   const FlickerSums sums = flicker_of_view({flat, error, flat, flat, motion.data()});
   EXPECT_NEAR(sums.squares, 3.0 * (16.0 + 64.0), 1e-9);
   EXPECT_EQ(sums.weights, 9.0);
