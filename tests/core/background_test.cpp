@@ -23,7 +23,7 @@ TEST(BackgroundQueue, ordered_halves_run_in_submission_order) {
   std::vector<int> order;
   {
     BackgroundQueue queue(4, 8);
-    for (int i = 0; i < 200; ++i)  // pieces take different times
+    for (int i = 0; i < 200; ++i)  // each task takes a different time
       queue.submit([i] { std::this_thread::sleep_for(std::chrono::microseconds((i * 37) % 200)); },
                    [&, i] { order.push_back(i); });
     queue.finish();
@@ -48,7 +48,8 @@ TEST(BackgroundQueue, never_more_pieces_than_its_capacity_exist) {
   BackgroundQueue queue(2, 3);
   for (int i = 0; i < 50; ++i) {
     auto held = std::make_shared<Counted>(alive, most);
-    queue.submit([held] { std::this_thread::sleep_for(std::chrono::microseconds(100)); });  // so that pieces accumulate
+    // delays the worker, so that tasks accumulate in the queue
+    queue.submit([held] { std::this_thread::sleep_for(std::chrono::microseconds(100)); });
   }
   queue.finish();
   EXPECT_EQ(alive, 0);
@@ -85,8 +86,8 @@ TEST(BackgroundQueue, destroyed_drops_waiting_pieces) {
     begun.get_future().wait();
     for (int i = 0; i < 5; ++i) queue.submit([&] { ++ran; });
     releaser = std::thread([&] {
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));  // meanwhile the queue's destructor begins, which cannot be
-                                                                   // observed
+      // By now the queue's destructor has probably begun. Nothing reports its beginning.
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
       go.set_value();
     });
   }
@@ -94,7 +95,7 @@ TEST(BackgroundQueue, destroyed_drops_waiting_pieces) {
   EXPECT_EQ(ran, 1);
 }
 
-/// Limits this process's address space to `bytes` more than it uses.
+/// Allows this process to allocate at most `bytes` more of address space.
 void limit_address_space(rlim_t bytes) {
   rlim_t pages = 0;
   std::ifstream("/proc/self/statm") >> pages;
@@ -103,9 +104,9 @@ void limit_address_space(rlim_t bytes) {
   setrlimit(RLIMIT_AS, &both);
 }
 
-/// Exits with 3 if some threads started, others could not, and the queue reported it.
+/// Exits with status 3 if only some of the 64 threads can start, so that the queue's constructor throws.
 void start_more_threads_than_fit() {
-  constexpr rlim_t kStack = 8 << 20;  // size of a thread's stack on most systems
+  constexpr rlim_t kStack = 8 << 20;  // bytes of a thread's stack on most systems
   limit_address_space(6 * kStack);
   { BackgroundQueue fits(1, 1); }
   try {

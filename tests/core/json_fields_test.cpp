@@ -1,4 +1,4 @@
-// Checked members: accepted values, and the errors for all others.
+// Tests the accepted values of JSON members, and the errors for other values.
 #include "core/json_fields.hpp"
 
 #include <gmock/gmock.h>

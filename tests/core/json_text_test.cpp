@@ -1,4 +1,3 @@
-// Conversion of JSON from and to text.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>

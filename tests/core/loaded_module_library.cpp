@@ -1,4 +1,4 @@
-// A shared library that contains a copy of load_module, as the Python module does.
+// This shared library is linked with its own copy of load_module, as the Python module is.
 #include "core/loaded_module.hpp"
 
 extern "C" bool is_installed_for_library(const char* file) {

@@ -1,4 +1,4 @@
-// Open files, their errors, and unique names.
+// Tests opening files, the resulting errors, and unique file names.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 

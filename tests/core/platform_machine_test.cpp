@@ -1,4 +1,3 @@
-// Processors, floating-point mode, clocks, the machine's names, and modules.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Memory available to a process, read from the files of Linux.
+// Tests how much memory is available to a process. The functions read imitations of the files in /proc and /sys.
 #include "core/platform.hpp"
 
 #include <gtest/gtest.h>
@@ -50,7 +50,8 @@ TEST_F(AvailableMemory, is_limited_by_cgroups) {
 
 TEST_F(AvailableMemory, is_limited_by_version_1_cgroups_and_containers) {
   write("proc/self/cgroup", "5:cpu,cpuacct:/docker/abc\n4:memory:/docker/abc\nbroken\n");
-  write("cgroup/memory/memory.limit_in_bytes", "9000\n");  // the container sees its own group as the root
+  // inside a container, the container's group is mounted as the root group
+  write("cgroup/memory/memory.limit_in_bytes", "9000\n");
   write("cgroup/memory/memory.usage_in_bytes", "1000\n");
   EXPECT_EQ(available(), 8000.0);
 }

@@ -1,4 +1,3 @@
-// Child processes and handles of processes.
 #include <gtest/gtest.h>
 
 #include <csignal>

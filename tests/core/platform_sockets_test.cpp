@@ -1,4 +1,4 @@
-// Sockets over loopback: received bytes, and the end of a connection at either side.
+// Tests sockets over loopback: the received bytes, and connections that either side closes.
 #include <gtest/gtest.h>
 #include <sys/socket.h>
 

@@ -9,7 +9,7 @@ TEST(Printable, letters_of_any_language_stay) { EXPECT_EQ(printable("Ünï 歩�
 
 TEST(Printable, control_characters_become_question_marks) {
   EXPECT_EQ(printable("\x1b[31m\n\x7f"), "?[31m??");
-  EXPECT_EQ(printable("\xc2\x9b"), "??");  // U+009B starts a terminal's escape sequence, like ESC [
+  EXPECT_EQ(printable("\xc2\x9b"), "??");  // U+009B begins an escape sequence of the terminal, as the two characters ESC [ do
 }
 
 TEST(Printable, bytes_that_are_not_utf8_become_question_marks) {
@@ -30,7 +30,7 @@ TEST(Printable, lines_have_no_control_characters) {
   EXPECT_EQ(printable_line("a\xe2\x80\xae"
                            "b"),
             "a?"
-            "??b");  // U+202E reverses the following text
+            "??b");  // U+202E makes the terminal print the following text from right to left
 }
 
 TEST(Printable, shown_has_quotes) { EXPECT_EQ(shown("a"), "'a'"); }

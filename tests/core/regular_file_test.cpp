@@ -17,7 +17,7 @@ using test::error_message;
 using test::TempDir;
 using ::testing::HasSubstr;
 
-// Opening a FIFO waits for its other end, so a failure of this test hangs.
+// Opening a FIFO blocks until another process opens its other end. If this test fails, it hangs.
 TEST(RegularFile, everything_else_is_refused_without_waiting) {
   const TempDir dir;
   ASSERT_EQ(mkfifo((dir / "fifo").c_str(), 0600), 0);

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Changes TMPDIR during its life.
+/// Sets the environment variable TMPDIR, and restores its value when destroyed.
 class OtherTmpdir {
  public:
   explicit OtherTmpdir(const std::string& value) {

@@ -1,4 +1,3 @@
-// Matches texts against patterns.
 #include <gmock/gmock.h>
 
 #include "core/text_pattern.hpp"
