@@ -1,4 +1,5 @@
-// Tests `lippmann align` and views of stereo pairs from the command line, on views of the room.
+// Tests `lippmann align`, and the conversion of stereo pairs to views. The input pictures are rendered views of the scene
+// "room".
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -25,7 +26,7 @@ class AlignTool : public testing::Test {
     fs::copy(made() / "r/frame_0000", dir_ / "in");
   }
 
-  /// A folder rendered once for all tests.
+  /// Returns a folder that all tests share, so that its views are rendered only once.
   static const TempDir& made() {
     static const TempDir dir;
     return dir;

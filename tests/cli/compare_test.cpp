@@ -1,4 +1,4 @@
-// Tests `lippmann compare` as a program: its output and its refusals.
+// Tests the output and the error messages of `lippmann compare`.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ namespace {
 using ::testing::HasSubstr;
 using Json = nlohmann::json;
 
-/// Makes a/ and b/ with two frames each: the first is equal, the second differs.
+/// Writes two frames each to the folders a and b. The first frames are equal and the second frames differ.
 void make_folders(const TempDir& dir) {
   for (const char* folder : {"a", "b"}) {
     std::filesystem::create_directory(dir / folder);

@@ -1,4 +1,3 @@
-// Tests shell completion and the manual page.
 #include <gmock/gmock.h>
 
 #include <fstream>

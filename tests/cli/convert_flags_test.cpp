@@ -1,4 +1,5 @@
-// Tests every flag of `convert` between many formats: it changes the result, or it is refused by its name.
+// Tests every flag of `lippmann convert` with many pairs of formats. A flag must either change the result, or be refused in a
+// message that names it.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -19,7 +20,7 @@ namespace fs = std::filesystem;
 using testing::AnyOf;
 using testing::HasSubstr;
 
-/// A value for each flag whose result differs from the default's if the flag has an effect.
+/// Returns a value for each flag. The value differs from the flag's default, so that the flag has a visible effect.
 const std::map<std::string, std::string>& values() {
   static const std::map<std::string, std::string> all{{"--views", "2x4"},
                                                       {"--quilt", "2x4"},
@@ -84,7 +85,6 @@ const std::map<std::string, std::string>& values() {
   return all;
 }
 
-/// Returns names and bytes of all files below a folder.
 std::map<std::string, std::string> files_below(const fs::path& folder) {
   std::map<std::string, std::string> files;
   if (fs::exists(folder))
@@ -97,7 +97,8 @@ std::set<std::string> flags_of_help(const TempDir& dir) {
   const std::string help = run_tool(dir, {"convert", "--help"}).out;
   static const TextPattern flag("--[a-z][a-z-]*");
   std::set<std::string> flags;
-  // The option lists. CLI11 indents a flag by 2 to 10 columns, depending on its version, and descriptions by 28.
+  // Only lines indented by at most 10 columns begin with a flag. CLI11 indents flags by 2 to 10 columns, depending on its
+  // version, and descriptions by 28.
   std::istringstream lines(help);
   for (std::string line; std::getline(lines, line);) {
     const std::size_t begin = line.find_first_not_of(' ');
@@ -132,7 +133,7 @@ class ConvertFlags : public testing::Test {
     write_picture(dir_ / "d/depth.png", depth);
   }
 
-  /// Adds each flag to a conversion that works without it.
+  /// Runs a conversion once without further flags, and then once with each flag of values().
   void walk(const std::string& in, const std::string& to, const Words& needed) {
     const Words base = Words{"convert", in, "o/x"} + needed + Words{"--to", to};
     const RunResult plain = run_tool(dir_, base);

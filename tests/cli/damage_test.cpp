@@ -1,4 +1,4 @@
-// Tests that readers of a render find damage: they name the file and use nothing of it.
+// Tests that commands that read a render detect damaged files. They must name the damaged file and write no output.
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -31,7 +31,7 @@ void replace(const fs::path& path, const std::string& text, const std::string& b
 }
 
 struct Damage {
-  std::string named;  ///< expected in the message
+  std::string named;  ///< part of the expected error message
   std::function<void(const fs::path& folder)> make;
 };
 
@@ -56,7 +56,8 @@ TEST(Damage, frames_and_journals_are_checked) {
   expect_done(dir, {"render", "teapot", "--optics", "multiview", "--views", "2x2", "--size", "32x32", "--layout", "quilt",
                     "--frames", "0-2", "-o", "whole"});
   const std::string first = "frame_0000_qs2x2a1.png", second = "frame_0001_qs2x2a1.png";
-  // Both exchanged files are wrong, and readers may read either of them first.
+  // Exchanging two files damages both, and a command may read either of them first. The message must contain the common part of
+  // their names.
   const std::vector<Damage> damages{{"qs2x2a1.png", [&](const fs::path& a) { exchange(a / first, a / second); }},
                                     {second, [&](const fs::path& a) { fs::remove(a / second); }},
                                     {"jsonl", [](const fs::path& a) {

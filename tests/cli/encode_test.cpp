@@ -1,4 +1,4 @@
-// Tests the encoding of finished frames: names, messages, refusals.
+// Tests encoding finished frames as a video: file names, messages and refused arguments.
 #include <gtest/gtest.h>
 
 #include "tool.hpp"

@@ -1,5 +1,6 @@
-// Tests renders in which one system call fails (write, open, rename, mkdir, fsync or an allocation), the first, the second and
-// so on, or all from then on. The tool must report it, and no partial file may have a final name.
+// Tests renders in which a system call fails: write, open, rename, mkdir, fsync or a memory allocation. Each run fails one
+// call, or one call and all calls after it; successive runs fail later calls. The tool must report the failure, and every file
+// with a final name must be complete.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -13,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Runs the tool while call number `number` of this kind fails, optionally with all calls after it.
+/// Runs the tool while call number `number` of the kind `call` fails. If `all_that_follow`, later calls fail too.
 RunResult run_failing(const TempDir& dir, const Words& arguments, const std::string& call, int number, bool all_that_follow) {
   const std::string failed = dir / "failed";
   return run(Words{"/usr/bin/env", "LD_PRELOAD=" LIPPMANN_FAILING_WRITES, "LIPPMANN_FAIL_CALL=" + call,
@@ -25,14 +26,15 @@ RunResult run_failing(const TempDir& dir, const Words& arguments, const std::str
 
 enum class Fails { kOneWrite, kAllFromThereOn };
 
-/// A fast render for hundreds of runs: a simple scene, a small picture, and one thread, so that the order of calls is fixed.
+/// Returns a render that is fast enough for hundreds of runs. It uses one thread, so that the order of system calls is the same
+/// in every run.
 Words render_of_two_frames(const Words& flags, const std::string& folder) {
   Words words{"render", "primitives", "--size", "16x16", "--frames", "0-1", "--threads", "1", "-o", folder};
   for (const std::string& word : flags) words.push_back(word == "VIDEO" ? folder + "/video.mkv" : word);
   return words;
 }
 
-/// Returns how many failures a run reports, without progress lines and warnings.
+/// Returns the number of error messages in the output. Progress lines and warnings do not count.
 int reported_failures(const std::string& err) {
   std::istringstream lines(err);
   int count = 0;
@@ -103,26 +105,30 @@ TEST(FailingWrites, folder_errors_are_reported) {
   expect_error_and_whole_files({"--layout", "views"}, Fails::kOneWrite, "mkdir");
 }
 
-/// Tries tens of thousands of allocations in these steps, so that the test takes seconds; in larger steps until the run has
-/// made a folder. LIPPMANN_ALLOCATION_STEP=1 tries every one.
+/// Returns the distance between tested allocations. A render makes tens of thousands of allocations, and testing all of them
+/// would take minutes. Steps are larger until the run has made its folder. LIPPMANN_ALLOCATION_STEP=1 tests every allocation.
 int allocation_step(bool has_folder) {
   const char* step = std::getenv("LIPPMANN_ALLOCATION_STEP");
   return step ? std::stoi(step) : has_folder ? 457 : 1999;
 }
 
-/// Results of runs in which an allocation failed.
+/// Counts how runs ended in which an allocation failed.
 struct Ends {
-  int with_folder = 0;  ///< failed after making a folder
-  int reported = 0;     ///< failed with one line and exit code 1
-  int ended = 0;        ///< ended by a signal
+  int with_folder = 0;  ///< the run had made its folder when it failed
+  int reported = 0;     ///< the run printed one line and ended with exit code 1
+  int ended = 0;        ///< a signal ended the run
 };
 
-/// A library may cope with a failed allocation; then the render must be complete. In other places it ends the program:
-/// destructors of JSON values and folder listings allocate and may not throw, and Embree's threads use the missing memory.
+/// A run with a failed allocation may end in three ways:
+/// 1. The tool reports the error and exits with code 1.
+/// 2. A library copes with the failure, and the render is complete.
+/// 3. The program aborts, because destructors of JSON values and folder listings allocate but must not throw, and Embree's
+///    threads do not check for missing memory.
 void expect_error_or_whole_files(const RunResult& result, const Files& files, const Files& whole, int number, Ends& ends) {
   constexpr int kSignals = 128;
   if (result.exit_code > kSignals) {
-    expect_whole_files(without_temporary(files), whole, number);  // hidden files of a killed run, which a resume removes
+    // a resumed render removes the temporary files of a killed run
+    expect_whole_files(without_temporary(files), whole, number);
     ++ends.ended;
     return;
   }

@@ -1,4 +1,4 @@
-// Tests what the tool prints about path-traced frames: their light, their samples and their error.
+// Tests what the tool prints about path-traced frames: the kind of light, the number of samples and the estimated error.
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -14,7 +14,8 @@ Words small_paths(const std::string& frames, const std::string& folder) {
   return {"render", "teapot", "--lenses", "8", "--integrator", "path", "--spp", "2", "--frames", frames, "--output", folder};
 }
 
-/// Without denoising, the error of 2 samples is far above the noise of the held-out pixels, so that an estimate exists.
+/// Returns a render without denoising. The error of its 2 samples per pixel is far above the noise of the error estimate, so
+/// that the tool reports an estimate.
 Words noisy_paths(const std::string& frames, const std::string& folder) {
   return small_paths(frames, folder) + Words{"--denoise", "none"};
 }
@@ -28,7 +29,7 @@ TEST(Light, summary_has_the_error_of_paths) {
   EXPECT_THAT(two.out, HasSubstr("every frame was traced in full"));
 }
 
-// The summary rounds the values of the report.
+// The summary on the terminal shows rounded values, so this test reads report.json.
 TEST(Light, report_has_the_errors_interval) {
   const TempDir dir;
   EXPECT_EQ(run_tool(dir, noisy_paths("0-1", "out")).exit_code, 0);
@@ -53,7 +54,7 @@ TEST(Light, bare_denoise_is_auto) {
   EXPECT_EQ(pictures("f", {"--denoise=none", "--reuse", "none"}), plain);
 }
 
-/// Writes a triangle, which is fast for any integrator.
+/// Writes a scene of one triangle, which every integrator renders fast.
 void write_triangle(const std::filesystem::path& path) { std::ofstream(path) << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"; }
 
 TEST(Light, chosen_light_is_reported) {

@@ -1,4 +1,5 @@
-// Tests mpirun -n N lippmann render: any number of ranks gives the same bytes, and the death of a rank ends the others.
+// Tests `mpirun -n N lippmann render`. Every number of processes must give the same bytes. If one process dies, the others must
+// end.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -23,7 +24,7 @@ bool is_mpi_there() {
   if (!is_mpi_there() || std::string_view(LIPPMANN_SANITIZE) != "") \
   GTEST_SKIP() << "no Open MPI (packages libopenmpi-dev, openmpi-bin), or a sanitizer"
 
-/// On this machine only.
+/// Returns a command that starts `ranks` MPI processes on this machine.
 Words mpirun(int ranks) {
   return {"/usr/bin/env",
           "OMPI_ALLOW_RUN_AS_ROOT=1",

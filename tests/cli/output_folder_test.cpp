@@ -1,4 +1,4 @@
-// Tests that every command makes the folders of its results, and leaves none behind if it fails.
+// Tests that every command creates the folder of its output, and removes this folder if it fails.
 #include <gmock/gmock.h>
 
 #include "cli/tool.hpp"
@@ -8,13 +8,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Renders two frames into `pictures`.
 void render_teapot(const TempDir& dir) {
   const RunResult made = run_tool(dir, small_teapot("0-1", "pictures"));
   ASSERT_EQ(made.exit_code, 0) << made.err;
 }
 
-/// Runs the tool and expects a file.
+/// Runs the tool, which must succeed and write `file`.
 void expect_made(const TempDir& dir, const Words& arguments, const std::string& file) {
   const RunResult result = run_tool(dir, arguments);
   EXPECT_EQ(result.exit_code, 0) << arguments.front() << ": " << result.err;

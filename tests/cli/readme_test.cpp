@@ -1,4 +1,4 @@
-// Runs the commands of README.md and of the guide unchanged.
+// Tests that the commands in README.md and in the pages of the guide run unchanged.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the lines of a page's code blocks that call the tool, without their comments.
+/// Returns the command lines in the page's code blocks that call lippmann. Comments after the commands are removed.
 Words commands_of(const std::string& page) {
   std::ifstream file(fs::path(LIPPMANN_SOURCE) / page);
   Words commands;
@@ -27,7 +27,7 @@ Words commands_of(const std::string& page) {
   return commands;
 }
 
-/// Returns the rest of each line that begins with a word, without comments and trailing spaces.
+/// Returns the rest of each line of the file that begins with `word`. Comments and trailing spaces are removed.
 Words after_word(const fs::path& path, const std::string& word) {
   std::ifstream file(path);
   Words found;
@@ -48,14 +48,14 @@ TEST(Readme, dockerfile_runs_only_its_two_commands) {
   for (const std::string& command : commands) EXPECT_TRUE(fs::exists(root / command)) << command;
 }
 
-/// Returns the command to run: renders become dry runs, unless the same line uses their output.
+/// Returns the command with --dry-run appended if it is a render. A render whose output the same line uses stays unchanged.
 std::string quick(const std::string& line) {
   const bool alone = line.find("&&") == std::string::npos;
   if (!alone || line.find("lippmann render ") != 0) return line;
   return line + " --dry-run";
 }
 
-/// Runs a line in a shell that finds the tool.
+/// Runs the line in a shell whose PATH contains the tool.
 void expect_runs(const TempDir& dir, const std::string& line) {
   const std::string path = "PATH=" + fs::path(LIPPMANN_TOOL).parent_path().string() + ":$PATH; ";
   const RunResult result = run({"sh", "-c", path + line}, {dir.path().string(), 0});
@@ -75,7 +75,7 @@ TEST(Readme, commands_run_unchanged) {
   }
 }
 
-/// Writes the pictures and displays that docs/guide/prints.md uses.
+/// Writes the pictures and display files that the commands of docs/guide/prints.md read.
 void make_pictures_of_prints(const TempDir& dir) {
   expect_done(dir, {"render", "teapot", "--optics", "multiview", "--views", "3x1", "--size", "96x24", "--frames", "0",
                     "--layout", "views", "-q", "-o", "made"});
@@ -93,7 +93,8 @@ void make_pictures_of_prints(const TempDir& dir) {
     "screenW": {"value": 1536}, "screenH": {"value": 2048}, "flipImageX": {"value": 0}})";
 }
 
-/// Writes the pictures of docs/guide/prints.md that need texture: three views, two of them as a pair, and one with a depth map.
+/// Writes pictures that the commands of docs/guide/prints.md read and that need texture: three views, a stereo pair and a
+/// picture with a depth map.
 void make_textured_pictures(const TempDir& dir) {
   expect_done(dir, {"render", "room", "--optics", "multiview", "--views", "3x1", "--size", "2040x480", "--view-angle", "4",
                     "--frames", "0", "--layout", "views", "-q", "-o", "textured"});
@@ -120,7 +121,7 @@ TEST(Docs, commands_of_prints_run) {
     if (is_align_module_installed() || !needs_align_module(command)) expect_runs(dir, command);
 }
 
-/// Writes the files that the other pages of the guide use.
+/// Writes the files that commands in the other pages of the guide read.
 void make_files_of_the_guide(const TempDir& dir) {
   const fs::path examples = fs::path(LIPPMANN_SOURCE) / "examples";
   fs::create_directory_symlink(examples, dir / "examples");
@@ -132,7 +133,7 @@ void make_files_of_the_guide(const TempDir& dir) {
   std::ofstream(dir / "sky.hdr") << "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n\x40\x40\x40\x81\x40\x40\x40\x81";
 }
 
-/// Renders small versions of the folders that commands of the guide read.
+/// Renders the folders that commands of the guide read, with small pictures.
 void make_renders_of_the_guide(const TempDir& dir) {
   const Words small{"--size", "256x256", "--lenses", "32", "--frames", "40", "-q"};
   expect_done(dir, Words{"render", "room", "-o", "out/room"} + small);
@@ -148,7 +149,7 @@ void make_renders_of_the_guide(const TempDir& dir) {
     if (file.path().extension() == ".png") fs::copy_file(file.path(), dir / "quilt_qs8x6a0.75.png");
 }
 
-/// Returns whether a command serves a page until it is stopped.
+/// Returns whether the command serves a page until the user stops it.
 bool is_server(const std::string& command) {
   return command.starts_with("lippmann play") ||
          (command.starts_with("lippmann view") && command.find("--save") == std::string::npos);
@@ -170,7 +171,7 @@ TEST(Docs, commands_of_the_guide_run) {
     expect_runs(dir, "HOME=.; " + command + (command.starts_with("lippmann plan") ? " --only-list" : ""));
 }
 
-/// Returns the hard-to-read words and phrases in a text, in lower case.
+/// Returns the words and phrases of the text that make sentences hard to read, in lower case.
 std::vector<std::string> hard_words_in(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
   std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
@@ -181,7 +182,7 @@ std::vector<std::string> hard_words_in(std::string text) {
   return found;
 }
 
-/// Returns the relative links of a page without a target file.
+/// Returns the relative links of the page whose target files do not exist.
 std::vector<std::string> broken_links_in(const fs::path& page) {
   std::vector<std::string> broken;
   const std::string text = bytes_of(page);
@@ -234,7 +235,8 @@ TEST(Readme, examples_equal_their_generators_output) {
   const RunResult made = run({"python3", (dir / "make_examples.py").string()});
   if (made.exit_code == 127) GTEST_SKIP() << "python3 is not installed";
   ASSERT_EQ(made.exit_code, 0) << made.err;
-  // Deflate's bytes may differ between versions of zlib, so the model is compared by its counts.
+  // desk.glb contains compressed pictures, whose bytes may differ between versions of zlib. The test therefore compares only
+  // counts.
   EXPECT_EQ(bytes_of(dir / "vase.ply"), bytes_of(fs::path(LIPPMANN_SOURCE) / "examples/vase.ply"));
   for (const char* key : {"meshes", "materials", "triangles"})
     EXPECT_EQ(report_of(dir, {"info", "desk.glb"})[key],

@@ -1,5 +1,6 @@
-// Tests impossible flags and job files: one line that names the flag, exit code 2, and no output. The libraries' own tests
-// cover their checks; these tests cover the translation to the command line.
+// Tests flags and job files that are refused. The tool must print one line that names the flag, exit with code 2, and write
+// nothing. The conditions themselves are tested in the libraries' tests; these tests check that messages name flags instead of
+// parameters.
 #include <gmock/gmock.h>
 
 #include "cli/tool.hpp"

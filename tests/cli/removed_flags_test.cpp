@@ -1,4 +1,5 @@
-// Tests flags and job-file keys of earlier versions: one error names the replacement, and nothing is rendered.
+// Tests flags and job-file keys that earlier versions had. One error message must name the replacement, and nothing is
+// rendered.
 #include <gmock/gmock.h>
 
 #include <fstream>

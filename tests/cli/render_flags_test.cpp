@@ -1,4 +1,5 @@
-// Tests every flag of `render` on several kinds of renders: it changes the files, or it is refused by its name.
+// Tests every flag of `lippmann render` with several kinds of renders. A flag must either change the files, or be refused in a
+// message that names it.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -16,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-/// A value for each flag whose files differ from the default's if the flag has an effect.
+/// Returns a value for each flag. The value differs from the flag's default, so that the flag has a visible effect.
 const std::map<std::string, std::string>& values() {
   static const std::map<std::string, std::string> all{{"--animation", "0"},
                                                       {"--aperture", "4"},
@@ -100,7 +101,7 @@ const std::map<std::string, std::string>& values() {
   return all;
 }
 
-/// Flags that may leave the pictures unchanged, with the reason.
+/// Returns the flags that may leave the pictures unchanged, each with the reason.
 const std::map<std::string, std::string>& others() {
   static const std::map<std::string, std::string> all{
       {"--also", "more files"},
@@ -131,7 +132,7 @@ const std::map<std::string, std::string>& others() {
   return all;
 }
 
-/// Returns the pictures and their side files by name.
+/// Returns the bytes of the pictures and of their JSON files, by name.
 std::map<std::string, std::string> frames_in(const fs::path& folder) {
   std::map<std::string, std::string> files;
   if (fs::exists(folder))
@@ -147,7 +148,7 @@ std::set<std::string> flags_of_help(const TempDir& dir) {
   std::set<std::string> flags;
   std::istringstream lines(run_tool(dir, {"render", "--help-all"}).out);
   for (std::string line; std::getline(lines, line);) {
-    const std::size_t begin = line.find_first_not_of(' ');  // CLI11 indents a flag by 2 to 10 columns, descriptions by more
+    const std::size_t begin = line.find_first_not_of(' ');  // CLI11 indents flags by 2 to 10 columns, and descriptions by more
     if (begin == std::string::npos || begin > 10 || line[begin] != '-') continue;
     if (const auto found = flag.search(line)) flags.insert(found->groups[0]);
   }
@@ -157,7 +158,8 @@ std::set<std::string> flags_of_help(const TempDir& dir) {
 
 class RenderFlags : public testing::Test {
  protected:
-  /// Adds each flag to a render that works without it. may_stay: flags whose values are the render's own.
+  /// Renders once with the flags `render`, and then once more with each other flag. Flags in `may_stay` may leave the files
+  /// unchanged, because the tested value has no effect on this render.
   void walk(const Words& render, const std::set<std::string>& may_stay) {
     const Words base = Words{"render"} + render + Words{"--quiet", "--output", "o"};
     const RunResult plain = run_tool(dir_, base);
@@ -186,7 +188,7 @@ TEST_F(RenderFlags, each_changes_the_pictures_or_is_refused) {
   for (const auto& [flag, value] : values()) known.insert(flag);
   for (const auto& [flag, why] : others()) known.insert(flag);
   EXPECT_EQ(known, flags_of_help(dir_)) << "a flag that this test does not try";
-  // The teapot has one camera, and the only frame of an animation is a key frame.
+  // --camera has no effect because the teapot has one camera. --reuse has no effect because a single frame is always traced.
   walk({"teapot", "--frames", "0", "--lenses", "5x5", "--lens-pixels", "4"}, {"--camera", "--reuse"});
   walk({"teapot", "--frames", "0", "--optics", "multiview", "--views", "3x2", "--size", "24x16", "--integrator", "path",
         "--spp", "2", "--denoise", "none"},

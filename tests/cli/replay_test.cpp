@@ -1,4 +1,4 @@
-// Tests `lippmann replay` as a program: its flags, its output and its warnings. tests/job and tests/replay test its pictures.
+// Tests the flags, the output and the warnings of `lippmann replay`. Tests in tests/job and tests/replay check its pictures.
 #include <gmock/gmock.h>
 
 #include <fstream>

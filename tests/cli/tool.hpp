@@ -1,4 +1,4 @@
-// Helpers for tests of the command-line tool: run it in a folder, and inspect its output there.
+// Functions for tests of the command-line tool. They run the tool in a folder and inspect its output.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@ using Words = std::vector<std::string>;
 
 Words operator+(Words a, const Words& b);
 
-/// Returns the arguments of a small, fast render: 16 lenses of 8 pixels.
+/// Returns the arguments of a fast render with 16 lenses of 8 pixels each.
 Words small_teapot(const std::string& frames, const std::string& folder);
 
 Words tool_command(const Words& arguments);
@@ -27,34 +27,33 @@ RunResult run_tool(const TempDir& dir, const Words& arguments, std::size_t file_
 
 std::string bytes_of(const std::filesystem::path& path);
 
-/// Runs the tool, which must succeed, and returns the pictures in the folder.
+/// Runs the tool, which must succeed, and returns the pictures in `folder`.
 Files rendered(const TempDir& dir, const Words& arguments, const std::string& folder);
 
-/// Throws if the text is not JSON.
+/// Returns the parsed JSON. Throws if the text is not JSON.
 nlohmann::json json_of(const std::string& text);
 
-/// Runs the tool with --json, which must succeed, and returns its output.
+/// Runs the tool with --json, which must succeed, and returns the JSON that it prints.
 nlohmann::json report_of(const TempDir& dir, const Words& arguments);
 
 std::size_t lines_of(const std::string& text);
 
-/// Returns how many frames a render with --verbose reports on stderr.
+/// Returns the number of frames that a render with --verbose reports on stderr.
 std::size_t reported_frames(const std::string& err);
 
-/// Waits for a file that a running program makes. Returns false after a minute.
+/// Waits until another program has made the file. Returns false after a minute.
 bool appears(const std::filesystem::path& path);
 
-/// Runs the tool, which must succeed.
 void expect_done(const TempDir& dir, const Words& arguments);
 
-/// Expects one message of one line on stderr, nothing on stdout, and that exit code.
+/// Expects exactly one line on stderr, nothing on stdout, and the exit code `exit_code`.
 void expect_refusal(const RunResult& result, int exit_code, const std::string& part_of_message);
 
 }  // namespace lippmann::test
 
 namespace nlohmann {
 
-/// Prints unexpected values for GoogleTest.
+/// GoogleTest calls this function to print values in failure messages.
 void PrintTo(const json& value, std::ostream* stream);
 
 }  // namespace nlohmann

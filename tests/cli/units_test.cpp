@@ -1,4 +1,5 @@
-// Tests jobs rendered in parts, as a program: plan, render --unit, finish. tests/job tests their files.
+// Tests jobs that several processes render in parts, with `lippmann plan`, `render --unit` and `finish`. Tests in tests/job
+// check the files of the parts.
 #include <gmock/gmock.h>
 
 #include "cli/tool.hpp"

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# Starts and stops a Slurm cluster on this machine only, on loopback, in the new folder DIR:
+# Starts and stops a Slurm cluster that consists of this machine only. Its files are in the new folder DIR.
 #   cluster.sh start DIR     then: export SLURM_CONF=DIR/slurm.conf
 #   cluster.sh stop DIR
 # Run as root. Needs slurmctld, slurmd, slurm-client and munge.
 set -euo pipefail
 
-wait_for() {  # seconds, command...
+wait_for() {  # usage: wait_for SECONDS COMMAND...
   local left=$((10 * $1))
   shift
   until "$@" >/dev/null 2>&1; do
