@@ -1,4 +1,4 @@
-// Optics of every kind with small films, for tests.
+// Test cases of the denoiser: one film of each kind of optics.
 #pragma once
 
 #include <vector>
@@ -10,10 +10,10 @@ namespace lippmann {
 struct OpticsCase {
   const char* name;
   Optics optics;
-  bool whole_views;  ///< film_layout() accepts it, because its views consist of whole pixels
+  bool whole_views;  ///< each view consists of whole film pixels, so that film_layout() accepts the optics
 };
 
-/// Returns all kinds. The films are `rows` times as high as necessary.
+/// Returns optics of all kinds with small films. `rows` multiplies the height of every film.
 inline std::vector<OpticsCase> optics_cases(int rows = 1) {
   const MultiView quilt{.columns = 3, .rows = 2, .view_cone = 0.5f, .distance_mm = 60.0f, .pixel_height = 1.5f};
   MultiView grid = quilt;

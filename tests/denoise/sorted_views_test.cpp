@@ -11,7 +11,7 @@
 namespace lippmann {
 namespace {
 
-constexpr float kRounding = 2e-3f;  ///< rounding error, in pixels, of lengths up to 60 mm in single precision
+constexpr float kRounding = 2e-3f;  ///< tolerance in pixels for rounding in single precision, at distances of up to 60 mm
 
 Ray ray_of(const Optics& optics, std::uint32_t pixel) {
   const auto width = static_cast<std::uint32_t>(film_size(optics).x);
@@ -20,7 +20,7 @@ Ray ray_of(const Optics& optics, std::uint32_t pixel) {
 
 SortedViews all_views(const Optics& optics) { return {optics, {0, film_size(optics).y}}; }
 
-/// Calls fn(view, column, row, pixel) for all pixels of the views.
+/// Calls fn(view, column, row, film pixel) for every pixel of every view.
 template <class Fn>
 void for_each_pixel(const SortedViews& views, const Fn& fn) {
   for (int view = 0; view < views.views(); ++view)
@@ -29,7 +29,8 @@ void for_each_pixel(const SortedViews& views, const Fn& fn) {
         if (const std::uint32_t p = views.row(view, y)[x]; p != SortedViews::kNoPixel) fn(view, x, y, p);
 }
 
-/// Returns the number of film pixels that have no place in the views, and of those that have one. Throws if one has several.
+/// Returns how many film pixels belong to no view, and how many belong to one view. Throws std::out_of_range if a film pixel
+/// belongs to several views.
 std::array<int, 2> pixels_by_places(const Optics& optics) {
   const Vec2i film = film_size(optics);
   std::vector<std::size_t> places(static_cast<std::size_t>(film.x * film.y));
@@ -65,7 +66,8 @@ TEST(SortedViews, views_of_whole_pixels_match_the_layout) {
   }
 }
 
-/// Distance, in columns and rows, from a pixel to the position at which its view shows the ray's point at depth z.
+/// Returns the error of the view's sight in columns and rows: the distance between pixel (x, y) and the position at which the
+/// sight shows the point of `ray` at depth z.
 Vec2f off(const SortedViews& views, const Ray& ray, float z, int view, int x, int y) {
   const Vec2f point = Vec2f(ray.origin) + Vec2f(ray.direction) * ((z - ray.origin.z) / ray.direction.z);
   const SortedViews::Sight& sight = views.sight(view);
@@ -86,8 +88,9 @@ TEST(SortedViews, sights_find_points_at_their_pixels) {
   }
 }
 
-// The directions of a view's pixels differ by less than one pixel, which shifts a point at the depth budget by one sample. On
-// panels with irregular sub-pixels, a few pixels are sorted into a neighbouring view.
+// The pixels of a view have slightly different directions. The difference is less than the angle of one pixel, so a point at
+// half of the depth budget moves by less than one pixel. On the panel with diamond-shaped pixels, a few pixels belong to a
+// neighbouring view.
 TEST(SortedViews, sights_are_accurate_to_one_pixel) {
   for (const OpticsCase& kind : optics_cases()) {
     const SortedViews views = all_views(kind.optics);
