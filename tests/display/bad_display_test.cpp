@@ -1,4 +1,4 @@
-// Invalid calibrations and display files give one error that names the file and the key, and states what is accepted.
+// Tests invalid calibrations and display files. One error must name the file and the key, and state the accepted values.
 #include <gmock/gmock.h>
 
 #include <cmath>

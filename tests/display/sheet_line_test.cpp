@@ -37,8 +37,9 @@ TEST(SheetLine, papers) {
   EXPECT_EQ(load_display("lpi=60 dpi=1440 paper=42x10mm").pixels.x, 2381);
 }
 
-// By hand: rays from an eye 500 mm away through lens centres 0.5 mm apart. Strips that show 2 atan(1/2) = 53.13 degrees have
-// the width c = g, the gap, so c = 0.5 (500 + c) / 500, c = 250 / 499.5 mm.
+// Expected width c of the printed strip below a lens. The angle of 2 atan(1/2) makes the gap g equal to c. Rays from an eye 500
+// mm away through lens centres 0.5 mm apart reach points c = 0.5 (500 + g) / 500 mm apart on the print. With g = c, c = 250 /
+// 499.5 mm.
 TEST(SheetLine, near_viewers_need_a_wider_print) {
   const double angle = 2.0 * std::atan(0.5) * 180.0 / std::numbers::pi;
   const std::string rest = " dpi=2540 paper=A6 viewing-distance=500 view-angle=" + std::to_string(angle);

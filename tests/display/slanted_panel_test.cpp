@@ -1,4 +1,5 @@
-// The optics of calibrated panels against the interlacing formula, worked out by hand and implemented a second time.
+// Compares the optics of calibrated panels with the interlacing formula. Expected values come from calculations by hand and
+// from a second implementation of the formula.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,7 +9,8 @@
 namespace lippmann {
 namespace {
 
-/// Returns v of a sub-pixel, from the eye of its ray.
+/// Returns the view v of a sub-pixel, 0 to 1, derived from the point where the ray of the sub-pixel meets the plane of the
+/// eyes.
 double view_of(const Optics& optics, int i, int j, int color) {
   const auto& slanted = std::get<SlantedPanel>(optics.model);
   const Ray ray = ray_of_pixel(optics, {3 * i + color + 0.5f, j + 0.5f});
@@ -16,11 +18,13 @@ double view_of(const Optics& optics, int i, int j, int color) {
   return 0.5 + std::atan((ray.origin.x + to_eye * ray.direction.x) / slanted.distance_mm) / slanted.view_cone;
 }
 
-/// The eye, up to 400 mm from the middle, has an error of 3e-5 mm in floats, relative to about 800 mm of the cone.
+/// Tolerance of v. In single precision, the position of the eye has an error of 3e-5 mm. The views are spread over about 800
+/// mm.
 constexpr double kView = 1e-6;
 
 TEST(SlantedDisplay, portrait_has_the_published_periods_and_tilt) {
-  // 52 * 1536 / 324 cos(atan(-1/7)) = 246.5185 * 0.989949 = 244.0409; 2048 / (1536 * -7) = -0.1904762.
+  // Lens periods across the panel: pitch * width / dpi * cos(atan(1 / slope)) = 52 * 1536 / 324 * cos(atan(-1 / 7)) = 246.5185
+  // * 0.989949 = 244.0409. Tilt: height / (width * slope) = 2048 / (1536 * -7) = -0.1904762.
   const Display portrait = load_display("looking-glass-portrait");
   EXPECT_NEAR(periods_of(portrait), 244.041, 5e-4);
   EXPECT_NEAR(tilt_of(portrait), -0.190476, 5e-7);
@@ -89,7 +93,8 @@ TEST(SlantedDisplay, flipped_portrait_sub_pixel_table_by_hand) {
 }
 
 TEST(SlantedDisplay, flipping_only_the_slope_keeps_steps) {
-  // The same with + c / 4608: 45.328980 + 0.053597 c; for green, with the step and 1/2 more: 44.775384.
+  // Without flipped steps, z = 45.328980 + 0.053597 c at pixel (0, 0), and v = 1 - fract(z). Green has c = 1, so v = 0.617423.
+  // kSlopeStepAndCenter also flips the step and adds 1/2 to the centre, so z = 44.775384 for green.
   Display d;
   d.calibration = {.pitch = 52.594, .slope = -7.2115, .center = 0.40277, .flip_image_x = true};
   d.calibration.flip = Calibration::Flip::kSlope;
@@ -99,7 +104,7 @@ TEST(SlantedDisplay, flipping_only_the_slope_keeps_steps) {
   EXPECT_NEAR(view_of(native_optics(d), 0, 0, 1), 0.224616, kView);
 }
 
-/// The formula of Calibration, unsimplified.
+/// Computes v by the formula that is documented at Calibration.
 double formula(const Display& d, int i, int j, int color, int cell) {
   const Calibration& c = d.calibration;
   const double w = d.pixels.x, h = d.pixels.y;
@@ -132,7 +137,7 @@ void expect_formula(const Display& d, int (*cell)(int column, int row_from_botto
     for (int i = 0; i < d.pixels.x; ++i)
       for (int color = 0; color < 3; ++color) {
         const double v = formula(d, i, j, color, cell(i, d.pixels.y - 1 - j));
-        if (std::min(v, 1 - v) < 1e-5) continue;  // rounding decides at the edge of a lens
+        if (std::min(v, 1 - v) < 1e-5) continue;  // at the edge of a lens, rounding decides between v = 0 and v = 1
         EXPECT_NEAR(view_of(optics, i, j, color), v, 2 * kView) << i << " " << j << " " << color;
       }
 }
