@@ -1,4 +1,4 @@
-// The folder of a render: which one is chosen, what is refused, what is removed, and what a check finds.
+// Tests how a render takes an output folder: which folders are refused, which files are removed, and what a check reports.
 #include "folder/claim_folder.hpp"
 
 #include <gmock/gmock.h>
@@ -28,7 +28,7 @@ void make_file(const fs::path& path, const std::string& bytes = "bytes") {
   std::ofstream(path) << bytes;
 }
 
-/// Makes a render of `job` with the requested frames 0 to 2, of which these are finished, each with a picture and a layer.
+/// Makes a render of `job` that requested frames 0 to 2. Each frame in `finished` has a picture and a file of layers.
 void make_render(const fs::path& folder, const std::string& job, const std::vector<int>& finished) {
   fs::create_directories(folder);
   RenderFolder journal(folder, job);
@@ -49,10 +49,10 @@ void make_video(const fs::path& folder, const std::string& job, const fs::path& 
   RenderFolder(folder, job).add_video(video, frames);
 }
 
-/// Returns the file of the journal's first run.
+/// Returns the journal file of the folder's first run.
 fs::path part_of(const fs::path& folder) { return read_journal(folder)->parts.front(); }
 
-/// Returns the refusal of a render of the job, or an empty string.
+/// Returns the error message for a new render of `job` in the folder, or an empty string if the folder is free.
 std::string refusal(const fs::path& folder, const std::string& job, const std::vector<std::string>& videos = {},
                     const std::vector<int>& frames = {0, 1, 2}) {
   try {
@@ -63,7 +63,7 @@ std::string refusal(const fs::path& folder, const std::string& job, const std::v
   }
 }
 
-/// Makes room in the folder and returns the warnings.
+/// Removes the files that a new render replaces, and returns the warnings.
 std::vector<std::string> cleared(const fs::path& folder, const std::string& job, bool force, const std::vector<int>& frames) {
   std::vector<std::string> warnings;
   Context context;
@@ -91,7 +91,8 @@ TEST(ClaimFolder, renders_with_frames_are_refused) {
   EXPECT_EQ(refusal(dir / "none", "b"), "");
 }
 
-/// Makes the file of a run on another machine that is running or has ended, without finished frames.
+/// Makes the journal file of a run on another machine. The run has no finished frames. Unless `has_ended`, the run has written
+/// no final line, as if it were still running.
 fs::path make_remote_run(const fs::path& folder, const std::string& job, bool has_ended = false) {
   fs::create_directories(folder / ".lippmann");
   const fs::path part = folder / ".lippmann/01700000000-elsewhere-7.jsonl";
@@ -113,7 +114,7 @@ TEST(ClaimFolder, live_run_without_frames_refuses_other_jobs) {
     EXPECT_THROW(require_no_render(folder), Error);
     EXPECT_EQ(refusal(folder, "a"), "");
     EXPECT_NO_THROW(RenderFolder(folder, "a"));
-    live.begin({3});  // the claim of `live` ends with this block
+    live.begin({3});  // `live` releases the folder at the end of this block
   }
   EXPECT_EQ(refusal(folder, "b"), "");
   EXPECT_EQ(free_folder(folder, "b"), folder);
@@ -167,7 +168,8 @@ TEST(ClaimFolder, kill_while_making_room_keeps_the_old_render) {
   EXPECT_TRUE(fs::exists(dir / "frame_0000.png"));
 }
 
-/// Root may remove everything, so the process becomes another user, who owns all files below a folder.
+/// Gives all files in the folder to an unprivileged user, and changes the process to that user while this object exists. Root
+/// could remove files in spite of their permissions.
 class WithoutRoot {
  public:
   explicit WithoutRoot(const fs::path& folder) {
@@ -293,7 +295,8 @@ TEST(ClaimFolder, foreign_files_stay_with_a_warning_unless_forced) {
   const test::TempDir dir;
   make_render(dir.path(), "a", {0});
   make_file(dir / "aov_0000.png");
-  make_file(dir / "frame_0001.png");  // left by a killed render: requested but not recorded
+  // a killed render leaves such a picture: the frame is requested but not recorded as finished
+  make_file(dir / "frame_0001.png");
   EXPECT_THAT(cleared(dir.path(), "a", false, {0, 1, 2}), ElementsAre(HasSubstr("aov_0000.png")));
   EXPECT_TRUE(fs::exists(dir / "aov_0000.png"));
   EXPECT_THAT(cleared(dir.path(), "a", true, {0, 1, 2}), ElementsAre());
@@ -364,7 +367,7 @@ TEST(CheckFolder, finds_damaged_missing_foreign_and_unrendered_files) {
   make_file(dir / "a.mp4", "");
   make_file(folder / "report.json", "{}");
   make_file(folder / "frame_0001_qs8x6a1.png");
-  make_file(folder / "frame_0002.png");  // left by a killed render
+  make_file(folder / "frame_0002.png");  // as left by a killed render
   const FolderCheck check = check_folder(folder);
   EXPECT_THAT(check.damaged, ElementsAre("frame_0000.png", "aov_0001.exr", "report.json", "../a.mp4"));
   EXPECT_THAT(check.missing, ElementsAre("aov_0000.exr"));

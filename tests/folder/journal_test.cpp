@@ -1,4 +1,4 @@
-// Journals as written by renders, and as anyone else may have written them.
+// Tests journals as renders write them, and journals with wrong or malicious content.
 #include "folder/journal.hpp"
 
 #include <gmock/gmock.h>
@@ -30,7 +30,7 @@ std::string sound_journal() {
          run_line({.host = "a", .cpu = "p", .unit = "1/2", .frames = {4}, .setup_seconds = 0.5, .threads = 2});
 }
 
-/// Parses a text as a journal.
+/// Writes the text to a journal file, and returns the journal read from it.
 FolderJournal journal_of(const std::string& text) {
   const test::TempDir dir;
   std::filesystem::create_directory(journal_folder(dir.path()));
@@ -146,7 +146,7 @@ TEST(FolderJournal, combines_runs_of_one_job) {
   };
   write("1.jsonl", sound_journal());
   write("2.jsonl", job_line("job") + asked_line({9, 10}));
-  write("3.jsonl", "{\"job\": \"jo");  // killed at its start
+  write("3.jsonl", "{\"job\": \"jo");  // this run was killed while it wrote its first line
   const std::optional<FolderJournal> journal = read_journal(dir.path());
   EXPECT_EQ(journal->problem, "");
   EXPECT_EQ(journal->parts.size(), 2u);
@@ -159,7 +159,8 @@ TEST(FolderJournal, combines_runs_of_one_job) {
   EXPECT_THAT(read_journal(dir.path())->problem, HasSubstr("line 1 of '2.jsonl'"));
 }
 
-// Bytes changed, cut, doubled and moved at random must not give a name outside the folder.
+// Changes, cuts, doubles and moves bytes of a journal at random. The damaged journal must not contain a file name outside the
+// folder.
 TEST(FolderJournal, noise_names_only_files_of_frames) {
   const std::string sound = sound_journal();
   std::mt19937 random(20);

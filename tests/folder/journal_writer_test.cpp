@@ -1,4 +1,4 @@
-// Tests which process writes a part of a journal.
+// Tests how lippmann finds the process that is writing a journal file.
 #include "folder/journal_writer.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 fs::path only_file_in(const fs::path& folder) { return fs::directory_iterator(folder)->path(); }
 
-/// A process that starts a part and waits for a signal; SIGINT ends it with 7.
+/// A child process that writes a journal file and waits for a signal. SIGINT ends it with exit code 7.
 class Writing {
  public:
   explicit Writing(const fs::path& folder) {
@@ -64,7 +64,8 @@ TEST(JournalWriter, names_of_parts_state_the_writer) {
   EXPECT_TRUE(writer->is_of_this_machine());
   EXPECT_EQ(writer->process, 4321);
   EXPECT_EQ(writer->began, 1764104700.0);
-  EXPECT_EQ(writer_of("01764104700-" + platform::host_name() + "-4321-2.jsonl")->process, 4321);  // second part in that second
+  // the suffix -2 marks the second journal file that this process began in the same second
+  EXPECT_EQ(writer_of("01764104700-" + platform::host_name() + "-4321-2.jsonl")->process, 4321);
 }
 
 TEST(JournalWriter, names_of_other_machines_may_have_dashes) {
@@ -93,7 +94,8 @@ TEST(JournalWriter, interrupting_does_what_ctrl_c_does) {
   EXPECT_EQ(writing.wait(), 7);
 }
 
-// The number belongs to this process, which is alive, but which has another file open, or only reads this one.
+// The journal file is named after this process, as if the number of an ended writer had been given to this process. This
+// process is not the writer while it has the file closed, or open only for reading.
 TEST(JournalWriter, reused_process_ids_are_not_writers) {
   const test::TempDir dir;
   const fs::path part = dir / ("01764104700-" + platform::host_name() + "-" + std::to_string(getpid()) + ".jsonl");

@@ -146,7 +146,7 @@ TEST(RenderFolder, runs_keep_the_files_of_others) {
   EXPECT_EQ(other.now().parts.size(), 2u);
 }
 
-// The second run to end has not read the first run's frames when it begins to write.
+// While `one` writes the report, `other` records a frame. The report must be written again, so that it contains both frames.
 TEST(RenderFolder, shared_file_is_rewritten_after_concurrent_records) {
   const test::TempDir dir;
   for (const int frame : {1, 2}) make_picture(dir, frame);
@@ -154,7 +154,7 @@ TEST(RenderFolder, shared_file_is_rewritten_after_concurrent_records) {
   one.add(report_of(1), files_of(dir, 1));
   int written = 0;
   const auto text_of = [&](const FolderJournal& journal) {
-    if (++written == 1) other.add(report_of(2), files_of(dir, 2));  // during the first write
+    if (++written == 1) other.add(report_of(2), files_of(dir, 2));  // `other` records its frame during the first write
     return std::to_string(journal.frames.size()) + " frames";
   };
   one.write("report.json", text_of);

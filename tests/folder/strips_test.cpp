@@ -1,4 +1,4 @@
-// Files of strips: bit-exact round trips, and their entries in journals.
+// Tests the files of strips. A strip holds some rows of a frame. A file must restore every bit, and journals list the strips.
 #include "folder/strips.hpp"
 
 #include <gmock/gmock.h>
@@ -17,7 +17,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Returns a film with all layers, with a different value at every place; some are not finite.
+/// Returns a film with all layers. Every value is different, and some values are not finite.
 FramePictures pictures_of(int width, int rows) {
   FramePictures pictures;
   pictures.film = Image(width, rows, 3);
@@ -34,7 +34,7 @@ FramePictures pictures_of(int width, int rows) {
   return pictures;
 }
 
-/// Returns rows of an image, starting at `first`.
+/// Returns `rows` rows of the image, beginning with row `first`.
 Image rows_of(const Image& image, int first, int rows) {
   Image part(image.width, rows, image.channels);
   const auto row = static_cast<std::ptrdiff_t>(image.width * image.channels);
