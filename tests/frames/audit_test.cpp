@@ -1,4 +1,4 @@
-// Tests the error that path-traced frames report.
+// Tests the estimated error in the reports of path-traced frames.
 #include "frames/audit.hpp"
 
 #include <gtest/gtest.h>
@@ -11,8 +11,8 @@
 namespace lippmann::test {
 namespace {
 
-// The mean is 2 and the standard error is sqrt(((1 - 2)^2 + (3 - 2)^2) / 1 / 2) = 1. Two standard errors equal the mean, so the
-// bounds differ from it by the factor exp(1).
+// Mean: (1 + 3) / 2 = 2. Standard error: sqrt(((1 - 2)^2 + (3 - 2)^2) / 1 / 2) = 1. The interval is the mean times exp(+-2 *
+// standard error / mean) = exp(+-1).
 TEST(ErrorInterval, is_symmetric_in_the_logarithm) {
   const ErrorInterval interval = error_interval(std::array{1.0, 3.0});
   EXPECT_DOUBLE_EQ(interval.mean, 2.0);
@@ -27,7 +27,8 @@ TEST(ErrorInterval, starts_at_0_without_a_positive_mean) {
   EXPECT_DOUBLE_EQ(interval.high, 2.0);
 }
 
-/// Path tracing without denoising. The error of 2 samples is far above the noise of the audit, so every frame gets an estimate.
+/// Returns parameters of path tracing without denoising. The error of 2 samples per pixel is far above the noise of the error
+/// estimate, so that every frame has an estimate.
 RenderParams noisy_paths() {
   RenderParams params = small_scene();
   params.optics.lenses = {8, 0};
@@ -54,8 +55,8 @@ TEST(Audit, does_not_depend_on_threads_or_range) {
   EXPECT_LT(one.estimated_psnr_db, one.psnr_at_most_db);
 }
 
-// Compares 20 seeds with one reference that has 128 times their samples. If each interval contains the truth with probability
-// 0.9, the probability that fewer than 12 of 20 do is 7e-5.
+// Compares frames of 20 random seeds with a reference of 128 times as many samples. If each interval contains the true error
+// with probability 0.9, the probability that fewer than 12 of 20 do is 7e-5.
 TEST(Audit, intervals_mostly_contain_the_truth) {
   constexpr int kSeeds = 20, kLeastHeld = 12;
   RenderParams params = noisy_paths();

@@ -1,4 +1,4 @@
-// Frames with settled pixels copied from key frames have the same bits as traced frames.
+// Tests frames whose unchanged pixels are copied from key frames. They must have the same bits as traced frames.
 #include <gtest/gtest.h>
 
 #include "frames/made_frames.hpp"

@@ -1,4 +1,4 @@
-// Frames of glTF scenes with deforming meshes, from files with several animations.
+// Tests frames of glTF scenes whose meshes deform, from files with several animations.
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -16,8 +16,8 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Returns a strip of 8 squares whose upper end follows a joint, beside one that morphs; animations "Bend" (2 seconds) and
-/// "Rest".
+/// Returns a glTF file with two strips of 8 squares. A skin bends the first strip, because its upper end follows a joint. A
+/// morph target deforms the second strip. The animation "Bend" lasts 2 seconds, and the animation "Rest" is empty.
 GltfBuilder strips() {
   GltfBuilder b;
   std::vector<Vec3f> corners, lifted;
@@ -62,7 +62,7 @@ class DeformingFrames : public testing::Test {
     file.write(reinterpret_cast<const char*>(glb.data()), static_cast<std::streamsize>(glb.size()));
   }
 
-  /// Eight frames: two seconds at four frames per second.
+  /// Returns parameters for eight frames: 2 seconds at 4 frames per second.
   RenderParams params(ReuseChoice reuse, std::optional<int> keyframes = {}, std::optional<Integrator> integrator = {}) const {
     RenderParams params = small_scene();
     params.scene.name = (dir_ / "strips.glb").string();

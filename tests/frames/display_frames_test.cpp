@@ -1,4 +1,4 @@
-// Frames of a slanted panel's native pixels, and of its quilt.
+// Tests frames for a display with slanted lenses, both as its native pixels and as a quilt.
 #include <gtest/gtest.h>
 
 #include "frames/made_frames.hpp"
@@ -32,7 +32,7 @@ TEST_F(DisplayFrames, of_native_pixels_are_copied_exactly) {
   EXPECT_EQ(copied.films(), traced.films());
 }
 
-// 30.9 dB; repeating the key frame instead gives 27.9 dB.
+// The interpolated frames have 30.9 dB. Repeating the key frame would give 27.9 dB.
 TEST_F(DisplayFrames, of_native_pixels_interpolate_accurately) {
   const MadeFrames traced = make_frames(on_panel("teapot", PictureLayout::kNative, {.choice = ReuseChoice::kNone}), {1, 2, 3});
   const MadeFrames made =

@@ -1,4 +1,5 @@
-// Interpolated frames with a minimum PSNR: they reach it, and threads and parts do not change their bits.
+// Tests interpolated frames with a minimum PSNR. They must reach this PSNR, and must not depend on the number of threads or on
+// which frames are requested.
 #include <gtest/gtest.h>
 
 #include "frames/made_frames.hpp"
@@ -14,7 +15,8 @@ struct PredictedFrames {
   int all = 0, kept = 0;
 };
 
-/// Counts the predicted frames; fully traced frames reach any PSNR.
+/// Counts the in-between frames in `made`, and how many of them have at least the PSNR `floor`. Other frames are fully traced
+/// and must equal those of `traced`.
 void count_predicted(const MadeFrames& traced, const MadeFrames& made, double floor, PredictedFrames& count) {
   for (const auto& [number, frame] : made.frames) {
     const FrameReport& report = frame.report;
@@ -41,7 +43,7 @@ TEST(FloorFrames, reach_the_goal_in_95_percent_of_frames) {
       count_predicted(traced, make_frames(floored(scene, floor), frames_from(40, 48)), floor, count);
     }
   }
-  EXPECT_GT(count.all, 50);  // otherwise the test is void
+  EXPECT_GT(count.all, 50);  // with fewer predicted frames, the test would prove nothing
   EXPECT_GE(100 * count.kept, 95 * count.all) << count.kept << " of " << count.all;
   RecordProperty("predicted", count.all);
   RecordProperty("kept", count.kept);
@@ -55,7 +57,7 @@ TEST(FloorFrames, any_thread_count_gives_the_same_bits) {
 }
 
 TEST(FloorFrames, of_a_part_equal_the_whole) {
-  for (const double floor : {35.0, 50.0}) {  // few and many intervals are halved
+  for (const double floor : {35.0, 50.0}) {  // at 35 dB few, and at 50 dB many intervals between key frames are halved
     const RenderParams gears = floored(small_scene("gears"), floor);
     const MadeFrames whole = make_frames(gears, frames_from(0, 9));
     for (const std::vector<int>& part : {std::vector{1, 2}, std::vector{5, 6}, std::vector{7}, std::vector{3, 4, 9}})
@@ -76,7 +78,7 @@ TEST(FloorFrames, are_traced_once_if_prediction_never_pays) {
   EXPECT_EQ(made.films(), make_frames(small_scene("gears"), frames_from(0, 20)).films());
 }
 
-// Frame 1 is used for learning.
+// Frame 1 is traced in full, so that the error of interpolation can be measured.
 TEST(FloorFrames, keep_requested_keys) {
   const MadeFrames made = make_frames(floored(small_scene(), 30.0, 2), frames_from(0, 4));
   for (const int key : {0, 2, 4}) EXPECT_EQ(made.report(key).kind, "key") << key;

@@ -1,4 +1,4 @@
-// The reuse that suits each sampling, and refused combinations.
+// Tests the default reuse of each kind of sampling, and refused combinations of parameters.
 #include "lippmann/frames/frame_params.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 
 const Sampling kPaths{.integrator = Integrator::kPath, .spp = 32};
 
-/// Returns the member that an Error names; empty if none is thrown.
+/// Returns the parameter name in the error that check() throws, or an empty string if it throws none.
 std::string refused(const FrameParams& params) {
   try {
     check(params);

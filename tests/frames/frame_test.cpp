@@ -1,4 +1,4 @@
-// One frame of scenes given by name and of scenes built in code.
+// Tests rendering one frame of built-in scenes and of scenes built in code.
 #include "frames/frame.hpp"
 #include "job/job_stage.hpp"
 

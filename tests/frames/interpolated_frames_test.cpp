@@ -1,4 +1,5 @@
-// Frames interpolated between key frames: which are traced, and that neither threads nor parts change them.
+// Tests frames interpolated between key frames: which frames are traced, and that frames do not depend on the number of threads
+// or on which frames are requested.
 #include <gtest/gtest.h>
 
 #include "frames/made_frames.hpp"
@@ -35,7 +36,8 @@ TEST(InterpolatedFrames, any_thread_count_gives_the_same_bits) {
             make_frames(interpolated(4), frames_from(0, 4), 4).films());
 }
 
-// Frame 3 is made from 0 and 4, frame 5 from 4 and 8; with halving from 2 and 4, and from 4 and 6.
+// Frame 3 is interpolated between frames 0 and 4, and frame 5 between frames 4 and 8. With halving, frame 3 is interpolated
+// between frames 2 and 4, and frame 5 between frames 4 and 6.
 TEST(InterpolatedFrames, of_a_part_equal_the_whole) {
   const std::vector<std::pair<ReuseParams, std::size_t>> ways{{{.fill = MissedFill::kInterpolate}, 2},
                                                               {{.fill = MissedFill::kRetrace, .halving = true}, 4}};
@@ -52,7 +54,8 @@ TEST(InterpolatedFrames, of_a_part_equal_the_whole) {
   }
 }
 
-/// Frame 8 between 0 and 16, when the gears have turned so far that pixels are missed.
+/// Returns frame 8, interpolated between frames 0 and 16. The gears turn so far between these frames that frame 8 has missed
+/// pixels.
 MadeFrames turned_gears(const ReuseParams& how) { return make_frames(interpolated(16, how, small_scene("gears")), {8}); }
 
 TEST(InterpolatedFrames, retracing_missed_pixels_reduces_the_error) {

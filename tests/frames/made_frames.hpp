@@ -1,4 +1,4 @@
-// Frames of an animation as values, for tests that compare frames made in different ways.
+// Renders frames of an animation into memory, for tests that compare frames rendered in different ways.
 #pragma once
 
 #include <map>
@@ -20,7 +20,7 @@ struct MadeFrames {
   const FrameReport& report(int number) const { return frames.at(number).report; }
   const std::vector<float>& film(int number) const { return frames.at(number).pictures.film.data; }
 
-  /// Returns all films by frame number, for bitwise comparison.
+  /// Returns the pixel values of all frames by frame number.
   std::map<int, std::vector<float>> films() const {
     std::map<int, std::vector<float>> all;
     for (const auto& [number, frame] : frames) all[number] = frame.pictures.film.data;
@@ -28,7 +28,7 @@ struct MadeFrames {
   }
 };
 
-/// Makes `frames`, in ascending order, as a render does.
+/// Renders `frames`, which must be in ascending order, as the tool does.
 inline MadeFrames make_frames(const RenderParams& given, const std::vector<int>& frames, int threads = 2) {
   const ResolvedJob job(given);
   const Context context;
@@ -48,7 +48,7 @@ inline std::vector<int> frames_from(int first, int last) {
   return frames;
 }
 
-/// A built-in scene below 16 lenses of 8 pixels: 128 x 128 pixels, with every frame traced.
+/// Returns parameters of a scene that is recorded through 16 lenses of 8 pixels: 128 x 128 pixels. Every frame is traced.
 inline RenderParams small_scene(const char* name = "teapot") {
   RenderParams params;
   params.scene.name = name;
@@ -62,7 +62,7 @@ inline RenderParams with_reuse(RenderParams params, const ReuseParams& reuse) {
   return params;
 }
 
-/// Returns the PSNR of the codes of frame `number`; infinite if they are equal.
+/// Returns the PSNR in dB between the sRGB codes of frame `number` in both animations. Equal frames give infinity.
 inline double psnr_between(const MadeFrames& reference, const MadeFrames& made, int number) {
   const auto codes = [&](const MadeFrames& of) { return to_codes(of.frames.at(number).pictures.film, Encoding::kSrgb); };
   return measure_difference(codes(reference), codes(made)).psnr_db;

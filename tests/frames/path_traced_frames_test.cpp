@@ -1,4 +1,5 @@
-// Path-traced frames, plain and denoised: neither threads nor parts nor layers change them, and they report their error.
+// Tests path-traced frames, with and without denoising. They must not depend on the number of threads, on which frames are
+// requested, or on the requested layers. They must report their error.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,7 +17,7 @@ RenderParams paths(int spp, Denoise denoise = Denoise::kAuto, const char* name =
   return params;
 }
 
-/// Expects frames of `part` to have the light and alpha of those of `whole`.
+/// Expects that the frames in `part` have the same light and alpha as in `whole`.
 void expect_the_same(const MadeFrames& part, const MadeFrames& whole) {
   for (const auto& [number, frame] : part.frames) {
     EXPECT_EQ(frame.pictures.film.data, whole.film(number)) << number;
@@ -30,15 +31,15 @@ double squared_error(const std::vector<float>& reference, const std::vector<floa
   return sum / static_cast<double>(film.size());
 }
 
-/// Returns frame `frame` of `params` with other samples and another seed.
+/// Returns frame `frame` with 512 samples per pixel, another random seed and no denoising.
 MadeFrames reference_of(RenderParams params, int frame) {
   params.sampling.spp = 512, params.sampling.seed = 1, params.sampling.denoise = Denoise::kNone;
   return make_frames(params, {frame});
 }
 
-/// The error after denoising is at most half of the error before. The denoiser removes far more than that; the standard error
-/// of either figure, a mean over more than 10,000 values, is a few per cent, and the noise of the reference is 1/128 of the
-/// noise of 4 samples.
+/// Expects that denoising at least halves the squared error. The threshold has a large margin: the denoiser removes more than
+/// half of the error, the squared errors are means over more than 10,000 values with standard errors of a few per cent, and the
+/// reference has 1/128 of the noise of 4 samples.
 void expect_less_noise(const RenderParams& params, int frame) {
   RenderParams noisy = params;
   noisy.sampling.denoise = Denoise::kNone;

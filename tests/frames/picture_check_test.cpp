@@ -1,4 +1,4 @@
-// Frames that show nothing cause a warning with the reason; all others do not.
+// Tests warnings about frames that show nothing. The warning must state the reason, and other frames must give no warning.
 #include "frames/picture_check.hpp"
 
 #include <gmock/gmock.h>
@@ -63,7 +63,7 @@ class PictureCheck : public testing::Test {
     scene.cameras.push_back(camera);
   }
 
-  /// Returns the warnings of the first frame, joined.
+  /// Returns the warnings for the first frame, one per line.
   std::string warnings(Integrator integrator = Integrator::kPath) const {
     std::string all;
     Context context;

@@ -1,4 +1,4 @@
-// A program that holds a scene in memory: placed optics and frames, without flags and folders.
+// Tests Renderer as another program uses it: with a scene in memory, and without flags, job files or folders.
 #include "lippmann/frames/renderer.hpp"
 
 #include <gmock/gmock.h>
@@ -46,13 +46,14 @@ TEST(Renderer, equals_a_render_by_name) {
 TEST(Renderer, places_optics_at_the_cameras_height) {
   const Scene scene = built_in("room");
   const Placement placement = place(scene, small_quilt(), {.fit_depth = false});
-  // The window of one view is 64 mm high.
+  // the window of one view is 64 mm high
   EXPECT_FLOAT_EQ(placement.placed.units_per_mm * 64.0f, placement.array.plane_height);
   EXPECT_EQ(placement.array.plane_height, fit_array(scene, 1.0f).plane_height);
   EXPECT_EQ(placement.placed.depth_scale, 1.0f);
 }
 
-/// Renders a mesh and a camera at a place whose coordinates floats represent exactly.
+/// Renders a mesh at the position `where`, with a camera 6 units in front of it. Single precision represents all coordinates
+/// exactly.
 Image picture_of_mesh_at(Vec3f where) {
   Scene scene;
   Mesh mesh;
@@ -73,7 +74,8 @@ Image picture_of_mesh_at(Vec3f where) {
 }
 
 TEST(Renderer, scene_far_from_the_origin_is_exact) {
-  // Multiples of the scene's size, to which its origin is rounded, so that no bit differs.
+  // The coordinates are multiples of the scene's size. The scene is moved by such multiples to the origin, so that no bit
+  // differs.
   EXPECT_EQ(picture_of_mesh_at({4'194'304, 1024, -2'097'152}).data, picture_of_mesh_at(Vec3f(0)).data);
 }
 
@@ -112,14 +114,14 @@ TEST(Renderer, traces_but_does_not_interpolate_ray_tables) {
   const Placement as_view = place(scene, view);
   Placement as_rays = as_view;
   RayTable table = make_ray_table(view.panel, 1, [&](Vec2f pixel) { return ray_of_pixel(as_view.placed.optics, pixel); });
-  table.spread = 1.0f / 60.0f;  // filters textures for an eye 60 mm away
+  table.spread = 1.0f / 60.0f;  // the texture filter assumes an eye 60 mm away
   as_rays.placed.optics.model = table;
   const auto film_of = [&](const Placement& placement, const FrameParams& params) {
     return Renderer(scene, placement, params, context).frame(1)->pictures.film;
   };
   const Image traced = film_of(as_view, {}), from_rays = film_of(as_rays, {});
   ASSERT_EQ(traced.data.size(), from_rays.data.size());
-  std::size_t different = 0;  // rays differ in their last bits, so at an edge another surface may be hit
+  std::size_t different = 0;  // the rays differ in their last bits, so that at an edge they may hit another surface
   for (std::size_t i = 0; i < traced.data.size(); ++i) different += std::abs(traced.data[i] - from_rays.data[i]) > 1e-3f;
   EXPECT_LE(different, traced.data.size() / 100);
   EXPECT_NO_THROW(film_of(as_rays, {.reuse = CopySettled{}}));
@@ -132,7 +134,7 @@ TEST(Renderer, traces_but_does_not_interpolate_ray_tables) {
   }
 }
 
-/// The walls of the room fill the view, so that only blocked pixels are black.
+/// The walls of the scene "room" fill the view, so that only pixels outside of the camera's aperture are black.
 TEST(Renderer, leaves_pixels_beside_the_aperture_black) {
   const Context context;
   const Scene scene = built_in("room");

@@ -1,4 +1,4 @@
-// Fully traced frames: their size, and that neither threads nor the order of rays change a bit.
+// Tests fully traced frames: their size, and that their bits depend neither on the number of threads nor on the order of rays.
 #include <gtest/gtest.h>
 
 #include "frames/made_frames.hpp"
