@@ -1,4 +1,4 @@
-// Tests files that cannot be written completely, wherever writing fails: an Error, and no file.
+// Tests that a failed write at any position of a file throws an Error and leaves no file.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -20,7 +20,7 @@ namespace {
 
 using Write = std::function<void(const std::filesystem::path&)>;
 
-/// Limits the size of files while it exists: writing beyond `bytes` fails as on a full disk.
+/// While this object exists, writing beyond the first `bytes` bytes of any file fails, as on a full disk.
 class FileSizeLimit {
  public:
   explicit FileSizeLimit(rlim_t bytes) : old_handler_(std::signal(SIGXFSZ, SIG_IGN)) {

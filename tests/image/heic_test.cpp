@@ -1,5 +1,5 @@
-// Tests HEIC and AVIF images. The files in tests/image/pictures have four quarters of one colour each, encoded by heif-enc and
-// ffmpeg.
+// Tests HEIC and AVIF pictures. The pictures in tests/image/pictures were encoded by heif-enc and ffmpeg. Each has four
+// quarters, and each quarter has one colour.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ constexpr std::array<std::array<int, 3>, 4> kQuarters{{{200, 60, 40}, {40, 180, 
 
 fs::path picture(const char* name) { return fs::path(LIPPMANN_SOURCE) / "tests/image/pictures" / name; }
 
-/// Compares the middle of each quarter with its colour in 8-bit codes.
+/// Compares the pixel in the middle of each quarter with the quarter's colour. `code` is the value of one 8-bit code step.
 template <class AnyImage>
 void expect_quarters(const AnyImage& image, double code, double tolerance) {
   ASSERT_EQ(image.width, kWidth);
@@ -48,8 +48,8 @@ TEST(Heic, pictures_of_10_bits_become_16) {
   expect_quarters(std::get<Image16>(read_picture(picture("quarters_10bit.heic"))), 257.0, 1.0);
 }
 
-// quarters_depth.heic stores a grey image of half the size as its depth (an auxl reference and the auxC property
-// urn:mpeg:hevc:2015:auxid:2).
+// quarters_depth.heic also stores a grey picture of half the size as its depth map. The file marks it by an auxl reference and
+// the auxC property urn:mpeg:hevc:2015:auxid:2.
 TEST(Heic, depth_image_beside_the_picture) {
   expect_quarters(std::get<Image8>(read_picture(picture("quarters_depth.heic"))), 1.0, 2.0);
   const std::optional<StoredDepth> depth = read_stored_depth(picture("quarters_depth.heic"));
@@ -69,7 +69,7 @@ TEST(Heic, damage_is_an_error) {
     EXPECT_THAT(error_message([&] { decode_picture(std::span(whole).first(size), "cut.heic"); }), HasSubstr("cut.heic"))
         << size;
   std::vector<std::byte> large = whole;
-  const std::string ispe = "ispe";  // the box with the size of the image
+  const std::string ispe = "ispe";  // the "ispe" box states the size of the picture
   const auto at = std::search(large.begin(), large.end(), ispe.begin(), ispe.end(),
                               [](std::byte a, char b) { return a == static_cast<std::byte>(b); });
   ASSERT_NE(at, large.end());

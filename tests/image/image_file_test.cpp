@@ -1,4 +1,5 @@
-// Tests PNG, TIFF and EXR files: round trips, and errors for files that cannot be read or written.
+// Tests PNG, TIFF and EXR files. Files that were written must be read without change. Files that cannot be read or written must
+// give an error.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -35,7 +36,7 @@ std::string file_bytes(const fs::path& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// Copies the first part of a file to another file.
+/// Copies the first part of a file to a new file, and returns its path. `share` is the copied share of the file's size.
 fs::path truncated(const fs::path& whole, double share) {
   const std::string bytes = file_bytes(whole);
   const fs::path path = whole.parent_path() / ("truncated" + whole.extension().string());
@@ -92,7 +93,8 @@ TEST(Png, size_outside_the_limits_is_an_error) {
               HasSubstr("65537 x 1"));
 }
 
-// "II", then 42 for a classic file, 43 for a file with offsets of 8 bytes.
+// A TIFF file begins with "II" and a version number. The number is 42 in a classic file, and 43 in a BigTIFF file, whose
+// offsets have 8 bytes.
 TEST(Tiff, big_tiff_has_the_same_codes) {
   const test::TempDir dir;
   const Image8 codes = noise_codes(33, 17);
@@ -226,7 +228,8 @@ TEST(ReadImage, eight_bit_codes_are_code_over_255) {
 
 TEST(ReadImage8, sixteen_bit_codes_are_rounded_to_eight) {
   const TempDir dir;
-  write_png(dir / "a.png", Image16{2, 1, {0, 128, 129, 65535, 65407, 65406}});  // rounding changes at 257 k + 128.5
+  // a 16-bit code is rounded to the nearest k = code / 257, so the result changes at 257 k + 128.5
+  write_png(dir / "a.png", Image16{2, 1, {0, 128, 129, 65535, 65407, 65406}});
   EXPECT_THAT(read_image8(dir / "a.png").rgb, ElementsAre(0, 0, 1, 255, 255, 254));
 }
 
@@ -271,7 +274,7 @@ TEST(ReadImage, truncated_png_and_exr_are_errors) {
   for (const double share : {0.02, 0.2, 0.5, 0.9, 0.98})
     for (const char* name : {"a.png", "a.exr"})
       EXPECT_THAT(error_message([&] { read_image(truncated(dir / name, share)); }), HasSubstr("truncated"))
-          << name << share;  // the name of the file
+          << name << share;  // the message names the file
 }
 
 TEST(ReadImage, truncated_jpeg_scan_is_an_error) {

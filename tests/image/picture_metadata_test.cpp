@@ -1,4 +1,4 @@
-// Tests image metadata: orientation, exposure, gamma, colours, pixel aspect.
+// Tests picture metadata: orientation, exposure, gamma, colour profiles and the aspect of pixels.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <tiffio.h>
@@ -49,7 +49,7 @@ Bytes to_bytes(const Range& range) {
   return {bytes.begin(), bytes.end()};
 }
 
-/// Returns EXIF data with one entry.
+/// Returns EXIF data whose only entry is the orientation.
 std::string exif_with(char orientation) {
   return std::string("MM\0\x2a\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0"sv) + orientation + std::string(6, '\0');
 }
@@ -63,8 +63,7 @@ std::vector<Sample> decoded_as(const Bytes& file) {
 
 // ---- Orientation --------------------------------------------------------------------------------------------------------
 
-// Stored: 1 2 3
-//         4 5 6
+// The stored picture has two rows: 1 2 3 and 4 5 6.
 TEST(Orientation, all_eight_are_as_in_tiff) {
   const std::vector<std::vector<std::uint8_t>> expected{{1, 2, 3, 4, 5, 6}, {3, 2, 1, 6, 5, 4}, {6, 5, 4, 3, 2, 1},
                                                         {4, 5, 6, 1, 2, 3}, {1, 4, 2, 5, 3, 6}, {4, 1, 5, 2, 6, 3},
@@ -113,7 +112,7 @@ TEST(Exif, turns_jpeg_png_and_webp) {
 
 // ---- PNG ----------------------------------------------------------------------------------------------------------------
 
-/// Computes CRC-32 bit by bit.
+/// Computes the CRC-32 checksum of a PNG chunk bit by bit.
 std::uint32_t png_checksum(std::string_view bytes) {
   std::uint32_t sum = 0xffffffff;
   for (const char c : bytes) {
@@ -123,7 +122,7 @@ std::uint32_t png_checksum(std::string_view bytes) {
   return ~sum;
 }
 
-/// Returns a grey PNG with chunks after its header.
+/// Returns a grey PNG file with these chunks after its header.
 Bytes png_with(const std::vector<std::pair<std::string, std::string>>& chunks) {
   std::string file;
   for (const unsigned char c : test::encode_png(4, 2, 3, std::vector<std::uint8_t>(24, 100))) file += static_cast<char>(c);
@@ -187,7 +186,7 @@ TEST(ColorProfile, srgb_is_silent_and_others_are_named) {
 }
 
 TEST(ColorProfile, damaged_profiles_are_not_srgb) {
-  constexpr std::size_t kHeader = 132;  // including the number of tags
+  constexpr std::size_t kHeader = 132;  // bytes of the profile's header and the number of tags
   const std::string whole = profile_with(kP3Primaries, 2.2);
   for (std::size_t size = 0; size < kHeader; ++size) EXPECT_EQ(color_profile_notice(to_bytes(whole.substr(0, size))), "");
   for (std::size_t size = kHeader; size < whole.size(); ++size)
@@ -218,8 +217,8 @@ std::vector<Code> by_profile(const std::string& profile, int channels, std::vect
   return std::get<std::vector<Code>>(samples);
 }
 
-// Computed from the primaries' XYZ under D50: (100, 150, 120) in P3 is (82.9, 153.1, 118.3) in sRGB, and a code c with gamma
-// 1.8 encodes (c / maximum)^1.8.
+// Expected codes. They are computed from the XYZ values of the primaries under D50. The P3 colour (100, 150, 120) is (82.9,
+// 153.1, 118.3) in sRGB. With a gamma of 1.8, the code c represents the light (c / largest code)^1.8.
 TEST(ApplyColorProfile, codes_become_those_of_srgb) {
   using testing::AllOf, testing::Ge, testing::Le;
   const auto near = [](int value, int error) { return AllOf(Ge(value - error), Le(value + error)); };
@@ -258,7 +257,7 @@ TEST(ApplyColorProfile, files_are_read_as_srgb_without_notice) {
   EXPECT_NEAR(std::get<std::vector<std::uint8_t>>(picture.samples)[0], 83, 3) << "JPEG changes codes by one or two";
 }
 
-/// Magenta at half and full strength, and no ink.
+/// The three pixels are magenta at half strength, magenta at full strength, and paper without ink.
 TEST(RgbOfInks, by_the_profile_of_a_press) {
   const std::vector<std::uint8_t> inks{0, 128, 0, 0, 0, 255, 0, 0, 0, 0, 0, 0};
   const std::optional<Samples> samples = rgb_of_inks(to_bytes(press_profile()), inks);
@@ -310,8 +309,8 @@ TEST(RgbOfInks, tiff_by_its_profile_or_an_estimate) {
 
 // ---- Chromaticities -----------------------------------------------------------------------------------------------------
 
-// X alone, under D65: white has 0.9505 of it, and the first column of the standard matrix from XYZ is (3.2406, -0.9689,
-// 0.0557). Y alone: (-1.5372, 1.8758, -0.2040).
+// The matrix columns for X and Y must equal those of the standard matrix from XYZ to sRGB, (3.2406, -0.9689, 0.0557) and
+// (-1.5372, 1.8758, -0.2040). The column for X is scaled by 0.3127 / 0.3290 = 0.9505, because the D65 white has X = 0.9505.
 TEST(Chromaticities, xyz_under_d65_gives_the_usual_matrix) {
   Chromaticities xyz = kXyz;
   xyz.xy[6] = 0.3127, xyz.xy[7] = 0.3290;
@@ -324,18 +323,18 @@ TEST(Chromaticities, xyz_under_d65_gives_the_usual_matrix) {
   EXPECT_NEAR((*matrix)[1][1], 1.8758, 2e-3);
 }
 
-// White maps to white, whatever its chromaticity: rows sum to 1.
+// The matrix must map white to white, although the white points differ. The weights of each colour therefore sum to 1.
 TEST(Chromaticities, white_of_another_colour_stays_white) {
-  const auto matrix = rec709_from({{0.713, 0.293, 0.165, 0.830, 0.128, 0.044, 0.32168, 0.33767}});  // ACEScg
+  const auto matrix = rec709_from({{0.713, 0.293, 0.165, 0.830, 0.128, 0.044, 0.32168, 0.33767}});  // chromaticities of ACEScg
   ASSERT_TRUE(matrix);
   for (int row = 0; row < 3; ++row) EXPECT_NEAR((*matrix)[0][row] + (*matrix)[1][row] + (*matrix)[2][row], 1.0, 1e-9);
-  EXPECT_NEAR((*matrix)[0][0], 1.7051, 2e-3);  // as published for AP1 to Rec. 709 with Bradford adaptation
+  EXPECT_NEAR((*matrix)[0][0], 1.7051, 2e-3);  // published value of the matrix from AP1 to Rec. 709 with Bradford adaptation
   EXPECT_NEAR((*matrix)[1][0], -0.6218, 2e-3);
 }
 
 // ---- Radiance HDR -------------------------------------------------------------------------------------------------------
 
-/// Returns grey pixels, with an exponent that maps a mantissa of 128 to 1.
+/// Returns a Radiance HDR file of grey pixels. The exponent is 129, so the mantissa 128 represents the light 1.
 Bytes grey_hdr(const std::string& variables, const std::string& resolution, const std::vector<std::uint8_t>& mantissas) {
   std::string text = "#?RADIANCE\n" + variables + "\n" + resolution + "\n";
   for (const std::uint8_t mantissa : mantissas) text += std::string(3, static_cast<char>(mantissa)) + '\x81';
@@ -356,7 +355,8 @@ TEST(DecodeHdr, exposures_and_colour_corrections_are_undone) {
               ElementsAre(0.5f, 0.5f, 0.5f));
   EXPECT_THAT(decoded_as<float>(grey_hdr(format + "COLORCORR= 1 2 4\n", "-Y 1 +X 1", {128})), ElementsAre(1, 0.5f, 0.25f));
   EXPECT_THAT(decoded_as<float>(grey_hdr("\tEXPOSURE=2\n# EXPOSURE=3\n" + format, "-Y 1 +X 1", {128})),
-              ElementsAre(1, 1, 1));  // exposure of the image's sources, and a comment
+              // An indented EXPOSURE belongs to a source of the picture, and # begins a comment. Both are ignored.
+              ElementsAre(1, 1, 1));
   for (const char* exposure : {"0", "-1", "nan", "many", "1e-40"})
     EXPECT_THAT(
         error_message([&] { decode_picture(grey_hdr(format + "EXPOSURE=" + exposure + "\n", "-Y 1 +X 1", {128}), "a.hdr"); }),
@@ -364,7 +364,7 @@ TEST(DecodeHdr, exposures_and_colour_corrections_are_undone) {
         << exposure;
 }
 
-// Stored: 64 128 192 in one line, 32 96 160 in the next.
+// The file stores the pixels 64, 128, 192 and then 32, 96, 160.
 TEST(DecodeHdr, resolution_sets_the_order_of_pixels) {
   const auto greys = [](const char* resolution) {
     const Bytes file = grey_hdr("FORMAT=32-bit_rle_rgbe\n", resolution, {64, 128, 192, 32, 96, 160});
@@ -384,8 +384,8 @@ TEST(DecodeHdr, resolution_sets_the_order_of_pixels) {
 
 TEST(DecodeHdr, old_runs_repeat_a_pixel) {
   std::string text = "#?RGBE\n\n-Y 1 +X 300\n";
-  text += "\x80\x80\x80\x81\x01\x01\x01\x2a\x01\x01\x01\x01\x40\x40\x40\x81"s;  // 1, then 42 times the same, then 256 times the
-                                                                                // same, then 0.5
+  // The pixels are: one pixel of light 1, two runs that repeat it 42 and 256 times, and one pixel of light 0.5.
+  text += "\x80\x80\x80\x81\x01\x01\x01\x2a\x01\x01\x01\x01\x40\x40\x40\x81"s;
   const std::vector<float> greys = greys_of(to_bytes(text));
   ASSERT_EQ(greys.size(), 300u);
   EXPECT_EQ(greys[298], 1.0f);
@@ -418,7 +418,7 @@ TEST(DecodeBmp, rows_from_the_bottom_or_the_top) {
     for (int i = 0; i < 4; ++i) file += static_cast<char>(static_cast<std::uint32_t>(height) >> 8 * i & 0xff);
     return to_bytes(file + "\x01\0\x18\0"s + std::string(24, '\0') + std::string(rows));
   };
-  const auto rows = "\x01\x02\x03\0\x04\x05\x06\0"sv;  // blue, green, red, and one byte of padding
+  const auto rows = "\x01\x02\x03\0\x04\x05\x06\0"sv;  // blue, green, red and a byte of padding for each row
   EXPECT_THAT(decoded_as<std::uint8_t>(bmp(2, rows)), ElementsAre(6, 5, 4, 3, 2, 1));
   EXPECT_THAT(decoded_as<std::uint8_t>(bmp(-2, rows)), ElementsAre(3, 2, 1, 6, 5, 4));
   EXPECT_THAT(error_message([&] { decode_picture(bmp(2, rows.substr(0, 5)), "a.bmp"); }), HasSubstr("truncated"));
@@ -431,7 +431,8 @@ TEST(DecodeBmp, rows_from_the_bottom_or_the_top) {
 
 const std::string kGifHeader = "GIF89a\2\0\1\0\x80\0\0\x0a\x0b\x0c\x14\x15\x16"s;
 
-/// Returns a row of `width` pixels at x with the second colour: the codes 4 (clear), 1, 1 and 5 (end) of 3 bits.
+/// Returns a GIF picture of 1 or 2 pixels at column `x`. All pixels have the second colour. The LZW codes have 3 bits: 4
+/// (clear), 1 for each pixel, and 5 (end).
 std::string gif_picture(char x, char width) {
   return "\x2c"s + x + "\0\0\0"s + width + "\0\1\0\0\2\2"s + (width == 2 ? "\x4c\x0a"s : "\x4c\x01"s) + '\0';
 }
