@@ -10,8 +10,8 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Returns a scene that extends half_depth units in front of and behind the plane, with 10 mm per unit, as high as 64 lenses of
-/// 1 mm.
+/// Returns an array in a scene that reaches `half_depth` units in front of the plane and behind it. One unit is 10 mm, and the
+/// array is as high as 64 lenses of 1 mm.
 FittedArray array_of_depth(float half_depth) {
   FittedArray array;
   array.plane_height = 6.4f;
@@ -20,7 +20,7 @@ FittedArray array_of_depth(float half_depth) {
   return array;
 }
 
-/// 64 lenses of 8 pixels: depth budget 16 mm.
+/// Returns the sentence about the depth of a scene, for an array of 64 lenses with 8 pixels each. Its depth budget is 16 mm.
 std::string budget_for(float half_depth) {
   const Optics optics{.panel = {}, .model = LenticularSheet{}};
   return depth_budget_sentence(shown_depth(array_of_depth(half_depth), 0.1f, 1.0f, optics), optics);
@@ -43,8 +43,9 @@ TEST(DepthBudget, single_view_has_no_budget) {
 }
 
 TEST(DepthBudget, views_are_a_pixel_apart_at_it) {
-  // Two views 20 degrees apart at 500 mm: eyes at -+500 tan 10 deg. A point at z appears in the plane z = 0 at x - z (e - x) /
-  // (500 - z). For x = 0 the two positions are 2 z 88.163 / (500 - z) apart: 0.5 mm at z = 1.4138 mm.
+  // Two views are 20 degrees apart at a distance of 500 mm, so the eyes are at e = -+500 tan(10 degrees) = -+88.163 mm. The eye
+  // at e sees a point (x, z) at x - z (e - x) / (500 - z) in the plane z = 0. For x = 0 the positions of both eyes are 2 z *
+  // 88.163 / (500 - z) apart. This distance is one pixel, 0.5 mm, for z = 1.4138 mm.
   const Optics optics{.panel = {200, 100, 0.5f}, .model = MultiView{2, 1, radians(40.0f), false, 500.0f}};
   EXPECT_NEAR(depth_budget_mm(optics), 1.4138f, 1e-4f);
   std::vector<Vec2f> pixels;
@@ -111,7 +112,8 @@ TEST(FitDepth, optics_do_not_depend_on_depth) {
 }
 
 TEST(FitDepth, middle_of_the_zone_is_unchanged) {
-  // One lens of 512 pixels in front of the viewer's eye: the ray of its central pixel stays, others turn towards it.
+  // A single lens of 512 pixels is in front of the viewer's eye. The ray of the central pixel keeps its direction, and other
+  // rays turn towards it.
   Optics optics{.panel = {512, 1, 0.125f},
                 .model = LenticularSheet{.lens_pitch_mm = 64.0f, .gap_mm = 100.0f, .offset_mm = 0.0f}};
   for (const auto& [pixel, slope] : {std::pair(256.0f, 0.0f), std::pair(264.0f, -0.01f)}) {
@@ -122,7 +124,8 @@ TEST(FitDepth, middle_of_the_zone_is_unchanged) {
 }
 
 TEST(FitDepth, quilt_eyes_move_together) {
-  // Eyes of two views 20 degrees apart at 500 mm: at -+500 tan 10 degrees, times the parallax.
+  // The two views are 20 degrees apart at 500 mm, so the eyes are at -+500 tan(10 degrees) = -+88.163 mm. Reducing the parallax
+  // multiplies their positions by `parallax`.
   const Optics quilt{.panel = {200, 100, 0.5f}, .model = MultiView{2, 1, radians(40.0f), false, 500.0f}};
   for (const float parallax : {1.0f, 0.25f}) {
     const Ray ray = ray_of_pixel(with_parallax(quilt, parallax), {50.0f, 50.0f});

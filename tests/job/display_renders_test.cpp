@@ -1,4 +1,4 @@
-// Tests renders for displays: size, optics and layout come from the display, and crosstalk is corrected.
+// Tests renders for a display. The display sets the size, the optics and the layout, and its crosstalk is corrected.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -21,7 +21,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using Json = nlohmann::ordered_json;
 
-/// A small slanted panel, and a sheet on a print of 2 x 1 inches.
+/// Provides a small display with slanted lenses, and a lenticular sheet on a print of 2 x 1 inches.
 class DisplayRenders : public Renders {
  protected:
   DisplayRenders() {
@@ -54,7 +54,8 @@ TEST_F(DisplayRenders, slanted_panel_gets_its_quilt) {
   EXPECT_EQ(optics["kind"], "multiview");
   EXPECT_EQ(optics["width"], 129);
   EXPECT_NEAR(optics["view_cone_deg"].get<double>(), 40.0, 1e-4);
-  // A tile of 32 x 64 pixels on a display of 48 x 64: its pixels are 1.5 display pixels wide and 1 high.
+  // A tile of 32 x 64 pixels covers a display of 48 x 64 pixels. A pixel of the tile is 48 / 32 = 1.5 display pixels wide and 1
+  // high.
   EXPECT_NEAR(optics["pixel_height"].get<double>(), 2.0 / 3.0, 1e-6);
 }
 
@@ -65,7 +66,8 @@ TEST_F(DisplayRenders, native_frame_has_the_panels_pixels) {
   EXPECT_TRUE(are_identical("out", "a.mkv"));
 }
 
-/// Returns the XResolution of a TIFF file: tag 282 = 0x011a, type 5, one value, the offset of a rational number.
+/// Returns the numerator and the denominator of XResolution in a TIFF file. The entry has the tag 282 = 0x011a, the type 5
+/// (rational), a count of 1, and the offset of the value.
 std::pair<std::uint32_t, std::uint32_t> resolution_of(const std::string& tiff) {
   const std::size_t at = tiff.find(std::string("\x1a\x01\x05\x00\x01\x00\x00\x00", 8));
   const auto word = [&](std::size_t i) {
@@ -124,7 +126,7 @@ TEST_F(DisplayRenders, unsupported_parameters_are_refused) {
 
 // ---- Crosstalk ----------------------------------------------------------------------------------------------------------
 
-// Nine pixels below a lens: an eye in the middle sees the centre of the fifth.
+// There are nine pixels below a lens, so an eye in the middle sees the centre of the fifth pixel.
 TEST_F(DisplayRenders, precompensated_picture_looks_plain_through_crosstalk) {
   const Settings sheet{{"lenses", "24"}, {"lens-pixels", "9"}, {"format", "exr"}};
   render(teapot("plain", "3", sheet));
@@ -141,7 +143,7 @@ TEST_F(DisplayRenders, precompensated_picture_looks_plain_through_crosstalk) {
                  undone = seen("shown", "c", sigma_px);
   const auto rmse = [&](const fs::path& picture) { return compare(wanted, picture, context_).mean_rmse.mean; };
   EXPECT_GE(rmse(leaking), 0.5);
-  EXPECT_LE(rmse(undone), 0.5 * rmse(leaking));  // clipping leaves a rest
+  EXPECT_LE(rmse(undone), 0.5 * rmse(leaking));  // the correction is incomplete because some values are clipped
 }
 
 TEST_F(DisplayRenders, crosstalk_has_pixels_or_views_as_unit) {
@@ -150,7 +152,8 @@ TEST_F(DisplayRenders, crosstalk_has_pixels_or_views_as_unit) {
   leaky.replace(leaky.find("129, 128"), 3, "128");
   std::ofstream(dir_ / "leaky.toml") << leaky;
   const Json quilt = report_of(teapot_on("leaky.toml", {{"precompensate", "true"}}));
-  // 8 views, and 324 / 52 = 6.23 pixels below a lens across it, 6.29 along a row.
+  // The quilt has 8 views. The slanted lenses are 324 dpi / 52 lpi = 6.23 pixels wide; measured along a row of pixels they are
+  // 6.29 pixels wide. Crosstalk of 0.2 views is converted to pixels by 8 views per 6.29 pixels.
   EXPECT_NEAR(quilt["precompensation"]["crosstalk_px"].get<double>(), 0.2 * 8 / (324 / 52.0 / std::cos(std::atan(1 / 7.0))),
               1e-6);
   const Json native = report_of(teapot_on("leaky.toml", {{"precompensate", "true"}, {"layout", "native"}}, "native"));
@@ -162,7 +165,7 @@ TEST_F(DisplayRenders, finished_pictures_are_precompensated_equally) {
   render(teapot("plain", "3", sheet));
   render(teapot("shown", "3", sheet + Settings{{"precompensate", "true"}, {"crosstalk", "0.35"}}));
   precompensate_frames({dir_ / "plain", dir_ / "made", 0.35}, context_);
-  // One is computed from 16-bit codes, the other from floats.
+  // the first picture is corrected from floats, the second from 16-bit codes
   EXPECT_LE(compare(dir_ / "shown/frame_0003.png", dir_ / "made/frame_0003.png", context_).mean_rmse.mean, 0.05);
   EXPECT_EQ(replay({.in = dir_ / "made"}, context_).written.size(), 1u);
 }

@@ -1,4 +1,5 @@
-// Tests that one folder holds one render: how other renders are refused, which files remain, and resuming.
+// Tests output folders of renders. A folder holds only one render, so other renders into it are refused. The tests also cover
+// which files remain, and resuming.
 #include <gmock/gmock.h>
 
 #include <fstream>

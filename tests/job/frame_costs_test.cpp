@@ -25,7 +25,7 @@ FrameReport made(int frame, double cpu_seconds, const char* kind = "full") {
 
 TEST(JobCosts, three_segments_are_measured) {
   EXPECT_THAT(frames_to_measure(frames_from(8, 40), 16, Neighbours::kOthers),
-              ElementsAre(8, 9, 16, 17, 32, 33));  // of segments 8-15, 16-31, 32-47
+              ElementsAre(8, 9, 16, 17, 32, 33));  // the first two frames of the segments 8-15, 16-31 and 32-47
   EXPECT_THAT(frames_to_measure(frames_from(0, 48), 8, Neighbours::kCopied), ElementsAre(0, 1, 24, 25, 40, 41));
 }
 
@@ -39,7 +39,7 @@ TEST(JobCosts, first_frames_files_and_set_up_count) {
   MeasuredRun run{{made(0, 3.0), made(1, 1.0), made(8, 5.0), made(9, 2.0)}, {}, 0.5, 12.5, 77};
   const JobCosts costs = frame_costs(run, frames_from(0, 16), 8);
   EXPECT_THAT(costs.at, ElementsAre(Pair(0, 4.0), Pair(1, 1.5)));
-  EXPECT_DOUBLE_EQ(costs.write_cpu_seconds, 0.25);  // (12.5 - 0.5 - 11) / 4
+  EXPECT_DOUBLE_EQ(costs.write_cpu_seconds, 0.25);  // (12.5 s in total - 0.5 s of set-up - 11 s of rendering) / 4 frames
   EXPECT_EQ(costs.peak_memory_bytes, 77u);
   EXPECT_THAT(costs.frames, ElementsAre(0, 1, 8, 9));
   EXPECT_DOUBLE_EQ(cpu_seconds_of(frames_from(0, 16), 8, costs), 0.5 + 2 * 4.0 + 14 * 1.5 + 16 * 0.25);
@@ -48,17 +48,19 @@ TEST(JobCosts, first_frames_files_and_set_up_count) {
 TEST(JobCosts, keys_of_copies_count_for_sixteen_frames) {
   const MeasuredRun run{
       {made(0, 1.0), made(1, 9.0, "key"), made(30, 9.0, "key"), made(31, 1.0, "in-between")}, {}, 0.0, 20.0, 0};
-  EXPECT_DOUBLE_EQ(frame_costs(run, frames_from(0, 60), 1).at.at(0), 1.5);  // 1 + (9 - 1) / 16
+  // 1 s of the frame, and (9 - 1) s of the key frame shared by 16 frames
+  EXPECT_DOUBLE_EQ(frame_costs(run, frames_from(0, 60), 1).at.at(0), 1.5);
   const MeasuredRun only_a_key{{made(0, 9.0, "key")}, {}, 0.0, 9.0, 0};
   EXPECT_DOUBLE_EQ(frame_costs(only_a_key, {0}, 1).at.at(0), 9.0);
 }
 
 TEST(JobCosts, sources_exclude_later_frames_of_the_unit) {
-  // Between keys 0, 8 and 16: rendering 0 and 1 also made 2, 4 and the next segment's key; rendering 9 made 16.
+  // Frames 0, 8 and 16 are key frames. Rendering frames 0 and 1 also rendered frames 2 and 4 and key frame 8. Rendering frame 9
+  // also rendered key frame 16, which is outside of the job.
   const MeasuredRun run{
       {made(0, 1.0), made(1, 1.0), made(8, 1.0), made(9, 1.0)}, {made(2, 4.0), made(4, 4.0), made(16, 6.0)}, 0.0, 18.0, 0};
   const JobCosts costs = frame_costs(run, frames_from(0, 16), 8);
-  EXPECT_DOUBLE_EQ(costs.source_cpu_seconds, 3.0);  // 6 in two segments
+  EXPECT_DOUBLE_EQ(costs.source_cpu_seconds, 3.0);  // frame 16 costs 6 s, shared by two segments
   EXPECT_DOUBLE_EQ(costs.write_cpu_seconds, 0.0);
 }
 

@@ -1,4 +1,5 @@
-// Tests the pictures of each layout and format of a render, which must equal a conversion of the plain render.
+// Tests renders in every layout and file format. The pictures must equal those of a conversion of the render in its default
+// layout.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
@@ -26,12 +27,12 @@ Image8 codes_of(const fs::path& path) { return std::get<Image8>(read_picture(pat
 
 class LayoutRenders : public Renders {
  protected:
-  /// Two frames through 8 lenses of 4 x 4 pixels: 16 views of 8 x 8.
+  /// Returns a job of two frames through 8 lenses of 4 x 4 pixels each, which give 16 views of 8 x 8 pixels.
   RenderParams array(const std::string& folder, const Settings& more = {}) const {
     return teapot(folder, "3-4", Settings{{"optics", "microlens"}, {"lenses", "8"}, {"lens-pixels", "4"}} + more);
   }
 
-  /// A pair of views on a screen seen from 600 mm.
+  /// Returns a job of a stereo picture for a screen that is seen from 600 mm.
   RenderParams pair(const std::string& folder, const Settings& more) const {
     return job("teapot", folder, Settings{{"layout", "stereo"}, {"frames", "3"}, {"viewing-distance", "600"}} + more);
   }
@@ -148,7 +149,8 @@ TEST_F(LayoutRenders, every_stereo_packing_equals_conversion) {
 }
 
 TEST_F(LayoutRenders, quilt_shows_eyes_their_rendered_views) {
-  // 16 eyes in a row, 10 mm apart on the same screen: the views of the eyes at +-25 mm are rendered too.
+  // The quilt has 16 eyes in a row, 10 mm apart. The eyes at -25 and +25 mm are among them, so the stereo picture needs no
+  // interpolation.
   render(job("teapot", "q",
              {{"optics", "multiview"},
               {"camera-grid", "true"},
@@ -183,7 +185,7 @@ TEST_F(LayoutRenders, rgbd_is_one_view_with_depth) {
   EXPECT_EQ(codes_of(dir_ / "a/frame_0000_rgbd.png").width, 128);
 }
 
-/// Returns the side file, with the range and the coding of depth.
+/// Returns the JSON file beside the picture, which states the range and the coding of the depth.
 RgbdSideFile side_of(const fs::path& picture) { return read_rgbd_side_file(picture).value(); }
 
 TEST_F(LayoutRenders, rgbd_range_covers_the_whole_animation) {
@@ -199,7 +201,7 @@ TEST_F(LayoutRenders, rgbd_range_covers_the_whole_animation) {
   render(job("room", "plain",
              {{"optics", "multiview"}, {"views", "3x1"}, {"size", "192x48"}, {"aov", "depth"}, {"frames", "0,100,200"}}));
   convert("plain", "each", "rgbd");
-  for (const int frame : {0, 100, 200}) {  // each frame's own range is smaller at both ends
+  for (const int frame : {0, 100, 200}) {  // the depth range of a single frame lies within the range of the whole animation
     const DepthRange own = side_of(dir_ / "each" / fmt::format("frame_{:04}_rgbd.png", frame)).coding.range;
     EXPECT_LE(own.near_mm, side.coding.range.near_mm + 1e-3) << frame;
     EXPECT_GE(own.far_mm, side.coding.range.far_mm - 1e-3) << frame;

@@ -1,4 +1,4 @@
-// Tests light, exposure, tone and alpha in the files of a render.
+// Tests light, exposure, tone mapping and alpha in the pictures of a render.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -37,7 +37,7 @@ TEST_F(LightRenders, layers_of_light_sum_to_the_picture) {
   const std::vector<float> all = channel("R"), direct = channel("direct.R"), indirect = channel("indirect.R");
   ASSERT_FALSE(all.empty());
   for (std::size_t i = 0; i < all.size(); ++i)
-    ASSERT_NEAR(direct[i] + indirect[i], all[i], 1e-3f * (0.1f + all[i])) << i;  // half floats have 11 bits
+    ASSERT_NEAR(direct[i] + indirect[i], all[i], 1e-3f * (0.1f + all[i])) << i;  // half floats have a precision of 11 bits
   for (const char* name : {"albedo.B", "motion.X", "motion.Y", "ray.Z"}) EXPECT_EQ(channel(name).size(), all.size());
 }
 
@@ -80,7 +80,7 @@ TEST_F(LightRenders, exposure_of_a_stop_doubles_linear_light) {
   const Image8 a = read_image8(dir_ / "a/frame_0000.png"), b = read_image8(dir_ / "b/frame_0000.png");
   for (std::size_t i = 0; i < a.rgb.size(); i += 97) {
     const double half = 0.5 * linear_from_srgb(a.rgb[i] / 255.0);
-    EXPECT_NEAR(b.rgb[i], 255.0 * srgb_from_linear(half), 1.5) << i;  // the codes are rounded twice
+    EXPECT_NEAR(b.rgb[i], 255.0 * srgb_from_linear(half), 1.5) << i;  // the tolerance allows for rounding both codes
   }
 }
 
@@ -96,7 +96,8 @@ TEST_F(LightRenders, transparent_pictures_have_alpha_everywhere) {
     const std::string folder = std::to_string(i);
     render(teapot(folder, "0", Settings{{"transparent", "true"}} + kinds[i]));
     Files pictures = pictures_below(dir_ / folder);
-    std::erase_if(pictures, [](const auto& file) { return file.first.ends_with(".json"); });  // side file of a quilt
+    // removes the JSON file beside a quilt
+    std::erase_if(pictures, [](const auto& file) { return file.first.ends_with(".json"); });
     EXPECT_FALSE(pictures.empty());
     for (const auto& [name, bytes] : pictures)
       EXPECT_EQ(channel_names(dir_ / folder / name), (std::vector<std::string>{"R", "G", "B", "A"})) << name;

@@ -1,4 +1,4 @@
-// The optics of a job for an array made by a test.
+// Makes the optics of a job for an array that a test defines.
 #pragma once
 
 #include "job/placed_job.hpp"

@@ -81,7 +81,7 @@ TEST(PanelSize, hexagonal_rows_are_closer) {
   RenderParams params;
   params.optics.kind = OpticsKind::kMicrolens;
   params.optics.packing = LensPacking::kHexagonal;
-  expect_size(params, 512, 443, 8.0f);  // 512 * 0.8660 = 443.4
+  expect_size(params, 512, 443, 8.0f);  // rows of hexagonal lenses are sqrt(3) / 2 pitches apart: 512 * 0.8660 = 443.4
 }
 
 TEST(PanelSize, oblong_lenslets_are_refused) {

@@ -1,4 +1,4 @@
-// A test fixture that renders whole jobs into folders, in this process.
+// A test fixture that renders jobs into folders, within the test process.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@
 
 namespace lippmann::test {
 
-/// Keys of a job file and their values.
+/// Keys and values of a job file.
 using Settings = std::vector<std::pair<std::string, std::string>>;
 
 inline Settings operator+(Settings a, const Settings& b) {
@@ -35,7 +35,7 @@ class Renders : public testing::Test {
     context_.warn = [this](std::string_view text) { warnings_.append(text).append("\n"); };
   }
 
-  /// Returns a job of a built-in scene or a file in the test's folder, rendered into `folder` there.
+  /// Returns a job whose scene is built in or a file in the test's folder. The job is rendered into the subfolder `folder`.
   RenderParams job(const std::string& scene, const std::string& folder, const Settings& settings) const {
     RenderParams params;
     params.scene.name = scene;
@@ -44,12 +44,12 @@ class Renders : public testing::Test {
     return params;
   }
 
-  /// Returns a small, fast job: 16 lenses of 8 pixels by default.
+  /// Returns a job that renders fast: by default through 16 lenses of 8 pixels.
   RenderParams teapot(const std::string& folder, const std::string& frames, const Settings& settings = {}) const {
     return job("teapot", folder, Settings{{"lenses", "16"}, {"frames", frames}} + settings);
   }
 
-  /// Returns the job of a folder that was rendered before.
+  /// Reads the job file of the rendered folder `folder`.
   RenderParams job_of(const std::string& folder) const {
     RenderParams params;
     read_job(dir_ / folder / "job.toml", params);
@@ -61,13 +61,13 @@ class Renders : public testing::Test {
     return render_animation(ResolvedJob(params), context_, {}, run);
   }
 
-  /// Renders and returns the pictures.
+  /// Renders the job, and returns its pictures.
   Files rendered(const RenderParams& params) {
     render(params);
     return files_in(params.output.folder, ".png");
   }
 
-  /// Returns the number of frames that a resumed render kept.
+  /// Returns how many frames a resumed render kept from the earlier run.
   static std::size_t kept(const RenderReport& report) {
     std::size_t count = 0;
     for (const FrameReport& frame : report.frames) count += frame.kept ? 1 : 0;
@@ -94,7 +94,7 @@ class Renders : public testing::Test {
   bool exists(const std::string& file) const { return std::filesystem::exists(dir_ / file); }
 
   TempDir dir_;
-  std::string warnings_;  ///< of the last render, one per line
+  std::string warnings_;  ///< warnings of the last render, one per line
   Context context_;
 };
 

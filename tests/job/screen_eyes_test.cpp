@@ -1,4 +1,4 @@
-// Tests the eye positions of a job's optics: at the ends of the viewing zone, and above or below the display.
+// Tests the eye positions of a job's optics: eyes at the ends of the viewing zone, and eyes above or below the display.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -28,7 +28,7 @@ Optics optics_of(const RenderParams& params, const Display* display = nullptr) {
   return test::optics_on(array, params, display).optics;
 }
 
-/// Returns 23 views of 40x30 pixels over 45 degrees, seen from 500 mm.
+/// Returns parameters of 23 views of 40 x 30 pixels, which are spread over 45 degrees and seen from 500 mm.
 RenderParams sweep_params() {
   RenderParams params;
   params.optics.kind = OpticsKind::kMultiview;
@@ -60,7 +60,7 @@ TEST(ScreenEyes, cameras_on_a_track_reach_its_ends) {
   RenderParams params = sweep_params();
   params.optics.camera_grid = true, params.optics.cone_ends = true;
   const ViewCameras cameras = view_cameras(optics_of(params)).value();
-  const double half_track = 500.0 * std::tan(22.5 * std::numbers::pi / 180.0);  // 207.107 mm
+  const double half_track = 500.0 * std::tan(22.5 * std::numbers::pi / 180.0);  // half the length of the track: 207.107 mm
   EXPECT_NEAR(cameras.eyes_mm.front().x, -half_track, 1e-3);
   EXPECT_NEAR(cameras.eyes_mm.back().x, half_track, 1e-3);
   EXPECT_NEAR(cameras.eyes_mm[1].x - cameras.eyes_mm[0].x, 2.0 * half_track / 22.0, 1e-4);
@@ -76,7 +76,8 @@ TEST(ScreenEyes, quilt_of_a_display_has_cone_ends) {
   EXPECT_THAT(error_message([&] { optics_of(params, &portrait); }), HasSubstr("--cone-ends"));
 }
 
-/// Returns the height in mm where a point appears in the plane z = 0, equal for all pixels that see it.
+/// Returns the height in mm at which a point appears in the plane z = 0. The height must be the same in all pixels that see the
+/// point.
 double height_mm(const Optics& optics, Vec3f point) {
   std::vector<Vec2f> pixels;
   pixels_seeing(optics, point, pixels);
@@ -91,7 +92,8 @@ double height_mm(const Optics& optics, Vec3f point) {
 }
 
 TEST(ScreenEyes, eye_above_moves_depth_by_its_height) {
-  // H = 2048 / 324 x 25.4 = 160.553 mm, D = H / 2 / tan 7 deg = 653.800 mm, y_e = D tan 30 deg = 377.472 mm.
+  // Height of the display: H = 2048 / 324 * 25.4 = 160.553 mm. Viewing distance: D = H / 2 / tan(7 degrees) = 653.800 mm.
+  // Height of an eye that is 30 degrees above the middle: y_e = D tan(30 degrees) = 377.472 mm.
   const Display portrait = load_display("portrait");
   const double y_e = 377.472, d = 653.800;
   for (const char* kind : {"quilt", "native", "single", "stereo"}) {

@@ -1,5 +1,5 @@
-// Tests disparities of two eyes in front of a screen, worked out by similar triangles. A point d behind the screen at distance
-// D has disparity ipd d / (D + d) on it.
+// Tests disparities on a screen that both eyes see from the distance D. By similar triangles, a point at the depth d behind the
+// screen has the disparity ipd * d / (D + d), where ipd is the distance between the eyes.
 #include "job/screen_for_stereo.hpp"
 
 #include <gmock/gmock.h>
@@ -16,7 +16,7 @@ namespace {
 using test::error_message;
 using testing::HasSubstr;
 
-/// Returns views of 600 x 300 pixels on a screen 600 mm wide, seen from 600 mm.
+/// Returns parameters of two views of 600 x 300 pixels on a screen that is 600 mm wide and seen from 600 mm.
 RenderParams stereo_params() {
   RenderParams params;
   params.output.pictures.layout = PictureLayout::kStereo;
@@ -31,7 +31,7 @@ Optics optics_for(const RenderParams& params, const Display* display = nullptr) 
   return test::optics_on(array, params, display).optics;
 }
 
-/// Returns where both eyes see a point, in mm on the screen: right minus left.
+/// Returns the disparity of a point in mm on the screen: its position in the right view minus its position in the left view.
 Vec2d disparity_mm(const Optics& optics, Vec3f point) {
   std::vector<Vec2f> pixels;
   pixels_seeing(optics, point, pixels);
@@ -62,7 +62,7 @@ TEST(ScreenForStereo, ipd_and_screen_width_are_as_given) {
   params.optics.ipd_mm = 50.0, params.optics.screen_width_mm = 1200.0;
   const Optics optics = optics_for(params);
   EXPECT_FLOAT_EQ(optics.panel.pixel_pitch_mm, 2.0f);
-  EXPECT_NEAR(disparity_mm(optics, {0, 0, -200}).x, 12.5, 1e-3);  // 50 200 / 800
+  EXPECT_NEAR(disparity_mm(optics, {0, 0, -200}).x, 12.5, 1e-3);  // ipd * d / (D + d) = 50 * 200 / (600 + 200)
 }
 
 TEST(ScreenForStereo, squeezed_views_see_the_same_screen) {

@@ -13,7 +13,7 @@ namespace {
 
 using test::optics_on;
 
-/// An array 8 units high, viewed from 24 units.
+/// Returns an array that is 8 scene units high and seen from a distance of 24 units.
 FittedArray placed_array() {
   FittedArray array;
   array.plane_height = 8.0f;
@@ -28,7 +28,7 @@ TEST(ScreenOfParams, default_gap_follows_the_viewing_angle) {
   const auto& sheet = std::get<LenticularSheet>(optics.model);
   EXPECT_FLOAT_EQ(optics.panel.pixel_pitch_mm, 0.125f);
   EXPECT_FLOAT_EQ(sheet.lens_pitch_mm, 1.0f);
-  EXPECT_NEAR(sheet.gap_mm, 2.00539f, 1e-4f);  // 1 / (2 tan 14 degrees)
+  EXPECT_NEAR(sheet.gap_mm, 2.00539f, 1e-4f);  // gap: pitch / (2 tan(zone / 2)) = 1 mm / (2 tan(14 degrees))
   EXPECT_NEAR(degrees(viewing_zone(optics)), 28.0f, 1e-4f);
   EXPECT_EQ(whole_pixels_per_lens(optics), Vec2i(8, 1));
 }
@@ -57,7 +57,8 @@ RenderParams plenoptic_params() {
   return params;
 }
 
-/// In a scene in metres the plane is 24,000 mm away, and 8,000 mm are 36 mm wide 108 mm behind the main lens.
+/// The scene is in metres, so the plane at 24 units is 24,000 mm away and 8,000 mm high. It appears 36 mm high on the sensor,
+/// 108 mm behind the main lens.
 TEST(ScreenOfParams, plenoptic_camera_sees_the_fitted_plane) {
   const PlacedOptics placed = optics_on(placed_array(), plenoptic_params());
   const auto& camera = std::get<PlenopticCamera>(placed.optics.model);
@@ -68,7 +69,7 @@ TEST(ScreenOfParams, plenoptic_camera_sees_the_fitted_plane) {
   EXPECT_FLOAT_EQ(placed.optics.panel.pixel_pitch_mm, 36.0f / 512.0f);
 }
 
-/// With a focal length the camera stays in its place and sees another part of the plane.
+/// Changing the focal length must keep the camera's position, and changes which part of the plane it sees.
 TEST(ScreenOfParams, plenoptic_camera_stays_in_its_place) {
   RenderParams params = plenoptic_params();
   params.optics.viewing_distance_mm = 300.0f;
@@ -78,7 +79,8 @@ TEST(ScreenOfParams, plenoptic_camera_stays_in_its_place) {
   const PlacedJob longer = place(ResolvedJob(params), scene);
   EXPECT_FLOAT_EQ(longer.placed.units_per_mm * 300.0f, longer.array.viewing_distance);
   EXPECT_FLOAT_EQ(longer.placed.units_per_mm, fitted.placed.units_per_mm);
-  const float sensor_mm = 150.0f + std::get<PlenopticCamera>(longer.placed.optics.model).gap_mm;  // 100 x 300 / 200
+  // the sensor is 150 mm behind the main lens: 1 / (1 / 100 - 1 / 300)
+  const float sensor_mm = 150.0f + std::get<PlenopticCamera>(longer.placed.optics.model).gap_mm;
   EXPECT_FLOAT_EQ(longer.array.plane_height / longer.array.viewing_distance, 36.0f / sensor_mm);
 }
 
@@ -122,7 +124,9 @@ TEST(ScreenOfParams, viewer_too_close_for_lenses_is_refused) {
   for (const OpticsKind kind : {OpticsKind::kLenticular, OpticsKind::kMicrolens}) {
     RenderParams params;
     params.optics.kind = kind;
-    params.optics.viewing_distance_mm = 0.1f;  // lenses of 8 pixels, 2 mm in front of them: 1 / 21 of a cell
+    // The viewer is 0.1 mm in front of the lenses, and the panel is 2 mm behind them. The lens pitch would be 0.1 / (0.1 + 2) =
+    // 1/21 of a cell.
+    params.optics.viewing_distance_mm = 0.1f;
     try {
       optics_on(placed_array(), params);
       FAIL() << "accepted";

@@ -1,4 +1,5 @@
-// Tests frames rendered in strips of rows, in one run or by units: joined strips have the bytes of whole frames.
+// Tests frames that are rendered in strips. A strip holds some rows of a frame. The joined strips must have the same bytes as a
+// frame rendered as a whole, in one run as well as in several.
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -24,7 +25,8 @@ using testing::Not;
 
 class StripRenders : public Renders {
  protected:
-  /// Returns a still with 12 bands of 16 rows, the last of them lower, by default.
+  /// Returns a job of a single frame of 184 rows. Its strips consist of bands of 16 rows, so there are 12 bands and the last
+  /// band has only 8 rows.
   RenderParams still(const std::string& folder, const Settings& settings = {}) const {
     return job("teapot", folder, Settings{{"size", "64x184"}, {"lenses", "8x23"}, {"frames", "3"}} + settings);
   }
@@ -40,11 +42,11 @@ class StripRenders : public Renders {
     return finish_animation(dir_ / folder, join, context_);
   }
 
-  /// Returns the visible pictures of a folder.
+  /// Returns the pictures of a folder. Hidden files are left out.
   Files pictures(const std::string& folder) const { return pictures_below(dir_ / folder); }
 };
 
-/// Optics and shading whose strips have the bits of whole frames.
+/// Settings of optics and shading that can be rendered in strips with the same bits.
 const std::vector<Settings>& kinds() {
   static const std::vector<Settings> all{
       {},
@@ -100,7 +102,8 @@ TEST_F(StripRenders, units_have_the_bytes_of_one_run) {
     EXPECT_EQ(report["frames"][0]["rays"]["primary"], 64 * 184);
     EXPECT_EQ(report["interrupted"], false);
     EXPECT_EQ(report["runs"].size(), static_cast<std::size_t>(count) + 2);
-    std::vector<std::string> strips;  // of frame 3, by run; runs of one second are in no order
+    // names of the strips of frame 3 in the order of the runs; the order is arbitrary among runs that began in the same second
+    std::vector<std::string> strips;
     for (const auto& run : report["runs"])
       if (run.contains("strips")) strips.push_back(run.at("strips").at("3").get<std::string>());
     EXPECT_EQ(strips.size(), static_cast<std::size_t>(count));
@@ -173,7 +176,7 @@ TEST_F(StripRenders, strips_in_several_folders_are_joined) {
   EXPECT_EQ(files_in(dir_ / "part1", ".exr").size(), 2u) << "parts stay";
 }
 
-/// The first of two ranks, while the other stops before it renders any of its units.
+/// Simulates the first of two MPI processes, while the second stops before it renders anything.
 class RankOfStoppedJob : public Ranks {
  public:
   int rank() const override { return 0; }
@@ -238,10 +241,12 @@ TEST_F(StripRenders, plan_has_every_strip_once) {
   EXPECT_FALSE(exists("out"));
 }
 
-// Bands of rows are strips without files, used if whole frames would exceed the available memory.
+// If whole frames would exceed the available memory, the renderer uses bands of rows. A band is like a strip, but it is kept in
+// memory instead of a file.
 
-// With the codes and the file of a picture, a frame and its key frame take 31 bytes per pixel, bands at least 19. A denoised
-// frame takes 123 bytes per pixel; bands, including the surrounding rows that are traced again, at least 66.
+// Memory per pixel, including the codes and the picture file: with `copy`, a frame and its key frame take 31 bytes and bands at
+// least 19. A denoised frame takes 123 bytes. Bands of a denoised frame take at least 66 bytes, because the rows around each
+// band are traced again.
 TEST_F(StripRenders, bands_have_the_bytes_of_whole_frames) {
   const std::pair<Settings, double> kinds[] = {{{{"frames", "3-4"}, {"reuse", "copy"}}, 31.0},
                                                {{{"integrator", "path"}, {"spp", "2"}}, 130.0}};

@@ -1,4 +1,4 @@
-// Compares our single-view images of Tachyon scenes with those of Debian's tachyon, rendered during the test.
+// Compares pictures of Tachyon scenes with pictures that Debian's program tachyon renders during the test.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 const fs::path kScenes = "/usr/share/doc/tachyon/examples/scenes";
 
-/// Renders frame `frame` of a scene through one pinhole, as 8-bit codes.
+/// Renders frame `frame` of the scene with one pinhole camera, and returns its 8-bit codes.
 Image8 our_picture(const fs::path& scene, Vec2i size, const fs::path& camera_path = {}, int frame = 0) {
   RenderParams params;
   params.scene.name = scene.string();
@@ -32,8 +32,8 @@ Image8 our_picture(const fs::path& scene, Vec2i size, const fs::path& camera_pat
   return to_codes(render_frame(stage, params.sampling, frame, pool, context).pictures.film, stage.scene.encoding);
 }
 
-/// Runs tachyon in the scene's folder, where it searches for images. The output (a pattern, with a camera path) goes to
-/// `picture`.
+/// Runs tachyon in the scene's folder, because it searches images in its working directory. Writes the output to `picture`.
+/// With a camera path, `picture` is a file name pattern.
 void run_tachyon(const fs::path& scene, Vec2i size, const fs::path& picture, const std::string& options = {}) {
   const std::string command = "cd '" + scene.parent_path().string() + "' && tachyon '" + scene.filename().string() + "' -res " +
                               std::to_string(size.x) + " " + std::to_string(size.y) +
@@ -60,9 +60,9 @@ void PrintTo(const Example& example, std::ostream* out) { *out << example.name; 
 
 class TachyonReference : public testing::TestWithParam<Example> {};
 
-/// Lower bounds of the PSNR: at least 64 dB for the three scenes of the paper, at least 49 dB for the others. The remaining
-/// errors are silhouettes that rounding shifts by a pixel, chains of mirrors that amplify rounding, and images on spheres too
-/// large for single precision.
+/// The PSNR must be at least 64 dB for the three scenes of the paper, and at least 49 dB for the others. Errors remain at
+/// silhouettes that rounding moves by a pixel, in chains of mirrors that amplify rounding, and in images on spheres that are
+/// too large for single precision.
 TEST_P(TachyonReference, picture_agrees) {
   if (tachyon_is_missing()) GTEST_SKIP() << "the program tachyon is not installed";
   const fs::path scene = kScenes / (std::string(GetParam().name) + ".dat");
@@ -117,10 +117,12 @@ class TachyonRule : public testing::TestWithParam<Rule> {
   test::TempDir dir_;
 };
 
-/// At most 2 codes for the rounding of float against double; one pixel in 200 for silhouettes.
+/// Codes may differ by 2, because the programs compute in single and in double precision. One pixel in 200 may differ more, at
+/// silhouettes.
 constexpr test::ImageTolerance kTolerance{.per_pixel = 2, .share = 0.005};
 
-/// Returns an image of 13 x 6 different pixels: the sides are not powers of two, to test the rule for remaining rows.
+/// Returns a PPM image of 13 x 6 different pixels. The sides are not powers of two, so that the test covers how Tachyon handles
+/// the remaining rows.
 std::string small_ppm() {
   std::string ppm = "P6\n13 6\n255\n";
   for (int i = 0; i < 13 * 6; ++i)
@@ -128,7 +130,7 @@ std::string small_ppm() {
   return ppm;
 }
 
-/// Returns 16 x 8 pixels, with the bottom row first as descriptor 0 states.
+/// Returns a TGA image of 16 x 8 pixels. Its descriptor is 0, so the bottom row is stored first.
 std::string small_tga() {
   std::string tga(18, '\0');
   tga[2] = 2, tga[12] = 16, tga[14] = 8, tga[16] = 24;

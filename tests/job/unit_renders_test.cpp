@@ -1,4 +1,5 @@
-// Tests jobs rendered in parts, by units or lists of frames, into one folder or several, and finished.
+// Tests jobs that are rendered in parts: by several processes or as lists of frames, into one folder or several. The parts are
+// joined at the end.
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
@@ -29,7 +30,7 @@ class UnitRenders : public Renders {
   }
 };
 
-/// 24 frames of 8 lenses, in kinds of reuse that cut animations at different places.
+/// Settings for 24 frames through 8 lenses. With each kind of reuse, the animation may be cut at different frames.
 const std::vector<Settings>& kinds() {
   static const std::vector<Settings> all{{{"reuse", "copy"}, {"keyframes", "5"}},
                                          {{"reuse", "interpolate"}, {"keyframes", "4"}},
@@ -82,7 +83,8 @@ TEST_F(UnitRenders, missing_frames_are_named_and_resumed) {
   EXPECT_TRUE(finish("a").report) << "a second time";
 }
 
-// `copy` chooses its source frames anew in each run (docs/lab/decisions/0050), so its layers are not compared.
+// With `copy`, each run chooses other source frames (docs/lab/decisions/0050), so the provenance layer differs between runs and
+// is not compared.
 TEST_F(UnitRenders, provenance_equals_that_of_one_run) {
   const std::vector<Settings> ways{{{"reuse", "interpolate"}, {"keyframes", "4"}},
                                    {{"reuse", "interpolate"}, {"keyframes", "2"}, {"min-psnr", "40"}},
