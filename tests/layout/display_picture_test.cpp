@@ -1,4 +1,5 @@
-// Tests pictures of displays made from views of any size, with prints and panels whose pixels are known.
+// Tests pictures for displays that are made from views of any size. In these prints and panels, the view below every pixel is
+// known.
 #include "lippmann/layout/display_picture.hpp"
 
 #include <gmock/gmock.h>
@@ -24,7 +25,7 @@ Image8 plain(Vec2i size, unsigned char r, unsigned char g, unsigned char b) {
   return image;
 }
 
-/// Returns views where view k is a uniform red of 40 k + 10.
+/// Returns a light field in which view k is uniform, with the red code 40 k + 10.
 LightField plain_views(int count, Vec2i size, const Display& display, DisplayTarget target, const ThreadPool& pool) {
   ViewFitter fitter(display, target, AspectFit::kCrop, pool);
   LightField field;
@@ -75,7 +76,7 @@ TEST(DisplayPicture, whole_pitch_has_one_column_per_view) {
 TEST(DisplayPicture, ten_frames_of_a_flip_print) {
   DisplayPictureParams flip;
   flip.flip = FlipParams{};
-  // Pixel x is measured at its left edge: lenses begin half a pixel to the right.
+  // Lenses begin at half a pixel (phase=0.5), so the left edge of pixel x is x pixels from a lens edge.
   const Picture print = print_of(10, {64, 8}, "pitch-mm=0.33725555555555556 dpi=720 paper=1434x20px phase=0.5", flip);
   for (int x = 0; x < 1434; ++x) ASSERT_EQ(view_at(print, x, 3), 250 * x % 2390 / 239) << x;
 }
@@ -89,10 +90,11 @@ TEST(DisplayPicture, two_pictures_get_twelve_pixels_each) {
 TEST(DisplayPicture, flip_shares_and_soft_transitions) {
   DisplayPictureParams flip;
   flip.flip = FlipParams{{2.0, 1.0, 1.0}, 0.0};
-  const std::string line = "pitch-mm=1 dpi=1016 paper=80x4px";  // 40 pixels
+  const std::string line = "pitch-mm=1 dpi=1016 paper=80x4px";  // a lens covers 40 pixels
   const Picture hard = print_of(3, {8, 4}, line, flip);
   for (int x = 0; x < 80; ++x) EXPECT_EQ(view_at(hard, x, 0), x % 40 < 20 ? 0 : x % 40 < 30 ? 1 : 2) << x;
-  flip.flip->blend = 0.4;  // 0.4 x 10 pixels around both transitions
+  // views are blended within 0.4 * 10 = 4 pixels around each transition, where 10 pixels is the shortest share
+  flip.flip->blend = 0.4;
   const Picture soft = print_of(3, {8, 4}, line, flip);
   const auto red = [&](int x) { return int{std::get<Image8>(soft).rgb[3 * static_cast<std::size_t>(x)]}; };
   EXPECT_EQ(red(17), 10);
@@ -115,9 +117,10 @@ TEST(DisplayPicture, linear_filter_ramps_between_views) {
   EXPECT_LT(image.rgb[3 * 19], 30);
 }
 
-// At equal distances along the normal of slanted lenses, every row shows the same view.
+// Points at equal distances from the axis of a slanted lens show the same view. With tan(slant) = 1/4, the pattern moves by one
+// pixel in four rows.
 TEST(DisplayPicture, slanted_lenses_shift_from_row_to_row) {
-  const std::string line = "pitch-mm=1 dpi=1016 paper=200x100px slant=14.0362434679";  // tan = 1/4
+  const std::string line = "pitch-mm=1 dpi=1016 paper=200x100px slant=14.0362434679";  // tan(slant) = 1/4
   const Picture print = print_of(8, {8, 4}, line);
   for (int y = 0; y + 4 < 100; y += 4)
     for (int x = 0; x < 199; ++x) ASSERT_EQ(view_at(print, x, y), view_at(print, x + 1, y + 4)) << x << ", " << y;
@@ -154,8 +157,8 @@ TEST(DisplayPicture, each_eye_gets_half_the_panel) {
   EXPECT_NEAR(periods_of(panel), 246.8802, 5e-5);
   EXPECT_NEAR(tilt_of(panel), -0.188230, 5e-7);
   const SlantedPanel lenses = slanted_panel(panel, 300.0);
-  const double z =
-      (0.5 + 0.5 * lenses.tilt - 1.0 / (3 * 1536)) * lenses.periods - lenses.center;  // red: a third of a pixel to the left
+  // Red sub-pixels are a third of a pixel to the left of the pixel's centre.
+  const double z = (0.5 + 0.5 * lenses.tilt - 1.0 / (3 * 1536)) * lenses.periods - lenses.center;
   EXPECT_NEAR(1.0 - (z - std::floor(z)), 0.6118, 5e-5);
   const ThreadPool pool(2);
   ViewFitter fitter(panel, DisplayTarget::kNative, AspectFit::kCrop, pool);
@@ -184,14 +187,15 @@ TEST(DisplayPicture, microlenses_show_views_across_and_up) {
   for (int view = 0; view < 4; ++view)
     set_view(field, view, plain(field.view_size, static_cast<unsigned char>(20 * view + 10), 0, 0));
   const Picture picture = display_picture(field, array, DisplayTarget::kIntegral, {}, pool);
-  // The centre is a lens edge: to the right of it and below is the top left of a lens, seen from the right and from below.
+  // Four lenses meet in the centre of the picture. The pixel right of and below the centre is the top left pixel of its lens,
+  // so it is seen from the right and from below: view 1.
   EXPECT_EQ(view_at(picture, 20, 20), 1);
   EXPECT_EQ(view_at(picture, 19, 20), 0);
   EXPECT_EQ(view_at(picture, 20, 19), 3);
 }
 
 TEST(DisplayPicture, mirrored_and_turned) {
-  const std::string line = "pitch-mm=1 dpi=101.6 paper=8x6px";  // 4 pixels
+  const std::string line = "pitch-mm=1 dpi=101.6 paper=8x6px";  // a lens covers 4 pixels
   const Picture print = print_of(4, {8, 6}, line);
   DisplayPictureParams params;
   params.mirror = true;
@@ -217,7 +221,7 @@ TEST(DisplayPicture, same_for_any_number_of_threads) {
   EXPECT_TRUE(test::same_samples(made_with(1), made_with(4)));
 }
 
-/// Returns a texture that moves right by two pixels from view to view.
+/// Returns a texture. From view to view, the texture moves to the right by two pixels.
 Image8 moving_view(int view) {
   Image8 image = plain({40, 30}, 0, 0, 90);
   for (int y = 0; y < 30; ++y)
@@ -228,7 +232,8 @@ Image8 moving_view(int view) {
 }
 
 TEST(DisplayPicture, view_shift_cancels_motion_between_views) {
-  const Display sheet = load_display("pitch-mm=1 dpi=254 paper=360x270px");  // 4:3, 36 lenses
+  // a sheet with 36 lenses and an aspect ratio of 4:3
+  const Display sheet = load_display("pitch-mm=1 dpi=254 paper=360x270px");
   const ThreadPool pool(1);
   ViewFitter fitter(sheet, DisplayTarget::kIntegral, AspectFit::kCrop, pool, 2.0);
   const ViewGrid grid{3, 1};

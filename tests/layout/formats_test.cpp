@@ -1,5 +1,5 @@
-// Tests that every format restores what was written, also after conversion through every other format, and that each follows
-// its view order.
+// Tests that every light field format restores the views that were written to it, also after a conversion through every other
+// format. Each format must also use its own order of views.
 #include "lippmann/layout/formats.hpp"
 
 #include <gmock/gmock.h>
@@ -28,7 +28,7 @@ using testing::HasSubstr;
 
 const LightFieldFormat& format(const std::string& name) { return find_format(name, "--from"); }
 
-/// Returns uniform views: red is the column, green the row.
+/// Returns uniform views. Red is the view's column in the grid, and green is its row.
 LightField coloured_field(ViewGrid grid) {
   LightField field = numbered_field(grid, {2, 2});
   for (int view = 0; view < grid.count(); ++view) {
@@ -47,9 +47,10 @@ Vec2i view_in(const fs::path& path) {
   return {image.rgb[0], image.rgb[1]};
 }
 
-/// Returns all formats except the panel's own frame, which holds a part of each view, and pictures with a fixed number of
-/// views: see interlace_test.cpp, stereo_test.cpp, quad_test.cpp, rgbd_test.cpp, plenoptic_test.cpp, hci_hdf5_test.cpp and
-/// posed_test.cpp (LLFF cannot express shifted sensors).
+/// Returns all formats that can hold any views exactly. Formats with a fixed number of views, and the native frame of a slanted
+/// panel, which holds only a part of each view, have their own tests: interlace_test.cpp, stereo_test.cpp, quad_test.cpp,
+/// rgbd_test.cpp, plenoptic_test.cpp, hci_hdf5_test.cpp and posed_test.cpp. LLFF, in posed_test.cpp, cannot store off-axis
+/// cameras.
 std::vector<LightFieldFormat> exact_formats() {
   std::vector<LightFieldFormat> formats = light_field_formats();
   std::erase_if(formats, [](const LightFieldFormat& format) {
@@ -59,7 +60,7 @@ std::vector<LightFieldFormat> exact_formats() {
   return formats;
 }
 
-/// Returns numbered views with cameras, which MIV requires.
+/// Returns views with cameras, because MIV requires cameras. Every sample has a different value.
 LightField numbered_views(bool words = false) {
   LightField field = numbered_field({3, 2}, {4, 5}, words);
   field.cameras = {500.0, Vec2d(0.5), Vec2d(2.0, 2.5), {}};
@@ -67,7 +68,8 @@ LightField numbered_views(bool words = false) {
   return field;
 }
 
-/// Returns whether a chain of conversions can continue: formats without cameras cannot be followed by those that require them.
+/// Returns whether a file of the format `from` can be converted to `to`. A format without cameras cannot be converted to a
+/// format that requires them.
 bool can_follow(const LightFieldFormat& from, const LightFieldFormat& to) {
   const auto needs_cameras = [](const LightFieldFormat& format) {
     return format.name == "miv" || format.name == "cvkit" || format.name == "nerf" || format.name == "colmap";

@@ -1,4 +1,4 @@
-// The attributes of HCI's HDF5 files as cameras.
+// Tests the cameras that are derived from the attributes of HCI's HDF5 files.
 #include "layout/hci_hdf5_cameras.hpp"
 
 #include <gmock/gmock.h>
@@ -24,8 +24,8 @@ LightField views_with(const Attributes& attributes, ViewGrid grid = {3, 3}) {
   return field;
 }
 
-/// Pixels by which a point at a depth (in metres) moves to the left from the left neighbour of the middle view to it, and up
-/// from the lower neighbour.
+/// Returns the disparity in pixels of a point seen in the middle view. x is the shift to the left from the left neighbour of
+/// the middle view to the middle view. y is the shift upwards from the lower neighbour to the middle view.
 Vec2d disparity_of(const LightField& field, double depth_m) {
   const std::vector<PosedCamera> cameras = posed_cameras(field, "a");
   const Vec3d point = unprojected(cameras[4], {7.0, 11.0}, 1000.0 * depth_m);
@@ -36,7 +36,8 @@ Vec2d disparity_of(const LightField& field, double depth_m) {
 TEST(HciHdf5Cameras, disparity_is_the_published_formula) {
   const Attributes attributes{{"dH", 0.02}, {"dV", 0.02}, {"focalLength", 700.0}, {"shift", 2.0}};
   const LightField field = views_with(attributes);
-  EXPECT_DOUBLE_EQ(field.cameras->distance_mm, 7000.0);  // 0.02 * 700 / 2 metres
+  // distance of zero disparity: dH * focalLength / shift = 0.02 * 700 / 2 = 7 m
+  EXPECT_DOUBLE_EQ(field.cameras->distance_mm, 7000.0);
   for (const double depth : {3.5, 7.0, 28.0}) {
     const double expected = 0.02 * 700.0 / depth - 2.0;
     EXPECT_NEAR(disparity_of(field, depth).x, expected, 1e-9) << depth;

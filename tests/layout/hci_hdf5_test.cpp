@@ -1,4 +1,4 @@
-// Light fields in HDF5, written by libhdf5 itself.
+// Tests light fields in HDF5 files that libhdf5 itself wrote.
 #include <gmock/gmock.h>
 #include <hdf5.h>
 
@@ -20,7 +20,7 @@ using test::TempDir;
 using testing::AllOf;
 using testing::HasSubstr;
 
-/// A file of arrays of bytes or floats with attributes of the root.
+/// Writes an HDF5 file. It holds arrays of bytes or floats, and the root group has attributes.
 class Hdf5Writer {
  public:
   explicit Hdf5Writer(const fs::path& path) : file_(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT)) {}
@@ -37,7 +37,7 @@ class Hdf5Writer {
     H5Dclose(array), H5Sclose(space);
   }
 
-  /// Writes an array of one, as the files of the archive have them.
+  /// Writes the attribute as an array of one value, as in the files of the HCI archive.
   void attribute(const char* name, double value) const {
     const hsize_t one = 1;
     const hid_t space = H5Screate_simple(1, &one, nullptr);
@@ -58,7 +58,8 @@ class Hdf5Writer {
 
 constexpr int kRows = 2, kColumns = 3, kHeight = 4, kWidth = 5;
 
-/// Red is 10 times t plus s, green the row and blue the column of the pixel, times `factor`.
+/// Returns codes that depend on the position. Red is 10 t + s, where t is the row and s the column of the view. Green is the
+/// row and blue the column of the pixel. All codes are multiplied by `factor`.
 template <class T>
 std::vector<T> codes_by_place(int factor) {
   std::vector<T> codes;
@@ -89,7 +90,7 @@ TEST(HciHdf5, views_count_from_the_top_right) {
   const LightField field = read_h5(path);
   EXPECT_EQ(field.grid, (ViewGrid{kColumns, kRows}));
   EXPECT_EQ(field.view_size, Vec2i(kWidth, kHeight));
-  // View 0 is the lowest of the leftmost column: t = 1, s = 2.
+  // View 0 is the lowest view of the leftmost column. The file stores it at t = 1, s = 2.
   for (const auto& [view, red] : {std::pair(0, 12), std::pair(2, 10), std::pair(3, 2), std::pair(5, 0)}) {
     const Image8 codes = std::get<Image8>(view_of(field, view));
     for (int y = 0; y < kHeight; ++y)
@@ -116,9 +117,9 @@ TEST(HciHdf5, depth_becomes_disparity_by_the_published_formula) {
   const LightField field = read_h5(path);
   const ViewCameras& cameras = *field.cameras;
   const Image lowest_left = depth_of(field, 0);
-  const std::size_t first = (1 * kColumns + 2) * kHeight * kWidth;  // t = 1, s = 2
+  const std::size_t first = (1 * kColumns + 2) * kHeight * kWidth;  // the lower left view is stored at t = 1, s = 2
   for (std::size_t i = 0; i < lowest_left.data.size(); ++i) {
-    // In off-axis views an eye step of b moves a point at z by b z / (distance - z) in the plane.
+    // Off-axis views: if the eye moves by b, a point at z moves by b z / (distance - z) in the plane z = 0.
     const double z = lowest_left.data[i], step = 20.0 / cameras.pixel_mm.x;
     EXPECT_NEAR(step * z / (cameras.distance_mm - z), 0.02 * 700.0 / depth[first + i] - 2.0, 1e-5) << i;
   }

@@ -1,4 +1,4 @@
-// Tests frames of slanted panels made from views, and views extracted from such frames.
+// Tests interlacing, which makes the native frame of a slanted panel from views, and extracting views from such a frame.
 #include "lippmann/layout/interlace.hpp"
 
 #include <gmock/gmock.h>
@@ -22,7 +22,7 @@ const ThreadPool& threads() {
   return pool;
 }
 
-/// Returns a display of 60 x 41 pixels with 11.4 sub-pixels per lens.
+/// Returns a display of 60 x 41 pixels. Its lenses are 11.4 sub-pixels wide.
 Display small_display() {
   Display display;
   display.name = "small";
@@ -33,16 +33,18 @@ Display small_display() {
 }
 
 TEST(Interlace, quilt_positions_match_hand_calculation) {
-  // A quilt of 8 x 6 tiles of 21 x 28 pixels, each pixel with its own value, for the Portrait's 1536 x 2048 pixels.
-  // tests/display/slanted_panel_test.cpp derives the values of v. The view is floor(48 v), in tile column view mod 8 and row
-  // view / 8 from the bottom, at the pixel (i + 1/2) 21 / 1536, (j + 1/2) 28 / 2048.
-  //   panel            v         view  tile, from the top  in the tile  in the quilt
-  //   (0, 0) red       0.893189  42    (2, 0)              (0, 0)       (42, 0)
-  //   (0, 0) blue      0.787268  37    (5, 1)              (0, 0)       (105, 28)
-  //   (1535, 0) blue   0.905266  43    (3, 0)              (20, 0)      (83, 0)
-  //   (767, 1023) green 0.759376 36    (4, 1)              (10, 13)     (94, 41)
-  //   (100, 2047) red  0.543830  26    (2, 2)              (1, 27)      (43, 83)
-  //   (1535, 2047) blue 0.443986 21    (5, 3)              (20, 27)     (125, 111)
+  // The quilt for the Portrait's 1536 x 2048 pixels has 8 x 6 tiles of 21 x 28 pixels. Each pixel of the quilt has its own
+  // value.
+  // A sub-pixel of pixel (i, j) with the value v shows the view floor(48 v). tests/display/slanted_panel_test.cpp derives v.
+  // The view's tile is in column (view mod 8) and in row floor(view / 8), counted from the bottom.
+  // The pixel in the tile is ((i + 1/2) 21 / 1536, (j + 1/2) 28 / 2048), rounded down.
+  //   panel (i, j)        v         view  tile, from the top  in the tile  in the quilt
+  //   (0, 0) red          0.893189  42    (2, 0)              (0, 0)       (42, 0)
+  //   (0, 0) blue         0.787268  37    (5, 1)              (0, 0)       (105, 28)
+  //   (1535, 0) blue      0.905266  43    (3, 0)              (20, 0)      (83, 0)
+  //   (767, 1023) green   0.759376  36    (4, 1)              (10, 13)     (94, 41)
+  //   (100, 2047) red     0.543830  26    (2, 2)              (1, 27)      (43, 83)
+  //   (1535, 2047) blue   0.443986  21    (5, 3)              (20, 27)     (125, 111)
   const test::TempDir dir;
   Image16 quilt{168, 168, {}};
   for (int i = 0; i < 168 * 168; ++i)
@@ -63,7 +65,8 @@ TEST(Interlace, quilt_positions_match_hand_calculation) {
 }
 
 TEST(Interlace, nearest_round_trip_is_exact) {
-  // 2 views of 10 x 8 samples: each has 6 x 5 pixels, and 18 sub-pixels in a row are more than a lens.
+  // The 2 views have 10 x 8 samples. A sample of a view covers 6 x 5 pixels of the panel. These are 18 sub-pixels in a row,
+  // which is more than a lens, so every sample is shown.
   for (const bool words : {false, true}) {
     const LightField field = test::numbered_field({2, 1}, {10, 8}, words);
     const Picture frame = interlace(field, small_display(), {}, threads());
@@ -72,7 +75,8 @@ TEST(Interlace, nearest_round_trip_is_exact) {
 }
 
 TEST(Interlace, deinterlaced_frame_interlaces_to_itself) {
-  // 11 views: most samples of the views have no sub-pixel, yet the frame's samples return to their places.
+  // With 11 views, most samples of the views are shown by no sub-pixel. Interlacing the extracted views must still give the
+  // same frame.
   const LightField field = test::numbered_field({11, 1}, {31, 29});
   for (const Vec2i size : {Vec2i(31, 29), Vec2i(60, 41), Vec2i(90, 77)}) {
     const LightField same = test::numbered_field({11, 1}, size);
@@ -82,7 +86,7 @@ TEST(Interlace, deinterlaced_frame_interlaces_to_itself) {
   }
 }
 
-/// Returns views where view k is uniformly k * 1000.
+/// Returns uniform views. View k has the code 1000 k.
 LightField steps(int count, Vec2i size) {
   LightField field = test::numbered_field({count, 1}, size, true);
   auto& rgb = std::get<Image16>(field.stack).rgb;
@@ -92,8 +96,9 @@ LightField steps(int count, Vec2i size) {
 }
 
 TEST(Interlace, linear_filter_interpolates_between_views) {
-  // The Portrait's sub-pixels of the table above, 48 views where view k is k * 1000: v 48 - 1/2.
-  //   0.893189 -> 42.37307;  0.759376 -> 35.95005;  0.443986 -> 20.81133
+  // View k has the code 1000 k, so the interpolated code is 1000 times the position between the views, 48 v - 1/2. The values
+  // of v are those of the table above.
+  //   v = 0.893189: 42.37307;  v = 0.759376: 35.95005;  v = 0.443986: 20.81133
   const auto frame =
       std::get<Image16>(interlace(steps(48, {3, 4}), load_display("portrait"), {ViewFilter::kLinear, 0.5}, threads()));
   const auto code = [&](int i, int j, int color) { return frame.rgb[static_cast<std::size_t>(3 * (j * 1536 + i) + color)]; };
@@ -103,17 +108,18 @@ TEST(Interlace, linear_filter_interpolates_between_views) {
 }
 
 TEST(Interlace, gaussian_filter_weighs_views_by_their_distance) {
-  // v 48 - 1/2 = 42.37307, sigma 1/2 view: views 41 ... 44 are within 3.5 sigma, at -1.37307, -0.37307, 0.62693 and 1.62693.
-  // Their weights exp(-2 d^2) are 0.023037, 0.757022, 0.455626 and 0.005023, with a sum of 1.240708. The mean position is 41 +
-  // (0.757022 + 2 * 0.455626 + 3 * 0.005023) / 1.240708 = 42.35676.
+  // The sub-pixel is at the position 48 v - 1/2 = 42.37307 among the views. The Gaussian has a sigma of 1/2 view, and views 41
+  // to 44 lie within 3.5 sigma, at the distances d = -1.37307, -0.37307, 0.62693 and 1.62693.
+  // Their weights exp(-2 d^2) are 0.023037, 0.757022, 0.455626 and 0.005023, with the sum 1.240708.
+  // The weighted mean of the views is 41 + (0.757022 + 2 * 0.455626 + 3 * 0.005023) / 1.240708 = 42.35676.
   const auto frame =
       std::get<Image16>(interlace(steps(48, {3, 4}), load_display("portrait"), {ViewFilter::kGaussian, 0.5}, threads()));
   EXPECT_NEAR(frame.rgb[0], 42357, 2);
 }
 
 TEST(Interlace, linear_filter_is_bilinear_within_a_view) {
-  // One view of 2 x 1 samples, 0 and 6000, on 60 pixels: a quarter of the width is the middle of the first sample. Pixel 22,
-  // at 22.5, is 7.5 of the 30 pixels to the next sample beyond it: 1500.
+  // A single view of 2 x 1 samples, 0 and 6000, covers 60 pixels. The centre of the first sample is at 15 pixels, and the
+  // second is 30 pixels further. The centre of pixel 22 is at 22.5, so its code is 7.5 / 30 * 6000 = 1500.
   LightField field = test::numbered_field({1, 1}, {2, 1}, true);
   std::get<Image16>(field.stack).rgb = {0, 0, 0, 6000, 6000, 6000};
   const auto frame = std::get<Image16>(interlace(field, small_display(), {ViewFilter::kLinear, 0.5}, threads()));
@@ -123,7 +129,7 @@ TEST(Interlace, linear_filter_is_bilinear_within_a_view) {
 }
 
 TEST(Interlace, native_rays_match_interlaced_views) {
-  // The eye of a sub-pixel's ray is within its view's share of the cone.
+  // The eye to which a sub-pixel's ray points must lie in the part of the view cone that belongs to the view of this sub-pixel.
   const Display display = load_display("looking-glass-16-portrait");
   const Optics optics = native_optics(display);
   const auto& panel = std::get<SlantedPanel>(optics.model);
@@ -135,14 +141,15 @@ TEST(Interlace, native_rays_match_interlaced_views) {
         const double eye = ray.origin.x + (panel.distance_mm - ray.origin.z) / ray.direction.z * ray.direction.x;
         const double v = 48 * (0.5 + std::atan(eye / panel.distance_mm) / panel.view_cone);
         const double view = frame.rgb[static_cast<std::size_t>(3 * (j * display.pixels.x + i) + color)] / 1000.0;
-        EXPECT_GE(v, view - 1e-4);  // 2e-6 of the cone, due to float precision of the eye
+        EXPECT_GE(v, view - 1e-4);  // The eye has single precision. The tolerance is 1e-4 of a view, which is 2e-6 of the cone.
         EXPECT_LE(v, view + 1 + 1e-4);
       }
 }
 
-// Cees van Berkel, "Image preparation for 3D-LCD", Proc. SPIE 3639, 1999: sub-pixel k of row l, both from the top left corner,
-// belongs to view N / X ((k + k_off - 3 l tan a) mod X), where lenses are X sub-pixels wide. With X = 9 / 2 and tan a = 1 / 6
-// that is (2 k - l) mod 9. Sub-pixels on the left below a lens are seen from the right, so these views count from the right.
+// Cees van Berkel, "Image preparation for 3D-LCD", Proc. SPIE 3639, 1999: sub-pixel k of row l, both counted from the top left
+// corner, shows the view N / X ((k + k_off - 3 l tan a) mod X). N is the number of views, X the width of a lens in sub-pixels,
+// and a the slant. With N = 9, X = 9/2 and tan a = 1/6, the view is (2 k - l) mod 9. The left sub-pixels below a lens are seen
+// from the right, so these views count from the right.
 TEST(Interlace, nine_view_television_matches_published_mask) {
   const Display display = load_display(std::string(LIPPMANN_SOURCE) + "/examples/nine-view-television.toml");
   const auto frame = std::get<Image16>(interlace(steps(9, {4, 3}), display, {}, threads()));

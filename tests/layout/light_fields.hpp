@@ -1,4 +1,4 @@
-// Light fields for tests, with different values in all samples of all views, as far as possible.
+// Makes light fields for tests. As far as the codes allow, all samples of all views are different.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Tests Lytro's containers, built byte by byte: packed samples, colours, and the lens grid of the metadata.
+// Tests files of Lytro cameras that the tests build byte by byte: packed samples, colours, and the lens grid in the metadata.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -29,7 +29,8 @@ std::string section(char kind, const std::string& name, const std::string& data)
   return text + std::string((16 - text.size() % 16) % 16, '\0');
 }
 
-/// Returns metadata with 20-pixel square lenses, half a pixel off the middle of the sensor, and specific gains and colours.
+/// Returns metadata of a camera with a hexagonal lens grid. The grid is shifted by (6, -0.5) pixels from the middle of the
+/// sensor.
 std::string illum_metadata(int width, int height, const std::string& corner = "gr") {
   return R"({"image": {"width": )" + std::to_string(width) + R"(, "height": )" + std::to_string(height) +
          R"(, "orientation": 1, "pixelPacking": {"bitsPerPixel": 10, "endianness": "little"},
@@ -44,7 +45,7 @@ std::string illum_metadata(int width, int height, const std::string& corner = "g
     "lens": {"exitPupilOffset": {"z": 0.0973}}}})";
 }
 
-/// Packs four samples into five bytes.
+/// Packs four samples of 10 bits into five bytes.
 std::string packed_10(const std::vector<unsigned>& codes) {
   std::string bytes;
   for (std::size_t i = 0; i < codes.size(); i += 4) {
@@ -66,7 +67,8 @@ std::string lfr(const std::string& metadata, const std::string& codes) {
 
 std::span<const std::byte> bytes_of(const std::string& text) { return std::as_bytes(std::span(text)); }
 
-/// Returns samples of a uniform colour behind the filters of an Illum: gr, r / b, gb.
+/// Returns samples of a uniform colour behind a Bayer mosaic. Even rows have the filters green, red, and odd rows have blue,
+/// green.
 std::vector<unsigned> flat_codes(int width, int height, unsigned red, unsigned green, unsigned blue) {
   std::vector<unsigned> codes;
   for (int y = 0; y < height; ++y)
@@ -83,7 +85,8 @@ TEST(LytroRaw, flat_colour_comes_back_everywhere) {
     ASSERT_NEAR(raw.light.data[i + 1], 480.0 / 959.0, 1e-6) << i;
     ASSERT_NEAR(raw.light.data[i + 2], 160.0 / 959.0, 1e-6) << i;
   }
-  // Gains: 480, 480, 240 of 959. The matrix mixes blue with green: 360.
+  // The white balance multiplies red by 2 and blue by 1.5, so the light is 480, 480 and 240 of 959. The colour matrix replaces
+  // blue by the mean of green and blue: 360.
   const Image16 colors = developed(raw);
   const auto code = [](double linear) { return std::floor(65535.0 * srgb_from_linear(linear) + 0.5); };
   EXPECT_NEAR(colors.rgb[0], code(480.0 / 959.0), 1.0);
@@ -94,7 +97,8 @@ TEST(LytroRaw, flat_colour_comes_back_everywhere) {
 TEST(LytroRaw, metadata_states_the_grid) {
   const LensGrid grid =
       parse_lfr(bytes_of(lfr(illum_metadata(64, 48), packed_10(flat_codes(64, 48, 90, 90, 90)))), "a.lfr").grid;
-  const double pitch = 2e-05 / 1.4e-06 * (0.0973 + 3.7e-05) / 0.0973;  // 14.291 px
+  // lens pitch in pixels, enlarged by the projection from the exit pupil: 14.291 px
+  const double pitch = 2e-05 / 1.4e-06 * (0.0973 + 3.7e-05) / 0.0973;
   EXPECT_NEAR(grid.pitch_px, pitch, 1e-9);
   EXPECT_NEAR(grid.row_pitch_px, pitch * std::sqrt(0.75) * 1.0003, 1e-9);
   EXPECT_DOUBLE_EQ(grid.rotation, -0.0005);
@@ -111,7 +115,7 @@ TEST(LytroRaw, twelve_bits_are_unpacked_from_the_top) {
     "devices": {"sensor": {"pixelPitch": 1.4e-06}, "mla": {"tiling": "squareUniform", "lensPitch": 1.4e-05, "rotation": 0.0,
                 "sensorOffset": {"x": 0, "y": 0}}}})";
   std::string codes(16 * 16 / 2 * 3, '\0');
-  codes[0] = '\x12', codes[1] = '\x34', codes[2] = '\x56';  // 0x123 blue, 0x456 green
+  codes[0] = '\x12', codes[1] = '\x34', codes[2] = '\x56';  // the samples 0x123 (blue) and 0x456 (green)
   const LytroRaw raw = parse_lytro(bytes_of(codes), metadata, "a.txt");
   EXPECT_NEAR(raw.light.pixel(0, 0)[2], 0x123 / 4095.0, 1e-6);
   EXPECT_NEAR(raw.light.pixel(1, 0)[1], 0x456 / 4095.0, 1e-6);
@@ -161,14 +165,15 @@ TEST(Demosaic, linear_grey_is_kept_exactly) {
     for (int y = 0; y < 10; ++y)
       for (int x = 0; x < 12; ++x) *mosaic.pixel(x, y) = 0.1f + 0.03f * static_cast<float>(x) + 0.02f * static_cast<float>(y);
     const Image colors = demosaic(mosaic, red);
-    for (int y = 2; y < 8; ++y)  // mirrored edges would bend it
+    for (int y = 2; y < 8; ++y)  // leaves out the edges, where mirrored pixels are not linear
       for (int x = 2; x < 10; ++x)
         for (const int c : {0, 1, 2})
           EXPECT_NEAR(colors.pixel(x, y)[c], *mosaic.pixel(x, y), 1e-6) << x << " " << y << " " << c;
   }
 }
 
-/// Figure 2 of the paper: the response at a red pixel to a point light on itself is 1, 4/8 and 6/8.
+/// Figure 2 of the paper: weights of a red pixel in the three colours at its own position. They are 1 for red, 4/8 for green
+/// and 6/8 for blue.
 TEST(Demosaic, weights_are_those_of_the_paper) {
   Image mosaic(9, 9, 1);
   *mosaic.pixel(4, 4) = 1.0f;
@@ -179,7 +184,7 @@ TEST(Demosaic, weights_are_those_of_the_paper) {
   EXPECT_FLOAT_EQ(at(4, 4, 2), 0.75f);
   EXPECT_FLOAT_EQ(at(5, 4, 0), 0.5f);
   EXPECT_FLOAT_EQ(at(5, 5, 0), 0.25f);
-  EXPECT_FLOAT_EQ(at(6, 4, 1), 0.0f);  // -1/8, clamped because light is not negative
+  EXPECT_FLOAT_EQ(at(6, 4, 1), 0.0f);  // the filter gives -1/8, but negative light is clamped to 0
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Tests the detection of light field formats from files.
+// Tests how the format of a light field is recognised from its files.
 #include "lippmann/layout/open_light_field.hpp"
 
 #include <gmock/gmock.h>
@@ -33,7 +33,7 @@ TEST(OpenLightField, detects_folders_and_quilts_by_name) {
   EXPECT_TRUE(same_samples(quilt.field.stack, field.stack));
 }
 
-/// Writes the quilt of a field of 3x2 views as DIR/NAME, without its tiles in the name, and returns the field.
+/// Writes 3 x 2 views as the quilt DIR/NAME, whose name does not state the number of tiles, and returns the views.
 LightField write_plain_quilt(const TempDir& dir, const std::string& name) {
   const LightField field = numbered_field({3, 2}, {4, 5});
   quilt_format().write(field, dir / "made.png", {});

@@ -1,4 +1,5 @@
-// Tests raw plenoptic pictures: views of known light fields below lenses of any pitch, and lens grids of white pictures.
+// Tests views from raw pictures of plenoptic cameras, and the estimate of the lens grid from white pictures. The raw pictures
+// show known light below lenses of any pitch.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -21,7 +22,8 @@ namespace {
 using test::error_message;
 using testing::HasSubstr;
 
-/// Returns the light through a lens from a direction, given as the offset from the lens centre in pixels.
+/// Returns the light through a lens in a direction. `lens` is the position of the lens centre in pixels, and `offset` is the
+/// distance from this centre in pixels, which stands for the direction.
 using RawLight = std::function<double(Vec2d lens, Vec2d offset)>;
 
 struct NearestLens {
@@ -29,7 +31,7 @@ struct NearestLens {
   Vec2d centre;
 };
 
-/// Returns the lens whose image contains a pixel. Does not support kHexagonalColumns.
+/// Returns the lens below which a pixel lies. Does not support kHexagonalColumns.
 NearestLens nearest_lens(const LensGrid& grid, Vec2d place) {
   const double c = std::cos(grid.rotation), s = std::sin(grid.rotation);
   const Vec2d from = place - grid.offset_px;
@@ -44,7 +46,7 @@ NearestLens nearest_lens(const LensGrid& grid, Vec2d place) {
   return nearest;
 }
 
-/// Renders a raw picture as the mean over 3 x 3 positions in each pixel.
+/// Renders a raw picture. Each pixel is the mean of 3 x 3 points in it.
 Image raw_picture(const LensGrid& grid, Vec2i size, const RawLight& light, int channels = 3) {
   Image raw(size.x, size.y, channels);
   constexpr int kParts = 3;
@@ -61,7 +63,8 @@ Image raw_picture(const LensGrid& grid, Vec2i size, const RawLight& light, int c
   return raw;
 }
 
-/// Returns round images of the main lens's aperture, darker towards their rims, with a soft edge.
+/// Returns the light of a white picture: below each lens a round image of the main lens's aperture. The image is darker towards
+/// its rim and has a soft edge.
 RawLight white_light(double pitch) {
   return [pitch](Vec2d, Vec2d offset) {
     const double share = glm::length(offset) / (0.48 * pitch);
@@ -69,7 +72,8 @@ RawLight white_light(double pitch) {
   };
 }
 
-/// Returns the largest distance between two grids' lenses over a picture. Their offsets may refer to different lenses.
+/// Returns the largest distance in pixels from a lens of one grid to the nearest lens of the other grid within the picture. The
+/// offsets of equal grids may differ, because they may refer to different lenses.
 double grid_distance(const LensGrid& estimate, const LensGrid& truth, Vec2i size) {
   double most = 0.0;
   for (int j = -400; j <= 400; ++j)
@@ -81,7 +85,8 @@ double grid_distance(const LensGrid& estimate, const LensGrid& truth, Vec2i size
   return most;
 }
 
-/// Checks the estimated grid. Centres are found to a tenth of a pixel each, and 2,000 of them give a grid exact to a twentieth.
+/// Checks the grid that is estimated from a white picture. Each of 2,000 lens centres is found to a tenth of a pixel, which
+/// makes the grid exact to a twentieth of a pixel.
 void expect_grid_found(const LensGrid& truth, Vec2i size) {
   const LensGridFit fit = estimate_lens_grid(raw_picture(truth, size, white_light(truth.pitch_px), 1), "white");
   EXPECT_EQ(fit.grid.arrangement, truth.arrangement);
@@ -107,7 +112,7 @@ TEST(LensGridEstimate, finds_rows_that_are_scaled) {
   expect_grid_found(grid, {420, 420});
 }
 
-/// `across` lenses in a square picture.
+/// Estimates the grid of a square white picture that is `across` lenses wide, and returns the estimate.
 LensGridFit fit_of_lenses(const LensGrid& grid, double across) {
   const int side = static_cast<int>(std::lround(across * grid.pitch_px));
   const Image white = raw_picture(grid, {side, side}, white_light(grid.pitch_px), 1);
@@ -116,7 +121,7 @@ LensGridFit fit_of_lenses(const LensGrid& grid, double across) {
   return fit;
 }
 
-/// 10 lenses of 10.4 pixels are among them, whose light at 45 degrees has a period of 7.35 pixels.
+/// One case has 10 lenses with a pitch of 10.4 pixels. Along its diagonals, this grid has a period of 7.35 pixels.
 TEST(LensGridEstimate, six_to_forty_lenses_are_enough) {
   struct Case {
     double across, pitch, rotation_deg;
@@ -138,7 +143,8 @@ TEST(LensGridEstimate, six_to_forty_lenses_are_enough) {
                 turn_deg * std::numbers::pi / 180.0, 5e-3);
 }
 
-/// Their fundamental frequency is left out as vignetting, and its harmonics are those of a finer grid.
+/// With so few lenses, the fundamental frequency of the grid is ignored as vignetting, so only harmonics are found. They would
+/// belong to a finer grid.
 TEST(LensGridEstimate, too_few_lenses_are_refused) {
   const LensGrid grid = lens_grid(40.0, 0.03, {7.0, 11.0}, LensArrangement::kSquare);
   for (const double across : {2.0, 3.0})
@@ -181,7 +187,7 @@ TEST(LensGridEstimate, refuses_pictures_without_lenses) {
   EXPECT_THROW(estimate_lens_grid(stripes, "w.png"), Error);
 }
 
-/// Returns light with known views: it varies slowly over the picture, and linearly with the direction.
+/// Returns light whose views are known. It varies slowly over the picture, and it is linear in the direction.
 double known_light(Vec2d lens, Vec2d offset) {
   return 0.5 + 0.2 * std::sin(0.021 * lens.x) * std::cos(0.017 * lens.y) + 0.02 * offset.x - 0.013 * offset.y;
 }
@@ -199,7 +205,7 @@ TEST(PlenopticViews, turned_square_lenses_give_known_views) {
   for (const bool lanczos : {false, true}) {
     const LightField field = views_of(raw_picture(grid, {420, 330}, known_light), {.grid = grid, .lanczos = lanczos}, {7, 5});
     ASSERT_EQ(field.grid, (ViewGrid{7, 5}));
-    // Find the lens at the top left of the views: of the largest rectangle of lenses in the picture.
+    // The views cover the largest rectangle of lenses in the picture. These loops find its top left lens.
     int first_column = 0, first_row = 0;
     for (; lens_centre(grid, first_column, field.view_size.y - 1).x < 3.25; ++first_column) {
     }
@@ -211,8 +217,9 @@ TEST(PlenopticViews, turned_square_lenses_give_known_views) {
         const Vec2d along(view % 7 - 3, 2 - view / 7);
         const Vec2d offset(c * along.x - s * along.y, s * along.x + c * along.y);
         const Vec2d lens = lens_centre(grid, first_column + at.x, first_row + at.y);
-        // Light is linear in the direction, which linear sampling preserves; Lanczos distorts it a little and reaches into the
-        // next lens. Near the edge, samples may be a quarter of a pixel beyond the last pixel's centre.
+        // The light is linear in the direction, so linear sampling is exact. Lanczos sampling is less exact and reads pixels of
+        // the neighbouring lens. Near the edge of the picture, samples may lie a quarter of a pixel beyond the centre of the
+        // last pixel.
         const double tolerance = at.x != 20 ? 0.25 * 0.024 : lanczos ? 2e-3 : 1e-5;
         EXPECT_NEAR(view_sample(field, view, at.x, at.y), known_light(lens, offset), tolerance) << view << " " << at.x;
       }
@@ -225,7 +232,8 @@ TEST(PlenopticViews, hexagonal_rows_become_square_pixels) {
   for (const bool lanczos : {false, true}) {
     const LightField field = views_of(raw_picture(grid, {360, 300}, ramp), {.grid = grid, .lanczos = lanczos}, {3, 3});
     const double rows = grid.row_pitch_px;
-    // Columns 0 to 28 lie in the picture: shifted lenses at 12 ... 348, others at 6 ... 342. Pixels are at 12 ... 342.
+    // Lens columns 0 to 28 lie in the picture. In shifted rows, lens centres are at 12 to 348 pixels; in the other rows they
+    // are at 6 to 342. All rows cover 12 to 342, so the views cover this range.
     ASSERT_EQ(field.view_size, Vec2i(static_cast<int>(330.0 / rows) + 1, 29));
     for (const Vec2i at : {Vec2i(4, 4), Vec2i(15, 11), Vec2i(27, 20)})
       EXPECT_NEAR(view_sample(field, 4, at.x, at.y), 0.001 * (12.0 + at.x * rows) + 0.0005 * (6.0 + at.y * rows), 1e-3);
@@ -240,16 +248,18 @@ TEST(PlenopticViews, vignetting_is_divided_out) {
   divide_by_white(light, white_shares(raw_picture(grid, {300, 260}, white)), "raw");
   const LightField field = views_of(light, {.grid = grid}, {5, 5});
   for (const Vec2i at : {Vec2i(3, 3), Vec2i(14, 12)})
-    for (const int view : {0, 4, 20, 24})  // the corners have half of the middle's light
+    // these views are the corners of the aperture, where the light is half of the middle's
+    for (const int view : {0, 4, 20, 24})
       EXPECT_NEAR(view_sample(field, view, at.x, at.y) / view_sample(field, 12, at.x, at.y), 1.0, 0.01);
 }
 
-/// A picture with a mark in the plane of the array: all views show it in one place, whatever the pitch.
+/// In the picture, every lens has one colour. It corresponds to an object in the plane of the array, which all views show at
+/// the same position, whatever the pitch is.
 TEST(PlenopticViews, wrong_pitch_drifts_one_lens_per_74) {
   const double pitch = 10.135;
   const Vec2i size(1600, 60);
   const LensGrid truth = lens_grid(pitch, 0.0, {pitch / 2, pitch / 2}, LensArrangement::kSquare);
-  // Every lens has a different light, equal for all of its pixels.
+  // The light depends only on the lens, not on the direction.
   const Image raw = raw_picture(truth, size, [&](Vec2d lens, Vec2d) { return std::lround(lens.x / pitch - 0.5); });
   const LightField right = views_of(raw, {.grid = truth}, {9, 3});
   const int last = right.view_size.x - 1;
@@ -267,7 +277,8 @@ TEST(PlenopticViews, inverted_lenses_turn_views_round) {
   const LensGrid grid = lens_grid(10.0, 0.0, {5.0, 5.0}, LensArrangement::kSquare);
   const Image raw = raw_picture(grid, {60, 60}, [](Vec2d, Vec2d offset) { return 0.5 + 0.01 * offset.x - 0.03 * offset.y; });
   const LightField upright = views_of(raw, {.grid = grid}, {10, 10});
-  EXPECT_NEAR(view_sample(upright, 9, 2, 2), 0.5 + 0.045 - 0.135, 1e-5);  // the lower right eye: 4.5 px right and down
+  // the lower right eye, 4.5 pixels to the right of the middle and 4.5 pixels below it
+  EXPECT_NEAR(view_sample(upright, 9, 2, 2), 0.5 + 0.045 - 0.135, 1e-5);
   const LightField turned = views_of(raw, {.grid = grid, .inverted = true}, {10, 10});
   for (int view = 0; view < 100; ++view)
     EXPECT_EQ(view_sample(turned, view, 2, 2), view_sample(upright, 99 - view, 2, 2)) << view;
@@ -298,7 +309,7 @@ TEST(PlenopticViews, impossible_grids_are_refused) {
   EXPECT_THAT(error_message([&] { divide_by_white(other, white_shares(raw), "raw"); }), HasSubstr("40x50 pixels"));
 }
 
-/// The raw picture of a wall with a soft spot, Z before the main lens.
+/// Returns the raw picture of a wall with a blurred spot. The wall is at the distance `z` in front of the main lens.
 Image picture_of_wall(const Optics& optics, double distance, double z, Vec2d spot, double sigma) {
   Image raw(optics.panel.width, optics.panel.height, 3);
   for (int y = 0; y < raw.height; ++y)
@@ -325,8 +336,9 @@ Vec2d centroid_of_view(const LightField& field, int view) {
   return mean / sum;
 }
 
-/// A camera with f = 100 mm, focused at 2 m, s = 105.263 mm: from view to view, m t/b apart on the main lens, a spot at Z moves
-/// by s (1/Zf - 1/Z) m t / (b p) lenses.
+/// The main lens has f = 100 mm and is focused at Zf = 2 m, so the array is at t = s = 105.263 mm behind it. The eyes of
+/// neighbouring views are m t / b apart on the main lens, where m is the width of a pixel and b the gap. Between neighbouring
+/// views, a spot at the distance Z moves by s (1/Zf - 1/Z) m t / (b p) lenses, where p is the lens pitch.
 TEST(PlenopticViews, simulated_camera_has_parallax_of_the_thin_lens) {
   constexpr double kFocal = 100.0, kFocus = 2000.0, kGap = 0.5, kPixel = 0.01;
   const double s = kFocal * kFocus / (kFocus - kFocal), eye_step = kPixel * s / kGap;
@@ -348,7 +360,7 @@ TEST(PlenopticViews, simulated_camera_has_parallax_of_the_thin_lens) {
       for (const int steps : {-2, 1, 3}) {
         const Vec2d across = centroid_of_view(views, 40 + steps) - centroid_of_view(views, 40),
                     up = centroid_of_view(views, 40 + 9 * steps) - centroid_of_view(views, 40);
-        // Light between pixels is interpolated where the pitch is fractional.
+        // if the lens pitch is no whole number of pixels, light is interpolated between pixels
         const double tolerance = pixels == 9.0 ? 1e-3 : 2e-2;
         EXPECT_NEAR(across.x, steps * disparity, tolerance) << z;
         EXPECT_NEAR(across.y, 0.0, tolerance) << z;

@@ -21,7 +21,8 @@ using test::same_samples;
 using test::TempDir;
 using testing::HasSubstr;
 
-/// Returns 3 views of 4 x 2 pixels on a screen 40 mm wide, viewed from 100 mm. The depth at column x of view v is -10 x + v.
+/// Returns 3 views of 4 x 2 pixels on a screen that is 40 mm wide and seen from 100 mm. In view v, the depth at column x is -10
+/// x + v mm.
 LightField deep_field(bool words = false) {
   LightField field = numbered_field({3, 1}, {4, 2}, words);
   field.cameras = {100.0, Vec2d(10.0), Vec2d(2.0, 1.0), {{-20, 0}, {0, 0}, {20, 0}}};
@@ -32,15 +33,15 @@ LightField deep_field(bool words = false) {
 }
 
 TEST(Rgbd, disparity_is_finite_at_any_depth) {
-  EXPECT_DOUBLE_EQ(disparity_of_depth(50, 100), 100.0);    // 50 / (1 - 1/2)
-  EXPECT_DOUBLE_EQ(disparity_of_depth(-100, 100), -50.0);  // -100 / 2
+  EXPECT_DOUBLE_EQ(disparity_of_depth(50, 100), 100.0);    // depth / (1 - depth / distance) = 50 / (1 - 50 / 100)
+  EXPECT_DOUBLE_EQ(disparity_of_depth(-100, 100), -50.0);  // depth / (1 - depth / distance) = -100 / 2
   EXPECT_DOUBLE_EQ(disparity_of_depth(-INFINITY, 100), -100.0);
   EXPECT_DOUBLE_EQ(depth_of_disparity(-50, 100), -100.0);
   EXPECT_EQ(depth_of_disparity(-100, 100), -INFINITY);
 }
 
 TEST(Rgbd, grey_is_linear_in_disparity) {
-  const DepthCoding coding{{50, -100}};  // disparities 100 and -50
+  const DepthCoding coding{{50, -100}};  // these depths have the disparities 100 and -50
   EXPECT_DOUBLE_EQ(grey_of_depth(coding, 100, 50), 1.0);
   EXPECT_DOUBLE_EQ(grey_of_depth(coding, 100, -100), 0.0);
   EXPECT_DOUBLE_EQ(grey_of_depth(coding, 100, 0), 1.0 / 3.0);
@@ -90,7 +91,8 @@ TEST(Rgbd, colours_depth_and_camera_come_back) {
   EXPECT_EQ(opened.format, "rgbd");
   EXPECT_TRUE(same_samples(opened.field.stack, view_of(field, 1)));
   EXPECT_EQ(opened.field.cameras->pixel_mm, Vec2d(10.0));
-  // 16 bits over disparities from -29 / 1.29 to 1 / 0.99: a step is 4e-4 mm, and less than twice that in depth.
+  // 16-bit codes cover the disparities from -29 / 1.29 to 1 / 0.99, so a step is 4e-4 mm of disparity. In depth, a step is less
+  // than twice as large.
   for (int x = 0; x < 4; ++x) EXPECT_NEAR(opened.field.depth->pixel(x, 1)[0], -10.0 * x + 1.0, 4e-4) << x;
 }
 

@@ -1,4 +1,4 @@
-// Tests cameras stated by flags for files without camera data, and what the formats preserve of them.
+// Tests cameras that flags describe for files without camera data, and which of these values each format stores.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -30,8 +30,8 @@ ConvertParams stated(const char* from, const char* to, StatedCameras cameras = k
   return params;
 }
 
-/// Writes HCI views without parameters.cfg, 3 across, of 512x1 pixels, with depths of 4 m, 8 m and no surface at pixels 0, 1
-/// and 2.
+/// Writes three HCI views in a row, of 512 x 1 pixels each, without the file parameters.cfg. Pixel 0 has a depth of 4 m, pixel
+/// 1 of 8 m, and pixel 2 shows no surface.
 void write_trial(const fs::path& folder) {
   hci_format().write(numbered_field({3, 1}, {512, 1}), folder, {});
   Image depth(512, 1, 1);
@@ -46,7 +46,7 @@ TEST(StatedCameras, disparities_follow_from_the_flags) {
   ConvertParams params = stated("hci", "hci");
   params.options.views = ViewGrid{3, 1};
   convert(dir / "in", dir / "out", params);
-  // b f n / s (1 / Z - 1 / F) = 146285.714 mm px (1 / Z - 1 / 8000 mm)
+  // Disparity: b f n / s (1 / Z - 1 / F), with b f n / s = 146285.714 mm px and the focus distance F = 8000 mm.
   const Image disparity = read_pfm(dir / "out/gt_disp_lowres_Cam001.pfm");
   EXPECT_NEAR(disparity.data[0], 18.2857, 1e-4);
   EXPECT_NEAR(disparity.data[1], 0.0, 1e-4);
@@ -93,7 +93,7 @@ TEST(StatedCameras, lengths_must_be_positive) {
     }
 }
 
-/// Returns 2 x 2 views at irregular positions, with x decreasing from left to right.
+/// Returns 2 x 2 views at irregular positions. x decreases from left to right.
 LightField irregular_field() {
   LightField field = numbered_field({2, 2}, {4, 4});
   field.positions = std::vector<Vec2d>{{10.0, -776.88}, {0.0, -776.0}, {10.5, -770.123456789}, {1.5, -770.0}};
@@ -167,7 +167,8 @@ TEST(EslfFormat, damaged_side_files_are_refused) {
   EXPECT_FALSE(parse_eslf_side_file(R"({"quilt_settings": {}})", "a"));
 }
 
-/// Writes a plenoptic camera's picture as PPM: red and green are the view, blue is the pixel of the view.
+/// Writes the picture of a plenoptic camera as a PPM file. Red and green are the column and the row of the view. Blue depends
+/// on the position of the pixel within its view.
 void write_plenoptic(const fs::path& path, ViewGrid grid, Vec2i view_size) {
   const Vec2i size(grid.columns * view_size.x, grid.rows * view_size.y);
   std::string samples;
@@ -212,7 +213,7 @@ TEST(EslfFormat, wrong_grid_of_real_cameras_is_refused) {
     EXPECT_EQ(picture_size(right, trial.view_size), trial.size);
     EXPECT_THAT(error_message([&] { view_size(wrong, trial.size, "flower.png"); }),
                 testing::AllOf(HasSubstr("flower.png"), HasSubstr("cannot be divided")));
-    // The last pixel of the bottom right view is the last one of the picture.
+    // The last pixel of the bottom right view must be the last pixel of the picture.
     const int bottom_right = trial.grid.columns - 1;
     const ViewPlace place = place_of_view(right, trial.view_size, trial.size, bottom_right);
     EXPECT_EQ(place.first + (trial.view_size.x - 1) * place.across + (trial.view_size.y - 1) * place.down,

@@ -29,7 +29,7 @@ std::vector<StereoLayout> all_layouts() {
   return layouts;
 }
 
-/// Returns two uniform views.
+/// Returns two uniform views with these grey codes.
 LightField flat_pair(Vec2i size, unsigned char left, unsigned char right) {
   LightField field = numbered_field({2, 1}, size);
   const std::size_t samples = 3 * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
@@ -92,7 +92,7 @@ TEST(Stereo, squeezes_in_linear_light) {
   LightField field = flat_pair({2, 1}, 0, 0);
   std::get<Image8>(field.stack).rgb = {0, 0, 0, 255, 255, 255, 0, 0, 0, 0, 0, 0};
   const Image8 picture = written_as(field, {StereoPacking::kHalfSideBySide});
-  EXPECT_EQ(red(picture, 0, 0), 188);  // 255 srgb(1/2) = 187.5
+  EXPECT_EQ(red(picture, 0, 0), 188);  // the mean of black and white in linear light: 255 srgb(1/2) = 187.5
   EXPECT_EQ(red(picture, 1, 0), 0);
 }
 

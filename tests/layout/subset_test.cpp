@@ -1,4 +1,4 @@
-// Tests parts of light fields: the pixels and views kept, and invalid selections.
+// Tests selecting parts of light fields: which pixels and views are kept, and errors for impossible selections.
 #include "lippmann/layout/subset.hpp"
 
 #include <gmock/gmock.h>
