@@ -14,7 +14,7 @@ Optics three_views() {
   return optics;
 }
 
-// Radical inverses in base 3: 0, 1/3, 2/3, 1/9. Their ranks among four parts: 0, 2, 3, 1.
+// Radical inverses in base 3 of 0 to 3: 0, 1/3, 2/3 and 1/9. Sorted in ascending order, they have the ranks 0, 2, 3 and 1.
 TEST(AngularFilter, shifts_follow_radical_inverses) {
   const std::vector<Vec2f> shifts = eye_shifts(three_views(), AngularFilter::kBox, 4);
   ASSERT_EQ(shifts.size(), 4u);

@@ -9,7 +9,8 @@ namespace {
 
 using testing::HasSubstr;
 
-// A Gaussian of sigma 1/2 has a weight of 0.15730 between 1/2 and 3/2 (from tables: 1 and 3 sigma, 0.99865 - 0.84134).
+// A Gaussian with a sigma of 1/2 has the weight 0.15730 between 1/2 and 3/2, that is, between 1 and 3 sigma. Tables of the
+// normal distribution give 0.99865 - 0.84134.
 TEST(Crosstalk, neighbour_share_matches_tables) {
   EXPECT_NEAR(neighbour_share(0.5), 0.99865 - 0.84134, 1e-5);
   EXPECT_EQ(neighbour_share(0.0), 0.0);
@@ -21,7 +22,7 @@ TEST(Crosstalk, neighbour_share_matches_tables) {
       EXPECT_DOUBLE_EQ(tap.weight, neighbour_share(0.5));
     }
   }
-  EXPECT_NEAR(sum, 1.0, 1e-4);  // cut off at 4 sigma
+  EXPECT_NEAR(sum, 1.0, 1e-4);  // the filter is cut off at 4 sigma
 }
 
 TEST(Crosstalk, parses_a_share_as_sigma) {
@@ -29,7 +30,8 @@ TEST(Crosstalk, parses_a_share_as_sigma) {
   EXPECT_EQ(read_crosstalk("0%", "x"), 0.0);
   for (const double percent : {0.5, 10.0, 23.0})
     EXPECT_NEAR(neighbour_share(read_crosstalk(std::to_string(percent) + "%", "x")), 0.01 * percent, 1e-9) << percent;
-  // 10 % beyond half a pixel on each side: 0.5 / sigma = 1.2816, up to the 1e-4 beyond the neighbours.
+  // 10 % of the light is beyond half a pixel on each side, so 0.5 / sigma = 1.2816. The tolerance allows for 1e-4 of the light
+  // beyond the neighbours.
   EXPECT_NEAR(read_crosstalk("10%", "x"), 0.5 / 1.2816, 2e-4);
 }
 

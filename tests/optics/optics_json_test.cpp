@@ -22,7 +22,8 @@ Json some_optics() { return optics_json(Optics{}); }
 TEST(OpticsJson, round_trip_keeps_rays_of_every_model) {
   test::OpticsSampler random(11);
   for (int i = 0; i < 200; ++i) {
-    const Optics optics = with_parallax(random.every(i), 1.0f);  // the parallax belongs to the render, not to the display
+    // the JSON does not store the parallax, because it belongs to a render instead of a display
+    const Optics optics = with_parallax(random.every(i), 1.0f);
     const Json json = optics_json(optics);
     const Optics back = optics_from_json(Json::parse(json.dump()), "report.json");
     const Vec2f pixel(0.3f * static_cast<float>(film_size(optics).x), 0.7f * static_cast<float>(optics.panel.height));

@@ -1,4 +1,4 @@
-// Tests queries about optics, and the errors of validate().
+// Tests properties computed from optics, and the errors of validate().
 #include "lippmann/optics/optics.hpp"
 
 #include <gmock/gmock.h>
@@ -36,20 +36,22 @@ TEST(WholePixels, fractions_slant_and_misaligned_cells_have_none) {
   EXPECT_EQ(whole_pixels_per_lens(with(LenticularSheet{.lens_pitch_mm = 13.776f * 0.125f})), Vec2i(0, 0));
   EXPECT_EQ(whole_pixels_per_lens(with(LenticularSheet{.slant = 0.1f})), Vec2i(0, 0));
   EXPECT_EQ(whole_pixels_per_lens(with(LenticularSheet{.offset_mm = 0.5625f})), Vec2i(0, 0));
-  // A lens boundary at x = 0 is not one at the panel's left edge if the panel is an odd number of lenses wide.
+  // A lens edge is at x = 0. The panel is 63 lenses wide, an odd number, so its left edge is not a lens edge.
   EXPECT_EQ(whole_pixels_per_lens(with(LenticularSheet{}, {504, 8, 0.125f})), Vec2i(0, 0));
   EXPECT_EQ(whole_pixels_per_lens(with(LenticularSheet{.offset_mm = 0.0f}, {504, 8, 0.125f})), Vec2i(8, 1));
 }
 
 TEST(WholePixels, converging_cells_count_by_their_own_width) {
-  // Lenses of 1 mm with cells that converge to 500 mm are 1.004 mm = 8.032 pixels wide.
+  // Lenses are 1 mm wide. Their cells converge to a viewer at 500 mm and are therefore 1 + 2 / 500 = 1.004 mm or 8.032 pixels
+  // wide.
   EXPECT_EQ(whole_pixels_per_lens(with(LenticularSheet{.viewing_distance_mm = 500.0f})), Vec2i(0, 0));
   const LenticularSheet matched{.lens_pitch_mm = 1.0f / 1.004f, .offset_mm = 0.5f / 1.004f, .viewing_distance_mm = 500.0f};
   EXPECT_EQ(whole_pixels_per_lens(with(matched)), Vec2i(8, 1));
 }
 
 TEST(WholePixels, lens_and_view_follow_the_pixel_grid) {
-  // Non-binary pitches over a wide panel: pixel i must be below lens i / N despite rounding.
+  // The pitch is no binary fraction and the panel is wide. In spite of rounding, pixel i must lie below lens floor(i / N),
+  // where N is the number of pixels per lens.
   const Optics optics = with(LenticularSheet{.lens_pitch_mm = 0.7f, .gap_mm = 1.3f, .offset_mm = 0.35f}, {7000, 2, 0.1f});
   ASSERT_EQ(whole_pixels_per_lens(optics), Vec2i(7, 1));
   Optics at_lenses = optics;
@@ -63,7 +65,8 @@ TEST(WholePixels, lens_and_view_follow_the_pixel_grid) {
 // ---- Derived figures --------------------------------------------------------------------------------------------------
 
 TEST(Derived, default_sheet_has_28_degrees_and_16mm) {
-  // 2 atan(1 / 4) = 28.07 degrees; p g / m = 1 * 2 / 0.125 = 16 mm.
+  // Viewing zone: 2 atan(pitch / (2 gap)) = 2 atan(1 / 4) = 28.07 degrees. Depth budget: pitch * gap / pixel = 1 * 2 / 0.125 =
+  // 16 mm.
   EXPECT_NEAR(degrees(viewing_zone(with(LenticularSheet{}))), 28.0725f, 1e-3f);
   EXPECT_NEAR(depth_budget_mm(with(LenticularSheet{})), 16.0f, 1e-5f);
   EXPECT_EQ(depth_budget_mm(with(SingleView{})), kInfinity);
@@ -72,9 +75,9 @@ TEST(Derived, default_sheet_has_28_degrees_and_16mm) {
 }
 
 TEST(Derived, slanted_panel_with_20_sub_pixels) {
-  // Lenses are 20 x 0.1 = 2 mm wide, with 20 directions in a cone of 2 atan(1/2), 1 / 20 apart: 2 mm / (1/20) = 40 mm. A
-  // sub-pixel is 1 mm wide at 20 mm, and less than a pixel of 0.3 mm at 4 mm; the viewer at 500 mm sees it shrink in
-  // perspective.
+  // Lens width: 20 sub-pixels of 0.1 mm = 2 mm. The cone of 2 atan(1/2) is divided into 20 directions, so neighbouring rays are
+  // 1/20 mm per mm of depth apart. Depth budget: 2 mm / (1/20) = 40 mm. A sub-pixel covers 1 mm at a depth of 20 mm, and less
+  // than a pixel of 0.3 mm at 4 mm. The viewer at 500 mm sees this width in perspective.
   const Optics panel = with(SlantedPanel{.periods = 30.0, .view_cone = 2.0f * std::atan(0.5f)}, {200, 100, 0.3f});
   EXPECT_NEAR(depth_budget_mm(panel), 40.0f, 1e-4f);
   EXPECT_EQ(viewing_zone(panel), 2.0f * std::atan(0.5f));
@@ -110,7 +113,8 @@ TEST(Footprint, of_a_view_shrinks_towards_the_eye) {
 }
 
 TEST(Footprint, is_the_distance_between_neighbouring_rays) {
-  // Rays one lens apart in the same view (or one row apart), at some depth on either side.
+  // Compares the rays of two pixels that are one lens apart in the same view, or one row apart, at depths in front of and
+  // behind the display.
   const LenticularSheet matched{.lens_pitch_mm = 1.0f / 1.004f, .offset_mm = 0.5f / 1.004f, .viewing_distance_mm = 500.0f};
   for (const float z : {-10.0f, 10.0f}) {
     Optics optics = with(matched);

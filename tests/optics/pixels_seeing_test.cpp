@@ -1,4 +1,4 @@
-// Tests pixels_seeing against a search over the forward rays of all pixels: no result is missing or extra.
+// Compares pixels_seeing() with a search over the rays of all pixels. No pixel may be missing, and none may be wrong.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,8 +14,8 @@ namespace {
 using test::at_depth;
 using test::OpticsSampler;
 
-/// Returns the distance in pixels from the pixel with the given ray to the one whose ray passes through `wanted`, if both are
-/// below the same lens or in the same view. The lines of a lens fan out from its centre.
+/// Returns a step in pixels. It leads from the pixel with this ray to the pixel whose ray passes through `wanted`, if both
+/// pixels are below the same lens or in the same view.
 Vec2f pixel_step(const Optics& optics, const Ray& ray, Vec3f wanted) {
   const Vec3f passed = at_depth(ray, wanted.z), at_z0 = at_depth(ray, 0.0f);
   const float m = optics.panel.pixel_pitch_mm / sub_pixels_per_pixel(optics), z = wanted.z;
@@ -29,11 +29,14 @@ Vec2f pixel_step(const Optics& optics, const Ray& ray, Vec3f wanted) {
   if (const auto* a = std::get_if<MicrolensArray>(&optics.model))
     return Vec2f(-miss.x, miss.y) * (a->gap_mm / (a->parallax * z * m));
   if (const auto* p = std::get_if<SlantedPanel>(&optics.model)) {
-    // One row up, both the eye and the line move; then across, with the change of x caused by both.
+    // A step of one row up moves the eye and the point where the ray meets the panel. The step across then corrects x,
+    // including the change caused by the step up.
     const float shrink = 1.0f - z / p->distance_mm, pitch = film_size(optics).x / static_cast<float>(p->periods) * m;
-    const float eye = (passed.x - at_z0.x * shrink) * p->distance_mm / z;  // from x(z) = x(0) (1 - z/D) + eye z/D
+    // follows from x(z) = x(0) (1 - z / D) + eye z / D, where D is the viewing distance
+    const float eye = (passed.x - at_z0.x * shrink) * p->distance_mm / z;
     const float reach = p->parallax * p->distance_mm;
-    const float turn = p->view_cone * reach * (1.0f + std::pow(eye / reach, 2.0f));  // d eye / dv
+    // derivative of the eye's position by the view v
+    const float turn = p->view_cone * reach * (1.0f + std::pow(eye / reach, 2.0f));
     const float eye_per_lens = (p->inverted ? -1.0f : 1.0f) * turn * z / p->distance_mm;
     const float dy = miss.y / shrink;
     const float lenses_per_mm_up = static_cast<float>(p->periods * p->tilt) / (3.0f * m * optics.panel.height);
@@ -52,8 +55,8 @@ bool on_panel(const Optics& optics, Vec2f p) {
   return p.x >= 0 && p.x < right && p.y >= top && p.y < optics.panel.height;
 }
 
-/// Returns all points of the panel whose rays pass through the point, found from 9 rays of every pixel (cells clipped by the
-/// panel's edge may contain no pixel centre) and a step of at most a pixel from each.
+/// Returns all points of the panel whose rays pass through `point`. The search begins at 9 points in every pixel, because a
+/// cell that the panel's edge cuts off may contain no pixel centre. From each point it takes a step of at most a pixel.
 std::vector<Vec2f> search(const Optics& optics, const RayGenerator& generator, Vec3f point) {
   std::vector<Vec2f> found;
   for (int j = 0; j < 3 * optics.panel.height; ++j)
@@ -63,10 +66,10 @@ std::vector<Vec2f> search(const Optics& optics, const RayGenerator& generator, V
       Vec2f there = start + step;
       if (std::abs(step.x) > 1.0f || std::abs(step.y) > 1.0f || !on_panel(optics, there)) continue;
       Vec2f left = pixel_step(optics, generator.ray(there), point);
-      // Eyes of a slanted panel depend on the tangent of their angle, so take a second step.
+      // The eye of a slanted panel depends on the tangent of its angle, so one linear step is not exact. Take a second step.
       if (glm::length(left) < 0.2f && on_panel(optics, there + left))
         there += left, left = pixel_step(optics, generator.ray(there), point);
-      if (glm::length(left) > 0.02f) continue;  // belongs to another lens or view
+      if (glm::length(left) > 0.02f) continue;  // this point belongs to another lens or view
       const auto same = [&](Vec2f p) { return glm::distance(p, there) < 0.05f; };
       if (std::none_of(found.begin(), found.end(), same)) found.push_back(there);
     }
@@ -77,8 +80,9 @@ bool contains(const std::vector<Vec2f>& pixels, Vec2f p) {
   return std::any_of(pixels.begin(), pixels.end(), [p](Vec2f q) { return glm::distance(p, q) < 0.03f; });
 }
 
-/// Within this distance of the edge of a cell, a tile or the panel, rounding decides which side a point is on, so such points
-/// are not compared. (A slanted panel's search skips edges closer than the error of its first step.)
+/// Returns the distance in pixels from the edge of a cell, a tile or the panel below which points are not compared, because
+/// rounding decides on which side they are. For slanted panels the distance is larger, because the first step of the search has
+/// an error.
 float edge_px(const Optics& optics) { return std::holds_alternative<SlantedPanel>(optics.model) ? 0.05f : 0.02f; }
 
 bool near_an_edge(const Optics& optics, const RayGenerator& generator, Vec2f p, Vec3f point) {
@@ -109,7 +113,7 @@ TEST_P(PixelsSeeing, random_points_none_missing_and_none_extra) {
     Optics optics = random.every(GetParam());
     optics.panel.width = 3 * random.integer(10, 30) / sub_pixels_per_pixel(optics),
     optics.panel.height = random.integer(30, 60);
-    optics.z_front_mm = 150.0f;  // all points are behind it
+    optics.z_front_mm = 150.0f;  // in front of all points
     const RayGenerator generator(optics);
     for (int sample = 0; sample < 5; ++sample) {
       const Vec3f point = random_point(random, optics);
@@ -140,7 +144,8 @@ INSTANTIATE_TEST_SUITE_P(Models, PixelsSeeing, testing::Range(0, OpticsSampler::
 
 // ---- In the lens plane ------------------------------------------------------------------------------------------------
 
-/// Returns all pixel centres below the lenses nearest to the point; for a sheet, only rows that run through it.
+/// Returns the centres of all pixels below the lenses nearest to the point. For a lenticular sheet, returns only pixels in the
+/// rows that contain the point.
 std::vector<Vec2f> search_in_lens_plane(const Optics& optics, Vec3f point) {
   const RayGenerator generator(optics);
   const auto* sheet = std::get_if<LenticularSheet>(&optics.model);
@@ -176,7 +181,7 @@ TEST_P(LensPlane, all_pixels_of_the_lens_see_it) {
     optics.panel.width = random.integer(50, 90), optics.panel.height = random.integer(50, 70);
     optics.z_front_mm = 30.0f;
     const Panel& panel = optics.panel;
-    // Well inside the panel, so that the lens has pixels.
+    // The point is far from the panel's edges, so that its lens has pixels.
     const Vec3f point(random.uniform(-0.2f, 0.2f) * panel.width * panel.pixel_pitch_mm,
                       random.uniform(-0.2f, 0.2f) * panel.height * panel.pixel_pitch_mm, 0.0f);
     std::vector<Vec2f> seeing;
@@ -196,7 +201,8 @@ TEST(PixelsSeeingOrder, lenses_come_in_ascending_order) {
   ASSERT_EQ(n, Vec2i(8, 8));
   std::vector<int> lenses;
   for (const Vec2f& p : seeing) lenses.push_back(static_cast<int>(p.y) / n.y * 12 + static_cast<int>(p.x) / n.x);
-  // |Z| N m / (g p) = 6 * 1 / 2 = 3 lenses in each direction.
+  // Number of lenses in each direction: |Z| N m / (g p) = 6 / 2 = 3, where N m / p = 1 because N pixels of the width m are as
+  // wide as the lens pitch p, and the gap g is 2 mm.
   EXPECT_EQ(lenses.size(), 9u);
   EXPECT_TRUE(std::is_sorted(lenses.begin(), lenses.end()));
 }

@@ -1,4 +1,5 @@
-// Rays of a plenoptic camera by values worked out by hand: through a microlens, the main lens, and out by the lens equation.
+// Compares the rays of a plenoptic camera with values computed by hand. A ray runs from a pixel through a microlens and the
+// main lens into the scene.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -14,8 +15,12 @@ namespace {
 
 using testing::HasSubstr;
 
-/// f = 100 and Zf = 300: s = 150, and the plane z = 0 is seen at twice the sensor's scale. t/b = 100. Ten pixels of 0.0101 mm
-/// below each of 10 x 10 lenses of 0.1 mm, whose images are 0.1 (1 + 1.5 / 150) = 0.101 mm apart.
+/// Returns a camera with the focal length f = 100 mm that is focused at Zf = 300 mm.
+/// Distance of the array behind the main lens: t = s = 1 / (1 / 100 - 1 / 300) = 150 mm. The plane in focus, z = 0, is Zf / s =
+/// 2 times as large as its image.
+/// Gap between array and sensor: b = 1.5 mm, so t / b = 100.
+/// The 10 x 10 lenses have a pitch of 0.1 mm. Their images are 0.1 (1 + 1.5 / 150) = 0.101 mm apart, which is 10 pixels of
+/// 0.0101 mm.
 PlenopticCamera some_camera() {
   return {.lens_pitch_mm = 0.1f,
           .gap_mm = 1.5f,
@@ -27,7 +32,7 @@ PlenopticCamera some_camera() {
 
 Optics optics_of(const PlenopticCamera& camera) { return {.panel = {100, 100, 0.0101f}, .model = camera}; }
 
-/// Returns the place of a pixel's ray, Z in front of the main lens.
+/// Returns the point where the ray of a pixel is at the distance `z` in front of the main lens.
 Vec2d place_at(const Optics& optics, Vec2f pixel, double z) {
   const Ray ray = ray_of_pixel(optics, pixel);
   const double distance = static_cast<double>(std::get<PlenopticCamera>(optics.model).distance_mm);
@@ -40,24 +45,27 @@ void expect_at(Vec2d place, Vec2d expected, double tolerance = 1e-4) {
   EXPECT_NEAR(place.y, expected.y, tolerance);
 }
 
-/// Pixel (57.5, 42.5) lies 2.5 pixels right and above the middle of the image at (55, 45) below the lens at (0.05, 0.05): the
-/// ray meets the main lens at 2.5 x 0.0101 x 100 = 2.525 mm, and the plane in focus at twice the lens's place.
+/// The lens at l = (0.05, 0.05) mm has an image whose middle is at pixel coordinates (55, 45). Pixel (57.5, 42.5) is 2.5 pixels
+/// to the right of the middle and 2.5 pixels above it. The ray meets the main lens at A = 2.5 * 0.0101 * t / b = 2.525 mm, and
+/// the plane in focus at 2 l = 0.1 mm.
 TEST(Plenoptic, rays_cross_main_lens_and_focus) {
   const Optics optics = optics_of(some_camera());
   expect_at(place_at(optics, {57.5f, 42.5f}, 0.0), {2.525, 2.525});
   expect_at(place_at(optics, {57.5f, 42.5f}, 300.0), {0.1, 0.1});
-  // Twice as far, it has crossed over: 2.525 (1 - 600 / 300) + 0.05 x 600 / 150.
+  // At twice the focus distance: A (1 - 600 / 300) + l * 600 / s = -2.525 + 0.05 * 600 / 150 = -2.325 mm.
   expect_at(place_at(optics, {57.5f, 42.5f}, 600.0), {-2.325, -2.325});
 }
 
-/// The lens equation: what is 151.5 mm behind the lens, as the sensor, is an image of what is 151.5 x 100 / 51.5 in front of
-/// it, seen from the middle of the lens in the direction of the pixel, 7.5 pixels beside the axis.
+/// The sensor is 151.5 mm behind the main lens. By the lens equation, it is the image of a plane at 151.5 * 100 / 51.5 mm in
+/// front of the lens. The pixel is 7.5 pixels off the axis. Its ray passes through the point of that plane of which the pixel
+/// is the image.
 TEST(Plenoptic, rays_meet_the_image_of_their_pixel) {
   const double z = 151.5 * 100.0 / 51.5, x = 7.5 * 0.0101 * z / 151.5;
   expect_at(place_at(optics_of(some_camera()), {57.5f, 42.5f}, z), {x, x});
 }
 
-/// |A| = 3.571 mm at that pixel: f / 2N is 3.125 mm for N = 16 and 4.167 mm for N = 12.
+/// The ray of pixel (57.5, 42.5) meets the main lens |A| = 2.525 sqrt(2) = 3.571 mm from the axis. The radius of the aperture,
+/// f / (2 N), is 3.125 mm for N = 16 and 4.167 mm for N = 12.
 TEST(Plenoptic, rays_beside_the_aperture_are_blocked) {
   PlenopticCamera camera = some_camera();
   camera.f_number = 16.0f;
@@ -68,8 +76,8 @@ TEST(Plenoptic, rays_beside_the_aperture_are_blocked) {
   EXPECT_FALSE(is_blocked({.panel = {8, 8, 0.1f}, .model = SingleView{}}, {0.5f, 0.5f}));
 }
 
-/// The f-number of the microlenses is f b / (t cell) = 100 / (100 x 0.101): discs of 10 pixels touch, and hold 80 of 100 pixel
-/// centres.
+/// With the f-number f b / (t cell) = 100 / (100 * 0.101) = 100 / 10.1, the images of the aperture below neighbouring lenses
+/// touch. Each image is a disc with a diameter of 10 pixels, which contains 80 of 100 pixel centres.
 TEST(Plenoptic, equal_f_numbers_fill_the_cells) {
   PlenopticCamera camera = some_camera();
   camera.f_number = 100.0f / 10.1f;
@@ -80,7 +88,8 @@ TEST(Plenoptic, equal_f_numbers_fill_the_cells) {
   EXPECT_EQ(lit, 100 * 80);
 }
 
-/// A point at (X, Z) is at l = s (X/Z + A (1/Zf - 1/Z)) in the view through A.
+/// Seen through the point A of the main lens, a point at the position X and the distance Z appears at l = s (X / Z + A (1 / Zf
+/// - 1 / Z)) on the array. The loop compares this l with the lens through which the ray runs.
 TEST(Plenoptic, parallax_is_that_of_thin_lenses) {
   PlenopticCamera camera = some_camera();
   camera.distance_mm = 2000.0f;
@@ -93,8 +102,9 @@ TEST(Plenoptic, parallax_is_that_of_thin_lenses) {
   }
 }
 
-/// In a camera 2.0 the main lens's image of a point at 2 I lies at I, e = 3 mm before the array. A lens at l shows it at
-/// l + (l - I) b/e: images under neighbouring lenses are 0.1 x 1.5 / 3 mm farther apart than the lenses.
+/// In a focused plenoptic camera, the main lens's image of the point 2 I in the plane z = 0 is at I, e = 3 mm in front of the
+/// array. A lens at l projects this image to l + (l - I) b / e on the sensor. Below neighbouring lenses, the projections are
+/// 0.1 * 1.5 / 3 mm farther apart than the lenses.
 TEST(Plenoptic, focused_camera_repeats_points_below_lenses) {
   PlenopticCamera camera = some_camera();
   camera.array_shift_mm = 3.0f;
@@ -108,7 +118,7 @@ TEST(Plenoptic, focused_camera_repeats_points_below_lenses) {
   }
 }
 
-/// The rays of the middles of lens images run through the middle of the main lens.
+/// The ray of the middle of a lens's image passes through the middle of the main lens.
 TEST(Plenoptic, lens_images_lie_below_lenses) {
   for (const LensPacking packing : {LensPacking::kSquare, LensPacking::kHexagonal}) {
     PlenopticCamera camera = some_camera();
@@ -128,7 +138,7 @@ TEST(Plenoptic, lens_images_lie_below_lenses) {
   EXPECT_FALSE(sensor_lenses({.panel = {8, 8, 0.1f}, .model = MicrolensArray{}}));
 }
 
-/// With one pixel below each lens, all rays run through the middle of the main lens.
+/// With one pixel below each lens, all rays pass through the middle of the main lens.
 TEST(Plenoptic, one_pixel_per_lens_is_a_pinhole_camera) {
   PlenopticCamera camera = some_camera();
   camera.lens_pitch_mm = 0.0101f / 1.01f, camera.offset_mm = Vec2f(0.5f * camera.lens_pitch_mm);
@@ -173,21 +183,24 @@ PlenopticCamera camera_of(const OpticsParams& params, float f_number = 0.0f) {
   return std::get<PlenopticCamera>(plenoptic_kind.make_model({params, panel, {360, 240, 10.0f}, 1000.0f, {}, 50.0f, f_number}));
 }
 
-/// The scene's camera sees what a pinhole 50 mm before the sensor sees.
+/// The plenoptic camera has the same field of view as the scene's camera, a pinhole 50 mm in front of the sensor.
 TEST(Plenoptic, parameters_make_a_camera) {
   OpticsParams params;
   const PlenopticCamera matched = camera_of(params);
   EXPECT_EQ(matched.f_number, 2.0f);
-  // b = 1 x 2 (1 + 50 / 1000) / (1 + 2 / 1000), s = 50 - b, f = 1 / (1 / s + 1 / 1000); and lens images touch: b = N s / f.
+  // Cells are 10 pixels of 0.1 mm = 1 mm wide, N = 2, and the plane in focus is at 1000 mm.
+  // Gap: b = 1 * 2 (1 + 50 / 1000) / (1 + 2 / 1000). Distance of the array: s = 50 - b. Focal length: f = 1 / (1 / s + 1 /
+  // 1000).
+  // With this gap, the images below neighbouring lenses touch: b = N s / f.
   EXPECT_NEAR(matched.gap_mm, 2.095808f, 1e-5f);
   EXPECT_NEAR(matched.focal_length_mm, 45.7143f, 1e-3f);
   EXPECT_NEAR(2.0f * (50.0f - matched.gap_mm) / matched.focal_length_mm, matched.gap_mm, 1e-5f);
   params.gap_mm = 1.0f;
-  // s = 49, f = 46.711, and N = f b / s.
+  // With a gap of 1 mm, s = 49 mm, f = 46.711 mm and N = f b / s.
   EXPECT_NEAR(camera_of(params).focal_length_mm, 46.71115f, 1e-3f);
   EXPECT_NEAR(camera_of(params).f_number, 46.71115f / 49.0f, 1e-5f);
   EXPECT_EQ(camera_of(params, 4.0f).f_number, 4.0f);
-  params.lens_focal_length_mm = 0.75f;  // 1/e = 1/0.75 - 1: e = 3
+  params.lens_focal_length_mm = 0.75f;  // 1 / e = 1 / 0.75 - 1 / gap, so e = 3 mm
   EXPECT_NEAR(camera_of(params).array_shift_mm, 3.0f, 1e-5f);
   params.lens_focal_length_mm = 1.25f;
   EXPECT_NEAR(camera_of(params).array_shift_mm, -5.0f, 1e-5f);
@@ -202,7 +215,8 @@ TEST(Plenoptic, parameters_without_a_camera_are_refused) {
   params = {};
   params.gap_mm = 60.0f;
   EXPECT_THAT(test::error_message([&] { camera_of(params); }), HasSubstr("gap"));
-  params.gap_mm = 0.1f;  // 46 / 8 mm wide, seen 0.1 / 50 times as large: an eighth of a pixel
+  // The aperture is 46 / 8 mm wide. Its image below a lens is 0.1 / 50 times as large, an eighth of a pixel.
+  params.gap_mm = 0.1f;
   EXPECT_THAT(test::error_message([&] { camera_of(params, 8.0f); }), HasSubstr("f-number: is 8: the image below each"));
 }
 

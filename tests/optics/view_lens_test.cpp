@@ -1,4 +1,4 @@
-// Tests the apertures of f-numbers, and the optics that support them.
+// Tests the width of the lens for an f-number, and which optics have a lens.
 #include "lippmann/optics/view_lens.hpp"
 
 #include <gtest/gtest.h>
@@ -6,8 +6,9 @@
 namespace lippmann {
 namespace {
 
-// A view 360 mm wide from 500 mm away has a focal length of 36 x 500 / 360 = 50 mm; at f/2 the lens is 25 mm wide. If a
-// millimetre of the display is 2 mm of the scene, that is 12.5 mm of the display.
+// The view is 360 mm wide at a distance of 500 mm. Focal length for a sensor of 36 mm: 36 * 500 / 360 = 50 mm. Width of the
+// lens at f/2: 50 / 2 = 25 mm in the scene. If 1 mm of the display is 2 mm of the scene, the lens is 12.5 mm of the display
+// wide.
 TEST(ViewLens, f_number_is_converted_in_metric_scenes) {
   Optics view;
   view.panel = {720, 400, 0.5f};
