@@ -1,4 +1,4 @@
-"""Arrays: axes, the order of rows, and shared memory."""
+"""Tests the arrays of a light field: their axes, the order of their rows, and memory shared between arrays."""
 
 import gc
 import sys
@@ -25,8 +25,8 @@ class Arrays(Case):
         self.assertEqual(field.layer("id").shape, (2, 3, 24, 32, 1))
 
     def test_row_0_is_lowest_column_0_leftmost(self):
-        # A ball in front of the display, before a wall in its plane: a lower eye sees it higher, an eye on the left farther
-        # right.
+        # A ball is in front of the display, and a wall is in the plane of the display. A lower eye sees the ball higher
+        # on the display. An eye further to the left sees it further to the right.
         scene = lippmann.Scene()
         scene.add_sphere((0, 0, 2), 0.5, material=lippmann.Material((0, 0, 0), emission=(1, 1, 1)))
         scene.place_display(height=10, viewing_distance=10)
@@ -36,7 +36,8 @@ class Arrays(Case):
         x = np.array([[np.argwhere(ball[r, c])[:, 1].mean() for c in range(3)] for r in range(3)])
         y = np.array([[np.argwhere(ball[r, c])[:, 0].mean() for c in range(3)] for r in range(3)])
         self.assertTrue((np.diff(x, axis=1) < -1).all(), x)
-        self.assertTrue((np.diff(y, axis=0) > 1).all(), y)  # y counts downwards: a higher eye sees it lower
+        # row numbers count downwards, so a higher eye sees the ball in a row with a larger number
+        self.assertTrue((np.diff(y, axis=0) > 1).all(), y)
         eyes = field.eyes_mm
         np.testing.assert_allclose(eyes[0, :, 0], [-10, 0, 10])
         np.testing.assert_allclose(eyes[:, 0, 1], [-10, 0, 10])
@@ -58,14 +59,16 @@ class Arrays(Case):
         scene.place_display(height=10, viewing_distance=10)
         grid = small_grid(2, 2, (32, 32), baseline_mm=5, distance_mm=100, pixel_mm=100 / 32)
         field = lippmann.render(scene, grid, layers=["disparity"], spp=1, fit_depth=False)
-        np.testing.assert_allclose(field.depth, 20, rtol=1e-4)  # 10 units are 100 mm
-        # The eye moves by 5 mm, so a point moves by 5 z / (100 - z) mm in the plane, with pixels of 3.125 mm.
+        # 2 units in front of the display; 10 units of the display's height are 100 mm
+        np.testing.assert_allclose(field.depth, 20, rtol=1e-4)
+        # The eye moves by 5 mm, so in the plane of the display a point moves by 5 z / (100 - z) = 5 * 20 / 80 mm. A
+        # pixel is 100 / 32 = 3.125 mm wide.
         np.testing.assert_allclose(field.disparity, 5 * 20 / 80 / 3.125, rtol=1e-3)
 
     def test_empty_pixels_have_infinite_depth_and_disparity(self):
         scene = lippmann.Scene()
         scene.add_sphere((0, 0, 0), 1)
-        scene.add_sphere((0, 0, -1e6), 3e5)  # so far away that it moves like the sky
+        scene.add_sphere((0, 0, -1e6), 3e5)  # so far away that its disparity is that of the background
         scene.place_display(height=10, viewing_distance=10)
         grid = small_grid(1, 2, (32, 32), baseline_mm=5, distance_mm=100, pixel_mm=100 / 32)
         field = lippmann.render(scene, grid, layers=["depth"], integrator="whitted", fit_depth=False)
@@ -82,7 +85,8 @@ class Arrays(Case):
         self.assertEqual(header, b"Pf")
         np.testing.assert_array_equal(stored == -np.inf, nothing[0, 0])
         text = (self.folder / "hci/parameters.cfg").read_text()
-        self.assertRegex(text, r"(?m)^disp_min = -1\.\d+$")  # of the sphere
+        # the smallest disparity is that of the sphere at the origin
+        self.assertRegex(text, r"(?m)^disp_min = -1\.\d+$")
 
     def test_views_and_picture_share_and_keep_memory(self):
         field = lippmann.render("room", small_grid(), layers=["depth"])
@@ -96,7 +100,7 @@ class Arrays(Case):
         del field
         gc.collect()
         self.assertIsNone(gone())
-        others = [np.zeros_like(views) for _ in range(20)]  # freed memory would be reused by these
+        others = [np.zeros_like(views) for _ in range(20)]  # these arrays would reuse freed memory and change it
         self.assertEqual((views.sum(), picture.sum()), sums)
         self.assertEqual(len(others), 20)
         self.assertEqual(depth.shape, views.shape[:4])
@@ -112,7 +116,8 @@ class Arrays(Case):
     def test_the_picture_is_the_views_quilt(self):
         field = lippmann.render("room", small_grid(2, 3, (24, 32)))
         rows = [np.concatenate(list(row), axis=1) for row in field.views]
-        self.assertSame(field.picture, np.concatenate(rows[::-1], axis=0))  # the lowest row of views lies at the bottom
+        # the lowest row of views is at the bottom of the picture
+        self.assertSame(field.picture, np.concatenate(rows[::-1], axis=0))
 
     def test_a_light_field_keeps_its_arrays(self):
         rng = np.random.default_rng(1)
@@ -126,16 +131,18 @@ class Arrays(Case):
             self.assertSame(field.views, samples)
             self.assertSame(field.depth, depth)
             self.assertEqual(field.distance_mm, 300)
-        strided = rng.random((2, 3, 16, 9, 6))[:, ::-1, ::2, :, ::2]  # double, with strides of all kinds
+        # an array of doubles with negative and with large strides
+        strided = rng.random((2, 3, 16, 9, 6))[:, ::-1, ::2, :, ::2]
         self.assertSame(lippmann.LightField(strided).views, strided.astype(np.float32))
 
     def test_refocusing_averages_shifted_views(self):
-        # A row of views in which a bright column moves one pixel to the left per view: the depth z with a disparity of 1.
+        # Each view shows a bright column. The column moves one pixel to the left from view to view, so it is at the
+        # depth z with a disparity of one pixel.
         views = np.zeros((1, 5, 8, 40, 3), np.float32)
         for column in range(5):
             views[0, column, :, 20 - (column - 2)] = 1
         field = lippmann.LightField(views, distance_mm=100, baseline_mm=2, pixel_mm=1)
-        z = 100 / 3  # 2 z / (100 - z) = 1
+        z = 100 / 3  # disparity: baseline * z / (distance - z) = 2 z / (100 - z) = 1
         sharp = field.refocus(z)
         self.assertGreater(sharp[4].max(), 0.95)
         self.assertLess(field.refocus(0)[4].max(), 0.25)
@@ -164,7 +171,7 @@ class Arrays(Case):
         self.assertEqual(codes.views.long_name, "sRGB codes")
 
     def test_xarray_gets_an_axis_per_dimension(self):
-        class Dataset:  # with the checks of its constructor
+        class Dataset:  # imitates xarray.Dataset, and checks the arguments of its constructor
             def __init__(self, data, places, attributes):
                 self.data, self.places = data, places
                 for name, (axes, values, *_) in {**data, **{k: v for k, v in places.items() if k != "channel"}}.items():
@@ -185,4 +192,4 @@ class Arrays(Case):
         self.assertEqual(html.count('type="range"'), 2)
         self.assertNotIn("http", html)
         self.assertEqual(html.count("display:inline;"), 1)
-        self.assertEqual(html.count("width:320px;height:240px"), 6)  # small views are enlarged
+        self.assertEqual(html.count("width:320px;height:240px"), 6)  # small views are shown enlarged

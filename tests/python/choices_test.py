@@ -1,4 +1,5 @@
-"""Choices of the tool's render and replay, made in Python: transparency, environment, cameras, texture memory, crosstalk."""
+"""Tests choices of the tool's render and replay commands in Python: transparency, environment light, cameras,
+texture memory and crosstalk."""
 
 import warnings
 
@@ -19,7 +20,7 @@ def ball(color=(0.5, 0.25, 1.0), **more):
 
 
 def write_splats(path):
-    """Writes three splats in the usual layout of PLY files."""
+    """Writes three Gaussian splats to a PLY file with the usual property names."""
     names = "x y z f_dc_0 f_dc_1 f_dc_2 opacity scale_0 scale_1 scale_2 rot_0 rot_1 rot_2 rot_3".split()
     header = "ply\nformat binary_little_endian 1.0\nelement vertex 3\n" + "".join(f"property float {n}\n" for n in names)
     rows = [[x, 0, 0, 1, x, 0, 2, -1, -1, -1, 1, 0, 0, 0] for x in (-0.5, 0, 0.5)]
@@ -49,8 +50,9 @@ class Transparency(Case):
         self.assertEqual(field.alpha.shape, (1, 2, 32, 32))
         self.assertEqual(field.alpha.dtype, np.float32)
         self.assertEqual((field.alpha[0, 0, 16, 16], field.alpha[0, 0, 0, 0]), (1, 0))
-        self.assertEqual(field.views[0, 0, 0, 0].max(), 0)  # the environment is invisible
-        # A disc of radius 0.5 in a square of side 2, slightly larger because the ball is seen from a distance of 20.
+        self.assertEqual(field.views[0, 0, 0, 0].max(), 0)  # the environment emits light but is not visible
+        # Expected share: a disc of radius 0.5 covers pi * 0.5^2 / 4 of a square with sides of 2. It appears slightly
+        # larger, because the ball is seen from a distance of 20.
         self.assertAlmostEqual(float(field.alpha.mean()), np.pi * 0.5**2 / 4, delta=0.01)
 
     def test_alpha_one_half_covers_one_half(self):
@@ -72,7 +74,8 @@ class Transparency(Case):
     def test_rgba_has_straight_colours(self):
         field = self.rendered()
         self.assertEqual(field.rgba.shape, (1, 2, 32, 32, 4))
-        self.assertEqual(field.rgba[0, 0, 16, 16].tolist(), [188, 137, 255, 255])  # sRGB codes of 0.5, 0.25, 1
+        # sRGB codes of the light 0.5, 0.25 and 1
+        self.assertEqual(field.rgba[0, 0, 16, 16].tolist(), [188, 137, 255, 255])
         edge = (field.alpha > 0.1) & (field.alpha < 0.9)
         self.assertGreater(edge.sum(), 10)
         np.testing.assert_allclose(field.rgba[edge][:, :3] - [188.0, 137.0, 255.0], 0, atol=1)
@@ -82,7 +85,7 @@ class Transparency(Case):
         tool("render", DESK, "--display", SMALL_PANEL, "--frames", "3", "--spp", "4", "--transparent", "-o", self.folder / "tool")
         (picture,) = (self.folder / "tool").glob("*.png")
         lippmann.render(DESK, SMALL_PANEL, frame=3, spp=4, transparent=True).save(self.folder / "own.png")
-        self.assertEqual(picture.read_bytes()[25], 6)  # PNG's colour type: RGBA
+        self.assertEqual(picture.read_bytes()[25], 6)  # byte 25 of a PNG file is its colour type; 6 is RGBA
         self.assertEqual((self.folder / "own.png").read_bytes(), picture.read_bytes())
 
     def test_outputs_without_alpha_are_refused(self):
@@ -106,7 +109,8 @@ class Blur(Case):
 
         sharp, focused = self.alpha(), self.alpha(aperture_mm=40)
         blurred = self.alpha(aperture_mm=40, focal_plane_mm=100)
-        self.assertLess(soft(focused), 1.5 * soft(sharp))  # the ball is in the display's plane
+        # the ball is in the plane of the display, where the lens is focused
+        self.assertLess(soft(focused), 1.5 * soft(sharp))
         self.assertGreater(soft(blurred), 2 * soft(sharp))
         self.assertAlmostEqual(float(blurred.mean()), float(sharp.mean()), delta=0.01)
 
@@ -171,8 +175,8 @@ class Cameras(Case):
         self.assertEqual(self.color(scene), [1, 0, 0])
         self.assertEqual(self.color(scene, camera="side"), [0, 1, 0])
         self.assertEqual(self.color(scene, camera=1), [0, 1, 0])
-        self.assertEqual(self.color(scene, camera="1"), [1, 0, 0])  # names take precedence over indices
-        self.assertEqual(scene.cameras, ("1", "side"))  # rendering uses a copy
+        self.assertEqual(self.color(scene, camera="1"), [1, 0, 0])  # a name takes precedence over an index
+        self.assertEqual(scene.cameras, ("1", "side"))  # rendering with a chosen camera does not change the scene
         scene.choose_camera("side")
         self.assertEqual((scene.cameras, self.color(scene)), (("side", "1"), [0, 1, 0]))
 
@@ -186,7 +190,7 @@ class Cameras(Case):
 
 class Textures(Case):
     def test_textures_are_halved_until_they_fit(self):
-        for name in ("white", "black"):  # 1 MB each, decoded
+        for name in ("white", "black"):  # each texture takes 1 MB in memory
             lippmann._core.write_picture(np.full((512, 512, 3), name == "white", np.float32), self.folder / f"{name}.png")
         (self.folder / "quad.mtl").write_text("newmtl white\nmap_Kd white.png\nnewmtl black\nmap_Kd black.png\n")
         vertices = "".join("v %g %g %g\n" % tuple(p) for p in QUAD)
@@ -208,8 +212,8 @@ class Crosstalk(Case):
 
     def test_each_neighbour_has_its_share(self):
         field = self.field()
-        # The middle view is white. 10 % for each neighbour leave 79.5 %: the tails of a Gaussian with 10 % per neighbour reach
-        # slightly beyond the neighbours.
+        # Only the middle view is white. With 10 % of light from each neighbour, the middle eye sees 79.5 % instead of
+        # 80 %, because the tails of the Gaussian reach slightly beyond the neighbours.
         self.assertAlmostEqual(float(field.eye(x=0)[4, 4, 0]), 1, places=5)
         self.assertAlmostEqual(float(field.eye(x=0, crosstalk="10%")[4, 4, 0]), 0.8, delta=0.01)
         self.assertAlmostEqual(float(field.eye(x=2, crosstalk="10%")[4, 4, 0]), 0.1, delta=0.005)

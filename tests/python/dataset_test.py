@@ -1,4 +1,5 @@
-"""`lippmann dataset`: the arrays, their geometry, units, and a killed run."""
+"""Tests `lippmann dataset`: its arrays, their geometry, division into units of work, and continuing after the
+process was killed."""
 
 import json
 import pathlib
@@ -14,7 +15,7 @@ SMALL = ("dataset", "teapot", "--views", "3x2", "--size", 32, "--spp", 2, "--see
 
 
 class Samples:
-    """The data set for PyTorch of docs/guide/python.md, without PyTorch."""
+    """The PyTorch data set of docs/guide/python.md, but without PyTorch."""
 
     def __init__(self, folder):
         self.folders = sorted(pathlib.Path(folder).glob("sample_*"))
@@ -56,7 +57,8 @@ class Dataset(Case):
             there = np.round(x - disparity).astype(int)
             inside = (there >= 0) & (there < 32)
             same = ids[1][y, np.clip(there, 0, 31)] == ids[0]
-            # Pixels at silhouettes are hidden in the next view, or rounded to a neighbour.
+            # Pixels at silhouettes are left out: the next view does not show them, or rounding moves them to a
+            # neighbour.
             self.assertGreater(same[inside].mean(), 0.9)
 
     def test_units_equal_one_run(self):
@@ -70,7 +72,7 @@ class Dataset(Case):
         folder = self.folder / "killed"
         words = [TOOL, *map(str, SMALL), "-o", str(folder), "--count", "6"]
         with subprocess.Popen(words, stderr=subprocess.PIPE) as run:
-            run.stderr.readline()  # the line of the first sample
+            run.stderr.readline()  # waits for the line about the first sample
             run.send_signal(signal.SIGKILL)
         self.assertFalse((folder / "manifest.json").exists())
         again = json.loads(tool(*SMALL, "-o", folder, "--count", 6, "--json"))

@@ -1,4 +1,5 @@
-"""The package's documentation is correct: docstrings, stubs, and docs/guide/python.md, whose code runs unchanged."""
+"""Tests the documentation of the package: docstrings, type stubs, and docs/guide/python.md, whose code must run
+unchanged."""
 
 import ast
 import doctest
@@ -26,7 +27,7 @@ class Documents(Case):
         for name in lippmann.__all__:
             thing = getattr(lippmann, name)
             if thing.__module__ == "lippmann._core":
-                continue  # they are in the stubs
+                continue  # the type stubs cover these objects
             for function in [thing] if inspect.isfunction(thing) else vars(thing).values():
                 if not inspect.isfunction(function) or function.__name__ in ("__eq__", "__repr__", "_replace"):
                     continue

@@ -1,4 +1,4 @@
-"""Files of all formats are written as the tool reads them, and read as it writes them."""
+"""Tests that Python and the tool write and read the same files, in all formats."""
 
 import errno
 import pickle
@@ -23,9 +23,9 @@ class Files(Case):
                 again = lippmann.open(files[0] if name == "quilt" else path, format=name, views=(3, 3))
                 self.assertSame(again.views, lippmann.to_codes(field.views))
                 if name == "hci":
-                    self.assertEqual(len(files), 30)  # 9 views, their depths and disparities, those of the middle again,
-                                                      # parameters.cfg
-                    # Metres in float32, from cameras 500 mm away.
+                    # The files are 9 views with depth and disparity, two more maps of the middle view, and parameters.cfg.
+                    self.assertEqual(len(files), 30)
+                    # The tolerance is for depths stored in metres as float32, from cameras 500 mm away.
                     np.testing.assert_allclose(again.depth, field.depth, atol=1e-3)
                     np.testing.assert_allclose(again.disparity, field.disparity, atol=1e-4)
                     np.testing.assert_allclose(again.eyes_mm, field.eyes_mm, atol=1e-4)
@@ -34,8 +34,10 @@ class Files(Case):
         field = self.rendered()
         field.save(self.folder / "hci", "hci")
         data = (self.folder / "hci/gt_disp_lowres_Cam000.pfm").read_bytes()
-        values = np.frombuffer(data[-4 * 24 * 32:], "<f4").reshape(24, 32)[::-1]  # PFM: the bottom row first
-        np.testing.assert_allclose(field.disparity[2, 0], values, atol=1e-4)  # camera 0 is the top left one
+        # a PFM file stores the bottom row first
+        values = np.frombuffer(data[-4 * 24 * 32:], "<f4").reshape(24, 32)[::-1]
+        # camera 0 of the format is the top left view
+        np.testing.assert_allclose(field.disparity[2, 0], values, atol=1e-4)
 
     def test_the_tool_converts_saved_files(self):
         field = self.rendered()
@@ -93,7 +95,8 @@ class Files(Case):
         field.save(self.folder / "floats", "views", bits=32)
         again = lippmann.open(self.folder / "floats", views=(3, 3))
         self.assertEqual(again.views.dtype, np.float32)
-        np.testing.assert_allclose(again.views, field.views, rtol=1e-3, atol=1e-3)  # .exr stores halves by default
+        # by default, an EXR file stores half floats
+        np.testing.assert_allclose(again.views, field.views, rtol=1e-3, atol=1e-3)
 
     def test_native_frames_convert_from_and_to_views(self):
         panel = self.folder / "panel.toml"

@@ -1,4 +1,5 @@
-# Installs the component python3 below a temporary prefix and renders with it, without the build tree.
+# Installs the CMake component python3 to a temporary prefix, and renders with the installed package. The package must
+# not need the build folder.
 #   cmake -D BUILD=... -D PYTHON=... -D FOLDER=lib/python3.x/dist-packages -P installed.cmake
 cmake_minimum_required(VERSION 3.25)
 

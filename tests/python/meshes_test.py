@@ -1,4 +1,5 @@
-"""Meshes of trimesh and Open3D, read by the names of their attributes."""
+"""Tests meshes of trimesh and Open3D. The library reads them by the names of their attributes, so imitations are
+sufficient."""
 
 import types
 
@@ -9,11 +10,11 @@ from support import Case, small_grid
 
 CORNERS = np.array([[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]], float)
 FACES = np.array([[0, 1, 2], [0, 2, 3]])
-UVS = np.array([[0, 0], [1, 0], [1, 1], [0, 1]], float)  # v upwards
+UVS = np.array([[0, 0], [1, 0], [1, 1], [0, 1]], float)  # the v axis points upwards
 
 
 class Image:
-    """Imitates a PIL.Image: the upper row is red, the lower one green."""
+    """Imitates a PIL.Image whose upper row is red and whose lower row is green."""
 
     def convert(self, mode):
         assert mode == "RGBA"
@@ -45,7 +46,7 @@ class Meshes(Case):
         self.assertSame(self.seen(open3d(normals=normals)), self.seen(CORNERS, FACES, normals=normals))
 
     def test_vertex_colours_become_linear_light(self):
-        half = 0.21404114  # linear light of the sRGB value 0.5
+        half = 0.21404114  # the linear light of the sRGB value 0.5
         linear = self.seen(CORNERS, FACES, colors=np.full((4, 3), half))
         np.testing.assert_allclose(self.seen(open3d(colors=np.full((4, 3), 0.5))), linear, rtol=1e-5)
         codes = np.tile(np.array([128, 128, 128, 255], np.uint8), (4, 1))
@@ -54,10 +55,11 @@ class Meshes(Case):
     def test_textures_are_upright(self):
         surface = types.SimpleNamespace(baseColorTexture=Image())
         picture = self.seen(trimesh(kind="texture", uv=UVS, material=surface))
-        self.assertGreater(picture[5, 8, 0], 10 * picture[5, 8, 1])  # red above
+        self.assertGreater(picture[5, 8, 0], 10 * picture[5, 8, 1])  # the upper row of the texture is at the top
         self.assertGreater(picture[10, 8, 1], 10 * picture[10, 8, 0])
         plain = self.seen(trimesh(kind="texture", uv=UVS, material=surface), material=lippmann.Material())
-        self.assertSame(plain, self.seen(CORNERS, FACES))  # an argument takes precedence over the mesh
+        # the material in the call takes precedence over the mesh's material
+        self.assertSame(plain, self.seen(CORNERS, FACES))
 
     def test_invalid_meshes_are_named(self):
         for thing in (CORNERS, types.SimpleNamespace(vertices=CORNERS), 7):

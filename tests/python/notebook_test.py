@@ -1,4 +1,5 @@
-"""The notebook of examples/python runs, and its cells return values that a notebook can display. Does not need Jupyter."""
+"""Tests that the notebook in examples/python runs, and that its cells return values that a notebook can display.
+Jupyter is not necessary."""
 
 import ast
 import json
@@ -15,7 +16,7 @@ NOTEBOOK = SOURCE / "examples/python/light_field.ipynb"
 
 class Notebook(Case):
     def run_cells(self):
-        """Runs all cells in order and yields the value of each cell that ends with an expression."""
+        """Runs all cells in order. Yields the value of each cell that ends with an expression."""
         names = {}
         for number, cell in enumerate(json.loads(NOTEBOOK.read_text())["cells"]):
             if cell["cell_type"] != "code":

@@ -1,4 +1,4 @@
-"""Options of lippmann.render: their types, and agreement with the tool."""
+"""Tests the options of lippmann.render: their types, and that they agree with the tool's options."""
 
 import inspect
 import os
@@ -13,23 +13,24 @@ import lippmann
 from lippmann import _options
 from support import Case, SOURCE, small_grid, tool
 
-# Groups of the tool's options that Python has too, and options left out. Optics are a separate value.
+# GROUPS lists the groups of the tool's options that also exist in Python. The optics are a separate argument in Python.
+# RENAMED maps options to their names in Python. LEFT_OUT lists options that do not exist in Python.
 GROUPS = ("Scene", "Rendering", "Reuse")
 RENAMED = {"aperture": "aperture_mm", "focal-plane": "focal_plane_mm", "environment-rotation": "environment_rotation_deg",
            "texture-memory": "texture_memory_mb", "fps": "frames_per_second", "scene": "name"}
 LEFT_OUT = {
-    "order",  # changes only speed
-    "exposure", "tone",  # for pictures with codes; arrays are linear
-    "splat", "fill", "halving", "no-z-buffer", "debug",  # choices of --reuse interpolate for comparing its variants
-    "job",  # a file of flags
-    "cameras",  # whole data sets on disk
+    "order",  # changes only the speed
+    "exposure", "tone",  # apply to pictures of codes, but arrays have linear light
+    "splat", "fill", "halving", "no-z-buffer", "debug",  # variants of `--reuse interpolate` for experiments
+    "job",  # reads options from a file
+    "cameras",  # makes whole data sets on disk
     "points",  # for PLY files without faces
-    "sensor-width", "focal-length", "gap", "lens-focal-length",  # lippmann.optics("plenoptic", ...) has them
+    "sensor-width", "focal-length", "gap", "lens-focal-length",  # parameters of lippmann.optics("plenoptic", ...)
 }
 
 
 def tool_options():
-    """Returns the names of the tool's options by group, from its help."""
+    """Returns a dictionary from each group in the tool's help to the names of its options."""
     options, group = {}, ""
     for line in tool("render", "--help-all").splitlines():
         if re.match(r"\S.*:$", line) or re.match(r"[A-Z]\w+$", line):
@@ -109,7 +110,8 @@ class Options(Case):
             options.update(light="none", spp=1, fit_depth=False)
             return lippmann.render(scene, small_grid(1, 1, (64, 64)), **options).views[0, 0, :, :, 0] > 0
 
-        self.assertEqual(np.diff(covered().any(axis=0).astype(int)).tolist().count(1), 1)  # only the middle one
+        # only the middle object is visible
+        self.assertEqual(np.diff(covered().any(axis=0).astype(int)).tolist().count(1), 1)
         self.assertEqual(np.diff(covered(fit_to="all").any(axis=0).astype(int)).tolist().count(1), 3)
 
     def test_angular_filter_and_clamp_reach_the_renderer(self):

@@ -1,4 +1,4 @@
-"""Pickles and deep copies of all public classes, and missing attributes."""
+"""Tests pickles and deep copies of all public classes, and errors for missing attributes."""
 
 import copy
 import inspect
@@ -12,7 +12,7 @@ from support import Case, DESK, SMALL_PANEL, small_grid
 
 
 def figure():
-    """Returns a scene with a handle, a texture, a skin and an animation."""
+    """Returns a scene that contains a movable object, a texture, a skin and an animation."""
     scene = lippmann.Scene("figure", frames=2)
     texture = np.arange(48, dtype=np.uint8).reshape(4, 4, 3)
     joint = scene.add_joint(name="joint")
@@ -39,7 +39,7 @@ def own_optics():
 
 
 def examples():
-    """Returns one object or more of every public class except Animation, by class."""
+    """Returns a dictionary from each public class except Animation to one or more objects of the class."""
     scene, ball, skin = figure()
     viewless = lippmann.render(DESK, own_optics(), integrator="whitted", spp=1)
     return {
@@ -81,7 +81,7 @@ class Pickling(Case):
             for value in values:
                 for same in self.copies_of(value):
                     self.assertIs(type(same), kind)
-                    if kind is not lippmann.Skin:  # its arrays cannot be compared with ==
+                    if kind is not lippmann.Skin:  # the arrays of a skin cannot be compared with ==
                         self.assertEqual(repr(same), repr(value))
 
     def test_copied_animations_render_independently(self):
@@ -149,6 +149,7 @@ class Pickling(Case):
                     if not hasattr(value, name):
                         absent.add(name)
                         self.assertEqual(getattr(value, name, 7), 7)
-                        with self.assertRaises(lippmann.Error):  # states what would provide it
+                        # the error states which option would provide the attribute
+                        with self.assertRaises(lippmann.Error):
                             getattr(value, name)
         self.assertLessEqual({"depth", "disparity", "normals", "motion", "alpha", "rgba", "views", "eyes_mm", "units_per_mm"}, absent)

@@ -1,5 +1,5 @@
-# Installs the package with pip into a new virtual environment, and renders with it outside the source tree. Uses an existing
-# build.
+# Installs the package with pip into a new virtual environment, and renders with it from a folder outside of the
+# sources. Needs an existing build.
 #   cmake -D BUILD=... -D PYTHON=... -D SOURCE=... -P pip.cmake
 cmake_minimum_required(VERSION 3.25)
 

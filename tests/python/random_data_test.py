@@ -1,4 +1,5 @@
-"""Random scenes, displays and light fields: reproducible by seed, different between seeds, and usable."""
+"""Tests random scenes, displays and light fields. Each seed must always give the same data, different seeds must
+give different data, and the data must be usable."""
 
 import itertools
 
@@ -25,8 +26,8 @@ class RandomData(Case):
         self.assertEqual(len(list(lippmann.training_data(5, 2, **options))), 2)
 
     def test_disparity_locates_pixels_in_other_views(self):
-        # The last of 9 views, sampled where the first view's disparity points, must match the first much better than without
-        # it.
+        # Reads the last of 9 views at the positions that the disparity of the first view gives. The result must be much
+        # more similar to the first view than the last view itself is.
         better = []
         for field in lippmann.training_data(11, 3, rows=1, columns=9, size=(96, 96), spp=16):
             left, right, shift = field.views[0, 0], field.views[0, -1], 8 * field.disparity[0, 0]
