@@ -1,4 +1,4 @@
-// Tests refocusing on planes given by their disparity.
+// Tests refocusing on planes whose position is given as a disparity.
 #include "replay/disparity.hpp"
 
 #include <gmock/gmock.h>
@@ -19,13 +19,15 @@ using testing::HasSubstr;
 
 constexpr Vec2i kViewSize{480, 360};
 
-/// Returns the texture of a plane, in pixels of the middle view: waves of at least 24 pixels.
+/// Returns the texture of the plane at a point, in pixels of the middle view. It consists of waves with periods of at least 24
+/// pixels.
 double wave_at(double x, double y) {
   return 0.5 + 0.2 * std::sin(2.0 * M_PI * x / 29.0) * std::sin(2.0 * M_PI * y / 37.0) +
          0.15 * std::sin(2.0 * M_PI * (x + y) / 51.0);
 }
 
-/// Returns grey floats of 5x5 parallel cameras that see a plane with that disparity between neighbouring views.
+/// Returns grey views of 5 x 5 parallel cameras. The cameras see a plane that moves by `disparity_px` pixels between
+/// neighbouring views.
 LightField plane_seen(double disparity_px) {
   LightField field;
   field.grid = {5, 5}, field.view_size = kViewSize;
@@ -34,7 +36,7 @@ LightField plane_seen(double disparity_px) {
   for (int view = 0; view < 25; ++view)
     for (int y = 0; y < kViewSize.y; ++y)
       for (int x = 0; x < kViewSize.x; ++x) {
-        // An eye further right and up sees the plane further left and down.
+        // From an eye further to the right and further up, the plane appears further to the left and further down.
         const double u = x + disparity_px * (view % 5 - 2), v = y - disparity_px * (view / 5 - 2);
         const auto grey = static_cast<float>(wave_at(u, v));
         float* pixel = stack.pixel(x, view * kViewSize.y + y);
@@ -44,7 +46,7 @@ LightField plane_seen(double disparity_px) {
   return field;
 }
 
-/// Returns the PSNR of an image of the view size against the plane.
+/// Returns the PSNR in dB between a refocused picture and the texture of the plane.
 double psnr_of_plane(const Image& picture) {
   double squares = 0.0;
   for (int y = 0; y < picture.height; ++y)
@@ -52,7 +54,7 @@ double psnr_of_plane(const Image& picture) {
   return -10.0 * std::log10(squares / (picture.width * picture.height));
 }
 
-// Cameras 6.25 mm apart with 8 mm focal length and 2.4 um pixels: a plane at 130 mm moves by 8 / 0.0024 * 6.25 / 130 pixels.
+// Disparity of a plane at 130 mm: focal length / pixel * baseline / distance = 8 mm / 0.0024 mm * 6.25 mm / 130 mm.
 constexpr double kTrialPx = 8.0 / 0.0024 * 6.25 / 130.0;
 
 TEST(Disparity, near_plane_is_refocused) {

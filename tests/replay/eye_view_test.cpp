@@ -20,17 +20,19 @@ Image view_from(const RenderedPanel& panel, Vec3d eye_mm, Vec2i size, SampleFilt
   return eye_view(panel, view, pool);
 }
 
-/// Compares at lens resolution, without the edge, where an eye from the side sees past the panel.
+/// Returns the PSNR in dB of the eye's view of the plane `z`, compared with the plane seen without lenses. The pictures have
+/// one pixel per lens. Three pixels at each edge are left out, because an eye at the side sees past the panel there.
 double psnr_of_plane(const Optics& optics, Vec3d eye_mm, double z) {
   const RenderedPanel panel = record(optics, z, waves);
   const Vec2i size = lens_grid(optics);
   return linear_psnr(view_from(panel, eye_mm, size), seen_directly(optics, size, eye_mm, z, waves), 3);
 }
 
-// In the plane z = 0 all pixels below a lens show the same point. What remains is float rounding and, between rows of a sheet,
-// linear interpolation of a wave of 0.7 rad/mm at 9 rows per mm: at most (0.7/9)^2/8 = 8e-4, 62 dB.
+// In the plane z = 0, all pixels below a lens show the same point. The error comes from rounding and, in a sheet, from linear
+// interpolation between rows. For a wave of 0.7 rad/mm at 9 rows per mm it is at most (0.7 / 9)^2 / 8 = 8e-4, which is 62 dB.
 TEST(EyeView, plane_of_lenses_equals_direct_view) {
-  // A sheet shows rows unshifted only to eyes at one height and distance; for others they move up or down.
+  // A sheet shows rows at their right height only to eyes at the height and distance of its design. Therefore these eyes do not
+  // move vertically or in depth.
   for (const Vec3d eye : {Vec3d(0, 0, 100), Vec3d(15, 0, 100), Vec3d(-17, 0, 100)})
     EXPECT_GE(psnr_of_plane(test::sheet(100.0f), eye, 0.0), 60.0) << eye.x;
   for (const Vec3d eye : {Vec3d(0, 0, 100), Vec3d(15, 4, 100), Vec3d(-17, -8, 100), Vec3d(3, 2, 140)}) {
@@ -50,19 +52,22 @@ TEST(EyeView, slanted_and_hexagonal_lenses_equal_direct_view) {
     const ThreadPool pool(1);
     const EyeSampler sampler(panel, SampleFilter::kLinear);
     for (int k = -8; k <= 8; ++k) {
-      // Lens centres: of the sheet at xi = (k + 1/2) pitch, on the line y = 1.3; of the hexagons in the row of lens (0, 0).
+      // Tests the points at lens centres. Lens axes of the slanted sheet are at xi = (k + 1/2) pitch, on the line y = 1.3. The
+      // hexagonal lenses are in the row of lens (0, 0).
       const auto* s = std::get_if<LenticularSheet>(&optics.model);
       const float pitch = s ? s->lens_pitch_mm : std::get<MicrolensArray>(optics.model).lens_pitch_mm;
       const Vec2d at =
           s ? Vec2d(((k + 0.5) * pitch - 1.3 * std::sin(0.3)) / std::cos(0.3), 1.3) : Vec2d((k + 0.5) * pitch, 0.5 * pitch);
       const Vec3f seen = sampler.color(viewer_at(eye), at), direct = waves(at);
-      EXPECT_NEAR(seen.x, direct.x, 2e-3f) << k;  // as above: (0.95/9)^2/8 = 1.4e-3 between pixels of a slanted sheet
+      // interpolation between the pixels of a slanted sheet: (0.95 / 9)^2 / 8 = 1.4e-3
+      EXPECT_NEAR(seen.x, direct.x, 2e-3f) << k;
       EXPECT_NEAR(seen.y, direct.y, 2e-3f) << k;
     }
   }
 }
 
-// Off the plane, a lens's pixel spreads over |z| m / g. Waves of 1 rad/mm lose about the square of that over 8.
+// At the depth z, a pixel is enlarged to |z| m / g, where m is its width and g the gap. The relative error of a wave of 1
+// rad/mm is about the square of this width in mm, divided by 8.
 TEST(EyeView, error_grows_with_depth_within_magnified_pixel) {
   const Vec3d eye(6, 0, 100);
   for (const Optics& optics : {test::sheet(100.0f), test::lenslets(100.0f)}) {
@@ -70,19 +75,21 @@ TEST(EyeView, error_grows_with_depth_within_magnified_pixel) {
                  far = psnr_of_plane(optics, eye, -14.0);
     EXPECT_GT(near, mid);
     EXPECT_GT(mid, far);
-    EXPECT_GT(near, 45.0);  // 2 mm x (1/7) / 2 = 0.14 mm: 0.14^2 / 8 = 2.5e-3, 52 dB at worst
+    // half of the enlarged pixel: 2 mm * (1/7) / 2 = 0.14 mm; error: 0.14^2 / 8 = 2.5e-3, which is 52 dB
+    EXPECT_GT(near, 45.0);
     EXPECT_GT(psnr_of_plane(optics, eye, 6.0), 30.0);
   }
 }
 
-/// Returns a panel whose pixels below lens k all have the colour k + 0.5, for lenses -20 to 20.
+/// Returns a panel on which all pixels below lens k have the value k + 0.5, for k from -20 to 20.
 RenderedPanel numbered_lenses(const Optics& optics) {
   return record(optics, 0.0, [](Vec2d p) { return Vec3f(std::floor(p.x) + 0.5); });
 }
 
 TEST(EyeView, neighbour_pixels_are_seen_beyond_the_zone) {
-  // g = 2, lens 1 mm: an eye at infinity in direction (0.2, 0) sees point l - 0.4 below lens l, in its own cell. In direction
-  // (0.3, 0) it sees l - 0.6, in the cell of lens l - 1 and 0.4 right of that cell's centre.
+  // The gap is 2 mm and lenses are 1 mm wide. From the direction (0.2, 0), an eye at infinity sees the point l - 2 * 0.2 = l -
+  // 0.4 below the lens at l, which is in this lens's cell. From the direction (0.3, 0) it sees l - 0.6, which is in the cell of
+  // the left neighbour.
   const RenderedPanel panel = numbered_lenses(test::sheet());
   const EyeSampler sampler(panel, SampleFilter::kLinear);
   const Vec2d at(3.5, 0.0);
@@ -103,7 +110,7 @@ TEST(EyeView, zone_has_no_flipped_lens) {
 }
 
 TEST(EyeView, eyes_see_their_pixel_columns_from_right) {
-  // Nine pixels below every lens, each column with its own colour.
+  // Nine columns of pixels lie below every lens. Each column has its own value.
   Optics optics = test::sheet(100.0f);
   RenderedPanel panel{optics, Image(360, 120, 3)};
   for (int y = 0; y < 120; ++y)
@@ -116,7 +123,7 @@ TEST(EyeView, eyes_see_their_pixel_columns_from_right) {
 }
 
 TEST(EyeView, linear_filter_never_mixes_two_lenses) {
-  // At the edge of a cell, half a pixel from its neighbour, the colour is the cell's own.
+  // At the edge of a cell, the colour is that of the cell's last pixel. It is not interpolated with the neighbouring cell.
   const RenderedPanel panel = numbered_lenses(test::sheet());
   const EyeSampler sampler(panel, SampleFilter::kLinear);
   EXPECT_EQ(sampler.color({{0.2499, 0.0}, 0.0}, {3.5, 0.0}).x, 3.5f);
@@ -128,16 +135,17 @@ TEST(EyeView, quilt_interpolates_between_two_views) {
   RenderedPanel panel{optics, Image(180, 120, 3)};
   for (int y = 0; y < 120; ++y)
     for (int x = 0; x < 180; ++x)
-      panel.picture.pixel(x, y)[0] = static_cast<float>((2 - y / 40) * 3 + x / 60);  // the view's number
+      // the value of each tile is the number of its view
+      panel.picture.pixel(x, y)[0] = static_cast<float>((2 - y / 40) * 3 + x / 60);
   const Viewer eye = viewer_in_zone(optics, (4.3 + 0.5) / 9);
   EXPECT_NEAR(EyeSampler(panel, SampleFilter::kNearest).color(eye, {0, 0}).x, 4.0f, 1e-5);
   EXPECT_NEAR(EyeSampler(panel, SampleFilter::kLinear).color(eye, {0, 0}).x, 4.3f, 1e-3);
-  const Viewer beyond = viewer_in_zone(optics, 1.0 + 0.5 / 9);  // view 0 again
+  const Viewer beyond = viewer_in_zone(optics, 1.0 + 0.5 / 9);  // beyond the zone, view 0 is visible again
   EXPECT_NEAR(EyeSampler(panel, SampleFilter::kNearest).color(beyond, {0, 0}).x, 0.0f, 1e-5);
 }
 
 TEST(EyeView, camera_grid_interpolates_across_and_up) {
-  // 3 x 3 eyes, 8 mm apart, at 100 mm; every tile has the value column + 10 row of its view.
+  // There are 3 x 3 eyes, 8 mm apart, at a distance of 100 mm. The tile of each view has the value column + 10 * row.
   Optics optics = test::quilt();
   std::get<MultiView>(optics.model).baseline_mm = 8.0f;
   RenderedPanel panel{optics, Image(180, 120, 3)};
@@ -147,7 +155,8 @@ TEST(EyeView, camera_grid_interpolates_across_and_up) {
   EXPECT_NEAR(linear.color(viewer_at({8, -8, 100}), {0, 0}).x, 2.0f, 1e-4);
   EXPECT_NEAR(linear.color(viewer_at({4, 2, 100}), {3, 1}).x, 1.5f + 10 * 1.25f, 1e-4);
   EXPECT_NEAR(nearest.color(viewer_at({5, 5, 100}), {0, 0}).x, 2.0f + 20.0f, 1e-4);
-  EXPECT_NEAR(linear.color(viewer_at({500, 0, 100}), {0, 0}).x, 2.0f + 10.0f, 1e-4);  // the last view, beyond the grid
+  // beyond the grid, the last view is visible
+  EXPECT_NEAR(linear.color(viewer_at({500, 0, 100}), {0, 0}).x, 2.0f + 10.0f, 1e-4);
   EXPECT_EQ(share_out_of_zone(optics, viewer_at({11, -11, 100})), 0.0);
   EXPECT_EQ(share_out_of_zone(optics, viewer_at({13, 0, 100})), 1.0);
   EXPECT_EQ(view_counts(optics), Vec2i(3, 3));
@@ -164,8 +173,8 @@ TEST(EyeView, single_view_is_the_same_from_everywhere) {
 }
 
 TEST(EyeView, crosstalk_is_a_gaussian_below_the_lens) {
-  // One bright column below every lens: nine eyes see Gaussian weights that sum to 1. Their second moment is the Gaussian's
-  // plus that of the pixel, 1/12.
+  // Only one column below the lens is bright. Nine eyes, one for each column, see weights that sum to 1. The second moment of
+  // the weights is sigma^2 of the Gaussian plus 1/12 of the pixel's width.
   const Optics optics = test::sheet(100.0f);
   RenderedPanel panel{optics, Image(360, 120, 3)};
   for (int y = 0; y < 120; ++y) panel.picture.pixel(9 * 20 + 4, y)[0] = 1.0f;
@@ -181,7 +190,7 @@ TEST(EyeView, crosstalk_is_a_gaussian_below_the_lens) {
 }
 
 TEST(EyeView, pupil_averages_the_eyes_within_it) {
-  // A pupil of 30 mm at 100 mm blurs a plane 2.5 mm behind the display by 0.75 mm. The mean of the image does not change.
+  // Seen through a pupil of 30 mm at 100 mm, a plane 2.5 mm behind the display is blurred by 30 * 2.5 / 100 = 0.75 mm.
   const RenderedPanel panel = record(test::sheet(100.0f), -2.5, waves);
   const ThreadPool pool(1);
   EyeView view;
@@ -196,13 +205,14 @@ TEST(EyeView, pupil_averages_the_eyes_within_it) {
     sharp_contrast += std::abs(sharp.pixel(x, 60)[0] - 0.5f);
     blurred_contrast += std::abs(blurred.pixel(x, 60)[0] - 0.5f);
   }
-  // A wave of k = 0.95 rad/mm over a disc of radius r = 0.375 mm: 2 J1(kr)/(kr) = 1 - (kr)^2/8 = 0.984.
+  // Contrast of a wave of k = 0.95 rad/mm, averaged over a disc of radius r = 0.375 mm: 2 J1(k r) / (k r) = 1 - (k r)^2 / 8 =
+  // 0.984.
   EXPECT_NEAR(blurred_contrast / sharp_contrast, 0.984, 0.01);
 }
 
 TEST(EyeView, pupil_focuses_at_the_given_depth) {
-  // A plane 12 mm behind, seen by a pupil of 40 mm: focused on the display it is blurred over 40 x 12 / 100 = 4.8 mm; focused
-  // on the plane, by at most a lens, 1 mm.
+  // A plane is 12 mm behind the display, and the pupil is 40 mm wide. If the eye focuses on the display, the plane is blurred
+  // by 40 * 12 / 100 = 4.8 mm. If it focuses on the plane, the blur is at most a lens wide, 1 mm.
   const RenderedPanel panel = record(test::lenslets(100.0f), -12.0, waves);
   const ThreadPool pool(1);
   EyeView view;
@@ -240,7 +250,7 @@ TEST(EyeView, cancelling_stops_before_the_next_pixel) {
 
 TEST(EyeView, coarse_pictures_average_all_lenses) {
   const RenderedPanel panel = numbered_lenses(test::sheet());
-  EXPECT_NEAR(view_from(panel, {0, 0, 4000}, {2, 1}).pixel(1, 0)[0], 10.0, 0.01);  // mean of lenses 0.5 ... 19.5
+  EXPECT_NEAR(view_from(panel, {0, 0, 4000}, {2, 1}).pixel(1, 0)[0], 10.0, 0.01);  // the mean of the lenses from 0.5 to 19.5
 }
 
 TEST(EyeView, eyes_that_see_nothing_are_refused) {

@@ -1,4 +1,5 @@
-// Tests the panel image behind lenses: which view and which position each pixel shows, worked out by hand.
+// Tests the picture of a panel behind lenses that is made from views. The expected view and position of each pixel are computed
+// by hand.
 #include "layout/lens_interlace.hpp"
 
 #include <gmock/gmock.h>
@@ -19,7 +20,8 @@
 namespace lippmann {
 namespace {
 
-/// 80 x 6 pixels of 1 mm behind ten upright lenses of 8 mm, seen from a metre.
+/// Returns a display of 80 x 6 pixels of 1 mm. Ten vertical lenses of 8 mm are in front of the pixels, and the display is seen
+/// from 1 m.
 Display sheet_of_ten() {
   Display sheet;
   sheet.name = "sheet", sheet.kind = DisplayKind::kLenticularSheet;
@@ -28,13 +30,13 @@ Display sheet_of_ten() {
   return sheet;
 }
 
-/// Returns the gap g between lenses and pixels: a cell of 8 (1 + g / V) mm spans 30 degrees, 2 g tan 15.
+/// Returns the gap g in mm. The width of a cell is 8 (1 + g / 1000). It spans 30 degrees, so it is also 2 g tan(15 degrees).
 double gap_mm() { return 8.0 / (2.0 * std::tan(15.0 * std::numbers::pi / 180.0) - 8.0 / 1000.0); }
 
-/// Cells converge to the viewer: 8 (1 + g / V) mm wide.
+/// Returns the width of a cell in mm. Cells converge to the viewer, so they are wider than the lenses: 8 (1 + g / 1000).
 double cell_mm() { return 8.0 * (1.0 + gap_mm() / 1000.0); }
 
-/// Returns views for a display, with code(view, column, row) at each sample.
+/// Returns views for the display in which each sample has the value code(view, column, row).
 LightField coded(const Display& display, const std::function<int(int view, int x, int y)>& code) {
   const Optics optics = lens_views(display, {});
   const RenderedViews rendered = *rendered_views(optics);
@@ -71,9 +73,9 @@ TEST(LensInterlace, pixel_shows_the_view_opposite_to_it) {
   const double cell = cell_mm();
   int compared = 0;
   for (int i = 0; i < 80; ++i) {
-    // Cells meet at the middle of the panel, x = 0. A pixel at the right end of its cell is seen from the left.
+    // A cell edge is at the middle of the panel, x = 0. The pixel at the right end of a cell is seen from the left.
     const double x = i + 0.5 - 40.0, share = 1.0 - (x / cell - std::floor(x / cell)), view = 9.0 * share;
-    if (std::abs(view - std::round(view)) < 1e-3) continue;  // between two views
+    if (std::abs(view - std::round(view)) < 1e-3) continue;  // rounding decides between two views
     EXPECT_EQ(code_at(picture, i, 3), static_cast<int>(view)) << i;
     ++compared;
   }
@@ -84,12 +86,13 @@ TEST(LensInterlace, pixel_shows_the_sample_at_its_lens) {
   const Image16 picture =
       behind_lenses(coded(sheet_of_ten(), [](int, int x, int y) { return 1000 * x + 10 * y; }), sheet_of_ten());
   const double cell = cell_mm();
-  // The viewer sees the panel through a window of the sheet that is narrower by V / (V + g), which the ten samples fill.
+  // The viewer sees the panel through a window in the plane of the lenses, which is narrower by the factor V / (V + g). The ten
+  // samples of a view fill this window.
   const double window = 80.0 * 1000.0 / (1000.0 + gap_mm());
   for (int i = 0; i < 80; ++i) {
     const double lens = 8.0 * (std::floor((i + 0.5 - 40.0) / cell) + 0.5);
     const double column = std::clamp((lens / window + 0.5) * 10.0 - 0.5, 0.0, 9.0);
-    // Along the lenses, a pixel shows its own row.
+    // Parallel to the lenses, each row of pixels shows its own row of the view.
     for (int y = 0; y < 6; ++y) EXPECT_NEAR(code_at(picture, i, y), 1000.0 * column + 10.0 * y, 1.0) << i << " " << y;
   }
 }
@@ -121,7 +124,7 @@ TEST(LensInterlace, screen_plane_looks_the_same_from_everywhere) {
   DepthViews views = views_from_depth(source, lens_views(sheet_of_ten(), {}), 1.0, pool);
   const Picture picture = interlace_behind_lenses(views.field, sheet_of_ten(), pool);
   const auto& film = std::get<Image>(picture);
-  for (const int i : {0, 7, 15, 20, 60, 65, 72, 79})  // away from the edge, which is blurred in views of ten samples
+  for (const int i : {0, 7, 15, 20, 60, 65, 72, 79})  // the edge at pixel 40 is left out, because views of ten samples blur it
     EXPECT_NEAR(film.pixel(i, 2)[0], i < 40 ? 0.0 : 1.0, 1e-3) << i;
 }
 

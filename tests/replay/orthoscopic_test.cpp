@@ -1,4 +1,4 @@
-// Tests the conversion of pseudoscopic images: rotated elemental images, smart conversion, and the depth order seen by eyes.
+// Tests the conversion of pseudoscopic pictures: rotated elemental images, SPOC, and the order of depth that eyes see.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -27,7 +27,8 @@ RenderedPanel rotated(const RenderedPanel& panel) {
   return with(panel.optics, rotated_elemental_images(panel.optics, "test"), panel);
 }
 
-/// Records a spot large enough for lenses and pixels to sample: conversions copy nearest pixels and could miss a point.
+/// Records a bright spot. It is wide enough to be sampled by lenses and pixels: the conversions copy nearest pixels and could
+/// miss a point.
 RenderedPanel record_spot(const Optics& optics, Vec3d point_mm) {
   return record(optics, point_mm.z, [&](Vec2d p) {
     const Vec2d from = p - Vec2d(point_mm);
@@ -57,7 +58,7 @@ Peak peak_of(const RenderedPanel& panel, double step, int count) {
   return peak;
 }
 
-constexpr double kDepthStep = 2.0;  ///< the gap: see refocus_test.cpp
+constexpr double kDepthStep = 2.0;  ///< the gap in mm; kStep in refocus_test.cpp explains this value
 
 TEST(RotateElemental, point_then_peaks_at_the_opposite_depth) {
   Optics lenslets = test::lenslets();
@@ -80,9 +81,10 @@ TEST(RotateElemental, twice_is_the_identity) {
 
 TEST(RotateElemental, pixels_are_rotated_about_their_lens_centre) {
   const PixelMap map = rotated_elemental_images(test::lenslets(), "test");
-  EXPECT_EQ(map.source[0], 6u * 210u + 6u);               // pixel (0, 0) of lens (0, 0): its pixel (6, 6)
-  EXPECT_EQ(map.source[3 * 210 + 3], 3u * 210u + 3u);     // the middle stays
-  EXPECT_EQ(map.source[8 * 210 + 16], 12u * 210u + 18u);  // (2, 1) of lens (2, 1): (4, 5)
+  EXPECT_EQ(map.source[0], 6u * 210u + 6u);            // pixel (0, 0) of lens (0, 0) comes from pixel (6, 6) of the same lens
+  EXPECT_EQ(map.source[3 * 210 + 3], 3u * 210u + 3u);  // the middle pixel of the lens stays
+  // pixel (2, 1) of lens (2, 1) comes from pixel (4, 5) of the same lens
+  EXPECT_EQ(map.source[8 * 210 + 16], 12u * 210u + 18u);
 }
 
 TEST(RotateElemental, fractional_lenses_are_refused) {
@@ -101,7 +103,7 @@ TEST(Spoc, depth_z_becomes_distance_minus_z) {
   const Optics recorded = test::sheet();
   for (const double distance : {10.0, 20.0})
     for (const double z : {8.0, 14.0, 20.0, 26.0}) {
-      // Points this close to the plane at `distance` are seen by one lens only.
+      // Only one lens sees a point as close to the plane at `distance` as this.
       if (std::abs(distance - z) < 2 * kDepthStep) continue;
       const PixelMap map = spoc(recorded, recorded, {distance, z});
       const Peak peak = peak_of(with(recorded, map, record_spot(recorded, {1.37, 0.61, z})), kDepthStep, 11);
@@ -113,7 +115,7 @@ TEST(Spoc, depth_z_becomes_distance_minus_z) {
 TEST(Spoc, other_lenses_keep_the_point_in_place) {
   const Optics recorded = test::lenslets();
   const Optics display = spoc_display(recorded, {1.5, 3.3, 11});
-  EXPECT_EQ(Vec2i(display.panel.width, display.panel.height), Vec2i(220, 220));  // 30 mm: 20 lenses of 11 pixels
+  EXPECT_EQ(Vec2i(display.panel.width, display.panel.height), Vec2i(220, 220));  // 30 mm wide: 20 lenses of 11 pixels
   EXPECT_EQ(whole_pixels_per_lens(display), Vec2i(11));
   const PixelMap map = spoc(recorded, display, {24.0, 14.0});
   const Peak peak = peak_of(with(display, map, record_spot(recorded, {1.4, -2.2, 14.0})), kDepthStep, 8);
@@ -123,10 +125,14 @@ TEST(Spoc, other_lenses_keep_the_point_in_place) {
 }
 
 TEST(Spoc, index_worked_out_by_hand) {
-  // Sheet of 40 lenses of 1 mm with 9 pixels of 1/9 mm, gap 2; lens 20 has its centre at x = 0.5. Its middle pixel 184 (offset
-  // 0) has the ray x = 0.5: recorded lens 20, reference point x = 0.5, offset 0, which is itself. Pixel 187, offset 3/9 mm:
-  // slope -1/6. D = 12: x_R = 0.5 - 2 = -1.5: recorded lens 18. z_ref = 6, Z = 6: x_ref = -0.5. o' = -(-0.5 + 1.5) 2 / 6 = -1/3
-  // mm = -3 pixels: pixel 18 x 9 + 4 - 3 = 163.
+  // The sheet has 40 lenses of 1 mm with 9 pixels of 1/9 mm, and a gap of 2 mm. The centre of lens 20 is at x = 0.5 mm.
+  // Pixel 184 is the middle pixel of lens 20. Its ray stays at x = 0.5 mm and meets the middle of recorded lens 20, so the
+  // source of pixel 184 is itself.
+  // Pixel 187 is 3/9 mm beside the lens centre, so its ray has the slope -1/6. In the plane of the recording array, at 12 mm,
+  // it is at x = 0.5 - 2 = -1.5 mm, the centre of recorded lens 18. In the reference plane, at 6 mm, it is at x = 0.5 - 1 =
+  // -0.5 mm.
+  // Recorded lens 18 sees the reference point at the offset -(-0.5 + 1.5) * 2 / 6 = -1/3 mm, which is -3 pixels. The source is
+  // pixel 18 * 9 + 4 - 3 = 163.
   const PixelMap map = spoc(test::sheet(), test::sheet(), {12.0, 6.0});
   EXPECT_EQ(map.source[50 * 360 + 184], 50u * 360u + 184u);
   EXPECT_EQ(map.source[50 * 360 + 187], 50u * 360u + 163u);
@@ -144,7 +150,7 @@ TEST(Spoc, impossible_planes_are_refused) {
 
 // ---- Two tiers: an array records a scene from behind, the display shows it from the front --------------------------------
 
-/// Returns a bar at bar_z in front of a wall of waves at wall_z: the bar occludes the wall in every ray.
+/// Returns a picture of a wall of waves at `wall_z`. A bar at `bar_z` hides a part of the wall from every lens.
 RenderedPanel bar_before_wall(const Optics& optics, double bar_z, double wall_z) {
   RenderedPanel panel = record(optics, wall_z, waves);
   for (int y = 0; y < panel.picture.height; ++y)
@@ -157,7 +163,8 @@ TEST(Spoc, two_tiers_show_correct_depth) {
   const Optics optics = test::sheet();
   const double distance = 12.0;
   const RenderedPanel recorded = bar_before_wall(optics, 8.0, 16.0);  // the array sees the bar in front of the wall
-  const RenderedPanel truth = bar_before_wall(optics, distance - 8.0, distance - 16.0);  // the viewer must see the same
+  // the viewer must also see the bar in front of the wall
+  const RenderedPanel truth = bar_before_wall(optics, distance - 8.0, distance - 16.0);
   const RenderedPanel converted = with(optics, spoc(optics, optics, {distance, 12.0}), recorded);
   const Vec2i size = lens_grid(optics);
   const ThreadPool pool(1);
@@ -166,8 +173,8 @@ TEST(Spoc, two_tiers_show_correct_depth) {
     view.eye_mm = {zone_x_mm(optics, across, 2000.0), 0.0, 2000.0}, view.size = size;
     const Image seen = eye_view(converted, view, pool), should = eye_view(truth, view, pool);
     const Image one_tier = eye_view(recorded, view, pool);
-    // A wave of 0.95 rad/mm is sampled to a lens and a pixel at z = 16 (0.9 mm), with an error of half of each: about 0.4 x
-    // 0.4.
+    // The wall is at z = 16 mm, where a lens and a pixel sample a wave of 0.95 rad/mm in steps of 0.9 mm. The position has an
+    // error of up to half a step, so the error of the wave is about 0.4 * 0.4.
     EXPECT_GE(test::linear_psnr(seen, should, 5), 17.0) << across;
     EXPECT_LT(test::linear_psnr(one_tier, should, 5), 14.0) << across;
   }

@@ -15,7 +15,7 @@ using test::linear_psnr, test::record, test::seen_directly, test::waves;
 
 float brightest(const Image& picture) { return *std::max_element(picture.data.begin(), picture.data.end()); }
 
-/// Returns the depth i step, -count <= i <= count, at which the refocused image has the highest peak.
+/// Refocuses at the depths i * step for i from -count to count. Returns the depth at which the picture has the highest peak.
 double depth_of_peak(const RenderedPanel& panel, double step, int count) {
   const ThreadPool pool(1);
   double best = 0.0, depth = 0.0;
@@ -26,10 +26,12 @@ double depth_of_peak(const RenderedPanel& panel, double step, int count) {
   return depth;
 }
 
-// One depth step shifts the outermost views by another half lens: with N m = p, (N m / 2) dz / g = p / 2 gives dz = g = 2 mm.
+// Depth step in mm. A step dz changes the shift of the outermost views by half a lens: (N m / 2) dz / g = p / 2, where N m = p,
+// because N pixels of the width m lie below a lens of the pitch p. The step is therefore the gap, dz = g = 2 mm.
 constexpr double kStep = 2.0;
 
-/// Tests 10 depths behind and 10 in front, from 2 g on: a single lens sees nearer points, and one ray has no depth.
+/// Tests 10 depths behind the display and 10 in front of it. Nearer than 2 g, only one lens sees the point, and the depth of a
+/// single ray is unknown.
 void expect_peaks_at(const std::function<RenderedPanel(Vec3f)>& recorded) {
   for (int i = -11; i <= 11; ++i) {
     if (std::abs(i) < 2) continue;
@@ -74,8 +76,8 @@ TEST(Refocus, blob_keeps_the_design_viewers_position) {
       const double w = std::max(0.0f, picture.pixel(x, y)[0] - half);
       sum += w * Vec2d(x + 0.5, y + 0.5), weight += w;
     }
-  // On the line to the viewer at 150 mm: (3.2, -4.1) / (1 + 11 / 150). Lenses and pixels of 0.8 mm sample a blob of sigma 1 mm
-  // well: its centre is accurate to a tenth of that.
+  // The expected position is on the line from the point to the viewer at 150 mm: (3.2, -4.1) * 150 / 161. Lenses and pixels of
+  // 0.8 mm sample a spot with a sigma of 1 mm well enough for an accuracy of 0.1 mm.
   const Vec2d at = display_window(optics).point_at(sum / weight, size);
   EXPECT_NEAR(at.x, 3.2 * 150 / 161, 0.1);
   EXPECT_NEAR(at.y, -4.1 * 150 / 161, 0.1);
@@ -90,7 +92,8 @@ TEST(Refocus, plane_is_sharp_only_at_its_depth) {
     const double z = -5.0;
     const RenderedPanel panel = record(optics, z, waves);
     const Image truth = seen_directly(optics, size, eye, z, waves);
-    // Tents of a lens, 1 mm, lose (0.95 x 1)^2 / 12 = 8 % of a wave of 0.95 rad/mm: 0.4 x 0.08 / sqrt(2) is 33 dB.
+    // Interpolation over a lens of 1 mm reduces a wave of 0.95 rad/mm by (0.95 * 1)^2 / 12 = 8 %. Error: 0.4 * 0.08 / sqrt(2),
+    // which is 33 dB.
     EXPECT_GE(linear_psnr(refocus(panel, z, size, pool), truth, 4), 30.0);
     EXPECT_LT(linear_psnr(refocus(panel, 12.0, size, pool), truth, 4), 22.0);
   }

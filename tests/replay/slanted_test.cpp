@@ -1,4 +1,5 @@
-// Tests slanted panels, whose sub-pixels have a direction each: film pixel 3 i + c is colour c of the panel's pixel i.
+// Tests panels behind slanted lenses, where each sub-pixel has its own direction. Pixel 3 i + c of the film is the colour c of
+// the panel's pixel i.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,7 +11,8 @@
 namespace lippmann {
 namespace {
 
-/// Returns 240 x 160 pixels of 0.2 mm with 30.3 lenses across and a tilt of three lenses.
+/// Returns a panel of 240 x 160 pixels of 0.2 mm. There are 30.3 lenses across the panel. Over the height of the panel the
+/// lenses shift by three lens widths.
 Optics slanted_panel() {
   Optics optics;
   optics.panel = {240, 160, 0.2f};
@@ -33,7 +35,7 @@ RenderedPanel record_sub_pixels(const Optics& optics, double z, const Color& col
   return panel;
 }
 
-/// Waves 19 lenses long.
+/// Returns the colour of waves that are 19 lenses long.
 Vec3f long_waves(Vec2d p) { return test::waves(0.22 * p); }
 
 Image view_from(const RenderedPanel& panel, Vec3d eye_mm) {
@@ -43,8 +45,8 @@ Image view_from(const RenderedPanel& panel, Vec3d eye_mm) {
   return eye_view(panel, view, pool);
 }
 
-// A lens shows one position along all of its pixels, up to a lens, 1.6 mm, to the side of the point. The error is at most 0.4 x
-// 0.2 x 0.8 = 0.06, 24 dB; half of that on average.
+// All sub-pixels below a lens show the same position, which is up to a lens width of 1.6 mm beside the point. The largest error
+// is 0.4 * 0.2 * 0.8 = 0.06, which is 24 dB. The mean error is half of it.
 TEST(SlantedSight, scenes_equal_direct_views_within_a_lens) {
   const Optics optics = slanted_panel();
   for (const double z : {-8.0, 0.0, 8.0}) {
@@ -57,7 +59,7 @@ TEST(SlantedSight, scenes_equal_direct_views_within_a_lens) {
 }
 
 TEST(SlantedSight, eye_sees_its_own_direction) {
-  // Colours encode the position in the cone that a sub-pixel is for: 0 ... 1 from the left.
+  // The colour of each sub-pixel is its position in the view cone, from 0 at the left to 1 at the right.
   const Optics optics = slanted_panel();
   const Vec2i size = picture_size(optics);
   RenderedPanel panel{optics, Image(size.x, size.y, 3)};
@@ -73,7 +75,7 @@ TEST(SlantedSight, eye_sees_its_own_direction) {
     const Viewer eye = viewer_in_zone(optics, share);
     for (int i = -10; i <= 10; ++i) {
       const Vec3f seen = sampler.color(eye, {1.37 * i, 0.9 * i});
-      // The nearest sub-pixel of its colour is up to half a pixel away: 0.5 x 30.3 / 240 of the cone.
+      // The nearest sub-pixel of a colour is up to half a pixel away, which is 0.5 * 30.3 / 240 of the cone.
       for (int c = 0; c < 3; ++c) EXPECT_NEAR(seen[c], share, 0.064) << share << " " << i << " " << c;
     }
   }
@@ -81,8 +83,9 @@ TEST(SlantedSight, eye_sees_its_own_direction) {
   EXPECT_EQ(share_out_of_zone(optics, viewer_in_zone(optics, 1.1)), 1.0);
 }
 
-// Waves 19 lenses long through 7.9 pixels below a lens: sharp at their depth, and washed out at depths where the ends of the
-// zone, 2 tan 20 degrees apart per mm, differ by about half a wave.
+// The waves are 19 lenses long, and 7.9 pixels lie below a lens. The refocused picture is sharp at the depth of the plane. At
+// other depths, the rays from both ends of the zone are 2 tan(20 degrees) mm per mm of depth apart. The waves are blurred where
+// this distance is about half a wave.
 TEST(SlantedSight, refocused_colours_are_sharp_at_their_depth) {
   const Optics optics = slanted_panel();
   const ThreadPool pool(1);
@@ -98,7 +101,7 @@ TEST(SlantedSight, refocused_colours_are_sharp_at_their_depth) {
       };
       const double sharp = test::linear_psnr(only(refocus(panel, z, size, pool)), only(truth), 16);
       EXPECT_GE(sharp, 35.0) << z << " " << c;
-      if (c == 1) continue;  // green waves run along the rows and have no parallax
+      if (c == 1) continue;  // green waves run along the rows, so horizontal parallax does not blur them
       EXPECT_LE(test::linear_psnr(only(refocus(panel, -z, size, pool)), only(truth), 16), sharp - 10.0) << z << " " << c;
     }
   }
