@@ -1,5 +1,5 @@
-"""Prints a program that initialises one member of each public struct by name, so that compilers warn about other members without
-a default.
+"""Prints a C++ program that initialises one member of each public struct by name. Compilers then warn about every
+other member that has no default value.
 
   designators.py INCLUDE_FOLDER
 """
@@ -9,12 +9,12 @@ import re
 import sys
 
 
-# Inner loops fill their large arrays, and clearing them first would cost time.
+# These structs are large arrays that inner loops fill completely. Default values would cost time.
 LEFT_OUT = {"Tap", "Taps"}
 
 
 def without_braces(text):
-    """Returns the text outside all braces; each outermost pair becomes "{}"."""
+    """Returns the text outside of all braces. Each outermost pair of braces becomes "{}"."""
     depth = 0
     kept = []
     for character in text:
@@ -26,9 +26,9 @@ def without_braces(text):
 
 
 def members(body):
-    """Yields the names of the data members in a struct's body."""
+    """Yields the names of the data members in the body of a struct."""
     body = without_braces(re.sub(r"//[^\n]*", "", body))
-    # The body of a function ends a statement like a semicolon.
+    # The body of a function also ends a statement, as a semicolon does.
     for statement in re.split(r";|\)[^;{}=]*\{\}", body):
         head = re.sub(r"<[^;]*>", "", statement.split("=")[0].replace("{}", ""))
         words = re.findall(r"\w+", statement)
@@ -43,7 +43,7 @@ def main(folder):
     structs = 0
     for header in sorted(pathlib.Path(folder).rglob("*.hpp")):
         for template, name, body in re.findall(r"^(template <class T>\n)?struct (\w+) \{\n(.*?)^\};", header.read_text(), re.MULTILINE | re.DOTALL):
-            if name in LEFT_OUT or f"  {name}(" in body:  # or it has constructors
+            if name in LEFT_OUT or f"  {name}(" in body:  # this struct has a constructor
                 continue
             name += "<float>" if template else ""
             names = list(members(body))

@@ -1,4 +1,5 @@
-# Adds the whole tree to another project: only its library is built, without the tool, the tests and their dependencies.
+# Adds the whole source tree to another project. The project must build only the library, without the tool, the tests
+# and their dependencies.
 #   cmake -D SOURCE=... -D WORK=... -D CXX=... -P embedded.cmake
 cmake_minimum_required(VERSION 3.25)
 
@@ -22,8 +23,9 @@ endif()
 execute_process(COMMAND ${CMAKE_COMMAND} -G Ninja -S ${WORK} -B ${WORK}/build -D CMAKE_CXX_COMPILER=${CXX}
   -D CMAKE_BUILD_TYPE=Release -D LIPPMANN_PCH=OFF COMMAND_ERROR_IS_FATAL ANY)
 
-# Everything that the program needs has a rule. The library itself is compiled by the build of this test.
+# Checks with a dry run (-n) that the build has rules for everything that the program needs. The library is not compiled
+# again.
 execute_process(COMMAND ${CMAKE_COMMAND} --build ${WORK}/build --target program -- -n COMMAND_ERROR_IS_FATAL ANY)
-# The program's source compiles with the target's include directories and options.
+# Compiles the program's source with the include directories and options that the library exports.
 execute_process(COMMAND ${CMAKE_COMMAND} --build ${WORK}/build --target CMakeFiles/program.dir${SOURCE}/examples/library/look.cpp.o
   COMMAND_ERROR_IS_FATAL ANY)

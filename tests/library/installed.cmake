@@ -1,4 +1,4 @@
-# Installs the library, builds examples/library as a separate project, and runs these programs on a scene.
+# Installs the library, builds the programs in examples/library as a separate project, and runs them.
 #   cmake -D BUILD=... -D SOURCE=... -D CXX=... -D GENERATOR=... -D FLAGS=... -D PYTHON=... -P installed.cmake
 cmake_minimum_required(VERSION 3.25)
 
@@ -19,12 +19,13 @@ set(examples ${work}/build)
 file(REMOVE_RECURSE ${work})
 run(${CMAKE_COMMAND} --install ${BUILD} --component development --prefix ${work}/prefix)
 
-# The sources are not visible from here, so the headers must be self-contained.
+# This project does not see the sources of the library, so the installed headers must be self-contained.
 run(${CMAKE_COMMAND} -G ${GENERATOR} -S ${SOURCE}/examples/library -B ${examples} -D CMAKE_PREFIX_PATH=${work}/prefix
   -D CMAKE_CXX_COMPILER=${CXX} "-DCMAKE_CXX_FLAGS=${FLAGS}" "-DCMAKE_EXE_LINKER_FLAGS=${FLAGS}")
 run(${CMAKE_COMMAND} --build ${examples})
 
-# A denoised path-traced quilt takes at most 20 lines, and equals the tool's default render.
+# The program that renders a denoised path-traced quilt has at most 20 lines. Its picture equals that of the tool's
+# default render.
 file(READ ${SOURCE}/examples/library/quilt.cpp text)
 string(REGEX REPLACE "(^|\n)//[^\n]*" "" text "${text}")
 string(REGEX MATCHALL "\n[^\n]" lines "${text}")
@@ -56,7 +57,8 @@ foreach(file input_Cam000.png input_Cam008.png gt_depth_lowres.pfm parameters.cf
   require_file(${work}/data/${file})
 endforeach()
 
-# Without arguments the programs print their usage; with wrong ones, an error. Neither ends by a signal.
+# Runs a program with missing or wrong arguments. It must exit with `code` and print a message that matches `pattern`,
+# instead of ending by a signal.
 function(run_refused code pattern)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE result ERROR_VARIABLE said OUTPUT_QUIET)
   if(NOT result STREQUAL code OR NOT said MATCHES "${pattern}")
@@ -74,8 +76,8 @@ run_refused(1 "no-such-file" ${examples}/look no-such-file ${work}/seen)
 run_refused(1 "CMakeLists.txt" ${examples}/own_scene ${SOURCE}/CMakeLists.txt/below)
 run_refused(1 "CMakeLists.txt" ${examples}/data_set ${SOURCE}/CMakeLists.txt/below)
 
-# A project with warnings as errors: every public struct supports designated initialisers, and an installed program finds the
-# library.
+# Builds a project in which warnings are errors. Every public struct must support designated initialisers. A program of
+# the project that is installed must find the library.
 set(outside ${work}/outside)
 run(${PYTHON} -B ${CMAKE_CURRENT_LIST_DIR}/designators.py ${work}/prefix/include)
 file(WRITE ${work}/designators.cpp "${output}")

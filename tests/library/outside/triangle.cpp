@@ -1,4 +1,4 @@
-// Renders a triangle made in memory and prints its version and the colour in the middle of the picture.
+// Renders a triangle that is made in memory. Prints the version of the library and the colour in the middle of the picture.
 #include <cstdio>
 #include <exception>
 #include <lippmann/lippmann.hpp>
