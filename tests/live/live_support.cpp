@@ -29,7 +29,8 @@ std::unique_ptr<LiveScene> live_scene(const RenderParams& params, const std::fil
 }
 
 Json wait_for(const LiveScene& scene, const std::function<bool(const Json&)>& is_it) {
-  const auto until = std::chrono::steady_clock::now() + std::chrono::minutes(10);  // enough for sanitizers on a loaded machine
+  // long enough for sanitizers on a busy machine
+  const auto until = std::chrono::steady_clock::now() + std::chrono::minutes(10);
   Json state = scene.state_after(0, std::chrono::milliseconds(0));
   while (!is_it(state) && std::chrono::steady_clock::now() < until)
     state = scene.state_after(state["serial"].get<std::uint64_t>(), std::chrono::milliseconds(200));

@@ -13,7 +13,7 @@ Optics quilt_of(int columns, int rows, Vec2i view) {
   return optics;
 }
 
-// 48 views of 64 mm x 64 mm in 48000 samples: 1000 each, 31.6 per side.
+// 48000 samples for 48 square views are 1000 samples per view, so a view has sqrt(1000) = 31.6 pixels per side.
 TEST(ViewRays, coarse_views_share_the_samples) {
   EXPECT_EQ(coarse_view_size(page_facts(quilt_of(8, 6, {128, 128})), 48e3), Vec2i(31, 31));
   EXPECT_EQ(coarse_view_size(page_facts(quilt_of(8, 6, {128, 64})), 24e3), Vec2i(31, 15));
@@ -36,8 +36,8 @@ TEST(ViewRays, full_views_have_the_panels_rays) {
     }
 }
 
-// Hexagonal lenses have no views of whole pixels: the eye that represents a view sees a point of the plane at its own slope,
-// which is halved if depth is shown at half its size.
+// Hexagonal lenses do not cover whole pixels, so the views are rendered from one eye each. Such an eye sees a point of the
+// plane at its own slope. The slope is halved, because the depth is shown at half its size.
 TEST(ViewRays, other_optics_use_rays_of_eyes) {
   MicrolensArray array;
   array.packing = LensPacking::kHexagonal;
