@@ -11,7 +11,7 @@ namespace {
 
 using test::at_depth;
 
-/// Returns a sheet of 16 lenses of 6 pixels, 1 mm wide, viewed from far or near.
+/// Returns a lenticular sheet of 16 lenses that are 1 mm and 6 pixels wide.
 Optics sheet(float viewing_distance) {
   Optics optics;
   optics.panel = {96, 4, 0.0f};
@@ -23,8 +23,8 @@ Optics sheet(float viewing_distance) {
   return optics;
 }
 
-/// A colour that changes by a fifth per lens: enough contrast to trigger the search, and linear, so that interpolation is
-/// exact.
+/// Returns a colour that is linear in x, so that its interpolation is exact. It changes by 0.2 per lens, which is enough
+/// contrast for the sampler to search neighbouring views.
 float ramp(float x) { return 2.0f + 0.2f * x; }
 
 using test::centre_of;
@@ -47,14 +47,14 @@ TEST(EpipolarSampler, linear_colours_are_interpolated_exactly) {
       const test::KnownMotion motion({test::shift(0.3f, 0, 0)});
       const Splatter splatter(optics, {});
       const EpipolarSampler sampler(optics, Encoding::kSrgb);
-      // Away from the panel's edges, where there are no neighbours to interpolate with.
+      // Pixels near the edges of the panel are left out, because they have no neighbours for the interpolation.
       for (std::uint32_t p = 96 + 24; p < 96 + 72; ++p) {
         const auto target = splatter.landing(p, z, 0, motion.motion);
         ASSERT_TRUE(target);
         float color[3];
         sampler.colors(image, motion.motion, {&p, 1}, color);
         const float x = at_depth(ray_of_pixel(optics, centre_of(optics, *target)), z).x;
-        // Single precision of a coordinate of up to 50 pixels; the ramp changes by 0.02 per mm.
+        // Tolerance: the rounding error of a coordinate of up to 50 pixels, and a slope of 0.02 per mm.
         EXPECT_NEAR(color[0], 0.1f * ramp(x - 0.3f), 1e-5f) << "z " << z << ", pixel " << p;
       }
     }
@@ -77,8 +77,9 @@ TEST(EpipolarSampler, contrast_is_measured_within_the_view) {
 }
 
 TEST(EpipolarSampler, background_does_not_mix_with_the_foreground) {
-  // White in front (object 0, left half), black behind (object 1). Only black moves, by half a lens to the right, so that its
-  // samples land between pixels. None may turn grey except next to the edge's own sample.
+  // A white object (0) covers the left half in front of a black object (1). Only the black object moves, by 0.4 mm to the
+  // right, so that its samples lie between pixels. Apart from the pixels next to the edge, which are left out, no black pixel
+  // may become grey.
   const Optics optics = sheet(kInfinity);
   PointImage image = test::empty_points(optics.panel);
   for (std::uint32_t p = 0; p < image.points.z.size(); ++p) {

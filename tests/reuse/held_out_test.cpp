@@ -20,7 +20,7 @@ TEST(HeldOut, levels_follow_uncertainty) {
 }
 
 TEST(HeldOut, every_run_of_a_level_gives_one_patch) {
-  // Two alternating levels; 30 patches per sample.
+  // Patches alternate between two levels of uncertainty. One of 30 patches is held out.
   std::vector<std::uint8_t> uncertainty(12000);
   for (std::size_t p = 0; p < uncertainty.size(); ++p) uncertainty[p] = p % 2 ? 30 : 0;
   ASSERT_EQ(patches_per_sample(uncertainty.size()), 30u);
@@ -30,7 +30,8 @@ TEST(HeldOut, every_run_of_a_level_gives_one_patch) {
   for (std::size_t i = 0; i < held_out.patches.size(); ++i) {
     const std::uint32_t patch = held_out.patches[i], odd = patch % 2;
     EXPECT_EQ(held_out.levels[i], level_of(uncertainty[patch]));
-    EXPECT_EQ(patch / 60, drawn[odd]++);  // runs of 30 of a level are 60 patches long here
+    // every second patch belongs to this level, so 30 patches of the level are spread over 60 patches
+    EXPECT_EQ(patch / 60, drawn[odd]++);
   }
   EXPECT_EQ(held_out.population[0], 6000u);
   EXPECT_EQ(held_out.population[static_cast<std::size_t>(level_of(30))], 6000u);
@@ -46,7 +47,8 @@ TEST(HeldOut, other_frames_and_seeds_draw_other_patches) {
   EXPECT_NE(hold_out(uncertainty, 2, 2).patches, first.patches);
 }
 
-/// 100 patches of level 0, of which 4 were drawn, and 50 of level 2, of which 2 were drawn.
+/// Returns held-out patches of a frame. Level 0 has 100 patches, of which 4 are held out. Level 2 has 50 patches, of which 2
+/// are held out.
 HeldOut drawn_by_hand() {
   HeldOut held_out{};
   held_out.population[0] = 100, held_out.population[2] = 50;
@@ -65,14 +67,16 @@ Evidence evidence_of(const HeldOut& held_out, std::span<const double> squared_er
 TEST(HeldOut, errors_are_weighted_by_untraced_patches) {
   const HeldOut held_out = drawn_by_hand();
   const auto errors = estimate_errors(held_out, evidence_of(held_out, std::vector<double>{0.0, 0.0, 0.0, 5.0, 200.0, 400.0}));
-  // Level 0: 96 untraced patches of 150, mean 5/4. Level 2: 48 of 150, mean 300.
+  // The frame has 150 patches. Level 0 has 96 patches that are not traced, with a mean error of 5/4. Level 2 has 48, with a
+  // mean error of 300.
   EXPECT_NEAR(errors[0].mse, 96.0 / 150.0 * 1.25, 1e-12);
   EXPECT_NEAR(errors[1].mse, errors[0].mse, 1e-12);
   EXPECT_NEAR(errors[2].mse, errors[0].mse + 48.0 / 150.0 * 300.0, 1e-12);
-  // Only level 0: w = 96/600, squared deviations 25 - 4 (5/4)^2 = 18.75, an undrawn sample with an error of 12 codes.
+  // Upper bound of level 0. Weight of a sample: w = 96 / (150 * 4) = 0.16. Sum of squared deviations: 25 - 4 (5/4)^2 = 18.75.
+  // The bound adds a sample that was not drawn, with the smallest assumed error of 12^2 = 144.
   const double w = 0.16, not_drawn = w * 144.0;
   EXPECT_NEAR(errors[0].bound, 0.8 + not_drawn + 2.326 * std::sqrt(w * w * 18.75 + not_drawn * not_drawn), 1e-9);
-  // Both: the undrawn sample has the error of the worst drawn one.
+  // Upper bound of both levels. The sample that was not drawn has the largest known error, 400.
   const double both = w * 400.0;
   EXPECT_NEAR(errors[2].bound, errors[2].mse + both + 2.326 * std::sqrt(w * w * (18.75 + 20000.0) + both * both), 1e-9);
 }
@@ -80,10 +84,11 @@ TEST(HeldOut, errors_are_weighted_by_untraced_patches) {
 TEST(HeldOut, learned_errors_count_like_own_samples) {
   const HeldOut held_out = drawn_by_hand();
   Evidence evidence = evidence_of(held_out, std::vector<double>{0.0, 0.0, 0.0, 4.0, 0.0, 0.0}), learned;
-  learned.levels[0] = {36.0, 36.0, 72.0, 2.0};  // 36 patches, 18 of which have an error of 2
+  learned.levels[0] = {36.0, 36.0, 72.0, 2.0};  // in 36 patches, 18 have an error of 2: the sum is 36, the sum of squares 72
   evidence.add(learned);
   const auto errors = estimate_errors(held_out, evidence);
-  // Level 0: 96 untraced patches of 150, 40 samples with the sum 40 and the sum of squares 88.
+  // Level 0 has 96 patches that are not traced, of 150. Its 4 + 36 = 40 samples have the sum 4 + 36 = 40 and the sum of squares
+  // 16 + 72 = 88.
   EXPECT_NEAR(errors[0].mse, 96.0 / 150.0, 1e-12);
   const double w = 96.0 / (150.0 * 40.0), not_drawn = w * 144.0;
   EXPECT_NEAR(errors[0].bound, 0.64 + not_drawn + 2.326 * std::sqrt(w * w * 48.0 + not_drawn * not_drawn), 1e-9);
@@ -97,7 +102,8 @@ TEST(HeldOut, level_without_samples_uses_its_uncertainty) {
   held_out.population[3] = 50;
   const auto errors = estimate_errors(held_out, evidence_of(held_out, std::vector<double>(6, 0.0)));
   EXPECT_EQ(errors[2].mse, 0.0);
-  EXPECT_NEAR(errors[3].mse, 50.0 / 200.0 * 9.0, 1e-12);  // uncertainty 3
+  // the level has no samples, so its uncertainty of 3 codes is taken as its error
+  EXPECT_NEAR(errors[3].mse, 50.0 / 200.0 * 9.0, 1e-12);
 }
 
 TEST(HeldOut, trust_ends_at_the_first_failing_level) {
@@ -110,7 +116,8 @@ TEST(HeldOut, trust_ends_at_the_first_failing_level) {
 }
 
 TEST(HeldOut, bound_holds_in_95_percent_of_samples) {
-  // Squared errors of 16,000 patches, log-normal over four decades; one level, so that only the bound is tested.
+  // The squared errors of the 16,000 patches have a log-normal distribution over four decades. All patches have one level, so
+  // that the test covers only the bound.
   constexpr int kTrials = 400;
   const std::vector<std::uint8_t> uncertainty(16000, 5);
   std::mt19937 random(3);

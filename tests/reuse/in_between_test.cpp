@@ -1,4 +1,4 @@
-// In-between frames of small traced animations, with expected results from geometry.
+// Tests in-between frames of small traced animations. The expected results follow from the geometry of the scenes.
 #include "reuse/in_between.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 
 using namespace test;
 
-/// Traces the frames of a scene and makes those between them. `display(time)` places the display.
+/// Traces frames of a scene, and makes in-between frames from them. `display` returns the placement of the display at a time.
 class Animation {
  public:
   Animation(const Scene& scene, const Optics& optics, const ForwardParams& params, int threads = 1)
@@ -23,7 +23,7 @@ class Animation {
 
   std::function<Affine3f(double)> display = [](double) { return Affine3f{}; };
   InBetweenCounts counts;
-  Image memory;  ///< previous content of the films of made frames
+  Image memory;  ///< content of the film before a frame is made; the frame must not depend on it
 
   PointImage traced(double time) {
     PointImage frame;
@@ -48,7 +48,7 @@ class Animation {
     return frame;
   }
 
-  /// Returns the frame half-way between times 0 and 1.
+  /// Returns the in-between frame of time 0.5, made from the traced frames of the times 0 and 1.
   PointImage middle() { return made(traced(0.0), traced(1.0), 0.5); }
 
  private:
@@ -67,7 +67,7 @@ class Animation {
   InBetweenMaker maker_;
 };
 
-/// 32 x 32 pixels of a millimetre in the plane z = 0.
+/// Returns a view of 32 x 32 pixels. A pixel is 1 mm wide in the plane z = 0.
 Optics view32() {
   Optics optics;
   optics.panel = {32, 32, 1.0f};
@@ -95,8 +95,8 @@ ForwardParams with_sampling(SplatSampling sampling) {
 
 constexpr Vec3f kWall(0.5f, 0.25f, 0.125f), kSquare(0.75f);
 
-/// A square of 8 x 8 pixels in front of a wall, both practically in the plane z = 0. At times 0 and 1 the square is in the
-/// middle, half-way in between it is `x` pixels to the right.
+/// Returns a square of 8 x 8 pixels in front of a wall. Both are very near the plane z = 0. The square is in the middle at the
+/// times 0 and 1, and `x` pixels further to the right at the time 0.5.
 SmallScene square_that_leaves_and_returns(float x) {
   SmallScene s;
   s.add(square(200, -0.001f), s.material(glowing(kWall)));
@@ -135,7 +135,8 @@ TEST(InBetween, previous_film_content_is_overwritten) {
 
 TEST(InBetween, square_does_not_bleed_into_its_hole) {
   SmallScene s = square_that_leaves_and_returns(8.0f);
-  std::get<Mesh>(s.scene.shapes[0]) = square(200, -30.0f);  // far enough behind to be another layer
+  // the wall is so far behind the square that colours are not interpolated between them
+  std::get<Mesh>(s.scene.shapes[0]) = square(200, -30.0f);
   Animation animation(s.scene, view32(), with_fill(MissedFill::kInterpolate));
   const PointImage frame = animation.middle();
   for (int j = 12; j < 20; ++j)
@@ -163,7 +164,8 @@ TEST(InBetween, colours_are_weighted_by_nearness_in_time) {
   const PointImage a = animation.traced(0.0), b = animation.traced(1.0);
   for (const float time : {0.25f, 0.5f}) {
     const PointImage frame = animation.made(a, b, time);
-    // 0.7 of the way from equal weights to weights by nearness in time.
+    // At time 0.25, nearness in time alone would give the following frame the weight 0.25. The used weight is 0.7 of the way
+    // from 0.5 to it: 0.5 + 0.7 (0.25 - 0.5) = 0.325.
     const float weight = time == 0.5f ? 0.5f : 0.325f;
     for (std::size_t k = 0; k < frame.film.data.size(); ++k)
       ASSERT_FLOAT_EQ(frame.film.data[k], (1 - weight) * a.film.data[k] + weight * b.film.data[k]);
@@ -181,12 +183,13 @@ TEST(InBetween, made_frames_have_correct_points) {
     if (frame.points.object[p] == kMissedObject) continue;
     if (frame.points.object[p] == 1) ++on_square;
     if (frame.points.object[p] != truth.points.object[p]) continue;
-    EXPECT_NEAR(frame.points.z[p], truth.points.z[p], 1e-3f) << p;  // the wall's distance limits the precision
+    EXPECT_NEAR(frame.points.z[p], truth.points.z[p], 1e-3f) << p;  // the precision is limited by the distance of the wall
   }
-  EXPECT_GT(on_square, 60u);  // it has 64 pixels
+  EXPECT_GT(on_square, 60u);  // the square covers 64 pixels
 }
 
-/// Spheres and boxes, each with its own motion, in front of a checkered wall under a fixed light.
+/// Returns a scene of spheres and boxes in front of a checkered wall, with a fixed light. If `moving`, each object has its own
+/// motion.
 SmallScene busy_scene(bool moving) {
   SmallScene s;
   s.scene.max_depth = 3;
@@ -276,16 +279,14 @@ double squared_error(const Image& a, const Image& b) {
 }
 
 TEST(InBetween, interpolating_views_beats_whole_pixels) {
-  // Stripes of 2 lenses.
+  // The scene consists of stripes that are 2 lenses wide.
   SmallScene s;
   const int material = s.material(glowing(Vec3f(0.8f)));
   for (float x = -3.0f; x < 3.0f; x += 1.0f) s.add(Boxes{{{x, -3, -1}, {x + 0.5f, 3, -0.9f}}}, material);
   const auto error = [&](SplatSampling sampling) {
     Animation animation(s.scene, sheet(), with_sampling(sampling));
-    animation.display = [](double time) {
-      return Affine3f{Mat3f(1.0f), Vec3f(0.35 * time, 0, 0)};
-    };  // 0.7 of a lens in each
-        // direction
+    // From each key frame to the middle frame, the display moves by 0.7 of a lens.
+    animation.display = [](double time) { return Affine3f{Mat3f(1.0f), Vec3f(0.35 * time, 0, 0)}; };
     return squared_error(animation.middle().film, animation.traced(0.5).film);
   };
   EXPECT_LT(error(SplatSampling::kEpipolar), 0.5 * error(SplatSampling::kPixel));

@@ -1,5 +1,6 @@
-// Landing places of moved points, compared with the definitions in reuse/landing.hpp, computed in double precision or by
-// search: random points and motions behind random pixels of random arrays of every model.
+// Tests where a moved point is projected: onto the pixel of the same view, or onto the pixel below the same lens.
+// reuse/landing.hpp defines both projections. The expected pixel is computed in double precision or found by search. The
+// points, motions, pixels and arrays are random, with every optics model.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,7 +20,7 @@ using test::at_depth;
 using test::KnownMotion;
 using test::OpticsSampler;
 
-/// A place on the panel in continuous pixel coordinates; no value if the point is not visible.
+/// A position on the panel in continuous pixel coordinates. It is empty if the point is not visible.
 using Place = std::optional<glm::dvec2>;
 
 using test::centre_of;
@@ -30,8 +31,8 @@ bool on_panel(const Optics& optics, glm::dvec2 p) {
 
 // ---- Same lens: of all pixels that see the point, the one below the same lens -------------------------------------------
 
-/// Returns where the rays below the lens of this panel point cross z = 0: the lens's centre (for a sheet, its distance from the
-/// slanted axis x = 0).
+/// Returns where the rays of the lens above this point of the panel cross z = 0. For a microlens this is the lens centre. For a
+/// sheet, x is the distance of the lens axis from the slanted axis through the origin, and y is 0.
 glm::dvec2 lens_above(const Optics& optics, Vec2f pixel) {
   const Vec3f p = at_depth(ray_of_pixel(optics, pixel), 0.0f);
   const auto* sheet = std::get_if<LenticularSheet>(&optics.model);
@@ -48,7 +49,7 @@ bool same_lens(const Optics& optics, Vec2f a, Vec2f b) {
 }
 
 Place seen_below_lens(const Optics& optics, Vec2f from, Vec3f point) {
-  // Uses a larger panel: if its edge cuts a cell, the image may lie just outside.
+  // Uses a larger panel, because the image may lie just outside of the panel if its edge cuts the cell.
   constexpr float kMargin = 8.0f;
   Optics wide = optics;
   wide.z_front_mm = resolved_z_front_mm(optics);
@@ -60,7 +61,7 @@ Place seen_below_lens(const Optics& optics, Vec2f from, Vec3f point) {
     if (!same_lens(wide, p, from + kMargin)) continue;
     const Vec2f place = p - kMargin;
     if (!sheet) return place;
-    // A pixel of a sheet shows its whole row: the same place below the lens at the row's centre.
+    // A pixel of a sheet shows points of its whole row. Moves along the lens axis to the centre of the row.
     const float row = std::floor(place.y) + 0.5f;
     return glm::dvec2(place.x + (row - place.y) * std::tan(sheet->slant), row);
   }
@@ -70,10 +71,10 @@ Place seen_below_lens(const Optics& optics, Vec2f from, Vec3f point) {
 // ---- Same view ----------------------------------------------------------------------------------------------------------
 
 struct Lattice {
-  double pitch, row_pitch;  ///< mm; row_pitch is 0 for a sheet
-  glm::dvec2 offset;        ///< position of lens 0
-  double spread;            ///< 1 + g/V: ratio of cell width to lens width
-  glm::dvec2 eye;           ///< point that cells converge to
+  double pitch, row_pitch;  ///< in mm; row_pitch is 0 for a sheet
+  glm::dvec2 offset;        ///< position of the centre of lens 0
+  double spread;            ///< ratio of the cell width to the lens width, 1 + gap / viewing distance
+  glm::dvec2 eye;           ///< point to which the cells converge
   bool hexagonal = false;
 };
 
@@ -96,11 +97,12 @@ Lattice lattice_of(const Optics& optics) {
           hexagonal};
 }
 
-/// Returns the lens with its centre nearest to a point of z = 0, both in mm.
+/// Returns the centre of the lens nearest to the point `p` in the plane z = 0, in mm.
 glm::dvec2 nearest_lens(const Lattice& lattice, glm::dvec2 p) {
   const auto nearest = [](double x, double first, double pitch) { return first + std::round((x - first) / pitch) * pitch; };
   if (lattice.row_pitch == 0.0) return {nearest(p.x, lattice.offset.x, lattice.pitch), 0.0};
-  // Rows count downwards from lens (0, 0), and every second row of hexagons is shifted, so all rows near the point are tried.
+  // Rows count downwards from lens (0, 0), and every second row of hexagonal lenses is shifted. Several rows near the point are
+  // therefore compared.
   const double row = std::round((lattice.offset.y - p.y) / lattice.row_pitch);
   glm::dvec2 best(1e30);
   for (double r = row - 2; r <= row + 2; ++r) {
@@ -112,7 +114,8 @@ glm::dvec2 nearest_lens(const Lattice& lattice, glm::dvec2 p) {
   return best;
 }
 
-/// Returns the same offset from the cell's centre, below the lens whose ray of that offset passes nearest to the point.
+/// Returns the position with the same offset from a cell's centre as `from`. The lens of this cell is the lens whose ray with
+/// this offset passes nearest to the point.
 Place seen_in_lens_view(const Optics& optics, Vec2f from, Vec3f point) {
   const Lattice lattice = lattice_of(optics);
   const double m = optics.panel.pixel_pitch_mm, w = optics.panel.width, h = optics.panel.height;
@@ -128,21 +131,22 @@ Place seen_in_lens_view(const Optics& optics, Vec2f from, Vec3f point) {
     p = {p.x * cosine + p.y * sine, 0.0};
   }
   const auto cell_centre = [&](glm::dvec2 lens) { return lens + (lens - lattice.eye) * (lattice.spread - 1.0); };
-  // The lens above the pixel is the one whose cell's centre is nearest. Offset o: slope -parallax o/g - (l - e)/V.
+  // Finds the lens above the pixel, whose cell centre is nearest to the pixel. A pixel at the offset o has a ray with the slope
+  // -parallax o/g - (l - e)/V, where l is the lens and e the eye.
   const glm::dvec2 own = nearest_lens(lattice, (panel_mm + lattice.eye * (lattice.spread - 1.0)) / lattice.spread);
   const glm::dvec2 o = panel_mm - cell_centre(own);
   const glm::dvec2 through = (p + (parallax * o / gap - lattice.eye * vergence) * double{point.z}) / from_eye;
   const glm::dvec2 landed = cell_centre(nearest_lens(lattice, through)) + o;
   if (!sheet) return glm::dvec2(landed.x / m + w / 2, h / 2 - landed.y / m);
-  // Along the lens: the row that shows the point, whose rays run through (y (1 + z/(V+g)...) towards the eye.
+  // Finds the row of pixels that shows the point. Parallel to the lenses, the rays of a row run towards the eye.
   const double y_eye = sheet->eye_height_mm, v = sheet->viewing_distance_mm;
   const double y = std::isinf(v) ? point.y : (point.y * (v + gap) - y_eye * (point.z + gap)) / (v - point.z);
   const double row = std::floor(h / 2 - y / m);
   return glm::dvec2((landed.x + (row + 0.5 - h / 2) * m * sine) / cosine / m + w / 2, row + 0.5);
 }
 
-/// For quilts and single views: returns the pixel of the same view whose ray passes nearest to the point, at most half a pixel
-/// beyond the picture's edge.
+/// For quilts and single views: returns the pixel of the same view whose ray passes nearest to the point. The point may be up
+/// to half a pixel beyond the edge of the picture.
 Place seen_in_picture(const Optics& optics, Vec2f from, Vec3f point) {
   const auto* views = std::get_if<MultiView>(&optics.model);
   const float distance = views ? views->distance_mm : std::get<SingleView>(optics.model).distance_mm;
@@ -177,17 +181,18 @@ Place expected_place(const Optics& optics, SplatMode mode, Vec2f from, Vec3f poi
   return mode == SplatMode::kLens ? seen_below_lens(optics, from, point) : seen_in_lens_view(optics, from, point);
 }
 
-/// Returns the pixel of a place, or no value off the panel.
+/// Returns the pixel at the position, or no value if the position is not on the panel.
 std::optional<std::uint32_t> pixel_at(const Optics& optics, const Place& place) {
   if (!place || !on_panel(optics, *place)) return std::nullopt;
   return static_cast<std::uint32_t>(place->y) * static_cast<std::uint32_t>(film_size(optics).x) +
          static_cast<std::uint32_t>(place->x);
 }
 
-/// Returns whether a place is within a thousandth of a pixel of the next pixel.
+/// Returns whether the coordinate is less than 1e-3 pixel from a pixel edge.
 bool is_on_pixel_edge(double place) { return std::abs(place - std::round(place)) < 1e-3; }
 
-/// Returns whether rounding decides: a step of a thousandth of a pixel's footprint changes the outcome.
+/// Returns whether rounding can change the pixel. It can if moving the point by a thousandth of a pixel's footprint changes the
+/// pixel.
 bool is_close_call(const Optics& optics, SplatMode mode, Vec2f from, Vec3f point) {
   const Vec2f footprint = sample_footprint_mm(optics, point.z);
   const float step = 1e-3f * std::min(footprint.x, optics.panel.pixel_pitch_mm);
@@ -199,8 +204,8 @@ bool is_close_call(const Optics& optics, SplatMode mode, Vec2f from, Vec3f point
   return false;
 }
 
-/// If a cell ends within a pixel, a place in the cell may lie on a pixel whose centre belongs to the neighbour. An adjacent
-/// pixel of the lens's own cell is then also correct, as is no pixel.
+/// A pixel at the edge of a cell may have its centre in the neighbouring cell. A position in the own cell may lie on such a
+/// pixel. Then an adjacent pixel of the own cell is also a correct result, and so is no pixel.
 bool is_own_neighbour(const Optics& optics, glm::dvec2 place, glm::dvec2 lens, std::optional<std::uint32_t> landed) {
   if (!landed) return true;
   const Vec2f centre = centre_of(optics, *landed);
@@ -231,14 +236,15 @@ void check(const Optics& optics, SplatMode mode, OpticsSampler& random) {
          << ", landed on " << (landed ? std::to_string(*landed) : "nothing") << ", expected ";
     (place ? what << place->x << " " << place->y : what << "nothing");
     ASSERT_TRUE(place && lenses) << what.str();
-    // The lens that shows it: for the same lens, that of the pixel; for the same view, the one that the definition chose.
+    // Finds the lens that must show the point. With kLens it is the lens above the original pixel. With kView it is the lens
+    // above the expected position.
     const Vec2f floor_centre(std::floor(place->x) + 0.5, std::floor(place->y) + 0.5);
     const glm::dvec2 lens = mode == SplatMode::kLens ? lens_above(optics, from) : lens_above(optics, Vec2f(*place));
     EXPECT_TRUE(glm::distance(lens_above(optics, floor_centre), lens) > 0.25 * lens_pitch(optics) || !on_panel(optics, *place))
         << what.str();
     EXPECT_TRUE(is_own_neighbour(optics, *place, lens, landed)) << what.str();
   }
-  EXPECT_GT(compared, 100) << test::model_name(optics);  // 250 are drawn
+  EXPECT_GT(compared, 100) << test::model_name(optics);  // of 250 random points
 }
 
 TEST(Landing, same_view_agrees_with_its_definition) {
@@ -267,7 +273,7 @@ TEST(Landing, static_points_stay_in_their_pixels) {
   }
 }
 
-/// With striped sub-pixels.
+/// Returns a random slanted panel whose sub-pixels form stripes.
 Optics slanted_panel(OpticsSampler& random) {
   Optics optics = random.slanted_panel();
   std::get<SlantedPanel>(optics.model).sub_pixels = striped_sub_pixels(random.coin());
@@ -280,7 +286,8 @@ TEST(Landing, slanted_panels_keep_the_direction) {
     const Optics optics = slanted_panel(random);
     const auto& slanted = std::get<SlantedPanel>(optics.model);
     const Splatter splatter(optics, {SplatMode::kView, true});
-    // The eye's angle as a share of the view cone grows by 1 / sub-pixels below a lens from eye to eye.
+    // Returns the angle of the eye as a share of the view cone. From sub-pixel to sub-pixel, it changes by 1 / (sub-pixels per
+    // lens).
     const auto view_of = [&](Vec2f pixel) {
       const Vec3f eye = at_depth(ray_of_pixel(optics, pixel), slanted.distance_mm);
       return std::atan(eye.x / (slanted.parallax * slanted.distance_mm)) / slanted.view_cone;
@@ -301,7 +308,8 @@ TEST(Landing, slanted_panels_keep_the_direction) {
       ++seen;
       const Vec2f centre = centre_of(optics, *landed);
       const Vec3f place = at_depth(ray_of_pixel(optics, centre), 0.0f);
-      // Half a row and rounding; half a lens and half a sub-pixel; half a sub-pixel's share of the views, also around the end.
+      // Tolerance in y: half a row and rounding. Tolerance in x: half a lens and half a sub-pixel. Tolerance of the view: half
+      // of the step between sub-pixels, where the first view follows the last.
       const double pitch = optics.panel.pixel_pitch_mm / 3.0;
       EXPECT_LE(std::abs(place.y - in_plane.y), 1.51 * pitch);
       EXPECT_LE(std::abs(place.x - in_plane.x), (0.5 * sub_pixels + 0.51) * pitch);
@@ -349,7 +357,7 @@ TEST(Landing, unsupported_modes_of_slanted_panels_are_refused) {
   EXPECT_EQ(refused(SplatMode::kView), "reuse");
 }
 
-/// The whole splat: for every pixel the nearest of all points that land on it, found one point at a time.
+/// Projects a whole frame. Each pixel must show the nearest of all points that are projected onto it one by one.
 TEST(Landing, whole_splat_equals_single_points) {
   OpticsSampler random(4);
   for (int k = 0; k < 24; ++k) {
@@ -357,7 +365,7 @@ TEST(Landing, whole_splat_equals_single_points) {
     const SplatMode mode = random.coin() ? SplatMode::kView : SplatMode::kLens;
     PointImage image = test::empty_points(optics.panel);
     const auto pixels = static_cast<std::uint32_t>(image.points.z.size());
-    // Few different depths, so that there are ties.
+    // Uses few different depths, so that some points have equal depths.
     for (std::uint32_t p = 0; p < pixels; ++p)
       test::set_point(image, p, 0.5f * static_cast<float>(random.integer(-20, 20)), static_cast<std::uint32_t>(p % 3));
     const KnownMotion motion({test::shift(1.0f, 0.2f, 0), test::shift(-2.0f, 3.0f, 0), Affine3f{}});

@@ -1,4 +1,5 @@
-// Colours and causes of missed pixels, by hand: one row of 9 pixels, each a millimetre wide, seen from far away.
+// Tests the colours of missed pixels, and the reasons why they were missed. Expected values are computed by hand, for one row
+// of 9 pixels that are 1 mm wide and seen from far away.
 #include "reuse/missed.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +18,7 @@ Optics row_of_pixels() {
   return optics;
 }
 
-/// Points and colours of the previous and the following frame, and their motion to the frame between them.
+/// The points and colours of the previous and the following key frame. fill() moves them to the frame in between.
 struct Row {
   Optics optics = row_of_pixels();
   PointImage previous = test::empty_points(optics.panel), following = previous;
@@ -58,7 +59,8 @@ TEST(Missed, neighbours_are_weighted_by_inverse_distance) {
   test::set_point(row.previous, 2, 0.0f);
   test::set_point(row.previous, 5, 0.0f);
   row.fill(3, kStill, kStill);
-  // Colours are pixel numbers: 2 is one pixel away, 5 two.
+  // The colour of a pixel is its number. Pixel 2 is one pixel away and has the weight 1; pixel 5 is two pixels away and has the
+  // weight 1/2.
   EXPECT_FLOAT_EQ(row.shown(3), (2.0f + 0.5f * 5.0f) / 1.5f);
 }
 
@@ -85,31 +87,32 @@ TEST(Missed, neighbours_count_with_their_shown_colour) {
   test::set_point(row.following, 2, 0.0f);
   row.following.film.data[3 * 2] = 12.0f;
   row.fill(3, kStill, kStill);
-  EXPECT_EQ(row.shown(3), 7.0f);  // the mean of 2 and 12
+  EXPECT_EQ(row.shown(3), 7.0f);  // the mean of 2 in the previous frame and 12 in the following frame
 }
 
 TEST(Missed, without_neighbours_both_frames_are_averaged) {
   Row row;
   row.following.film.data[3 * 3] = 13.0f;
   row.fill(3, kStill, kStill);
-  EXPECT_EQ(row.shown(3), 8.0f);  // the mean of 3 and 13
+  EXPECT_EQ(row.shown(3), 8.0f);  // the mean of 3 in the previous frame and 13 in the following frame
   EXPECT_EQ(row.causes.not_covered, 1u);
   EXPECT_EQ(row.causes.newly_visible, 0u);
 }
 
 TEST(Missed, surface_inside_a_frame_was_hidden) {
   Row row;
-  test::set_point(row.previous, 2, 0.0f);  // moves by 2, so the point at 7 was at 5
+  test::set_point(row.previous, 2, 0.0f);  // the object moves by 2 pixels, so the point at pixel 7 was at pixel 5 before
   row.fill(7, {test::shift(2, 0, 0)}, {test::shift(4, 0, 0)});
   EXPECT_EQ(row.causes.newly_visible, 1u);
 }
 
 TEST(Missed, surface_outside_both_frames_was_not_covered) {
   Row row;
-  test::set_point(row.previous, 2, 0.0f);  // the point at 1 was at -1 before and will be at -3 in the following frame
+  // the point at pixel 1 was at -1 in the previous frame, and will be at -3 in the following frame
+  test::set_point(row.previous, 2, 0.0f);
   row.fill(1, {test::shift(2, 0, 0)}, {test::shift(4, 0, 0)});
   EXPECT_EQ(row.causes.not_covered, 1u);
-  Row left_again;  // visible in the following frame
+  Row left_again;  // here the point is visible in the following frame
   test::set_point(left_again.previous, 2, 0.0f);
   left_again.fill(1, {test::shift(2, 0, 0)}, {test::shift(-4, 0, 0)});
   EXPECT_EQ(left_again.causes.newly_visible, 1u);

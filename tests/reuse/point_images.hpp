@@ -1,4 +1,5 @@
-// Point images made by hand and motions given as matrices, for tests of reuse.
+// Makes point images and motions by hand, for tests of reuse. A point image holds the depth, the object and the colour of the
+// first hit of every pixel.
 #pragma once
 
 #include <vector>
@@ -9,7 +10,7 @@
 
 namespace lippmann::test {
 
-/// Returns a point image in which all pixels are missed, with the colour (index, 0, 0).
+/// Returns a point image in which no pixel has a point. Pixel i has the colour (i, 0, 0).
 inline PointImage empty_points(const Panel& panel) {
   const auto pixels = static_cast<std::size_t>(panel.width) * static_cast<std::size_t>(panel.height);
   PointImage image;
@@ -35,7 +36,8 @@ inline GroupMotion group_motion(const Affine3f& a) {
   return motion;
 }
 
-/// Object i moves by the i-th transform (display mm). Cannot be copied or moved.
+/// A motion in which object i moves by transform i, in mm of the display. It holds pointers into itself and cannot be copied or
+/// moved.
 struct KnownMotion {
   std::vector<std::uint32_t> group_of_object;
   Motion motion;
@@ -53,7 +55,7 @@ struct KnownMotion {
 
 inline Affine3f shift(float x, float y, float z) { return {Mat3f(1.0f), Vec3f(x, y, z)}; }
 
-/// Returns the centre of a pixel of the film.
+/// Returns the centre of a film pixel.
 inline Vec2f centre_of(const Optics& optics, std::uint32_t pixel) {
   const auto width = static_cast<std::uint32_t>(film_size(optics).x);
   return {static_cast<float>(pixel % width) + 0.5f, static_cast<float>(pixel / width) + 0.5f};

@@ -17,7 +17,8 @@ SettledBlocks planner(std::optional<int> every = {}) {
   return {nothing, -1, every};
 }
 
-/// Makes blocks of one ray each; horizons are 2, 4, 8, 16, 32, 64 frames.
+/// Returns blocks of one ray each. The horizons are 2, 4, 8, 16, 32 and 64 frames. A block with the lowest horizon h must be
+/// traced from frame 2^h on.
 TouchedBlocks blocks_with(const std::vector<std::uint8_t>& lowest_horizon) {
   return {{}, lowest_horizon, std::vector<std::uint32_t>(lowest_horizon.size(), 1)};
 }
@@ -56,8 +57,8 @@ TEST(SettledBlocks, given_interval_is_kept) {
   EXPECT_EQ(planner(5).choose_span(blocks_with({0, 0}), 0, 2), 3);
 }
 
-/// Adds two deforming squares: one, with a skin, follows with two corners a joint that moves to `to`; the other morphs one
-/// corner to that point.
+/// Adds two deforming squares. The first has a skin, and two of its corners follow a joint that moves to `to`. The second has a
+/// morph target that moves one corner to the same point.
 void add_deforming(SmallScene& s, Vec3f to, int material) {
   Mesh skinned = test::square(0.5f, 0), morphing = test::square(0.4f, 1);
   skinned.skin = {1, {0, 0, 1, 1}, {1, 1, 1, 1}};
@@ -71,7 +72,8 @@ void add_deforming(SmallScene& s, Vec3f to, int material) {
   s.add(morphing, material, node);
 }
 
-/// A few shapes of every kind at random places, a third of them with random motions, including mirrors and glass; two lights.
+/// Returns a scene with two lights and a few shapes of every kind at random positions. A third of the shapes move at random.
+/// Some materials are mirrors or glass.
 SmallScene random_scene(std::uint32_t seed) {
   std::mt19937 random(seed);
   const auto number = [&](float from, float to) { return std::uniform_real_distribution<float>(from, to)(random); };
@@ -141,7 +143,8 @@ void expect_settled_blocks_as_traced(const Optics& optics) {
       ASSERT_EQ(made.data, traced.data) << "scene " << seed << ", frame " << frame;
     }
   }
-  // The number depends on the scenes, and these on the order in which a compiler evaluates arguments.
+  // The test does not check the exact number of settled blocks. The random scenes depend on the order in which the compiler
+  // evaluates arguments, so their number differs between compilers.
   EXPECT_GT(settled_blocks, 0u);
 }
 

@@ -1,5 +1,5 @@
-// Visibility among several points, by hand. The view: from (0, 0, 10) at the square +-4 of z = 0, in 8 x 8 pixels, so that a
-// millimetre in z = 0 is a pixel; at z = 5 a pixel is half a millimetre, at z = -10 two.
+// Tests which of several points a pixel shows. The eye at (0, 0, 10) sees the square from -4 to 4 mm in the plane z = 0 as 8 x
+// 8 pixels. A pixel is therefore 1 mm wide at z = 0, 0.5 mm at z = 5 and 2 mm at z = -10.
 #include "reuse/splat.hpp"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ SplatBuffer splatted(const PointImage& image, const Motion& motion, bool z_buffe
   return buffer;
 }
 
-/// Returns the pixels onto which a point has landed.
+/// Returns the pixels that show a point.
 std::vector<std::size_t> covered(const SplatBuffer& buffer) {
   std::vector<std::size_t> pixels;
   for (std::size_t p = 0; p < buffer.keys.size(); ++p)
@@ -61,7 +61,7 @@ TEST(Splat, nearest_point_wins_in_any_order) {
   for (const bool near_comes_first : {true, false}) {
     PointImage image = test::empty_points(view().panel);
     const std::size_t near = near_comes_first ? at(2, 4) : at(6, 4), far = near_comes_first ? at(6, 4) : at(2, 4);
-    // Both move to the middle: 2 pixels are 1 mm at z = 5 and 4 mm at z = -10.
+    // Both points move by 2 pixels to the middle: 1 mm at z = 5, and 4 mm at z = -10.
     const float sign = near_comes_first ? 1.0f : -1.0f;
     set_point(image, near, 5.0f, 0);
     set_point(image, far, -10.0f, 1);
@@ -79,7 +79,7 @@ TEST(Splat, depths_are_ordered_across_the_plane) {
     PointImage image = test::empty_points(view().panel);
     set_point(image, at(4, 4), depths[i - 1], 0);
     set_point(image, at(4, 5), depths[i], 1);
-    // One pixel up at that depth.
+    // Moves the second point up by one pixel, which is 1 - z / 10 mm at its depth z.
     const KnownMotion motion({shift(0, 0, 0), shift(0, 1.0f - depths[i] / 10.0f, 0)});
     EXPECT_EQ(SplatBuffer::source(splatted(image, motion.motion).keys[at(4, 4)]), at(4, 5)) << depths[i];
   }
@@ -108,7 +108,7 @@ TEST(Splat, background_stays_behind_every_point) {
   set_point(image, at(4, 4), -kInfinity, kNoObject);
   set_point(image, at(5, 4), -kInfinity, kNoObject);
   set_point(image, at(3, 4), -100.0f);
-  const KnownMotion motion({shift(11, 0, 0)});  // a pixel is 11 mm there
+  const KnownMotion motion({shift(11, 0, 0)});  // a pixel is 11 mm wide at this depth
   const SplatBuffer buffer = splatted(image, motion.motion);
   EXPECT_EQ(covered(buffer), (std::vector<std::size_t>{at(4, 4), at(5, 4)}));
   EXPECT_EQ(SplatBuffer::source(buffer.keys[at(4, 4)]), at(3, 4));

@@ -9,7 +9,8 @@ namespace {
 
 using test::SmallScene;
 
-// One frame per second, so that frame f is time f; nodes of moving_node() move from frame 0 to frame 1, then rest.
+// Tests boxes around everything that moves until frame 2 or 4. The scene has one frame per second, so frame f is at f seconds.
+// Nodes of moving_node() move from frame 0 to frame 1 and then stay.
 constexpr int kHorizons[] = {2, 4};
 
 SmallScene one_frame_a_second() {
@@ -58,7 +59,7 @@ TEST(SweptBoxes, later_motion_belongs_to_later_horizons) {
 
 TEST(SweptBoxes, boxes_contain_only_changing_parts) {
   SmallScene s = one_frame_a_second();
-  Mesh two = test::square(0.5f, 0);  // and the same far to the right, with one corner lifted
+  Mesh two = test::square(0.5f, 0);  // two squares; in the right square, one corner is lifted
   const Mesh other = test::square(0.5f, 0);
   for (const Vec3f& p : other.positions) two.positions.push_back(p + Vec3f(100, 0, 0));
   two.uvs.clear();
@@ -99,7 +100,7 @@ TEST(SweptBoxes, frames_after_the_last_do_not_count) {
 
 TEST(SweptBoxes, boxes_contain_turning_rings_but_not_holes) {
   SmallScene s = one_frame_a_second();
-  Mesh ring;  // 600 thin triangles around z, 10 from the middle
+  Mesh ring;  // a ring of 600 thin triangles around the z axis, with a radius of 10
   for (int i = 0; i < 600; ++i) {
     const float a = 2.0f * kPi * static_cast<float>(i) / 600.0f;
     for (const Vec3f offset : {Vec3f(0, 0, 0), Vec3f(0.1f, 0, 0), Vec3f(0, 0.1f, 0.1f)})

@@ -1,4 +1,4 @@
-// Uncertainty of hand-made predictions.
+// Tests the estimated uncertainty of predicted frames in 8-bit codes, on predictions made by hand.
 #include "reuse/uncertainty.hpp"
 
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 namespace lippmann {
 namespace {
 
-/// A single view of 16 x 8 pixels: neighbours of the view are neighbours of the panel.
+/// Returns a single view of 16 x 8 pixels, so that neighbouring pixels of the view are also neighbouring pixels of the panel.
 Optics small_view() {
   Optics optics;
   optics.panel = {16, 8, 1.0f};
@@ -18,7 +18,8 @@ constexpr std::size_t kWidth = 16, kPixels = 16 * 8;
 
 std::size_t pixel(std::size_t x, std::size_t y) { return y * kWidth + x; }
 
-/// Display-referred, so codes are 255 times the values. Initially everything is black and landed from both key frames.
+/// The two key frames and the predicted film. Values are display-referred, so a code is 255 times a value. Initially everything
+/// is black, and each pixel has received points from both key frames.
 struct Case {
   Image previous{16, 8, 3}, following{16, 8, 3}, film{16, 8, 3};
   SplatBuffer landed_previous{std::vector<std::uint64_t>(kPixels, 1)}, landed_following = landed_previous;
@@ -40,8 +41,9 @@ TEST(Uncertainty, disagreement_spreads_to_neighbours) {
   Case c;
   Case::paint(c.following, pixel(5, 3), 40.0f / 255.0f);
   const auto uncertainty = c.uncertainty();
-  EXPECT_EQ(uncertainty[pixel(5, 3)], 40 + 20);  // its own, and the largest around it, which is its own
-  EXPECT_EQ(uncertainty[pixel(6, 3)], 20 + 20);  // as a neighbour in the view, and as the adjacent pixel
+  // 40 is the difference of the pixel itself; 20 is half of the largest difference around it, which is also its own
+  EXPECT_EQ(uncertainty[pixel(5, 3)], 40 + 20);
+  EXPECT_EQ(uncertainty[pixel(6, 3)], 20 + 20);  // 20 as a neighbour in the view, and 20 as an adjacent pixel of the panel
   EXPECT_EQ(uncertainty[pixel(5, 4)], 20);
   EXPECT_EQ(uncertainty[pixel(4, 2)], 20);
   EXPECT_EQ(uncertainty[pixel(7, 3)], 0);
@@ -53,7 +55,8 @@ TEST(Uncertainty, contrast_of_the_prediction_counts_an_eighth) {
   for (std::size_t y = 0; y < 8; ++y)
     for (std::size_t x = 8; x < 16; ++x) Case::paint(c.film, pixel(x, y), 80.0f / 255.0f);
   const auto uncertainty = c.uncertainty();
-  EXPECT_EQ(uncertainty[pixel(7, 3)], 80 / 8 + 80 / 8);  // as neighbours in the view, and as adjacent pixels
+  // 80 / 8 as a neighbour in the view, and 80 / 8 as an adjacent pixel of the panel
+  EXPECT_EQ(uncertainty[pixel(7, 3)], 80 / 8 + 80 / 8);
   EXPECT_EQ(uncertainty[pixel(8, 3)], 80 / 8 + 80 / 8);
   EXPECT_EQ(uncertainty[pixel(6, 3)], 0);
   EXPECT_EQ(uncertainty[pixel(9, 3)], 0);
@@ -73,7 +76,7 @@ TEST(Uncertainty, pixels_with_few_points_are_uncertain) {
 
 TEST(Uncertainty, linear_film_is_compared_by_square_roots) {
   Case c;
-  Case::paint(c.following, pixel(5, 3), 0.25f);  // a quarter of the light is half the codes
+  Case::paint(c.following, pixel(5, 3), 0.25f);  // a quarter of the light has half of the code
   UncertaintyEstimator estimator(small_view(), Encoding::kSrgb);
   std::vector<std::uint8_t> uncertainty;
   estimator.estimate({c.previous, c.landed_previous}, {c.following, c.landed_following}, c.film, ThreadPool(1), uncertainty);
@@ -84,7 +87,7 @@ TEST(Uncertainty, lenses_separate_neighbours_and_views) {
   Optics optics;
   optics.panel = {16, 8, 0.25f};
   LenticularSheet sheet;
-  sheet.lens_pitch_mm = 1.0f;  // 4 pixels
+  sheet.lens_pitch_mm = 1.0f;  // a lens is 4 pixels wide
   sheet.gap_mm = 2.0f;
   optics.model = sheet;
   Case c;
@@ -92,9 +95,9 @@ TEST(Uncertainty, lenses_separate_neighbours_and_views) {
   UncertaintyEstimator estimator(optics, Encoding::kTachyonTruncate);
   std::vector<std::uint8_t> uncertainty;
   estimator.estimate({c.previous, c.landed_previous}, {c.following, c.landed_following}, c.film, ThreadPool(1), uncertainty);
-  EXPECT_EQ(uncertainty[pixel(9, 3)], 20);  // the next lens
+  EXPECT_EQ(uncertainty[pixel(9, 3)], 20);  // the pixel of the same view below the next lens
   EXPECT_EQ(uncertainty[pixel(1, 4)], 20);
-  EXPECT_EQ(uncertainty[pixel(6, 3)], 20);  // the next view
+  EXPECT_EQ(uncertainty[pixel(6, 3)], 20);  // the pixel of the next view below the same lens
   EXPECT_EQ(uncertainty[pixel(7, 3)], 0);
   EXPECT_EQ(uncertainty[pixel(6, 4)], 0);
 }
