@@ -1,4 +1,4 @@
-// Test prints whose bars are known for every pixel.
+// Tests test prints of bars. The value of every pixel is known.
 #include "sheet/test_blocks.hpp"
 
 #include <gmock/gmock.h>
@@ -22,7 +22,7 @@ bool is_black_at(const BlockTest& test, int x, int y) {
          0;
 }
 
-/// Returns the number of black bars along the row or column through the middle of a block.
+/// Returns the number of black bars along a line through the middle of a block.
 int bars_of(const BlockTest& test, const TestBlock& block, BarDirection direction) {
   const Vec2i middle = (block.bars.from + block.bars.to) / 2;
   const bool is_vertical = direction == kVertical;

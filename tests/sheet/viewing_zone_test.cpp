@@ -14,7 +14,7 @@ TEST(ViewingZone, views_lie_mirrored_below_each_lens) {
   const ViewingZoneTest test = viewing_zone_test(sheet, 5, pool);
   const auto& image = std::get<Image8>(test.picture);
   ASSERT_EQ(image.width, 600);
-  // The first row is above the numbers and has only tints; the last view, blue, is leftmost below each lens.
+  // The first row of pixels contains no numbers. Below each lens, the last view, which is blue, is leftmost.
   for (std::size_t x = 0; x < 600; ++x) {
     const bool is_red = image.rgb[3 * x] > image.rgb[3 * x + 2], is_blue = image.rgb[3 * x] < image.rgb[3 * x + 2];
     EXPECT_EQ(is_blue, x % 5 < 2) << x;
@@ -26,7 +26,7 @@ TEST(ViewingZone, angles_match_evenly_spaced_eyes) {
   const ThreadPool pool(1);
   const ViewingZoneTest test = viewing_zone_test(load_display("lpi=20 dpi=100 paper=600x400px view-angle=90"), 3, pool);
   ASSERT_EQ(test.angles_deg.size(), 3u);
-  EXPECT_NEAR(test.angles_deg[0], -33.690067526, 1e-6);  // atan(2 / 3)
+  EXPECT_NEAR(test.angles_deg[0], -33.690067526, 1e-6);  // eyes are spread evenly over the plane: atan(2/3 * tan(45 degrees))
   EXPECT_NEAR(test.angles_deg[1], 0.0, 1e-12);
   EXPECT_NEAR(test.angles_deg[2], 33.690067526, 1e-6);
 }
