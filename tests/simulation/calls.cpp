@@ -1,5 +1,5 @@
-// System calls that replace those of the C library: paths below /sim/ go to the simulated world, all others to the real one.
-// The C++ library (streams, std::filesystem) uses them, too.
+// Replaces system calls of the C library. Calls with paths below /sim/ go to the simulated world, and all others go to the
+// operating system. The C++ library (streams, std::filesystem) also uses the replaced calls.
 #include <dirent.h>
 #include <dlfcn.h>
 #include <fcntl.h>
@@ -36,20 +36,20 @@ struct OpenFile {
   std::size_t at = 0;
 };
 
-constexpr int kFirstDescriptor = 1 << 20;  // above all real descriptors
+constexpr int kFirstDescriptor = 1 << 20;  // larger than any real file descriptor
 std::array<OpenFile, 1024> open_files;
 
 struct OpenFolder {
   bool is_used = false;
   int descriptor = -1;
-  std::vector<std::pair<std::string, bool>> entries;  ///< and whether they are folders
+  std::vector<std::pair<std::string, bool>> entries;  ///< name of the entry, and whether it is a folder
   std::size_t next = 0;
   dirent entry{};
 };
 
 std::array<OpenFolder, 64> folders;
 
-/// Returns a file or stream opened below /sim/, or null.
+/// Returns the simulated file that was opened with this descriptor, or null for a real descriptor.
 OpenFile* file_of(int descriptor) {
   const int index = descriptor - kFirstDescriptor;
   return index >= 0 && index < static_cast<int>(open_files.size()) ? &open_files[static_cast<std::size_t>(index)] : nullptr;
@@ -78,7 +78,7 @@ int fail(int error) {
 
 int result(int error) { return error < 0 ? fail(-error) : 0; }
 
-/// Continues if the call may proceed, else returns from the caller.
+/// Returns `failure` from the calling function if the simulation lets this system call fail.
 #define LIPPMANN_CALL(kind, failure) \
   if (const int problem = world()->before(World::Call::kind)) return errno = problem, failure
 
@@ -209,7 +209,8 @@ extern "C" {
 LIPPMANN_OPEN(open)
 LIPPMANN_OPEN(open64)
 
-/// Replaces `open` (and `openat` below) in code compiled with _FORTIFY_SOURCE whose flags are not constant.
+/// Code compiled with _FORTIFY_SOURCE calls this function instead of `open` if the flags are not constant. __openat_2 below
+/// replaces `openat` in the same way.
 int __open_2(const char* path, int flags) { return open(path, flags); }
 
 int openat(int folder, const char* path, int flags, ...) {

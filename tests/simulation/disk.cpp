@@ -7,7 +7,8 @@
 namespace lippmann::test {
 namespace {
 
-/// Returns the surviving bytes of a file of which a part is safe. Files are only written at their ends.
+/// Returns the bytes of a file after a failure. `safe` are the synced bytes. The end that was not synced may be lost, cut or
+/// replaced by zeros. Programs only append to files.
 std::string torn(const std::string& safe, const std::string& bytes, Random& random) {
   if (safe == bytes) return bytes;
   const std::size_t begin = bytes.starts_with(safe) ? safe.size() : 0;

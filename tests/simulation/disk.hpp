@@ -1,8 +1,8 @@
-// A disk in memory that keeps only synced data when the power fails.
-//
-// A file's bytes are safe after sync() of the file; its name is safe after sync() of its folder. When power fails, unsafe data
-// survives, is lost or is torn at random: a renamed file may be empty, the end of a file may be zeros, a name may be the old
-// one. Errors are negative errno values.
+// Simulates a disk that keeps only synced data when the power fails.
+// The bytes of a file are safe after sync() of the file. The name of a file is safe after sync() of its folder. When the power
+// fails, each change that is not safe survives, is lost or is partly lost at random. For example, a renamed file may be empty,
+// the end of a file may be zeros, or a file may have its old name.
+// Functions return negative errno values as errors.
 #pragma once
 
 #include <cstdint>
@@ -17,9 +17,9 @@ namespace lippmann::test {
 
 struct Inode {
   bool is_folder = false;
-  int machine = -1;          ///< that wrote last
+  int machine = -1;          ///< machine that wrote last
   std::int64_t written = 0;  ///< time of the last write, in nanoseconds since 1970
-  std::string bytes, safe;   ///< bytes seen by programs; bytes that survive
+  std::string bytes, safe;   ///< `bytes` are seen by programs; `safe` survives a power failure
   std::map<std::string, int> entries, safe_entries;
 };
 
@@ -27,7 +27,7 @@ class Disk {
  public:
   Disk();
 
-  /// Returns an inode's number or an error. Paths are absolute.
+  /// Returns the number of the inode, or an error. Paths are absolute.
   int find(std::string_view path) const;
   int create_file(std::string_view path);
   int make_folder(std::string_view path);
@@ -38,19 +38,19 @@ class Disk {
   Inode& at(int inode) { return inodes_[static_cast<std::size_t>(inode)]; }
   void sync(int inode);
 
-  /// Keeps or loses all unsafe data at random.
+  /// Simulates a power failure: keeps or loses each change that is not safe, at random.
   void lose_power(Random& random);
-  /// Keeps or loses unsynced bytes written by this machine; the disk belongs to another machine, which continues.
+  /// Simulates the failure of a machine that uses this shared disk: keeps or loses its bytes that were not synced, at random.
   void lose_machine(int machine, Random& random);
 
  private:
-  struct Change {  ///< unsafe change of a folder's entries
+  struct Change {  ///< change of a folder's entries that is not synced
     int folder;
     std::string removed, added;
     int inode;
   };
   struct Place {
-    int folder;  ///< or an error
+    int folder;  ///< number of the folder's inode, or an error
     std::string name;
   };
 

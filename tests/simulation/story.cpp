@@ -48,9 +48,9 @@ struct Work {
 };
 
 using FolderFrame = std::pair<fs::path, int>;
-using FolderPart = std::pair<fs::path, int>;  ///< as counted by parts_of
+using FolderPart = std::pair<fs::path, int>;  ///< folder and number of a strip; parts_of() numbers the strips of all frames
 
-/// Marks a file as being made while it exists.
+/// While this object exists, the frame or strip counts as being written.
 class Making {
  public:
   Making(std::multiset<FolderFrame>& all, FolderFrame own) : all_(all), own_(all.insert(std::move(own))) {}
@@ -63,7 +63,8 @@ class Making {
   std::multiset<FolderFrame>::iterator own_;
 };
 
-/// Returns the bytes that replace a rendered picture: different for every file and job, and reproducible.
+/// Returns the bytes that stand for a rendered picture. They are different for every file and job, and always the same for one
+/// seed.
 std::string picture_bytes(const std::string& name, const std::string& job = kJob) {
   Random random(std::hash<std::string>()(job == kJob ? name : job + name));
   std::string bytes(20 + random.below(200), '\0');
@@ -152,7 +153,7 @@ class Teller {
     folder.add_video(video, frames_);
   }
 
-  /// Like render_animation.
+  /// Imitates render_animation().
   RenderReport render(const Work& work) {
     const Context context;
     const RenderParams params = params_of(work);
@@ -203,7 +204,7 @@ class Teller {
     return true;
   }
 
-  /// Joins strips. The joined frame is right if the strips are.
+  /// Imitates joining the strips of a frame. Complains if a strip that would be joined has wrong bytes.
   void join_strips(int frame, const RenderFolder& folder) {
     finished_strips(folder, frame, strips_);
     for (int strip = 0; strip < strips_; ++strip) {
@@ -221,7 +222,8 @@ class Teller {
     if (strips_ == 1) return;
     forget_strips_of(folder, frame);
     remove_strips(folder, frame, strips_);
-    forget_strips_of(folder, frame);  // another task may have finished one of them, which is then gone, too
+    // another task may have finished a strip of this frame, but this strip has been removed too
+    forget_strips_of(folder, frame);
   }
 
   void forget_strips_of(const fs::path& folder, int frame) {
@@ -242,7 +244,7 @@ class Teller {
     return true;
   }
 
-  /// Finishes a job that was joined from folders of parts, or rendered in one folder.
+  /// Finishes the job. The job was rendered in one folder, or in several folders that are joined.
   std::optional<RenderReport> finish(const Work& work) {
     std::vector<fs::path> parts;
     if (apart_)
@@ -262,14 +264,15 @@ class Teller {
 
   // ---- Invariants ------------------------------------------------------------------------------------------------------
 
-  /// A run that starts after a frame or a strip was finished, and can read everything, does not render it again.
+  /// Complains if a run renders a frame or a strip that was finished before the run started. Runs that failed to read a file
+  /// are exempt.
   void expect_unfinished(const std::map<FolderFrame, std::uint64_t>& finished, const FolderFrame& thing, const char* kind) {
     const auto found = finished.find(thing);
     if (!is_alive() || has_misread() || found == finished.end() || found->second >= world_.current()->began) return;
     complain(fmt::format("{} {} was finished at step {} and is rendered again", kind, thing.second, found->second));
   }
 
-  /// While a run holds the folder, the frames in it belong to its job.
+  /// While a run holds the folder, the frames in the folder must be those of its job.
   void expect_own_frames(const Work& work, const RenderReport& report) {
     const Process* process = world_.current();
     if (!process || process->is_dead || process->has_misread || world_.last_flip >= process->began) return;
@@ -289,8 +292,9 @@ class Teller {
                        [&](const std::string& name) { return world_.disk.find((of.first / name).string()) == inode; });
   }
 
-  /// Removes a file from the finished frames and returns whether it belonged to one that no process is rendering again: damage
-  /// before its checksum is taken cannot be detected. Joined folders have one file under two names.
+  /// Called when a byte of a file is to be damaged. Removes the file's frame or strip from the finished ones, and returns true
+  /// if the damage is allowed. A file that is being written must not be damaged, because damage before the checksum is taken
+  /// cannot be detected. In joined folders a file may have two names, so files are compared by their inodes.
   bool forget(const std::string& path) {
     const int inode = world_.disk.find(path);
     for (const FolderFrame& made : being_made_) {
@@ -334,7 +338,7 @@ class Teller {
 
   fs::path part(int unit) const { return fmt::format("/sim/part-{}", unit); }
 
-  /// Prepares the folder's content before the job begins.
+  /// Prepares the content of the folder before the job begins.
   void prepare() {
     if (!random_.once_in(3)) return;
     const auto before = static_cast<Before>(1 + random_.below(3));
@@ -407,13 +411,14 @@ class Teller {
     world_.calm();
   }
 
-  /// The rival has its own machine, because processes of one machine detect each other by calls that are not simulated.
+  /// The competing job runs on its own machine. Processes on the same machine would detect each other by calls that are not
+  /// simulated.
   int machine_for(const Work& work) {
     if (!has_rival_) return static_cast<int>(random_.below(kMachines));
     return work.job == kJob ? static_cast<int>(random_.below(kMachines - 1)) : kMachines - 1;
   }
 
-  /// Failing tasks are often retried.
+  /// Runs the task, and often repeats it if it failed.
   void attempt(Work work) {
     const bool is_done = try_to(work);
     if (++work.attempts < 4 && !is_done && !random_.once_in(4)) queue_.push_back(work);
@@ -432,7 +437,8 @@ class Teller {
     return false;
   }
 
-  /// Acts like a person after all machines work again: finishes, or renders the reported frames and finishes.
+  /// Recovers as a user would when all machines work again: finishes the job, or renders the missing frames and then finishes
+  /// it.
   void recover() {
     if (has_rival_) world_.pass(static_cast<std::int64_t>(2e9 * kLeaseSeconds));
     if (has_rival_ && finished_.empty()) complete({.folder = folder_, .units = Units{{1}, 1}, .force = true});
@@ -456,17 +462,18 @@ class Teller {
   static constexpr int kAllFrames = 100;  // number of frames of the scene
 
   bool shares_a_name_;
-  int strips_;  ///< number of strips per frame; 1: frames are rendered whole
+  int strips_;  ///< number of strips per frame; with 1, frames are rendered as a whole
   World world_;
   Random& random_;
   Kind kind_ = Kind::kPicture;
   std::vector<int> frames_;
   int segment_ = 1, units_ = 1, runs_ = 0;
   bool apart_ = false, has_video_ = false;
-  bool has_rival_ = false;  ///< another job that starts in the folder at the same time
+  bool has_rival_ = false;  ///< a competing job starts in the same folder at the same time
   fs::path folder_ = "/sim/film";
   std::deque<Work> queue_;
-  std::map<FolderFrame, std::uint64_t> finished_;       ///< finished and recorded; the step of the world
+  /// frames that were finished and recorded, and the step of the simulation in which this happened
+  std::map<FolderFrame, std::uint64_t> finished_;
   std::map<FolderPart, std::uint64_t> finished_parts_;  ///< the same for strips, until their frame is finished
   std::multiset<FolderFrame> being_made_;
   std::string problem_;

@@ -1,5 +1,5 @@
-// One simulated life of a job: it is planned, its units are rendered by processes that are killed, on machines that fail, and
-// it is finally finished. The folder, the journal and finish are the real code; frames are a few bytes.
+// Simulates the life of a job. The job is planned, processes render its units, processes are killed, machines fail, and finally
+// the job is finished. The output folder and its journal are handled by the real code. The pictures are a few bytes each.
 #pragma once
 
 #include <cstdint>
@@ -8,10 +8,11 @@
 namespace lippmann::test {
 
 struct Story {
-  std::string problem;  ///< a wrong or lost frame, a folder that cannot be finished ...; empty on success
-  std::string log;      ///< events, for people
+  /// what went wrong, such as a wrong or lost frame or a folder that cannot be finished; empty on success
+  std::string problem;
+  std::string log;  ///< events, for reading
   int frames = 0, runs = 0;
-  std::uint64_t calls = 0;  ///< number of system calls
+  std::uint64_t calls = 0;  ///< number of simulated system calls
 };
 
 Story tell_story(std::uint64_t seed);

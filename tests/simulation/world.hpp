@@ -1,7 +1,7 @@
-// Machines that share a disk, their clocks, and processes that run on them one system call at a time. The processes run real
-// code, whose calls (calls.cpp) come here for files below /sim/. A seed decides which process runs next, and what fails when.
-//
-// A killed process has no more visible effects: its calls fail, so that it soon ends and frees its memory.
+// Simulates machines that share a disk, their clocks, and processes. Processes run real code. Before each system call for a
+// file below /sim/ (calls.cpp), another process may continue. A random seed determines which process runs next, and which
+// failures happen when.
+// A killed process has no further effect: its system calls fail, so that it soon ends and frees its memory.
 #pragma once
 
 #include <ucontext.h>
@@ -20,27 +20,27 @@
 
 namespace lippmann::test {
 
-/// Frequency of faults, once in this many system calls; 0: never.
+/// How often failures happen: once in this many system calls, or never if 0.
 struct Faults {
   std::size_t kill = 0, machine_loss = 0, power_loss = 0;
-  std::size_t disk_full = 0;  ///< from then on, for a while
-  std::size_t error = 0;      ///< EIO or ENOSPC of a call that writes
+  std::size_t disk_full = 0;  ///< lasts for a while
+  std::size_t error = 0;      ///< a call that writes fails with EIO or ENOSPC
   std::size_t read_error = 0;
-  std::size_t interrupted = 0;  ///< EINTR, and partial reads and writes
+  std::size_t interrupted = 0;  ///< a call fails with EINTR, or reads or writes only a part
   std::size_t clock_jump = 0;
-  std::size_t flipped_byte = 0;  ///< in a picture
+  std::size_t flipped_byte = 0;  ///< damages a byte of a picture
 };
 
 struct Process {
   int id = 0, machine = 0, pid = 1;
   bool is_dead = false, has_ended = false;
-  bool has_misread = false;  ///< one of its reads has failed
-  std::uint64_t began = 0;   ///< step of the world
+  bool has_misread = false;  ///< a read of this process has failed
+  std::uint64_t began = 0;   ///< step of the simulation at which the process began
   std::function<void()> body;
   bool has_begun = false;
-  ucontext_t context{};                    ///< its entry point
-  std::jmp_buf place{};                    ///< where it continues
-  std::array<std::byte, 16> exceptions{};  ///< exceptions being caught, from the C++ run-time
+  ucontext_t context{};                    ///< state in which the process begins
+  std::jmp_buf place{};                    ///< state in which the process continues
+  std::array<std::byte, 16> exceptions{};  ///< exceptions that the process is handling, a copy of the C++ run-time's state
   std::unique_ptr<std::byte[]> stack;
 };
 
@@ -51,21 +51,22 @@ class World {
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
-  /// Runs until all processes have ended. Calls `ready` between system calls, which may start processes.
+  /// Runs all processes until they have ended. Calls `ready` between system calls. `ready` may start processes.
   void run(const std::function<void()>& ready = {});
   Process& start(int machine, std::function<void()> body);
 
-  /// Called before every system call of a process; lets others run. Returns an errno with which the call fails, or 0.
+  /// Called before every system call of a process. Lets other processes run. Returns the errno with which the call must fail,
+  /// or 0.
   enum class Call { kRead, kWrite, kOther };
   int before(Call call);
 
-  /// Disables all faults from here on.
+  /// Disables all failures from now on.
   void calm() { faults = {}, full_until_ = 0; }
 
   /// Sets all clocks forward.
   void pass(std::int64_t nanoseconds);
 
-  /// Returns the number of bytes that this call transfers, of `bytes`.
+  /// Returns how many of `bytes` bytes this call reads or writes.
   std::size_t moved(std::size_t bytes);
 
   Process* current() { return current_; }
@@ -78,8 +79,9 @@ class World {
   Random random;
   Faults faults;
   std::uint64_t steps = 0, last_flip = 0;
-  std::function<bool(const std::string&)> flips;  ///< returns whether a file may be damaged, by its path
-  std::string log;                                ///< faults that occurred, for people
+  /// is called with a path, and returns whether a byte of this file may be damaged
+  std::function<bool(const std::string&)> flips;
+  std::string log;  ///< failures that happened, for reading
 
  private:
   void resume(Process& process);
@@ -100,7 +102,7 @@ class World {
   int next_id_ = 0;
 };
 
-/// The world that system calls go to; null: all go to the real one.
+/// Returns the world that system calls go to. If it is null, all calls go to the operating system.
 World*& world();
 
 }  // namespace lippmann::test
