@@ -13,7 +13,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// A few roundings of lengths up to 100.
+// tolerance for a few rounding errors of lengths up to 100
 constexpr float kRounding = 2e-5f;
 
 void expect_near(Vec3f a, Vec3f b) {
@@ -63,7 +63,7 @@ TEST(FitArray, a_placed_display_is_used_unchanged) {
   EXPECT_EQ(array.node, 1);
   EXPECT_EQ(array.plane_height, 3.0f);
   EXPECT_EQ(array.viewing_distance, 7.0f);
-  // Its +z is the world's +x: the box extends from x = -1 to 1.
+  // The display's +z axis is the world's +x axis, along which the box extends from -1 to 1.
   expect_near(transform_vector(plane_in_world(scene, array), {0, 0, 1}), {1, 0, 0});
   EXPECT_NEAR(array.depth_front, 1.0f, kRounding);
   EXPECT_NEAR(array.depth_back, -1.0f, kRounding);
@@ -88,7 +88,7 @@ TEST(FitArray, focus_distance_places_the_plane_there) {
 TEST(FitArray, default_plane_goes_through_the_centre) {
   Scene scene;
   add_box(scene, {-1, -1, -3}, {1, 1, 1});
-  // Looks along +x from off the axis: only the distance along the view counts.
+  // The camera looks along +x and is not on the axis of the box. Only the distance along its view direction counts.
   add_camera(scene, {{-10, 0.5f, 0}, glm::angleAxis(radians(-90.0f), Vec3f(0, 1, 0)), Vec3f(1.0f)});
   const FittedArray array = fit_array(scene);
   EXPECT_EQ(array.origin, FittedArray::Origin::kSceneCenter);
@@ -124,8 +124,9 @@ Camera& add_orthographic(Scene& scene, Vec3f position, float height) {
 TEST(FitArray, orthographic_cameras_frame_their_volume) {
   Scene scene;
   add_box(scene, Vec3f(-1), Vec3f(1));
-  add_box(scene, {4, -1, -90}, {5, 1, -30});  // a perspective view of the same height at the first box would show it, the
-                                              // parallel one does not
+  // A perspective view that is as high as the orthographic view at the first box would show this box. The orthographic view
+  // does not show it.
+  add_box(scene, {4, -1, -90}, {5, 1, -30});
   add_orthographic(scene, {0.5f, 0, 20}, 3.0f);
   const FittedArray array = fit_array(scene);
   EXPECT_EQ(array.origin, FittedArray::Origin::kSceneCenter);
@@ -147,12 +148,13 @@ TEST(FitArray, orthographic_height_ignores_position_and_focus) {
     EXPECT_NEAR(focused.plane_height, 3.0f, kRounding) << away;
     scene.cameras[0].focus_distance = 1.5f;
     EXPECT_NEAR(fit_array(scene).plane_height, 3.0f, kRounding) << away;
-    // The viewer is at the camera, but with a vertical angle of at most 45 degrees.
+    // The viewer is at the camera, but not so near that the vertical angle exceeds 45 degrees.
     EXPECT_NEAR(fit_array(scene).viewing_distance, 1.5f / std::tan(radians(22.5f)), kRounding) << away;
   }
 }
 
-// The subject is 2 of the volume's 6 units wide: with a margin of a twentieth, 2.1, in a picture half as wide as high.
+// The subject is 2 units wide, and the volume of the camera is 6 units wide and 3 high. With a margin of a twentieth, the
+// subject needs a picture that is 2.1 units wide. The picture is half as wide as high.
 TEST(FitArray, narrow_orthographic_pictures_keep_the_subject) {
   Scene scene;
   add_box(scene, Vec3f(-1), Vec3f(1));
@@ -167,32 +169,33 @@ TEST(FitArray, inside_cameras_focus_half_way) {
   add_box(scene, {-5, -5, -8}, {5, 5, 6});
   add_camera(scene, at({0, 0, 4}));
   const FittedArray array = fit_array(scene);
-  // The far wall is 12 away; the side walls come into view 5 / tan(30 degrees) away.
+  // The far wall is 12 units away. The side walls are in view from a distance of 5 / tan(30 degrees).
   const float nearest = 5.0f / std::tan(radians(30.0f)), distance = 0.5f * (nearest + 12.0f);
   EXPECT_NEAR(array.viewing_distance, distance, kRounding);
   expect_near(plane_in_world(scene, array).translation, {0, 0, 4.0f - distance});
-  // Invisible parts do not count as depth.
+  // Parts of the scene outside of the view do not count as depth.
   EXPECT_NEAR(array.depth_front, distance - nearest, kRounding);
   EXPECT_NEAR(array.depth_back, distance - 12.0f, kRounding);
 }
 
 TEST(FitArray, scenes_behind_cameras_get_a_default) {
   Scene scene;
-  add_box(scene, {-1, -2, 4}, {1, 2, 8});  // diagonal 6
+  add_box(scene, {-1, -2, 4}, {1, 2, 8});  // the diagonal of this box is 6 units
   add_camera(scene, at({0, 0, 0}));
   const FittedArray array = fit_array(scene);
   EXPECT_NEAR(array.viewing_distance, 0.3f, kRounding);
   EXPECT_LE(array.depth_front, array.viewing_distance);
 }
 
-/// Returns how far from the centre the corners of a box appear, at most; 1 is the edge of the picture.
+/// Returns how far the corners of the box are from the centre of the picture, at most. The edge of the picture is at 1.
 Vec2f seen_extent(const Scene& scene, const FittedArray& array, float aspect, Vec3f lower, Vec3f upper) {
   const Affine3f plane_from_world = inverse(plane_in_world(scene, array));
   Vec2f extent(0.0f);
   for (int corner = 0; corner < 8; ++corner) {
     const Vec3f world(corner & 1 ? upper.x : lower.x, corner & 2 ? upper.y : lower.y, corner & 4 ? upper.z : lower.z);
     const Vec3f p = transform_point(plane_from_world, world);
-    const float shrink = array.viewing_distance / (array.viewing_distance - p.z);  // to the plane, as seen by the viewer
+    // projects to the plane, as the viewer sees it
+    const float shrink = array.viewing_distance / (array.viewing_distance - p.z);
     extent = glm::max(extent, glm::abs(Vec2f(p.x / aspect, p.y)) * shrink / (0.5f * array.plane_height));
   }
   return extent;
@@ -220,7 +223,8 @@ TEST(FitArray, scenes_without_cameras_are_framed) {
   }
 }
 
-/// Returns the margins around a box, relative to half the picture: left, right, below, above.
+/// Returns the margins around the box in the order left, right, below, above. They are relative to half the width or half the
+/// height of the picture.
 Vec4f margins(const Scene& scene, const FittedArray& array, float aspect, Vec3f lower, Vec3f upper) {
   const Affine3f plane_from_world = inverse(plane_in_world(scene, array));
   Vec2f least(kInfinity), most(-kInfinity);
@@ -234,7 +238,7 @@ Vec4f margins(const Scene& scene, const FittedArray& array, float aspect, Vec3f 
   return {1.0f + least.x, 1.0f - most.x, 1.0f + least.y, 1.0f - most.y};
 }
 
-// A flat plate seen from above: its near edge appears larger, and the height has space to spare.
+// A flat plate is seen from above. Its near edge appears larger than its far edge. The picture is higher than necessary.
 TEST(FitArray, scenes_without_cameras_are_centred) {
   const Vec3f lower(-4, 0, -4), upper(4, 0.5f, 4);
   Scene scene;
@@ -274,7 +278,7 @@ TEST(FitArray, invalid_zooms_and_orbits_are_refused) {
 TEST(FitArray, scenes_without_cameras_frame_all_times) {
   Scene scene;
   add_box(scene, {0, 0, 0}, {1, 1, 1});
-  scene.timeline.frame_count = 26;  // one second
+  scene.timeline.frame_count = 26;  // 26 frames are one second
   NodeAnimation rise;
   rise.node = scene.instances[0].node = add_node(scene, {});
   rise.translation = {{0.0, 1.0}, {Vec3f(0.0f), Vec3f(0.0f, 4.0f, 0.0f)}, Interpolation::kLinear};
@@ -312,7 +316,8 @@ TEST(FitArray, array_moves_rigidly_with_its_camera) {
 }
 
 TEST(FitArray, scaled_parent_keeps_the_array_in_world_units) {
-  // The same camera, once plain at (0, 0, 10), once at (0, 0, 5) below a parent that doubles lengths.
+  // The same camera is at (0, 0, 10) in one scene. In the other scene it is at (0, 0, 5) below a parent node that doubles all
+  // lengths.
   Scene plain, scaled;
   add_box(plain, Vec3f(-1), Vec3f(1));
   add_box(scaled, Vec3f(-1), Vec3f(1));
@@ -331,7 +336,8 @@ TEST(FitArray, scaled_parent_keeps_the_array_in_world_units) {
   EXPECT_EQ(a.how, b.how);
 }
 
-/// A scene of a box, seen from (0, 0, 10) by the camera that `add` puts below a parent of this scale.
+/// Fits the array to a scene of a box. A camera at (0, 0, 10) sees the box. `add` adds this camera below a parent node with the
+/// scale `scale`.
 template <class F>
 FittedArray fitted_below(float scale, const ViewWish& wish, const F& add) {
   Scene scene;
@@ -424,7 +430,7 @@ TEST(FitArray, uneven_scale_and_mirrors_become_similarities) {
   add_camera(scene, at({0, 0, 2}), parent);
   const FittedArray array = fit_array(scene);
   const Affine3f world = plane_in_world(scene, array);
-  EXPECT_NEAR(glm::determinant(world.linear), 1.0f, 1e-4f);  // no mirror
+  EXPECT_NEAR(glm::determinant(world.linear), 1.0f, 1e-4f);  // a negative determinant would be a mirror
   expect_near(world.linear[0], {1, 0, 0});
   expect_near(world.linear[1], {0, 1, 0});
   expect_near(world.linear[2], {0, 0, 1});

@@ -12,7 +12,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Returns a room with a camera in it that looks along -z.
+/// Returns a closed room with a camera at `position` that looks along -z.
 Scene room_seen_from(Vec3f position) {
   Scene scene = test::room_of_six_walls();
   Node node;

@@ -1,4 +1,5 @@
-// Pieces so far away that a view of everything would show nothing are left out of the view, with a warning.
+// Tests scenes with parts that are very far away. A view of the whole scene would show nothing, so such parts are left out of
+// the view and a warning is given.
 #include "stage/main_part.hpp"
 
 #include <gmock/gmock.h>

@@ -9,14 +9,14 @@
 namespace lippmann {
 namespace {
 
-/// An eye 300 mm in front of a window of 100 x 100 mm; the unit of the world is the millimetre, its origin the window's centre.
+/// An eye 300 mm in front of a window of 100 x 100 mm. A world unit is 1 mm, and the origin is the centre of the window.
 constexpr EyeAtWindow kEye{{0.0f, 0.0f, 300.0f}, {100.0f, 100.0f}};
 
 std::optional<SeenDepth> seen(const Scene& scene, const EyeAtWindow& eye = kEye, int threads = 1) {
   return seen_depth(scene, FittedArray{}, 1.0f, eye, ThreadPool(threads));
 }
 
-/// A square of 2 x 2 times `half` at `center`, facing the eye.
+/// Returns a square that faces the eye. Its sides are 2 * half long.
 Scene square_at(Vec3f center, float half = 5.0f) {
   Scene scene;
   Mesh square;
@@ -46,12 +46,14 @@ TEST(SeenDepth, counts_only_shapes_in_the_window) {
 }
 
 TEST(SeenDepth, of_a_room_is_cut_by_the_window) {
-  // From -100 to -300 mm, 100 mm to each side of the axis; the window shows 67 and 100 mm there.
+  // The room reaches from z = -100 to -300 mm and 100 mm to each side of the axis. The view through the window reaches 67 mm to
+  // each side at z = -100 mm, and 100 mm at z = -300 mm.
   const auto depth = seen(test::room_of_six_walls(100.0f, {0, 0, -200}));
   ASSERT_TRUE(depth);
   EXPECT_NEAR(depth->far_mm, -300.0, 1e-3);
   EXPECT_NEAR(depth->near_mm, -100.0, 1e-3);
-  // Around the eye: the side walls would come into view where 200 (300 - z) / 300 is 100, at 150 mm.
+  // The eye is inside this room. The view reaches 200 (300 - z) / 300 mm to each side, so the side walls at 100 mm come into
+  // view at z = 150 mm.
   EXPECT_NEAR(seen(test::room_of_six_walls(100.0f, {0, 0, 250}), {{0, 0, 300}, {400, 400}})->near_mm, 150.0, 1e-3)
       << "the wall ahead";
   EXPECT_NEAR(seen(test::room_of_six_walls(400.0f), {{0, 0, 300}, {400, 400}})->near_mm, -300.0, 1e-3)
@@ -59,7 +61,7 @@ TEST(SeenDepth, of_a_room_is_cut_by_the_window) {
 }
 
 TEST(SeenDepth, of_off_axis_views_uses_their_eye) {
-  // For an eye 150 mm to the right, a point at z = -300 in the middle of the window is at x = -150.
+  // The eye is 150 mm to the right. It sees a point at z = -300 mm in the middle of the window if the point is at x = -150 mm.
   const Scene scene = square_at({-150, 0, -300}, 1.0f);
   EXPECT_FALSE(seen(scene));
   EXPECT_TRUE(seen(scene, {{150.0f, 0.0f, 300.0f}, {100.0f, 100.0f}}));
@@ -81,13 +83,13 @@ TEST(SeenDepth, counts_all_frames_with_any_threads) {
 
 TEST(SeenDepth, of_infinite_planes_reaches_the_horizon) {
   Scene scene = square_at({0, 0, -40});
-  scene.shapes[0] = Planes{{Vec3f(0, -20, 40), Vec3f(0, 1, 0)}};  // 20 mm below the axis
+  scene.shapes[0] = Planes{{Vec3f(0, -20, 40), Vec3f(0, 1, 0)}};  // the plane is 20 mm below the axis
   const auto ground = seen(scene);
   ASSERT_TRUE(ground);
-  // The lowest rays fall by 50 / 300 and hit it 120 mm in front of the eye, at 180 mm.
+  // The lowest rays fall by 50 mm per 300 mm. They hit the plane 120 mm in front of the eye, at z = 180 mm.
   EXPECT_NEAR(ground->near_mm, 180.0, 1e-3);
   EXPECT_EQ(ground->far_mm, -INFINITY);
-  scene.shapes[0] = Planes{{Vec3f(0, 0, 20), Vec3f(0, 0, 1)}};  // perpendicular to the view
+  scene.shapes[0] = Planes{{Vec3f(0, 0, 20), Vec3f(0, 0, 1)}};  // this plane is perpendicular to the view direction
   EXPECT_NEAR(seen(scene)->near_mm, -20.0, 1e-3);
   EXPECT_NEAR(seen(scene)->far_mm, -20.0, 1e-3);
 }

@@ -1,4 +1,4 @@
-// The subject of a scene, and that the picture contains all of it.
+// Tests which objects of a scene are its subject, and that the picture shows the whole subject.
 #include "stage/subject.hpp"
 
 #include <gmock/gmock.h>
@@ -28,7 +28,7 @@ int add_node(Scene& scene, const std::string& name, Vec3f at = Vec3f(0.0f), int 
   return static_cast<int>(scene.nodes.size()) - 1;
 }
 
-/// Returns the instance's index.
+/// Adds a shape, and returns the index of its instance.
 std::size_t add_shape(Scene& scene, const std::string& name, Shape shape) {
   Instance instance;
   instance.name = name;
@@ -43,7 +43,7 @@ std::size_t add_box(Scene& scene, const std::string& name, Vec3f lower, Vec3f up
   return add_shape(scene, name, Boxes{{lower, upper}});
 }
 
-/// One quad.
+/// Adds a mesh of one quad, and returns the index of its instance.
 std::size_t add_sheet(Scene& scene, const std::string& name, Vec3f corner, Vec3f u, Vec3f v) {
   Mesh mesh;
   mesh.positions = {corner, corner + u, corner + u + v, corner + v};
@@ -55,7 +55,7 @@ void add_ground(Scene& scene, float side) {
   add_sheet(scene, "Plane", {-0.5f * side, 0, -0.5f * side}, {0, 0, side}, {side, 0, 0});
 }
 
-/// 1.6 m wide, 0.75 m high.
+/// Adds a desk that is 1.6 m wide and 0.75 m high.
 void add_desk(Scene& scene) {
   add_box(scene, "Top", {-0.8f, 0.7f, -0.4f}, {0.8f, 0.75f, 0.4f});
   for (const float x : {-0.75f, 0.7f})
@@ -93,7 +93,8 @@ void add_travel(Scene& scene, std::size_t instance, Vec3f from, Vec3f to) {
   scene.timeline.frame_count = 26;
 }
 
-/// The corners of the instances' boxes in the picture, -1 to 1 on both axes, as seen by the viewer in all frames.
+/// The bounding rectangle of instances in the picture over all frames. Positions are from -1 to 1 on both axes, as the viewer
+/// sees them.
 struct Seen {
   Vec2f lower{kInfinity}, upper{-kInfinity};
   float filled() const { return 0.5f * std::max(upper.x - lower.x, upper.y - lower.y); }
@@ -241,7 +242,7 @@ TEST(FitToSubject, ball_just_fits) {
   Scene scene;
   add_shape(scene, "Ball", Spheres{{Vec3f(5, 0, 0), 2.0f}});
   const FittedArray array = fit_array(scene);
-  const float sine = 2.0f / array.viewing_distance;  // the plane goes through its centre
+  const float sine = 2.0f / array.viewing_distance;  // the plane of the display goes through the centre of the ball
   EXPECT_NEAR(std::tan(std::asin(sine)) / (0.5f * array.plane_height / array.viewing_distance), 1.0f / 1.05f, kSubjectRounding);
 }
 
