@@ -1,4 +1,4 @@
-// Runs another program, for tests that compare with it.
+// Runs another program, so that tests can compare results with it.
 #pragma once
 
 #include <sys/wait.h>
@@ -12,10 +12,10 @@ namespace lippmann::test {
 
 struct CommandResult {
   int exit_code = -1;
-  std::string output;  ///< stdout and stderr
+  std::string output;  ///< stdout and stderr together
 };
 
-/// Runs a command through the shell; quote file names.
+/// Runs the command in a shell. File names in the command must be quoted.
 inline CommandResult run_command(const std::string& command) {
   CommandResult result;
   FILE* pipe = popen((command + " 2>&1").c_str(), "r");

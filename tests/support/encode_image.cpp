@@ -2,7 +2,7 @@
 
 #include <cstdio>
 #include <cstdlib>
-// clang-format off: it needs FILE
+// clang-format off: jpeglib.h needs FILE from the header before it
 #include <jpeglib.h>
 // clang-format on
 #include <png.h>

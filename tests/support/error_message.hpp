@@ -1,4 +1,3 @@
-// Returns the messages of Errors for tests.
 #pragma once
 
 #include <functional>
@@ -8,7 +7,7 @@
 
 namespace lippmann::test {
 
-/// Returns the message of the Error that `work` throws, or "(no Error)".
+/// Returns the message of the Error that `work` throws, or "(no Error)" if it throws none.
 inline std::string error_message(const std::function<void()>& work) {
   try {
     work();

@@ -1,4 +1,5 @@
-// OpenEXR files written byte by byte: uncompressed scan lines of floats, with any windows, channels and attributes.
+// Writes OpenEXR files byte by byte. The files have uncompressed scan lines of floats, and any windows, channels and
+// attributes.
 #pragma once
 
 #include <array>
@@ -13,17 +14,17 @@
 namespace lippmann::test {
 
 struct ExrWindow {
-  std::int32_t left = 0, top = 0, right = 0, bottom = 0;  // right and bottom are included
+  std::int32_t left = 0, top = 0, right = 0, bottom = 0;  // `right` and `bottom` are the last column and row of the window
 };
 
 struct ExrPart {
   ExrWindow data, display;
-  /// Sorted by name, as the format requires. Values of the data window, row by row.
+  /// Names and values of the channels, sorted by name as the format requires. The values cover the data window row by row.
   std::vector<std::pair<std::string, std::vector<float>>> channels;
   float pixel_aspect = 1.0f;
-  std::string attributes{};  ///< additional encoded attributes
-  std::string name{};        ///< for files with several parts
-  int chroma_sampling = 1;   ///< RY and BY have one pixel per block of this many pixels and rows
+  std::string attributes{};  ///< further attributes, encoded
+  std::string name{};        ///< name of the part; required in files with several parts
+  int chroma_sampling = 1;   ///< RY and BY have one sample for each block of this many columns and rows
 };
 
 inline int exr_sampling(const ExrPart& part, const std::string& channel) {
@@ -53,7 +54,8 @@ inline std::string exr_header(const ExrPart& part, bool several) {
     channels += name;
     channels += '\0';
     const int sampling = exr_sampling(part, name);
-    for (const std::int32_t word : {2, 0, sampling, sampling}) channels += bytes_of_value(word);  // float, not linear
+    // sample type 2 is float; 0 means that the values are not linear
+    for (const std::int32_t word : {2, 0, sampling, sampling}) channels += bytes_of_value(word);
   }
   channels += '\0';
   std::string header = exr_attribute("channels", "chlist", channels) + exr_attribute("compression", "compression", {"\0", 1}) +

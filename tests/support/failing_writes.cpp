@@ -1,10 +1,12 @@
-// A library for LD_PRELOAD: the LIPPMANN_FAIL_NUMBER-th call of a kind fails, as on a disk that is briefly full; with
-// LIPPMANN_FAIL_ALL, all later calls fail too. LIPPMANN_FAIL_CALL selects the kind: write (to a regular file), open (for
-// writing), rename, remove, mkdir, fsync, allocate. After a failure, the file LIPPMANN_FAILED exists. The program's output goes
-// to pipes and is not affected.
+// A library for LD_PRELOAD that makes system calls fail as on a full disk.
 //
-// Allocations count from main() on, except within dlopen(): elsewhere, constructors of libraries run, which cannot report a
-// failure (libhwy's, which is used by video encoders, aborts).
+// LIPPMANN_FAIL_CALL selects the kind of call: write (to a regular file), open (for writing), rename, remove, mkdir, fsync or
+// allocate (memory). Call number LIPPMANN_FAIL_NUMBER of this kind fails. If LIPPMANN_FAIL_ALL is set, all later calls of the
+// kind fail too. After a failure, the file LIPPMANN_FAILED exists. Writes to pipes never fail, so the tests can read the
+// program's output.
+//
+// Allocations are counted from the start of main(), except within dlopen(). Before main() and within dlopen(), constructors of
+// libraries run, which cannot report a failure. For example, the constructor of libhwy, which video encoders use, aborts.
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -26,7 +28,7 @@ bool is_wanted(const char* call) {
   return std::strcmp(wanted ? wanted : "write", call) == 0;
 }
 
-/// Counts a call of the failing kind, and returns whether it fails.
+/// Counts the call if it is of the selected kind, and returns whether it must fail.
 bool fails(const char* call) {
   static std::atomic<long> calls{0};
   static const long failing = std::getenv("LIPPMANN_FAIL_NUMBER") ? std::atol(std::getenv("LIPPMANN_FAIL_NUMBER")) : 0;
@@ -81,7 +83,7 @@ Function* next(const char* name) {
 
 extern "C" {
 
-// The allocator of the C library, under the names reserved for programs that replace the usual ones.
+// The C library exports its allocator under these names, so that programs that replace malloc and so on can still call it.
 void* __libc_malloc(size_t bytes);
 void* __libc_calloc(size_t count, size_t bytes);
 void* __libc_realloc(void* old, size_t bytes);

@@ -1,4 +1,3 @@
-// Reads the bytes of a file.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +7,7 @@
 
 namespace lippmann::test {
 
-/// Returns an empty string if there is no such file.
+/// Returns the bytes of the file, or an empty string if the file does not exist.
 inline std::string file_bytes(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};

@@ -1,4 +1,4 @@
-// Imitates a full disk: during its life no file of this process can grow beyond a size.
+// Imitates a full disk: while the object exists, this process cannot write more than a given number of bytes to a file.
 #pragma once
 
 #include <sys/resource.h>

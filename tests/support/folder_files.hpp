@@ -1,4 +1,4 @@
-// Reads the files of a folder by name.
+// Reads all files of a folder into memory.
 #pragma once
 
 #include <filesystem>
@@ -10,9 +10,9 @@
 
 namespace lippmann::test {
 
-using Files = std::map<std::string, std::string>;  ///< contents by name
+using Files = std::map<std::string, std::string>;  ///< contents of files by their names
 
-/// Returns the files in a folder whose names end with `ending`.
+/// Returns the files in the folder whose names end with `ending`.
 inline Files files_in(const std::filesystem::path& folder, std::string_view ending) {
   Files files;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
@@ -20,7 +20,8 @@ inline Files files_in(const std::filesystem::path& folder, std::string_view endi
   return files;
 }
 
-/// Returns every file below a folder by its relative path; none if there is no such folder.
+/// Returns all files below the folder. The keys are paths relative to the folder. Returns no files if the folder does not
+/// exist.
 inline Files all_files(const std::filesystem::path& folder) {
   Files files;
   if (!std::filesystem::exists(folder)) return files;
@@ -29,7 +30,7 @@ inline Files all_files(const std::filesystem::path& folder) {
   return files;
 }
 
-/// Returns the same without files that contain times and runs: journals, report.json, job.toml.
+/// Returns the files below the folder except journals, report.json and job.toml, whose contents differ from run to run.
 inline Files pictures_below(const std::filesystem::path& folder) {
   Files files = all_files(folder);
   std::erase_if(files, [](const auto& file) {

@@ -11,14 +11,16 @@ std::string fixed16(double value) { return big_endian(static_cast<std::uint32_t>
 
 std::string size_text(std::size_t size) { return big_endian(static_cast<std::uint32_t>(size)); }
 
-/// The first 128 bytes of a profile under D50. `kind`: 12 letters for the device, its colours and the connection space.
+/// Returns the first 128 bytes of a profile under D50. `kind` consists of three names of four letters each: the device class,
+/// the colour space of the device and the connection space.
 std::string header_with(const char* kind, std::size_t size) {
   std::string header(128, '\0');
   header.replace(0, 4, size_text(size)).replace(8, 4, "\2\x40\0\0"s).replace(12, 12, kind).replace(36, 4, "acsp");
   return header.replace(68, 12, "\0\0\xf6\xd6\0\1\0\0\0\0\xd3\x2d"s);
 }
 
-/// A table from `in` to `out` channels, with two nodes per channel: `out` bytes of text for each node.
+/// Returns a lookup table from `in` to `out` channels. It has two nodes per input channel. `nodes` holds `out` bytes for each
+/// node.
 std::string table(int in, int out, const std::string& nodes) {
   std::string lut = "mft1\0\0\0\0"s + static_cast<char>(in) + static_cast<char>(out) + "\2\0"s;
   for (const double value : {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}) lut += fixed16(value);
@@ -60,7 +62,8 @@ std::string profile_with(const Primaries& primaries, double gamma) {
 std::string press_profile() {
   std::string nodes, inks;
   for (int node = 0; node < 16; ++node) nodes += node == 0 ? "\xff\x80\x80"s : "\0\x80\x80"s;
-  for (int node = 0; node < 8; ++node) inks += node < 4 ? "\0\0\0\xff"s : "\0\0\0\0"s;  // L* is the slowest index
+  // the first input, L*, varies most slowly
+  for (int node = 0; node < 8; ++node) inks += node < 4 ? "\0\0\0\xff"s : "\0\0\0\0"s;
   const std::string to_lab = table(4, 3, nodes), from_lab = table(3, 4, inks);
   constexpr std::size_t kData = 128 + 4 + 2 * 12;
   return header_with("prtrCMYKLab ", kData + to_lab.size() + from_lab.size()) + big_endian(2) + "A2B0" + size_text(kData) +

@@ -1,4 +1,4 @@
-// Compares vectors with a tolerance for rounding.
+// Expects that two vectors are equal up to a tolerance for rounding.
 #pragma once
 
 #include <gtest/gtest.h>

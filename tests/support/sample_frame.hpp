@@ -1,4 +1,4 @@
-// A frame's figures, for tests that write reports.
+// Makes a frame report with given figures, for tests that write reports.
 #pragma once
 
 #include "lippmann/frames/frame_report.hpp"

@@ -1,4 +1,4 @@
-// A small slanted panel with a quilt of 4 x 2 views, as a user's file.
+// Writes the display file of a small slanted panel, with a quilt of 4 x 2 views.
 #pragma once
 
 #include <filesystem>
@@ -6,7 +6,8 @@
 
 namespace lippmann::test {
 
-/// 48 x 64 pixels, whose lenses do not cover whole pixels; the quilt's last column of pixels belongs to no view.
+/// Writes the file of a panel of 48 x 64 pixels. Its lenses do not cover whole pixels. The last pixel column of its quilt
+/// belongs to no view.
 inline void write_small_panel(const std::filesystem::path& file) {
   std::ofstream(file) << R"(description = "small"
 kind = "slanted-panel"

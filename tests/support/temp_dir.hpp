@@ -1,4 +1,4 @@
-// A new folder that is removed with its contents at the end of a test.
+// Makes a new folder. The destructor removes the folder with its contents.
 #pragma once
 
 #include <filesystem>
