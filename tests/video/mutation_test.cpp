@@ -1,4 +1,4 @@
-// Damaged video files: reading them gives frames or an error and never ends the process.
+// Tests damaged video files. Reading them must give frames or an error, and must not crash.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -25,12 +25,12 @@ namespace fs = std::filesystem;
 using test::file_bytes;
 using test::TempDir;
 
-/// Numbers of frames and files that were read, and of files that were refused.
+/// Number of frames read, and number of files that gave an error.
 struct Outcome {
   int frames = 0, errors = 0;
 };
 
-/// Checks that frames are complete and of one size, and that errors name the file.
+/// Reads all frames of the file. Checks that the frames are complete and have one size, and that an error names the file.
 void read_to_the_end(const fs::path& path, Outcome& outcome) {
   try {
     VideoReader reader(path);
@@ -47,14 +47,14 @@ void read_to_the_end(const fs::path& path, Outcome& outcome) {
   }
 }
 
-/// Returns a damaged byte string: the number chooses one of five kinds of damage and its place.
+/// Returns a damaged copy of the bytes. `number` determines the kind of damage, one of five, and its position.
 std::string damaged(std::string bytes, std::uint32_t number) {
   std::uint32_t drawn = 0;
   const auto draw = [&](std::size_t below) {
     return static_cast<std::size_t>(hash(number, drawn++)) % std::max<std::size_t>(below, 1);
   };
   const std::size_t at = draw(bytes.size()), count = 1 + draw(64), kind = draw(5);
-  // Half of the time near the start: the headers, which state sizes and pixel formats.
+  // Half of the damage is in the first 1024 bytes, where headers state sizes and pixel formats.
   const std::size_t reach = draw(2) == 0 ? bytes.size() : std::min<std::size_t>(bytes.size(), 1024);
   if (kind == 0) bytes[draw(reach)] = static_cast<char>(draw(256));
   if (kind == 1)
@@ -98,7 +98,7 @@ INSTANTIATE_TEST_SUITE_P(Video, EveryCodec,
                                          Kind{"vp9.webm", VideoCodec::kVp9}, Kind{"ffv1.mkv", VideoCodec::kFfv1}),
                          [](const auto& codec) { return fs::path(codec.param.name).stem().string(); });
 
-/// A stream of MJPEG pictures with two sizes, one after the other.
+/// The stream consists of MJPEG pictures of one size followed by pictures of another size.
 TEST(VideoReader, changes_of_the_frame_size_are_refused) {
   const TempDir dir;
   std::string bytes;

@@ -1,4 +1,5 @@
-// Video files: frames round-trip in order, as exactly as the codec promises; unsupported frames are errors.
+// Tests video files. Frames must be read in the order and with the accuracy that the codec promises. Unsupported frames must
+// give an error.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -99,7 +100,7 @@ const std::vector<CodecFile> kLossyFiles{{"a.mp4", VideoCodec::kH264, "h264"}, {
                                          {"c.webm", VideoCodec::kVp9, "vp9"},  {"c.mkv", VideoCodec::kVp9, "vp9"},
                                          {"d.webm", VideoCodec::kAv1, "av1"},  {"d.mp4", VideoCodec::kAv1, "av1"}};
 
-/// Debian's FFmpeg has every encoder; others may lack some.
+/// Returns whether FFmpeg has the encoder. Debian's FFmpeg has all encoders, but other builds may lack some.
 bool has_encoder(VideoCodec codec) {
   try {
     choose_codec("a.mkv", codec, 0, 0);
@@ -112,7 +113,7 @@ bool has_encoder(VideoCodec codec) {
 TEST(Video, every_codec_keeps_smooth_pictures_above_38_db) {
   const TempDir dir;
   std::vector<Image8> frames;
-  for (int i = 0; i < 9; ++i) frames.push_back(smooth_codes(130, 95, 0.2 * i));  // odd: padded to 96 rows
+  for (int i = 0; i < 9; ++i) frames.push_back(smooth_codes(130, 95, 0.2 * i));  // the odd height is padded to 96 rows
   for (const CodecFile& file : kLossyFiles) {
     if (!has_encoder(file.codec)) continue;
     write_video(dir / file.file, frames, {.codec = file.codec});
@@ -142,7 +143,7 @@ TEST(Video, every_codec_gives_equal_bytes_for_equal_frames) {
   }
 }
 
-// Encoders reorder more frames than these, which gives decoding times that FFmpeg's muxers refuse.
+// Encoders reorder more frames than such a video has. The resulting decoding times would be refused by FFmpeg's muxers.
 TEST(Video, files_of_one_to_three_frames_are_written) {
   const TempDir dir;
   for (const CodecFile& file : kLossyFiles) {
@@ -175,14 +176,15 @@ TEST(Video, files_state_their_codec_and_colours) {
   }
 }
 
-/// Returns ffprobe's output for a video of two eyes' views.
+/// Writes a video of stereo frames, and returns what ffprobe prints about it.
 std::string probe_stereo(const fs::path& path, VideoCodec codec, const StereoLayout& stereo) {
   write_video(path, smooth_frames(2, 96, 64), {.codec = codec, .stereo = stereo});
   return test::run_command("ffprobe -v error -show_streams '" + path.string() + "'").output;
 }
 
-/// Returns the mode of the st3d box (Google's Spherical Video V2): type, version and flags, mode. -1 without the box. ffprobe 7
-/// and later do not print it for HEVC: their muxer adds a vexu box without a packing, which their demuxer prefers.
+/// Returns the stereo mode in the st3d box of an MP4 file (Google's Spherical Video V2), or -1 if there is no such box. The
+/// test reads the box itself, because ffprobe 7 and later does not print it for HEVC: FFmpeg also writes a vexu box without a
+/// packing, and its demuxer prefers this box.
 int stereo_mode_of_mp4(const fs::path& path) {
   const std::string file = file_bytes(path);
   const std::size_t at = file.find("st3d");
