@@ -25,7 +25,7 @@ PageRequest request_of(const std::string& path) {
   return request;
 }
 
-/// Three frames on a server on loopback.
+/// Serves a folder of three frames on the loopback address.
 class Answers : public testing::Test {
  protected:
   Answers() : pictures_(test::write_sheet_frames(dir_.path(), 3)), answers_(test::fields_of(dir_.path()), kLoopback) {}
@@ -52,7 +52,7 @@ TEST_F(Answers, picture_decodes_to_the_rendered_codes) {
   EXPECT_EQ(std::get<std::vector<std::uint8_t>>(decoded.samples), pictures_[2].rgb);
 }
 
-// Text of a request never becomes part of a file path, so none of these exists.
+// The text of a request must never become part of a file path, so these paths are unknown even if such files exist.
 TEST_F(Answers, foreign_paths_are_unknown) {
   for (const char* path : {"/../report.json",
                            "/report.json",
@@ -97,7 +97,8 @@ TEST_F(Answers, requests_from_other_origins_are_refused) {
   }
 }
 
-// DNS rebinding: a foreign name that resolves to this server appears as the Host of the request.
+// DNS rebinding: a page of an attacker uses a host name that resolves to this server. The request then states that host name in
+// its header Host.
 TEST_F(Answers, requests_for_other_hosts_are_refused) {
   for (const char* host : {"evil.example", "evil.example:8488", "127.0.0.1", "127.0.0.1:80", ""}) {
     PageRequest request = request_of("/fields.json");
@@ -183,10 +184,10 @@ TEST(ByteCache, most_recent_entries_stay_within_the_limit) {
   EXPECT_EQ(get("b"), 'b');
   EXPECT_EQ(get("a"), 'a');
   EXPECT_EQ(made, 2);
-  EXPECT_EQ(get("c"), 'c');  // evicts b
+  EXPECT_EQ(get("c"), 'c');  // the cache is full, so the least recently used entry, b, is dropped
   EXPECT_EQ(get("a"), 'a');
   EXPECT_EQ(made, 3);
-  EXPECT_EQ(get("b"), 'b');  // evicts c
+  EXPECT_EQ(get("b"), 'b');  // drops c
   EXPECT_EQ(made, 4);
   const auto make_large = [&] { return ++made, std::string(101, 'l'); };
   EXPECT_EQ(cache.get("large", make_large)->size(), 101u);

@@ -1,4 +1,4 @@
-// Small light fields in folders as renders leave them.
+// Writes small light fields to folders, as a render does.
 #pragma once
 
 #include <filesystem>
@@ -9,10 +9,10 @@
 
 namespace lippmann::test {
 
-/// Returns 4 lenses of 4 pixels, 6 rows; viewed from 100 mm.
+/// Returns a sheet with 4 lenses of 4 pixels and 6 rows. It is viewed from 100 mm.
 Optics small_sheet();
 
-/// Writes `count` frames of noise, frame_0000.png ..., and report.json. Returns the images.
+/// Writes `count` frames of noise (frame_0000.png and so on) and report.json. Returns the frames.
 std::vector<Image8> write_sheet_frames(const std::filesystem::path& folder, int count);
 
 std::vector<std::unique_ptr<PageField>> fields_of(const std::filesystem::path& in);

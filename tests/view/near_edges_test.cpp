@@ -39,7 +39,7 @@ TEST(NearEdges, neighbours_lie_in_the_same_view) {
   Image tiles = row_of({-500, -500, 10, -500});
   spread_near_disparities(tiles, {2, 1}, 5.0);
   EXPECT_THAT(tiles.data, ElementsAre(-500, -500, 10, 10));
-  Image corners(4, 4, 1);  // four views of 2x2
+  Image corners(4, 4, 1);  // four views of 2 x 2 pixels
   corners.data.assign(16, -500);
   *corners.pixel(2, 2) = 10;
   spread_near_disparities(corners, {2, 2}, 5.0);
@@ -47,7 +47,8 @@ TEST(NearEdges, neighbours_lie_in_the_same_view) {
               ElementsAre(-500, -500, -500, -500, -500, -500, -500, -500, -500, -500, 10, 10, -500, -500, 10, 10));
 }
 
-// Views 0.1 apart in slope, pixels of 2 mm: a difference of 10 mm moves by 1 mm, half a pixel.
+// Neighbouring views are 0.1 apart in slope, so a disparity difference of 10 mm is a shift of 1 mm. Pixels are 2 mm wide, so
+// this is half a pixel.
 TEST(NearEdges, half_a_pixel_is_a_visible_jump) {
   PageFacts facts;
   facts.window.size = {200.0, 100.0};

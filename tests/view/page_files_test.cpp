@@ -1,4 +1,4 @@
-// Checks that the embedded page is the one built by web/, and small.
+// Checks that the page in the library is the page that web/ builds, and that it is small.
 #include "view/page_files.hpp"
 
 #include <gmock/gmock.h>

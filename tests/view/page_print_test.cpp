@@ -64,7 +64,7 @@ PageRequest print_request(const std::string& path, const std::string& body = {})
   return request;
 }
 
-/// A folder of five images on a server on loopback.
+/// Serves a folder of five pictures on the loopback address.
 class Prints : public testing::Test {
  protected:
   Prints() {
@@ -115,7 +115,7 @@ TEST_F(Prints, newer_print_replaces_the_last) {
 
 TEST_F(Prints, sheet_may_end_within_a_lens) {
   const PageAnswer made =
-      answers_->answer(print_request("/print", R"({"display": "lpi=20 dpi=100 paper=83x60px"})"));  // lenses of 5 pixels
+      answers_->answer(print_request("/print", R"({"display": "lpi=20 dpi=100 paper=83x60px"})"));  // a lens covers 5 pixels
   ASSERT_EQ(made.status, 200) << *made.body;
   EXPECT_EQ(nlohmann::json::parse(*made.body)["field"]["panel"]["is"], "own");
 }

@@ -1,4 +1,4 @@
-// Tests a render whose folder is shown while it runs: what the page receives and what it may do.
+// Tests the page of a folder whose render is still running: what the page receives, and which commands it may send.
 #include "view/running_render.hpp"
 
 #include <gmock/gmock.h>
@@ -22,10 +22,10 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-/// The folder is read on every request.
+/// With this interval, the folder is read on every request.
 constexpr std::chrono::milliseconds kAlways{0};
 
-/// A folder of three frames that this process is rendering, according to the journal; two images exist.
+/// A folder of three frames. According to its journal, this process is rendering them. Two frames exist.
 class RunningRenderTest : public testing::Test {
  protected:
   RunningRenderTest() : pictures_(test::write_sheet_frames(dir_.path(), 2)), folder_(std::in_place, dir_.path(), "job") {
@@ -40,14 +40,15 @@ class RunningRenderTest : public testing::Test {
     const std::string name = "frame_000" + std::to_string(frame) + ".png";
     folder_->add(report, {{name, file_checksum(dir_ / name).value_or(FileChecksum{1, "0123456789abcdef"})}});
   }
-  /// Returns a script that replaces the tool and writes its arguments to `words`.
+  /// Writes a shell script that stands for the tool. It writes its arguments to the file `words` and then executes `does`.
+  /// Returns its path.
   fs::path tool_running(const std::string& does) {
     const fs::path path = dir_ / "tool.sh";
     std::ofstream(path) << "#!/bin/sh\necho \"$@\" > '" << (dir_ / "words").string() << "'\n" << does << "\n";
     fs::permissions(path, fs::perms::owner_all);
     return path;
   }
-  /// Polls until the started process has reached a state.
+  /// Waits until the state of the render is `word`, and returns the state. Returns nothing after ten seconds.
   static nlohmann::ordered_json state_once(RunningRender& render, const std::string& word) {
     for (int i = 0; i < 500; ++i, std::this_thread::sleep_for(std::chrono::milliseconds(20)))
       if (auto state = render.state_after(0); state["state"] == word) return state;
@@ -120,7 +121,7 @@ TEST_F(RunningRenderTest, running_render_or_changed_job_is_refused) {
 TEST_F(RunningRenderTest, only_unfinished_renders_are_reported) {
   EXPECT_TRUE(is_unfinished_render(dir_.path()));
   for (const int frame : {1, 2}) add(frame);
-  EXPECT_TRUE(is_unfinished_render(dir_.path()));  // its process is still running
+  EXPECT_TRUE(is_unfinished_render(dir_.path()));  // the journal is still open, so its process counts as running
   folder_.reset();
   EXPECT_FALSE(is_unfinished_render(dir_.path()));
   EXPECT_FALSE(is_unfinished_render(dir_ / "missing"));
@@ -131,7 +132,7 @@ TEST_F(RunningRenderTest, orders_need_the_page_and_token) {
   folder_.reset();
   PageAnswers answers(std::make_unique<PageField>(dir_.path(), render, Context()), render, {{"127.0.0.1:1"}, "secret"});
   PageRequest request{.method = "POST", .path = "/secret/run/stop", .host = "127.0.0.1:1", .origin = "http://127.0.0.1:1"};
-  EXPECT_EQ(answers.answer(request).status, 422);  // there is nothing to stop
+  EXPECT_EQ(answers.answer(request).status, 422);  // there is no render to stop
   request.origin = "";
   EXPECT_EQ(answers.answer(request).status, 403);
   request.origin = "http://evil.example";

@@ -28,7 +28,7 @@ TEST(SavedPage, folder_has_a_script_per_picture) {
   EXPECT_EQ(saved.index, dir / "page" / "index.html");
   EXPECT_THAT(text_of(saved.index), HasSubstr("name=\"lippmann-data\" content=\"scripts\""));
   EXPECT_THAT(text_of(dir / "page/fields.js"), testing::StartsWith("lippmann_fields({\"lippmann\":"));
-  // "RIFF", the first bytes of a WebP file, in base64.
+  // a WebP file begins with "RIFF", which is UklGR in base64
   EXPECT_THAT(text_of(dir / "page/0/views/1.js"), testing::StartsWith("lippmann_data(\"0/views/1\",\"image/webp\",\"UklGR"));
   EXPECT_FALSE(fs::exists(dir / "page/0/depth"));
   EXPECT_FALSE(fs::exists(dir / "page/0/panel")) << "an integral image follows from its views";
