@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Writes desk.glb and vase.ply beside this script. Both are dedicated to the public domain (CC0 1.0).
 
-desk.glb: a textured table top, a turning checkered cube, a metal ball, a lacquered ball that hops, two cameras.
-vase.ply: a surface of revolution in which z points upwards.
+desk.glb: a textured table top, a rotating checkered cube, a metal ball, a lacquered ball that hops, and two cameras.
+vase.ply: a surface of revolution about the z axis, which points upwards.
 """
 import json
 import math
@@ -14,7 +14,7 @@ FOLDER = pathlib.Path(__file__).resolve().parent
 
 
 def png(width, height, rgb):
-    """Returns an 8-bit PNG; rgb(x, y) returns the colour of a pixel."""
+    """Returns an 8-bit PNG file. rgb(x, y) returns the colour of a pixel."""
     rows = b"".join(b"\0" + bytes(c for x in range(width) for c in rgb(x, y)) for y in range(height))
 
     def chunk(kind, data):
@@ -25,7 +25,7 @@ def png(width, height, rgb):
 
 
 def cube():
-    """Returns positions, normals, texture coordinates and triangles of a cube of side 2."""
+    """Returns the positions, normals, texture coordinates and triangles of a cube with sides of 2."""
     positions, normals, uvs, triangles = [], [], [], []
     for axis in range(3):
         for sign in (-1, 1):
@@ -41,7 +41,7 @@ def cube():
 
 
 def ball(around=24, down=12):
-    """Returns the same for a ball of radius 1."""
+    """Returns the positions, normals, texture coordinates and triangles of a ball of radius 1."""
     positions, uvs, triangles = [], [], []
     for j in range(down + 1):
         for i in range(around + 1):
@@ -60,7 +60,7 @@ def ball(around=24, down=12):
 
 
 class Glb:
-    """A glTF document with its binary data, appended piece by piece."""
+    """A glTF document and its binary data. The methods append to both."""
 
     def __init__(self):
         self.binary = b""
@@ -79,7 +79,7 @@ class Glb:
                     "count": len(rows), "type": kind}
         accessor["min"] = [min(flat[i::size]) for i in range(size)]
         accessor["max"] = [max(flat[i::size]) for i in range(size)]
-        # Rounds to single precision, because min and max must equal the stored values.
+        # The minimum and the maximum must equal values that are stored in single precision, so they are rounded.
         for end in ("min", "max"):
             accessor[end] = [struct.unpack("<f", struct.pack("<f", value))[0] for value in accessor[end]]
         self.json["accessors"].append(accessor)
@@ -117,7 +117,7 @@ def around_y(degrees):
 
 
 def times(a, b):
-    """Returns the product of two quaternions x, y, z, w."""
+    """Returns the product of two quaternions. Their components are x, y, z, w."""
     ax, ay, az, aw = a
     bx, by, bz, bw = b
     return [aw * bx + ax * bw + ay * bz - az * by, aw * by - ax * bz + ay * bw + az * bx,
@@ -173,7 +173,7 @@ def desk():
 
 
 def vase(around=32, up=24):
-    """Returns a text PLY file of a surface of revolution about z."""
+    """Returns a PLY file as text. It contains a surface of revolution about the z axis."""
     lines = ["ply", "format ascii 1.0", "comment CC0 1.0", f"element vertex {around * (up + 1)}", "property float x",
              "property float y", "property float z", f"element face {around * up}",
              "property list uchar int vertex_indices", "end_header"]

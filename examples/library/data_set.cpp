@@ -1,5 +1,5 @@
-// Renders a light field for research: a built-in scene seen by a grid of 3 x 3 parallel cameras, with depth and disparity, as a
-// folder in the HCI benchmark's format.
+// Renders a light field for research. A grid of 3 x 3 parallel cameras sees a built-in scene. The pictures, depth and disparity
+// are written to a folder in the format of the HCI benchmark.
 //   data_set FOLDER
 #include <iostream>
 #include <lippmann/lippmann.hpp>

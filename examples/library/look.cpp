@@ -1,5 +1,5 @@
-// Views a light field of any format that `lippmann convert` reads: the views of an eye a step to the left and to the right of
-// the middle, and the picture focused on the plane of the display.
+// Shows a light field in any format that `lippmann convert` reads. Writes what an eye sees to the left and to the right of the
+// middle, and the picture that is focused on the plane of the display.
 //   look FILE|FOLDER FOLDER
 #include <filesystem>
 #include <iostream>

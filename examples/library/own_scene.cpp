@@ -1,5 +1,5 @@
-// Builds a scene in memory: a red ball bounces in front of a wall, seen through a lenticular sheet. Writes the panel's picture
-// and the depth of its pixels for every frame, and prints how the frame was rendered.
+// Builds a scene in memory: a red ball that bounces in front of a wall, seen through a lenticular sheet. For every frame,
+// writes the picture of the panel and the depth of its pixels, and prints how the frame was rendered.
 //   own_scene FOLDER
 #include <cstdio>
 #include <filesystem>
@@ -18,7 +18,8 @@ Material surface(Vec3f color, float roughness) {
   return {"", material};
 }
 
-/// Lengths are metres. The ball's node moves up and down; the wall and the floor have no node.
+/// Returns the scene. Lengths are in metres. The node of the ball moves up and down. The wall and the floor have no node, so
+/// they do not move.
 Scene bouncing_ball() {
   Scene scene;
   const int ball = scene.add_node({.name = "ball"});
@@ -26,8 +27,9 @@ Scene bouncing_ball() {
                       .shape = scene.add_shape(Spheres{{Vec3f(0.0f), 0.5f}}),
                       .material = scene.add_material(surface({0.8f, 0.1f, 0.1f}, 0.3f)),
                       .node = ball});
-  const int room = scene.add_shape(Planes{{Vec3f(0.0f, 0.0f, -2.0f), Vec3f(0.0f, 0.0f, 1.0f)},  // the wall, then the floor
-                                          {Vec3f(0.0f, -1.0f, 0.0f), Vec3f(0.0f, 1.0f, 0.0f)}});
+  // the first plane is the wall, the second is the floor
+  const int room = scene.add_shape(
+      Planes{{Vec3f(0.0f, 0.0f, -2.0f), Vec3f(0.0f, 0.0f, 1.0f)}, {Vec3f(0.0f, -1.0f, 0.0f), Vec3f(0.0f, 1.0f, 0.0f)}});
   scene.add_instance({.name = "room", .shape = room, .material = scene.add_material(surface({0.6f, 0.6f, 0.7f}, 0.9f))});
   NodeAnimation bounce;
   bounce.node = ball;

@@ -1,4 +1,4 @@
-// Renders a quilt of any scene for a display, path traced and denoised.
+// Renders a quilt of any scene for a display, with path tracing and denoising.
 //   quilt SCENE DISPLAY OUT.png      quilt vase.glb looking-glass-portrait vase.png
 #include <iostream>
 #include <lippmann/lippmann.hpp>

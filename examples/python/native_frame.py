@@ -1,4 +1,5 @@
-"""Renders the frame of a calibrated panel, in which each sub-pixel has its own ray: what a device with this visual.json shows."""
+"""Renders the picture for a calibrated panel, in which each sub-pixel has its own ray. A device with this
+visual.json can show it."""
 import sys
 
 import lippmann

@@ -1,4 +1,4 @@
-"""Yields endless training data: random scenes seen by random cameras, reproducible by seed."""
+"""Yields endless training data: random scenes, seen by random cameras. The same seed gives the same data."""
 import numpy as np
 
 import lippmann
