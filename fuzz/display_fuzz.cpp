@@ -1,5 +1,5 @@
-// Feeds bytes to the readers of displays: text that begins with '{' is a calibration's JSON, other text a display's TOML. The
-// readers must throw Error or return a display whose rays pass validate() and that can be written as JSON.
+// Passes bytes to the readers of displays. Text that begins with '{' is a calibration in JSON. Other text is a display in TOML.
+// The readers must throw Error, or return a display whose optics pass validate() and can be written as JSON.
 //
 // fuzz/display_seeds SEEDS && fuzz_display -dict=fuzz/display.dict CORPUS SEEDS; or scripts/fuzz display.
 #include <cstdlib>

@@ -1,6 +1,6 @@
-// Feeds bytes to the glTF reader. After a first byte 'W' they are a whole file (.glb, .gltf); after any other they become the
-// two chunks of a .glb with correct lengths: JSON up to the first zero byte, then binary data. Scenes that the reader accepts
-// must be valid.
+// Passes bytes to the glTF reader. If the first byte is 'W', the other bytes are a whole .glb or .gltf file. Otherwise they
+// become the two chunks of a .glb file with correct lengths: JSON up to the first zero byte, and then binary data. Accepted
+// scenes must pass validate().
 //
 // fuzz_gltf_seeds SEEDS && fuzz_gltf -dict=fuzz/gltf.dict CORPUS SEEDS
 #include <cstdint>
@@ -75,7 +75,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   } catch (const lippmann::Error&) {
     return 0;
   }
-  lippmann::validate(scene, "a.glb");  // an Error here is a defect of the reader and stops the fuzzer
+  lippmann::validate(scene, "a.glb");  // not in the try block: an Error here is a defect of the reader and must stop the fuzzer
   for (const double time : {0.0, 0.37, 1e9}) {
     const lippmann::ResolvedScene resolved = lippmann::evaluate(scene, time);
     lippmann::finite_bounds(scene, resolved);

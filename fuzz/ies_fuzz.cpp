@@ -1,5 +1,5 @@
-// Feeds bytes to the reader of photometric files. It must throw Error or return a web whose light is a finite number >= 0 in
-// every direction.
+// Passes bytes to the reader of IES photometric files. It must throw Error, or return a light distribution that is finite and
+// not negative in every direction.
 //
 // fuzz/ies_seeds SEEDS && fuzz_ies -dict=fuzz/ies.dict CORPUS SEEDS; or scripts/fuzz ies.
 #include <cmath>

@@ -1,5 +1,5 @@
-// Feeds bytes to the reader of journals. No file in the result may lie outside the journal's folder, numbers must be in range,
-// and the result must be writable.
+// Passes bytes to the reader of journals. Every file in the result must be inside the journal's folder, every number must be in
+// its range, and it must be possible to write the result again.
 //
 // fuzz/journal_seeds SEEDS && fuzz_journal -dict=fuzz/journal.dict CORPUS SEEDS; or scripts/fuzz journal.
 #include <cstdlib>

@@ -1,9 +1,9 @@
-// Feeds bytes to the project's own readers of light fields' side files and pictures. The first byte selects the reader: 'h'
-// HCI's parameters.cfg, 'H' attributes of HCI's HDF5 files, 'v' cvkit's NAME_param.txt, 'e' ESLF's side file, 'm' MIV's
-// cameras.json, 't' NeRF's transforms.json, 'a' and 'i' COLMAP's cameras and images as text, 'A' and 'I' as binary, 'l' LLFF's
-// poses_bounds.npy, 'n' any .npy file, 'q' a quilt's side file, 'p' PPM, 'f' PFM, 'k' --keep, 'c' --crop, 'w' the side file of
-// a raw plenoptic picture, 'L' a Lytro container, 'r' Lytro metadata of 16x16 packed codes. The reader must throw Error or
-// return a result that stays the same when written and read again.
+// Passes bytes to the readers of light field metadata and pictures that this project implements itself. The reader must throw
+// Error, or return a result that stays the same when it is written and read again. The first byte selects the reader:
+// 'h' HCI's parameters.cfg, 'H' attributes of HCI's HDF5 files, 'v' cvkit's NAME_param.txt, 'e' the JSON file of an ESLF
+// picture, 'm' MIV's cameras.json, 't' NeRF's transforms.json, 'a' and 'i' COLMAP's cameras and images as text, 'A' and 'I' the
+// same in binary, 'l' LLFF's poses_bounds.npy, 'n' any .npy file, 'q' the JSON file of a quilt, 'p' PPM, 'f' PFM, 'k' --keep,
+// 'c' --crop, 'w' the JSON file of a raw plenoptic picture, 'L' a Lytro container, 'r' Lytro metadata of 16x16 packed codes.
 //
 // fuzz/light_field_seeds SEEDS && fuzz_light_field -dict=fuzz/light_field.dict CORPUS SEEDS; or scripts/fuzz light_field.
 #include <array>
@@ -49,7 +49,7 @@ void hci(const std::string& text) {
   require(hci_parameters_text(parse_hci_parameters(again, "a")) == again);
 }
 
-/// Takes numbers as attributes; HDF5 itself is read by a library.
+/// Passes numbers as HDF5 attributes, without a file. Files are read by the HDF5 library, which is not tested here.
 void hdf5_cameras(std::span<const std::byte> numbers) {
   constexpr std::array kNames{"dH", "dV", "focalLength", "shift"};
   std::map<std::string, double> attributes;
@@ -86,7 +86,7 @@ void miv(const std::string& text) {
   require(miv_cameras_text(parse_miv_cameras(again, "a"), "a", true) == again);
 }
 
-/// Writes complete cameras and reads them again.
+/// Adds missing values to the cameras, so that they can be written, and then writes and reads them.
 void transforms(const std::string& text) {
   std::vector<PosedPicture> pictures = parse_transforms(text, "a");
   for (PosedPicture& picture : pictures) {
@@ -123,7 +123,7 @@ void llff(std::span<const std::byte> file) {
 
 void npy(std::span<const std::byte> file) {
   const NpyArray array = parse_npy(file, "a");
-  if (array.shape.empty()) return;  // one number, which arrays are not
+  if (array.shape.empty()) return;  // a single number without dimensions cannot be written as an array
   const NpyArray again = parse_npy(encode_npy(std::span<const double>(array.values), array.shape), "a");
   require(again.shape == array.shape && again.values.size() == array.values.size());
   for (std::size_t i = 0; i < array.values.size(); ++i)

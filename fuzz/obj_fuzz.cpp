@@ -1,8 +1,9 @@
-// Feeds bytes to the OBJ reader. It must throw Error or return a scene that passes validate().
+// Passes bytes to the OBJ reader. It must throw Error, or return a scene that passes validate().
+//
+// The bytes before the first zero byte are the scene. The bytes after it are the material file a.mtl. The folder also contains
+// a texture, a.ppm.
 //
 // fuzz/obj_seeds SEEDS && fuzz_obj -dict=fuzz/obj.dict CORPUS SEEDS; or scripts/fuzz obj.
-// An input is a scene; bytes after the first NUL byte, if there is one, are its materials, a.mtl. A texture, a.ppm, lies beside
-// them.
 #include <unistd.h>
 
 #include <cstdlib>
@@ -21,7 +22,7 @@ namespace fs = std::filesystem;
 
 void write(const fs::path& file, const std::string& contents) { std::ofstream(file, std::ios::binary) << contents; }
 
-/// A temporary folder per process.
+/// A temporary folder for the files of this process.
 class Folder {
  public:
   Folder() : folder_((fs::temp_directory_path() / "lippmann-fuzz-XXXXXX").string()) {

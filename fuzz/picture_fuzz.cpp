@@ -1,4 +1,5 @@
-// Feeds bytes to the readers of pictures. They must throw Error or return as many samples as the header states.
+// Passes bytes to the readers of pictures. They must throw Error, or return as many samples as the header of the picture
+// states.
 //
 // fuzz_picture_seeds SEEDS && fuzz_picture -dict=fuzz/picture.dict CORPUS SEEDS; or scripts/fuzz picture.
 #include <cstdlib>
@@ -11,7 +12,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
   using namespace lippmann;
   const FileBytes file = std::as_bytes(std::span(data, size));
-  if (is_heic(file)) return 0;  // read by libheif, which has its own fuzzers
+  if (is_heic(file)) return 0;  // HEIC files are read by libheif, which has its own fuzzers
   try {
     const DecodedPicture picture = decode_picture(file, "picture");
     const PictureHeader& header = picture.header;

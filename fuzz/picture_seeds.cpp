@@ -1,4 +1,4 @@
-// Writes seeds for fuzz_picture into a folder: a small picture in each format.
+// Writes seeds for fuzz_picture to a folder: a small picture in each format.
 #include <webp/encode.h>
 
 #include <filesystem>

@@ -1,5 +1,5 @@
-// Feeds bytes to the reader of optics in report.json. It must throw Error or return optics whose panel of a few pixels can be
-// viewed from anywhere: viewing zone, eye views, refocusing and conversions.
+// Passes bytes to the reader of the optics in report.json. It must throw Error, or return valid optics. With these optics, a
+// panel of a few pixels must support eye views from anywhere, the viewing zone, refocusing and conversions.
 //
 // fuzz/replay_seeds SEEDS && fuzz_replay -dict=fuzz/replay.dict CORPUS SEEDS; or scripts/fuzz replay.
 #include <cmath>
@@ -38,7 +38,8 @@ void look(const RenderedPanel& rendered) {
     const double share = share_out_of_zone(rendered.optics, viewer_at(at));
     if (!(share >= 0.0 && share <= 1.0)) std::abort();
   }
-  if (sub_pixels_per_pixel(rendered.optics) > 1) return;  // films of sub-pixels cannot be refocused
+  // pictures of slanted panels, whose samples are sub-pixels, cannot be refocused
+  if (sub_pixels_per_pixel(rendered.optics) > 1) return;
   for (const double z : {-1e3, 0.0, 7.0}) {
     try {
       validate_depth(rendered.optics, z, "--refocus");
@@ -64,7 +65,7 @@ void convert(const RenderedPanel& rendered) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
-  constexpr double kMostPixels = 4096;  ///< larger panels are slow
+  constexpr double kMostPixels = 4096;  ///< larger panels would be too slow
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   Optics optics;
   try {

@@ -1,5 +1,6 @@
-// Feeds bytes, as a report.json or a benchmark's result, to the page of figures. It must throw Error or return a page in which
-// no name has become a script, a picture or a link. The page has one script of its own, and data for it.
+// Passes bytes to the page of figures, as a report.json or as the result of a benchmark. The page must throw Error, or be made
+// without a script, a picture or a link that comes from a name in the input. The page has one script of its own, and data for
+// this script.
 //
 // fuzz/report_seeds SEEDS && fuzz_report -dict=fuzz/report.dict CORPUS SEEDS; or scripts/fuzz report.
 #include <cstdlib>

@@ -1,8 +1,9 @@
-// Feeds bytes to the Tachyon importer. It must throw Error or return a scene that passes validate().
+// Passes bytes to the Tachyon reader. It must throw Error, or return a scene that passes validate().
+//
+// The bytes before the first zero byte are the scene. The bytes after it are its camera path. The folder also contains a file
+// of every kind that a scene can refer to.
 //
 // fuzz/tachyon_seeds SEEDS && fuzz_tachyon -dict=fuzz/tachyon.dict CORPUS SEEDS; or scripts/fuzz tachyon.
-// An input is a scene; bytes after the first NUL byte, if there is one, are its camera path. The folder contains side files of
-// every kind that a scene can name.
 #include <unistd.h>
 
 #include <cstdlib>
@@ -21,7 +22,7 @@ namespace fs = std::filesystem;
 
 void write(const fs::path& file, const std::string& contents) { std::ofstream(file, std::ios::binary) << contents; }
 
-/// A temporary folder per process.
+/// A temporary folder for the files that scenes refer to.
 class SideFiles {
  public:
   SideFiles() : folder_((fs::temp_directory_path() / "lippmann-fuzz-XXXXXX").string()) {
