@@ -1,6 +1,6 @@
-// The benchmarks of lippmann-bench. Each one checks its results first, then measures, and returns rows of figures.
+// The benchmarks of lippmann-bench. Each benchmark checks its results, measures, and returns rows of figures.
 //
-// Absolute times vary with the machine and its load, so both sides of every ratio are measured in turn within one run.
+// Absolute times depend on the machine and its load. Therefore both sides of a ratio are measured alternately within one run.
 #pragma once
 
 #include <functional>
@@ -20,28 +20,29 @@ namespace lippmann::bench {
 
 struct Report {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();  ///< one object per line of the table, all with the same keys
-  nlohmann::ordered_json details;                                 ///< the figures behind the rows, for --json; null: none
-  std::string text;                          ///< printed instead of the table of rows; empty: the table is printed
+  nlohmann::ordered_json details;                                 ///< further figures for --json; null if there are none
+  std::string text;                          ///< printed instead of the table of rows; if empty, the table is printed
   int passed_checks = 0;                     ///< number of checks that the results passed
-  std::vector<std::string> failed_checks{};  ///< one line per check that failed but leaves the other rows valid
+  std::vector<std::string> failed_checks{};  ///< one line for each check that failed; the rows of other checks are still valid
 };
 
 /// The options of all benchmarks together. A benchmark reads those that its `add_options` declares.
 struct Request {
-  std::vector<std::string> scenes;  ///< names or files; empty: the benchmark's default
-  int frames = 0;                   ///< frames per animation; 0: the benchmark's default
-  std::string views;                ///< CxR, replaces the views of each row; empty: the row's own, or 3x1 if view_pixels is set
-  int view_pixels = 0;              ///< width and height of a view; 0: the benchmark's default
-  bool large = false;               ///< also measure 3840 x 2160 pixels
-  bool quick = false;               ///< few small frames, to check that the benchmark works
-  int reference_spp = 0;            ///< samples per pixel of the references; 0: the benchmark's default
-  std::string references;           ///< folder of kept references; empty: lippmann/references in the user's cache
-  std::string pictures;             ///< folder for the compared pictures; empty: none are written
-  bool list = false;                ///< return the names of the rows as text and measure nothing
-  std::string plot;                 ///< folder for plots; empty: none
-  std::string csv;                  ///< file for the summary; empty: none
-  std::string tachyon_scenes = "/usr/share/doc/tachyon/examples/scenes";  ///< folder of teapot.dat, teapot.cam and so on
-  std::function<void(std::string_view)> say;                              ///< receives one line of progress; may be empty
+  std::vector<std::string> scenes;  ///< names or files; if empty, the benchmark's default
+  int frames = 0;                   ///< frames per animation; 0 means the benchmark's default
+  std::string views;       ///< columns and rows of views as CxR; if empty, those of the row, or 3x1 if view_pixels is set
+  int view_pixels = 0;     ///< width and height of a view in pixels; 0 means the benchmark's default
+  bool large = false;      ///< also measure 3840 x 2160 pixels
+  bool quick = false;      ///< measure only a few small frames, to check that the benchmark works
+  int reference_spp = 0;   ///< samples per pixel of the reference frames; 0 means the benchmark's default
+  std::string references;  ///< folder in which reference frames are kept; if empty, lippmann/references in the user's cache
+  std::string pictures;    ///< folder for the compared pictures; if empty, none are written
+  bool list = false;       ///< return the names of the rows as text, without measuring
+  std::string plot;        ///< folder for plots; if empty, none are written
+  std::string csv;         ///< file for the summary; if empty, none is written
+  /// folder with teapot.dat, teapot.cam and other files
+  std::string tachyon_scenes = "/usr/share/doc/tachyon/examples/scenes";
+  std::function<void(std::string_view)> say;  ///< is called with each line of progress; may be empty
 };
 
 struct Benchmark {

@@ -1,4 +1,4 @@
-// The functions behind benchmarks(), one per source file.
+// Declares the functions that benchmarks() lists. Each is in its own source file.
 #pragma once
 
 #include "bench/bench.hpp"

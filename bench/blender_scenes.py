@@ -1,11 +1,12 @@
 #!/usr/bin/python3
-"""Renders .blend files with Blender's Cycles and with the add-on: PSNR of 8-bit codes, FLIP, and the add-on's warnings.
+"""Renders .blend files with Blender's Cycles and with the add-on. Prints the PSNR of 8-bit codes, FLIP, and the add-on's warnings.
 
   bench/blender_scenes.py FILE_OR_FOLDER ... [--out DIR] [--size N] [--samples N] [--tool FILE] [--json]
 
-Both get the same file, frame, eye, samples and view transform (bench/cycles/blend_inside_blender.py). Materials that the exporter
-does not support, world and lamps are converted as in docs/guide/blender.md; the figures show the cost of each warning. Writes
-DIR/scenes.html with pictures side by side. Needs python3-numpy and Blender (BLENDER names another version).
+Both renderers get the same file, frame, eye, number of samples and view transform (bench/cycles/blend_inside_blender.py). The exporter
+approximates materials, worlds and lamps that it does not support as docs/guide/blender.md describes; the figures show the effect of
+each warning. Writes DIR/scenes.html with the pictures side by side. Needs python3-numpy and Blender. The environment variable BLENDER
+names another version of Blender.
 """
 
 import argparse
@@ -32,7 +33,7 @@ def files_of(paths):
 
 
 def rendered(file, options):
-    """Returns {"scene", "warnings", "refused"} and, if there are pictures, {"cycles", "lippmann"}."""
+    """Returns a dictionary with "scene", "warnings" and "refused". If both pictures exist, it also has "cycles" and "lippmann"."""
     folder = (options.out / file.stem).resolve()
     folder.mkdir(parents=True, exist_ok=True)
     for name in ("cycles.png", "ours.png", "result.json"):
@@ -50,7 +51,7 @@ def rendered(file, options):
 
 
 def judged(row):
-    """Adds our figures relative to Cycles."""
+    """Adds the figures that compare our picture with the picture of Cycles."""
     if "cycles" not in row:
         return row
     ours = judge.judged({"cycles": row["cycles"], "lippmann": row["lippmann"]})["lippmann"]

@@ -1,17 +1,19 @@
 #!/usr/bin/python3
-"""Compares light-field animations with Blender's Cycles: ours renders all views at once and denoises them together, Cycles view by view.
+"""Compares light-field animations with Blender's Cycles. Our program renders all views at once and denoises them together; Cycles
+renders view by view.
 
   bench/cycles_light_field.py [--asset FILE.glb] [--panorama FILE.hdr] [--view YAW PITCH] [--frames N] [--size N] [--spp N]
                               [--reference-spp N] [--levels N N N] [--output DIR] [--tool PATH] [--threads N] [--json]
 
-Frames of 48 views from the same eyes; without --asset, of a room of bench/cycles/fixtures.py. First the converged views of both
-programs must agree (30 dB). Then the PSNR of each is measured against its own converged views, and the CPU time that Cycles needs
-for our PSNR is interpolated between measured numbers of samples: logarithm of time over dB.
+Each frame has 48 views from the same eyes. The default scene is a room of bench/cycles/fixtures.py.
+1. The converged views of both programs must agree with 30 dB.
+2. The PSNR of each program is measured against its own converged views, in 8-bit sRGB codes.
+3. The CPU time that Cycles needs for our PSNR is interpolated between measured numbers of samples, as the logarithm of time over dB.
 
-Our time includes process, set-up, denoising and files. For Cycles only rendering counts, with its scene kept loaded. Each of its
-views costs the same, so only a few views of the first and the last frame are measured, and the cost of starting a frame is counted
-once per frame. PSNR is of 8-bit sRGB codes of the same views. Needs Debian's blender and python3-numpy. Files without a camera get
-one that looks at their centre from YAW and PITCH degrees, and must be .glb.
+Our time is that of the whole process, with set-up, denoising and files. The time of Cycles is that of rendering alone, with its scene
+kept loaded. All views take Cycles equally long, so only a few views of the first and the last frame are measured. The time to start a
+frame is counted once per frame. Needs Debian's blender and python3-numpy. A file without a camera must be .glb, and gets a camera that
+looks at its centre from YAW and PITCH degrees.
 """
 
 import argparse
@@ -31,13 +33,13 @@ HERE = pathlib.Path(__file__).parent
 VERTICES = 8  # vertices per path, the same for both renderers
 COLUMNS, ROWS, CONE_DEG = 8, 6, 40.0
 VIEWS = COLUMNS * ROWS
-FAN = VIEWS // 3  # number of views in a row with the eyes of every third view; our converged views are rendered as such rows
+FAN = VIEWS // 3  # number of views in a row that uses the eyes of every third view; our converged views are rendered as such rows
 LIKENESS_DB = 30.0
 BAR = 20.0
 
 
 class LightField:
-    """The scene, its display, and the compared views."""
+    """The scene, its display and the views to be compared."""
 
     def __init__(self, options, work):
         self.options, self.work = options, work
@@ -60,7 +62,7 @@ class LightField:
                 "--size", f"{columns * self.options.size}x{rows * self.options.size}"]
 
     def eyes(self):
-        """Offsets to the right of the camera, leftmost view first."""
+        """Returns the offsets of the eyes to the right of the camera. The leftmost eye is first."""
         return [self.array["viewing_distance"] * math.tan(math.radians(CONE_DEG) * ((v + 0.5) / VIEWS - 0.5)) for v in range(VIEWS)]
 
     def compared(self):
@@ -68,7 +70,7 @@ class LightField:
 
 
 def ours(field, optics, folder, frames, spp, *more):
-    """Returns the CPU seconds of the process."""
+    """Renders frames with our program, and returns the CPU seconds of the process."""
     options = field.options
     command = [options.tool, "render", field.scene, *optics, "--integrator", "path", "--spp", spp, "--frames", frames, "--layout", "views",
                "--max-depth", VERTICES, "--format", "exr", "--exr-pixels", "float", "--threads", options.threads, "-o", folder, *more]
@@ -91,7 +93,7 @@ def their_view(folder, samples, frame, view):
 
 
 def cycles(field, folder, levels, reference_spp):
-    """Returns the CPU seconds per render at each number of samples, for renders that start a frame and for the others."""
+    """Returns the CPU seconds per render for each number of samples: for renders that start a new frame, and for other renders."""
     options = field.options
     renders = [{"frame": f, "view": v, "samples": s, "seed": 99 if s == reference_spp else 7, "out": str(their_view(folder, s, f, v))}
                for s in (*levels, reference_spp) for f, v in field.compared()]
@@ -115,7 +117,8 @@ def mean_psnr(field, reference_of, test_of):
 
 
 def seconds_at(psnr, levels):
-    """levels: (dB, seconds), ascending. Extrapolates from the nearest two."""
+    """Returns the seconds for a PSNR by interpolation. `levels` contains (dB, seconds) in ascending order. Outside of the levels,
+    extrapolates from the nearest two."""
     after = next((i for i in range(1, len(levels) - 1) if levels[i][0] >= psnr), len(levels) - 1)
     (a, start), (b, end) = levels[after - 1], levels[after]
     return start * (end / start) ** ((psnr - a) / (b - a))

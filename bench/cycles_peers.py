@@ -1,11 +1,12 @@
 #!/usr/bin/python3
-"""Compares path tracing with Blender's Cycles: PSNR between both and samples per CPU second of each, for the same scenes.
+"""Compares path tracing with Blender's Cycles. Prints the PSNR between both programs, and the samples per CPU second of each.
 
   bench/cycles_peers.py [NAME ...] [--size N] [--spp N] [--output DIR] [--tool PATH] [--threads N] [--json]
 
-Scenes: bench/cycles/fixtures.py (for your own files: bench/gltf_fidelity.py). Blender builds their materials from the file as in
-glTF 2.0's appendix B (bench/cycles/gltf_in_blender.py). PSNR is of 8-bit sRGB codes (lippmann compare). Speed: the CPU seconds of
-`spp` samples minus those of an eighth of them, which excludes set-up. Needs Debian's blender and python3-numpy.
+The scenes are those of bench/cycles/fixtures.py. For your own files, use bench/gltf_fidelity.py. In Blender, materials are built from
+the file as in appendix B of glTF 2.0 (bench/cycles/gltf_in_blender.py). PSNR is computed from 8-bit sRGB codes by `lippmann compare`.
+For the speed, the CPU seconds of an eighth of the samples are subtracted from those of all samples, which excludes the set-up. Needs
+Debian's blender and python3-numpy.
 """
 
 import argparse

@@ -17,11 +17,13 @@ namespace {
 
 constexpr int kSeeds = 5, kQuickSeeds = 2, kFramesPerSeed = 4;
 
-/// Statistics of the reported intervals of a row's frames.
+/// Counts and sums over the frames of a row.
 struct Intervals {
-  int frames = 0, contain = 0, too_low = 0, too_high = 0;  ///< too_low: the true PSNR lies above the interval
-  int bounded = 0;                                         ///< frames with an estimate; the others only have a lower bound
-  double excess_db = 0.0, width_db = 0.0;                  ///< sums over the bounded frames; excess: estimate minus true PSNR
+  /// `contain`: the interval contains the true PSNR; `too_low`: the true PSNR is above the interval; `too_high`: it is below
+  int frames = 0, contain = 0, too_low = 0, too_high = 0;
+  int bounded = 0;  ///< frames with an estimate and an interval; other frames have only a lower bound
+  /// sums over the bounded frames of the estimate minus the true PSNR, and of the width of the interval
+  double excess_db = 0.0, width_db = 0.0;
 
   void add(const FrameReport& report, double true_db) {
     if (!report.psnr_at_least_db || !std::isfinite(true_db)) return;

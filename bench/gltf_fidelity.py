@@ -1,19 +1,23 @@
 #!/usr/bin/python3
-"""Compares our pictures of glTF files with those of other renderers: each against the median of the others.
+"""Compares pictures of glTF files by several renderers. Each picture is compared with the median of the other renderers' pictures.
 
-  bench/gltf_fidelity.py FOLDER_OR_CONFIG [--out DIR] [--cycles] [--importer] [--three] [--only NAME ...] [--size N] [--spp N] [--tone CURVE] [--json] ...
+  bench/gltf_fidelity.py FOLDER_OR_CONFIG [--out DIR] [--cycles] [--importer] [--three] [--only NAME ...] [--size N] [--spp N]
+                         [--tone CURVE] [--json]
 
-Scenarios come from a configuration in the form of glTF Render Fidelity's, or from a folder's glTF files (bench/fidelity/scenarios.py).
-Each is rendered as one pinhole view and compared with the reference pictures beside the configuration. --cycles adds Cycles, with the
-same file, camera, light, number of samples and view transform "Standard" (bench/cycles/gltf_in_blender.py describes its surfaces);
---importer adds Blender's own import of the file, --three the path tracer three-gpu-pathtracer (npm ci in bench/fidelity/three;
-Chromium).
+Scenarios come from a configuration as in glTF Render Fidelity, or from the glTF files of a folder (bench/fidelity/scenarios.py). Each
+scenario is rendered as one pinhole view, and compared with the reference pictures beside the configuration.
+--cycles adds Cycles with the same file, camera, light, number of samples and view transform "Standard".
+bench/cycles/gltf_in_blender.py describes its surfaces.
+--importer adds Cycles with Blender's own import of the file.
+--three adds the path tracer three-gpu-pathtracer, which needs Chromium and `npm ci` in bench/fidelity/three.
 
-Prints PSNR and FLIP of each renderer against the median of the others, million samples per CPU second (of `spp` samples minus those
-of an eighth of them, which excludes set-up), and the PSNR that noise alone allows. Writes DIR/fidelity.html with pictures side by
-side. Pictures of other renderers are kept in DIR until the file, the light or the numbers change. A row names renderers that cannot
-show a file, and features that Blender's importer does not read. With two or more others, prints how near these are to one another,
-and in how many scenarios ours is nearer to their median. Needs python3-numpy; for --cycles and --importer, Debian's blender.
+Prints the PSNR and FLIP of each renderer against the median of the others, million samples per CPU second, and the PSNR that noise
+alone would give. For the speed, the CPU seconds of an eighth of the samples are subtracted from those of all samples, which excludes
+the set-up.
+A row names renderers that cannot show a file, and features that Blender's importer does not read. With two or more other renderers,
+prints how near these are to one another, and in how many scenarios our picture is nearer to their median.
+Writes DIR/fidelity.html with the pictures side by side. Pictures of other renderers are kept in DIR until the file, the light or the
+numbers change. Needs python3-numpy. --cycles and --importer need Debian's blender.
 """
 
 import argparse
@@ -37,12 +41,12 @@ import peers  # noqa: E402
 import pictures  # noqa: E402
 import scenarios  # noqa: E402
 
-VIEW = (25.0, 15.0)  # yaw and pitch for files without a camera
+VIEW = (25.0, 15.0)  # yaw and pitch in degrees for files without a camera
 
 
 @dataclasses.dataclass
 class Shot:
-    """A scenario as both programs get it."""
+    """A scenario with the file, the camera and the light that all renderers use."""
 
     scenario: scenarios.Scenario
     file: pathlib.Path
@@ -58,7 +62,8 @@ def has_lamps(doc):
 
 
 def place_camera(copy, scenario, options):
-    """Adds the scenario's camera, the file's own, or one with the tool's default view."""
+    """Adds the camera of the scenario to the copy of the file. Without one, uses the file's own camera, or adds a camera with the
+    tool's default view."""
     if not scenario.orbit and copy.name_own_camera(scenario.width / scenario.height):
         return
     if scenario.orbit:
@@ -74,7 +79,7 @@ def place_camera(copy, scenario, options):
 def one_copy(model):
     try:
         return one_file.OneFile(model)
-    except (OSError, ValueError, KeyError, struct.error) as error:  # a damaged file, or one with missing parts
+    except (OSError, ValueError, KeyError, struct.error) as error:  # the file is damaged, or a file that it refers to is missing
         raise peers.Failed(f"{model.name}: {error!r}") from error
 
 
@@ -91,7 +96,7 @@ def set_up(scenario, options):
 
 
 def ours(shot, spp, options):
-    """Returns the picture's file, and CPU seconds."""
+    """Renders the shot with our program. Returns the file of the picture, and the CPU seconds."""
     out = shot.folder / f"lippmann-{spp}"
     command = [options.tool, "render", shot.file, "--camera", shot.camera, "--optics", "single", "--size", f"{shot.width}x{shot.height}", "--integrator", "path",
                "--denoise", "none", "--spp", spp, "--seed", spp, "--max-depth", options.vertices, "--threads", options.threads, "--frames", "0-0", "--environment",
@@ -109,14 +114,15 @@ def million_samples_per_second(shot, spp, seconds, few_seconds):
 
 
 def few_and_all(shot, name, options):
-    """Returns files and CPU seconds of a picture with few samples and of one with all; seconds are None if they do not measure the renderer."""
+    """Returns (file, CPU seconds) of the picture with few samples and of the picture with all samples. The seconds are None if they do
+    not measure the renderer."""
     if name != "lippmann":
         return [(pathlib.Path(r["out"]), r["cpu_seconds"]) for r in others.RENDERERS[name](shot, options)]
     return [ours(shot, spp, options) for spp in (others.few(options.spp), options.spp)]
 
 
 def pictures_of(shot, name, options, facts):
-    """Returns the picture of one renderer, and stores its speed, its noise and the features that it does not read in `facts`."""
+    """Returns the picture of a renderer. Stores its speed, its noise and the features that it does not read in `facts`."""
     (less, few_seconds), (more, seconds) = few_and_all(shot, name, options)
     picture = pictures.read(more)
     if seconds is not None:
@@ -126,7 +132,7 @@ def pictures_of(shot, name, options, facts):
 
 
 def rendered(shot, options):
-    """Returns {renderer: RGBA picture}, speeds and noise, notes, and {renderer: reason of a missing picture}."""
+    """Returns {renderer: RGBA picture}, a dictionary of speeds and noise, notes, and {renderer: reason why its picture is missing}."""
     named, notes, facts, failed = {}, [], {}, {}
     for name in ["lippmann", *options.peers]:
         try:
@@ -143,7 +149,7 @@ def rendered(shot, options):
 
 
 def row_of(scenario, named=None, facts=None, notes=(), failed=None, unread=None):
-    """Returns a scenario's row of the table, without figures if fewer than two renderers have a picture."""
+    """Returns the row of a scenario in the table. It has no figures if fewer than two renderers have a picture."""
     named, facts, failed, unread = named or {}, facts or {}, failed or {}, unread or {}
     judged = judge.judged(named) if len(named) > 1 else {}
     notes = [*notes, *(f"{name} has no picture: {why}" for name, why in failed.items()),
@@ -154,7 +160,7 @@ def row_of(scenario, named=None, facts=None, notes=(), failed=None, unread=None)
 
 
 def measure(scenario, options, out):
-    """Returns a row of the table and adds it to the page; None if there is nothing to compare with."""
+    """Measures a scenario. Returns its row, and adds the scenario to the page. Returns None if there is nothing to compare with."""
     try:
         shot = set_up(scenario, options)
     except peers.Failed as failure:
@@ -179,14 +185,15 @@ def line(row):
 
 
 def sentence(rows):
-    """Returns in how many scenarios ours is as near to the median of the others as they are to one another; empty without two others."""
+    """Returns a sentence that states in how many scenarios our picture is as near to the median of the others as they are to one
+    another. Returns "" if there are never two other renderers."""
     compared = [row for row in rows if row["among_others_db"] is not None and "lippmann" in row["renderers"]]
     near = sum(row["renderers"]["lippmann"]["psnr_db"] >= row["among_others_db"] for row in compared)
     return f"lippmann is as near to the median of the others as they are to one another in {near} of {len(compared)} scenarios" if compared else ""
 
 
 def reservations(rows):
-    """Returns what the figures do not cover."""
+    """Returns the limits of the figures: failed renders and features that were not read."""
     failed = [row["scenario"] for row in rows if row["failed"]]
     unread = [row["scenario"] for row in rows if any(row["unread"].values())]
     return [f"{len(names)} of {len(rows)} scenarios {what}: {', '.join(names)}"
@@ -194,7 +201,7 @@ def reservations(rows):
 
 
 def without_infinity(value):
-    """Returns a value for JSON, which has no infinity: the PSNR of equal pictures is null."""
+    """Returns the value with null for infinite numbers, because JSON has no infinity. Such numbers are the PSNRs of equal pictures."""
     if isinstance(value, dict):
         return {key: without_infinity(item) for key, item in value.items()}
     if isinstance(value, list):

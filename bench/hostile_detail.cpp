@@ -1,4 +1,4 @@
-// Geometry and texture as fine as pixels: neighbouring pixels show different surfaces or colours.
+// Builds scenes with geometry and textures as fine as pixels, so that neighbouring pixels show different surfaces or colours.
 #include <cmath>
 #include <vector>
 
@@ -14,7 +14,7 @@ constexpr float kPixel = kViewHeight / 120.0f;  ///< size of a pixel in the plan
 
 void look_into_detailed_room(Scene& scene) { look_at(scene, {0.0f, 0.9f, 0.0f}, 0.0f, radians(6.0f), kViewHeight, 3.6f); }
 
-/// Returns a straight rod, `pixels` wide.
+/// Returns a straight rod that is `pixels` pixels wide.
 Mesh rod(Vec3f from, Vec3f to, float pixels) {
   const float radius = 0.5f * pixels * kPixel;
   return builtin::tube({from, to}, {radius, radius}, 6, false);
@@ -80,7 +80,7 @@ Scene thin_things() {
 }
 
 Scene textured_room() {
-  constexpr float kSquares = 4.0f * kPixel;  // one period of the checkerboard: two squares, each two pixels wide
+  constexpr float kSquares = 4.0f * kPixel;  // period of the checkerboard: two squares that are two pixels wide each
   Scene scene = empty_scene("textured");
   Room room;
   room.floor = add_textured(scene, matte(Vec3f(1.0f)), checker(Vec3f(0.75f), {0.15f, 0.2f, 0.3f}));

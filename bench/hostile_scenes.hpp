@@ -1,7 +1,7 @@
-// Scenes that are hard to denoise. They are built in code, and each has one difficulty.
+// Scenes that are hard to denoise. Each scene is built in code and has one difficulty.
 //
-// Lengths are metres, +y is up, materials are those of glTF. Each scene is an animation of 16 frames, 25 per second, in which
-// objects move by several pixels per frame.
+// Lengths are in metres, +y points upwards, and materials are those of glTF. Each scene is an animation of 16 frames at 25
+// frames per second. Its objects move by several pixels per frame.
 #pragma once
 
 #include <functional>
@@ -15,8 +15,8 @@ namespace lippmann::bench {
 
 struct HostileScene {
   std::string name;
-  std::string difficulty;        ///< one line on the difficulty
-  std::function<Scene()> build;  ///< builds the scene, which passes validate()
+  std::string difficulty;        ///< describes the difficulty in one line
+  std::function<Scene()> build;  ///< builds the scene, which must pass validate()
   RenderParams params;           ///< optics, size and samples of path tracing
   int frames = 16;
 };

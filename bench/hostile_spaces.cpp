@@ -1,4 +1,4 @@
-// Interiors seen from a moving camera or lit indirectly, and a walking skinned mesh.
+// Builds interiors that are seen from a moving camera or lit indirectly, and a skinned mesh that walks.
 #include <cmath>
 
 #include "bench/hostile_builders.hpp"
@@ -10,7 +10,7 @@ namespace {
 
 constexpr Vec3f kRight(1.0f, 0.0f, 0.0f);
 
-/// Returns a box along y from 0 to `height`, in many segments.
+/// Returns a box that extends along y from 0 to `height`. It is divided into segments, so that it can bend.
 Mesh segmented_box(float width, float height, int segments) {
   Mesh mesh;
   const float w = 0.5f * width, h = 0.5f * height / static_cast<float>(segments);
@@ -25,7 +25,7 @@ Mesh segmented_box(float width, float height, int segments) {
   return mesh;
 }
 
-/// Binds every vertex to the two nearest of `joints` equally spaced joints.
+/// Binds every vertex to its two nearest joints. The joints are equally spaced over the height.
 void bind_to_joints(Mesh& mesh, float height, int joints) {
   mesh.skin.per_vertex = 2;
   for (const Vec3f& p : mesh.positions) {
@@ -37,7 +37,7 @@ void bind_to_joints(Mesh& mesh, float height, int joints) {
   }
 }
 
-/// Adds chairs, shelves and a table, made of boxes.
+/// Adds chairs, shelves and a table. All consist of boxes.
 void add_furniture(Scene& scene, int wood, int cloth) {
   show(scene, box_mesh({-0.7f, 0.42f, -0.5f}, {0.9f, 0.06f, 0.6f}), wood);
   for (const float x : {-1.1f, -0.3f})
@@ -47,7 +47,7 @@ void add_furniture(Scene& scene, int wood, int cloth) {
   for (const float y : {0.9f, 1.2f, 1.5f}) show(scene, box_mesh({-0.9f, y, -1.38f}, {0.9f, 0.04f, 0.24f}), wood);
 }
 
-/// Adds a light that shines along the node's -z, from one point to another.
+/// Adds a light at `from` that shines towards `to`.
 void add_aimed_light(Scene& scene, LightKind kind, Vec3f from, Vec3f to, Vec3f color) {
   Light light;
   light.kind = kind;

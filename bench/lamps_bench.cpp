@@ -1,8 +1,9 @@
-// Measures the cost of many lamps. Renders path-traced frames of one room below 10, 100, 1,000 and 10,000 lamps of the same
-// total power, and computes the CPU time that each needs to reach the error of the frame with ten lamps.
+// Measures the cost of many lamps. Renders path-traced frames of a room with 10, 100, 1,000 and 10,000 lamps of the same total
+// power. Computes the CPU time that each frame needs to reach the error of the frame with ten lamps.
 //
 // The squared error is inversely proportional to the number of samples, so the product of squared error and CPU time measures
-// efficiency. Both come from the same run; the time is the minimum of several runs. References use another seed.
+// efficiency. Error and time come from the same run. The time is the minimum over several runs. The reference frames use
+// another random seed.
 #include <fmt/core.h>
 
 #include <random>
@@ -22,8 +23,8 @@ constexpr int kLampsSamples = 64, kLampsReferenceSamples = 1024, kQuickLampsRefe
 constexpr std::uint32_t kLampsReferenceSeed = 77;
 constexpr float kLampsPower = 12.0f;  ///< total radiant intensity of all lamps of a room
 
-// The eye looks slightly down at the middle of the picture from five times the picture's height away. Anything more than
-// kLampsFront in front of the middle, such as the wall behind the viewer, is invisible.
+// The eye looks slightly down at the middle of the picture. Its distance is five times the height of the picture. Objects more
+// than kLampsFront in front of the middle are invisible, such as the wall behind the viewer.
 constexpr Vec3f kLampsMiddle{0.0f, 0.95f, -0.2f};
 constexpr float kLampsPitch = radians(8.0f), kLampsPictureHeight = 2.1f, kLampsPanelMm = 100.0f, kLampsEyeMm = 500.0f,
                 kLampsFront = 3.6f;
@@ -53,7 +54,7 @@ class LampPlaces {
   std::mt19937 random_{5};
 };
 
-/// Returns a rotation that takes -z to a direction.
+/// Returns a rotation that turns -z to `direction`.
 Quatf turned_to(Vec3f direction) {
   const Vec3f axis = glm::cross(Vec3f(0.0f, 0.0f, -1.0f), direction);
   return glm::normalize(Quatf(1.0f - direction.z, axis.x, axis.y, axis.z));
@@ -77,9 +78,9 @@ Vec3f lamps_eye() {
          kLampsPictureHeight * kLampsEyeMm / kLampsPanelMm * Vec3f(0.0f, std::sin(kLampsPitch), std::cos(kLampsPitch));
 }
 
-/// Adds squares with this total area, in one mesh per hue. The eye lies in the plane of each square and so sees none of them.
-/// Visible lamps would be far smaller than pixels and far brighter than white, and the noise of their edges, which does not
-/// depend on the choice of lights, would hide the result.
+/// Adds square lamps of the same total area, in one mesh for each hue. The eye lies in the plane of each square, so no lamp is
+/// visible. Visible lamps would be smaller than pixels and much brighter than white. The noise at their edges does not depend
+/// on how lights are chosen, and would hide the result.
 void add_square_lamps(Scene& scene, int count, LampPlaces& places) {
   Mesh meshes[4];
   const float half = std::min(0.05f, 0.4f / std::sqrt(static_cast<float>(count)));

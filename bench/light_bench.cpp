@@ -1,9 +1,9 @@
-// Compares denoised path tracing at 16 samples per pixel with 64 samples per pixel without denoising, both measured against
-// converged references.
+// Compares denoised path tracing at 16 samples per pixel with path tracing at 64 samples per pixel without denoising. Both are
+// measured against converged reference frames.
 //
-// The benchmark fails if a frame has a NaN, or if the mean light of the denoised frames differs from the references by more
-// than kMeanLight. It reports whether the PSNR of the denoised frames, for all pixels and for pixels at edges, is at most
-// kCloseDb below that of 64 samples.
+// The benchmark fails if a frame contains a NaN, or if the mean light of the denoised frames differs from the references by
+// more than kMeanLight. It reports whether the PSNR of the denoised frames is at most kCloseDb below that of 64 samples, both
+// for all pixels and for pixels at edges.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -93,7 +93,7 @@ std::string line_of(const LightCase& row, const LightFigures& denoised, const Li
                      keeps_light(denoised) ? "" : "  LIGHT");
 }
 
-/// Returns test - reference, amplified and centred on mid-grey.
+/// Returns the amplified difference test - reference. Mid-grey means no difference.
 Image8 error_picture(const Image8& reference, const Image8& test) {
   Image8 error = test;
   for (std::size_t i = 0; i < error.rgb.size(); ++i)

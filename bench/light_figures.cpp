@@ -9,7 +9,7 @@
 namespace lippmann::bench {
 namespace {
 
-/// Computes the mean product of the errors against the two halves of a reference.
+/// Accumulates the mean squared error against a reference: the product of the differences from the reference's two halves.
 struct SquaredError {
   double sum = 0.0;
   std::size_t count = 0;
@@ -18,7 +18,7 @@ struct SquaredError {
   double mean() const { return count > 0 ? std::max(0.0, sum / static_cast<double>(count)) : std::nan(""); }
 };
 
-/// Computes the mean of |a - 2 b + c|.
+/// Accumulates the mean of |a - 2 b + c|.
 struct SecondDifference {
   double sum = 0.0;
   std::size_t count = 0;

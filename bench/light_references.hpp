@@ -1,4 +1,5 @@
-// Converged reference frames. They are kept in a folder, because rendering them takes far longer than the benchmark itself.
+// Provides converged reference frames. They are kept in a folder, because rendering them takes much longer than the benchmark
+// itself.
 #pragma once
 
 #include <filesystem>
@@ -11,21 +12,21 @@
 
 namespace lippmann::bench {
 
-/// Returns the requested folder, or by default $XDG_CACHE_HOME/lippmann/references or ~/.cache/lippmann/references. Throws a
-/// usage Error if `requested` is empty and neither XDG_CACHE_HOME nor HOME is set.
+/// Returns `requested`. If it is empty, returns $XDG_CACHE_HOME/lippmann/references, or ~/.cache/lippmann/references if
+/// XDG_CACHE_HOME is not set. Throws a usage Error if HOME is needed and not set.
 std::filesystem::path reference_folder(const std::string& requested);
 
-/// Renders the references of a scene, or reads those that are kept.
+/// Renders the reference frames of a scene, or reads them from the folder.
 class LightReferences {
  public:
-  /// `sampling` selects path tracing and has the samples per pixel of both halves together. Its seed and the next one, which
-  /// the second half uses, must differ from the seeds of the compared frames. `say` receives a line per rendered half; it may
-  /// be empty. `stage`, `pool` and `context` must outlive this object.
+  /// `sampling` must select path tracing. Its samples per pixel are those of both halves together. The first half uses its seed
+  /// and the second half the next seed; both must differ from the seeds of the compared frames. `say` is called with a line for
+  /// each rendered half, and may be empty. `stage`, `pool` and `context` must outlive this object.
   LightReferences(Stage& stage, Sampling sampling, std::filesystem::path folder, const ThreadPool& pool, const Context& context,
                   std::function<void(std::string_view)> say);
 
-  /// Returns both halves of a frame as stacks of views. A kept half is reused if a probe with one sample per pixel has the same
-  /// bits as when the half was rendered. Throws Error if a half cannot be written, or if the context is cancelled.
+  /// Returns both halves of a frame as stacks of views. A kept half is reused if rendering one sample per pixel still gives the
+  /// same bits as when the half was rendered. Throws Error if a half cannot be written, or if the context is cancelled.
   Reference frame(const std::string& name, int frame);
 
   int rendered() const { return rendered_; }
@@ -41,7 +42,7 @@ class LightReferences {
   const ThreadPool& pool_;
   const Context& context_;
   std::function<void(std::string_view)> say_;
-  int rendered_ = 0, kept_ = 0;  ///< number of halves that were rendered, and that were read from the folder
+  int rendered_ = 0, kept_ = 0;  ///< number of halves that were rendered, and number of halves that were read from the folder
 };
 
 }  // namespace lippmann::bench

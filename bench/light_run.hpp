@@ -1,8 +1,8 @@
-// Renders the frames of a row with several samplings. Measures CPU time, and, relative to converged references, error, mean
-// light and flicker.
+// Renders the frames of a row with several samplings. Measures the CPU time. Measures error, mean light and flicker relative to
+// converged frames.
 //
 // CPU seconds are the rendering time of all threads together. Each frame is rendered with all samplings before the next frame,
-// so that changes in the machine's speed affect all of them equally.
+// so that changes in the machine's speed affect all samplings equally.
 #pragma once
 
 #include <filesystem>
@@ -21,10 +21,10 @@ namespace lippmann::bench {
 /// The cost and quality of a row's frames with one sampling.
 struct LightFigures {
   double cpu_seconds = 0.0;
-  double psnr_db = 0.0, block_psnr_db = 0.0, edge_psnr_db = 0.0;  ///< from the mean squared error of all frames together
-  double mean_light = 1.0;                                        ///< mean light divided by that of the references
-  double view_flicker = 0.0, frame_flicker = 0.0;                 ///< flicker minus that of the references, in codes
-  std::vector<FrameReport> reports;                               ///< one per frame
+  double psnr_db = 0.0, block_psnr_db = 0.0, edge_psnr_db = 0.0;  ///< computed from the mean squared error over all frames
+  double mean_light = 1.0;                                        ///< ratio of the mean light to that of the references
+  double view_flicker = 0.0, frame_flicker = 0.0;                 ///< flicker minus the flicker of the references, in codes
+  std::vector<FrameReport> reports;                               ///< one report per frame
   std::vector<double> psnr_db_by_frame;
   Frames frames;
 };
@@ -32,12 +32,12 @@ struct LightFigures {
 /// Renders and measures the frames of one row.
 class LightBench {
  public:
-  /// Builds the scene and renders the references that are not kept. `row`, `request` and `context` must outlive this object.
-  /// Throws Error if the scene is invalid or a reference cannot be made.
+  /// Builds the scene, and renders the references that are not kept. `row`, `request` and `context` must outlive this object.
+  /// Throws Error if the scene is invalid or a reference cannot be rendered.
   LightBench(const LightCase& row, const Request& request, const Context& context);
 
-  /// Returns one result per sampling. The samplings may differ from the row's in samples, denoising and seed only. Throws Error
-  /// if a frame contains a NaN, or if the context is cancelled.
+  /// Returns one result for each sampling. Samplings may differ from the row's sampling only in samples, denoising and seed.
+  /// Throws Error if a frame contains a NaN, or if the context is cancelled.
   std::vector<LightFigures> measure(const std::vector<Sampling>& ways);
 
   Vec2i film_size() const;

@@ -1,7 +1,7 @@
-// lippmann-bench NAME: runs one benchmark and prints its rows as a table or as JSON.
+// lippmann-bench NAME runs one benchmark and prints its rows as a table or as JSON.
 //
-// Exit codes: 0 done, 1 the benchmark or one of its checks failed, 2 wrong usage, 128 + n stopped by signal n. Figures go to
-// standard output, progress and messages to standard error.
+// Exit codes: 0 for success, 1 if the benchmark or one of its checks failed, 2 for wrong usage, 128 + n if stopped by signal n.
+// Figures are printed on standard output. Progress and messages are printed on standard error.
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
@@ -63,7 +63,7 @@ Error foreign_option(const std::string& option, const CLI::App& command) {
   return usage_error(option, "is not an option of " + command.get_name(), fmt::format("{}", fmt::join(accepted, ", ")));
 }
 
-/// Translates CLI11's errors into terms of benchmarks.
+/// Returns an error that describes CLI11's error in the terms of this program.
 Error wrong_usage(const CLI::App& root, const CLI::ParseError& refusal) {
   const std::vector<std::string> words = root.remaining(), all_words = root.remaining(true);
   const std::vector<const CLI::App*> commands = root.get_subcommands([](const CLI::App* app) { return app->parsed(); });
@@ -73,8 +73,8 @@ Error wrong_usage(const CLI::App& root, const CLI::ParseError& refusal) {
   return usage_error(commands.front()->get_name(), refusal.what());
 }
 
-/// Runs a benchmark. A cancelled run throws interrupted(), because results and errors from frames that were stopped half-way
-/// are meaningless.
+/// Runs a benchmark. Throws interrupted() if it was cancelled, because frames that were stopped half-way give meaningless
+/// results and errors.
 Report run_to_the_end(const Benchmark& benchmark, const Request& request, const Context& context) {
   try {
     Report report = benchmark.run(request, context);
@@ -111,12 +111,12 @@ int run(int argc, char** argv) {
     root.parse(argc, argv);
   } catch (const CLI::ParseError& outcome) {
     if (outcome.get_exit_code() != 0) throw wrong_usage(root, outcome);
-    return root.exit(outcome);  // --help or --version
+    return root.exit(outcome);  // for --help and --version
   }
   Context context;
   context.threads = options.threads;
   std::mutex warning_mutex;
-  std::set<std::string> warnings;  // loading a scene several times repeats its warnings
+  std::set<std::string> warnings;  // a scene that is loaded several times repeats its warnings
   context.warn = [&](std::string_view text) {
     const std::lock_guard lock(warning_mutex);
     if (warnings.emplace(text).second) print_error("warning: {}\n", printable_line(text));
@@ -126,7 +126,7 @@ int run(int argc, char** argv) {
   return run_benchmark(root.get_subcommands().front()->get_name(), options, context);
 }
 
-/// Runs the command line and prints its failure, if any, as one message. Returns the exit code.
+/// Runs the command line, and returns the exit code. If it fails, prints one message.
 int run_and_report(int argc, char** argv) {
   try {
     const int code = run(argc, argv);

@@ -1,10 +1,10 @@
-// Compares the native frame of a calibrated slanted panel, in which every sub-pixel has its own ray, with a frame interlaced
-// from a quilt of 48 views, the usual input of such displays. The reference is interlaced from 512 views with as many pixels as
-// the panel.
+// Compares two ways to make the native frame of a calibrated slanted panel: rendering it with one ray per sub-pixel, and
+// interlacing it from a quilt of 48 views, which is the usual input of such displays. The reference frame is interlaced from
+// 512 views, each with as many pixels as the panel.
 //
-// The panel is an eighth of a Looking Glass Portrait in width and height, with its pixels and lenses and the same ratio of tile
-// pixels to panel pixels. PSNR is computed from 8-bit codes. CPU time is that of rendering alone, although the quilt also needs
-// interlacing.
+// The panel is an eighth of a Looking Glass Portrait in width and height. It has the same pixels and lenses, and the same ratio
+// of tile pixels to panel pixels. PSNR is computed from 8-bit codes. The CPU time is that of rendering alone, although the
+// quilt must also be interlaced.
 #include <fmt/core.h>
 
 #include "bench/benchmarks.hpp"
@@ -33,7 +33,7 @@ Display small_portrait() {
   return display;
 }
 
-/// Returns the display with 512 views, each with as many pixels as the panel.
+/// Returns the display with a quilt of 512 views. Each view has as many pixels as the panel.
 Display with_many_views(Display display) {
   display.quilt->columns = 32, display.quilt->rows = 16;
   display.quilt->width = 32 * display.pixels.x, display.quilt->height = 16 * display.pixels.y;
@@ -45,7 +45,7 @@ class NativeBench {
   NativeBench(const BenchScene& scene, const ThreadPool& pool, const Context& context)
       : scene_(scene), pool_(pool), context_(context), stage_(ResolvedJob(scene.params), pool, context) {}
 
-  /// Renders a frame with these optics and adds its CPU seconds to `seconds`.
+  /// Renders a frame with `optics`, and adds its CPU seconds to `seconds`.
   Image render(const Optics& optics, double& seconds) {
     stage_.placed.optics = optics;
     stage_.placed.units_per_mm = scene_units_per_mm(stage_.array, window_size_mm(optics).y);

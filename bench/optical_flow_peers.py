@@ -1,13 +1,16 @@
 #!/usr/bin/python3
-"""Compares in-between frames with optical flow, on the same integral images, given every 2nd frame.
+"""Compares in-between frames with optical flow. Both start from every second frame of the same integral images.
 
   bench/optical_flow_peers.py [SCENE ...] [--frames N] [--first F] [--output DIR] [--tool PATH]
 
-Optical flow estimates motion from the key frames' pictures; Lippmann uses the scene's. Peers: ffmpeg's minterpolate
-(motion-compensated, on the integral image), and DIS flow in every directional view (T. Kroeger, R. Timofte, D. Dai, L. Van Gool, "Fast
-optical flow using dense inverse search", ECCV 2016), in both directions, warped to the middle and averaged, with OpenCV. Prints mean
-PSNR over the in-between frames, for all pixels and for those that change between the two key frames, and writes a picture per scene
-with traced, ours and the peers side by side. Needs Debian's python3-opencv and ffmpeg.
+Optical flow estimates the motion from the pictures of the key frames; Lippmann uses the motion of the scene. Two methods are compared:
+1. ffmpeg's minterpolate, motion-compensated, on the whole integral image.
+2. DIS flow with OpenCV in every directional view (T. Kroeger, R. Timofte, D. Dai, L. Van Gool, "Fast optical flow using dense inverse
+search", ECCV 2016). The flow is computed in both directions. Both key frames are warped to the middle and averaged.
+
+Prints the mean PSNR over the in-between frames, for all pixels and for the pixels that change between the two key frames. For each
+scene, writes a picture with the traced frame, our frame and the frames of both methods side by side. Needs Debian's python3-opencv and
+ffmpeg.
 """
 
 import argparse
@@ -20,7 +23,7 @@ import cv2
 import numpy as np
 
 LENS_PIXELS = 8  # the default array of `lippmann render`
-BEYOND = 4  # number of extra keys, because minterpolate looks ahead and ends early
+BEYOND = 4  # number of additional key frames; minterpolate needs later frames and ends early
 
 
 def run(*command, cwd=None):
@@ -28,7 +31,7 @@ def run(*command, cwd=None):
 
 
 def render(tool, scene, first, last, folder, *options):
-    """Renders frames first ... last as arrays of 8-bit codes, with the scene's full depth as in the paper."""
+    """Renders frames `first` to `last`, and returns them as arrays of 8-bit codes. The scene keeps its full depth, as in the paper."""
     run(tool, "render", *scene.split(), "--full-depth", "--frames", f"{first}-{last}", "--output", folder, *options)
     return [cv2.imread(str(path)) for path in sorted(folder.glob("frame_*.png"))]
 
@@ -45,7 +48,8 @@ def minterpolate(keys, work):
 
 
 def warped_half_way(image, flow):
-    """Returns the image warped by half the flow. Flow is read at the target position, which is accurate enough for small motion."""
+    """Returns the image, warped by half of the flow. The flow is read at the target position, which is accurate enough for small
+    motion."""
     height, width = flow.shape[:2]
     x, y = np.meshgrid(np.arange(width, dtype=np.float32), np.arange(height, dtype=np.float32))
     return cv2.remap(image, x - 0.5 * flow[..., 0], y - 0.5 * flow[..., 1], cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE)
@@ -57,7 +61,7 @@ def dis_flow(keys):
     for before, after in zip(keys, keys[1:]):
         between = np.empty_like(before)
         for view in range(LENS_PIXELS):
-            # A view has one column per lens, so its pixels are wide. They are scaled to squares for the search.
+            # A view has one column per lens, so its pixels are wider than high. It is resized to square pixels for the search.
             a, b = (cv2.resize(key[:, view::LENS_PIXELS], (before.shape[1], before.shape[0])) for key in (before, after))
             gray_a, gray_b = (cv2.cvtColor(picture, cv2.COLOR_BGR2GRAY) for picture in (a, b))
             forth, back = dis.calc(gray_a, gray_b, None), dis.calc(gray_b, gray_a, None)
@@ -77,7 +81,8 @@ def psnr(truth, made, where=None):
 
 
 def figures(traced, made):
-    """Returns the mean PSNR of in-between frames: of all pixels, and of those that differ between the keys. Skips frames without error."""
+    """Returns the mean PSNR of the in-between frames over all pixels, and over the pixels that differ between the key frames. Frames
+    without error are left out."""
     every, moving = [], []
     for i, picture in enumerate(made):
         before, truth, after = traced[2 * i], traced[2 * i + 1], traced[2 * i + 2]

@@ -1,5 +1,5 @@
-// Measures the page of `lippmann view` in headless Chromium with software graphics: the time to the first picture of 48 frames,
-// eyes per second, bytes.
+// Measures the page of `lippmann view` in headless Chromium with software graphics: the time until the first of 48 frames is
+// visible, the eye views per second, and the size in bytes.
 //   node bench/page_speed.mjs [LIPPMANN]     (needs chromium, and npm ci in tests/page)
 import { readdirSync, statSync } from "node:fs";
 import { dirname, join, resolve } from "node:path";
@@ -45,7 +45,7 @@ rows.push(["first picture, 48 frames of 512x512", `${(median(firsts) / 1000).toF
 const animation = await open(await view("animation"), { width: 850, height: 680 });
 await animation.waitForTimeout(3000);
 rows.push(["eyes a second, 512x512, 8 views", await eyesASecond(animation, 3)]);
-// Makes every frame of the screen appear to take no time.
+// The page lowers its resolution if frames take long. This script makes every frame appear to take no time.
 const script = "const inTime = window.requestAnimationFrame.bind(window); window.requestAnimationFrame = (then) => inTime((now) => then(1e-3 * now));";
 const fine = await open(await view("animation"), { width: 850, height: 680, script });
 await fine.waitForTimeout(3000);

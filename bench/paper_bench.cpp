@@ -1,4 +1,4 @@
-// Makes the tables of the paper that this project is based on, for the built-in scenes and for Tachyon's scenes.
+// Makes the tables of the paper on which this project is based, for the built-in scenes and for Tachyon's scenes.
 #include <fmt/core.h>
 
 #include <cmath>
@@ -30,7 +30,7 @@ std::vector<ReuseMethod> forward_methods(RenderParams params) {
   std::vector<ReuseMethod> methods;
   for (const bool halving : {false, true})
     for (const int interval : {2, 4, 8}) {
-      if (halving && interval == 2) continue;  // halving an interval of 2 makes the same frames as no halving
+      if (halving && interval == 2) continue;  // with an interval of 2, halving changes nothing
       params.reuse.halving = halving;
       params.reuse.keyframes = interval;
       methods.push_back({halving ? "forward, halving" : "forward", params});
@@ -75,7 +75,8 @@ Json frames_of(const ReuseRun& run) {
   return frames;
 }
 
-/// Measures the time to trace the first lens of a frame and the whole frame, in one style of pixel tracing.
+/// Measures the time to trace the first lens and the time to trace the whole frame, with one pixel-tracing style. A style is an
+/// order of pixels.
 class StyleTimer {
  public:
   StyleTimer(const BenchScene& scene, const ThreadPool& pool, const Context& context)
@@ -128,7 +129,7 @@ class StyleTimer {
   Image film_;
 };
 
-/// Measures the styles on one thread, so that CPU time equals wall time.
+/// Measures the pixel-tracing styles on one thread, so that CPU time equals wall time.
 std::vector<StyleRow> measure_styles(const Request& request, const Context& context) {
   const ThreadPool pool(1);
   std::vector<StyleRow> rows;
@@ -174,7 +175,8 @@ Json styles_json(const std::vector<StyleRow>& rows) {
 
 Report measure_paper(const Request& request, const Context& context) {
   const NewFolder csv_folder(std::filesystem::path(request.csv).parent_path()), plot_folder(request.plot);
-  if (!request.csv.empty()) AtomicFile{request.csv};  // fails early if the file cannot be written
+  // throws now if the file cannot be written, instead of after the measurement
+  if (!request.csv.empty()) AtomicFile{request.csv};
   std::vector<ReuseRun> runs;
   Report report;
   report.details = {{"frames", Json::array()}};

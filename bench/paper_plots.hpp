@@ -1,4 +1,4 @@
-// Plots interpolated animations: PSNR per frame, and savings.
+// Draws plots of interpolated animations: the PSNR of each frame, and the savings.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 
 namespace lippmann::bench {
 
-/// Creates the folder and writes psnr_<scene>.png for every scene, and saving.png. Throws Error.
+/// Creates the folder. Writes psnr_<scene>.png for every scene, and saving.png. Throws Error if this fails.
 void plot_reuse(const std::vector<ReuseRun>& runs, const std::filesystem::path& folder);
 
 }  // namespace lippmann::bench

@@ -7,10 +7,10 @@
 
 namespace lippmann::bench {
 
-/// Prints the report's text, or its rows as a table, and the number of passed checks.
+/// Prints the text of the report, or its rows as a table if there is no text. Also prints the number of passed checks.
 void print_table(const Report& report);
 
-/// Prints {"bench", "machine", "rows", "passed_checks"} and, if there are any, "details".
+/// Prints a JSON object with "bench", "machine", "rows" and "passed_checks". It also has "details" if the report has details.
 void print_json(std::string_view benchmark, const Report& report, const Context& context);
 
 }  // namespace lippmann::bench

@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""Compares the CPU time of a render by the Python package with the tool's: the same frame, the same file, in turns.
+"""Compares the CPU time of a render by the Python package with that of the tool. Both render the same frame to a file, alternately.
 
   PYTHONPATH=build/release/python bench/python_binding.py build/release/lippmann [RUNS]
 
-Prints medians of user CPU seconds of whole processes, including their start, and of rendering alone, with their ratios, and the peak
-memory of both. The pictures must have the same bytes.
+Prints the medians of user CPU seconds, of whole processes including their start and of rendering alone, with their ratios. Also prints
+the peak memory of both. The pictures must have the same bytes.
 """
 
 import json
@@ -25,7 +25,7 @@ print(json.dumps(field.report["cpu_seconds"]))
 
 
 def measured(command):
-    """Returns user CPU seconds, peak memory in MB, and the output."""
+    """Runs a command. Returns its user CPU seconds, its peak memory in MB, and its output."""
     process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
     output = process.stdout.read()
     _, status, usage = os.wait4(process.pid, 0)

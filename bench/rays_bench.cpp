@@ -1,10 +1,10 @@
-// Measures rays per second of our primary pass and of whole Whitted frames, compared with a bare Embree loop over the same
+// Measures the rays per second of primary rays and of whole Whitted frames. Compares them with a bare Embree loop over the same
 // rays.
 //
-// The bare loop gets prepared packets: it copies a packet's rays, traces it and keeps the hit in registers, without ray
-// generation, shading or picture. It is timed strip by strip with the strip's packets in cache, so that it does not wait for
-// memory that our side never touches. All measurements use one thread. Each row is the median, over several repetitions, of the
-// ratio measured within one repetition.
+// The bare loop traces prepared packets of rays: it copies a packet, traces it and keeps the hits in registers. It makes no
+// rays, shading or picture. It is timed for a strip of the picture at a time, so that the packets of the strip are in the
+// cache. All measurements use one thread. In each repetition, the ratio of both times is measured. A row states the median of
+// these ratios.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ namespace {
 
 constexpr int kRaysRepetitions = 7;
 
-/// Makes the packets of a strip, and also records them in `log` if there is one.
+/// Makes the ray packets of a strip. Records them in `log` if it is not null.
 struct LoggedStrip {
   StripPackets packets;
   RayLog* log = nullptr;
@@ -55,8 +55,8 @@ LIPPMANN_MULTIVERSION void store_hits(const RayHitPacket& packet, float* t, floa
   }
 }
 
-/// An integrator for the primary pass. Stores the hits of camera rays, packet by packet; for lanes without a hit, t is the end
-/// of the ray.
+/// An integrator for measuring primary rays. It stores the hits of camera rays packet by packet. For a lane without a hit, t is
+/// the end of the ray.
 class StoredHits {
  public:
   explicit StoredHits(const PacketSource& source) {
@@ -79,7 +79,7 @@ class StoredHits {
   std::vector<std::uint32_t> geometry_, primitive_;
 };
 
-/// Traces prepared packets. Returns a sum of the results, so that nothing is optimised away.
+/// Traces prepared packets. Returns a sum over the results, so that the compiler cannot remove the work.
 double trace_bare(const RayScene& rays, const RayLog& log) {
   const RayScene::Embree& scene = rays.embree();
   RayHitPacket packet;
@@ -131,7 +131,7 @@ class RayBench {
       Times times;
       result.primary_rays = result.all_rays = 0;
       for (int strip = 0; strip < source_.strips(); ++strip) measure_strip(strip, times, result);
-      if (repetition < 0) continue;  // warm-up
+      if (repetition < 0) continue;  // the first repetition only warms up the caches
       all.push_back(times);
       primary_ratios.push_back(times.bare_primary / times.primary);
       whitted_ratios.push_back(times.bare_all / times.whitted);
@@ -148,7 +148,7 @@ class RayBench {
     return result;
   }
 
-  /// Checks that the primary pass and the bare loop have the same hits, ray by ray.
+  /// Checks that our primary rays and the bare loop have the same hits.
   void check() {
     const int strip = source_.strips() / 2;
     log_.clear(), hits_.clear();
@@ -175,7 +175,7 @@ class RayBench {
     primaries_.clear();
     for (const LoggedPacket& packet : log_)
       if (!packet.shadow && packet.coherence == Coherence::kCoherent) primaries_.push_back(packet);
-    // Each side runs twice and the second run counts, so that caches and branch predictors are in the same state.
+    // Each side runs twice and only the second run is timed, so that caches and branch predictors are in the same state.
     WhittedTracer timed(scene_, beam_, {max_depth_}, {.all = film_.data.data()});
     times.whitted += second_run([&] { trace_strip(scene_, packets, timed); });
     times.bare_all += second_run([&] { sink_ = sink_ + trace_bare(scene_, log_); });

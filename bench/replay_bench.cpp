@@ -1,10 +1,13 @@
-// Compares the views of 25 eyes inside the viewing zone, seen through lens arrays that show the built-in room, with direct
-// pinhole views.
+// Compares what 25 eyes inside the viewing zone see through lens arrays that show the built-in room with pinhole views rendered
+// for these eyes.
 //
-// Both have one sample per lens (for a sheet: per lens and panel row), at the lens's centre. PSNR is of 8-bit codes, for all
-// pixels and by the depth in the direct view, relative to the depth budget N g: up to a quarter, up to a half, up to all of it,
-// and beyond, where a pixel is wider than a lens. Each view is also compared with that of an eye a fifth of the zone away:
-// depth must be orthoscopic both behind and in front of the display, and pseudoscopic after conversion.
+// Both pictures have one sample per lens at the centre of the lens; for a lenticular sheet, one sample per lens and row of the
+// panel. PSNR is computed from 8-bit codes, for all pixels and for four ranges of depth. The depth is that of the pinhole view,
+// relative to the depth budget N g: up to a quarter, up to a half, up to all of it, and beyond it, where a pixel is wider than
+// a lens.
+//
+// Each view is also compared with that of an eye a fifth of the zone away. Depth must be orthoscopic both behind and in front
+// of the display, and pseudoscopic after the conversion.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -30,14 +33,14 @@
 namespace lippmann::bench {
 namespace {
 
-constexpr int kEyes = 5;               ///< number of eyes per axis of the zone; squared for parallax in one direction
-constexpr double kBaseline = 1.0 / 5;  ///< distance of two eyes, as a share of the zone
+constexpr int kEyes = 5;  ///< number of eyes along each axis of the zone; its square if there is parallax in one direction only
+constexpr double kBaseline = 1.0 / 5;  ///< distance between two eyes as a share of the zone
 
-/// One value per range of depth: up to 1/4, 1/2 and 1 of the depth budget, and beyond it.
+/// One value for each range of depth: up to 1/4, up to 1/2, up to 1 of the depth budget, and beyond it.
 using Layers = std::array<double, 4>;
 constexpr Layers kLayerEnds{0.25, 0.5, 1.0, kInfinity};
 
-/// The expected view of an eye: its colours and depths. If a lens has n columns, only every n-th column is kept.
+/// The pinhole view of an eye: its colours and depths. If n pixel columns are traced per lens, only every n-th column is kept.
 struct DirectView {
   Image film, depth;
 };
@@ -63,7 +66,7 @@ class ReplayBench {
 
   const Optics& optics() const { return recorded_.optics; }
 
-  /// Returns the eye at the given shares of the zone, counted from its left and lower end.
+  /// Returns the position of the eye at these shares of the zone, counted from its left and its lower end.
   Vec3d eye_at(double across, double along) const {
     const double up = parallax_of(optics()).along ? zone_x_mm(optics(), along, eye_z_mm_) : 0.0;
     return {zone_x_mm(optics(), across, eye_z_mm_), up, eye_z_mm_};
@@ -75,8 +78,8 @@ class ReplayBench {
     return eye_view(panel, view, pool_);
   }
 
-  /// Returns the direct view of an eye, traced in square pixels. If a lens has an even number of pixels, its centre lies
-  /// between two of them, and samples are moved to the centre.
+  /// Returns the pinhole view of an eye, traced with square pixels. If a lens has an even number of pixels, the lens centre is
+  /// between two pixels. Samples are then moved to the centre.
   DirectView direct(Vec3d eye_mm) const {
     const int per_lens =
         std::max(1, static_cast<int>(std::lround(static_cast<double>(grid_.y) / grid_.x * display_window(optics()).size.x /
@@ -97,7 +100,7 @@ class ReplayBench {
 
   DepthOrder depth_order(const RenderedPanel& panel, const DirectView& truth, Vec3d eye_mm) const {
     const double step = zone_x_mm(optics(), 0.5 + kBaseline, eye_z_mm_);
-    const double baseline = eye_mm.x > 0.0 ? -step : step;  // towards the middle, which is inside the zone
+    const double baseline = eye_mm.x > 0.0 ? -step : step;  // towards the middle, so that the second eye is inside the zone
     const Image view = replayed(panel, eye_mm), other = replayed(panel, eye_mm + Vec3d(baseline, 0.0, 0.0));
     return measure_depth_order(view, other, truth.depth, eye_z_mm_, baseline, display_window(optics()).size.x / grid_.x);
   }
@@ -119,7 +122,7 @@ class ReplayBench {
   double eye_z_mm_ = 0.0;
 };
 
-/// Returns the PSNR of codes over the pixels selected by `wanted`; infinite if there are none.
+/// Returns the PSNR of codes over the pixels selected by `wanted`. It is infinite if no pixel is selected.
 template <class Wanted>
 double psnr_where(const Image8& a, const Image8& b, const Wanted& wanted) {
   double sum = 0.0;

@@ -1,5 +1,5 @@
-// Measures how much time reuse between frames saves relative to full tracing, and the PSNR of the frames, for whole animations
-// including key frames.
+// Measures how much time reuse between frames saves compared with full tracing, and the PSNR of the frames. The figures are for
+// whole animations including key frames.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 constexpr double kFloor = 50.0;  // dB
 constexpr int kRounds = 3;
 
-/// Returns the kinds of reuse to measure. Plain interpolation, whose error has no bound, is measured by `lippmann-bench paper`.
+/// Returns the kinds of reuse to be measured. Interpolation without a minimum PSNR is measured by `lippmann-bench paper`.
 std::vector<ReuseMethod> reuse_methods(RenderParams params) {
   params.reuse.choice = ReuseChoice::kCopy;
   const ReuseMethod exact{"exact", params};
@@ -28,8 +28,8 @@ std::vector<ReuseMethod> reuse_methods(RenderParams params) {
   return {exact, {fmt::format("forward, {:.0f} dB", kFloor), params}};
 }
 
-/// Returns a row of the report. Its psnr_db is that of the frames that differ from the traced ones, null if none differs. Its
-/// tachyon_ratio is the time of the program tachyon for the same number of pixels, relative to ours.
+/// Returns a row of the report. psnr_db is the mean over the frames that differ from the traced frames, or null if none
+/// differs. tachyon_ratio is the time of the program tachyon for the same number of pixels, divided by our time.
 Json row_of(const ReuseRun& run, std::optional<double> tachyon_seconds) {
   const double frames = static_cast<double>(run.frames.size());
   const Json ratio = tachyon_seconds ? Json(rounded(*tachyon_seconds * frames / run.seconds())) : Json(nullptr);

@@ -16,7 +16,7 @@
 namespace lippmann::bench {
 namespace {
 
-constexpr int kTurn = 8;  ///< frames
+constexpr int kTurn = 8;  ///< number of frames that a method renders before the next method continues
 
 struct TracedFrame {
   Image8 codes;
@@ -25,7 +25,7 @@ struct TracedFrame {
 
 using TracedFrames = std::map<int, TracedFrame>;
 
-/// Returns the PSNR over the pixels that differ between `a` and `b`.
+/// Returns the PSNR in dB between `test` and `reference` over the pixels that differ between `a` and `b`.
 std::optional<double> psnr_where_they_differ(const Image8& a, const Image8& b, const Image8& reference, const Image8& test) {
   double sum = 0.0;
   std::size_t count = 0;
@@ -139,7 +139,7 @@ double ReuseRun::missed_share() const {
 
 namespace {
 
-/// Throws if the context is cancelled, because frames that were stopped half-way must not be compared.
+/// Throws interrupted() if the context is cancelled, because frames that were stopped half-way must not be compared.
 void stop_if_cancelled(const Context& context) {
   if (context.cancelled) throw interrupted();
 }
@@ -156,7 +156,7 @@ std::vector<ReuseRun> run_round(Stage& stage, const BenchAnimation& animation, c
     const std::size_t pixels = static_cast<std::size_t>(panel.width) * static_cast<std::size_t>(panel.height);
     runs.push_back({animation.name, method.name, method.params.reuse.keyframes.value_or(kDefaultKeyframes), pixels, {}});
   }
-  render_frame(stage, animation.params.sampling, animation.first, pool, context);  // warm-up
+  render_frame(stage, animation.params.sampling, animation.first, pool, context);  // the first frame only warms up the caches
   TracedFrames traced;
   for (int first = animation.first; first < end; first += kTurn) {
     begin_step(request, context, fmt::format("{}: frames {} to {}", animation.name, first, std::min(first + kTurn, end) - 1));

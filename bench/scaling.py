@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""Models the rendering of a film on many nodes: units, their start-up, stragglers, key frames and disks, with measured constants.
+"""Models the rendering of a film on many nodes with measured constants. The model covers the division into units of frames, the
+start-up of units, slow units, key frames and disks.
 
-python3 bench/scaling.py prints the table of docs/lab/scaling.md; --help lists the parameters for other films and machines.
+python3 bench/scaling.py prints the table of docs/lab/scaling.md. --help lists the parameters for other films and machines.
 
-All times are wall times in seconds, on equal nodes. A node renders one unit at a time.
+All times are wall times in seconds. All nodes are equally fast. A node renders one unit at a time.
 """
 
 import argparse
@@ -13,22 +14,22 @@ import math
 import random
 
 NODES = [1, 10, 100, 300, 1000, 3000, 10000]
-UNITS_PER_NODE = 8  # as MPI ranks have
+UNITS_PER_NODE = 8  # number of units per MPI rank in `lippmann render`
 
 
 @dataclasses.dataclass(frozen=True)
 class Film:
-    """A job and the machines that render it; docs/lab/scaling.md gives the sources of the default values."""
+    """A film and the machines that render it. docs/lab/scaling.md states the sources of the default values."""
 
     frames: int = 10_000
-    segment: int = 1  # frames rendered together: the key frame interval if frames are reused
+    segment: int = 1  # number of frames rendered together: the key frame interval if frames are reused
     frame_s: float = 60.0  # time to render a frame on one node
     first_s: float = 0.0  # extra time of the first frame of a segment
     startup_s: float = 25.0  # time to start a process and load the scene, for every unit
-    spread: float = 0.1  # standard deviation of a unit's time, relative to its mean
+    spread: float = 0.1  # standard deviation of a unit's time relative to its mean
     frame_bytes: float = 30e6  # size of a frame's files
     disk_bytes_s: float = 1e9  # write rate of the shared folder for all nodes together
-    syncs: int = 3  # waits for the disk per frame
+    syncs: int = 3  # number of times that a frame waits until the disk has synced
     disk_syncs_s: float = 250.0  # syncs per second of the shared folder for all nodes together
 
 
@@ -37,7 +38,7 @@ def segments_of(film):
 
 
 def unit_sizes(film, units):
-    """Returns the frames of every unit, in whole segments, as src/distribute/units.cpp cuts them."""
+    """Returns the number of frames of every unit. Units consist of whole segments, as in src/distribute/units.cpp."""
     segments = segments_of(film)
     parts = min(units, segments)
     sizes = [0] * parts
@@ -51,28 +52,32 @@ def unit_seconds(film, frames):
 
 
 def whole_seconds(film):
-    """Returns the time on one node, in one process."""
+    """Returns the time of the whole film on one node in one process."""
     return unit_seconds(film, film.frames)
 
 
 def disk_seconds(film):
-    """Returns the lower bound for any number of nodes: the folder's bandwidth and its syncs."""
+    """Returns a lower bound of the time for any number of nodes: the time of the shared folder, limited by its write rate and its
+    syncs."""
     return film.frames * max(film.frame_bytes / film.disk_bytes_s, film.syncs / film.disk_syncs_s)
 
 
 def longest_seconds(film, units):
-    """Returns the longest of `units` units: for a normal distribution, about sqrt(2 ln n) deviations above the mean."""
+    """Returns the expected time of the longest of `units` units. For a normal distribution, it is about sqrt(2 ln n) standard
+    deviations above the mean."""
     sizes = unit_sizes(film, units)
     rendering = unit_seconds(film, max(sizes)) - film.startup_s
     return film.startup_s + rendering * (1.0 + film.spread * math.sqrt(2.0 * math.log(len(sizes))))
 
 
 def bounds_seconds(film, nodes, units):
-    """Returns (least, most). A node takes the next unit as soon as it is free, so none waits while there are units: all end within the
-    longest unit of each other (Graham, Bounds on multiprocessing timing anomalies, 1969, theorem 1).
+    """Returns (least, most), bounds of the time of the film.
 
     least = max(work / nodes, disk), most = max(work / nodes + (1 - 1 / nodes) longest, disk).
-    """
+
+    A node takes the next unit as soon as it is free, so no node waits while units are left. All nodes therefore end within the time of
+    the longest unit (Graham, Bounds on multiprocessing timing anomalies, 1969, theorem 1).
+"""
     work = sum(unit_seconds(film, size) for size in unit_sizes(film, units))
     even = work / nodes
     disk = disk_seconds(film)
@@ -80,7 +85,8 @@ def bounds_seconds(film, nodes, units):
 
 
 def drawn_seconds(film, units, draw):
-    """Returns random log-normal times of the units: all positive, a few much longer than the mean."""
+    """Returns random times of the units. They have a log-normal distribution: all are positive, and a few are much longer than the
+    mean."""
     sigma = math.sqrt(math.log(1.0 + film.spread**2))
     return [
         film.startup_s + (unit_seconds(film, size) - film.startup_s) * math.exp(draw.gauss(-0.5 * sigma**2, sigma))
@@ -89,7 +95,7 @@ def drawn_seconds(film, units, draw):
 
 
 def scheduled_seconds(durations, nodes):
-    """Returns the end of the last unit if each node takes the next unit as soon as it is free."""
+    """Returns the time at which the last unit ends, if each node takes the next unit as soon as it is free."""
     ends = [0.0] * nodes
     for duration in durations:
         heapq.heappush(ends, heapq.heappop(ends) + duration)
@@ -105,7 +111,7 @@ def median_seconds(film, nodes, units, seeds=9):
 
 
 def table(film, nodes_list, units_per_node):
-    """Yields the lines of the table: for each number of nodes its units, hours, and efficiency."""
+    """Yields the lines of the table. A line states the units, the hours and the efficiency for a number of nodes."""
     yield "| nodes | units | hours, simulated | efficiency, simulated | efficiency at least | disk busy |"
     yield "|---|---|---|---|---|---|"
     for nodes in nodes_list:

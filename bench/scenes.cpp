@@ -24,7 +24,7 @@ bool is_tachyons(const std::string& name) {
   return std::find(std::begin(kTachyonNames), std::end(kTachyonNames), name) != std::end(kTachyonNames);
 }
 
-/// Returns the files of the requested Tachyon scenes that are missing from its folder.
+/// Returns the files of Tachyon's scenes that the request needs and that its folder does not contain.
 std::vector<std::string> missing_tachyon_files(const Request& request) {
   std::vector<std::string> missing;
   for (const std::string name : kTachyonNames)
@@ -38,7 +38,7 @@ Error no_tachyon_scenes(const Request& request) {
           "a folder with Tachyon's scenes (--tachyon-scenes DIR); Debian has them in the package tachyon-doc"};
 }
 
-/// Throws Error for an unknown animation, and for an animation that exists only in Tachyon's files if these are missing.
+/// Throws Error if the request names an unknown animation, or an animation of Tachyon whose files are missing.
 void require_animations(const Request& request) {
   std::string known;
   for (const BuiltinScene& builtin : builtin_scenes()) known += std::string(builtin.name) + ", ";
@@ -53,8 +53,8 @@ void require_animations(const Request& request) {
   }
 }
 
-/// Warns of missing files of Tachyon. Measuring continues without them, because the built-in teapot and room have the names of
-/// two of Tachyon's scenes.
+/// Warns about missing files of Tachyon's scenes. The benchmark continues with the built-in scenes "teapot" and "room", which
+/// have the names of two of Tachyon's scenes.
 void warn_of_missing_tachyon_files(const Request& request, const Context& context) {
   const std::vector<std::string> missing = missing_tachyon_files(request);
   if (missing.empty()) return;
@@ -96,7 +96,8 @@ std::vector<BenchScene> tachyon_scenes(const Request& request) {
 }
 
 std::vector<BenchAnimation> bench_animations(const Request& request, const Context& context) {
-  constexpr int kFrames = 48, kTachyonFrames = 24, kTachyonFirst = 96, kLargeFrames = 17;  // the paper shows frames 103 to 109
+  // the paper shows frames 103 to 109 of Tachyon's animations
+  constexpr int kFrames = 48, kTachyonFrames = 24, kTachyonFirst = 96, kLargeFrames = 17;
   require_animations(request);
   warn_of_missing_tachyon_files(request, context);
   std::vector<BenchAnimation> result;

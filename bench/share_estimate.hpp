@@ -1,24 +1,25 @@
-// Estimates a share that is counted in groups, and its standard error.
+// Estimates a share from hits and trials in groups, and the standard error of the share.
 #pragma once
 
 #include <vector>
 
 namespace lippmann::bench {
 
-/// Hits among the trials of one group. Trials within a group may be correlated.
+/// Hits and trials of one group. The trials of a group may be correlated.
 struct Share {
   int hits = 0, trials = 0;
 };
 
 struct ShareEstimate {
   int hits = 0, trials = 0;
-  double share = 0.0;           ///< NaN without trials
-  double standard_error = 0.0;  ///< assumes independent groups, or independent trials if there is only one group
+  double share = 0.0;  ///< hits divided by trials; NaN without trials
+  /// assumes that groups are independent; with a single group, assumes that trials are independent
+  double standard_error = 0.0;
 };
 
-/// Returns the number of all hits divided by that of all trials. The standard error is that of a ratio of sums over n groups
-/// (Cochran, Sampling Techniques, 1977, eq. 6.13 without the correction for finite populations): sqrt(n / (n - 1) sum (hits_i -
-/// share trials_i)^2) / sum trials_i.
+/// Returns the number of all hits divided by the number of all trials. The standard error is that of a ratio of sums over n
+/// groups: sqrt(n / (n - 1) sum (hits_i - share trials_i)^2) / sum trials_i (Cochran, Sampling Techniques, 1977, eq. 6.13
+/// without the correction for finite populations).
 ShareEstimate estimate_share(const std::vector<Share>& groups);
 
 }  // namespace lippmann::bench

@@ -1,5 +1,6 @@
-// Compares spheres as our user geometry, tested against whole packets, with RTC_GEOMETRY_TYPE_SPHERE_POINT. Both sides get the
-// same spheres and primary packets on one thread, and only the Embree calls are timed.
+// Compares two ways to trace spheres: our user geometry, which tests whole packets of rays, and Embree's
+// RTC_GEOMETRY_TYPE_SPHERE_POINT. Both get the same spheres and the same primary packets on one thread. Only the calls of
+// Embree are timed.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -66,8 +67,8 @@ std::vector<float> distances(const EmbreeScene& scene, int native_width, const P
   return result;
 }
 
-/// Returns the CPU seconds of Embree's calls alone. Each strip of packets is prepared before the clock runs, so that its
-/// packets are in the cache.
+/// Returns the CPU seconds of Embree's calls. The packets of a strip are prepared before they are timed, so that they are in
+/// the cache.
 double seconds_to_trace(const EmbreeScene& scene, int native_width, const Packets& packets) {
   constexpr std::size_t kStrip = 256;
   std::vector<RayHitPacket> ready(kStrip);
@@ -86,7 +87,7 @@ double seconds_to_trace(const EmbreeScene& scene, int native_width, const Packet
   return total;
 }
 
-/// Checks that both sides hit the same spheres at the same places, except for grazing rays.
+/// Checks that both sides hit the same spheres at the same distances. A few rays that graze a sphere may differ.
 void check(const std::vector<float>& ours, const std::vector<float>& theirs) {
   std::size_t different = 0;
   for (std::size_t i = 0; i < ours.size(); ++i)

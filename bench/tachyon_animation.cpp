@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kTinySize = 8;
 
-/// A temporary camera path with the animation's frames, one per line.
+/// A temporary file with a camera path for tachyon. Each line is a frame of the animation.
 class CameraFile {
  public:
   explicit CameraFile(const BenchAnimation& animation)
@@ -56,7 +56,7 @@ std::optional<double> tachyon_seconds_per_frame(const BenchAnimation& animation,
   const int size = static_cast<int>(std::lround(std::sqrt(pixels)));
   try {
     const double both = seconds(scene, cameras, size) - seconds(scene, cameras, kTinySize);
-    return both / (animation.count + 1);  // tachyon renders the last frame twice
+    return both / (animation.count + 1);  // tachyon renders the last frame of a path twice
   } catch (const Error&) {
     return std::nullopt;
   }

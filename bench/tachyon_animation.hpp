@@ -1,4 +1,4 @@
-// Measures the time of the program tachyon for frames of its own animations, because tachyon was the baseline of the paper.
+// Measures how long the program tachyon needs for frames of its own animations. The paper compares its savings with tachyon.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 namespace lippmann::bench {
 
 /// Returns the CPU seconds per frame along the animation's camera path, for frames of `pixels` pixels without antialiasing, on
-/// one thread. The time to read the scene does not count. Returns no value if the animation is not Tachyon's or the program is
-/// not installed.
+/// one thread. The time to read the scene is excluded. Returns no value if the animation is not one of Tachyon's, or if the
+/// program is not installed.
 std::optional<double> tachyon_seconds_per_frame(const BenchAnimation& animation, double pixels);
 
 }  // namespace lippmann::bench

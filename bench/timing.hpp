@@ -6,15 +6,15 @@
 
 namespace lippmann::bench {
 
-/// Returns the CPU seconds that this thread spends in `work`, unaffected by other processes.
+/// Returns the CPU seconds that this thread uses for `work`. Other processes do not affect it.
 double seconds(const std::function<void()>& work);
 
-/// Returns the CPU seconds of the second of two runs, when caches and branch predictors are warm.
+/// Runs `work` twice, and returns the CPU seconds of the second run, when caches and branch predictors are warm.
 double second_run(const std::function<void()>& work);
 
 double median(std::vector<double> values);
 
-/// Rounds to three decimals, for reports.
+/// Returns the value, rounded to three decimals.
 double rounded(double value);
 
 }  // namespace lippmann::bench

@@ -1,10 +1,12 @@
-"""Runs inside Blender: renders what a display shows its viewer, by Cycles and by the add-on's preview. See bench/blender_scenes.py.
+"""Runs inside Blender. Renders what a display shows its viewer, with Cycles and with the add-on's preview (see
+bench/blender_scenes.py).
 
   blender -b FILE.blend --python blend_inside_blender.py -- JOB.json
 
-JOB.json: {"folder": for pictures, "size": longer side in pixels, "samples": of both, "addon": the folder that contains the add-on's}.
-Writes cycles.png and ours.png, both with the view transform "Standard", and result.json: {"warnings": the add-on's warnings, "refused":
-the reason for a missing picture, or ""}.
+JOB.json contains: "folder" for pictures, "size" (the longer side in pixels), "samples" for both renderers, and "addon" (the folder
+that contains the add-on's folder).
+Writes cycles.png and ours.png, both with the view transform "Standard", and result.json with the add-on's "warnings" and "refused",
+the reason for a missing picture or "".
 """
 
 import json
@@ -31,7 +33,7 @@ def first_camera():
 
 def prepare():
     render = scene.render
-    scene.lippmann.output = "single"  # first, because it changes the resolution
+    scene.lippmann.output = "single"  # set first, because it changes the resolution
     scene.camera = first_camera()
     shrink = job["size"] / max(render.resolution_x, render.resolution_y)
     render.resolution_x, render.resolution_y = (max(8, round(n * shrink)) for n in (render.resolution_x, render.resolution_y))
@@ -51,7 +53,7 @@ def render_as(name, program):
 
 
 def add_viewer_camera():
-    """Returns a camera at the display's viewer that sees what the display shows."""
+    """Adds and returns a camera at the position of the display's viewer. It sees what the display shows."""
     zone = frame.zone(scene)
     camera = bpy.data.cameras.new("eye")
     camera.sensor_fit, camera.lens = "VERTICAL", camera.sensor_height * zone.distance / zone.height

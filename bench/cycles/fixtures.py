@@ -1,4 +1,4 @@
-"""glTF scenes like the Khronos samples, each written as one .gltf file, for comparisons of path tracers."""
+"""Makes glTF scenes like the Khronos samples for comparisons of path tracers. Each scene is a single .gltf file."""
 
 import base64
 import json
@@ -12,7 +12,7 @@ def turned_down(angle):
 
 
 class Gltf:
-    """Builds a glTF document one mesh, material, texture or node at a time; all data in one buffer."""
+    """Builds a glTF document. Each call adds a mesh, a material, a texture or a node. All binary data is in one buffer."""
 
     def __init__(self):
         self.blob = b""
@@ -36,7 +36,7 @@ class Gltf:
         return len(self.doc["accessors"]) - 1
 
     def texture(self, size, color):
-        """Adds an RGBA picture of `size` pixels per side; color(x, y) returns four bytes."""
+        """Adds an RGBA picture of `size` x `size` pixels. color(x, y) returns the four bytes of a pixel."""
         rows = b"".join(b"\0" + bytes(v for x in range(size) for v in color(x, y)) for y in range(size))
         chunk = lambda name, data: struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
         png = (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", size, size, 8, 6, 0, 0, 0)) +
@@ -58,7 +58,7 @@ class Gltf:
         self.doc["scenes"][0]["nodes"].append(len(self.doc["nodes"]) - 1)
 
     def move(self, seconds, places):
-        """Animates the last node from place to place in straight lines."""
+        """Animates the node that was added last. It moves in straight lines from place to place."""
         sampler = {"input": self._accessor(seconds, "SCALAR"), "output": self._accessor(places, "VEC3"), "interpolation": "LINEAR"}
         self.doc["accessors"][sampler["input"]].update(min=[seconds[0]], max=[seconds[-1]])
         animations = self.doc.setdefault("animations", [{"samplers": [], "channels": []}])
@@ -74,7 +74,7 @@ class Gltf:
         self.node(mesh=len(self.doc["meshes"]) - 1, translation=list(at))
 
     def quad(self, material, center, half_u, half_v, repeat=1.0):
-        """Adds a rectangle whose normal is half_u x half_v."""
+        """Adds a rectangle. Its normal is the cross product of half_u and half_v."""
         c, u, v = center, half_u, half_v
         n = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
         length = math.sqrt(sum(x * x for x in n))
@@ -112,7 +112,7 @@ class Gltf:
         self.light(at, type="point", intensity=candela, color=list(color))
 
     def light(self, at, down=0.0, **light):
-        """Adds a light that shines along -z, tilted down by `down` radians."""
+        """Adds a light that shines along -z, and tilts it down by `down` radians."""
         lights = self.doc.setdefault("extensions", {}).setdefault("KHR_lights_punctual", {"lights": []})["lights"]
         lights.append(light)
         self.node(translation=list(at), rotation=turned_down(down), extensions={"KHR_lights_punctual": {"light": len(lights) - 1}})
@@ -154,7 +154,7 @@ def box_room(g, white, left, right):
 
 
 def diffuse_box():
-    """Colour bleeding under a square lamp: area light, many bounces."""
+    """Colour bleeding below a square area lamp, with many bounces."""
     g = Gltf()
     white = g.material(**MATTE)
     box_room(g, white, g.material((0.7, 0.08, 0.05), **MATTE), g.material((0.1, 0.5, 0.08), **MATTE))
@@ -165,7 +165,8 @@ def diffuse_box():
 
 
 def textured_point_lights():
-    """Base colour and normal maps under two point lights. Bumps are gentle: Cycles turns steep ones at grazing angles to the viewer."""
+    """A base colour map and a normal map, lit by two point lights. The bumps are gentle, because Cycles changes steep normals at
+    grazing angles."""
     g = Gltf()
     waves = lambda x, y: (int(127.5 + 35 * math.sin(2 * math.pi * x / 16)), int(127.5 + 35 * math.sin(2 * math.pi * y / 16)), 245, 255)
     bumps = g.texture(64, waves)
@@ -179,7 +180,7 @@ def textured_point_lights():
 
 
 def dielectrics():
-    """Plastic of three roughnesses under a panorama."""
+    """Plastic with three roughnesses, lit by a panorama."""
     g = Gltf()
     g.quad(g.material((0.5, 0.5, 0.5), **MATTE), (0, -0.5, 0), (3, 0, 0), (0, 0, -3))
     for i, roughness in enumerate((0.15, 0.35, 0.7)):
@@ -189,7 +190,7 @@ def dielectrics():
 
 
 def metals():
-    """Metal of three roughnesses under a panorama."""
+    """Metal with three roughnesses, lit by a panorama."""
     g = Gltf()
     g.quad(g.material((0.5, 0.5, 0.5), **MATTE), (0, -0.5, 0), (3, 0, 0), (0, 0, -3))
     for i, roughness in enumerate((0.1, 0.3, 0.6)):
@@ -199,7 +200,7 @@ def metals():
 
 
 def glass():
-    """A smooth glass ball in front of tiles, under a panorama."""
+    """A smooth glass ball in front of tiles, lit by a panorama."""
     g = Gltf()
     tiles = g.texture(64, checker((220, 220, 220), (40, 60, 110)))
     g.quad(g.material((1, 1, 1), baseColorTexture=tiles, **MATTE), (0, -0.5, 0), (3, 0, 0), (0, 0, -3), 3.0)
@@ -210,7 +211,7 @@ def glass():
 
 
 def rough_glass():
-    """Glass of three roughnesses in front of tiles, under a panorama."""
+    """Glass with three roughnesses in front of tiles, lit by a panorama."""
     g = Gltf()
     tiles = g.texture(64, checker((220, 220, 220), (40, 60, 110)))
     g.quad(g.material((1, 1, 1), baseColorTexture=tiles, **MATTE), (0, -0.5, 0), (3, 0, 0), (0, 0, -3), 3.0)
@@ -222,7 +223,7 @@ def rough_glass():
 
 
 def leaves():
-    """Cut-out and half-transparent cards over a floor, under a panorama."""
+    """Cards with a cut-out and a half-transparent texture above a floor, lit by a panorama."""
     g = Gltf()
     g.quad(g.material((0.6, 0.6, 0.55), **MATTE), (0, -0.5, 0), (3, 0, 0), (0, 0, -3))
     disc = lambda x, y: (60, 140, 40, 255 if (x - 31.5) ** 2 + (y - 31.5) ** 2 < 26**2 else 0)
@@ -237,7 +238,7 @@ def leaves():
 
 
 def post(at, down, **light):
-    """A post and a glossy ball on a floor, lit by one area lamp: soft shadows, highlights."""
+    """A post and a glossy ball on a floor, lit by one area lamp. Shows soft shadows and highlights."""
     g = Gltf()
     g.quad(g.material((0.6, 0.6, 0.6), **MATTE), (0, 0, 0), (4, 0, 0), (0, 0, -4))
     g.box(g.material((0.7, 0.4, 0.2), **MATTE), (-0.3, 0.6, 0), (0.12, 0.6, 0.12))
@@ -261,7 +262,8 @@ def sun_disc():
 
 
 def moving_room():
-    """An animation: tiled walls, a plastic and a matte ball under a square lamp; the matte ball rolls for 2 seconds."""
+    """An animation in a room with tiled walls, a plastic ball and a matte ball below a square lamp. The matte ball rolls for 2
+    seconds."""
     g = Gltf()
     tiles = g.texture(64, checker((200, 160, 90), (60, 80, 120)))
     wall = g.material((1, 1, 1), baseColorTexture=tiles, **MATTE)
@@ -273,7 +275,7 @@ def moving_room():
     return g
 
 
-# name: maker, lit by the panorama, required PSNR in dB
+# For each name: the function that makes the scene, whether the panorama lights it, and the required PSNR in dB.
 FIXTURES = {"diffuse-box": (diffuse_box, False, 35.0), "textured": (textured_point_lights, False, 35.0),
             "leaves": (leaves, True, 35.0), "plastic": (dielectrics, True, 30.0), "metal": (metals, True, 30.0),
             "glass": (glass, True, 30.0), "rough-glass": (rough_glass, True, 30.0), "ball-lamp": (ball_lamp, False, 38.0),
@@ -281,7 +283,7 @@ FIXTURES = {"diffuse-box": (diffuse_box, False, 35.0), "textured": (textured_poi
 
 
 def write_panorama(path, width=256):
-    """Writes a soft sky with a warm spot, as Radiance .hdr without compression."""
+    """Writes a soft sky with a warm spot as an uncompressed Radiance .hdr file."""
     def texel(x, y):
         u, v = (x + 0.5) / width, (y + 0.5) / (width // 2)
         sky = 0.9 - 0.7 * v

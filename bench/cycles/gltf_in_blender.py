@@ -1,8 +1,8 @@
-"""For scripts inside Blender: loads a glTF file as a scene of Cycles, with surfaces as in glTF 2.0's appendix B.
+"""Functions for scripts inside Blender. They load a glTF file as a scene for Cycles, with surfaces as in appendix B of glTF 2.0.
 
-Blender's own importer makes the textures, their transforms and vertex colours. This file replaces its Principled surface, whose
-diffuse part in Blender 3.4 is Disney's instead of glTF's. Materials with layers that this file does not build (LAYERS, GLOSS) keep
-the importer's surface.
+Blender's own importer makes the textures, their transforms and the vertex colours. This file replaces the Principled surface that the
+importer makes, because its diffuse part in Blender 3.4 is Disney's model instead of glTF's. Materials with layers that this file does
+not build (LAYERS, GLOSS) keep the importer's surface.
 """
 
 import math
@@ -20,29 +20,29 @@ import one_file  # noqa: E402
 import reads  # noqa: E402
 
 if not hasattr(np, "bool"):
-    np.bool = bool  # the importer of Blender 3.4 uses a name that numpy had dropped for a while
+    np.bool = bool  # the importer of Blender 3.4 uses this name, which some versions of numpy do not have
 
 LAYERS = {"KHR_materials_sheen", "KHR_materials_anisotropy", "KHR_materials_iridescence", "KHR_materials_diffuse_transmission",
           "KHR_materials_dispersion", "KHR_materials_pbrSpecularGlossiness", "KHR_materials_unlit"}
 GLOSS = {"specularTexture", "specularColorFactor", "specularColorTexture"}  # features of KHR_materials_specular
-ROUGHNESSES = (0.0, 0.25, 0.5, 0.75, 1.0)  # tabulated values for the light below a gloss whose roughness is textured
+ROUGHNESSES = (0.0, 0.25, 0.5, 0.75, 1.0)  # roughnesses for which the light below a gloss is tabulated, if the roughness is textured
 COAT_IOR = 1.5
 LATER = {"Specular": "Specular IOR Level", "Transmission": "Transmission Weight", "Clearcoat": "Coat Weight", "Clearcoat Roughness": "Coat Roughness",
-         "Clearcoat Normal": "Coat Normal"}  # sockets of the Principled surface since Blender 4.0
+         "Clearcoat Normal": "Coat Normal"}  # names of inputs of the Principled surface since Blender 4.0
 
 
 def socket(node, key):
-    """Returns an input by its number or name, or by its later name if it exists."""
+    """Returns an input of a node by its number or name. If the node has the input under its later name (LATER), returns that input."""
     later = LATER.get(key)
     return node.inputs[later if later and later in node.inputs else key]
 
 
 def below_gloss(roughness, f0, stops=24):
-    """Returns the light that a white GGX gloss does not reflect, by 1 - cosine of the view: [(place, share)]."""
+    """Returns how much light a white GGX gloss does not reflect, as a list of (1 - cosine of the view angle, share)."""
     alpha2 = max(roughness, 0.03)**4
     u = (np.arange(4096) + 0.5) / 4096
     turn = 2 * np.pi * ((np.arange(4096) * 0.6180339887) % 1.0)
-    cosine_h = np.sqrt((1 - u) / (1 + (alpha2 - 1) * u))  # sample the facets by their distribution
+    cosine_h = np.sqrt((1 - u) / (1 + (alpha2 - 1) * u))  # draws facets of the surface from their GGX distribution
     sine_h = np.sqrt(1 - cosine_h**2)
     shares = []
     for place in np.linspace(0, 1, stops):
@@ -59,7 +59,7 @@ def below_gloss(roughness, f0, stops=24):
 
 
 class Surface:
-    """A glTF material as nodes of Cycles, which replaces the importer's Principled surface."""
+    """Builds a glTF material from nodes of Cycles, in place of the importer's Principled surface."""
 
     def __init__(self, material, source):
         self.tree = material.node_tree
@@ -77,7 +77,7 @@ class Surface:
         self.absorb(extensions.get("KHR_materials_volume", {}))
 
     def input(self, name):
-        """Returns the link of an input of the importer's surface, or else its value."""
+        """Returns the link that leads to an input of the importer's surface, or the input's value if there is no link."""
         given = socket(self.principled, name)
         if given.is_linked:
             return given.links[0].from_socket
@@ -108,7 +108,7 @@ class Surface:
         return self.node("ShaderNodeMixRGB", {0: 1.0, 1: color, 2: factor}, blend_type="MULTIPLY")
 
     def mixed(self, shader, make_other, share):
-        """Mixes two shaders by a share. The second shader is made only if the share is above 0."""
+        """Mixes two shaders. `share` is the weight of the second shader, which is made only if its weight is not 0."""
         if share == 0.0:
             return shader
         other = make_other()
@@ -127,21 +127,25 @@ class Surface:
                          distribution="MULTI_GGX")
 
     def plastic(self):
-        """Plastic. Fresnel's term applies to facets: the gloss of a black Principled surface, and the remaining light below it."""
+        """Returns the shader for plastic. It is the gloss of a black Principled surface plus the diffuse light below it. Fresnel's
+        term applies to the facets of the gloss."""
         f0 = self.specular * ((self.ior - 1) / (self.ior + 1))**2
-        of_ior = LATER["Specular"] in self.principled.inputs  # the input is then relative to twice the reflection of the
+        # In this version, the input is relative to twice the reflectance of the index of refraction. In earlier versions it is relative
+        # to 0.08.
+        of_ior = LATER["Specular"] in self.principled.inputs
                                                               # index of refraction, instead of to 0.08
         gloss = self.gloss(Base_Color=[0, 0, 0], Specular=0.5 * self.specular if of_ior else f0 / 0.08)
         return self.node("ShaderNodeAddShader", {0: gloss, 1: self.diffuse(self.times(self.input("Base Color"), self.left(f0)))})
 
     def left(self, f0):
-        """Returns the share of light that passes through the gloss."""
-        facing = self.node("ShaderNodeLayerWeight", {"Blend": 0.5, "Normal": self.normal()}, output=1)  # the output is 1 - cosine
+        """Returns the share of light that the gloss does not reflect."""
+        # output 1 is 1 - cosine of the view angle
+        facing = self.node("ShaderNodeLayerWeight", {"Blend": 0.5, "Normal": self.normal()}, output=1)
         roughness = self.input("Roughness")
         if isinstance(roughness, float):
             return self.ramp(facing, below_gloss(roughness, f0))
         total = 0.0
-        for level in ROUGHNESSES:  # the weights are hat functions, which sum to 1
+        for level in ROUGHNESSES:  # the weights are hat functions whose sum is 1
             away = self.math("MULTIPLY", self.math("ABSOLUTE", self.math("SUBTRACT", roughness, level), 0.0), len(ROUGHNESSES) - 1.0)
             weight = self.math("MAXIMUM", self.math("SUBTRACT", 1.0, away), 0.0)
             total = self.math("ADD", total, self.math("MULTIPLY", weight, self.ramp(facing, below_gloss(level, f0))))
@@ -162,7 +166,7 @@ class Surface:
         return self.gloss(Base_Color=self.input("Base Color"), Metallic=1.0)
 
     def coated(self, shader):
-        """KHR_materials_clearcoat: adds a white gloss, weighted by Fresnel's term at the coat's normal."""
+        """Adds the layer of KHR_materials_clearcoat: a white gloss, weighted by Fresnel's term for the normal of the coat."""
         amount = self.input("Clearcoat")
         if amount == 0.0:
             return shader
@@ -173,7 +177,8 @@ class Surface:
         return self.node("ShaderNodeMixShader", {0: share, 1: shader, 2: coat})
 
     def glowing(self, shader, source):
-        """Adds emission with the file's factor, strength and texture: the importer loses the texture if the factor is a colour."""
+        """Adds emission with the factor, the strength and the texture of the file. The importer drops the texture if the factor is not
+        grey."""
         factor = source.get("emissiveFactor", [0.0, 0.0, 0.0])
         if not any(factor):
             return shader
@@ -208,7 +213,7 @@ class Surface:
 
 
 def numbered(file, folder):
-    """Returns a copy whose materials and lights are named by their index, and in which every primitive has a material."""
+    """Returns a copy of the file. Materials and lights are named by their index, and every primitive has a material."""
     copy = one_file.OneFile(pathlib.Path(file))
     doc = copy.doc
     bare = [p for mesh in doc.get("meshes", []) for p in mesh["primitives"] if "material" not in p]
@@ -225,12 +230,12 @@ def numbered(file, folder):
 
 
 def number_of(thing):
-    """Returns the number of "material-3" and of its copies "material-3.001", which have vertex colours."""
+    """Returns the number N in the name "material-N". Copies with vertex colours are named "material-N.001"."""
     return int(thing.name.split("-")[1].split(".")[0])
 
 
 def load(file, own_surfaces=False):
-    """Loads the file into an empty Blender, at the animation's start. own_surfaces: keeps the importer's surfaces."""
+    """Loads the file into an empty Blender, at the start of the animation. If `own_surfaces`, the importer's surfaces are kept."""
     bpy.ops.wm.read_factory_settings(use_empty=True)
     with tempfile.TemporaryDirectory() as folder:
         source, lights = numbered(file, pathlib.Path(folder))
@@ -244,7 +249,8 @@ def load(file, own_surfaces=False):
 
 
 def importers_extensions():
-    """Returns the extensions that this Blender's importer reads; the list of 3.4 lacks volumes, which it does read."""
+    """Returns the glTF extensions that Blender's importer reads. The importer of Blender 3.4 also reads volumes, but its own list does
+    not contain them."""
     from io_scene_gltf2.io.imp.gltf2_io_gltf import glTFImporter
     return set(glTFImporter("", {"import_user_extensions": []}).extensions_managed) | {"KHR_materials_volume"}
 
@@ -256,7 +262,7 @@ def unread(file):
 
 
 def light_up(lamp, light, generator):
-    """Sets a lamp to the brightness that Lippmann uses (lamps.py), and to its stated size."""
+    """Sets the size of a lamp as the file states it, and the brightness that Lippmann uses (lamps.py)."""
     point = light["type"] != "directional"
     lamp.energy = light.get("intensity", 1.0) * lamps.scale(generator, light["type"]) * (4.0 * math.pi if point else 1.0)
     lamp.color = light.get("color", [1, 1, 1])
@@ -270,7 +276,7 @@ def light_up(lamp, light, generator):
 
 
 def surround(scene, panorama):
-    """Sets a black world, or the light of a panorama file."""
+    """Makes the world black, or lights it by a panorama file."""
     scene.world = bpy.data.worlds.new("world")
     scene.world.use_nodes = True
     nodes, links = scene.world.node_tree.nodes, scene.world.node_tree.links
@@ -283,7 +289,7 @@ def surround(scene, panorama):
 
 
 def set_up(scene, width, height, vertices, threads):
-    """Sets up plain path tracing with the same number of vertices as ours, in linear light."""
+    """Selects path tracing without denoising, with as many vertices per path as in our renders, and linear output."""
     scene.render.engine = "CYCLES"
     scene.cycles.device = "CPU"
     scene.cycles.use_adaptive_sampling = False
@@ -312,7 +318,7 @@ def render(scene, samples, seed, out):
 
 
 def cpu_seconds():
-    """Returns the CPU seconds of all threads of this process."""
+    """Returns the CPU seconds that all threads of this process have used."""
     usage = resource.getrusage(resource.RUSAGE_SELF)
     return usage.ru_utime + usage.ru_stime
 

@@ -1,4 +1,4 @@
-"""Runs inside Blender: renders one glTF file with Cycles and prints the CPU seconds.
+"""Runs inside Blender. Renders a glTF file with Cycles, and prints the CPU seconds.
 
   blender -b -P inside_blender.py -- FILE.gltf OUT.exr WIDTH HEIGHT SAMPLES VERTICES THREADS SEED [PANORAMA]
 """

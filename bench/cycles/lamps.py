@@ -1,4 +1,5 @@
-"""Scales the intensities of a glTF file's lamps as src/scene/gltf/light.cpp does: Blender's exporter has its own units."""
+"""Scales the intensities of lamps in glTF files as src/scene/gltf/light.cpp does. Files of Blender's exporter need it, because this
+exporter has its own units."""
 
 import math
 import re
@@ -8,13 +9,13 @@ FIRST_IN_LUMENS = (3, 4, 39)
 
 
 def version(generator):
-    """Returns the numbers after the last " v"; missing ones are 0."""
+    """Returns the three numbers of the version after the last " v". Missing numbers are 0."""
     found = re.match(r"(\d+)(?:\.(\d+))?(?:\.(\d+))?", generator.rpartition(" v")[2])
     return tuple(int(n or 0) for n in found.groups()) if found else (0, 0, 0)
 
 
 def scale(generator, kind):
-    """kind: of the light in the file, "point", "spot" or "directional"."""
+    """Returns the factor for the intensity of a light. `kind` is the type of the light in the file: "point", "spot" or "directional"."""
     unnumbered = "Khronos Blender glTF 2.0 I/O" in generator
     if not unnumbered and "Blender I/O" not in generator:
         return 1.0

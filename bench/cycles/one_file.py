@@ -1,4 +1,4 @@
-"""Writes a glTF file as one .glb with its buffers, its images and a camera, so that two programs open the same scene."""
+"""Packs a glTF file with its buffers, its images and a camera into one .glb, so that two programs open exactly the same scene."""
 
 import base64
 import json
@@ -10,7 +10,7 @@ CAMERA = "fidelity"
 
 
 def split_glb(data):
-    """Returns the document and the bytes of the first binary chunk."""
+    """Returns the JSON document and the bytes of the first binary chunk of a .glb file."""
     length = struct.unpack("<I", data[12:16])[0]
     return json.loads(data[20:20 + length]), data[28 + length:]
 
@@ -23,7 +23,7 @@ def bytes_of(uri, folder):
 
 
 class OneFile:
-    """A document with a single buffer."""
+    """A glTF document whose data is in a single buffer."""
 
     def __init__(self, path):
         data = path.read_bytes()
@@ -33,7 +33,7 @@ class OneFile:
         self.take_images_in()
 
     def append(self, data):
-        """Returns the position of the bytes in the buffer."""
+        """Appends the data to the buffer, and returns its position in the buffer."""
         self.blob += b"\0" * (-len(self.blob) % 16)
         self.blob += data
         return len(self.blob) - len(data)
@@ -42,7 +42,8 @@ class OneFile:
         starts = []
         for buffer in self.doc.get("buffers", []):
             data = bytes_of(buffer["uri"], self.folder) if "uri" in buffer else chunk
-            starts.append(self.append(bytes(data).ljust(buffer["byteLength"], b"\0")))  # fallback buffers have no bytes
+            # fallback buffers of compressed data have no bytes
+            starts.append(self.append(bytes(data).ljust(buffer["byteLength"], b"\0")))
         for view in self.doc.get("bufferViews", []):
             for part in (view, view.get("extensions", {}).get("EXT_meshopt_compression")):
                 if part:
@@ -60,7 +61,8 @@ class OneFile:
             image.update(bufferView=len(self.doc["bufferViews"]) - 1, mimeType=kind)
 
     def add_camera(self, place, turn, vertical_fov, aspect, reach):
-        """vertical_fov: radians. reach: a length of the scene's order of magnitude, for the clipping planes."""
+        """Adds a camera. `vertical_fov` is in radians. `reach` is a typical length of the scene, from which the clipping planes are
+        derived."""
         doc = self.doc
         doc.setdefault("cameras", []).append({"type": "perspective", "perspective": {
             "yfov": vertical_fov, "aspectRatio": aspect, "znear": 1e-3 * reach, "zfar": 1e4 * reach}})
@@ -70,7 +72,8 @@ class OneFile:
         scene.setdefault("nodes", []).append(len(doc["nodes"]) - 1)
 
     def name_own_camera(self, aspect):
-        """Gives the first perspective camera of the nodes the name and the aspect ratio of an added one; returns False if there is none."""
+        """Names the first perspective camera that a node uses as add_camera() would, and sets its aspect ratio. Returns False if there
+        is no such camera."""
         cameras = self.doc.get("cameras", [])
         node = next((n for n in self.doc.get("nodes", []) if "camera" in n and cameras[n["camera"]]["type"] == "perspective"), None)
         if node is None:
@@ -97,7 +100,8 @@ def glb(doc, blob):
 
 
 def fitted(array, yaw_deg, pitch_deg):
-    """Returns position, rotation and vertical angle of a camera that sees the rectangle of `lippmann info`'s array from yaw and pitch."""
+    """Returns the position, the rotation and the vertical angle of a camera. From the given yaw and pitch, the camera sees the
+    rectangle of the array that `lippmann info` prints."""
     y, p = math.radians(yaw_deg), math.radians(pitch_deg)
     away = (math.sin(y) * math.cos(p), math.sin(p), math.cos(y) * math.cos(p))
     place = [c + array["viewing_distance"] * a for c, a in zip(array["center"], away)]

@@ -1,4 +1,4 @@
-"""Shared functions of scripts that compare this program with Blender: run both, and compare their pictures."""
+"""Functions for scripts that compare this program with Blender. They run both programs and compare pictures."""
 
 import json
 import math
@@ -13,22 +13,22 @@ import one_file
 
 HERE = pathlib.Path(__file__).resolve().parent
 PATH = "/usr/bin:/bin"  # Blender needs Debian's Python
-BLENDER = os.environ.get("BLENDER", "blender")  # the variable may name another version
+BLENDER = os.environ.get("BLENDER", "blender")  # this environment variable names another version of Blender
 
 
 class Failed(SystemExit):
-    """A program failed. Ends a script that does not catch it, with its message."""
+    """Raised if a program fails. If a script does not catch it, the script prints the message and ends."""
 
 
 def reason(text):
-    """Returns the line of a program's output that states the error, or else the last line."""
+    """Returns the line of a program's output that states the error. Returns the last line if there is no such line."""
     lines = [line.strip() for line in text.splitlines() if line.strip()]
     errors = [line for line in lines if re.match(r"(\w+\.)*\w*(Error|Exception)\b.*:", line) and not line.startswith(("Error: Python:", "Error: script failed"))]
     return (errors or lines or ["no message"])[-1]
 
 
 def has_blender():
-    """Returns whether Blender is installed, and prints a message if not."""
+    """Returns whether Blender is installed. Prints a message if it is not."""
     if shutil.which(BLENDER, path=PATH):
         return True
     print("skipped: Blender is not installed (apt-get install blender)", file=sys.stderr)
@@ -36,7 +36,7 @@ def has_blender():
 
 
 def blender(script, words, mark):
-    """Runs a script of this folder inside Blender. Returns the rest of each output line that begins with `mark`."""
+    """Runs a script of this folder inside Blender. For each line of the output that begins with `mark`, returns the rest of the line."""
     command = [BLENDER, "-b", "--python-exit-code", "1", "-P", HERE / script, "--", *words]
     done = subprocess.run([str(word) for word in command], capture_output=True, text=True, env={**os.environ, "PATH": PATH})
     found = [line.removeprefix(mark).strip() for line in done.stdout.splitlines() if line.startswith(mark)]
@@ -46,7 +46,7 @@ def blender(script, words, mark):
 
 
 def info(tool, scene, *flags):
-    """Returns the JSON of `lippmann info`."""
+    """Returns the JSON that `lippmann info` prints."""
     done = subprocess.run([str(word) for word in (tool, "info", scene, *flags, "--json")], capture_output=True, text=True)
     if done.returncode:
         raise Failed(done.stderr.strip())
@@ -54,7 +54,8 @@ def info(tool, scene, *flags):
 
 
 def with_camera(tool, asset, view, work):
-    """Returns the file, or a copy with a camera in the folder `work`. view: yaw and pitch in degrees from which it looks at the file's centre."""
+    """Returns the file, or a copy in the folder `work` with a camera if the file has none. This camera looks at the centre of the
+    scene. `view` is its yaw and pitch in degrees."""
     found = info(tool, asset)
     if found["cameras"]:
         return asset
@@ -65,7 +66,7 @@ def with_camera(tool, asset, view, work):
 
 
 def mse(tool, reference, test):
-    """Returns the mean squared error of the 8-bit sRGB codes of two pictures."""
+    """Returns the mean squared error between the 8-bit sRGB codes of two pictures."""
     done = subprocess.run([str(tool), "compare", str(reference), str(test), "--json"], capture_output=True, text=True)
     if done.returncode:
         raise SystemExit(done.stderr)

@@ -1,13 +1,16 @@
-"""Runs inside Blender: measures how far vertices of skinned and morphing meshes posed by Blender are from those of dump_pose.
+"""Runs inside Blender. Compares the vertices of meshes posed by Blender with those of dump_pose. The meshes are skinned or have morph
+targets.
 
   blender -b --python-exit-code 1 -P poses_inside_blender.py -- FILE DUMP_POSE TIMES
 
-The importer may split and drop vertices, so two poses are compared as sets of points: the largest distance from any point of either
-to the nearest of the other, as a fraction of the diagonal of the bounds of all poses. Prints a line "POSES {json}" per animation.
+The importer may split and drop vertices, so two poses are compared as sets of points. The error is the largest distance from a point
+of either set to the nearest point of the other set, as a fraction of the diagonal of the bounds of all poses. Prints a line "POSES
+{json}" for each animation.
 
-Blender deviates from glTF 2.0 in two ways that do not concern poses. Between keys it interpolates the components of a rotation
-separately instead of along the arc: the rotations at the compared times are made keys with Blender's slerp, and the error without
-that is printed too. Its importer drops the tangents of cubic splines: animations with cubic splines are left out.
+Blender deviates from glTF 2.0 in two ways that do not concern poses.
+1. Between keys, Blender interpolates the components of a rotation separately instead of along the arc. Therefore keys are added at the
+compared times, with rotations from Blender's slerp. The error without these keys is printed too.
+2. Blender's importer drops the tangents of cubic splines. Animations with cubic splines are left out.
 """
 
 import json
@@ -19,18 +22,21 @@ import mathutils
 import numpy as np
 from io_scene_gltf2.blender.imp.gltf2_blender_animation import BlenderAnimation
 
-np.bool = bool  # the importer of Blender 3.4 uses a name that newer numpy has dropped
+np.bool = bool  # the importer of Blender 3.4 uses this name, which some versions of numpy do not have
 
 file, dump_pose, count = sys.argv[sys.argv.index("--") + 1:]
 
 
 def load(index):
-    """Loads a new scene that plays one animation. Returns name, seconds and interpolations of all animations, in the file's order."""
+    """Loads a new scene that plays one animation. Returns the names, the lengths in seconds and the interpolations of all animations,
+    in the order of the file."""
     bpy.ops.wm.read_factory_settings(use_empty=True)
     animations = []
     restore = BlenderAnimation.restore_animation
 
-    def restore_ours(gltf, _):  # selects our animation instead of the first one, which would change values that ours does not animate
+    # Selects the wanted animation. The importer would select the first one, which changes values that the wanted animation does not
+    # animate.
+    def restore_ours(gltf, _):
         for animation in gltf.data.animations:
             ends = [gltf.data.accessors[animation.samplers[channel.sampler].input].max[0] for channel in animation.channels]
             animations.append((animation.track_name, max(ends), {sampler.interpolation for sampler in animation.samplers}))
@@ -42,17 +48,17 @@ def load(index):
     finally:
         BlenderAnimation.restore_animation = restore
     for keys in bpy.data.shape_keys:
-        for block in keys.key_blocks:  # Blender limits weights to the range of their sliders; glTF has no limits
+        for block in keys.key_blocks:  # Blender limits weights to the range of their sliders, but glTF has no limits
             block.slider_min, block.slider_max = -10.0, 10.0
     return animations
 
 
 def frame_of(seconds):
-    return seconds * bpy.context.scene.render.fps  # the importer's unit of time
+    return seconds * bpy.context.scene.render.fps  # the importer converts seconds to frames
 
 
 def slerp_rotations(times):
-    """Adds keys at `times` to all linear rotations of the animation that plays."""
+    """Adds keys at `times` to all rotations with linear interpolation in the current animation."""
     for action in {thing.animation_data.action for thing in bpy.data.objects if thing.animation_data} - {None}:
         for path in {curve.data_path for curve in action.fcurves if curve.data_path.endswith("rotation_quaternion")}:
             curves = [action.fcurves.find(path, index=i) for i in range(4)]
@@ -61,10 +67,10 @@ def slerp_rotations(times):
 
 
 def slerp_rotation(curves, frames):
-    keys = np.array([[key.co for key in curve.keyframe_points] for curve in curves])  # axes: curve, key, (frame, value)
+    keys = np.array([[key.co for key in curve.keyframe_points] for curve in curves])  # axes: curve, key, and (frame, value)
     for frame in frames:
         after = int(np.searchsorted(keys[0, :, 0], frame))
-        if after in (0, keys.shape[1]) or np.abs(keys[0, :, 0] - frame).min() < 0.02:  # Blender merges nearer keys
+        if after in (0, keys.shape[1]) or np.abs(keys[0, :, 0] - frame).min() < 0.02:  # Blender merges keys that are nearer than this
             continue
         start, end = keys[0, after - 1:after + 1, 0]
         turns = [mathutils.Quaternion(keys[:, k, 1]) for k in (after - 1, after)]
@@ -73,7 +79,7 @@ def slerp_rotation(curves, frames):
 
 
 def pose_by_blender(seconds):
-    """Returns vertices in world space, y up as in glTF."""
+    """Returns the vertices in world space. As in glTF, y points upwards."""
     scene = bpy.context.scene
     frame = frame_of(seconds)
     scene.frame_set(int(frame), subframe=frame - int(frame))
@@ -102,7 +108,7 @@ def poses_by_lippmann(index, times):
 
 
 def reach(points, others):
-    """Returns the largest distance from any of `points` to the nearest of `others`."""
+    """Returns the largest distance from one of `points` to the nearest of `others`."""
     tree = mathutils.kdtree.KDTree(len(others))
     for i, point in enumerate(others):
         tree.insert(point, i)
@@ -115,7 +121,7 @@ def errors(ours, theirs, diagonal):
 
 
 def measure(index, name, end):
-    # Avoid the times of keys, because rounding would decide on which side of a step they fall.
+    # Avoids the times of keys, because rounding would decide on which side of a step interpolation such times are.
     times = [end * (k + 0.618034) / int(count) for k in range(int(count))]
     unchanged = [pose_by_blender(t) for t in times]
     slerp_rotations(times)

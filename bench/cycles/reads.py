@@ -1,8 +1,8 @@
 """Finds the features of a glTF file that a renderer does not read."""
 
-SILENT = {"KHR_xmp", "KHR_xmp_json_ld"}  # extensions without effect on pictures
+SILENT = {"KHR_xmp", "KHR_xmp_json_ld"}  # these extensions have no effect on pictures
 COLOURED_GLOSS = "KHR_materials_specular's colour"
-FIRST_WITH_COLOURED_GLOSS = (4, 0, 0)  # earlier Principled surfaces of Blender had only a scalar tint
+FIRST_WITH_COLOURED_GLOSS = (4, 0, 0)  # in earlier versions, the Principled surface had only a scalar tint
 
 
 def has_colour(gloss):
@@ -10,7 +10,7 @@ def has_colour(gloss):
 
 
 def extensions_of(value):
-    """Returns the extensions used anywhere in a glTF document; a coloured gloss counts as an extension of its own."""
+    """Returns the extensions used anywhere in a glTF document. A coloured gloss counts as an additional extension."""
     if isinstance(value, list):
         return set().union(*map(extensions_of, value))
     if not isinstance(value, dict):
@@ -23,6 +23,7 @@ def extensions_of(value):
 
 
 def unread(names, known, version):
-    """Returns the extensions of a document that a Blender of this version, such as (4, 3, 0), does not show, sorted. known: those that its importer reads."""
+    """Returns a sorted list of the extensions in `names` that this version of Blender does not show. `version` is a tuple such as (4,
+    3, 0). `known` contains the extensions that the importer reads."""
     shown = known | SILENT | ({COLOURED_GLOSS} if version >= FIRST_WITH_COLOURED_GLOSS else set())
     return sorted(names - shown)

@@ -1,10 +1,11 @@
-"""Runs inside Blender: renders one view of a glTF file with Cycles, as PNG with the view transform "Standard", and prints the CPU seconds.
+"""Runs inside Blender. Renders a view of a glTF file with Cycles as PNG files with the view transform "Standard", and prints the CPU
+seconds.
 
   blender -b -P scenario_inside_blender.py -- JOB.json
 
-The job: file, panorama (or null), width, height, vertices, threads, skybox (whether the panorama is visible), own_surfaces (keeps
-Blender's own import), camera (its name in the file), renders: a list of samples, seed and out. Prints a line "RENDER {json}" for
-each, including the features of the file that are not shown ("unread").
+JOB.json contains: file, panorama (or null), width, height, vertices (per path), threads, skybox (whether the panorama is visible),
+own_surfaces (whether Blender's own import is kept), camera (its name in the file), and renders, a list of objects with samples, seed
+and out. Prints a line "RENDER {json}" for each render. Its member "unread" lists the features of the file that are not shown.
 """
 
 import json
@@ -36,7 +37,7 @@ def main():
     job = json.loads(pathlib.Path(sys.argv[sys.argv.index("--") + 1]).read_text())
     scene = show(job)
     unread = gltf.unread(job["file"])
-    scene.render.use_persistent_data = True  # only the first render includes the time to set up the scene
+    scene.render.use_persistent_data = True  # so that only the first render includes the time to set up the scene
     gltf.render(scene, 1, 0, job["renders"][0]["out"])
     for item in job["renders"]:
         before = gltf.cpu_seconds()

@@ -1,10 +1,11 @@
-"""Runs inside Blender: renders views of a glTF animation with Cycles, one at a time, and prints the CPU seconds of each.
+"""Runs inside Blender. Renders views of a glTF animation with Cycles one after another, and prints the CPU seconds of each.
 
   blender -b -P views_inside_blender.py -- JOB.json
 
-The job: file, panorama (or null), width, height, vertices, threads, frames_per_second; distance and window_height, in units of the
-camera, of the rectangle that all views look through; eyes: offset of each view to the right of the camera; renders: a list of frame,
-view, samples, seed and out. Prints a line "VIEW {json}" for each. The scene stays loaded between renders, as Cycles allows.
+JOB.json contains: file, panorama (or null), width, height, vertices (per path), threads, frames_per_second; distance and window_height
+of the rectangle through which all views look, in units of the camera; eyes, the offset of each view to the right of the camera; and
+renders, a list of objects with frame, view, samples, seed and out. Prints a line "VIEW {json}" for each render. The scene stays loaded
+between renders.
 """
 
 import json
@@ -20,7 +21,7 @@ import gltf_in_blender as gltf  # noqa: E402
 
 
 class Views:
-    """Off-axis cameras in front of one rectangle, beside the file's camera, which may move."""
+    """Off-axis cameras that look through one rectangle. They are placed beside the camera of the file, which may move."""
 
     def __init__(self, job):
         self.job = job
@@ -34,8 +35,9 @@ class Views:
         self.camera.data.clip_start, self.camera.data.clip_end = 1e-3 * job["distance"], 1e4 * job["distance"]
         self.scene.collection.objects.link(self.camera)
         self.scene.camera = self.camera
-        self.window = job["window_height"] * max(1.0, job["width"] / job["height"])  # the longer side of the window
-        self.frames_per_frame = self.scene.render.fps / job["frames_per_second"]  # the importer's unit of time
+        self.window = job["window_height"] * max(1.0, job["width"] / job["height"])  # length of the longer side of the window
+        # number of Blender frames per frame of the job; the importer converts seconds to frames
+        self.frames_per_frame = self.scene.render.fps / job["frames_per_second"]
 
     def show(self, frame, view):
         at = frame * self.frames_per_frame

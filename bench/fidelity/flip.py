@@ -1,21 +1,22 @@
-"""FLIP: how different two pictures look when one alternates with the other, 0 to 1 per pixel.
+"""Computes FLIP: how different two pictures look if a viewer alternates between them. The value of a pixel is between 0 and 1.
 
-Based on: Andersson, Nilsson, Akenine-Moller, Oskarsson, Astrom and Fairchild, "FLIP: A Difference Evaluator for Alternating
-Images", 2020. Both pictures are blurred by the eye's contrast sensitivity at a distance (section 4.1.1) and compared in a
-perceptually uniform colour space (HyAB of Hunt-adjusted L*a*b*, 4.1.2 and 4.1.3); differences of edges or points (4.2) increase the
-weight of colour (4.3).
+Based on Andersson, Nilsson, Akenine-Moller, Oskarsson, Astrom and Fairchild, "FLIP: A Difference Evaluator for Alternating Images",
+2020:
+1. Both pictures are blurred by the contrast sensitivity of the eye at a distance (section 4.1.1).
+2. Their colours are compared in a perceptually uniform colour space: HyAB distance of Hunt-adjusted L*a*b* (4.1.2 and 4.1.3).
+3. Differences of edges or points (4.2) increase the weight of the colour difference (4.3).
 """
 
 import numpy as np
 
-PIXELS_PER_DEGREE = 67.0206  # as in the paper: 0.7 m from a monitor 0.7 m wide with 3840 pixels
+PIXELS_PER_DEGREE = 67.0206  # the paper's viewing conditions: 0.7 m from a monitor that is 0.7 m wide and has 3840 pixels
 RGB_TO_XYZ = np.array([[10135552 / 24577794, 8788810 / 24577794, 4435075 / 24577794],
                        [2613072 / 12288897, 8788810 / 12288897, 887015 / 12288897],
                        [1425312 / 73733382, 8788810 / 73733382, 70074185 / 73733382]])
 WHITE = RGB_TO_XYZ.sum(axis=1)
 COLOR_POWER, COLOR_SPLIT, COLOR_SHARE, FEATURE_POWER = 0.7, 0.4, 0.95, 0.5
 FEATURE_WIDTH_DEG = 0.082
-# Gaussians (a, b) of the contrast sensitivity: lightness, red-green, blue-yellow.
+# Contrast sensitivity as sums of Gaussians (a, b), for lightness, red-green and blue-yellow.
 SENSITIVITY = (((1.0, 0.0047),), ((1.0, 0.0053),), ((34.1, 0.04), (13.5, 0.025)))
 WIDEST = 0.04
 
@@ -26,7 +27,7 @@ def linear(codes):
 
 
 def opponent(rgb):
-    """Returns YCxCz of linear RGB, (h, w, 3)."""
+    """Returns the YCxCz values of a picture (h, w, 3) of linear RGB."""
     x, y, z = np.moveaxis(rgb @ RGB_TO_XYZ.T / WHITE, -1, 0)
     return np.stack([116 * y - 16, 500 * (x - y), 200 * (y - z)], axis=-1)
 
@@ -38,7 +39,7 @@ def from_opponent(ycc):
 
 
 def hunt_lab(rgb):
-    """Returns L*, a* and b* of linear RGB, with a* and b* scaled by lightness (Hunt effect)."""
+    """Returns L*, a* and b* of linear RGB. As in the Hunt effect, a* and b* are scaled by the lightness."""
     part = rgb @ RGB_TO_XYZ.T / WHITE
     edge = 6 / 29
     root = np.where(part > edge**3, np.cbrt(part), part / (3 * edge**2) + 4 / 29)
@@ -72,7 +73,7 @@ def as_seen(channel, gaussians):
 
 
 def color_difference(a, b):
-    """Returns the differences of two pictures in YCxCz, from 0 to 1."""
+    """Returns the colour differences between two YCxCz pictures, from 0 to 1."""
     seen = [np.stack([as_seen(p[..., i], SENSITIVITY[i]) for i in range(3)], axis=-1) for p in (a, b)]
     labs = [hunt_lab(np.clip(from_opponent(p), 0, 1)) for p in seen]
     most = hyab(*hunt_lab(np.array([[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])))**COLOR_POWER
@@ -81,7 +82,7 @@ def color_difference(a, b):
 
 
 def features(lightness):
-    """Returns the strength of edges and of points at every pixel."""
+    """Returns the strengths of edges and of points at every pixel."""
     deviation = 0.5 * FEATURE_WIDTH_DEG * PIXELS_PER_DEGREE
     x = np.arange(-int(np.ceil(3 * deviation)), int(np.ceil(3 * deviation)) + 1)
     bell = np.exp(-x**2 / (2 * deviation**2))
@@ -94,7 +95,7 @@ def features(lightness):
 
 
 def difference(a, b):
-    """Returns the map (h, w) of FLIP. a, b: 8-bit sRGB codes, (h, w, 3)."""
+    """Returns the FLIP map (h, w) of two pictures (h, w, 3) of 8-bit sRGB codes."""
     pictures = [opponent(linear(p.astype(float) / 255)) for p in (a, b)]
     (edge_a, point_a), (edge_b, point_b) = [features((p[..., 0] + 16) / 116) for p in pictures]
     feature = (np.maximum(np.abs(edge_a - edge_b), np.abs(point_a - point_b)) / np.sqrt(2))**FEATURE_POWER

@@ -1,7 +1,7 @@
 """Compares each renderer's picture of a scenario with the median of the other renderers' pictures.
 
-Only pixels that some picture covers count: an empty background says nothing about a renderer. Pictures are RGBA codes (pictures.py),
-compared over plain grey.
+Only pixels that are covered in at least one picture count, because all renderers agree about an empty background. Pictures are RGBA
+codes (pictures.py). They are compared in front of plain grey.
 """
 
 import math
@@ -16,30 +16,31 @@ def decibels(mean_square):
 
 
 def psnr(a, b, counted):
-    """Returns the PSNR of RGB codes over the pixels in the mask `counted`."""
+    """Returns the PSNR in dB of RGB codes over the pixels in the mask `counted`."""
     return decibels(np.mean((a[counted].astype(float) - b[counted])**2))
 
 
 def noise(few, many, times):
-    """Returns the mean square of the noise in the picture of `times` as many samples, from its difference to one with independent noise. An
-    upper bound if samples are stratified, since noise then falls faster than with their number."""
+    """Returns the mean squared noise of the picture `many`. It is derived from the difference to the picture `few`, which has
+    independent noise and 1 / `times` of the samples. If samples are stratified, the result is an upper bound, because the noise then
+    decreases faster than with the number of samples."""
     counted = (few[..., 3] > 0) | (many[..., 3] > 0)
     a, b = pictures.before_grey(few).astype(float), pictures.before_grey(many)
     return float(np.mean((a[counted] - b[counted])**2) / (times + 1)) if counted.any() else 0.0
 
 
 def noise_together(facts):
-    """Returns the PSNR of two pictures that differ only by the noise of both."""
+    """Returns the PSNR in dB that two pictures would have if they differed only by their noise."""
     return decibels(sum(value for name, value in facts.items() if name in ("lippmann_noise", "cycles_noise")))
 
 
 def median_of(others):
-    """Returns the median per pixel and channel; the mean for two pictures."""
+    """Returns the median of each pixel and channel. For two pictures, it is the mean."""
     return np.round(np.median(np.stack(others), axis=0)).astype(np.uint8)
 
 
 def counted_pixels(named):
-    """Returns the pixels that any of the pictures covers."""
+    """Returns a mask of the pixels that are covered in at least one picture."""
     counted = np.any([p[..., 3] > 0 for p in named.values()], axis=0)
     if not counted.any():
         raise SystemExit("all pictures show only the background; check that the camera sees the model")
@@ -47,7 +48,8 @@ def counted_pixels(named):
 
 
 def among_others(named, own):
-    """Returns the PSNR of the others among each other: the mean square of each against the median of the rest. None for fewer than two."""
+    """Returns the PSNR in dB among the pictures of all renderers except `own`. It is derived from the mean square of the differences
+    of each picture from the median of the remaining pictures. Returns None for fewer than two pictures."""
     counted = counted_pixels(named)
     flat = [pictures.before_grey(p) for name, p in named.items() if name != own]
     if len(flat) < 2:
@@ -57,10 +59,11 @@ def among_others(named, own):
 
 
 def judged(named):
-    """Returns {renderer: {"psnr_db", "flip", "map", "median"}} for {renderer: RGBA picture}; needs two or more pictures of one size.
+    """Returns {renderer: {"psnr_db", "flip", "map", "median"}} for a dictionary {renderer: RGBA picture} of two or more pictures of
+    equal size.
 
-    flip: the mean over the counted pixels of the map (h, w) of differences, 0 to 1.
-    """
+    "map" contains the FLIP differences (h, w), from 0 to 1. "flip" is their mean over the counted pixels.
+"""
     counted = counted_pixels(named)
     flat = {name: pictures.before_grey(p) for name, p in named.items()}
     rows = {}

@@ -1,8 +1,9 @@
-"""Renders a shot with other path tracers: Cycles in Blender, and three-gpu-pathtracer in a browser.
+"""Renders a shot with other path tracers: with Cycles in Blender, and with three-gpu-pathtracer in a browser.
 
-A shot has `file` (a glTF file), `camera` (a name in it), `panorama` (a file or None), `width`, `height`, `folder`, and
-`scenario.skybox`. Each function returns [{"out", "cpu_seconds"}] of an eighth of the samples and of all, as PNG files; cpu_seconds is
-None if it does not measure the renderer. Pictures are kept in the shot's folder until their inputs change.
+A shot has the members file (a glTF file), camera (a name in this file), panorama (a file or None), width, height, folder, and
+scenario.skybox. Each renderer's function makes two PNG files, with an eighth of the samples and with all samples, and returns a list
+of {"out", "cpu_seconds"}. cpu_seconds is None if the time does not measure the renderer. Pictures are kept in the shot's folder until
+their inputs change.
 """
 
 import hashlib
@@ -25,20 +26,21 @@ def few(spp):
 
 
 def job_of(shot, options):
-    """Returns the job that every renderer gets."""
+    """Returns the job that all renderers receive."""
     return {"file": str(shot.file), "panorama": shot.panorama and str(shot.panorama), "width": shot.width, "height": shot.height, "vertices": options.vertices,
             "threads": options.threads, "skybox": shot.scenario.skybox, "camera": shot.camera}
 
 
 def key_of(job, shot, programs):
-    """Returns a hash of all inputs of a picture."""
+    """Returns a hash of everything on which a picture depends."""
     parts = [json.dumps(job, sort_keys=True).encode(), shot.file.read_bytes(), shot.panorama.read_bytes() if shot.panorama else b""]
     parts += [file.read_bytes() for file in programs]
     return hashlib.sha256(b"".join(hashlib.sha256(part).digest() for part in parts)).hexdigest()
 
 
 def kept(shot, name, job, programs, render):
-    """Returns the kept result of an earlier run with the same inputs, or else that of render(the job's file)."""
+    """Returns the result that an earlier run with the same inputs has stored. Otherwise calls render() with the file of the job,
+    stores its result and returns it."""
     file, key = shot.folder / f"{name}.json", key_of(job, shot, programs)
     if file.exists() and json.loads(file.read_text())["key"] == key:
         return json.loads(file.read_text())["renders"]
@@ -50,7 +52,8 @@ def kept(shot, name, job, programs, render):
 
 
 def in_blender(name):
-    """Returns Cycles with the surfaces of the specification or, for the name importer, with those of Blender's own import."""
+    """Returns a function that renders with Cycles. It uses surfaces as in the glTF specification, or the surfaces of Blender's own
+    import if the name is "importer"."""
 
     def pictures_of(shot, options):
         renders = [{"samples": n, "seed": n, "out": str(shot.folder / f"{name}-{n}.png")} for n in (few(options.spp), options.spp)]
@@ -64,14 +67,15 @@ def in_blender(name):
 
 
 def unread(shot, name):
-    """Returns the known features of the file that the renderer does not show; for Blender, from its importer (gltf_in_blender.py)."""
+    """Returns the features of the file that the renderer is known not to show. For Blender, they are found by its importer
+    (gltf_in_blender.py)."""
     file = shot.folder / f"{name}.json"
     renders = json.loads(file.read_text())["renders"] if file.exists() else []
     return renders[-1].get("unread", []) if renders else []
 
 
 def has_three():
-    """Returns whether three-gpu-pathtracer is installed, and prints a message if not."""
+    """Returns whether three-gpu-pathtracer is installed. Prints a message if it is not."""
     if shutil.which("node") and (THREE / "node_modules").is_dir():
         return True
     print("skipped: three-gpu-pathtracer is not installed (apt-get install nodejs npm chromium; npm ci in bench/fidelity/three)", file=sys.stderr)
@@ -79,7 +83,8 @@ def has_three():
 
 
 def as_picture(file, width, height):
-    """Writes the output of trace.mjs (RGBA of linear light as 32-bit floats, lowest row first) as a PNG file beside it."""
+    """Writes a PNG file beside the output of trace.mjs. This output consists of 32-bit floats of RGBA in linear light, with the lowest
+    row first."""
     light = np.frombuffer(file.read_bytes(), "<f4").reshape(height, width, 4)[::-1].astype(float)
     cover = np.clip(light[..., 3:], 0, 1)
     codes = np.concatenate([pictures.encode(light[..., :3] / np.maximum(cover, 1e-9)), np.round(255 * cover).astype(np.uint8)], axis=-1)

@@ -1,4 +1,5 @@
-"""Writes one HTML page with embedded pictures: each renderer's picture of every scenario, and its difference from the median of the others."""
+"""Writes an HTML page with embedded pictures. For every scenario, it shows each renderer's picture and the difference from the median
+of the other renderers' pictures."""
 
 import base64
 import html
@@ -16,7 +17,7 @@ figcaption { max-width: 20em; margin-bottom: .3em } img { image-rendering: pixel
 covers. Below each picture: FLIP per pixel, black where both look equal, white at 0.5 and above. Not read: features of a file that
 Blender's importer, or the surfaces that replace its own, leave out; such rows are no measure of the others.</p>
 """
-STEEPNESS = 2.0  # gain of the difference maps, as the page states
+STEEPNESS = 2.0  # factor of the difference maps; the text of the page states it
 
 
 def shown(codes):
@@ -58,7 +59,7 @@ def table(rows):
 
 
 def figure(name, judged, picture):
-    """judged: None if there is nothing to compare the picture with."""
+    """Returns the HTML of a renderer's picture. `judged` is None if there is nothing to compare the picture with."""
     if judged is None:
         return f"<figure><figcaption><b>{html.escape(name)}</b></figcaption>{shown(pictures.before_grey(picture))}</figure>"
     return (f"<figure><figcaption><b>{html.escape(name)}</b> {decibels(judged['psnr_db'])} dB, FLIP {judged['flip']:.4f}</figcaption>" +
@@ -66,13 +67,14 @@ def figure(name, judged, picture):
 
 
 class Page:
-    """Collects scenarios one at a time, so that their pictures need not be kept."""
+    """Builds the page from one scenario after another, so that the pictures of a scenario can be discarded after add()."""
 
     def __init__(self):
         self.rows, self.sections = [], []
 
     def add(self, row, judged, named):
-        """row: of the table; judged: the result of judge.judged; named: RGBA pictures."""
+        """Adds a scenario. `row` is its row of the table, `judged` the result of judge.judged, and `named` the RGBA pictures by
+        renderer."""
         self.rows.append(row)
         notes = "".join(f"<p>{html.escape(note)}</p>" for note in row["notes"])
         figures = "".join(figure(name, judged.get(name), named[name]) for name in named)

@@ -1,6 +1,6 @@
-"""Reads and writes PNG files as arrays, for medians and coverage. (The tool compares pictures itself.)
+"""Reads and writes PNG files as arrays.
 
-Pictures are (h, w, 4) arrays of 8-bit codes: red, green, blue and alpha, row 0 on top.
+A picture is an array (h, w, 4) of 8-bit codes for red, green, blue and alpha. Row 0 is at the top.
 """
 
 import struct
@@ -12,14 +12,14 @@ CHANNELS = {0: 1, 2: 3, 4: 2, 6: 4}
 
 
 def paeth(left, up, corner):
-    """Returns the neighbour nearest to left + up - corner, with ties broken as in PNG's specification."""
+    """Returns the neighbour nearest to left + up - corner. Ties are broken as in the PNG specification."""
     estimate = left + up - corner
     a, b, c = abs(estimate - left), abs(estimate - up), abs(estimate - corner)
     return left if a <= b and a <= c else up if b <= c else corner
 
 
 def unfilter_one_by_one(kind, row, above, step):
-    """Decodes rows whose filter depends on the pixel just decoded: average (3) and Paeth (4)."""
+    """Decodes a row whose filter depends on the previously decoded pixel: average (3) or Paeth (4)."""
     row, above = [0] * step + row.tolist(), [0] * step + above.tolist()
     for i in range(step, len(row)):
         left, up = row[i - step], above[i]
@@ -64,7 +64,7 @@ def read(path):
 
 
 def with_alpha(codes):
-    """Returns RGBA for grey, grey and alpha, RGB or RGBA."""
+    """Returns RGBA codes for codes of grey, grey and alpha, RGB, or RGBA."""
     count = codes.shape[-1]
     alpha = codes[..., -1:] if count in (2, 4) else np.full_like(codes[..., :1], 255)
     color = codes[..., :3] if count >= 3 else np.repeat(codes[..., :1], 3, axis=-1)
@@ -72,7 +72,7 @@ def with_alpha(codes):
 
 
 def png(codes):
-    """Returns the bytes of a PNG file for an (h, w, 3) or (h, w, 4) array."""
+    """Returns the bytes of a PNG file for an array (h, w, 3) or (h, w, 4)."""
     height, width, count = codes.shape
     chunk = lambda name, body: struct.pack(">I", len(body)) + name + body + struct.pack(">I", zlib.crc32(name + body))
     rows = np.concatenate([np.zeros((height, 1), np.uint8), codes.reshape(height, -1)], axis=1)
@@ -81,7 +81,7 @@ def png(codes):
 
 
 def encode(light):
-    """Returns 8-bit sRGB codes of linear light."""
+    """Returns the 8-bit sRGB codes of linear light."""
     light = np.clip(light, 0, 1)
     return np.round(255 * np.where(light <= 0.0031308, 12.92 * light, 1.055 * light**(1 / 2.4) - 0.055)).astype(np.uint8)
 
@@ -92,7 +92,8 @@ def decode(codes):
 
 
 def shrunk(picture, width, height):
-    """Returns the picture reduced by an integer factor to this size: means of light, weighted by coverage. None if the factor is not an integer."""
+    """Returns the picture, reduced by an integer factor to this size. Each pixel is the mean of its light, weighted by coverage.
+    Returns None if the factor is not an integer."""
     times = picture.shape[0] // height
     if picture.shape[:2] != (height * times, width * times) or times == 0:
         return None
@@ -106,6 +107,6 @@ def shrunk(picture, width, height):
 
 
 def before_grey(picture, light=0.18):
-    """Returns RGB codes of the picture over plain grey, which shows both black and white."""
+    """Returns the RGB codes of the picture in front of plain grey, on which both black and white are visible."""
     alpha = picture[..., 3:] / 255.0
     return encode(decode(picture[..., :3]) * alpha + light * (1 - alpha))

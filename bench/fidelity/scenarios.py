@@ -1,10 +1,11 @@
-"""Reads scenarios in the form of glTF Render Fidelity's configuration: a model, a camera that orbits a target, an environment, a size.
+"""Reads scenarios: a model, a camera that orbits a target, an environment and a size.
 
-A configuration is a JSON file with "scenarios": each has a "name" and a "model" (a path relative to the configuration), and may have
-"lighting" (a panorama), "dimensions", "target", "orbit" (theta and phi in degrees, radius), "verticalFoV" (degrees), "renderSkybox" and
-"exclude" (renderers whose pictures do not count). Defaults are those of that project. Reference pictures are
-goldens/NAME/RENDERER-golden.png beside it. A folder without a configuration is one scenario per glTF file below it, seen by its own
-camera or by the tool's default view.
+A configuration has the form of glTF Render Fidelity's. It is a JSON file with a list "scenarios". Each scenario has a "name" and a
+"model" (a path relative to the configuration). It may have "lighting" (a panorama), "dimensions", "target", "orbit" (theta and phi in
+degrees, radius), "verticalFoV" (degrees), "renderSkybox" and "exclude" (renderers whose pictures do not count). The default values are
+those of glTF Render Fidelity. Reference pictures are the files goldens/NAME/RENDERER-golden.png beside the configuration.
+
+A folder without a configuration has one scenario for each glTF file in it. The camera is that of the file, or the tool's default view.
 """
 
 import dataclasses
@@ -18,7 +19,8 @@ DEFAULT_SIZE = 768
 
 @dataclasses.dataclass
 class Orbit:
-    """theta rotates the camera about the vertical from the front, phi is its angle from the zenith; degrees. radius: in scene units."""
+    """Position of a camera around its target. `theta` is the rotation about the vertical from the front, and `phi` is the angle from
+    the zenith, both in degrees. `radius` is in scene units."""
 
     theta: float = 0.0
     phi: float = 90.0
@@ -29,23 +31,23 @@ class Orbit:
 class Scenario:
     name: str
     model: pathlib.Path
-    lighting: pathlib.Path = None  # None: the benchmark's own panorama
+    lighting: pathlib.Path = None  # None means the benchmark's own panorama
     width: int = DEFAULT_SIZE
     height: int = DEFAULT_SIZE
-    orbit: Orbit = None  # None: the file's camera, or the tool's default view
+    orbit: Orbit = None  # None means the camera of the file, or the tool's default view
     target: tuple = (0.0, 0.0, 0.0)
     vertical_fov_deg: float = 45.0
     skybox: bool = False
-    references: dict = dataclasses.field(default_factory=dict)  # reference picture of each renderer
+    references: dict = dataclasses.field(default_factory=dict)  # file of the reference picture of each renderer
 
     def size(self, longest):
-        """Returns width and height in pixels, scaled so that the longer is at most `longest`."""
+        """Returns the width and height in pixels. They are reduced so that the longer side is at most `longest`."""
         scale = min(1.0, longest / max(self.width, self.height))
         return max(1, round(self.width * scale)), max(1, round(self.height * scale))
 
 
 def camera_place(orbit, target):
-    """Returns the position of an orbit's camera, and its rotation from -z as a quaternion (x, y, z, w)."""
+    """Returns the position of a camera on the orbit, and the quaternion (x, y, z, w) that rotates -z to its view direction."""
     theta, phi = math.radians(orbit.theta), math.radians(orbit.phi)
     away = (math.sin(phi) * math.sin(theta), math.cos(phi), math.sin(phi) * math.cos(theta))
     yaw, pitch = theta / 2, (phi - math.pi / 2) / 2
@@ -60,7 +62,7 @@ def references_of(folder, name, excluded):
 
 
 def scenario_of(entry, folder):
-    """Reads one entry of "scenarios". Raises SystemExit if a required key is missing."""
+    """Returns the scenario that an entry of "scenarios" describes. Raises SystemExit if a required key is missing."""
     missing = [key for key in ("name", "model") if not isinstance(entry.get(key), str)]
     if missing:
         raise SystemExit(f"{folder}: a scenario has no {missing[0]}: {json.dumps(entry)[:120]}")
@@ -78,7 +80,8 @@ def files_below(folder):
 
 
 def read(path):
-    """Returns the scenarios of a configuration, or of a folder: its config.json, or else one per glTF file in it."""
+    """Returns the scenarios of a configuration file, or of a folder. A folder has a config.json, or otherwise one scenario for each
+    glTF file."""
     config = path / "config.json" if path.is_dir() else path
     if path.is_dir() and not config.exists():
         found = files_below(path)

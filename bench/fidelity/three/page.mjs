@@ -1,4 +1,4 @@
-// Sets up a scenario in three.js, adds samples, and returns their mean as linear light.
+// Sets up a scenario in three.js, renders samples, and returns their mean as linear light.
 import * as THREE from "three";
 import { DRACOLoader } from "three/addons/loaders/DRACOLoader.js";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";

@@ -1,6 +1,8 @@
-// Renders a scenario with three-gpu-pathtracer in headless Chromium: node trace.mjs JOB.json. The job has file, panorama (or
-// null), skybox, width, height, vertices, camera, and renders: [{samples, out}, ...]. Writes RGBA as 32-bit floats, lowest row
-// first, to each `out`, and prints one line of JSON per picture. Run `npm ci` in this folder first.
+// Renders a scenario with three-gpu-pathtracer in headless Chromium:
+//   node trace.mjs JOB.json
+// The job has the members file, panorama (or null), skybox, width, height, vertices, camera, and renders, a list of {samples,
+// out}. Writes RGBA as 32-bit floats to each `out`, with the lowest row first, and prints one line of JSON for each picture.
+// Run `npm ci` in this folder first.
 import fs from "node:fs";
 import http from "node:http";
 import path from "node:path";
