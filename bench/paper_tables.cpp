@@ -23,7 +23,7 @@ constexpr double kPaperMeanPsnr = 34.52;  ///< dB, mean over 11 frames of the te
 
 struct PaperAnimation {
   std::string_view scene;
-  double traced, interpolated;  ///< seconds
+  double traced, interpolated;  ///< seconds for the whole animation
 };
 constexpr PaperAnimation kTable2[] = {
     {"teapot", 1836, 520}, {"room", 1268, 496}, {"small-balls", 842, 189}, {"primitives", 1024, 333}, {"tree", 9017, 3672}};

@@ -1,10 +1,10 @@
-// Compares what 25 eyes inside the viewing zone see through lens arrays that show the built-in room with pinhole views rendered
-// for these eyes.
+// Compares two pictures for each of 25 eyes inside the viewing zone: what the eye sees through a lens array that shows the
+// built-in room, and a pinhole view rendered for the eye.
 //
-// Both pictures have one sample per lens at the centre of the lens; for a lenticular sheet, one sample per lens and row of the
-// panel. PSNR is computed from 8-bit codes, for all pixels and for four ranges of depth. The depth is that of the pinhole view,
-// relative to the depth budget N g: up to a quarter, up to a half, up to all of it, and beyond it, where a pixel is wider than
-// a lens.
+// Both pictures have one sample per lens at the centre of the lens. For a lenticular sheet, they have one sample per lens and
+// row of the panel. PSNR is computed from 8-bit codes, for all pixels and for four ranges of depth. The depth is that of the
+// pinhole view, relative to the depth budget N g: up to a quarter, up to a half, up to all of it, and beyond it, where a pixel
+// is wider than a lens.
 //
 // Each view is also compared with that of an eye a fifth of the zone away. Depth must be orthoscopic both behind and in front
 // of the display, and pseudoscopic after the conversion.

@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kFloor = 50.0;  // dB
+constexpr double kFloor = 50.0;  // minimum PSNR of interpolated frames, in dB
 constexpr int kRounds = 3;
 
 /// Returns the kinds of reuse to be measured. Interpolation without a minimum PSNR is measured by `lippmann-bench paper`.

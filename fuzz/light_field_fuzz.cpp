@@ -1,9 +1,22 @@
 // Passes bytes to the readers of light field metadata and pictures that this project implements itself. The reader must throw
 // Error, or return a result that stays the same when it is written and read again. The first byte selects the reader:
-// 'h' HCI's parameters.cfg, 'H' attributes of HCI's HDF5 files, 'v' cvkit's NAME_param.txt, 'e' the JSON file of an ESLF
-// picture, 'm' MIV's cameras.json, 't' NeRF's transforms.json, 'a' and 'i' COLMAP's cameras and images as text, 'A' and 'I' the
-// same in binary, 'l' LLFF's poses_bounds.npy, 'n' any .npy file, 'q' the JSON file of a quilt, 'p' PPM, 'f' PFM, 'k' --keep,
-// 'c' --crop, 'w' the JSON file of a raw plenoptic picture, 'L' a Lytro container, 'r' Lytro metadata of 16x16 packed codes.
+//   'h' HCI's parameters.cfg
+//   'H' attributes of HCI's HDF5 files
+//   'v' cvkit's NAME_param.txt
+//   'e' the JSON file of an ESLF picture
+//   'm' MIV's cameras.json
+//   't' NeRF's transforms.json
+//   'a' and 'i' COLMAP's cameras and images as text, 'A' and 'I' as binary files
+//   'l' LLFF's poses_bounds.npy
+//   'n' any .npy file
+//   'q' the JSON file of a quilt
+//   'p' PPM
+//   'f' PFM
+//   'k' --keep
+//   'c' --crop
+//   'w' the JSON file of a raw plenoptic picture
+//   'L' a Lytro container
+//   'r' Lytro metadata of 16x16 packed codes
 //
 // fuzz/light_field_seeds SEEDS && fuzz_light_field -dict=fuzz/light_field.dict CORPUS SEEDS; or scripts/fuzz light_field.
 #include <array>

@@ -3,10 +3,14 @@ bench/blender_scenes.py).
 
   blender -b FILE.blend --python blend_inside_blender.py -- JOB.json
 
-JOB.json contains: "folder" for pictures, "size" (the longer side in pixels), "samples" for both renderers, and "addon" (the folder
-that contains the add-on's folder).
-Writes cycles.png and ours.png, both with the view transform "Standard", and result.json with the add-on's "warnings" and "refused",
-the reason for a missing picture or "".
+Members of JOB.json:
+  folder: folder for the pictures
+  size: longer side of the pictures in pixels
+  samples: samples per pixel of both renderers
+  addon: the folder that contains the add-on's folder
+
+Writes cycles.png and ours.png, both with the view transform "Standard". Writes result.json with the add-on's "warnings", and with
+"refused", the reason for a missing picture or "".
 """
 
 import json

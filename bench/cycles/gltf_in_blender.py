@@ -130,10 +130,9 @@ class Surface:
         """Returns the shader for plastic. It is the gloss of a black Principled surface plus the diffuse light below it. Fresnel's
         term applies to the facets of the gloss."""
         f0 = self.specular * ((self.ior - 1) / (self.ior + 1))**2
-        # In this version, the input is relative to twice the reflectance of the index of refraction. In earlier versions it is relative
-        # to 0.08.
+        # Since Blender 4.0, the input is relative to twice the reflectance that the index of refraction gives. In earlier versions it is
+        # relative to 0.08.
         of_ior = LATER["Specular"] in self.principled.inputs
-                                                              # index of refraction, instead of to 0.08
         gloss = self.gloss(Base_Color=[0, 0, 0], Specular=0.5 * self.specular if of_ior else f0 / 0.08)
         return self.node("ShaderNodeAddShader", {0: gloss, 1: self.diffuse(self.times(self.input("Base Color"), self.left(f0)))})
 

@@ -3,9 +3,15 @@ seconds.
 
   blender -b -P scenario_inside_blender.py -- JOB.json
 
-JOB.json contains: file, panorama (or null), width, height, vertices (per path), threads, skybox (whether the panorama is visible),
-own_surfaces (whether Blender's own import is kept), camera (its name in the file), and renders, a list of objects with samples, seed
-and out. Prints a line "RENDER {json}" for each render. Its member "unread" lists the features of the file that are not shown.
+Members of JOB.json:
+  file, panorama (or null), width, height, threads
+  vertices: vertices per path
+  skybox: whether the panorama is visible
+  own_surfaces: whether Blender's own import is kept
+  camera: its name in the file
+  renders: a list of objects with samples, seed and out
+
+Prints a line "RENDER {json}" for each render. Its member "unread" lists the features of the file that are not shown.
 """
 
 import json

@@ -2,10 +2,14 @@
 
   blender -b -P views_inside_blender.py -- JOB.json
 
-JOB.json contains: file, panorama (or null), width, height, vertices (per path), threads, frames_per_second; distance and window_height
-of the rectangle through which all views look, in units of the camera; eyes, the offset of each view to the right of the camera; and
-renders, a list of objects with frame, view, samples, seed and out. Prints a line "VIEW {json}" for each render. The scene stays loaded
-between renders.
+Members of JOB.json:
+  file, panorama (or null), width, height, threads, frames_per_second
+  vertices: vertices per path
+  distance, window_height: of the rectangle through which all views look, in units of the camera
+  eyes: the offset of each view to the right of the camera
+  renders: a list of objects with frame, view, samples, seed and out
+
+Prints a line "VIEW {json}" for each render. The scene stays loaded between renders.
 """
 
 import json

@@ -1,5 +1,5 @@
-// Shows a light field in any format that `lippmann convert` reads. Writes what an eye sees to the left and to the right of the
-// middle, and the picture that is focused on the plane of the display.
+// Renders what an eye sees of a light field from the left and from the right of the middle, and the picture that is focused on
+// the plane of the display. Reads every format that `lippmann convert` reads.
 //   look FILE|FOLDER FOLDER
 #include <filesystem>
 #include <iostream>

@@ -57,7 +57,7 @@ Files lasting_files(const fs::path& folder) {
 
 void run_and_kill(const TempDir& dir, const Words& arguments, std::chrono::microseconds after) {
   Subprocess running(tool_command(arguments), {dir.path().string(), 0});
-  std::this_thread::sleep_for(after);  // not a wait for an event: the kill may come at any moment
+  std::this_thread::sleep_for(after);  // sleeping is sufficient, because the kill may come at any moment
   running.signal(SIGKILL);
   running.wait();
 }

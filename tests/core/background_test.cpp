@@ -23,7 +23,7 @@ TEST(BackgroundQueue, ordered_halves_run_in_submission_order) {
   std::vector<int> order;
   {
     BackgroundQueue queue(4, 8);
-    for (int i = 0; i < 200; ++i)  // each task takes a different time
+    for (int i = 0; i < 200; ++i)  // tasks take different times, so that they end in another order than they were submitted
       queue.submit([i] { std::this_thread::sleep_for(std::chrono::microseconds((i * 37) % 200)); },
                    [&, i] { order.push_back(i); });
     queue.finish();

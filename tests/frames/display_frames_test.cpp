@@ -32,7 +32,7 @@ TEST_F(DisplayFrames, of_native_pixels_are_copied_exactly) {
   EXPECT_EQ(copied.films(), traced.films());
 }
 
-// The interpolated frames have 30.9 dB. Repeating the key frame would give 27.9 dB.
+// The interpolated frames have a PSNR of 30.9 dB. Frames that repeat the key frame would have 27.9 dB.
 TEST_F(DisplayFrames, of_native_pixels_interpolate_accurately) {
   const MadeFrames traced = make_frames(on_panel("teapot", PictureLayout::kNative, {.choice = ReuseChoice::kNone}), {1, 2, 3});
   const MadeFrames made =

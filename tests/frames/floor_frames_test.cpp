@@ -57,7 +57,7 @@ TEST(FloorFrames, any_thread_count_gives_the_same_bits) {
 }
 
 TEST(FloorFrames, of_a_part_equal_the_whole) {
-  for (const double floor : {35.0, 50.0}) {  // at 35 dB few, and at 50 dB many intervals between key frames are halved
+  for (const double floor : {35.0, 50.0}) {  // at 35 dB, few intervals between key frames are halved; at 50 dB, many are
     const RenderParams gears = floored(small_scene("gears"), floor);
     const MadeFrames whole = make_frames(gears, frames_from(0, 9));
     for (const std::vector<int>& part : {std::vector{1, 2}, std::vector{5, 6}, std::vector{7}, std::vector{3, 4, 9}})

@@ -37,9 +37,9 @@ MadeFrames reference_of(RenderParams params, int frame) {
   return make_frames(params, {frame});
 }
 
-/// Expects that denoising at least halves the squared error. The threshold has a large margin: the denoiser removes more than
-/// half of the error, the squared errors are means over more than 10,000 values with standard errors of a few per cent, and the
-/// reference has 1/128 of the noise of 4 samples.
+/// Expects that denoising at least halves the squared error. The threshold has a large margin, because the denoiser removes
+/// much more than half. The squared errors are means over more than 10,000 values, so their standard errors are a few per cent.
+/// The reference has 1/128 of the noise of 4 samples.
 void expect_less_noise(const RenderParams& params, int frame) {
   RenderParams noisy = params;
   noisy.sampling.denoise = Denoise::kNone;

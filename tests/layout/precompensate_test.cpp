@@ -24,9 +24,11 @@ Image views(float a, float b, float c) {
   return image;
 }
 
-// The panel shows (0.2, 0.7, 0.4). With weights of 0.8 for a view and 0.1 for each neighbour, an eye sees (0.8 * 0.2 + 0.1 *
-// 0.7) / 0.9 = 0.23 / 0.9 in the first view, 0.1 * 0.2 + 0.8 * 0.7 + 0.1 * 0.4 = 0.62 in the second view, and (0.1 * 0.7 + 0.8
-// * 0.4) / 0.9 = 0.39 / 0.9 in the third view.
+// The panel shows (0.2, 0.7, 0.4). An eye sees each view with the weight 0.8, and each neighbour with 0.1. The outer views have
+// one neighbour, so their sums are divided by 0.9.
+// First view: (0.8 * 0.2 + 0.1 * 0.7) / 0.9 = 0.23 / 0.9.
+// Second view: 0.1 * 0.2 + 0.8 * 0.7 + 0.1 * 0.4 = 0.62.
+// Third view: (0.1 * 0.7 + 0.8 * 0.4) / 0.9 = 0.39 / 0.9.
 TEST(Precompensate, three_views_are_solved_for) {
   Image image = views(0.23f / 0.9f, 0.62f, 0.39f / 0.9f);
   const Precompensation done = precompensate(three_views(), kTenPercent, "test", image);

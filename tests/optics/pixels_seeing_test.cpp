@@ -201,8 +201,8 @@ TEST(PixelsSeeingOrder, lenses_come_in_ascending_order) {
   ASSERT_EQ(n, Vec2i(8, 8));
   std::vector<int> lenses;
   for (const Vec2f& p : seeing) lenses.push_back(static_cast<int>(p.y) / n.y * 12 + static_cast<int>(p.x) / n.x);
-  // Number of lenses in each direction: |Z| N m / (g p) = 6 / 2 = 3, where N m / p = 1 because N pixels of the width m are as
-  // wide as the lens pitch p, and the gap g is 2 mm.
+  // Number of lenses in each direction: |Z| N m / (g p). N pixels of the width m are as wide as the lens pitch p, so the number
+  // is |Z| / g = 6 mm / 2 mm = 3.
   EXPECT_EQ(lenses.size(), 9u);
   EXPECT_TRUE(std::is_sorted(lenses.begin(), lenses.end()));
 }

@@ -114,8 +114,8 @@ glm::dvec2 nearest_lens(const Lattice& lattice, glm::dvec2 p) {
   return best;
 }
 
-/// Returns the position with the same offset from a cell's centre as `from`. The lens of this cell is the lens whose ray with
-/// this offset passes nearest to the point.
+/// Returns a position with the same offset from the centre of its cell as `from` has. Of all lenses, its lens is the one whose
+/// ray with this offset passes nearest to the point.
 Place seen_in_lens_view(const Optics& optics, Vec2f from, Vec3f point) {
   const Lattice lattice = lattice_of(optics);
   const double m = optics.panel.pixel_pitch_mm, w = optics.panel.width, h = optics.panel.height;
@@ -204,8 +204,9 @@ bool is_close_call(const Optics& optics, SplatMode mode, Vec2f from, Vec3f point
   return false;
 }
 
-/// A pixel at the edge of a cell may have its centre in the neighbouring cell. A position in the own cell may lie on such a
-/// pixel. Then an adjacent pixel of the own cell is also a correct result, and so is no pixel.
+/// Returns whether `landed` is an acceptable result for the position `place` in the cell of `lens`. At the edge of a cell, the
+/// position may lie in a pixel whose centre belongs to the neighbouring cell. Then no pixel is acceptable, and so is a pixel of
+/// the lens's own cell within 1.5 pixels.
 bool is_own_neighbour(const Optics& optics, glm::dvec2 place, glm::dvec2 lens, std::optional<std::uint32_t> landed) {
   if (!landed) return true;
   const Vec2f centre = centre_of(optics, *landed);

@@ -1,4 +1,4 @@
-// Tests test prints of bars. The value of every pixel is known.
+// Tests printed test patterns that consist of black bars. The value of every pixel is known.
 #include "sheet/test_blocks.hpp"
 
 #include <gmock/gmock.h>

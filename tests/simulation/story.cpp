@@ -474,7 +474,8 @@ class Teller {
   std::deque<Work> queue_;
   /// frames that were finished and recorded, and the step of the simulation in which this happened
   std::map<FolderFrame, std::uint64_t> finished_;
-  std::map<FolderPart, std::uint64_t> finished_parts_;  ///< the same for strips, until their frame is finished
+  /// strips that were finished and recorded, with the step of the simulation; removed when their frame is finished
+  std::map<FolderPart, std::uint64_t> finished_parts_;
   std::multiset<FolderFrame> being_made_;
   std::string problem_;
 };

@@ -23,7 +23,7 @@ namespace lippmann::test {
 /// How often failures happen: once in this many system calls, or never if 0.
 struct Faults {
   std::size_t kill = 0, machine_loss = 0, power_loss = 0;
-  std::size_t disk_full = 0;  ///< lasts for a while
+  std::size_t disk_full = 0;  ///< the disk is full for a while
   std::size_t error = 0;      ///< a call that writes fails with EIO or ENOSPC
   std::size_t read_error = 0;
   std::size_t interrupted = 0;  ///< a call fails with EINTR, or reads or writes only a part

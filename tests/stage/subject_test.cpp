@@ -242,7 +242,8 @@ TEST(FitToSubject, ball_just_fits) {
   Scene scene;
   add_shape(scene, "Ball", Spheres{{Vec3f(5, 0, 0), 2.0f}});
   const FittedArray array = fit_array(scene);
-  const float sine = 2.0f / array.viewing_distance;  // the plane of the display goes through the centre of the ball
+  // the viewing distance ends at the centre of the ball, because the plane of the display goes through it
+  const float sine = 2.0f / array.viewing_distance;
   EXPECT_NEAR(std::tan(std::asin(sine)) / (0.5f * array.plane_height / array.viewing_distance), 1.0f / 1.05f, kSubjectRounding);
 }
 
