@@ -24,8 +24,8 @@ Scene mirror_walls() {
   room.floor = add_textured(scene, matte(Vec3f(1.0f)), checker(Vec3f(0.7f), {0.25f, 0.3f, 0.4f}));
   room.tile = 0.5f;
   add_room(scene, room);
-  add_lamp(scene, {0.0f, 1.98f, 0.5f}, 1.2f,
-           Vec3f(1.9f, 1.8f, 1.6f));  // the lamp is large, because a path via a mirror hits it only by chance
+  // The lamp is large, because paths that leave a mirror hit it only by chance.
+  add_lamp(scene, {0.0f, 1.98f, 0.5f}, 1.2f, Vec3f(1.9f, 1.8f, 1.6f));
   constexpr float kRadius = 0.3f, kStep = 0.1f;
   const int roller = add_node(scene, -1);
   move(scene, roller, [](float frame) { return Vec3f(-0.8f + kStep * frame, kRadius, 0.0f); });

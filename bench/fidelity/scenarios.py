@@ -80,8 +80,8 @@ def files_below(folder):
 
 
 def read(path):
-    """Returns the scenarios of a configuration file, or of a folder. A folder has a config.json, or otherwise one scenario for each
-    glTF file."""
+    """Returns the scenarios of a configuration file, or of a folder. In a folder without a config.json, each glTF file is a
+    scenario."""
     config = path / "config.json" if path.is_dir() else path
     if path.is_dir() and not config.exists():
         found = files_below(path)

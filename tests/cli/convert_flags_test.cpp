@@ -97,7 +97,7 @@ std::set<std::string> flags_of_help(const TempDir& dir) {
   const std::string help = run_tool(dir, {"convert", "--help"}).out;
   static const TextPattern flag("--[a-z][a-z-]*");
   std::set<std::string> flags;
-  // Only lines indented by at most 10 columns begin with a flag. CLI11 indents flags by 2 to 10 columns, depending on its
+  // A line begins with a flag if it is indented by at most 10 columns. CLI11 indents flags by 2 to 10 columns, depending on its
   // version, and descriptions by 28.
   std::istringstream lines(help);
   for (std::string line; std::getline(lines, line);) {

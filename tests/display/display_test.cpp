@@ -56,7 +56,7 @@ TEST(Display, views_follow_the_quilt_or_the_lens) {
   Display display = load_display("portrait");
   EXPECT_EQ(views_of(display), 48);
   display.quilt.reset();
-  EXPECT_EQ(views_of(display), 18);  // pixels per lens period: 3 * 1536 sub-pixels / 244.04 periods = 18.88
+  EXPECT_EQ(views_of(display), 18);  // sub-pixels per lens: 3 * 1536 / 244.04 = 18.88
 }
 
 }  // namespace

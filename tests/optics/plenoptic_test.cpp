@@ -56,9 +56,9 @@ TEST(Plenoptic, rays_cross_main_lens_and_focus) {
   expect_at(place_at(optics, {57.5f, 42.5f}, 600.0), {-2.325, -2.325});
 }
 
-/// The sensor is 151.5 mm behind the main lens. By the lens equation, it is the image of a plane at 151.5 * 100 / 51.5 mm in
-/// front of the lens. The pixel is 7.5 pixels off the axis. Its ray passes through the point of that plane of which the pixel
-/// is the image.
+/// The sensor is 151.5 mm behind the main lens. By the lens equation, the sensor is the image of a plane at 151.5 * 100 / 51.5
+/// mm in front of the lens. The pixel is 7.5 pixels off the axis. It is the image of a point in that plane, through which its
+/// ray must pass.
 TEST(Plenoptic, rays_meet_the_image_of_their_pixel) {
   const double z = 151.5 * 100.0 / 51.5, x = 7.5 * 0.0101 * z / 151.5;
   expect_at(place_at(optics_of(some_camera()), {57.5f, 42.5f}, z), {x, x});

@@ -174,7 +174,7 @@ TEST(EyeView, single_view_is_the_same_from_everywhere) {
 
 TEST(EyeView, crosstalk_is_a_gaussian_below_the_lens) {
   // Only one column below the lens is bright. Nine eyes, one for each column, see weights that sum to 1. The second moment of
-  // the weights is sigma^2 of the Gaussian plus 1/12 of the pixel's width.
+  // the weights is sigma^2 of the Gaussian plus 1/12 for the width of a pixel.
   const Optics optics = test::sheet(100.0f);
   RenderedPanel panel{optics, Image(360, 120, 3)};
   for (int y = 0; y < 120; ++y) panel.picture.pixel(9 * 20 + 4, y)[0] = 1.0f;

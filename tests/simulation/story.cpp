@@ -63,8 +63,8 @@ class Making {
   std::multiset<FolderFrame>::iterator own_;
 };
 
-/// Returns the bytes that stand for a rendered picture. They are different for every file and job, and always the same for one
-/// seed.
+/// Returns the bytes that stand for a rendered picture. They are different for every file and job, and the same in every
+/// run.
 std::string picture_bytes(const std::string& name, const std::string& job = kJob) {
   Random random(std::hash<std::string>()(job == kJob ? name : job + name));
   std::string bytes(20 + random.below(200), '\0');
