@@ -149,8 +149,8 @@ TEST_F(LayoutRenders, every_stereo_packing_equals_conversion) {
 }
 
 TEST_F(LayoutRenders, quilt_shows_eyes_their_rendered_views) {
-  // The quilt has 16 eyes in a row, 10 mm apart. The eyes at -25 and +25 mm are among them, so the stereo picture needs no
-  // interpolation.
+  // The quilt has 16 eyes in a row, 10 mm apart. The two eyes of the stereo picture, at -25 and +25 mm, are among them, so no
+  // view is interpolated.
   render(job("teapot", "q",
              {{"optics", "multiview"},
               {"camera-grid", "true"},

@@ -347,8 +347,8 @@ TEST(SlantedPanel, blue_first_swaps_red_and_blue) {
 
 TEST(SlantedPanel, cells_repeat_by_2_columns_4_rows) {
   // Only the blue sub-pixels in odd columns of rows 1, 5, 9, counted from the bottom, are displaced: half a pixel to the right
-  // of the pixel's centre, and a quarter up. With 10 rows, row 4 from the top is row 5 from the bottom. Pixels measure 0.3 mm,
-  // so x = (7.5 + 0.5 - 10) * 0.3 = -0.6 mm and y = (5.5 + 0.25 - 5) * 0.3 = 0.225 mm.
+  // of the pixel's centre, and a quarter of a pixel up. With 10 rows, row 4 from the top is row 5 from the bottom. Pixels are
+  // 0.3 mm wide and high, so x = (7.5 + 0.5 - 10) * 0.3 = -0.6 mm and y = (5.5 + 0.25 - 5) * 0.3 = 0.225 mm.
   SlantedPanel slanted{.periods = 8.0};
   slanted.sub_pixels[1][1][2] = {0.5f, 0.25f};
   const Optics optics{.panel = {20, 10, 0.3f}, .model = slanted},
