@@ -100,9 +100,8 @@ TEST(Interruption, ctrl_c_ends_a_replay_quickly) {
        {Words{"--pupil", "30"}, Words{"--ipd", "60", "--pupil", "30"}, Words{"--sweep", "3", "--pupil", "30"}}) {
     Subprocess running(tool_command(Words{"replay", "room", "-o", "eye", "--size", "4000x4000"} + what),
                        {dir.path().string(), 0});
-    std::this_thread::sleep_for(
-        // Rendering one picture takes a minute. Nothing reports that it has begun, so the test waits.
-        std::chrono::milliseconds(500));
+    // Rendering one picture takes a minute. Nothing reports that it has begun, so the test waits.
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
     running.signal(SIGINT);
     EXPECT_EQ(running.wait().exit_code, 128 + SIGINT) << what.front();
     EXPECT_EQ(files_in(dir / "eye", ".png"), before) << what.front();
