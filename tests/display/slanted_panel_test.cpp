@@ -31,7 +31,9 @@ TEST(SlantedDisplay, portrait_has_the_published_periods_and_tilt) {
 }
 
 TEST(SlantedDisplay, portrait_sub_pixel_table_by_hand) {
-  // x = (i + 1/2) / 1536, y = 1 - (j + 1/2) / 2048, z = (x + c / 4608 - 0.19047619 y) 244.0408826 - 0.5, v = 1 - fract(z):
+  // Views v of sub-pixels c (0 red, 1 green, 2 blue) of the pixels (i, j). Position: x = (i + 1/2) / 1536, y = 1 - (j + 1/2) /
+  // 2048.
+  // Phase: z = (x + c / 4608 - 0.19047619 y) 244.0408826 - 0.5. View: v = 1 - fract(z).
   //   i     j     c   x           y           z           v
   //   0     0     0   0.00032552  0.99975586  -46.893189  0.893189
   //   0     0     1                           -46.840228  0.840228
@@ -53,8 +55,10 @@ TEST(SlantedDisplay, portrait_sub_pixel_table_by_hand) {
 }
 
 TEST(SlantedDisplay, third_generation_sub_pixel_table_by_hand) {
-  // 3840 x 2160: P = 600.5274503, T = -0.08152174. Even columns: red (-0.31, 0.25), green (0.28, 0.25), blue (0, -0.25); odd
-  // ones with the other signs of y. z = (x + ox / 3840 + (y + oy / 2160) T) P - 0.5:
+  // The panel has 3840 x 2160 pixels, P = 600.5274503 lens periods and the tilt T = -0.08152174.
+  // Offsets (ox, oy) of the sub-pixels in even columns: red (-0.31, 0.25), green (0.28, 0.25), blue (0, -0.25). In odd columns,
+  // oy has the opposite sign.
+  // Phase: z = (x + ox / 3840 + (y + oy / 2160) T) P - 0.5. Columns of the table: pixel (i, j), colour, z and the view v.
   //   0    0    r  -49.420662  v 0.420662     2000 1000 b  286.078698  v 0.921302
   //   1    0    r  -49.252943  v 0.252943     2001 1000 b  286.223753  v 0.776247
   //   0    0    g  -49.328394  v 0.328394     3839 2159 g  599.987379  v 0.012621
@@ -70,14 +74,14 @@ TEST(SlantedDisplay, third_generation_sub_pixel_table_by_hand) {
 }
 
 TEST(SlantedDisplay, flipped_portrait_sub_pixel_table_by_hand) {
-  // P = 52.594 * 1536 / 324 cos(atan(1 / -7.2115)) = 246.97136; T = -2048 / (1536 * -7.2115) = 0.18488987.
-  // z = (x - c / 4608 + 0.18488987 y) 246.97136 - 0.40277, v = 1 - fract(z):
+  // Lens periods: P = 52.594 * 1536 / 324 cos(atan(1 / -7.2115)) = 246.97136. Tilt: T = -2048 / (1536 * -7.2115) = 0.18488987.
+  // Phase: z = (x - c / 4608 + 0.18488987 y) 246.97136 - 0.40277. View: v = 1 - fract(z).
   //   i     j     c   x           y           z           v
   //   0     0     0   0.00032552  0.99975586  45.328980   0.671020
   //   0     0     1                           45.275384   0.724616
   //   0     0     2                           45.221788   0.778212
   //   1535  2047  2   0.99967448  0.00024414  246.392153  0.607847
-  // flipImageY changes none of these.
+  // flipImageY changes no value.
   Display d;
   d.calibration = {.pitch = 52.594, .slope = -7.2115, .center = 0.40277, .flip_image_x = true};
   const struct {
