@@ -1,7 +1,9 @@
 // Simulates a disk that keeps only synced data when the power fails.
+//
 // The bytes of a file are safe after sync() of the file. The name of a file is safe after sync() of its folder. When the power
 // fails, each change that is not safe survives, is lost or is partly lost at random. For example, a renamed file may be empty,
 // the end of a file may be zeros, or a file may have its old name.
+//
 // Functions return negative errno values as errors.
 #pragma once
 

@@ -1,6 +1,7 @@
 // Simulates machines that share a disk, their clocks, and processes. Processes run real code. Before each system call for a
 // file below /sim/ (calls.cpp), another process may continue. A random seed determines which process runs next, and which
 // failures happen when.
+//
 // A killed process has no further effect: its system calls fail, so that it soon ends and frees its memory.
 #pragma once
 
