@@ -19,17 +19,18 @@ struct RenderedViews {
 /// whole pixels (slanted or hexagonal lenses).
 std::optional<RenderedViews> rendered_views(const Optics& optics);
 
-/// Returns the distance between neighbouring eyes if it is the same everywhere, across and up. Returns 0 for a single camera,
-/// and none if distances differ by more than a relative 1e-4.
+/// Returns the distance between neighbouring eyes if it is the same everywhere, both along rows and along columns. Returns
+/// 0 for a single camera, and none if distances differ by more than a relative 1e-4.
 std::optional<double> common_baseline_mm(const ViewCameras& cameras, ViewGrid grid);
 
 /// Returns the mean distance between neighbouring eyes along the rows, or along the column if there is only one; 0 for a single
 /// eye.
 double mean_step(const std::vector<Vec2d>& eyes, ViewGrid grid);
 
-/// Returns cameras for the views of a light field. If the light field has positions, the eyes are there, scaled so that their
-/// mean step equals the baseline; otherwise they form a regular grid. In both cases they are centred on the axis. Throws a
-/// usage Error naming the parameter for lengths that are not positive, and Error naming `where` if all positions coincide.
+/// Returns cameras for the views of a light field. If the light field has positions, the eyes are at these positions,
+/// scaled so that their mean step equals the baseline. Otherwise the eyes form a regular grid. In both cases they are
+/// centred on the axis. Throws a usage Error naming the parameter for lengths that are not positive. Throws Error naming
+/// `where` if all positions coincide.
 ViewCameras cameras_as_stated(const StatedCameras& stated, const LightField& field, const std::string& where);
 
 /// Returns a message that explains why a light field has no cameras.

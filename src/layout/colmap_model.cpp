@@ -279,7 +279,7 @@ std::vector<PosedPicture> parse_colmap_images(const std::string& text, const Col
 
 std::vector<PosedPicture> parse_colmap_images(std::span<const std::byte> binary, const ColmapCameras& cameras,
                                               const std::string& where) {
-  constexpr std::size_t kPointBytes = 24;  // size of a point: x, y, and its id
+  constexpr std::size_t kPointBytes = 24;  // bytes of a point: x, y, and its id
   std::vector<PosedPicture> pictures;
   ColmapBytes source(binary, where);
   const std::uint64_t count = source.whole("number of images", kMostPosed);

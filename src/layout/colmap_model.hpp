@@ -14,10 +14,10 @@
 
 namespace lippmann {
 
-/// Cameras by COLMAP's camera id. Their position and rotation are not set.
+/// Cameras by COLMAP's camera id. Their members `position_mm` and `rotation` are not set.
 using ColmapCameras = std::map<unsigned, PosedCamera>;
 
-/// Parse cameras without distortion. All parsers throw Error naming `where` and the line or entry.
+/// Parse camera entries. Cameras with distortion are errors. All parsers throw Error naming `where` and the line or entry.
 ColmapCameras parse_colmap_cameras(const std::string& text, const std::string& where);
 ColmapCameras parse_colmap_cameras(std::span<const std::byte> binary, const std::string& where);
 

@@ -37,7 +37,7 @@ Picture cropped(Picture view, const Crop& window) {
   return std::move(one.stack);
 }
 
-/// Writes a display picture; prints include their resolution. `profile`: the printer's; null: none.
+/// Writes a display picture; prints include their resolution. `profile`: the printer's colour profile; null: none.
 std::vector<fs::path> write_display_picture(const Picture& picture, const Display& display, DisplayTarget target,
                                             const fs::path& path, const OutputProfile* profile) {
   if (target == DisplayTarget::kQuilt) {
@@ -141,10 +141,11 @@ class Conversion {
   const ConvertParams& params_;
   const LightFieldFormat& to_;
   std::optional<OutputProfile> profile_;
-  std::unique_ptr<ThreadPool> pool_;  ///< for display pictures
+  std::unique_ptr<ThreadPool> pool_;  ///< used only for display pictures
 };
 
-/// Returns whether each picture of a folder is a light field of its own. For a flip print, they are the frames of one print.
+/// Returns whether each picture of a folder is a light field of its own. For a flip print, the folder's pictures are the frames
+/// of a single print.
 bool may_have_frames(const ConvertParams& params) { return !params.display_picture || !params.display_picture->flip; }
 
 }  // namespace

@@ -1,7 +1,8 @@
 // Reads and writes NAME_param.txt of cvkit, the Computer Vision Toolkit: the camera of one picture.
 //
 //   camera.A=[fx 0 cx; 0 fy cy; 0 0 1]    in pixels, from the top left corner of the picture
-//   camera.R=[1 0 0; 0 1 0; 0 0 1]        a point p of the camera is R p + T in the world: x right, y down, z forward
+//   camera.R=[1 0 0; 0 1 0; 0 0 1]        R p + T is the world position of a point p in the camera's frame;
+//                                         axes: x right, y down, z forward
 //   camera.T=[x y z]
 //   camera.width=w, camera.height=h
 //   rho=f t                               disparity = rho / depth
@@ -16,7 +17,7 @@
 namespace lippmann {
 
 struct CvkitCamera {
-  /// Without name and depth range; without resolution if width and height are missing.
+  /// The name and the depth range are not set. The resolution is not set if the file lacks width and height.
   MivCamera camera;
   double rho = 0.0;  ///< in pixels times metres; 0: not given
 };

@@ -1,4 +1,5 @@
-// Each row of samples depends only on the panel rows whose centres lie in it. Therefore rows are processed independently.
+// Extracts views from the interlaced frame of a slanted panel. Each row of the views' samples depends only on the panel rows
+// whose centres lie in it, so rows are processed independently.
 #include <fmt/format.h>
 
 #include <limits>
@@ -19,8 +20,8 @@ class SampleRow {
   SampleRow(int views, int width)
       : width_(width), best_(3 * static_cast<std::size_t>(views) * static_cast<std::size_t>(width), Found{kNone, {}}) {}
 
-  /// Replaces the sub-pixel of a sample if this one is nearer. `distance`: squared distance from the centre of the sample, in
-  /// samples and views.
+  /// Replaces the sub-pixel of a sample if the offered one is nearer. `distance`: squared distance from the centre of the
+  /// sample in x, y and view, in units of samples and views.
   void offer(int view, int x, int color, float distance, Sample value) {
     Found& best = best_[at(view, x, color)];
     if (distance < best.distance) best = {distance, value};
@@ -83,8 +84,8 @@ void fill(const Image& frame, const auto& samples, const SlantedPanel& panel, in
         }
       }
     };
-    // Take the panel rows whose centres lie in this row of samples. If the panel has fewer rows than the view, there may be
-    // none; then take the panel row that contains the row of samples.
+    // Take the panel rows whose centres lie in this row of samples. If the view has more rows than the panel, there may be no
+    // such panel row. In that case, take the panel row that contains the row of samples.
     int first = static_cast<int>(static_cast<std::int64_t>(y) * pixels.y / size.y);
     while (first > 0 && sample_at(first - 1, pixels.y, size.y) >= y) --first;
     while (first + 1 < pixels.y && sample_at(first, pixels.y, size.y) < y) ++first;

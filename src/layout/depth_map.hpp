@@ -1,9 +1,9 @@
 // Depth maps: grey of 8 or 16 bits, floats, the channel Z of an EXR file, or the depth image that a HEIC photo stores beside
 // its colours.
 //
-// Integer samples are linear from 0 to 1, without the sRGB curve. Floats may have any unit; they are scaled so that the least
-// becomes 0 and the greatest 1. Where there is no surface, renderers write NaN, infinity or values of 1e9 or more. The negative
-// ones become 0, the others 1.
+// Integer samples are linear from 0 to 1, without the sRGB curve. Floats may have any unit; they are scaled so that the
+// least becomes 0 and the greatest 1. Where there is no surface, renderers write NaN, infinity or values of 1e9 or more.
+// Such values become 0 if they are negative, else 1.
 #pragma once
 
 #include <filesystem>
@@ -14,7 +14,7 @@
 namespace lippmann {
 
 struct DepthMapCoding {
-  bool near_black = false;  ///< true: small values are near; false: large values are
+  bool near_black = false;  ///< true: small values are near; false: large values are near
   /// True: values are linear in depth. False: they are linear in disparity.
   bool even_in_depth = false;
 };

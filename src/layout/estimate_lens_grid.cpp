@@ -1,8 +1,8 @@
 // Estimates the lens grid of a white picture in four steps:
 //
 //   1. The autocorrelation of the middle of the picture has a peak at every vector between two lenses. The two shortest
-//      non-parallel vectors are a basis of the lattice; the angle between them distinguishes square from hexagonal grids.
-//      Variations of less than four periods across the picture are removed first, as vignetting.
+//      non-parallel vectors are a basis of the lattice. The angle between them distinguishes square from hexagonal grids.
+//      Variations of less than four periods across the picture are treated as vignetting and removed first.
 //   2. The phase of the picture at the lattice's two fundamental frequencies gives the position of a lens. Light at fractions
 //      of these frequencies means that the true lattice is coarser, and its fundamental was removed in step 1. Such pictures
 //      are refused.
@@ -87,8 +87,8 @@ double smooth_light_at(const Image& image, int x, int y) {
   return sum / 16.0;
 }
 
-/// The autocorrelation of the middle of a picture, for lags up to a quarter of the crop. Variations slower than the lenses are
-/// removed first.
+/// The autocorrelation of a square crop from the middle of a picture, for lags up to a quarter of the crop. Variations slower
+/// than the lenses are removed first.
 class Autocorrelation {
  public:
   explicit Autocorrelation(const Image& white) : crop_(std::min({white.width, white.height, kLargestCrop})) {
@@ -96,7 +96,7 @@ class Autocorrelation {
     const auto side = static_cast<std::size_t>(side_);
     std::vector<Complex> values = windowed(white);
     fourier_2d(values, side);
-    constexpr double kSlow = 4.0;  // periods in the crop, below the six of the largest lenses that are found
+    constexpr double kSlow = 4.0;  // periods across the crop; the largest supported lenses have six
     const double slow = kSlow * side_ / crop_;
     for (int y = 0; y < side_; ++y)
       for (int x = 0; x < side_; ++x) {
@@ -134,7 +134,7 @@ class Autocorrelation {
   }
   double hann(int i) const { return 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * (i + 0.5) / crop_); }
 
-  /// Returns the crop without its mean, under a window, padded with zeros.
+  /// Returns the crop's light minus its mean, multiplied by a Hann window and padded with zeros to side_ x side_.
   std::vector<Complex> windowed(const Image& white) const {
     const int left = (white.width - crop_) / 2, top = (white.height - crop_) / 2;
     double light = 0.0, window = 0.0;
@@ -192,7 +192,7 @@ Vec2d nearest_to_axis(std::array<Vec2d, 3> directions, int axis) {
   return nearest;
 }
 
-/// Returns a grid with these basis vectors. Its offset is not yet known.
+/// Returns a grid with these basis vectors. Does not set its offset.
 LensGrid grid_of_basis(Vec2d a, Vec2d b, const std::string& where) {
   const double cosine = glm::dot(a, b) / (glm::length(a) * glm::length(b)), ratio = glm::length(b) / glm::length(a);
   LensGrid grid;
@@ -253,8 +253,9 @@ class LightAtFrequencies {
 };
 
 /// Returns the centre of a lens near the middle, from the phase of the light at the two fundamental frequencies. Throws Error
-/// if the coefficient at a half or a third of these is more than half as large: the true lenses are then farther apart than
-/// those of the grid. With this share, no wrong grid was accepted in sweeps of 1.5 to 40 lenses across.
+/// if the amplitude at a half or a third of these frequencies is more than half of the larger fundamental amplitude, because
+/// the true lenses are then farther apart than those of `grid`. With this limit, no wrong grid was accepted in sweeps of 1.5 to
+/// 40 lenses across.
 Vec2d lens_by_phase(const Image& white, const LensGrid& grid, const std::string& where) {
   LensGrid centred = grid;
   centred.offset_px = Vec2d(0.0);
@@ -292,7 +293,7 @@ Vec2d settled_centre(const Image& white, Vec2d start, double radius) {
         sum += weight, mean += weight * from;
       }
     if (!(sum > 0.0)) return Vec2d(NAN);
-    const Vec2d move = 1.5 * mean / sum;  // the factor 1.5, because the mean underestimates the step
+    const Vec2d move = 1.5 * mean / sum;  // the mean underestimates the step, so enlarge it
     centre += move;
     if (glm::length(centre - start) > 0.3 * radius) return Vec2d(NAN);
     if (glm::length(move) < 1e-3) return centre;
@@ -301,7 +302,7 @@ Vec2d settled_centre(const Image& white, Vec2d start, double radius) {
 }
 
 struct FoundLens {
-  double column;  // includes the shift of the lens's row
+  double column;  // index in the row, plus 1/2 in shifted rows
   int row;
   Vec2d centre;
 };
@@ -337,8 +338,8 @@ struct LineFit {
   double at_zero() const { return (y - slope() * x) / sum; }
 };
 
-/// Returns the least-squares grid. Fits first the rotation, from rows and columns weighted by their spread, then pitches and
-/// offset along the rotated axes.
+/// Returns the least-squares grid. Each pass fits pitches and offset along the axes of the current rotation. It then corrects
+/// the rotation by the mean skew of rows and columns, weighted by their spread.
 LensGrid fit_grid(const std::vector<FoundLens>& lenses, LensGrid grid) {
   for (int pass = 0; pass < 6; ++pass) {
     const double c = std::cos(grid.rotation), s = std::sin(grid.rotation);

@@ -1,4 +1,4 @@
-// Returns how the views are laid out in the film of some optics.
+// Finds how views are laid out in the film that is rendered for given optics.
 #pragma once
 
 #include "lippmann/layout/view_layout.hpp"
@@ -6,8 +6,8 @@
 
 namespace lippmann {
 
-/// Returns the layout of the views: the tiles of a quilt, or the pixels below each lens. Throws a usage Error naming `where`
-/// for optics without views of whole pixels.
+/// Returns the tiles of a quilt, or the pixels below each lens. Throws a usage Error naming `where` for optics without
+/// views of whole pixels.
 ViewLayout film_layout(const Optics& optics, const char* where);
 
 }  // namespace lippmann

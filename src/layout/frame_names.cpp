@@ -17,9 +17,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Matches the names of files of one frame. Such a file lies beside those of other frames; or in one of the folders of a data
-/// set in which every view is a frame; or in a folder for the frame, with the names of a format that has several files (views,
-/// HCI, Stanford, JPEG Pleno, MIV, NeRF, COLMAP, LLFF).
+/// Matches the names of files of one frame, relative to the render's folder. Such a file may be
+///   - a picture or layer named by its frame, beside those of other frames;
+///   - in the folder images or depth of a data set in which every view is a frame;
+///   - in the folder of its frame, for formats with several files (views, HCI, Stanford, JPEG Pleno, MIV, NeRF, COLMAP, LLFF).
 constexpr const char* kFrameFiles =
     R"((?:images/([0-9]{3,6})\.(?:png|exr)|depth/([0-9]{3,6})(?:_ray)?\.npy)|)"
     R"((?:frame|aov)_([0-9]{1,9})(?:_qs[0-9xa.e+-]+|_(?:half_)?(?:2x1|ou)(?:_rl)?|_rows(?:_rl)?|_2x2|_rgbd)?\.(?:png|tif|exr)(?:\.json)?)"

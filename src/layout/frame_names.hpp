@@ -28,7 +28,7 @@ std::vector<std::filesystem::path> picture_paths(const std::filesystem::path& fo
 /// layers of the whole frame.
 std::filesystem::path layers_path(const std::filesystem::path& folder, int frame, int view = -1);
 
-/// Maximum number of strips per frame: a film of the maximum height in bands of 16 rows.
+/// Maximum number of strips per frame: a film of 65536 rows in strips of 16 rows.
 inline constexpr int kMostStrips = 4096;
 
 /// Returns strip_0000_003.exr, the name of a file with some rows of a frame that has not been joined yet.

@@ -43,7 +43,7 @@ fs::path per_view(const fs::path& folder, const char* kind, const ViewGrid& grid
   return folder / fmt::format("gt_{}_lowres_Cam{:03}.pfm", kind, from_top_left(grid, view));
 }
 
-/// Reads the depth of all views. If one view has no depth, reads none.
+/// Reads the depth of all views. If one view has no depth, field.depth stays empty.
 void read_depth(const fs::path& folder, double focus_distance_mm, LightField& field) {
   for (int view = 0; view < field.grid.count(); ++view)
     if (!is_regular_file_there(per_view(folder, "depth", field.grid, view))) return;

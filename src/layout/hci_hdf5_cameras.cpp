@@ -30,7 +30,7 @@ Vec2d place_in_grid(ViewGrid grid, int view) {
 }  // namespace
 
 bool set_hdf5_cameras(const std::map<std::string, double>& attributes, LightField& field, const std::string& where) {
-  // Bounds far beyond any camera, so that damaged files are refused.
+  // These bounds are far beyond any camera. They refuse damaged files.
   constexpr double kLeast = 1e-6, kMost = 1e6, kMostShift = 1e4, kLeastShift = 1e-6, kEqual = 1e-6;
   const ViewGrid grid = field.grid;
   const auto across = number_between(attributes, "dH", kLeast, kMost, where);
@@ -38,7 +38,7 @@ bool set_hdf5_cameras(const std::map<std::string, double>& attributes, LightFiel
   const auto focal = number_between(attributes, "focalLength", kLeast, kMost, where);
   const double shift = number_between(attributes, "shift", -kMostShift, kMostShift, where).value_or(0.0);
   if (!focal || (grid.columns > 1 && !across) || (grid.rows > 1 && !along) || (!across && !along)) return false;
-  // A single row or column needs no second distance.
+  // In a grid with a single row or column, one known distance is enough: use it for both axes.
   const Vec2d step_mm =
       kMmPerMetre * Vec2d(grid.columns > 1 || !along ? *across : *along, grid.rows > 1 || !across ? *along : *across);
   const bool shares_plane = shift >= kLeastShift && std::abs(step_mm.x / step_mm.y - 1.0) < kEqual;

@@ -1,10 +1,11 @@
 // The cameras of HCI's older light fields (layout/hci_hdf5_format.cpp), from the attributes of their files.
 //
-// Parallel cameras are dH apart across and dV apart along, in the unit of GT_DEPTH, which is assumed to be metres; focalLength
-// is in pixels. Pictures are shifted by `shift` pixels from camera to camera. A point at planar depth Z moves by
+// The cameras are parallel. Neighbours in a row are dH apart and neighbours in a column dV, in the unit of GT_DEPTH, which
+// is assumed to be metres. focalLength is in pixels. From camera to camera, pictures are shifted by `shift` pixels. A point
+// at planar depth Z moves by
 //   d = dH focalLength / Z - shift    pixels from camera to camera,
-// to the left as the camera moves right. Points at F = dH focalLength / shift do not move: the views are off-axis pictures of
-// one rectangle at that distance. If `shift` is 0, the views share no such plane.
+// to the left as the camera moves right. Points at F = dH focalLength / shift do not move: the views are off-axis pictures
+// of one rectangle at that distance. If `shift` is 0, the views share no such plane.
 //
 // Wanner, Meister, Goldluecke: Datasets and benchmarks for densely sampled 4D light fields, VMV 2013.
 #pragma once
@@ -16,9 +17,9 @@
 
 namespace lippmann {
 
-/// Sets field.cameras from the attributes, the grid and the size of the views, or field.poses if the views do not share a
-/// plane. Returns false if the attributes lack some of the cameras' numbers. Throws Error naming `where` and an attribute that
-/// is out of range.
+/// Sets field.cameras from the attributes, the grid and the size of the views. If the views do not share a plane, sets
+/// field.poses instead. Returns false if some attributes of the cameras are missing. Throws Error naming `where` and an
+/// attribute that is out of range.
 bool set_hdf5_cameras(const std::map<std::string, double>& attributes, LightField& field, const std::string& where);
 
 /// Converts a planar depth Z in the file's unit to z as in LightField::depth. Returns -inf if there is no surface.

@@ -1,6 +1,6 @@
 // HCI's older light fields: one HDF5 file with the arrays LF [t][s][y][x][channel] and, for rendered scenes, GT_DEPTH
-// [t][s][y][x]. t counts views from the top and s from the right, since readers of these files for later data sets reverse s.
-// layout/hci_hdf5_cameras.hpp reads the cameras.
+// [t][s][y][x]. t counts views from the top. s counts views from the right, because programs that read these files together
+// with later data sets reverse s. layout/hci_hdf5_cameras.hpp reads the cameras.
 //
 // Wanner, Meister, Goldluecke: Datasets and benchmarks for densely sampled 4D light fields, VMV 2013.
 #include <fmt/format.h>

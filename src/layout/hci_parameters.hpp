@@ -3,8 +3,9 @@
 // The cameras are parallel, with baseline b, focal length f, and a sensor whose longer side has size s and n pixels. Pictures
 // are shifted so that points at the focus distance F have no disparity. A point at planar depth Z moves by
 //   d = (beta F / Z - beta) / (F s),   beta = b f n    pixels from camera to camera (lengths in mm).
-// If the point is nearer than F, it moves left as the camera moves right. Our off-axis views through one rectangle of z = 0
-// have the same model: F is their distance from the plane, and F s / f is the longer side of the rectangle.
+// If the point is nearer than F, it moves left as the camera moves right. Our off-axis views through one rectangle in the
+// plane z = 0 follow the same model: F is the distance of the cameras from that plane, and F s / f is the longer side of
+// the rectangle.
 #pragma once
 
 #include <filesystem>
@@ -42,9 +43,8 @@ double hci_disparity_px(const HciParameters& parameters, double depth_m);
 /// Returns the parameters of a light field with known cameras. Sensors are taken to be 35 mm wide. Throws Error naming `where`
 /// if the format cannot express the cameras: non-uniform eye distances or non-square pixels.
 HciParameters hci_parameters(const LightField& field, const std::string& where);
-/// Returns parameters with the mean distance between neighbouring eyes. For formats that store the positions of the eyes, too.
+/// Returns parameters with the mean distance between neighbouring eyes, for formats that also store each eye's position.
 HciParameters mean_hci_parameters(const LightField& field, const std::string& where);
-/// Converts the parameters to cameras as flags can state them.
 StatedCameras stated_cameras(const HciParameters& parameters);
 /// Returns the cameras, centred on the axis; the position and rotation of the middle camera in its scene are ignored.
 ViewCameras hci_cameras(const HciParameters& parameters);

@@ -1,7 +1,8 @@
 // JPEG Pleno's folders: {column:03}_{row:03}.ppm, from the top left, with 8 to 16 bits. The reader also accepts other picture
 // formats, because data sets are also distributed as PNG.
 //
-// Samples c of b bits, unless b is 8, become 16-bit values round(65535 c / (2^b - 1)), from which they can be restored exactly.
+// Samples with b = 8 bits stay 8-bit values. Samples c with more bits become the 16-bit values round(65535 c / (2^b - 1)), from
+// which c can be restored exactly.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,7 +30,7 @@ bool is_ppm_name(const fs::path& path) {
   return ending.match(path.extension().string()).has_value();
 }
 
-/// Returns the files row by row. Their numbers are row and column, unlike their names.
+/// Returns the files row by row. Their `numbers` are (row, column), unlike in their names: (column, row).
 std::vector<NumberedFile> files_by_row(const fs::path& folder) {
   static const TextPattern name("([0-9]{1,4})_([0-9]{1,4})\\.(?:ppm|png|tiff?|bmp|jpe?g|webp|exr)",
                                 TextPattern::Letters::kEitherCase);

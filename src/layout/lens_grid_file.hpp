@@ -16,11 +16,11 @@
 
 namespace lippmann {
 
-/// Return the name of an arrangement, and the arrangement of a name (none: unknown).
+/// Convert an arrangement to its name and back. read_arrangement() returns none for an unknown name.
 std::string_view name_of(LensArrangement arrangement);
 std::optional<LensArrangement> read_arrangement(std::string_view name);
 
-/// Return the name of an arrangement, and the arrangement with a name (none: unknown name).
+/// Returns the object under the key "plenoptic" of a side file.
 nlohmann::ordered_json lens_grid_json(const LensGrid& grid);
 
 /// Parses a side file; none if the document has no key "plenoptic". Throws Error naming `where` and the key.

@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the format of a folder of views, from the first file name that matches a format; none: unknown.
+/// Returns the format of a folder of views: the first format in `kinds` that matches a file name; none: unknown.
 std::optional<std::string> format_of_folder(const fs::path& folder) {
   struct Kind {
     std::string_view format;
@@ -84,8 +84,8 @@ std::string format_of(const fs::path& path, const LightFieldSource& source) {
   }
 }
 
-/// Returns whether the report.json that was found describes these files. It may not: a folder of another format beside a
-/// render, or a picture with another grid of views, may be derived from the render's views.
+/// Returns whether the report.json that was found describes these files. A folder of another format beside a render, or a
+/// picture with another grid of views, may be derived from the render's views. The report does not describe such files.
 bool matches_report(const fs::path& path, const LightFieldSource& source, const FormatOptions& options) {
   const LightFieldFormat& format = *source.format;
   if (format.states_cameras) return false;
@@ -164,7 +164,8 @@ bool is_light_field_folder(const fs::path& folder) { return format_of_folder(fol
 
 namespace {
 
-/// Returns whether the views have as many pixels as their report states. Row-interlaced stereo pictures have only half of them.
+/// Returns whether the views have as many pixels as their report states. Views of row-interlaced stereo pictures have only half
+/// as many.
 bool has_all_pixels(const LightFieldSource& source, const LightField& field, const fs::path& path) {
   if (source.format->name != "stereo") return true;
   return view_size(source.rendered->film, film_size(source.rendering->optics), path.string()) == field.view_size;

@@ -40,10 +40,12 @@ const LightFieldFormat& format_of_light_field(const std::filesystem::path& in, c
 /// the views.
 bool is_light_field_folder(const std::filesystem::path& folder);
 
-/// Returns the frames of an animation in a folder. If there are names frame_*, these are pictures, or folders if the format
-/// `from` is a folder; with an empty `from`, pictures if there are any. Otherwise the frames are the pictures of the format
-/// `from`; with an empty `from`, all pictures whose names or side files imply a format. An empty result means that the folder
-/// holds one light field, or nothing.
+/// Returns the frames of an animation in a folder. An empty result means that the folder holds one light field, or nothing.
+///
+/// 1. If `from` is a folder format, the frames are the folders frame_*.
+/// 2. Otherwise they are the pictures frame_*. If there are none and `from` is empty, they are the folders frame_*.
+/// 3. If there are no names frame_* and the folder is not a light field, the frames are the pictures of the format `from`.
+///    If `from` is empty, they are all pictures whose names or side files imply a format.
 std::vector<std::filesystem::path> light_field_frames(const std::filesystem::path& folder, const std::string& from);
 
 }  // namespace lippmann

@@ -1,7 +1,9 @@
-// The metadata keys are those of lytro_illum_public_schema.json 1.3.5. The F01's files store the same values under
-// image.rawDetails. Packed samples have 12 bits, two in three bytes, high bits first; or 10 bits, four in five bytes. Of these
-// five, the first four are the upper 8 bits of each sample, and the fifth holds the lower 2 bits of all four, with those of the
-// first sample lowest.
+// Reads the raw pictures of Lytro cameras. The metadata keys are those of lytro_illum_public_schema.json 1.3.5. The F01's files
+// store the same values under image.rawDetails.
+//
+// Packed samples have 12 or 10 bits. Two samples of 12 bits take three bytes, high bits first. Four samples of 10 bits take
+// five bytes: the first four hold the upper 8 bits of one sample each, and the fifth holds the lower 2 bits of all four, with
+// those of the first sample in its lowest bits.
 //
 // The sensor sees the lenses from the exit pupil of the main lens. Therefore the images of the lenses are farther apart than
 // the lenses, by the factor (pupil + gap) / pupil.

@@ -28,7 +28,7 @@ bool is_lytro_raw(const std::filesystem::path& path);
 /// Reads a file. Throws Error naming the file and the key.
 LytroRaw read_lytro(const std::filesystem::path& path);
 
-/// Parse a container file, and packed samples with their metadata.
+/// parse_lfr() parses a container file, and parse_lytro() packed samples with their metadata.
 LytroRaw parse_lfr(std::span<const std::byte> file, const std::string& where);
 LytroRaw parse_lytro(std::span<const std::byte> codes, const std::string& metadata, const std::string& where);
 

@@ -30,8 +30,9 @@ std::string miv_cameras_text(const std::vector<MivCamera>& cameras, const std::s
 /// Sorts cameras into view order: row by row upwards, each row from left to right.
 void sort_as_views(std::vector<MivCamera>& cameras);
 
-/// Returns the grid of sorted cameras. This is `views` if it is given; otherwise one row per height if all rows have equally
-/// many cameras, else a single row. Throws a usage Error naming `where` if `views` has a different number of cameras.
+/// Returns the grid of sorted cameras: `views` if it is given, otherwise one row per camera height. If the heights do not
+/// divide the cameras evenly, returns a single row. Throws a usage Error naming `where` if `views` has a different number
+/// of cameras.
 ViewGrid grid_of_cameras(const std::vector<MivCamera>& cameras, std::optional<ViewGrid> views, const std::string& where);
 
 /// Converts cameras; the result has one per view. All eyes are in one plane; the plane with zero disparity is distance_mm in

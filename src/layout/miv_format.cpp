@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kHighest = 65535.0;
-/// The code of the farthest point. TMIV rounds codes to 10 bits, and a code of 0 means that nothing is there.
+/// The code of the farthest point. TMIV rounds codes to 10 bits: a smaller code might become 0, which means no surface.
 constexpr double kFarthestCode = 64.0;
 
 std::vector<MivCamera> read_cameras(const fs::path& path) {
@@ -51,7 +51,7 @@ std::optional<Image> read_depth(const fs::path& folder, const MivCamera& camera,
   return depth;
 }
 
-/// Reads the depth of all views. If one view has no depth, reads none.
+/// Reads the depth of all views. If one view has no depth, clears field.depth.
 void read_depth(const fs::path& folder, const std::vector<MivCamera>& cameras, LightField& field) {
   for (std::size_t view = 0; view < cameras.size(); ++view) {
     const std::optional<Image> depth = read_depth(folder, cameras[view], field.cameras->distance_mm, field.view_size);
@@ -78,7 +78,8 @@ struct DepthRange {
   double near_m = 0.1, far_m = 100.0;
 };
 
-/// Returns the range of depths of all surfaces. It extends beyond the farthest, whose code is kFarthestCode if it can be.
+/// Returns the range of depths of all surfaces. The far end lies beyond the farthest surface, so that this surface has the code
+/// kFarthestCode if possible.
 DepthRange depth_range(const LightField& field) {
   double nearest = INFINITY, farthest = 0.0;
   for (const float z : field.depth->data) {

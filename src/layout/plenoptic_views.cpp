@@ -165,7 +165,8 @@ class ViewSampler {
   }
 
  private:
-  /// Returns the position along a row of lenses of a square pixel, in lenses.
+  /// Converts a pixel of a view's row to a position along the row of lenses, in lenses. Pixels are square, as wide as the row
+  /// pitch.
   double place_in_row(int pixel, int row) const {
     const double from_left = 0.5 + pixel * grid_.row_pitch_px / grid_.pitch_px;
     return from_left - shift_of(row);
@@ -187,7 +188,7 @@ class ViewSampler {
   const LensGrid& grid_;
   const LensRange& range_;
   bool lanczos_;
-  Vec2d right_, down_;  // steps from a lens to the next one along a row and down
+  Vec2d right_, down_;  // vectors in pixels from a lens to the next one in its row and to the next row
 };
 
 Image swap_axes(const Image& image) {

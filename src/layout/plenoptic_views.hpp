@@ -18,8 +18,8 @@ namespace lippmann {
 /// if the sizes differ.
 void divide_by_white(Image& light, const Image& white, const std::string& where);
 
-/// Returns the grey values of a picture of uniform white light (1 channel), scaled so that the brightest half percent begins at
-/// 1.
+/// Returns the grey values of a picture of uniform white light (1 channel), scaled so that the brightest 0.5 % of the
+/// pixels are at least 1.
 Image white_shares(const Image& light);
 
 /// Reads a white picture and returns its white_shares(). Throws Error naming the file.

@@ -59,7 +59,8 @@ void reorder(std::vector<T>& values, const std::vector<std::size_t>& order) {
 
 /// Sorts views row by row upwards, each row from left to right. Returns the number of rows.
 int sort_as_rows(ViewCameras& cameras, std::vector<PosedPicture>& pictures) {
-  // A share of the extent; rows of calibrated cameras are not exactly level.
+  // Maximum difference in height within a row, as a fraction of the extent of all eyes. It is not 0, because rows of calibrated
+  // cameras are not exactly level.
   constexpr double kSameRow = 1e-4;
   std::vector<std::size_t> order(pictures.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -102,8 +103,8 @@ Image read_planar_depth(const fs::path& path, Vec2i size) {
   return depth;
 }
 
-/// Reads the depth of all views. If one view has no depth, reads none. Only .npy files are read, because the unit of other
-/// formats is unknown.
+/// Reads the depth of all views. If one view has no depth, field.depth stays empty. Only .npy files are read, because the unit
+/// of other formats is unknown.
 void read_depths(const fs::path& folder, const std::vector<PosedPicture>& pictures, LightField& field) {
   for (const PosedPicture& picture : pictures)
     if (!picture.depth.ends_with(".npy") || !is_regular_file_there(folder / picture.depth)) return;

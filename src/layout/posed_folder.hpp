@@ -18,7 +18,7 @@ inline constexpr double kMmPerUnit = 1000.0;  ///< the files' unit of length, a 
 /// A picture that a camera file lists.
 struct PosedPicture {
   std::string entry;           ///< position of the entry in the file, for messages: "frames[3]"
-  std::string picture, depth;  ///< paths inside the folder; an empty depth: there is none
+  std::string picture, depth;  ///< paths relative to the folder; `depth` is empty if there is no depth file
   PosedCamera camera;          ///< its size is 0 x 0 if the picture determines it
   /// Horizontal field of view if the file has no focal length; otherwise 0.
   double angle_x = 0.0;
@@ -71,14 +71,14 @@ struct CloudPoint {
   unsigned char rgb[3];
 };
 
-/// Converts pixels to points in the world by their depth: every n-th pixel across and down of every view, so that there are
-/// about `most` points at most. Returns no points if there is no depth.
+/// Converts pixels to points in the world by their depth. Takes every n-th pixel across and down of every view, with n such
+/// that there are at most about `most` points. Returns no points if there is no depth.
 std::vector<CloudPoint> point_cloud(const LightField& field, const std::vector<PosedCamera>& cameras, std::size_t most);
 
 /// Returns the least and the greatest planar depth in mm. If there is no depth, returns 100 mm and 100 m.
 Vec2d depth_bounds_mm(const LightField& field);
 
-/// Return the same as point_cloud() and depth_bounds_mm() for pictures written by write_posed_view(). They are read one by one.
+/// Return the same as point_cloud() and depth_bounds_mm(), but read the pictures that write_posed_view() wrote, one by one.
 std::vector<CloudPoint> cloud_of_pictures(const std::filesystem::path& folder, const std::vector<PosedPicture>& pictures,
                                           std::size_t most);
 Vec2d depth_bounds_of_pictures(const std::filesystem::path& folder, const std::vector<PosedPicture>& pictures);

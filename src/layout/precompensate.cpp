@@ -1,7 +1,8 @@
-// The matrix A of precompensate.hpp is symmetric and positive definite, except that weights are normalised at edges. The
-// normalisation moves to the other side: (weights - edges) v' = sums v. With bounds, this is a linear complementarity problem,
-// which we solve by projected Gauss-Seidel: Cryer, "The solution of a quadratic programming problem using systematic
-// overrelaxation", SIAM J. Control 9, 1971. If no bound is reached, the result is A's inverse applied to v.
+// Precompensates a picture by solving A v' = v. The matrix A (precompensate.hpp) is symmetric and positive definite, except
+// that weights are normalised at edges. The normalisation moves to the other side: (weights - edges) v' = sums v. With bounds,
+// this is a linear complementarity problem. We solve it by projected Gauss-Seidel: Cryer, "The solution of a quadratic
+// programming problem using systematic overrelaxation", SIAM J. Control 9, 1971. If no bound is reached, the result is A's
+// inverse applied to v.
 //
 // Lines of neighbouring samples are independent. Microlenses and camera grids have crosstalk along two axes, A = Ax Ay: we
 // first invert Ay without bounds, then Ax with bounds.
@@ -26,8 +27,8 @@ namespace {
 constexpr double kExact = 1e-7;  ///< accuracy of the solution in linear light; far below a 16-bit step
 constexpr int kMaxSweeps = 2000;
 
-/// Lines of neighbouring samples: the offsets of the samples from the start of a line. In each of `rows` rows, lines start at
-/// `across` consecutive floats.
+/// Lines of neighbouring samples. `sample`: offsets of a line's samples from its start, in floats. In each of `rows` rows,
+/// `across` lines start at consecutive floats. `row_stride`: floats from one of these rows to the next.
 struct Lines {
   std::vector<std::size_t> sample;
   std::size_t across = 0, rows = 0, row_stride = 0;
@@ -38,12 +39,12 @@ struct Bounds {
 };
 constexpr Bounds kLight{0.0, 1.0}, kNoBounds{-INFINITY, INFINITY};
 
-/// The same sample of several lines, which are processed together.
+/// kLanes lines are processed together. A Lane holds the same sample of each of them.
 constexpr std::size_t kLanes = 8;
 using Lane = std::array<double, kLanes>;
 
-/// The matrix A for lines of one length: the weights of a pixel, its neighbours, their neighbours, ..., and for each sample the
-/// sum of the weights that lie inside the line.
+/// The matrix A for lines of one length. `weights`: the weight of a pixel, of each of its neighbours, of each of their
+/// neighbours, ... `sums`: for each sample, the sum of the weights that lie inside the line.
 struct Leak {
   std::vector<double> weights, sums;
 
@@ -110,7 +111,8 @@ std::size_t solve_lines(const Leak& leak, const std::vector<Lane>& wanted, Bound
   return static_cast<std::size_t>(std::accumulate(swept.clipped.begin(), swept.clipped.end(), 0.0));
 }
 
-/// Calls change(leak, samples of kLanes lines) for all lines. If the last batch has fewer lines, the others are 0.
+/// Calls change(leak, samples of kLanes lines) for all lines and stores the changed samples. If the last batch has fewer lines,
+/// its other lanes are 0.
 template <class Change>
 void for_each_line(const std::vector<Lines>& all, double sigma_px, Image& picture, Change change) {
   for (const Lines& lines : all) {

@@ -1,8 +1,8 @@
 // Precompensates pictures for a display's crosstalk (optics/crosstalk.hpp).
 //
-// If the display shows v', an eye sees A v', where the matrix A holds the crosstalk weights. We compute v' such that the eye
-// sees the intended picture v. Light cannot be negative or exceed the display's white, so we find the closest solution within 0
-// ... 1. Where v' reaches these bounds, contrast is lost; the result states how much.
+// If the display shows v', an eye sees A v', where the matrix A holds the crosstalk weights. We compute v' such that the
+// eye sees the intended picture v. Light cannot be negative or exceed the display's white, so we find the closest solution
+// within 0 ... 1. Where v' reaches these bounds, contrast is lost; struct Precompensation measures the loss.
 #pragma once
 
 #include "lippmann/image/encoding.hpp"

@@ -1,4 +1,4 @@
-// Bleed, marks and one-inch proofs of prints. Private to this part.
+// Bleed, marks and one-inch proofs of prints. Private to src/layout.
 //
 // The marks are in a white margin of 10 mm around the bleed: crop lines at the corners; a target in the middle of each side; a
 // text with the pitch and the resolution; and for sheets, above and below, a band that is black below the middle third of each

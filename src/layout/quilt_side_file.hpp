@@ -1,4 +1,5 @@
-// Reads and writes the JSON side file of a quilt, <image>.json. It states what the quilt's name states, and more.
+// Reads and writes the JSON side file of a quilt, <image>.json. It states the tiles and the aspect ratio, as the quilt's
+// name does, and also the number and order of the views.
 #pragma once
 
 #include <filesystem>

@@ -28,7 +28,7 @@ struct Rendering {
   bool has_depth_layer = true;  ///< false: a depth layer in the folder belongs to another render
   bool has_provenance = false;  ///< false: a provenance layer in the folder belongs to another render
   std::optional<double> frames_per_second = {};
-  float depth_scale = 1.0f;  ///< shown depth / true depth, which is the parallax used for rendering
+  float depth_scale = 1.0f;  ///< shown depth / true depth; 1: unchanged depth
   std::map<int, FrameFacts> frames = {};
 };
 

@@ -60,7 +60,8 @@ class StripOrder {
     return ends_[at] - (at > 0 ? ends_[at - 1] : 0.0);
   }
 
-  /// Returns how far the transition from `frame` to the next frame extends to each side.
+  /// Returns how far the transition between `frame` and the next frame extends on each side of their common edge, as a share of
+  /// the strip's width.
   double reach_of(int frame) const { return 0.5 * blend_ * std::min(share_of(frame), share_of(frame + 1)); }
 
   Blend frame_at(double place) const {

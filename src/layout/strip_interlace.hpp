@@ -1,5 +1,5 @@
-// Makes the print below a lenticular sheet. A lens's strip is divided among the views or frames, and every pixel shows the one
-// in whose part it lies. Private to this part.
+// Makes the print below a lenticular sheet. The strip below each lens is divided into parts, one per view or flip frame.
+// Every pixel shows the view in whose part it lies. Private to src/layout.
 #pragma once
 
 #include "lippmann/layout/display_picture.hpp"

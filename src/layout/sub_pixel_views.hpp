@@ -1,4 +1,4 @@
-// Computes the view of each sub-pixel of a slanted panel, row by row. Private to this part.
+// Computes the view of each sub-pixel of a slanted panel, row by row. Private to src/layout.
 #pragma once
 
 #include <array>

@@ -25,8 +25,8 @@ struct NumberedFile {
 std::vector<NumberedFile> numbered_files(const std::filesystem::path& folder, const TextPattern& pattern,
                                          const std::string& accepted);
 
-/// Returns the grid of files that are numbered by row and column; the first numbers may be any. Throws Error naming the folder
-/// and a missing file if the grid is incomplete.
+/// Returns the grid of files that are numbered by row and column. The first row and the first column may have any number.
+/// Throws Error naming the folder and a missing file if the grid is incomplete.
 ViewGrid complete_grid(const std::filesystem::path& folder, const std::vector<NumberedFile>& files);
 
 /// Throws Error naming `where` if the stack of these views would have 2^32 pixels or more, or would exceed `available_bytes` of

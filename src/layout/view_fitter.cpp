@@ -14,8 +14,8 @@ namespace {
 /// Relative difference below which aspect ratios count as equal.
 constexpr double kSameAspect = 0.01;
 
-/// Samples of a view along one row of a display's lenses: their number, left edge and width. The last two are shares of the
-/// display's width.
+/// Samples of a view along one row of a display's lenses: their number (count), the left edge of the first one (first) and
+/// their width (step). Lengths are fractions of the display's width.
 struct RowOfSamples {
   int count;
   double first, step;
@@ -83,7 +83,7 @@ Vec2d ViewFitter::window_of(Vec2i view, double aspect) const {
   return {view.x, view.y * excess};
 }
 
-/// Returns the size of the largest window with the same aspect ratio that lies in every view after the shifts.
+/// Returns window_of(), reduced so that it lies in every view after the shifts. For kPad, it is not reduced.
 Vec2d ViewFitter::window_in_all(Vec2i view, double aspect, ViewGrid grid) const {
   Vec2d window = window_of(view, aspect);
   const Vec2d left = Vec2d(view) - std::abs(view_shift_px_) * Vec2d(grid.columns - 1, grid.rows - 1);

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kViewNames = "a folder of view_000.png, view_001.png, ...";
 
-/// Reads the depth of all views. If one view has no depth, reads none.
+/// Reads the depth of all views. If one view has no depth, clears field.depth.
 void read_depth(const std::vector<fs::path>& by_view, LightField& field) {
   for (int view = 0; view < field.grid.count(); ++view) {
     const std::optional<Image> depth = rendered_depth(by_view[static_cast<std::size_t>(view)]);

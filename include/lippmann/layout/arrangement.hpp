@@ -11,8 +11,8 @@ namespace lippmann {
 
 class Arrangement {
  public:
-  /// Prepares the mapping for pictures of size `picture` in the layout `from`. Throws Error naming `where` if the views do not
-  /// fill such a picture (view_layout.hpp).
+  /// Prepares the mapping from the layout `from` to the layout `to`, for pictures of `picture` pixels. Throws Error naming
+  /// `where` if views in the layout `from` do not fill such a picture.
   Arrangement(const ViewLayout& from, const ViewLayout& to, Vec2i picture, const std::string& where);
 
   Vec2i view_size() const { return view_; }

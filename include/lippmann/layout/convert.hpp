@@ -1,5 +1,5 @@
-// Converts light fields between formats. Pixels are moved, not changed, so a round trip is exact if both formats hold the same
-// samples. Only pictures for a display are resampled (layout/display_picture.hpp).
+// Converts light fields between formats. Pixels are moved, not changed, so a round trip is exact if both formats can store
+// the samples. Only pictures for a display are resampled (layout/display_picture.hpp).
 #pragma once
 
 #include <filesystem>
@@ -15,12 +15,13 @@
 namespace lippmann {
 
 struct ConvertParams {
-  /// Names of formats. Empty `from`: detected from a quilt's file name or the report beside the input.
+  /// Names of formats. If `from` is empty, the format is detected from a quilt's file name or the report beside the input.
   std::string from{}, to = "views";
   FormatOptions options{};
   std::optional<Crop> crop{};       ///< window of every view to keep; none: whole views
   std::optional<KeptViews> keep{};  ///< views to keep; they are chosen before cropping; none: all views
-  /// Resamples for options.display; `to` must be one of its pictures (integral, quilt or native). None: moves pixels.
+  /// Parameters for resampling the views for options.display. `to` must then be integral, quilt or native. None: pixels are
+  /// moved, not resampled.
   std::optional<DisplayPictureParams> display_picture = {};
   /// Called instead of a format's reader to read the input. Used for video, which the layout part cannot read
   /// (replay/video_views.hpp).
@@ -33,7 +34,7 @@ struct Converted {
   std::vector<std::filesystem::path> written{};
   ViewGrid views{};
   Vec2i view_size{0, 0};
-  bool drops_positions = false;                     ///< the format drops camera positions that have no unit or distance
+  bool drops_positions = false;                     ///< true: the output format cannot store the input's camera positions
   std::string fitted = {};                          ///< how views were resampled for a display; empty: not resampled
   bool lacks_cameras = false, lacks_depth = false;  ///< the format can store cameras or depth, but the input has none
 };

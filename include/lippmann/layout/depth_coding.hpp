@@ -4,7 +4,7 @@
 namespace lippmann {
 
 struct DepthRange {
-  /// z in the display frame, above 0 in front of the screen; far_mm < near_mm
+  /// Depths z in the display frame, above 0 in front of the screen. far_mm < near_mm.
   double near_mm = 10.0, far_mm = -30.0;
 
   bool operator==(const DepthRange&) const = default;

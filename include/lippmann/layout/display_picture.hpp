@@ -1,10 +1,11 @@
 // Makes the pictures of a display from views of any size: the print for a lenticular sheet or microlens array, a quilt, or the
 // interlaced frame of a panel.
 //
-// Views are cropped or padded to the aspect ratio of the display and resampled in linear light to its resolution: by area
-// averaging to reduce, by Lanczos (3 lobes) to enlarge. They spread evenly over the viewing zone, with view 0 at the left.
-// Below the lenses of a sheet their order is reversed: view N - 1 is at the left. Results do not depend on the number of
-// threads.
+// Views are cropped or padded to the aspect ratio of the display. They are then resampled in linear light to its
+// resolution: reduced by area averaging, enlarged by a Lanczos filter (3 lobes).
+//
+// The views spread evenly over the viewing zone, with view 0 at the left. Below each lens of a sheet their order is
+// reversed: view N - 1 is at the left. Results do not depend on the number of threads.
 #pragma once
 
 #include <optional>
@@ -33,7 +34,7 @@ struct FlipParams {
 struct PrintFinish {
   double bleed_mm = 0.0;  ///< extension of the picture beyond each cut edge
   bool marks = false;     ///< adds a 10 mm margin with crop marks, targets, text, and alignment bands
-  bool proof = false;     ///< the picture is only the middle square inch of the print, with identical pixels
+  bool proof = false;     ///< true: makes only the middle square inch of the print, with unchanged pixels
 
   bool is_plain() const { return bleed_mm == 0.0 && !marks && !proof; }
 };
@@ -68,12 +69,13 @@ std::string_view own_format(const Display& display);
 /// Fits views, one at a time, to the resolution and aspect ratio of a display.
 class ViewFitter {
  public:
-  /// `view_shift_px` moves the zero plane. It moves the window that is cut from each view: to the right by this many pixels
-  /// from each column of views to the next, and up from each row to the next; the middle view's window stays. Values above 0
-  /// bring the scene forward. kCrop and kStretch keep only the part that all shifted windows share; kPad adds black edges.
+  /// `view_shift_px` moves the plane with zero disparity by moving the window that is cut from each view. From one column
+  /// of views to the next, the window moves right by this many pixels; from one row to the next, it moves up. The window of
+  /// the middle view stays. Values above 0 bring the scene forward. kCrop and kStretch keep only the part that all shifted
+  /// windows share; kPad adds black edges.
   ///
-  /// The arguments must outlive this object. Throws a usage Error if the strips below the lenses are narrower than 2 pixels or
-  /// wider than the picture.
+  /// The arguments must outlive this object. Throws a usage Error if the strips below the lenses are narrower than 2 pixels
+  /// or wider than the picture.
   ViewFitter(const Display& display, DisplayTarget target, AspectFit fit, const ThreadPool& pool, double view_shift_px = 0.0);
 
   /// Returns one view fitted to the display. `aspect`: width / height of the scene area that the view shows. `number`: the
@@ -99,15 +101,15 @@ class ViewFitter {
   const ThreadPool& pool_;
   double view_shift_px_;
   Vec2i size_{0, 0};
-  /// Left edge of the first sample, and distance between samples, as shares of the display's width.
+  /// Left edge of the first sample (first_) and distance between samples (step_), as fractions of the display's width.
   double first_ = 0.0, step_ = 1.0;
   double aspect_ = 1.0;  ///< aspect ratio of the display, or of the quilt's views
   Vec2i original_{0, 0};
   Vec2d window_{0.0};
 };
 
-/// Returns the display enlarged on all sides, with its lenses in place. If DisplayPictureParams::finish has a bleed, pass the
-/// result to ViewFitter and display_picture() instead of the display.
+/// Returns a display that is larger by bleed_mm on each side, with the lenses in the same places. If
+/// DisplayPictureParams::finish has a bleed, pass this larger display to ViewFitter and display_picture().
 Display with_bleed(const Display& display, double bleed_mm);
 
 /// Returns the picture of a display from views fitted by a ViewFitter. Throws a usage Error if the views are in more than one

@@ -7,10 +7,10 @@
 
 namespace lippmann {
 
-/// Returns the views of a film with the cameras of its optics (no cameras for lenses viewed from infinity, whose views are
-/// parallel projections). The stack holds the film's samples: linear light, 3 channels. `depth`: Aov::kDepth of the same frame.
-/// Throws Error for optics without views of whole pixels (slanted or hexagonal lenses, calibrated panels), and for images whose
-/// size differs from the film's.
+/// Returns the views of a film and the cameras of its optics. Lenses viewed from infinity have no cameras, because their
+/// views are parallel projections. The stack holds the film's samples: linear light, 3 channels. `depth`: Aov::kDepth of
+/// the same frame. Throws Error for optics without views of whole pixels (slanted or hexagonal lenses, calibrated panels),
+/// and for images whose size differs from the film's.
 LightField light_field_of(const Image& film, const Optics& optics, const Image* depth = nullptr);
 
 /// Returns the views of a layer (FrameAovs), with any number of channels, as a stack. Throws Error as light_field_of().

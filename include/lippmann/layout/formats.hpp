@@ -21,9 +21,9 @@ namespace lippmann {
 
 /// Parallel cameras in a regular grid, for files without camera data. Lengths in mm.
 struct StatedCameras {
-  double baseline_mm = 0.0;  ///< distance between neighbouring cameras, counted before any views are dropped
+  double baseline_mm = 0.0;  ///< distance between neighbouring cameras of the file, including cameras whose views are dropped
   double focal_length_mm = 0.0;
-  double sensor_width_mm = 35.0;   ///< width on the sensor of a row of pixels of an uncropped view
+  double sensor_width_mm = 35.0;   ///< width of the part of the sensor that an uncropped view covers
   double focus_distance_mm = 0.0;  ///< distance from the cameras to the plane with zero disparity
 };
 
@@ -33,7 +33,7 @@ struct FormatOptions {
   std::optional<ViewGrid> views = {};
   /// A quilt's tiles across and up. None: from its name, or the arrangement closest to a square.
   std::optional<ViewGrid> tiles = {};
-  /// Width / height of the display, for a quilt's name. None: that of the source or of the picture.
+  /// Width / height of the display, for a quilt's file name. None: the aspect ratio of the light field.
   std::optional<double> aspect = {};
   bool with_depth = false;       ///< also read the depth layer beside a rendered picture, if there is one (layout/rendered.hpp)
   std::optional<int> bits = {};  ///< bits per sample of PPM files, 1 ... 16; none: as in the source
@@ -44,7 +44,7 @@ struct FormatOptions {
   std::optional<StereoLayout> stereo = {};  ///< packing of two views in one picture; none: from its name, or side by side
   /// The depths at the two ends of the grey scale. None: from the RGB-D picture's side file, or the range of the depth.
   std::optional<DepthRange> depth_range = {};
-  std::optional<bool> even_in_depth = {}, near_black = {};  ///< see DepthCoding; none: from the side file
+  std::optional<bool> even_in_depth = {}, near_black = {};  ///< See DepthCoding. None: from the side file.
   std::optional<StatedCameras> cameras = {};                ///< cameras for files without camera data
   std::optional<PlenopticCalibration> plenoptic = {};       ///< calibration of raw plenoptic pictures; none: from their files
   /// Called for each view right after its file is read, to reduce large originals before all are held in memory. `view`: the
@@ -61,14 +61,14 @@ struct FormatUses {
        depth_coding = false, plenoptic = false;
 };
 
-/// A format. `path` is one light field of one moment: a picture or a folder.
+/// A format for the light field of one moment. `path` is its picture or its folder.
 struct LightFieldFormat {
   std::string_view name{};
   std::string_view description{};  ///< one line of text for users
   bool is_folder = false;          ///< true: a folder with one or more files per view; false: one picture
-  bool uses_cameras = false;       ///< its writer uses cameras and depth if the light field has them
-  bool keeps_positions = false;    ///< its files hold camera positions, even without a unit
-  bool states_cameras = false;     ///< its files contain cameras; a report.json beside them is ignored
+  bool uses_cameras = false;       ///< true: the writer stores cameras and depth if the light field has them
+  bool keeps_positions = false;    ///< true: the files can hold camera positions without a unit
+  bool states_cameras = false;     ///< true: the files contain cameras, so a report.json beside them is ignored
   /// Reads a light field. Throws Error naming the file or the option.
   LightField (*read)(const std::filesystem::path& path, const FormatOptions& options) = nullptr;
   /// Writes a light field and returns the files written, pictures first. Creates folders. Throws Error naming the file or the

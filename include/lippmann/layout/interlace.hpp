@@ -1,9 +1,9 @@
 // Interlacing for calibrated slanted panels: makes a panel's frame from the views of a light field, and extracts views from
 // such a frame.
 //
-// The lenses show each sub-pixel in one direction. Its view coordinate v (formula in display/display.hpp) is 0 ... 1 from the
-// leftmost to the rightmost of N views; view n is centred on v = (n + 1/2) / N. Samples are copied and mixed as encoded values,
-// not as linear light, as the manufacturers' own programs do.
+// The lenses show each sub-pixel in one direction. The sub-pixel's view coordinate v (formula in display/display.hpp) is 0
+// at the leftmost and 1 at the rightmost direction. With N views, view n is centred on v = (n + 1/2) / N. Samples are
+// copied and mixed as encoded values, not as linear light, as the manufacturers' own programs do.
 #pragma once
 
 #include "lippmann/core/parallel.hpp"
@@ -13,7 +13,7 @@
 namespace lippmann {
 
 enum class ViewFilter {
-  kNearest,  ///< takes the pixel at the panel pixel's centre from view floor(v N); keeps samples unchanged
+  kNearest,  ///< takes, unchanged, the sample of view floor(v N) that contains the panel pixel's centre
   /// Mixes the two views whose centres are next to v, each interpolated bilinearly. Tools that weigh by fract(v N) are off by
   /// half a view.
   kLinear,
@@ -25,17 +25,18 @@ struct InterlaceParams {
   double sigma_views = 0.5;  ///< in views, 0.1 ... 10
 };
 
-/// Throws a usage Error naming `display` unless it is a slanted panel, the only kind with interlaced frames.
+/// Throws a usage Error naming `display` unless it is a slanted panel, because only slanted panels have interlaced frames.
 void require_own_frame(const Display& display);
 
 /// Returns the panel's frame of W x H pixels. Throws a usage Error if the display is not a slanted panel or the views form more
 /// than one row.
 Picture interlace(const LightField& field, const Display& display, const InterlaceParams& params, const ThreadPool& pool);
 
-/// Extracts `count` views of `view_size` from a frame. Each sample of a view takes the sub-pixel that shows this view, lies
-/// within the sample and is nearest to its centre. Most views have fewer sub-pixels than samples; samples without a sub-pixel
-/// take the nearest sample in their row that has one. For frames made with kNearest, the samples found are unchanged. Throws
-/// Error naming `where` if the picture does not have the panel's size.
+/// Extracts `count` views of `view_size` pixels from a frame. Each sample of a view takes the value of the nearest
+/// sub-pixel, among those that lie within the sample and show this view. Most views have fewer sub-pixels than samples. A
+/// sample without a sub-pixel takes the value of the nearest sample in its row that has one. For frames made with kNearest,
+/// samples with a sub-pixel keep their original values. Throws Error naming `where` if the picture does not have the
+/// panel's size.
 LightField deinterlace(const Picture& frame, const Display& display, int count, Vec2i view_size, const std::string& where,
                        const ThreadPool& pool);
 

@@ -49,7 +49,7 @@ struct PlenopticCalibration {
   std::optional<LensGrid> grid = {};  ///< none: the grid is read from the picture's container or side file
   /// Relative illumination of each pixel, 1 channel, with 1 at the brightest pixel. Null: views keep their vignetting.
   std::shared_ptr<const Image> white = {};
-  bool lanczos = false;  ///< interpolation between pixels, and between lenses of hexagonal grids: true: Lanczos; false: linear
+  bool lanczos = false;  ///< true: Lanczos interpolation between pixels, and between lenses of hexagonal grids; false: linear
   /// True: the pixels below each lens are rotated by 180 degrees, as behind the lenses of a display.
   bool inverted = false;
 };

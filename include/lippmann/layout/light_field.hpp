@@ -20,14 +20,15 @@ struct LightField {
   Picture stack{};  ///< the views stacked vertically, view 0 on top
   ViewGrid grid{};
   Vec2i view_size{0, 0};
-  /// Width / height of the display that the views are made for; if unknown, of the source picture.
+  /// Width / height of the display that the views are made for. If the display is unknown, width / height of the source
+  /// picture.
   double aspect = 1.0;
   std::optional<ViewGrid> tiles = {};       ///< tile layout of the quilt that the views came from
   int bits = 0;                             ///< significant bits per sample in the source; 0: all bits of the stack
   std::optional<Image> depth = {};          ///< a stack of z in mm, above 0 in front of the plane z = 0; -inf: no surface
   std::optional<ViewCameras> cameras = {};  ///< none: unknown, or see `poses`
-  /// Position of each view's eye, x right and y up, in the unit and from the origin of the file, which states neither (Stanford
-  /// format).
+  /// Position of each view's eye, x right and y up. The unit and the origin are unknown, because the file does not state
+  /// them (Stanford format).
   std::optional<std::vector<Vec2d>> positions = {};
   /// One camera per view. Replaces `cameras` if the cameras are rotated or do not share a plane. Depth is then z in each
   /// camera's own frame, in mm: the negative planar depth.

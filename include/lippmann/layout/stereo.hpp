@@ -1,9 +1,11 @@
 // Stereo pictures: the views of a left and a right eye in one picture, for eye-tracking panels, headsets and 3D players.
 //
-// The packings are side by side, over-under, and row by row. The `half` packings squeeze each view to half its width or height,
-// so that the picture is as large as one view. Views are off-axis through the display's rectangle, without toe-in: a point at
-// distance d behind the display (z = -d) has the disparity ipd d / (distance + d) on it, right eye minus left eye. Disparity is
-// 0 in the display plane and negative in front of it.
+// The packings are side by side, over-under, and row by row. The `half` packings squeeze each view to half its width or
+// height, so that the picture is as large as one view.
+//
+// Views are off-axis through the display's rectangle, without toe-in. A point at distance d behind the display (z = -d) has
+// the disparity ipd d / (distance + d): its position on the display for the right eye minus that for the left eye. The
+// disparity is 0 in the display plane and negative in front of it.
 #pragma once
 
 #include <array>
@@ -53,14 +55,14 @@ std::vector<std::uint32_t> stereo_pixels(const StereoLayout& layout, Vec2i store
 /// views of size `stored`. The views in the stack have the size `stored`, or half its height for kRows.
 std::vector<std::uint32_t> pixels_of_stereo(const StereoLayout& layout, Vec2i stored);
 
-/// Returns the stereo part of a file name: _2x1 and _half_2x1 (side by side, as Leia's programs name them), _ou and _half_ou
-/// (over-under, as headset players do), or _rows; followed by _rl if the right eye is first.
+/// Returns the stereo part of a file name: _2x1 or _half_2x1 (side by side, as Leia's programs name them), _ou or _half_ou
+/// (over-under, as headset players name them), or _rows. If the right eye is first, _rl follows.
 std::string stereo_ending(const StereoLayout& layout);
 
 /// Parses the layout from the name of a path; none if the name has no stereo part.
 std::optional<StereoLayout> parse_stereo_name(const std::filesystem::path& path);
 
-/// Return the path without the stereo part of its name, and with that of `layout` instead.
+/// Return the path without the stereo part of its name, or with that part replaced by stereo_ending(layout).
 std::filesystem::path without_stereo_name(const std::filesystem::path& path);
 std::filesystem::path with_stereo_name(const std::filesystem::path& path, const StereoLayout& layout);
 

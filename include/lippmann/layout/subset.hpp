@@ -13,7 +13,7 @@ struct Crop {
   Vec2i size{0, 0}, offset{0, 0};
 };
 
-/// Every step-th index from `first` to `last`; last < 0: to the end.
+/// Every step-th index from `first` to `last`, both included. last < 0: to the end.
 struct ViewRange {
   int first = 0, last = -1, step = 1;
 };

@@ -42,7 +42,8 @@ Vec2i picture_size(const ViewLayout& layout, Vec2i view_size);
 /// may have padding at the right and at the top: their tiles have floor(width / columns) x floor(height / rows) pixels.
 Vec2i view_size(const ViewLayout& layout, Vec2i picture, const std::string& where);
 
-/// The pixels of one view: its pixel (x, y) has the row-major index first + x * across + y * down in the picture.
+/// The position of one view's pixels. Pixel (x, y) of the view has the row-major index first + x * across + y * down in the
+/// picture.
 struct ViewPlace {
   std::ptrdiff_t first = 0, across = 0, down = 0;
 };

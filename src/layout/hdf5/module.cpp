@@ -1,5 +1,5 @@
-// Reads arrays with libhdf5. The module exports only its entry function. HDF5 allows data outside of the file; such data are
-// not read.
+// Reads arrays with libhdf5. The module exports only its entry function. HDF5 allows data outside of the file; arrays with such
+// data are not read.
 #include <hdf5.h>
 
 #include <array>
@@ -141,7 +141,7 @@ class Libhdf5 : public Hdf5Module {
  public:
   Libhdf5() {
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors are returned, not printed
-    H5PLset_loading_state(0);                     // so that no filters are loaded from the environment's folders of plugins
+    H5PLset_loading_state(0);                     // load no filter plugins from folders that the environment names
   }
   std::unique_ptr<Hdf5File> open(const std::string& path) const override { return std::make_unique<OpenedFile>(path); }
 };
