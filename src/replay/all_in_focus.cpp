@@ -9,8 +9,8 @@
 namespace lippmann {
 namespace {
 
-constexpr double kWindowRadius = 1.5;  ///< in lens spacings, to each side: the window covers about 3 x 3 to 4 x 4 lenses
-constexpr float kNoRays = 1e6f;        ///< limit for infinite disagreement (no rays) in sums
+constexpr double kWindowRadius = 1.5;  ///< half width in lens spacings: the window covers about 3 x 3 to 4 x 4 lenses
+constexpr float kNoRays = 1e6f;        ///< replaces the infinite disagreement of pixels without rays, to keep sums finite
 
 /// Replaces each of `count` samples, `stride` apart, by the mean of the window of 2 radius + 1 samples around it. Windows are
 /// cut off at the ends.
@@ -29,7 +29,7 @@ void average_windows(float* line, int count, int stride, int radius, std::vector
 AllInFocus::AllInFocus(const Optics& optics, Vec2i size)
     : picture_(size.x, size.y, 3), depth_(size.x, size.y, 1), least_(size.x, size.y, 1) {
   // The window is square, with the size of the larger spacing. In the direction of the smaller spacing, such as along the rows
-  // of a sheet, there is no parallax, so that averaging does no harm.
+  // of a sheet, there is no parallax, so averaging does no harm.
   const Vec2d spacing = sample_spacing_mm(optics), pixel = display_window(optics).size / Vec2d(size);
   const Vec2d pixels = kWindowRadius * std::max(spacing.x, spacing.y) / pixel;
   radius_ = Vec2i(glm::clamp(glm::round(pixels), Vec2d(1.0), Vec2d(size)));

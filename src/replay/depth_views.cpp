@@ -64,7 +64,7 @@ DepthPicture depth_picture(const LightField& source, Vec2d window_mm, Vec2i view
 /// Makes one view from a source image.
 class ViewMaker {
  public:
-  /// slope: offset of the view's eye from the source's, per mm of distance.
+  /// slope: offset of the view's eye from the source's eye, per mm of distance.
   ViewMaker(const DepthPicture& source, Vec2d slope, Vec2d window_mm, Vec2i size)
       : source_(source), slope_(slope), window_mm_(window_mm), colours_(size.x, size.y, 3), disparity_(size.x, size.y, 1) {
     std::fill(disparity_.data.begin(), disparity_.data.end(), kNoPoint);
@@ -121,8 +121,8 @@ class ViewMaker {
                                    std::clamp(y, 0, source_.disparity.height - 1))[0];
   }
 
-  /// Returns the disparity at position `at` in the source pixel (i, j): interpolated between pixel centres if all four
-  /// neighbours belong to the pixel's surface, otherwise the pixel's own.
+  /// Returns the disparity at position `at` in the source pixel (i, j). Interpolates between the four nearest pixel centres if
+  /// all four belong to the pixel's surface. Otherwise returns the pixel's own disparity.
   double disparity_at(int i, int j, Vec2d at) const {
     const double own = source_disparity(i, j);
     const Vec2d from = at - 0.5;

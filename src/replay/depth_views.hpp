@@ -6,11 +6,13 @@
 // on a screen of the same size. This is exact, since both eyes look through the same rectangle from distance D. On a screen k
 // times as large, t, s and q are k times as large. Displays with another viewing distance show the same disparity per slope.
 //
-// Each view is made in three steps. Forward: the points are splatted with a z-buffer; points between neighbours of one surface
-// are interpolated to avoid cracks. Missed pixels: the nearest pixels with a point in the same row (if there are none, in the
-// same column) are found, and the surface that is farther from the viewer is continued (the rule of reuse/missed.hpp).
-// Backward: each pixel with a point takes its colour from where the source shows that point, by bilinear interpolation among
-// pixels of the same surface.
+// Each view is made in three steps:
+//   1. Forward: the points are splatted with a z-buffer. Points between neighbours of one surface are interpolated to avoid
+//      cracks.
+//   2. Missed pixels: the nearest pixels with a point are found in the same row, or in the same column if the row has none. The
+//      surface that is farther from the viewer is continued (the rule of reuse/missed.hpp).
+//   3. Backward: each pixel with a point takes its colour from where the source shows that point, by bilinear interpolation
+//      among pixels of the same surface.
 #pragma once
 
 #include <span>

@@ -61,8 +61,9 @@ Image eye_view(const RenderedPanel& rendered, const EyeView& view, const ThreadP
   const Vec2i size = view.size.x > 0 ? view.size : natural_view_size(rendered.optics);
   const Vec2i samples = samples_per_pixel(rendered.optics, size);
   const EyeSampler sampler(rendered, view.filter, view.crosstalk_px);
-  // A point that is at s as seen from the centre of the eye appears at s - d z / (E_z - z) from the point d of the pupil. The
-  // views of all pupil points are shifted so that they coincide at the depth of focus.
+  // Let the centre of the eye see a point at s. A point of the pupil at offset d from the centre then sees it at s - d z / (E_z
+  // - z), where z is the depth of the point. The views of all pupil points are shifted so that they coincide at the depth of
+  // focus.
   const double shift = -view.focus_mm / (view.eye_mm.z - view.focus_mm);
   struct PupilPoint {
     Viewer viewer;

@@ -1,7 +1,7 @@
 // Converts a stereo pair to two images with depth, from which views for other eyes can be made (replay/depth_views.hpp).
 //
 // The baseline of a pair in millimetres is unknown. The pair is therefore taken as the first and the last of the views to be
-// made, whatever the angle between these.
+// made, whatever the angle between those views.
 #pragma once
 
 #include <string>

@@ -35,7 +35,7 @@ struct ReplayParams {
 
   std::optional<Vec3d> eye_mm = {};  ///< position of the eye; none: the design viewing position of the display
   EyeView view = {};                 ///< options of eye views; eye_mm above overrides view.eye_mm
-  /// Whether a view has one sample per lens (or per view pixel and row), even if its pixels are then not square.
+  /// true: eye views have one pixel per lens (lens_grid() in optics/viewing.hpp), even if these are not square
   bool one_per_lens = false;
 
   // The images to make. If none is requested, eye_0000.png etc. show the eye's view of every frame.

@@ -35,13 +35,15 @@ struct SpocParams {
   double reference_mm = 20.0;  ///< z_ref, > 0: distance from the recording array that is reproduced best
 };
 
-/// Returns the optics of the display: an array of the same kind as the recording array, with the pitch, gap and number of
-/// pixels per lens of the display. It covers the window of the recording array, and cells are centred below their lenses.
-/// Throws a usage Error for values that make no valid array.
+/// The lens pitch, the gap and the pixels per lens of a display's array.
 struct SpocDisplay {
   double lens_pitch_mm = 1.0, gap_mm = 2.0;
   int pixels = 8;
 };
+
+/// Returns the optics of the display: an array of the same kind as the recording array, with the pitch, gap and number of
+/// pixels per lens of `display`. It covers the window of the recording array, and cells are centred below their lenses. Throws
+/// a usage Error for values that make no valid array.
 Optics spoc_display(const Optics& recorded, const SpocDisplay& display);
 
 /// Returns the map that takes images of the recording panel to images of the display's panel. Both are lens arrays of one kind.

@@ -1,11 +1,13 @@
 // Combines a focal stack into an all-in-focus image and a depth map.
 //
-// Each pixel takes the colour and the depth of the refocused image in which its rays agree best: rays from one surface point
-// have the same colour in every view. Agreement is measured by the variance of the colours (replay/refocus.hpp), averaged over
-// a square window. This is the correspondence cue of Tao, Hadap, Malik and Ramamoorthi, "Depth from combining defocus and
-// correspondence using light-field cameras", ICCV 2013, eq. 5. We deviate from the paper: we use the variance instead of its
-// square root, so that large differences weigh more, and neither a second cue nor smoothing. On surfaces without texture the
-// rays agree at every depth: the colour is right there, but the depth is unreliable.
+// Each pixel takes the colour and the depth of the refocused image in which its rays agree best, because rays from one surface
+// point have the same colour in every view. Agreement is measured by the variance of the colours (replay/refocus.hpp), averaged
+// over a square window. This is the correspondence cue of Tao, Hadap, Malik and Ramamoorthi, "Depth from combining defocus and
+// correspondence using light-field cameras", ICCV 2013, eq. 5.
+//
+// We deviate from the paper: we use the variance instead of its square root, so that large differences weigh more. We use no
+// second cue and no smoothing. On surfaces without texture the rays agree at every depth: the colour is right, but the depth is
+// unreliable.
 #pragma once
 
 #include "lippmann/image/image.hpp"

@@ -1,9 +1,9 @@
 // Epipolar-plane images: one line of the display plane, seen by a row of eyes across the viewing zone.
 //
 // Based on: Bolles, Baker and Marimont, "Epipolar-plane image analysis: an approach to determining structure from motion", Int.
-// J. Computer Vision 1, 1987. A scene point draws a straight line in the image. At depth z, its position on the display plane
-// moves by -z / (1 - z / V) times the change of the eye's slope, with V the viewing distance. Lines of points in the display
-// plane are vertical; points in front and behind lean to opposite sides.
+// J. Computer Vision 1, 1987. A scene point draws a straight line in the image. When the slope of the eye changes by d, the
+// image of a point at depth z moves by -d z / (1 - z / V) on the display plane, with V the viewing distance. Lines of points in
+// the display plane are vertical. Points in front of the plane and points behind it lean to opposite sides.
 #pragma once
 
 #include "lippmann/core/context.hpp"
@@ -13,9 +13,9 @@
 namespace lippmann {
 
 /// Returns the epipolar-plane image of a row of the lens grid; rows count from the top. Each column of the image is a lens of
-/// the row, each row an eye. The view_counts(optics).x eyes are equally spaced, with the leftmost on top. With whole pixels per
-/// lens, the result holds the panel's own pixels. Throws a usage Error naming `epi` if the display has no such row. Returns
-/// early, with an unfinished image, if `context` is cancelled.
+/// the row, each row an eye. The view_counts(optics).x eyes are equally spaced, with the leftmost on top. If every lens covers
+/// a whole number of pixels, the image consists of unchanged panel pixels. Throws a usage Error naming `epi` if the display has
+/// no such row. Returns early, with an unfinished image, if `context` is cancelled.
 Image epipolar_row(const RenderedPanel& rendered, int row, SampleFilter filter, const Context& context = {});
 
 /// Returns the epipolar-plane image of a column of the lens grid. Each row is a lens of the column, each column an eye, the

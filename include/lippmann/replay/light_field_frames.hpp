@@ -27,12 +27,13 @@ struct LightFieldHints {
   std::optional<ViewGrid> views = {};               ///< number of columns and rows of views
   std::optional<ViewGrid> tiles = {};               ///< number of columns and rows of a quilt's tiles
   std::optional<double> view_angle_deg = {};        ///< full angle of the viewing zone, if the cameras are unknown
-  bool cone_ends = false;                           ///< the outermost views of a row are at the two ends of that angle
+  bool cone_ends = false;                           ///< true: the outermost views of a row are at the two ends of
+                                                    ///< view_angle_deg; false: half a step inside
   std::function<void(std::string_view)> warn = {};  ///< called with each warning, as FormatOptions::warn
-  /// The display that the images are for. Images of native or unknown format are then frames of its panel, and a row of views
-  /// without cameras becomes a quilt for it.
+  /// The display that shows the images. If it is set, images of native or unknown format are frames of its panel, and a row of
+  /// views without cameras becomes a quilt for it.
   std::optional<Display> display = {};
-  bool is_other_display = false;  ///< true: the images may be for another display than `display`, which is then no error
+  bool is_other_display = false;  ///< true: no error if the images are for another display than `display`
 };
 
 /// Returns the hints, with `warn` set to the context's.
