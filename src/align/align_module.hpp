@@ -35,8 +35,8 @@ class AlignModule {
   /// Returns pairs of features that are each other's nearest neighbour and clearly nearer than the second nearest one, in the
   /// order of the first image's features.
   virtual std::vector<FeatureMatch> matches(const Features& first, const Features& second) const = 0;
-  /// Returns, for each pixel of `first`, how many pixels it is to the right of its position in `second`, found by semiglobal
-  /// matching from `least` to `most` pixels; -inf if unknown. 1 channel.
+  /// Returns the disparity of each pixel of `first`: its x minus the x of the same point in `second`, in pixels. Searches from
+  /// `least` to `most` pixels by semiglobal matching. -inf means unknown. 1 channel.
   virtual Image disparity(const GreyPicture& first, const GreyPicture& second, int least, int most) const = 0;
 };
 

@@ -16,11 +16,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kLongestPx = 1600;    ///< longer side of the compared images; noise and blur hide finer detail
-constexpr int kMaxFeatures = 2500;  ///< maximum number of features per image; matching time is quadratic in it
-constexpr int kMaxReaders = 8;      ///< maximum number of images that are read at once, since each is held in memory
-constexpr double kTolerance =
-    2e-3;  ///< vertical tolerance between neighbours, as a share of a side; the fit then weights points by their error
+constexpr int kLongestPx = 1600;     ///< longer side of the compared images; noise and blur hide finer detail
+constexpr int kMaxFeatures = 2500;   ///< maximum number of features per image; matching time is quadratic in it
+constexpr int kMaxReaders = 8;       ///< maximum number of images that are read at once, since each is held in memory
+constexpr double kTolerance = 2e-3;  ///< vertical tolerance between neighbours, as a share of the longer side
 constexpr std::size_t kMinPlaces = 20;
 
 std::vector<Features> features_of(const std::vector<fs::path>& files, RegisteredPictures& result, int threads,

@@ -21,7 +21,8 @@ struct RegisteredPictures {
   std::vector<GreyPicture> greys;  ///< the images as grey images with at most 1600 pixels a side
   /// Points shared by neighbours (images i and i + 1), then points shared by an image (first) and the middle one.
   std::vector<SharedPlaces> shared;
-  /// Transforms that align the rows of the images, with a horizontal line of cameras; x is 0 at the centre.
+  /// Transforms that align the rows of the images and make the line of the cameras horizontal. Horizontal shifts are not
+  /// fitted.
   std::vector<Similarity> pictures;
   std::vector<double> residuals;  ///< root mean square of the vertical differences that remain after alignment, in pixels
 };

@@ -14,7 +14,7 @@ namespace {
 constexpr int kSamples = 500;
 constexpr double kMaxTurn = 0.5, kMaxScale = 2.0;  ///< limits of |b| and a between two images of one row
 constexpr int kRounds = 8;                         ///< number of rounds, enough for the weights to converge
-constexpr double kSlopeSigma = 0.02;  ///< standard deviation of the slope: a camera is mounted on its slider to about a degree
+constexpr double kSlopeSigma = 0.02;  ///< standard deviation of the slope: a slider holds a camera level to about a degree
 
 /// Gives the height in the first image of a point `q` of the second, for a rotation, scale and shift between the images.
 struct HeightRule {
@@ -155,8 +155,8 @@ class PictureFit {
     return *middle;
   }
 
-  /// Adds the equation height(first) - height(second) - slope * (side(first) - side(second)) = 0, with the sides computed in
-  /// the last round.
+  /// Adds the equation height(first) - height(second) - slope * (side(first) - side(second)) = 0. `side` is the horizontal
+  /// position, computed with the transforms of the last round.
   void add_equation(const SharedPlaces& pair, std::size_t i, double weight, EnvelopeMatrix& matrix,
                     std::vector<double>& right) const {
     std::array<std::pair<std::size_t, double>, 7> terms{};

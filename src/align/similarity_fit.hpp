@@ -27,7 +27,7 @@ struct SharedPlaces {
 void keep_consistent(SharedPlaces& shared, double tolerance);
 
 struct FittedPictures {
-  std::vector<Similarity> pictures;  ///< transforms that align the rows; x is 0 at the centre: S(centre).x = centre.x
+  std::vector<Similarity> pictures;  ///< transforms that align the rows and keep the x of the centre: S(centre).x = centre.x
   double slope = 0.0;                ///< t, the slope of the line of the cameras
   std::vector<double> residuals;     ///< root mean square of the vertical differences that remain in each image, in pixels
 };

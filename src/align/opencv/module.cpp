@@ -71,7 +71,8 @@ class OpenCvModule : public AlignModule {
   Image disparity(const GreyPicture& first, const GreyPicture& second, int least, int most) const override {
     constexpr int kBlock = 5, kSubPixels = 16;
     const int count = (most - least + 16) / 16 * 16;
-    // OpenCV computes no disparity for pixels whose search range leaves the other image.
+    // OpenCV computes no disparity for pixels whose search range leaves the other image. Therefore, extend both images by their
+    // edge pixels.
     const int border = std::max(std::abs(least), std::abs(least + count)) + kBlock;
     cv::Mat wide_first, wide_second, found;
     cv::copyMakeBorder(matrix_of(first), wide_first, 0, 0, border, border, cv::BORDER_REPLICATE);
