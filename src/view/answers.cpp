@@ -119,7 +119,7 @@ PageAnswers::PageAnswers(std::unique_ptr<PageField> field, std::shared_ptr<Runni
 PageAnswers::PageAnswers(std::shared_ptr<DroppedPictures> dropped, PageAccess access)
     : dropped_(std::move(dropped)), access_(std::move(access)), cache_(0) {}
 
-/// Returns whether POST requests to `path` are accepted. They carry a calibration (of which nothing is stored), print settings,
+/// Returns whether POST requests to `path` are accepted. Their bodies are a calibration (which is not stored), print settings,
 /// chunks of dropped images, or commands for a live scene or a running render.
 bool PageAnswers::takes_text(std::string_view path) const {
   const std::string_view part = path.substr(0, path.find('/'));

@@ -28,7 +28,7 @@ class DroppedPictures {
 
   /// Handles a POST below "drop/":
   ///   begin  {"title", "names"}  starts a new set and discards images received but not shown
-  ///   N/AT   bytes of the image with index N in `names` from offset AT: the next piece, or the last one again
+  ///   N/AT   appends the body to the image with index N in `names`, which must have AT bytes; a repeated chunk is ignored
   ///   show   shows the images as views from left to right, in the natural order of their names
   /// Throws Error.
   void post(std::string_view path, const std::string& body);

@@ -40,7 +40,7 @@ void HttpConnection::ready() {
   read_requests();
 }
 
-/// Reads requests as long as they can be answered immediately.
+/// Reads requests until one must wait for its answer or for more input.
 void HttpConnection::read_requests() {
   do read_request();
   while (state_ == State::kIdle && !input_.empty());

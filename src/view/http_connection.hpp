@@ -22,8 +22,7 @@ class HttpConnection {
 
   struct Terms {
     std::chrono::seconds idle{15};  ///< time until the first byte of a request
-    std::chrono::seconds head{
-        3};  ///< time from the first byte until the head is complete: one packet, and some round trips on a bad network
+    std::chrono::seconds head{3};   ///< time from the first byte to the end of the head: one packet, also on a bad network
     std::chrono::seconds body{10};  ///< time from the end of the head until the body is complete: 1 MB at 1 Mbit/s
     std::chrono::seconds send{15};  ///< time without any progress in sending an answer; long, because browsers pause tabs
     /// Returns the answer to a request that is refused whatever its body is. Called before the body is read.

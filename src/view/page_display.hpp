@@ -27,8 +27,8 @@ nlohmann::ordered_json phases_json(const ViewPhases& phases);
 /// Describes a panel: its phases, name, size and view filter.
 nlohmann::ordered_json page_display_json(const PageDisplay& shown);
 
-/// Parses the text of a visual.json that the page sent. otherwise: how the panel interlaces views, since the file does not
-/// define it. Throws Error naming "the calibration".
+/// Parses the text of a visual.json that the page sent. otherwise: how the panel interlaces views, which the file does not
+/// define. Throws Error naming "the calibration".
 PageDisplay dropped_calibration(std::string_view text, const InterlaceParams& otherwise);
 
 }  // namespace lippmann

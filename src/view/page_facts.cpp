@@ -11,12 +11,12 @@
 namespace lippmann {
 namespace {
 
-/// Largest number of pixels in the views of all eyes of one frame. Computing this number takes a second or two.
+/// Largest number of pixels in the views of all eyes of one frame. Computing these views takes a second or two.
 constexpr double kMaxEyePixels = 6e6;
 constexpr int kMaxEyesAcross = 48, kMaxEyesUp = 9;
 
-/// Returns the arrangement of the views as tiles. It is not much wider than high, since textures have a maximum size. If it has
-/// more tiles than views, as for a prime number of views, the last tiles stay empty.
+/// Returns the arrangement of the views as tiles. It is at most about three times as wide as high, because textures have a
+/// maximum size. If it has more tiles than views, as for a prime number of views, the last tiles stay empty.
 ViewGrid tiles_for(int views) {
   const ViewGrid full = squarest_tiles(views);
   if (full.columns <= 3 * full.rows) return full;

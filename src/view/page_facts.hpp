@@ -23,7 +23,7 @@ enum class PanelPicture {
   kIntegral,  ///< the image has cells of grid.columns x grid.rows pixels, one pixel from each view, rotated
               ///< (layout/view_layout.hpp)
   kQuilt,     ///< the image is the quilt of the views
-  kOwn,       ///< the page cannot derive it, since the panel has an image of its own
+  kOwn,       ///< the page cannot derive the image from the views and loads it
 };
 
 struct PageFrame {

@@ -62,7 +62,7 @@ void RunningRender::take(const FolderJournal& journal) {
   }
 }
 
-/// Reads the state of the render. The caller holds the mutex, as for the functions below.
+/// Reads the state of the render. The caller must hold mutex_.
 void RunningRender::update() {
   const auto now = std::chrono::steady_clock::now();
   if (now - updated_ < poll_interval_) return;
@@ -109,7 +109,7 @@ void RunningRender::stop() {
     if (interrupted_.contains(part) || interrupt_writer(part)) interrupted_.insert(part), interrupted = true;
   if (!interrupted && !resumed_)
     throw Error(folder_.string(), "no process of this machine renders into it", "a render that runs");
-  if (!interrupted) resumed_->interrupt();  // the resumed process has not begun its part of the journal yet
+  if (!interrupted) resumed_->interrupt();  // the resumed process is not in the journal yet
 }
 
 void RunningRender::resume() {
