@@ -17,7 +17,7 @@ void require_length(double length_mm, const char* parameter) {
     throw usage_error(parameter, fmt::format("is {} mm", length_mm), fmt::format("{} to {} mm", kLeast, kMost));
 }
 
-/// Returns the sum of the steps between neighbouring eyes along one axis, over all rows (or columns) of the grid.
+/// Returns the sum of the vectors from the first to the last eye of each row (`across`) or of each column.
 Vec2d sum_of_steps(const std::vector<Vec2d>& eyes, ViewGrid grid, bool across) {
   Vec2d sum(0.0);
   const auto eye = [&](int column, int row) { return eyes[static_cast<std::size_t>(row * grid.columns + column)]; };
@@ -49,7 +49,7 @@ std::optional<RenderedViews> rendered_views(const Optics& optics) {
 }
 
 std::optional<double> common_baseline_mm(const ViewCameras& cameras, ViewGrid grid) {
-  constexpr double kShare = 1e-4;  // this corresponds to 1/100 pixel at disparities of 100 pixels
+  constexpr double kShare = 1e-4;  // relative difference of distances: 1/100 pixel at a disparity of 100 pixels
   const auto eye = [&](int column, int row) { return cameras.eyes_mm[static_cast<std::size_t>(row * grid.columns + column)]; };
   const double baseline = grid.columns > 1 ? eye(1, 0).x - eye(0, 0).x : grid.rows > 1 ? eye(0, 1).y - eye(0, 0).y : 0.0;
   for (int row = 0; row < grid.rows; ++row)
@@ -83,7 +83,7 @@ ViewCameras cameras_as_stated(const StatedCameras& stated, const LightField& fie
   const auto is_finite = [](const Vec2d& eye) { return std::isfinite(eye.x) && std::isfinite(eye.y); };
   if (!std::all_of(eyes.begin(), eyes.end(), is_finite))
     throw Error(where, "the positions in its file names are equal in all columns", "a different position for each column");
-  // If rounded positions match a regular grid, use the exact grid.
+  // If the positions match a regular grid up to rounding, use the exact grid.
   const ViewCameras placed{cameras.distance_mm, cameras.pixel_mm, cameras.centre_px, eyes};
   return common_baseline_mm(placed, grid) ? cameras : placed;
 }

@@ -254,7 +254,7 @@ ColmapCameras parse_colmap_cameras(std::span<const std::byte> binary, const std:
 
 std::vector<PosedPicture> parse_colmap_images(const std::string& text, const ColmapCameras& cameras, const std::string& where) {
   std::vector<PosedPicture> pictures;
-  bool is_points = false;  // whether the next line, which may be empty, has the points of the previous picture
+  bool is_points = false;  // whether the next line lists the points of the previous picture; that line may be empty
   visit_lines(text, [&](std::string_view line, std::size_t number) {
     if (is_points) {
       is_points = false;

@@ -58,7 +58,8 @@ class Conversion {
     if (params.display_picture) pool_ = std::make_unique<ThreadPool>(resolved_threads(params.threads));
   }
 
-  /// Converts one light field. `is_frame`: `out` has the ending of `in`, which the user did not choose.
+  /// Converts one light field. `is_frame`: true if `in` is a frame of a folder, so that the user did not choose the ending of
+  /// `out`.
   void convert_one(const fs::path& in, const fs::path& out, bool is_frame, Converted& result) const {
     if (params_.display_picture) return convert_for_display(in, out, is_frame, result);
     FormatOptions reading = params_.options;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr float kNone = std::numeric_limits<float>::infinity();
 
-/// The sub-pixels found for one row of samples of every view.
+/// For one row of samples of every view: the nearest sub-pixel found so far for each sample.
 template <class Sample>
 class SampleRow {
  public:

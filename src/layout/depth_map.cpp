@@ -62,7 +62,7 @@ void scale_floats(Image& grey, const fs::path& path) {
 }
 
 void require_shape(const Image& grey, Vec2i size, const fs::path& path) {
-  constexpr double kRounding = 0.02;  // a tolerance, because the sides of small maps are rounded
+  constexpr double kRounding = 0.02;  // largest relative difference of aspect ratios; the sides of small maps are rounded
   const double wider = static_cast<double>(grey.width) * size.y / (static_cast<double>(grey.height) * size.x);
   if (std::abs(wider - 1.0) > kRounding)
     throw Error(path.string(),

@@ -118,7 +118,7 @@ class Autocorrelation {
     return true;
   }
 
-  /// Returns the sub-pixel position of a peak at `lag`, from parabolas through it and its neighbours.
+  /// Returns the sub-pixel position of a peak at `lag`, from parabolas through the peak and its neighbours.
   Vec2d top(Vec2i lag) const {
     const auto shift = [](double before, double here, double after) {
       return 0.5 * (before - after) / (before - 2.0 * here + after);

@@ -44,8 +44,8 @@ std::optional<int> frame_of_file(const std::string& name);
 /// Returns whether the name has the extension of a supported picture format, in upper or lower case.
 bool is_picture_name(const std::filesystem::path& path);
 
-/// Return the pictures, or the folders, with names of frames, in numerical order. Throw Error naming the folder if it cannot be
-/// listed, and naming a missing file if a render's journal lists it.
+/// Return the pictures (or the folders) in `folder` that are named like frames, in numerical order. Throw Error if the folder
+/// cannot be listed, or if a file that the render's journal lists is missing.
 std::vector<std::filesystem::path> frame_pictures_in(const std::filesystem::path& folder);
 std::vector<std::filesystem::path> frame_folders_in(const std::filesystem::path& folder);
 

@@ -1,6 +1,9 @@
-// Folders of the 4D light field benchmark: input_Cam000.png, ... row by row from the top left, parameters.cfg, and the depth
-// and disparity of every view as PFM: gt_depth_lowres_Cam000.pfm, ... (in metres) and gt_disp_lowres_Cam000.pfm, ... (in
-// pixels). The middle view's maps are also stored as gt_depth_lowres.pfm and gt_disp_lowres.pfm.
+// Folders of the 4D light field benchmark:
+//   input_Cam000.png, ...              the views, row by row from the top left
+//   parameters.cfg                     the cameras (layout/hci_parameters.hpp)
+//   gt_depth_lowres_Cam000.pfm, ...    the depth of every view, in metres
+//   gt_disp_lowres_Cam000.pfm, ...     the disparity of every view, in pixels
+//   gt_depth_lowres.pfm, gt_disp_lowres.pfm    copies of the middle view's maps
 //
 // Without a surface, depth is inf and disparity is -inf. The disparity of a surface is finite at any distance: it
 // approaches -beta / (F s), the negative `offset` in parameters.cfg.

@@ -1,5 +1,5 @@
-// The interface to libhdf5. A module (liblippmann_hdf5.so) contains it and is loaded when the first HDF5 file is read, because
-// nothing else needs the library. Private to src/layout.
+// The interface to a module (liblippmann_hdf5.so) that contains libhdf5. The module is loaded when the first HDF5 file is read,
+// because nothing else needs the library. Private to src/layout.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,6 @@
 
 namespace lippmann {
 
-/// Shape and type of an array.
 struct Hdf5Array {
   std::vector<std::uint64_t> shape = {};  ///< empty: the file has no such array
   std::size_t item_bytes = 0;
@@ -22,7 +21,7 @@ struct Hdf5Array {
 /// The contents of a light field's file, except the samples.
 struct Hdf5Header {
   Hdf5Array light_field, depth;  ///< the arrays LF and GT_DEPTH of the root group
-  /// The root group's attributes that describe cameras; those that the file lacks are missing.
+  /// Attributes of the root group that describe cameras, by name. Attributes that the file lacks are not in the map.
   std::map<std::string, double> attributes = {};
   std::string problem = {};  ///< error message; empty on success
 };

@@ -17,9 +17,9 @@ namespace lippmann {
 struct LightFieldSource {
   const LightFieldFormat* format = nullptr;
   FormatOptions options;  ///< the given options, with missing ones added from the files beside the picture
-  /// From a report.json beside the picture; none if there is none or the format ignores it.
+  /// None: there is no report.json beside the picture, or the format ignores it.
   std::optional<Rendering> rendering = {};
-  std::optional<RenderedViews> rendered = {};  ///< the views of that rendering; none if its lenses do not have whole pixels
+  std::optional<RenderedViews> rendered = {};  ///< the views of `rendering`; none if lenses do not cover whole pixels
 };
 
 /// Detects the source. `from`: a format's name; empty: detected from names and the report. Options that are given override the

@@ -14,7 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Throws Error if the names of views have more than one prefix.
 void require_one_prefix(const fs::path& folder) {
   static const TextPattern name("((?:.{0,200}[^0-9])?)[0-9]{1,4}_[0-9]{1,4}\\.(?:ppm|png|tiff?|bmp|jpe?g|webp|exr)",
                                 TextPattern::Letters::kEitherCase);

@@ -51,7 +51,7 @@ SensorLevels sensor_levels(const JsonFields& format) {
 }
 
 /// Returns the position of the red pixel among the first 2 x 2 pixels. The colour pattern is r,gr:gb,b, and the picture may
-/// begin at any of its pixels.
+/// begin at any pixel of the pattern.
 Vec2i red_place(const JsonFields& mosaic) {
   mosaic.word("tile", {"r,gr:gb,b"});
   const auto corner = static_cast<int>(mosaic.word("upperLeftPixel", {kColors.begin(), kColors.end()}));
@@ -133,7 +133,7 @@ Json parsed_json(std::span<const std::byte> text, const std::string& where, cons
   return json;
 }
 
-/// Returns the first element of a list of objects as an object.
+/// Returns the first element of the list with this key, which must be an object.
 JsonFields first_of(const JsonFields& fields, std::string_view key) {
   const Json& list = fields.value(key);
   if (!list.is_array() || list.empty()) fields.reject(key, "is not a list of frames", "a raw picture as the camera writes it");

@@ -13,7 +13,7 @@
 namespace lippmann {
 
 struct LytroRaw {
-  /// The light on the sensor, linear: 0 at its black level, 1 at its white level. 3 channels, without white balance.
+  /// The light on the sensor, linear: 0 at the sensor's black level, 1 at its white level. 3 channels, without white balance.
   Image light;
   LensGrid grid;
   Vec3f gains{1.0f};             ///< white balance factors

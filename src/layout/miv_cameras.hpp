@@ -35,8 +35,8 @@ void sort_as_views(std::vector<MivCamera>& cameras);
 /// of cameras.
 ViewGrid grid_of_cameras(const std::vector<MivCamera>& cameras, std::optional<ViewGrid> views, const std::string& where);
 
-/// Converts cameras; the result has one per view. All eyes are in one plane; the plane with zero disparity is distance_mm in
-/// front of it.
+/// Returns one MIV camera per view. All eyes are in one plane. The plane with zero disparity is cameras.distance_mm in front of
+/// it.
 std::vector<MivCamera> miv_cameras(const ViewCameras& cameras, Vec2i view_size, const std::vector<std::string>& names,
                                    double near_m, double far_m);
 

@@ -172,7 +172,7 @@ LightField read_posed_pictures(const fs::path& folder, const fs::path& file, std
   std::vector<fs::path> by_view;
   for (const PosedPicture& picture : pictures) by_view.push_back(listed_picture(folder, file, picture));
   LightField field = read_view_files(by_view, grid, options);
-  if (options.fit_view) return field;  // because fitted views have other sizes
+  if (options.fit_view) return field;  // fitted views have other sizes than the cameras
   if (cameras)
     field.cameras = std::move(cameras);
   else

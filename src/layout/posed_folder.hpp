@@ -13,7 +13,7 @@
 
 namespace lippmann {
 
-inline constexpr double kMmPerUnit = 1000.0;  ///< the files' unit of length, a metre, in mm
+inline constexpr double kMmPerUnit = 1000.0;  ///< mm per unit of length of the files, a metre
 
 /// A picture that a camera file lists.
 struct PosedPicture {
@@ -36,9 +36,9 @@ std::string posed_picture_name(int view, int count, const char* ending);
 std::string posed_depth_name(int view, int count);
 std::string ray_length_name(const std::string& depth_name);
 
-/// Reads the pictures and arranges them. Cameras that share a plane become a grid, starting at the lower left; others stay in
-/// file order, as one row unless `options` has a grid. `file` is the camera file. Throws Error naming it and the entry if a
-/// picture is missing or has another size than the entry states.
+/// Reads the pictures and arranges them as views. Cameras that share a plane become a grid, starting at the lower left. Other
+/// cameras stay in file order, as one row unless `options` has a grid. `file` is the camera file. Throws Error naming this file
+/// and the entry if a picture is missing or has another size than the entry states.
 LightField read_posed_pictures(const std::filesystem::path& folder, const std::filesystem::path& file,
                                std::vector<PosedPicture> pictures, const FormatOptions& options);
 
@@ -65,7 +65,6 @@ struct ViewOfSet {
 std::vector<std::filesystem::path> write_posed_view(const LightField& field, const std::filesystem::path& folder,
                                                     const ViewOfSet& view);
 
-/// A coloured point in the world.
 struct CloudPoint {
   Vec3d position_mm;
   unsigned char rgb[3];

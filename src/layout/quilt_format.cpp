@@ -47,7 +47,6 @@ Quilt described(const fs::path& path, const FormatOptions& options) {
   return {name->tiles, name->tiles.count(), false, name->aspect};
 }
 
-/// Reverses the order of the views in the light field.
 void reverse_views(LightField& field) {
   const LightField from = field;
   for (int view = 0; view < field.grid.count(); ++view) {

@@ -29,7 +29,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr std::uintmax_t kMaxReportBytes = std::uintmax_t{256} << 20;  // one frame takes about 600 bytes
+constexpr std::uintmax_t kMaxReportBytes = std::uintmax_t{256} << 20;  // room for 400,000 frames of about 600 bytes each
 
 using LayerChannels = std::span<const std::string>;
 
@@ -51,7 +51,6 @@ std::optional<Image> rendered_layer(const fs::path& picture, LayerChannels chann
   return read_channels(layers, channels);
 }
 
-/// Reads a report as a JSON object.
 Json read_report(const fs::path& report) {
   const std::string text =
       read_recorded_text(report, kMaxReportBytes, "the report.json that `lippmann render` writes beside its pictures");

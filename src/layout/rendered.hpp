@@ -24,7 +24,7 @@ struct Rendering {
   Optics optics;
   /// Value of the setting `layout` or `to`: integral, views, quilt, ...; empty: native layout of the optics.
   std::string layout = {};
-  bool mirrored = false;        ///< left and right are swapped, for prints on the back of a sheet
+  bool mirrored = false;        ///< true: left and right are swapped, for prints on the back of a sheet
   bool has_depth_layer = true;  ///< false: a depth layer in the folder belongs to another render
   bool has_provenance = false;  ///< false: a provenance layer in the folder belongs to another render
   std::optional<double> frames_per_second = {};

@@ -18,7 +18,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr NumberRange kFocalRange{1e-3, 1e9}, kSizeRange{1.0, 65536.0}, kAngleRange{1e-6, 3.1415}, kPlaceRange{-1e9, 1e9};
 
-/// Throws Error if the camera is not a pinhole.
 void check_pinhole(const JsonFields& json) {
   for (const char* key : {"k1", "k2", "k3", "k4", "p1", "p2"})
     if (json.number_or(key, kAnyNumber, 0.0) != 0.0) json.reject(key, "is a lens distortion", "0, pictures without distortion");

@@ -33,11 +33,11 @@ ViewGrid complete_grid(const std::filesystem::path& folder, const std::vector<Nu
 /// memory (infinite: no limit).
 void require_stack_fits(const std::string& where, int views, Vec2i view_size, std::size_t sample_bytes, double available_bytes);
 
-/// Reads the views in order with `read`. by_view: grid.count() files. Throws Error naming the first file whose size or sample
-/// type differs from that of the first file, or naming the first file if all of them do not fit into memory.
+/// Reads the views in order with `read`. by_view: grid.count() files. Throws Error naming a file whose size or sample type
+/// differs from that of the first file. Throws Error naming the first file if the views together do not fit into memory.
 LightField read_view_files(const std::vector<std::filesystem::path>& by_view, ViewGrid grid,
                            const std::function<Picture(const std::filesystem::path&)>& read);
-/// Reads the views with read_picture(), with the warnings and the fit_view of the options.
+/// Reads the views with read_picture(). Uses options.warn and options.fit_view.
 LightField read_view_files(const std::vector<std::filesystem::path>& by_view, ViewGrid grid, const FormatOptions& options);
 
 /// Returns the extension of a lossless format for the picture's samples: "png" for integers, "exr" for floats.

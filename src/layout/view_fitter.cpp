@@ -105,8 +105,8 @@ Picture ViewFitter::fitted(const Picture& view, double aspect, int number, ViewG
                 "views of one size");
   original_ = from, window_ = window_in_all(from, aspect, grid);
   const bool is_whole = window_ == Vec2d(from) && view_shift_px_ == 0.0;
-  // Panels sample views of any size, as players do, so views need not be resized. Larger views that are cropped or padded are
-  // reduced first.
+  // Interlacing samples views of any size, as players do, so a native frame needs no resized views. Only views that are cropped
+  // or padded, or larger than the display (unless stretched), are resized.
   const bool is_small = from.x <= display_.pixels.x && from.y <= display_.pixels.y;
   if (target_ == DisplayTarget::kNative && is_whole && (is_small || fit_ == AspectFit::kStretch)) {
     size_ = from;

@@ -82,7 +82,7 @@ class ViewFitter {
   /// view's number in `grid`, which determines its shift. Throws Error if the view's size differs from the first view's, and a
   /// usage Error naming `view-shift` if the shifts leave less than half of the view.
   Picture fitted(const Picture& view, double aspect, int number = 0, ViewGrid grid = {1, 1});
-  /// Fits each view of a light field in memory.
+  /// Fits all views of a light field in place.
   void fit(LightField& field);
 
   Vec2i size() const { return size_; }
@@ -112,9 +112,10 @@ class ViewFitter {
 /// DisplayPictureParams::finish has a bleed, pass this larger display to ViewFitter and display_picture().
 Display with_bleed(const Display& display, double bleed_mm);
 
-/// Returns the picture of a display from views fitted by a ViewFitter. Throws a usage Error if the views are in more than one
-/// row (microlens arrays excepted), if there is only one view, if the number of flip shares differs from the number of frames,
-/// if `finish` is set for a picture that is not a print, or if a print is too small for a proof.
+/// Returns the picture of a display from views fitted by a ViewFitter. Throws a usage Error if
+///   - there is only one view, or more than one row of views (microlens arrays excepted);
+///   - the number of flip shares differs from the number of frames;
+///   - `finish` is set for a picture that is not a print, or a print is too small for a proof.
 Picture display_picture(const LightField& field, const Display& display, DisplayTarget target,
                         const DisplayPictureParams& params, const ThreadPool& pool);
 

@@ -31,7 +31,7 @@ struct StatedCameras {
 struct FormatOptions {
   /// Number of views across and up; required if neither the file name nor a side file states it.
   std::optional<ViewGrid> views = {};
-  /// A quilt's tiles across and up. None: from its name, or the arrangement closest to a square.
+  /// A quilt's tiles across and up. None: from the quilt's name, or the arrangement closest to a square.
   std::optional<ViewGrid> tiles = {};
   /// Width / height of the display, for a quilt's file name. None: the aspect ratio of the light field.
   std::optional<double> aspect = {};
@@ -42,7 +42,8 @@ struct FormatOptions {
   std::optional<ViewFilter> filter = {};  ///< how native frames interpolate between views; none: kNearest
   std::optional<double> sigma_views = {};
   std::optional<StereoLayout> stereo = {};  ///< packing of two views in one picture; none: from its name, or side by side
-  /// The depths at the two ends of the grey scale. None: from the RGB-D picture's side file, or the range of the depth.
+  /// The depths at the two ends of the grey scale. None: from the side file when reading, and the range of the light field's
+  /// depth when writing.
   std::optional<DepthRange> depth_range = {};
   std::optional<bool> even_in_depth = {}, near_black = {};  ///< See DepthCoding. None: from the side file.
   std::optional<StatedCameras> cameras = {};                ///< cameras for files without camera data

@@ -17,19 +17,19 @@ enum class ViewFilter {
   /// Mixes the two views whose centres are next to v, each interpolated bilinearly. Tools that weigh by fract(v N) are off by
   /// half a view.
   kLinear,
-  kGaussian,  ///< mixes the views around v with a standard deviation of `sigma_views` views, each interpolated bilinearly
+  kGaussian,  ///< mixes the views around v with Gaussian weights; each view is interpolated bilinearly
 };
 
 struct InterlaceParams {
   ViewFilter filter = ViewFilter::kNearest;
-  double sigma_views = 0.5;  ///< in views, 0.1 ... 10
+  double sigma_views = 0.5;  ///< standard deviation of kGaussian, in views, 0.1 ... 10
 };
 
 /// Throws a usage Error naming `display` unless it is a slanted panel, because only slanted panels have interlaced frames.
 void require_own_frame(const Display& display);
 
-/// Returns the panel's frame of W x H pixels. Throws a usage Error if the display is not a slanted panel or the views form more
-/// than one row.
+/// Returns the panel's frame, of display.pixels pixels. Throws a usage Error if the display is not a slanted panel or the views
+/// form more than one row.
 Picture interlace(const LightField& field, const Display& display, const InterlaceParams& params, const ThreadPool& pool);
 
 /// Extracts `count` views of `view_size` pixels from a frame. Each sample of a view takes the value of the nearest

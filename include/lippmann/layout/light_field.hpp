@@ -39,7 +39,6 @@ struct LightField {
 /// the cameras are unknown.
 std::vector<PosedCamera> posed_cameras(const LightField& field, const std::string& where);
 
-/// Returns the size of the stack of all views.
 inline Vec2i stack_size(const LightField& field) { return {field.view_size.x, field.view_size.y * field.grid.count()}; }
 
 Vec2i size_of(const Picture& picture);
@@ -54,7 +53,7 @@ void move_pixels(const Picture& from, const std::vector<std::uint32_t>& from_pix
 void move_pixels(const Image& from, const std::vector<std::uint32_t>& from_pixel, Image& to,
                  const std::vector<std::uint32_t>& to_pixel);
 
-/// Returns one view of the stack.
+/// Return one view of the stack, or the depth of one view.
 Picture view_of(const LightField& field, int view);
 Image depth_of(const LightField& field, int view);
 

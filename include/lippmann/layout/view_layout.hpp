@@ -31,7 +31,7 @@ enum class LayoutKind { kIntegral, kQuilt, kStack, kEslf };
 
 struct ViewLayout {
   LayoutKind kind = LayoutKind::kStack;
-  ViewGrid grid{};   ///< number of views across and up
+  ViewGrid grid{};
   ViewGrid tiles{};  ///< a quilt's tiles across and up; their number equals the number of views
 };
 

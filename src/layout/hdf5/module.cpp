@@ -74,7 +74,7 @@ Hdf5Array described(const Dataset& array) {
   return {shape_of(space), is_number ? H5Tget_size(*type) : 0, kind == H5T_FLOAT};
 }
 
-/// Reads the first number of an attribute. Some files store a number as an array of one.
+/// Reads the first number of an attribute. Some files store a number as an array with one element.
 void read_attribute(const FileHandle& file, const char* name, Hdf5Header& header) {
   constexpr hssize_t kMostNumbers = 64;
   if (H5Aexists(*file, name) <= 0) return;
