@@ -95,7 +95,7 @@ LightField RgbdFrames::read(const fs::path& file) const {
   return light_field_of_colours(std::move(colours), std::move(greys), file, options);
 }
 
-/// Reads the two views of a stereo image. Assumes a screen size and distance if the image has no side file.
+/// Reads the two views of a stereo image. Sets their cameras for an assumed screen size and distance.
 LightField RgbdFrames::read_pair(const fs::path& file) const {
   LightField pair = stereo_format().read(file, params_.options);
   const Vec2d view(pair.view_size);

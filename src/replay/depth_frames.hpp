@@ -20,7 +20,7 @@ struct DepthConversion {
                                ///< the depth of `in`
   /// Full angle of the views if there is no display; none: the default for views with unknown cameras.
   std::optional<double> view_angle_deg = {};
-  double ipd_mm = kDefaultIpdMm;     ///< distance of the eyes, for the format stereo
+  double ipd_mm = kDefaultIpdMm;     ///< distance between the eyes, for the format stereo
   double depth_scale = 1.0;          ///< factor of depth: depth shown / depth stored in the image
   std::filesystem::path depth = {};  ///< depth map of the image `in` (layout/depth_map.hpp); empty: `in` is RGB-D
   bool is_pair = false;              ///< whether `in` is a stereo image, or a folder of stereo images (replay/pair_depth.hpp)

@@ -24,7 +24,7 @@ struct DepthPicture {
   Image colours;
   Image disparity;     ///< the disparity q, in mm on the screen
   Vec2d slope{0.0};    ///< offset of the source's eye to the right of and above the axis, per mm of distance
-  Vec2d size_mm{0.0};  ///< size of the part of the window that the source fills
+  Vec2d size_mm{0.0};  ///< size of the source image after scaling it to cover the window
 
   Vec2d place_mm(Vec2d pixel) const {
     return (pixel / Vec2d(colours.width, colours.height) - 0.5) * Vec2d(1.0, -1.0) * size_mm;

@@ -20,7 +20,7 @@ constexpr int kBandRows = 16;
 struct Arrivals {
   int width, height;
   std::vector<float> x, y;
-  std::vector<float> lowest_y, highest_y;  ///< range of y for each row of the panel
+  std::vector<float> lowest_y, highest_y;  ///< least and greatest y of the rays of each panel row
 
   Arrivals(int w, int h)
       : width(w),

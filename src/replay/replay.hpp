@@ -29,9 +29,9 @@ struct FocalStack {
 
 struct ReplayParams {
   std::filesystem::path in = {};      ///< an image or a folder (replay/light_field_frames.hpp)
-  LightFieldHints field = {};         ///< properties of the light field, as given by flags
-  std::filesystem::path folder = {};  ///< for the results; empty: "replay" beside the images
-  bool exr = false;                   ///< write linear floats instead of PNG
+  LightFieldHints field = {};         ///< properties of the light field that the caller states
+  std::filesystem::path folder = {};  ///< folder for the results; empty: "replay" beside the images
+  bool exr = false;                   ///< true: writes linear floats (EXR) instead of PNG
 
   std::optional<Vec3d> eye_mm = {};  ///< position of the eye; none: the design viewing position of the display
   EyeView view = {};                 ///< options of eye views; eye_mm above overrides view.eye_mm
@@ -39,6 +39,7 @@ struct ReplayParams {
   bool one_per_lens = false;
 
   // The images to make. If none is requested, eye_0000.png etc. show the eye's view of every frame.
+
   /// Distance of the two eyes of a pair: left_0000.png, right_0000.png and, side by side, pair_0000.png.
   std::optional<double> ipd_mm = {};
   int sweep = 0;  ///< number of eye positions from left to right through the viewing zone: sweep_0000.png etc.
@@ -49,7 +50,7 @@ struct ReplayParams {
   /// Row and column of the epipolar images epi_row_0000.png and epi_column_0000.png.
   std::optional<int> epi_row = {}, epi_column = {};
   std::filesystem::path video = {};              ///< an .mp4 or .mkv file of the views, pairs or sweep
-  std::optional<double> frames_per_second = {};  ///< none: as in the report
+  std::optional<double> frames_per_second = {};  ///< frame rate of the video; none: as in the report
 };
 
 struct Replayed {

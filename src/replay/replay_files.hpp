@@ -17,7 +17,7 @@ class ReplayFiles {
  public:
   struct Settings {
     std::filesystem::path folder;
-    bool exr = false;  ///< write linear floats instead of 8-bit sRGB codes as PNG
+    bool exr = false;  ///< true: writes linear floats (EXR) instead of 8-bit sRGB codes as PNG
     std::filesystem::path video = {};
     double frames_per_second = 25.0;
   };

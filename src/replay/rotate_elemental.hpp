@@ -1,9 +1,10 @@
 // Converts orthoscopic images to pseudoscopic ones and back by rotating every elemental image by 180 degrees.
 //
 // Based on: Okano, Hoshino, Arai and Yuyama, "Real-time pickup method for a three-dimensional image based on integral
-// photography", Appl. Opt. 36(7), 1997. A pixel at offset o from the centre of its cell has the ray x = l - o z / g. At offset
-// -o it has the ray of depth -z, so that a point at depth z moves to depth -z at the same x. Two rotations give the original.
-// For lenticular sheets, each row of an elemental image is mirrored. For quilts, the order of the views is reversed.
+// photography", Appl. Opt. 36(7), 1997. A pixel at offset o from the centre of its cell has the ray x = l - o z / g, with the
+// lens centre l and the gap g. At offset -o it has the ray of depth -z, so that a point at depth z moves to depth -z at the
+// same x. Two rotations give the original. For lenticular sheets, each row of an elemental image is mirrored. For quilts, the
+// order of the views is reversed.
 #pragma once
 
 #include <string>

@@ -6,9 +6,9 @@
 // Saavedra and Javidi, "Three-dimensional display by smart pseudoscopic-to-orthoscopic conversion with tunable focus", Appl.
 // Opt. 53(22), 2014.
 //
-// Shown by the recording array itself, the recorded image would have inverted depth: the array recorded the scene point (x, z)
-// in front of it from the opposite side. The conversion therefore places the display's array at distance D in front of the
-// recording array, facing it. Depth Z on the display is z = D - Z in front of the recording array. Points nearer to the
+// If the recording array itself showed the recorded image, depth would be inverted, because the array recorded the scene point
+// (x, z) in front of it from the opposite side. The conversion therefore places the display's array at distance D in front of
+// the recording array, facing it. Depth Z on the display is z = D - Z in front of the recording array. Points nearer to the
 // recording array come nearer to the viewer, and points at distance D lie in the display plane.
 //
 //   A pixel at offset o below the display's lens l (pitch p, gap g) has the ray x(Z) = l - o Z / g.

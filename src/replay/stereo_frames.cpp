@@ -29,8 +29,8 @@ struct EyePair {
   Vec3d eye(int i) const { return middle_mm + Vec3d((i - 0.5) * ipd_mm, 0.0, 0.0); }
 };
 
-/// Returns the eyes. The given lengths refer to the screen of the viewer; if its width differs from that of the optics, they
-/// are scaled.
+/// Returns the eyes. The lengths in `params` refer to the viewer's screen. If the width of this screen differs from that of the
+/// optics, the lengths are scaled.
 EyePair eye_pair(const StereoParams& params, const Optics& optics) {
   const double width = display_window(optics).size.x, scale = params.screen_width_mm ? width / *params.screen_width_mm : 1.0;
   EyePair eyes{default_eye_mm(optics), params.ipd_mm.value_or(kDefaultIpdMm) * scale};
@@ -55,8 +55,8 @@ void refuse_eye_params(const StereoParams& params) {
   refuse(params.field.cone_ends, "cone-ends");
 }
 
-/// Warns if an eye is outside the viewing zone. Returns the share of the display that shows an eye another zone, the larger of
-/// both eyes.
+/// Warns if an eye is outside the viewing zone. Returns the share of the display that shows an eye a neighbouring zone: the
+/// larger share of both eyes.
 double warn_out_of_zone(const Optics& optics, const EyePair& eyes, const Context& context) {
   const double share =
       std::max(share_out_of_zone(optics, viewer_at(eyes.eye(0))), share_out_of_zone(optics, viewer_at(eyes.eye(1))));

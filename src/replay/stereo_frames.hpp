@@ -28,7 +28,7 @@ struct StereoParams {
 struct ConvertedStereo {
   std::vector<std::filesystem::path> written;
   Vec2i view_size{0, 0};     ///< size of one view before it is squeezed
-  double out_of_zone = 0.0;  ///< share of the display that shows an eye another zone (eye_sampler.hpp); the larger of both eyes
+  double out_of_zone = 0.0;  ///< largest share of the display that shows an eye a neighbouring zone (eye_sampler.hpp)
 };
 
 /// Converts all frames. A light field of two views keeps its views; giving the distances or the view angle is then an Error.

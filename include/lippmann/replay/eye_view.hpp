@@ -13,13 +13,13 @@ namespace lippmann {
 struct EyeView {
   Vec3d eye_mm{0.0, 0.0, 500.0};                ///< position of the eye in the display frame; z > 0
   Vec2i size{0, 0};                             ///< size of the image in pixels; 0: natural_view_size() (optics/viewing.hpp)
-  SampleFilter filter = SampleFilter::kLinear;  ///< interpolates panel pixels below one lens, and views of a quilt
+  SampleFilter filter = SampleFilter::kLinear;  ///< how pixels below one lens, and views of a quilt, are interpolated
   /// Standard deviation of the Gaussian with which a lens blurs the panel, in panel pixels (quilt: in views), 0 ... kMaxBlurPx.
   /// If it is not 0, the Gaussian replaces `filter` across the lenses.
   double crosstalk_px = 0.0;
   double pupil_mm = 0.0;  ///< diameter of the pupil; 0: a pinhole
   double focus_mm = 0.0;  ///< z of the plane on which the eye focuses, less than the eye's z; 0: the display
-  /// Number of points of the pupil, spread evenly in a sunflower spiral; the result is the mean of their views.
+  /// Number of points of the pupil, spread evenly in a sunflower spiral. The result is the mean of the views from these points.
   int pupil_points = 64;
 };
 

@@ -22,9 +22,9 @@ namespace lippmann {
 
 /// Light-field properties that the caller states, mostly from flags.
 struct LightFieldHints {
-  std::filesystem::path report = {};                ///< path of the report; empty: report.json beside the images
-  std::string from = {};                            ///< a format of `convert`; empty: detected from file names and the report
-  std::optional<ViewGrid> views = {};               ///< number of columns and rows of views
+  std::filesystem::path report = {};  ///< path of the report; empty: report.json beside the images
+  std::string from = {};              ///< a format of `convert`; empty: detected from file names and the report
+  std::optional<ViewGrid> views = {};
   std::optional<ViewGrid> tiles = {};               ///< number of columns and rows of a quilt's tiles
   std::optional<double> view_angle_deg = {};        ///< full angle of the viewing zone, if the cameras are unknown
   bool cone_ends = false;                           ///< true: the outermost views of a row are at the two ends of
@@ -58,7 +58,7 @@ struct LightFieldFrames {
 LightFieldFrames find_light_field_frames(const std::filesystem::path& in, const LightFieldHints& hints);
 
 /// Arranges the views of a light field on the panel of `optics`, in linear light. Throws Error naming `where` if the optics
-/// have no such views.
+/// have another grid or size of views, or no views of whole pixels.
 RenderedPanel panel_of(const LightField& field, const Optics& optics, const std::string& where);
 
 /// Returns the optics of a quilt of the views. Throws Error naming `where` unless the cameras form a regular grid centred on

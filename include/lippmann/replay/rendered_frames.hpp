@@ -12,7 +12,7 @@ namespace lippmann {
 
 struct RenderedFrames {
   Optics optics{};
-  std::vector<std::filesystem::path> files{};  ///< in ascending order of frames
+  std::vector<std::filesystem::path> files{};  ///< images, in ascending order of frames
   double frames_per_second = 25.0;
 };
 
@@ -21,10 +21,10 @@ struct RenderedFrames {
 /// optics, or if the images are rearranged views instead of the panel's image.
 RenderedFrames find_rendered_frames(const std::filesystem::path& in, const std::filesystem::path& report = {});
 
-/// Returns only the files: an image, or the images of a folder. Throws Error naming a folder without images.
+/// Returns `in` if it is an image, or the images in the folder `in`. Throws Error naming a folder without images.
 std::vector<std::filesystem::path> pictures_of(const std::filesystem::path& in);
 
-/// Reads one of the files without conversion. Throws Error naming the file, for example if its size is not the panel's.
+/// Reads one of frames.files without conversion. Throws Error naming the file, for example if its size is not the panel's.
 Picture read_panel_picture(const RenderedFrames& frames, const std::filesystem::path& file);
 
 /// Reads frames.files[index] into linear light: integer samples are sRGB codes, float samples are linear, and values that are
