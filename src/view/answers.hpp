@@ -20,7 +20,7 @@ namespace lippmann {
 
 struct PageRequest {
   std::string method = "GET";
-  std::string path = "/";  ///< decoded, without the query
+  std::string path = "/";  ///< decoded path, without the query
   /// Values of the headers Host, Origin and Sec-Fetch-Site; empty: the header is missing.
   std::string host = {}, origin = {}, fetch_site = {};
   std::string body = {};  ///< content of a POST

@@ -53,9 +53,9 @@ class HttpConnection {
 
  private:
   enum class State {
-    kIdle,      ///< no byte of the next request has arrived
-    kHead,      ///< reading the head
-    kBody,      ///< reading the body
+    kIdle,  ///< no byte of the next request has arrived
+    kHead,
+    kBody,
     kComplete,  ///< the request waits for take_request()
     kAnswering,
     kSending,

@@ -1,8 +1,8 @@
 // Describes a light field for the page, and makes its views as one image (a quilt) from the panel's image.
 //
 // Panels with whole pixels per lens contain the views as their own pixels. For slanted, hexagonal and fractional lenses,
-// `EyeSampler` computes what eyes in all distinguishable directions see, with one sample per pixel. Their resolution is reduced
-// so that this takes at most a second or two.
+// `EyeSampler` computes what eyes in all distinguishable directions see, with one sample per pixel. The resolution of these
+// views is reduced so that computing them takes at most a second or two.
 #pragma once
 
 #include <optional>
@@ -20,8 +20,7 @@ namespace lippmann {
 
 /// How the page derives the panel's image from the views.
 enum class PanelPicture {
-  kIntegral,  ///< the image has cells of grid.columns x grid.rows pixels, one pixel from each view, rotated
-              ///< (layout/view_layout.hpp)
+  kIntegral,  ///< one cell per lens, with one pixel from each view (kIntegral in layout/view_layout.hpp)
   kQuilt,     ///< the image is the quilt of the views
   kOwn,       ///< the page cannot derive the image from the views and loads it
 };
@@ -33,10 +32,10 @@ struct PageFrame {
 
 struct PageFacts {
   std::string title;
-  ViewGrid grid;          ///< number of views across and up
-  ViewGrid tiles;         ///< arrangement of the views in the quilt, view 0 at the bottom left
-  Vec2i view_size{0, 0};  ///< size of a view, in pixels
-  Window window;          ///< the part of the plane z = 0 that every view shows
+  ViewGrid grid;
+  ViewGrid tiles;  ///< arrangement of the views in the quilt, view 0 at the bottom left
+  Vec2i view_size{0, 0};
+  Window window;  ///< the part of the plane z = 0 that every view shows
   ViewAxes axes;
   /// Whether one sample of a view covers a whole lens in that direction.
   bool lens_samples_across = false, lens_samples_up = false;

@@ -24,11 +24,11 @@ struct PrintRequest {
   std::size_t frame = 0;
   Display display;
   std::optional<AspectFit> fit = {};  ///< none: default_fit()
-  double view_shift_px = 0.0;         ///< as in ViewFitter
+  double view_shift_px = 0.0;         ///< see ViewFitter's constructor
 };
 
-/// Parses {"frame", "display", "file": {"name", "text"}, "fit", "view_shift_px"}. The display is given by name, as a sheet in
-/// one line, or by the text of a file, but never by the path of a file. Throws Error naming the key.
+/// Parses {"frame", "display", "file": {"name", "text"}, "fit", "view_shift_px"}. The display is given by its name, by the
+/// one-line description of a sheet, or by the text of a file, but never by the path of a file. Throws Error naming the key.
 PrintRequest read_print_request(const std::string& text);
 
 class PagePrints {

@@ -70,7 +70,7 @@ class RunningRender {
   std::chrono::steady_clock::time_point updated_;
   std::vector<int> frames_;
   std::map<std::size_t, std::filesystem::path> files_;  ///< files of finished frames, by index in frames_
-  std::vector<Finished> finished_;                      ///< in the order in which they were found
+  std::vector<Finished> finished_;                      ///< finished frames, in the order in which they were found
   std::set<std::filesystem::path> interrupted_;         ///< the parts of the journal whose processes were already interrupted
   std::unique_ptr<ToolProcess> resumed_;
   std::string error_;

@@ -12,7 +12,7 @@ namespace lippmann {
 
 struct ToolCommand {
   std::filesystem::path program;   ///< path of the command-line tool
-  std::vector<std::string> words;  ///< its arguments
+  std::vector<std::string> words;  ///< arguments of the tool
 };
 
 /// Not thread-safe.
