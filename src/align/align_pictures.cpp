@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMaxPictures = 500;  ///< features and reduced images of all pictures are kept in memory
+constexpr std::size_t kMaxPictures = 500;  ///< limits the memory for features and reduced images
 constexpr int kMinSidePx = 16;             ///< smallest side of the common area
 
 void require_other_folder(const AlignParams& params) {

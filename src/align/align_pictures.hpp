@@ -36,7 +36,7 @@ struct AlignedPictures {
   std::size_t middle = 0;
   Vec2i read_size{0};
   Vec2i corner{0}, size{0};  ///< the window of the middle image to which all images are cropped
-  Vec2d focus{0.0};          ///< the focus point in pixels of each written image
+  Vec2d focus{0.0};          ///< the pixel that shows the focus point in every written image
   Parallax parallax;
 };
 

@@ -10,7 +10,7 @@
 
 namespace lippmann {
 
-/// Motion of the nearest and of the farthest points to the left, from the first image to the last, in pixels. Positive in front
+/// How far the nearest and the farthest points move to the left from the first image to the last, in pixels. Positive in front
 /// of the display, negative behind it. The 2 % of the points with the largest and the 2 % with the smallest motion are ignored.
 struct Parallax {
   double near_px = 0.0, far_px = 0.0;
@@ -18,7 +18,8 @@ struct Parallax {
   double total_px() const { return near_px - far_px; }
 };
 
-/// Measures the parallax by points that the middle image shares with the outermost images that have such points.
+/// Measures the parallax by points that the middle image shares with other images. If the outermost images share none,
+/// extrapolates from images nearer to the middle.
 Parallax parallax_of(const RegisteredPictures& registered);
 
 /// The parallax of images that are cropped to the display's shape and fill it.

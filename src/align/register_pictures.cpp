@@ -40,7 +40,7 @@ std::vector<Features> features_of(const std::vector<fs::path>& files, Registered
   return features;
 }
 
-/// Returns the pairs of images to compare: neighbours, and every other image with the middle one.
+/// Returns the pairs of images to compare: each image with the next one, and each image with the middle one.
 std::vector<SharedPlaces> compared_pairs(std::size_t count, std::size_t middle) {
   std::vector<SharedPlaces> pairs;
   for (std::size_t i = 0; i + 1 < count; ++i) pairs.push_back({i, i + 1, {}, {}});

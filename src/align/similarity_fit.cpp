@@ -12,11 +12,11 @@ namespace {
 
 /// Number of samples; if 1/3 of the matches are correct, the chance that no sample is correct is 1 in 10^8.
 constexpr int kSamples = 500;
-constexpr double kMaxTurn = 0.5, kMaxScale = 2.0;  ///< limits of |b| and a between two images of one row
+constexpr double kMaxTurn = 0.5, kMaxScale = 2.0;  ///< limits of |b| (rotation) and a (scale) between two images
 constexpr int kRounds = 8;                         ///< number of rounds, enough for the weights to converge
 constexpr double kSlopeSigma = 0.02;  ///< standard deviation of the slope: a slider holds a camera level to about a degree
 
-/// Gives the height in the first image of a point `q` of the second, for a rotation, scale and shift between the images.
+/// Predicts the height b q.x + a q.y + y in the first image of a point q of the second image.
 struct HeightRule {
   double b = 0.0, a = 1.0, y = 0.0;
 

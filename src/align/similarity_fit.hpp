@@ -1,7 +1,7 @@
 // Fits a rotation, scale and vertical shift to each image of a row of cameras, such that shared points are at equal heights.
 //
 // An ideal row of cameras sees a point at depth z at the same height in all images, at a horizontal position that depends on z.
-// With q in image i and q' in image j, similarities S_i and S_j that align the images therefore satisfy
+// If q in image i and q' in image j show the same point, similarities S_i and S_j that align the images therefore satisfy
 //   S_i(q).y = S_j(q').y + t (q.x - q'.x),
 // where t is the slope of the line of the cameras relative to the rows. Heights alone determine a, b and y of every image,
 // whatever the depths; x remains free. The equations are linear and solved for all images together, by robust least squares

@@ -1,10 +1,12 @@
-// Based on: H. Hirschmueller, "Stereo processing by semiglobal matching and mutual information", IEEE PAMI 30(2), 2008, as
-// implemented by OpenCV: blocks instead of mutual information, five directions, steps of 1/16 pixel.
+// Computes the disparities of a stereo pair in four steps:
 //
 // 1. Features visible in both images give the range of disparities.
 // 2. The disparity of each image is matched on its own.
 // 3. Disparities that the other image contradicts are removed, since points visible in only one image have no match.
 // 4. The holes are filled with the disparity of the farther neighbour in the row.
+//
+// Based on: H. Hirschmueller, "Stereo processing by semiglobal matching and mutual information", IEEE PAMI 30(2), 2008, as
+// implemented by OpenCV: blocks instead of mutual information, five directions, steps of 1/16 pixel.
 #include "align/stereo_depth.hpp"
 
 #include <fmt/format.h>
@@ -25,7 +27,7 @@ namespace {
 
 constexpr int kMatchedPx = 1600, kMatchedFeatures = 3000;
 constexpr std::size_t kMinShared = 20;
-/// Largest median row error of shared points without a warning, in pixels of the matched images.
+/// Limit for the median row difference of shared points, in pixels of the matched images. Beyond it, a warning is given.
 constexpr double kMaxRowError = 1.0;
 /// Largest difference between the disparities of both images at one point, in pixels of the matched images.
 constexpr double kMaxContradiction = 1.5;

@@ -78,7 +78,7 @@ class OpenCvModule : public AlignModule {
     cv::copyMakeBorder(matrix_of(first), wide_first, 0, 0, border, border, cv::BORDER_REPLICATE);
     cv::copyMakeBorder(matrix_of(second), wide_second, 0, 0, border, border, cv::BORDER_REPLICATE);
     constexpr int kSmallStep = 8 * kBlock * kBlock,
-                  kLargeStep = 32 * kBlock * kBlock;  // as recommended by OpenCV's documentation
+                  kLargeStep = 32 * kBlock * kBlock;  // smoothness penalties that OpenCV's documentation recommends
     cv::StereoSGBM::create(least, count, kBlock, kSmallStep, kLargeStep, -1, 31, 5, 100, 2)
         ->compute(wide_first, wide_second, found);
     Image result(first.width, first.height, 1);
