@@ -34,7 +34,6 @@ inline constexpr int kMostStrips = 4096;
 /// Returns strip_0000_003.exr, the name of a file with some rows of a frame that has not been joined yet.
 std::string strip_name(int frame, int strip);
 
-/// Returns whether a file has the name of a strip.
 bool is_strip_name(const std::string& name);
 
 /// Returns the frame that a file with this name (relative to a render's folder) belongs to. The file may be a picture, a strip,

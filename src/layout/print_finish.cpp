@@ -105,7 +105,7 @@ class PrintMarks {
       }
   }
 
-  /// Writes the print's parameters below its left half.
+  /// Writes the resolution and the lens pitch below the left half of the print.
   void legend(int middle) {
     std::string text = fmt::format("{:g} dpi", display_.dpi);
     if (display_.kind == DisplayKind::kLenticularSheet)

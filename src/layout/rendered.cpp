@@ -117,7 +117,7 @@ Rendering rendering_from(const Json& json, const fs::path& report) {
   return rendering;
 }
 
-/// Adds the names of the files of frames, and of report.json, in `folder` / `below`, except those in `recorded`.
+/// Adds the files in `folder` / `below` to `names`: report.json and the files of frames, except those in `recorded`.
 void add_unrecorded(const fs::path& folder, const fs::path& below, const std::set<std::string>& recorded,
                     std::vector<std::string>& names) {
   for (const fs::directory_entry& entry : entries_of(folder / below)) {

@@ -22,7 +22,7 @@ constexpr double kSameSurfacePx = 1.5;  ///< largest distance in the view betwee
 /// The source image, scaled to the screen of the views and reduced to at most the resolution of a view.
 struct DepthPicture {
   Image colours;
-  Image disparity;     ///< the disparity q, in mm on the screen
+  Image disparity;     ///< disparity q (depth_views.hpp), in mm on the screen
   Vec2d slope{0.0};    ///< offset of the source's eye to the right of and above the axis, per mm of distance
   Vec2d size_mm{0.0};  ///< size of the source image after scaling it to cover the window
 

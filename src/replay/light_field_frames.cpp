@@ -63,7 +63,7 @@ FormatOptions options_of(const LightFieldHints& hints) {
   return options;
 }
 
-/// Sets the frames to be read in the format `from` and rearranged for the panel.
+/// Sets frames.read to a function that reads files in the format `from` and rearranges their views for the panel.
 LightFieldFrames rearranged(LightFieldFrames frames, const std::string& from, const FormatOptions& options) {
   const auto files = std::make_shared<std::vector<fs::path>>(frames.files);
   frames.read = [files, from, options, optics = frames.optics](std::size_t index) {
@@ -74,14 +74,14 @@ LightFieldFrames rearranged(LightFieldFrames frames, const std::string& from, co
   return frames;
 }
 
-/// Sets the frames to be read unchanged, as images of the panel of their optics.
+/// Sets frames.read to a function that reads the files unchanged, as images of the panel of their optics.
 LightFieldFrames as_shown(LightFieldFrames frames) {
   const RenderedFrames pictures{frames.optics, frames.files, frames.frames_per_second};
   frames.read = [pictures](std::size_t index) { return read_rendered_panel(pictures, index); };
   return frames;
 }
 
-/// Completes the description of the frames of a finished render, in any layout.
+/// Fills the other members of `frames` for a finished render in any layout.
 LightFieldFrames of_render(LightFieldFrames frames, const Rendering& rendering, const LightFieldHints& hints) {
   const fs::path& first = frames.files.front();
   if (hints.display && !hints.is_other_display)
@@ -105,7 +105,7 @@ LightFieldFrames of_render(LightFieldFrames frames, const Rendering& rendering, 
   return as_shown(std::move(frames));
 }
 
-/// Completes the description of frames without a report that are images of a display's panel.
+/// Fills the other members of `frames` for images of a display's panel that have no report.
 LightFieldFrames of_panel(LightFieldFrames frames, const LightFieldHints& hints) {
   for (const auto& [given, flag] :
        {std::pair(hints.view_angle_deg.has_value(), "view-angle"), std::pair(hints.views.has_value(), "views"),
@@ -169,7 +169,7 @@ std::string assumption_about(const fs::path& file, bool are_turned, const Optics
   return text + ".";
 }
 
-/// Completes the description of the frames of a light field without a report.
+/// Fills the other members of `frames` for a light field without a report.
 LightFieldFrames of_format(LightFieldFrames frames, const LightFieldSource& source, const LightFieldHints& hints) {
   const fs::path& first = frames.files.front();
   const LightField field = source.format->read(first, source.options);

@@ -29,7 +29,7 @@ PictureInfo describe_picture(const std::filesystem::path& in);
 
 nlohmann::ordered_json to_json(const PictureInfo& info);
 
-/// Returns several lines for the user.
+/// Returns a description of several lines for the user.
 std::string to_text(const PictureInfo& info);
 
 }  // namespace lippmann

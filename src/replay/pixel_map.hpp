@@ -18,6 +18,6 @@ struct PixelMap {
 };
 
 Picture apply(const PixelMap& map, const Picture& picture);
-Image apply(const PixelMap& map, const Image& picture);  ///< `picture` has 3 channels
+Image apply(const PixelMap& map, const Image& picture);  ///< `picture` must have 3 channels
 
 }  // namespace lippmann

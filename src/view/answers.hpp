@@ -57,8 +57,8 @@ class PageAnswers {
  public:
   static constexpr std::size_t kDefaultCacheBytes = std::size_t{256} << 20;
 
-  /// Shows light fields. display: the panel that the first one is played on (see require_own_frame and require_one_row). For a
-  /// single light field with plain views, pages may request prints (view/page_print.hpp):
+  /// Shows light fields. display: the panel that the first light field is played on (see require_own_frame and
+  /// require_one_row). For a single light field with plain views, pages may request prints (view/page_print.hpp):
   ///   POST print                     PagePrints::make
   ///   GET  print/views/ID, print/panel/ID, print/file/ID
   /// GET page.html returns the page as one file (page_as_file).
@@ -74,8 +74,8 @@ class PageAnswers {
   ///   POST run/stop, run/resume
   PageAnswers(std::unique_ptr<PageField> field, std::shared_ptr<RunningRender> render, PageAccess access);
 
-  /// Answers for images that are dropped on the page, at first none. `access` must have a token, so that no stranger can fill
-  /// the disk.
+  /// Answers for images that are dropped on the page. At first there are none. `access` must have a token, so that no stranger
+  /// can fill the disk.
   ///   POST drop/...  DroppedPictures::post
   PageAnswers(std::shared_ptr<DroppedPictures> dropped, PageAccess access);
 

@@ -77,7 +77,7 @@ struct DroppedPictures::Received {
   }
 };
 
-/// The images shown. Keeps their folder until nobody uses the images.
+/// The images shown. Their folder is kept as long as this object.
 struct DroppedPictures::Shown {
   Shown(std::shared_ptr<const Received> from, std::unique_ptr<PageField> field)
       : received(std::move(from)), answers(list_of(std::move(field)), PageAccess{}) {}

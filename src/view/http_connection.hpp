@@ -80,7 +80,7 @@ class HttpConnection {
   Clock::time_point since_, deadline_;
   std::string input_;  ///< received bytes that are not yet part of a request
   RequestHead head_;
-  std::string output_;  ///< head of the answer, to be sent
+  std::string output_;  ///< status line and headers of the answer
   Bytes body_;
   std::size_t sent_ = 0;  ///< number of bytes sent of the answer's head and body
 };

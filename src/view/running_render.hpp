@@ -36,7 +36,7 @@ class RunningRender {
   /// Returns the frames that were requested when this object was made, in ascending order; at least one.
   const std::vector<int>& frames() const { return frames_; }
 
-  /// Returns the file of the frame with that index; nullopt until the frame is finished.
+  /// Returns the file of the frame frames()[index]; nullopt until the frame is finished.
   std::optional<std::filesystem::path> file(std::size_t index) const;
 
   /// Returns the state for the page. It lists the finished frames in the order in which they were found, without the first

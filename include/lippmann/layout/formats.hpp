@@ -35,9 +35,10 @@ struct FormatOptions {
   std::optional<ViewGrid> tiles = {};
   /// Width / height of the display, for a quilt's file name. None: the aspect ratio of the light field.
   std::optional<double> aspect = {};
-  bool with_depth = false;       ///< also read the depth layer beside a rendered picture, if there is one (layout/rendered.hpp)
-  std::optional<int> bits = {};  ///< bits per sample of PPM files, 1 ... 16; none: as in the source
-  bool png = false;              ///< true: the writer writes PNG instead of PPM files
+  bool with_depth = false;                ///< true: also read the depth layer beside a rendered picture, if it exists
+                                          ///< (layout/rendered.hpp)
+  std::optional<int> bits = {};           ///< bits per sample of PPM files, 1 ... 16; none: as in the source
+  bool png = false;                       ///< true: the writer writes PNG instead of PPM files
   std::optional<Display> display = {};    ///< display for a native picture
   std::optional<ViewFilter> filter = {};  ///< how native frames interpolate between views; none: kNearest
   std::optional<double> sigma_views = {};

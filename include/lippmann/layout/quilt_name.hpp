@@ -26,7 +26,7 @@ QuiltName quilt_name_of(const DisplayQuilt& quilt);
 std::optional<QuiltName> parse_quilt_name(const std::filesystem::path& path);
 
 /// Returns the numbers of tiles from a name that contains qs{columns}x{rows}, even if the rest of the name cannot be parsed.
-/// For messages.
+/// Used in messages.
 std::optional<ViewGrid> tiles_in_name(const std::filesystem::path& path);
 
 /// Returns the quilt part of a file name, such as _qs8x6a0.75.
