@@ -1,9 +1,10 @@
 // Reads the container format of Lytro cameras, .lfp and .lfr: a JSON document, and blocks that the document refers to by SHA-1.
 //
-// A file is a sequence of sections. Each begins with 16 bytes: 0x89 "LFP", "LFM" or "LFC", then 0D 0A 1A 0A, a version, and the
-// length of its data, both as 32-bit big-endian numbers. If the length is above 0, an 80-byte field with the name of the data
-// ("sha1-" and 40 digits) follows, then the data, then zeros up to a multiple of 16 bytes. LFP is the file header, LFM the
-// document, LFC a block. The checksums are used only as names and are not verified.
+// A file is a sequence of sections: LFP is the file header, LFM the document, LFC a block. A section consists of
+//   16 bytes    0x89 "LFP", "LFM" or "LFC"; 0D 0A 1A 0A; the version and the data's length as 32-bit big-endian numbers
+//   80 bytes    the name of the data ("sha1-" and 40 digits), if the length is above 0
+//   data        followed by zeros up to a multiple of 16 bytes
+// The checksums are used only as names and are not verified.
 #pragma once
 
 #include <cstddef>

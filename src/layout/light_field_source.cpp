@@ -93,7 +93,7 @@ bool matches_report(const fs::path& path, const LightFieldSource& source, const 
   return format.name != "eslf" || !options.views || !source.rendered || *options.views == source.rendered->film.grid;
 }
 
-/// Returns whether a report.json may describe these files. It cannot describe a folder of pictures with arbitrary names,
+/// Returns whether a report.json may describe these files. A report cannot describe a folder of pictures with arbitrary names,
 /// because no render writes such a folder.
 bool may_have_report(const fs::path& path, const std::string& from) {
   if (!from.empty() && find_format(from, "from").states_cameras) return false;

@@ -1,6 +1,7 @@
-// The file poses_bounds.npy of LLFF data sets has 17 numbers per picture. The first 15 are a 3x5 matrix, row by row. Its
-// columns are the camera's axes down, right and backwards in the world, its position, and the height, width and focal length in
-// pixels. The last two numbers are the nearest and farthest depths.
+// The file poses_bounds.npy of LLFF data sets has 17 numbers per picture:
+//   - a 3x5 matrix, row by row, with the columns down, right and backwards (the camera's axes in the world), the position, and
+//     (height, width, focal length) in pixels;
+//   - the nearest and the farthest depth.
 //
 // Mildenhall et al.: Local light field fusion, SIGGRAPH 2019.
 #pragma once

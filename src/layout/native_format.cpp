@@ -1,5 +1,5 @@
-// The frame of a calibrated slanted panel for a given display. The writer makes it from views, and the reader converts it to
-// views.
+// The frame of a calibrated slanted panel for a given display. The writer makes the frame from views, and the reader extracts
+// views from the frame.
 #include <fmt/format.h>
 
 #include <thread>

@@ -14,8 +14,8 @@ namespace lippmann {
 /// parallel, have their eyes in one plane and share a window. `cameras` must not be empty.
 std::optional<ViewCameras> shared_plane(const std::vector<PosedCamera>& cameras);
 
-/// Returns the camera of a single view in the world. Its lengths are in thousandths of the world's unit, and `origin` is added
-/// to its position. world_from_display must be a similarity.
+/// Returns the camera of a single view in the world. Lengths are in thousandths of the world's unit, and `origin` is added to
+/// the camera's position. world_from_display must be a similarity.
 PosedCamera camera_in_world(const Optics& single_view, const Affine3f& world_from_display, const Vec3d& origin);
 
 /// Converts z as in LightField::depth to planar depth in mm. Results that are <= 0 or not finite mean no surface.

@@ -12,8 +12,8 @@
 
 namespace lippmann {
 
-/// Largest supported sigma. With larger ones, less than 8 % of the difference between neighbouring pixels remains, too little
-/// to restore it.
+/// Largest supported sigma. With a larger sigma, less than 8 % of the difference between neighbouring pixels remains, too
+/// little to restore the difference.
 inline constexpr double kMaxPrecompensatedPx = 0.75;
 
 /// Replaces a picture by one that makes an eye see the original. `picture`: the panel's picture, 3 channels of linear light,

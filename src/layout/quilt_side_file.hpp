@@ -27,7 +27,7 @@ std::filesystem::path quilt_side_path(const std::filesystem::path& image);
 /// columns and rows, or quiltCols and quiltRows. Throws Error for impossible values.
 std::optional<QuiltSideFile> read_quilt_side_file(const std::filesystem::path& image);
 
-/// Parses a side file. `where`: its name, for messages.
+/// Parses the text of a side file. `where`: name of the file, for messages.
 std::optional<QuiltSideFile> parse_quilt_side_file(const std::string& text, const std::string& where);
 
 void write_quilt_side_file(const std::filesystem::path& image, const QuiltSideFile& side);

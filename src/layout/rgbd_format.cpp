@@ -1,5 +1,5 @@
-// RGB-D pictures: the colours of one view, with its depth as grey to the right (layout/rgbd_side_file.hpp). Players of
-// glasses-free displays use this format.
+// RGB-D pictures: the left half has the colours of one view, and the right half has the depth as grey
+// (layout/rgbd_side_file.hpp). Players of glasses-free displays use this format.
 //
 // If the light field has several views, the writer takes the middle one. Pixels without a surface get the farthest depth of the
 // range.
@@ -28,7 +28,8 @@ constexpr double kAssumedHeightMm = 100.0, kAssumedDistanceMm = 300.0;  ///< for
 template <class Sample>
 constexpr double kWhiteCode = std::is_floating_point_v<Sample> ? 1.0 : std::numeric_limits<Sample>::max();
 
-/// Reads the grey values (0 ... 1) in the right half of a picture. They are means of the three channels, which must be equal.
+/// Reads the grey values (0 ... 1) in the right half of a picture. A grey value is the mean of the three channels, which must
+/// be about equal.
 Image read_greys(const Picture& picture, Vec2i view, const std::string& where) {
   Image greys(view.x, view.y, 1);
   double colour = 0.0;
@@ -56,7 +57,7 @@ void require_depth(const Image& greys, const std::string& where) {
   throw Error(where, "its depth is 0 everywhere", "colours at the left, depth as grey at the right");
 }
 
-/// Returns the side file's description, or defaults if there is none. Options override both.
+/// Returns the description in the side file, or defaults if there is no side file. Options override both.
 RgbdSideFile described_rgbd(const fs::path& path, const FormatOptions& options, Vec2i view) {
   RgbdSideFile assumed;
   assumed.distance_mm = kAssumedDistanceMm;

@@ -31,7 +31,8 @@ Vec2i views_in_picture(StereoPacking packing) {
   return {1, 1};
 }
 
-/// The position of a picture's pixel: whether it is in the first or second view (0 or 1), and its position in that stored view.
+/// The position of a picture's pixel: the first or the second view (place = 0 or 1), and the position in the stored view
+/// (pixel).
 struct StereoPlace {
   int place;
   Vec2i pixel;

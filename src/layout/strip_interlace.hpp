@@ -1,5 +1,5 @@
-// Makes the print below a lenticular sheet. The strip below each lens is divided into parts, one per view or flip frame.
-// Every pixel shows the view in whose part it lies. Private to src/layout.
+// Makes the print below a lenticular sheet. The strip below each lens is divided into equal parts, one per view, or into parts
+// of given widths, one per flip frame. Every pixel shows the view or frame in whose part it lies. Private to src/layout.
 #pragma once
 
 #include "lippmann/layout/display_picture.hpp"

@@ -87,7 +87,7 @@ void write_intrinsics(const PosedCamera& camera, Json& json) {
   json["cx"] = camera.principal_px.x, json["cy"] = camera.principal_px.y;
 }
 
-/// Adds the lists of pictures that nerfstudio reads. It requires all three lists.
+/// Adds the lists of pictures that nerfstudio reads. nerfstudio requires all three lists.
 void list_split(const std::vector<PosedPicture>& pictures, const std::vector<bool>& is_test, Json& json) {
   for (const char* key : {"train_filenames", "val_filenames", "test_filenames"}) {
     Json& names = json[key] = Json::array();

@@ -61,9 +61,8 @@ Image eye_view(const RenderedPanel& rendered, const EyeView& view, const ThreadP
   const Vec2i size = view.size.x > 0 ? view.size : natural_view_size(rendered.optics);
   const Vec2i samples = samples_per_pixel(rendered.optics, size);
   const EyeSampler sampler(rendered, view.filter, view.crosstalk_px);
-  // Let the centre of the eye see a point at s. A point of the pupil at offset d from the centre then sees it at s - d z / (E_z
-  // - z), where z is the depth of the point. The views of all pupil points are shifted so that they coincide at the depth of
-  // focus.
+  // Let the eye at E see a point at s. The point d of the pupil (relative to E) then sees this point at s - d z / (E.z - z),
+  // where z is the depth of the point. The views of all pupil points are shifted so that they coincide at the depth of focus.
   const double shift = -view.focus_mm / (view.eye_mm.z - view.focus_mm);
   struct PupilPoint {
     Viewer viewer;

@@ -21,8 +21,8 @@ bool is_loopback(const std::string& host);
 /// listens on all interfaces, the address has the name of this machine.
 std::string page_address(const std::string& host, int port, const std::string& token);
 
-/// Returns the Host headers that a server at `host` accepts if it is reachable only from this machine; empty for other hosts,
-/// because the token protects them.
+/// Returns the Host headers that a server at `host` accepts if it is reachable only from this machine. Returns an empty list
+/// for other hosts, because the token protects these servers.
 std::vector<std::string> page_hosts(const std::string& host, int port);
 
 /// Returns 128 random bits as hexadecimal digits.

@@ -1,5 +1,5 @@
-// The panel on which a page plays light fields. It includes the phases with which the page's shader computes the same image as
-// `interlace` (layout/interlace.hpp).
+// The panel on which a page plays light fields. PageDisplay includes the phases with which the page's shader computes the same
+// image as `interlace` (layout/interlace.hpp).
 //
 // Only this module parses calibrations: the page sends the text of a file that was dropped on it, and receives the phases.
 #pragma once

@@ -47,7 +47,8 @@ void describe_views(const Optics& optics, const ViewLayout& film, PageFacts& fac
   facts.lens_samples_up = lenses && lenses->row_pitch_mm > 0.0;
 }
 
-/// Returns whether every view has a pixel below every lens. A print may not, since it may end within a lens.
+/// Returns whether every view has a pixel below every lens. In a print, some pixels may be missing, since a print may end
+/// within a lens.
 bool has_whole_lenses(const ViewLayout& film, Vec2i picture) {
   return film.kind != LayoutKind::kIntegral || (picture.x % film.grid.columns == 0 && picture.y % film.grid.rows == 0);
 }

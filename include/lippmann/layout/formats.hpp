@@ -1,4 +1,4 @@
-// The table of light field formats that `convert` reads and writes. Help, messages and the conversion use it.
+// The table of light field formats that `convert` reads and writes. The help text, messages and the conversion use this table.
 //
 // Each format has one file, NAME_format.cpp, with one reader and one writer.
 #pragma once

@@ -3,10 +3,10 @@
 // Based on: Ng et al., "Light field photography with a hand-held plenoptic camera", Stanford CTSR 2005-02 (shift and sum),
 // formulated by rays. The ray of a pixel crosses z = 0 at c with slope t and meets the plane of focus at c + t z. The design
 // viewer, whose vergence is v = 1 / distance, sees a point s of the plane z = 0 along a ray of slope e - s v. The viewer
-// therefore sees the point in focus at
-//   s = (c + (t - e) z) / (1 - v z)
-// of the window. Each pixel adds its colour there, spread by a tent filter. The tent is as wide as the distance to the next
-// sample of the pixel's view (one lens, or one pixel if there are no lenses). The sum is divided by the weights.
+// therefore sees the point in focus at the window's point
+//   s = (c + (t - e) z) / (1 - v z).
+// Each pixel adds its colour at s, spread by a tent filter. The tent is as wide as the distance to the next sample of the
+// pixel's view (one lens, or one pixel if there are no lenses). The sum is divided by the weights.
 //
 // With whole pixels per lens all samples of a view shift by the same amount, so the result is the mean of shifted, interpolated
 // views. The method also holds for slanted, hexagonal and fractional arrays and for quilts. The sub-pixels of a slanted panel

@@ -12,7 +12,7 @@ struct RenderedPanel {
 };
 
 /// Throws Error if the picture does not match the panel in size, channels or number of samples. All functions that take a
-/// RenderedPanel call it.
+/// RenderedPanel call validate().
 void validate(const RenderedPanel& rendered);
 
 }  // namespace lippmann
