@@ -88,8 +88,8 @@ DisparityRange range_of_pair(const SharedPlaces& shared) {
   return {static_cast<int>(std::floor(least - margin)), static_cast<int>(std::ceil(most + margin))};
 }
 
-/// Removes disparities that the other image contradicts. A point at x in this image is at x - sign * disparity in the other
-/// one: sign is 1 for the left image and -1 for the right image.
+/// Removes disparities that the other image contradicts. A point at x in this image is at x - sign * disparity in `other`.
+/// sign: 1 if this is the left image, -1 if it is the right image.
 void remove_contradictions(Image& disparity, const Image& other, int sign) {
   for (int y = 0; y < disparity.height; ++y)
     for (int x = 0; x < disparity.width; ++x) {

@@ -19,9 +19,11 @@ struct DepthMapCoding {
   bool even_in_depth = false;
 };
 
-/// Returns the default coding of a file. The channel Z of an EXR file is linear in depth: a distance from the camera if no
-/// value is negative, else a height above the display, as `render` writes it. The depth image of a HEIC photo states its own
-/// coding. All other files are linear in disparity, and white is near. Throws Error naming the file.
+/// Returns the default coding of a file. Throws Error naming the file.
+///   - The channel Z of an EXR file is linear in depth. If no value is negative, it is a distance from the camera; otherwise it
+///     is a height above the display, as `render` writes it.
+///   - The depth image of a HEIC photo states its own coding.
+///   - All other files are linear in disparity, and white is near.
 DepthMapCoding default_depth_coding(const std::filesystem::path& path);
 
 /// Reads a map as grey for depth_of_grey() (layout/rgbd_side_file.hpp), with 1 channel, resized to `size` by enlarged_depth().

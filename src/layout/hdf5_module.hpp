@@ -30,8 +30,9 @@ class Hdf5File {
  public:
   virtual ~Hdf5File() = default;
   virtual const Hdf5Header& header() const = 0;
-  /// Read one view, with the array indices t and s: its samples from LF, in the machine's byte order, or its depth from
-  /// GT_DEPTH. The span must be as large as a view. Return an error message; empty on success.
+  /// Read one view, with the array indices t and s. read_codes() reads its samples from LF, in the machine's byte order;
+  /// read_depth() reads its depth from GT_DEPTH. The span must be as large as a view. Return an error message; empty on
+  /// success.
   virtual std::string read_codes(std::uint64_t t, std::uint64_t s, std::span<std::byte> codes) const = 0;
   virtual std::string read_depth(std::uint64_t t, std::uint64_t s, std::span<float> depth) const = 0;
 };

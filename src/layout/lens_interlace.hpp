@@ -1,7 +1,7 @@
 // Makes the picture behind a display's lenses, such as the print below a sheet, from views rendered for the display.
 //
-// A pixel emits light along a ray (optics/optics.hpp) that crosses the plane z = 0 at t and reaches the point e = t + m V at
-// the viewing distance V, where m is the ray's slope. The pixel shows the colour, at t, of the view whose eye is nearest to e,
+// A pixel emits light along a ray (optics/optics.hpp) with slope m that crosses the plane z = 0 at t. At the viewing distance
+// V, the ray reaches the point e = t + m V. The pixel shows the colour, at t, of the view whose eye is nearest to e,
 // interpolated bilinearly. Lenses may have fractional pitches, slants or hexagonal packing.
 #pragma once
 

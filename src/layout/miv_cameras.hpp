@@ -20,8 +20,8 @@ struct MivCamera {
   Vec2d focal_px{0.0}, principal_point_px{0.0};
 };
 
-/// Parses a file. Throws Error naming `where` for malformed files, for no camera or more than 4096 cameras, and for cameras
-/// that are not perspective, have paths as names, or have invalid numbers.
+/// Parses a file. Throws Error naming `where` if the file is malformed, if it has no camera or more than 4096 cameras, or if a
+/// camera is not perspective, has a path as its name, or has invalid numbers.
 std::vector<MivCamera> parse_miv_cameras(const std::string& text, const std::string& where);
 
 /// Returns the contents of a file. `depth`: whether there are depth maps beside the views.

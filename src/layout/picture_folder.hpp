@@ -15,8 +15,10 @@ namespace lippmann {
 bool is_picture_folder(const std::filesystem::path& folder);
 
 /// Returns the pictures of a folder. Other files are ignored; one call of `warn` lists them. Only the pictures' headers are
-/// read. Throws Error if there are fewer than two pictures, if they differ in size or sample type (the message lists the
-/// differences), or if two names differ only in their extension.
+/// read. Throws Error if
+///   - there are fewer than two pictures;
+///   - they differ in size or sample type (the message lists the differences);
+///   - two names differ only in their extension.
 std::vector<std::filesystem::path> pictures_of_views(const std::filesystem::path& folder,
                                                      const std::function<void(std::string_view)>& warn = {});
 

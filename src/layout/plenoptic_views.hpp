@@ -1,9 +1,9 @@
 // Extracts views from a raw plenoptic picture: one sample per view below each lens.
 //
-// View (a, b) of a C x R grid is sampled a - (C - 1) / 2 pixels to the right of and b - (R - 1) / 2 pixels above the centre of
-// every lens, along the axes of the lens grid. If the calibration is inverted, both directions are reversed. A view has one
-// pixel per lens in the largest rectangle of lenses within the picture. In hexagonal grids, rows are resampled to square pixels
-// of the size of the row pitch.
+// View (a, b) of a C x R grid is sampled at the same offset from the centre of every lens, along the axes of the lens grid: a -
+// (C - 1) / 2 pixels to the right and b - (R - 1) / 2 pixels up. If the calibration is inverted, both directions are reversed.
+// A view has one pixel per lens in the largest rectangle of lenses within the picture. In hexagonal grids, rows are resampled
+// to square pixels of the size of the row pitch.
 #pragma once
 
 #include <filesystem>
@@ -30,7 +30,7 @@ ViewGrid default_plenoptic_views(const LensGrid& grid);
 
 /// Extracts the views of `light` (linear, 3 channels). `like`: a picture with the sample type that the result should have.
 /// calibration.grid must be set; calibration.white is ignored. Throws Error naming `where` if fewer than 2 x 2 lenses lie in
-/// the picture, and a usage Error naming "views" if there are more views than pixels below a lens.
+/// the picture. Throws a usage Error naming "views" if there are more views than pixels below a lens.
 LightField plenoptic_views(const Image& light, const PlenopticCalibration& calibration, ViewGrid views, const Picture& like,
                            const std::string& where);
 

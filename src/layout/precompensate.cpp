@@ -43,8 +43,8 @@ constexpr Bounds kLight{0.0, 1.0}, kNoBounds{-INFINITY, INFINITY};
 constexpr std::size_t kLanes = 8;
 using Lane = std::array<double, kLanes>;
 
-/// The matrix A for lines of one length. `weights`: the weight of a pixel, of each of its neighbours, of each of their
-/// neighbours, ... `sums`: for each sample, the sum of the weights that lie inside the line.
+/// The matrix A for lines of one length. weights[k]: weight of the samples at distance k. sums[i]: sum of the weights, around
+/// sample i, that lie inside the line.
 struct Leak {
   std::vector<double> weights, sums;
 

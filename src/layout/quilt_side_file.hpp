@@ -23,8 +23,8 @@ inline constexpr std::string_view kQuiltSideFileExample = R"({"quilt_settings": 
 std::filesystem::path quilt_side_path(const std::filesystem::path& image);
 
 /// Reads the side file of an image. Returns none if it does not exist or does not describe a quilt. The table is
-/// {"quilt_settings": {"viewX": 8, "viewY": 6}}. It may also be named "quilt" or be the document itself, and its keys may be
-/// columns and rows, or quiltCols and quiltRows. Throws Error for impossible values.
+/// "quilt_settings", "quilt" or the document itself. Its keys are viewX and viewY, columns and rows, or quiltCols and
+/// quiltRows. Throws Error for impossible values.
 std::optional<QuiltSideFile> read_quilt_side_file(const std::filesystem::path& image);
 
 /// Parses the text of a side file. `where`: name of the file, for messages.

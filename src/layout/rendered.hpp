@@ -45,13 +45,13 @@ std::optional<Rendering> rendering_of(const std::filesystem::path& picture);
 /// Reads a report for pictures that can also be shown without it. Returns none if it is missing or malformed.
 std::optional<Rendering> readable_rendering(const std::filesystem::path& report);
 
-/// Warns if a picture or folder belongs to a render whose journal is missing or does not list some of its files, which
-/// therefore cannot be checked for damage (core/recorded_file.hpp).
+/// Warns if a picture or folder belongs to a render whose journal is missing or lacks some of the files. Files that no journal
+/// lists cannot be checked for damage (core/recorded_file.hpp).
 void warn_about_unchecked_files(const std::filesystem::path& in, const Context& context);
 
-/// Reads the depth layer of a picture: z in display mm, one channel, with the picture's size. The layer is in the picture
-/// itself if that is an EXR file, or in aov_0000.exr beside frame_0000..., or aov_000.exr beside view_000... Returns none if it
-/// does not exist. Throws Error as read_channels() does.
+/// Reads the depth layer of a picture: z in display mm, one channel, with the picture's size. An EXR picture may contain the
+/// layer itself. Otherwise the layer is in aov_0000.exr beside frame_0000..., or in aov_000.exr beside view_000... Returns none
+/// if the layer does not exist. Throws Error as read_channels() does.
 std::optional<Image> rendered_depth(const std::filesystem::path& picture);
 
 /// Reads the motion layer, which is stored like the depth layer: the motion of each point since the previous frame, in pixels

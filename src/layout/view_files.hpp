@@ -20,8 +20,8 @@ struct NumberedFile {
 };
 
 /// Returns the files of a folder that match the pattern, in ascending order of their numbers. Throws Error naming the folder if
-/// it cannot be listed, has no such files (`accepted` describes their names for the message), or has two files with the same
-/// numbers.
+/// it cannot be listed, if it has no such files, or if two files have the same numbers. `accepted`: description of the file
+/// names, for the message.
 std::vector<NumberedFile> numbered_files(const std::filesystem::path& folder, const TextPattern& pattern,
                                          const std::string& accepted);
 

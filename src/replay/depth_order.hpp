@@ -1,7 +1,7 @@
 // Measures whether two eye views show depth in the right order: points behind the display move with the eye, points in front
 // against it.
 //
-// If the eye moves from E to E + b along x, the image of a point at depth z moves by -b z / (E_z - z) in the plane z = 0
+// If the eye moves from E to E + b along x, the image of a point at depth z moves by -b z / (E.z - z) in the plane z = 0
 // (layout as in replay/eye_view.hpp). The depth of a pixel therefore determines where the same point is in the other view. In
 // pseudoscopic images the point is displaced by the same distance to the opposite side. The measure compares a pixel with the
 // other view at both positions.

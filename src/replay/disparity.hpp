@@ -1,10 +1,11 @@
 // Converts between depth and disparity, the shift of a point in pixels from one view to the next.
 //
-// For parallel cameras with baseline b at distance D from the plane z = 0, where their pixels are p wide, a point at depth z
-// moves by
+// Let parallel cameras with baseline b be at distance D from the plane z = 0, and let their pixels be p wide in that plane. A
+// point at depth z then moves by
 //   d = b z / ((D - z) p)
 // pixels. Points in front of the plane move to the left as the eye moves right. This is the disparity of
-// layout/hci_parameters.hpp and the shift of shift-and-sum refocusing. It does not depend on assumed camera distances.
+// layout/hci_parameters.hpp and the shift of shift-and-sum refocusing. The disparity does not depend on assumed camera
+// distances.
 #pragma once
 
 #include "lippmann/optics/optics.hpp"
@@ -12,8 +13,8 @@
 namespace lippmann {
 
 /// Returns the depth in mm of points with the given disparity, for the mean distance between neighbouring eyes. Throws a usage
-/// Error naming `parameter` if the optics have fewer than two views or views without cameras, or if the disparity is at most -b
-/// / p, the disparity at infinity.
+/// Error naming `parameter` if the optics have fewer than two views or views without cameras. Also throws if the disparity is
+/// not above -b / p, the disparity at infinity.
 double depth_of_disparity_px(const Optics& optics, double disparity_px, const char* parameter);
 
 }  // namespace lippmann

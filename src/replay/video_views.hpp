@@ -10,8 +10,8 @@
 namespace lippmann {
 
 /// Reads the views; the first frame is the leftmost view. If options.views is Nx1, takes N frames, evenly spread from the first
-/// to the last; if it is not given, takes every frame. Applies options.fit_view to each view. Throws Error naming the file if
-/// it cannot be read or has fewer than two or fewer than N frames, and a usage Error for several rows of views.
+/// to the last. If options.views is not given, takes every frame. Applies options.fit_view to each view. Throws Error naming
+/// the file if it cannot be read, or has fewer frames than two or than N. Throws a usage Error for several rows of views.
 LightField read_video_views(const std::filesystem::path& video, const FormatOptions& options);
 
 }  // namespace lippmann

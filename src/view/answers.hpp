@@ -81,8 +81,8 @@ class PageAnswers {
 
   PageAnswer answer(const PageRequest& request);
 
-  /// Returns the answer if a request is refused before its body is read: because its origin, host or token is wrong, or because
-  /// it is a POST to a path that accepts none. Otherwise returns nullopt.
+  /// Returns the refusal of a request that is refused before its body is read. Reasons are a wrong origin, host or token, and a
+  /// POST to a path that accepts none. Returns nullopt for other requests.
   std::optional<PageAnswer> refusal(const PageRequest& request) const;
 
  private:
@@ -123,8 +123,8 @@ struct PageOffers {
   bool prints = false, drops = false;
 };
 
-/// Returns fields.json: the version, field_json() of each light field, the display that they are played on, and the available
-/// services: prints, with the known displays, and dropping images.
+/// Returns fields.json. It holds the version, field_json() of each light field, the display that they are played on, and the
+/// available services. The services are prints (with the known displays) and dropping images.
 std::string fields_text(const std::vector<std::unique_ptr<PageField>>& fields, const std::optional<PageDisplay>& display = {},
                         PageOffers offers = {});
 

@@ -1,5 +1,5 @@
-// A light field in files, as a page shows it: its description and, for each frame, the quilt of its views, their disparities if
-// depth is known, and the panel's image.
+// A light field in files, as a page shows it. It consists of a description and, for each frame, the quilt of the views, their
+// disparities if depth is known, and the panel's image.
 //
 // Reads every input that find_light_field_frames accepts.
 #pragma once

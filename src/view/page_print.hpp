@@ -1,5 +1,5 @@
-// Makes prints for a page: from the views of a frame, the image for a display as `lippmann convert` makes it, and the views
-// that eyes see of this image through the display's lenses.
+// Makes prints for a page from the views of a frame. A print consists of the image for a display, as `lippmann convert` makes
+// it, and of the views that eyes see of this image through the display's lenses.
 //
 // Makes one print at a time, with at most kMaxPrintPixels pixels. Keeps only the last print. Thread-safe.
 #pragma once

@@ -5,8 +5,9 @@
 
 namespace lippmann {
 
-/// Returns the folder `in`, or the folder of the file `in`, with links resolved. Throws Error naming `in` if it does not exist,
-/// or naming a file that describes it (report.json, a side file) and is a link that leads out of the folder.
+/// Returns the folder `in`, or the folder of the file `in`, with links resolved. Throws Error naming `in` if it does not exist.
+/// Throws Error naming a file that describes `in` (report.json, a side file) if that file is a link that leads out of the
+/// folder.
 std::filesystem::path shown_root(const std::filesystem::path& in);
 
 /// Throws Error naming a file outside `root` (see shown_root). Checks `file` itself (an image, or a folder with its direct

@@ -35,7 +35,7 @@ struct FormatOptions {
   std::optional<ViewGrid> tiles = {};
   /// Width / height of the display, for a quilt's file name. None: the aspect ratio of the light field.
   std::optional<double> aspect = {};
-  bool with_depth = false;                ///< true: also read the depth layer beside a rendered picture, if it exists
+  bool with_depth = false;                ///< true: also read a rendered picture's depth layer, if it exists
                                           ///< (layout/rendered.hpp)
   std::optional<int> bits = {};           ///< bits per sample of PPM files, 1 ... 16; none: as in the source
   bool png = false;                       ///< true: the writer writes PNG instead of PPM files

@@ -47,12 +47,12 @@ Vec2i stereo_picture_size(StereoPacking packing, Vec2i stored);
 /// picture cannot be halved.
 Vec2i stored_view_size(StereoPacking packing, Vec2i picture, const std::string& where);
 
-/// Returns the mapping for writing: entry i is the index of the pixel that pixel i of the picture takes, in a stack of the left
-/// view above the right view. Each view in the stack has the size `stored`.
+/// Returns the map for writing: pixel i of the picture takes pixel map[i] of a stack. The stack holds the left view above the
+/// right view, each of size `stored`.
 std::vector<std::uint32_t> stereo_pixels(const StereoLayout& layout, Vec2i stored);
 
-/// Returns the mapping for reading: entry i is the index of the pixel that pixel i of the stack takes, in a picture of two
-/// views of size `stored`. The views in the stack have the size `stored`, or half its height for kRows.
+/// Returns the map for reading: pixel i of the stack takes pixel map[i] of the picture, which holds two views of size `stored`.
+/// The views in the stack have the size `stored`, or half its height for kRows.
 std::vector<std::uint32_t> pixels_of_stereo(const StereoLayout& layout, Vec2i stored);
 
 /// Returns the stereo part of a file name: _2x1 or _half_2x1 (side by side, as Leia's programs name them), _ou or _half_ou
