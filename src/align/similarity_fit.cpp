@@ -123,7 +123,7 @@ class PictureFit {
   std::size_t index_of(std::size_t picture) const { return 3 * (picture < fixed_ ? picture : picture - 1); }
 
   std::vector<std::size_t> row_begins() const {
-    std::vector<std::size_t> begins(unknowns(), 0);  // the last row, for the slope, is full
+    std::vector<std::size_t> begins(unknowns(), 0);  // the last row belongs to the slope and has no leading zeros
     for (std::size_t row = 0; row < slope_index(); ++row) begins[row] = row / 3 * 3;
     for (const SharedPlaces& pair : shared_) {
       if (pair.first == fixed_ || pair.second == fixed_) continue;

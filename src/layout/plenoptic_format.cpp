@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 struct RawPicture {
   Picture picture;
-  std::optional<LensGrid> grid;  ///< from the picture's container or side file
+  std::optional<LensGrid> grid;  ///< lens grid that the picture's container or side file states
 };
 
 RawPicture read_raw(const fs::path& path, const std::function<void(std::string_view)>& warn) {

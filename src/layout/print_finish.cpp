@@ -128,7 +128,7 @@ Display with_bleed(const Display& display, double bleed_mm) {
   const int bleed = bleed_px(display, bleed_mm);
   if (bleed == 0) return display;
   Display bled = display;
-  bled.viewing_distance_mm = viewing_distance_mm(display);  // its default depends on the height, which changes
+  bled.viewing_distance_mm = viewing_distance_mm(display);  // the default distance depends on the height, which changes
   bled.pixels += 2 * bleed;
   const LensStrips strips = lens_strips(display);
   if (bled.lenses.phase_px) *bled.lenses.phase_px += bleed * (1.0 - strips.sine / strips.cosine);
