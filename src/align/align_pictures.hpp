@@ -27,7 +27,7 @@ struct AlignParams {
 
 struct AlignedPicture {
   std::filesystem::path in, out;
-  Similarity moved;          ///< from pixels of the image to pixels of the middle image before cropping
+  Similarity moved;          ///< transform from pixels of the image to pixels of the uncropped middle image
   double residual_px = 0.0;  ///< root mean square of the vertical differences of shared points that remain after alignment
 };
 

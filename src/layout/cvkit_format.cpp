@@ -1,6 +1,6 @@
 // cvkit's folders: view_000.png, ... with their cameras in view_000_param.txt, ... (layout/cvkit_camera.hpp). If depth is
-// known, view_000_disp.pfm, ... hold disparities rho / depth in pixels, where rho is the focal length times the distance
-// between neighbouring cameras; infinity means no surface. The reader also accepts other names: NAME.png with NAME_param.txt.
+// known, view_000_disp.pfm, ... hold the disparities rho / depth in pixels. rho is the focal length times the distance between
+// neighbouring cameras. Infinity means no surface. The reader also accepts other names: NAME.png with NAME_param.txt.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -98,7 +98,7 @@ void read_depths(const Hdf5File& file, LightField& field, const std::string& whe
 LightField read_hci_hdf5(const fs::path& path, const FormatOptions& options) {
   const std::string where = path.string();
   require_as_recorded(path);
-  require_regular_file(path);  // HDF5 does not say why a file cannot be opened
+  require_regular_file(path);  // HDF5 would not report why a file cannot be opened
   const std::unique_ptr<Hdf5File> file = hdf5_module().open(where);
   const Hdf5Header& header = file->header();
   require_read(header.problem, where);

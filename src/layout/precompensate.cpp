@@ -206,7 +206,7 @@ Precompensation precompensate(const Optics& optics, double sigma_px, const char*
                                   "compensated",
                                   std::max(sigma.x, sigma.y)),
                       fmt::format("at most {} pixels or views; use fewer views or no precompensation", kMaxPrecompensatedPx));
-  for (float& value : picture.data) value = value > 0.0f ? std::min(value, 1.0f) : 0.0f;  // 0 also for NaN
+  for (float& value : picture.data) value = value > 0.0f ? std::min(value, 1.0f) : 0.0f;  // NaN becomes 0
   const std::optional<ViewTiles> views = view_tiles(optics);
   const LinesOfAxes lines = views ? lines_of_views(picture, *views) : lines_of_panel(picture);
   const Image wanted = picture;

@@ -49,8 +49,8 @@ class LivePage {
   virtual PageAnswer post(std::string_view path, const std::string& body) = 0;
 };
 
-class DroppedPictures;  // view/dropped_pictures.hpp
-class PagePrints;       // view/page_print.hpp
+class DroppedPictures;  // defined in view/dropped_pictures.hpp
+class PagePrints;       // defined in view/page_print.hpp
 
 /// Answers requests. Thread-safe.
 class PageAnswers {

@@ -42,7 +42,7 @@ struct PageFacts {
   PanelPicture panel = PanelPicture::kOwn;
   Vec2i panel_size{0, 0};            ///< size of the panel's image, in pixels
   std::optional<ViewPhases> phases;  ///< which view each sub-pixel of the panel shows; none: the panel has no calibration
-  Vec3d eye_mm{0.0};                 ///< design viewing position of the display
+  Vec3d eye_mm{0.0};                 ///< the eye position that the display is designed for
   double depth_budget_mm = 0.0;
   bool has_depth = false;
   bool has_provenance = false;      ///< whether the provenance of every pixel of the views is known
