@@ -46,7 +46,6 @@ class RgbdFrames {
 
   /// Returns the file whose side file describes the depth of the first frame: the first image, or the video.
   const fs::path& first() const { return files_.front(); }
-  /// Returns whether the input is a single image.
   bool is_one_picture() const { return one_; }
 
  private:
@@ -58,7 +57,7 @@ class RgbdFrames {
   const DepthConversion& params_;
   bool one_;
   std::optional<VideoReader> video_;
-  std::size_t count_ = 0;  ///< frames read so far
+  std::size_t count_ = 0;  ///< number of frames read
 };
 
 std::vector<fs::path> files_with_depth(const DepthConversion& params) {

@@ -61,7 +61,6 @@ DepthPicture depth_picture(const LightField& source, Vec2d window_mm, Vec2i view
   return picture;
 }
 
-/// Makes one view from a source image.
 class ViewMaker {
  public:
   /// slope: offset of the view's eye from the source's eye, per mm of distance.

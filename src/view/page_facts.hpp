@@ -55,7 +55,6 @@ struct PageFacts {
 /// Returns the facts that follow from the optics. All other members (title, frames, depth, frame rate) have their defaults.
 PageFacts page_facts(const Optics& optics);
 
-/// Returns the eye of a view.
 Viewer eye_of_view(const PageFacts& facts, int view);
 
 /// Returns the views as a quilt in sRGB codes: facts.tiles tiles of facts.view_size. crosstalk_px: sigma of the crosstalk that

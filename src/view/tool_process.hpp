@@ -25,7 +25,6 @@ class ToolProcess {
   ToolProcess(const ToolProcess&) = delete;
   ToolProcess& operator=(const ToolProcess&) = delete;
 
-  /// Returns whether the process is still running.
   bool is_running();
 
   /// Interrupts the process like Ctrl-C. Further calls have no effect.
