@@ -25,8 +25,8 @@ inline Affine3d inverse(const Affine3d& a) {
 
 inline glm::dvec3 transform_point(const Affine3d& a, glm::dvec3 p) { return a.linear * p + a.translation; }
 
-/// Returns the transform in world space that moves a node from one moment's position to the other's. It is exactly the identity
-/// if the node has not moved.
+/// Returns the world-space transform that moves a node from the pose `from` to the pose `to`. Returns exactly the identity if
+/// both poses are equal.
 inline Affine3d world_motion(const Affine3f& from, const Affine3f& to) {
   return from == to ? Affine3d{} : to_double(to) * inverse(to_double(from));
 }

@@ -34,11 +34,12 @@ void check_destination(const fs::path& path) {
 
 constexpr std::string_view kMark = ".tmp-";
 
-/// Returns eight random hexadecimal digits. They make names unique, since processes in containers may share host names and
-/// process ids.
+/// Returns eight random hexadecimal digits. They make file names unique even if containers have equal host names and process
+/// ids.
 std::string unique_letters() { return fmt::format("{:08x}", platform::random_bits()); }
 
-/// A parsed name of the form `.STEM.tmp-PID-HOST-LETTERS.EXT` with this machine's host name: the position of ".tmp-", and PID.
+/// A parsed file name of the form `.STEM.tmp-PID-HOST-LETTERS.EXT`, where HOST is this machine. `mark` is the position of
+/// ".tmp-"; `process` is PID.
 struct TemporaryName {
   std::size_t mark;
   int process;

@@ -1,10 +1,10 @@
-// Files that appear under their final name only when complete: they are written under another name in the same folder and then
-// renamed.
+// Writes files that appear under their final name only when complete. A file is written under a temporary name in the same
+// folder and then renamed.
 //
-// After a crash, at most a hidden file named .<stem>.tmp-<process id>-<host>-<letters><extension> remains in the same folder
-// (libraries need the extension to choose a format); remove_stale_temporaries() removes it. After a loss of power, the file may
-// have its previous contents, but never half of the new ones. Call sync_folder (core/platform.hpp) to make sure that the new
-// file survives.
+// The temporary name is .<stem>.tmp-<process id>-<host>-<letters><extension>. It keeps the extension because libraries choose
+// a format by it. A temporary file that remains after a crash is removed by remove_stale_temporaries(). After a loss of power,
+// a file has either its previous or its new contents, never a part of them. Call sync_folder (core/platform.hpp) to make sure
+// that the new contents survive.
 #pragma once
 
 #include <cstddef>
@@ -34,11 +34,11 @@ class AtomicFile {
   bool committed_ = false;
 };
 
-/// Writes a whole file atomically. Throws Error that names `path` if the disk is full or anything else fails.
+/// Writes a whole file atomically. Throws Error that names `path` on failure.
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
-/// Removes incomplete files from a folder if the process of this machine that wrote them has ended. With `file`, removes only
-/// those of that file. Ignores files that cannot be read or removed.
+/// Removes the temporary files in a folder whose process ran on this machine and has ended. If `file` is not empty, removes
+/// only the temporary files of `file`. Ignores temporary files that cannot be removed.
 void remove_stale_temporaries(const std::filesystem::path& folder, const std::filesystem::path& file = {});
 
 }  // namespace lippmann

@@ -1,4 +1,4 @@
-// Converts angles between radians in memory and degrees in files. The degrees have enough digits to restore the same floats.
+// Converts angles between radians in memory and degrees in files.
 #pragma once
 
 #include <numbers>

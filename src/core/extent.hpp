@@ -3,7 +3,7 @@
 
 namespace lippmann {
 
-/// 0 means "not given"; the number then follows from other parameters.
+/// x: columns, y: rows. 0 means "not given": other parameters then determine the number.
 template <class T>
 struct Extent {
   T x = 0, y = 0;

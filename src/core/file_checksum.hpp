@@ -1,4 +1,4 @@
-// Size and checksum (XXH3, 64 bits) of a file. They detect damage, not manipulation.
+// Computes the size and the checksum (XXH3, 64 bits) of a file. The checksum detects damage, not manipulation.
 #pragma once
 
 #include <cstddef>
@@ -16,11 +16,9 @@ struct FileChecksum {
   bool operator==(const FileChecksum&) const = default;
 };
 
-/// Returns the checksum of bytes.
 FileChecksum checksum_of(std::span<const std::byte> bytes);
 
-/// Returns the checksum of a file, or nothing if it does not exist, is not a regular file (FIFOs do not block), or cannot be
-/// read.
+/// Returns the checksum of a file. Returns nothing if the file does not exist, is not a regular file, or cannot be read.
 std::optional<FileChecksum> file_checksum(const std::filesystem::path& path);
 
 }  // namespace lippmann

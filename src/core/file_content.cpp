@@ -104,8 +104,7 @@ bool is_netpbm_kind(std::string_view begin) {
 
 std::string first_line(std::string_view text) { return std::string(text.substr(0, text.find_first_of("\r\n"))); }
 
-/// Returns the file size stated in a Git LFS pointer ("oid sha256:...
-/// size 12345") as text for a message.
+/// Returns the file size from the line "size 12345" of a Git LFS pointer, as text for a message: " of 12345 bytes".
 std::string pointed_size(std::string_view pointer) {
   constexpr std::string_view kKey = "\nsize ";
   const std::size_t at = pointer.find(kKey);

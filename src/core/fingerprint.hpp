@@ -35,8 +35,8 @@ class Fingerprint {
     return value;
   }
 
-  /// Multiplies as FNV-1a does, with a word in place of a byte, and folds the upper half back so that every bit affects every
-  /// other.
+  /// Multiplies as FNV-1a does, but by whole 64-bit words instead of bytes. Then XORs the upper half of the product into its
+  /// lower half, because the upper bits of a factor do not affect the lower bits of the product.
   void mix(std::uint64_t value) {
     state_ = (state_ ^ value) * 0x9e3779b97f4a7c15u;
     state_ ^= state_ >> 32;

@@ -6,24 +6,24 @@
 
 namespace lippmann {
 
-/// Creates a folder and its parents. An empty path means the working folder, which exists. Throws Error that names the folder.
+/// Creates a folder and its parents. An empty path means the working folder. Throws Error that names the folder on failure.
 void make_folder(const std::filesystem::path& folder);
 
-/// Removes a file, a link or an empty folder if it exists. Throws Error that names it if that fails.
+/// Removes a file, a link or an empty folder. Does nothing if `path` does not exist. Throws Error that names `path` on failure.
 void remove_if_there(const std::filesystem::path& path);
 
 /// Creates a folder for results like make_folder(). The destructor removes the new folders that are still empty, so a failure
 /// leaves nothing behind.
 class NewFolder {
  public:
-  /// Throws Error that names the folder.
+  /// Throws Error that names the folder if it cannot be created.
   explicit NewFolder(std::filesystem::path folder);
   ~NewFolder();
   NewFolder(const NewFolder&) = delete;
   NewFolder& operator=(const NewFolder&) = delete;
 
  private:
-  std::vector<std::filesystem::path> made_;  ///< the folders that the constructor created, the deepest first
+  std::vector<std::filesystem::path> made_;  ///< folders that the constructor created, the deepest first
 };
 
 }  // namespace lippmann

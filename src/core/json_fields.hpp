@@ -16,7 +16,7 @@ struct NumberRange {
   double low, high;
 };
 
-/// Range for lengths and angles without a narrower range.
+/// Default range of lengths and angles.
 inline constexpr NumberRange kAnyNumber{-1e30, 1e30};
 inline constexpr NumberRange kAnyCount{1.0, 1e9};
 
@@ -25,8 +25,9 @@ class JsonFields {
  public:
   using Json = nlohmann::ordered_json;
 
-  /// `json` must outlive this object. `object`: name for errors; empty for the document itself. With an empty `where`, errors
-  /// name only the key. Throws Error if `json` is not an object.
+  /// `json` must outlive this object. `where` is the name of the file for errors; if it is empty, errors name only the key.
+  /// `object` is the name of the JSON object for errors; it is empty for the document itself. Throws Error if `json` is not an
+  /// object.
   JsonFields(const Json& json, std::string where, std::string object);
 
   bool has(std::string_view key) const { return !value(key).is_null(); }
@@ -41,7 +42,7 @@ class JsonFields {
   float float_or_infinity(std::string_view key) const;
   int whole(std::string_view key, NumberRange range) const;
   int whole_or(std::string_view key, NumberRange range, int otherwise) const;
-  /// Returns the member as a boolean: true, false, or for a number, whether it is not 0.
+  /// Returns the value of a boolean member, or whether a numeric member is not 0.
   bool flag_or(std::string_view key, bool otherwise) const;
   std::string text(std::string_view key) const;
   std::string text_or(std::string_view key, std::string otherwise) const;
@@ -75,10 +76,10 @@ class JsonFields {
 
   const Json& json_;
   std::string where_, object_;
-  mutable std::vector<std::string> read_;  ///< keys that were read, including those of missing members
+  mutable std::vector<std::string> read_;  ///< keys passed to value(), including keys of missing members
 };
 
-/// Returns the value, or null if it is infinite or NaN. float_or_infinity() reads it.
+/// Returns the value, or null if it is infinite or NaN. float_or_infinity() reads the result.
 nlohmann::ordered_json finite_or_null(double value);
 
 }  // namespace lippmann

@@ -16,15 +16,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the file that contains this code: the program or a shared library. In a Python module, it is the module's file.
+/// Returns the file that contains this code: the program, a shared library or a Python module.
 fs::path own_file() {
   const fs::path file = platform::file_of_code(reinterpret_cast<const void*>(&load_module));
-  // For code in a program, the system may return the name that the program was called by, without its folder.
+  // For code in a program, file_of_code() may return the name that the program was called by, without its folder.
   return file.filename().string().find(".so") != std::string::npos ? file : platform::program_file();
 }
 
 /// Returns the paths where a module may be: beside the program or library (in the build tree), or in lib/lippmann (installed).
-/// Only this function knows these locations.
 std::array<fs::path, 2> places_of(const ModuleName& module) {
   const fs::path folder = own_file().parent_path();
   return {folder / module.file, folder.parent_path() / "lib" / "lippmann" / module.file};

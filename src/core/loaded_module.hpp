@@ -1,5 +1,5 @@
-// Modules: shared objects next to the program. They contain the parts that need libraries which most commands do not need, and
-// are loaded on first use.
+// Loads modules: shared objects of this project that link libraries which most commands do not need. A module is loaded on
+// first use.
 #pragma once
 
 #include <string>
@@ -8,14 +8,15 @@ namespace lippmann {
 
 struct ModuleName {
   const char* file;  ///< for example liblippmann_video.so
-  /// Its only exported function: const void* entry(int version). It returns null if it does not support the version.
+  /// Name of the only exported function, of type const void*(int version). It returns null if the module does not support the
+  /// version.
   const char* entry;
   const char* purpose;  ///< what needs the module, for messages; for example "videos"
-  const char* package;  ///< the package that installs it
+  const char* package;  ///< name of the package that installs the module
 };
 
-/// Calls the module's entry function with `version` and returns its result. The module is never unloaded, because its libraries
-/// do not support that. Throws Error that names the module and what is missing: the module itself or a library.
+/// Loads the module, calls its entry function with `version` and returns the result. The module is never unloaded, because its
+/// libraries do not support unloading. Throws Error if the module or one of its libraries is missing.
 const void* load_module(const ModuleName& module, int version);
 
 /// Returns whether the module's file exists.

@@ -9,8 +9,8 @@
 
 namespace lippmann {
 
-/// Returns the number if the whole text is a number, otherwise nothing. Returns 0 for -0, because TOML would write -0 as an
-/// integer without sign.
+/// Returns the number if the whole text is a number, otherwise nothing. Returns 0 for -0, because a job file (TOML) would not
+/// preserve the sign.
 template <class T>
 std::optional<T> parse_number(std::string_view text) {
   T value{};

@@ -23,10 +23,11 @@ namespace lippmann::platform {
 
 // ---- Memory (platform_memory.cpp) ---------------------------------------------------------------------------------------
 
-/// Returns how many bytes of memory this process may still allocate: the minimum of Linux's available memory without swapping
-/// (MemAvailable), the remaining limits of the process's cgroups (versions 1 and 2, without the page cache), and the remaining
-/// limits of address space and data (ulimit -v, -d) without the threads' stacks. Returns infinity if unknown. proc, cgroups:
-/// mount points of these file systems.
+/// Returns how many bytes of memory this process may still allocate, or infinity if unknown. The result is the minimum of:
+/// - the memory available without swapping (MemAvailable of Linux),
+/// - the remaining limit of each cgroup of the process (versions 1 and 2), where inactive page cache counts as available,
+/// - the remaining limits of address space and data (ulimit -v, -d), less 64 MB for threads.
+/// `proc` and `cgroups` are the mount points of these file systems.
 double available_memory_bytes(const std::filesystem::path& proc = "/proc",
                               const std::filesystem::path& cgroups = "/sys/fs/cgroup");
 
@@ -66,7 +67,8 @@ void restore_float_control(unsigned control);
 double process_cpu_seconds();
 double thread_cpu_seconds();
 
-/// The CPU clock of the constructing thread. Other threads may read it while that thread exists.
+/// The CPU clock of the thread that constructs this object. Other threads may call seconds() while the constructing thread
+/// exists.
 class ThreadClock {
  public:
   ThreadClock();
@@ -78,8 +80,8 @@ class ThreadClock {
 
 /// Returns the machine's host name, or an empty string.
 std::string machine_name();
-/// Returns the host name reduced to at most 64 letters, digits and dashes, for names of files that several machines write into
-/// one folder. Returns "host" if nothing remains.
+/// Returns at most 64 letters, digits and dashes of the host name, or "host" if it has none. Files that several machines write
+/// into one folder have it in their names.
 std::string host_name();
 /// Returns the system's name and version, such as "Linux 6.1.0".
 std::string system_name();
@@ -89,7 +91,7 @@ std::uint32_t random_bits();
 
 // ---- Files (platform_files.cpp) -------------------------------------------------------------------------------------------
 
-/// A handle of a file, which may be closed. Not thread-safe, except for renew().
+/// An open file, or no file. Not thread-safe, except for renew().
 class OpenFile {
  public:
   enum class Mode {
@@ -109,7 +111,7 @@ class OpenFile {
   /// Returns the type of the file. `bytes` receives its size.
   std::filesystem::file_type kind(std::uintmax_t& bytes, std::error_code& problem) const;
 
-  /// Reads `count` bytes, or fewer at the end of the file and after a failure. Returns the number read.
+  /// Reads `count` bytes, or fewer at the end of the file and after a failure. Returns the number of bytes read.
   std::size_t read(void* to, std::size_t count, std::error_code& problem);
   /// Writes all bytes.
   std::error_code write(const void* from, std::size_t count);
@@ -123,20 +125,20 @@ class OpenFile {
 
   /// Returns whether the path still refers to this file.
   bool is_at(const std::filesystem::path& path) const;
-  /// Sets the modification time to now. Used to renew leases. May run concurrently with other calls.
+  /// Sets the modification time of the file to now. May run concurrently with other calls.
   void renew() const;
 
  private:
   int descriptor_ = -1;
 };
 
-/// Waits until a file's bytes (or a folder's names) are on the disk, so that they survive a loss of power. Throws Error that
-/// names the file if that fails. Has no effect on file systems without this operation and on unreadable folders. An empty
-/// folder name means the working folder.
+/// sync_file() waits until the bytes of a file are on the disk. sync_folder() waits until the names of a folder's files are on
+/// the disk; an empty path means the working folder. Synced data survives a loss of power. Throw Error that names the path on
+/// failure. Have no effect on file systems without this operation and on unreadable files or folders.
 void sync_file(const std::filesystem::path& file);
 void sync_folder(const std::filesystem::path& folder);
 
-/// Returns the reason why no file can be created in an existing folder, or no error.
+/// Returns the reason why no file can be created in an existing folder, or no error if files can be created.
 std::error_code check_writable(const std::filesystem::path& folder);
 
 /// Removes a file, but never a folder. Ignores failures.
@@ -153,8 +155,8 @@ int process_id();
 /// Returns whether no process has the id.
 bool is_process_gone(int process);
 
-/// Another process of this machine. The handle refers to the same process even if its id is reused. If a system does not
-/// support this, every process counts as existing and none as visible.
+/// Another process of this machine. The handle refers to the same process even if its id is reused. On systems without such
+/// handles, is_there() and interrupt() return false.
 class ProcessHandle {
  public:
   explicit ProcessHandle(int process);
@@ -163,11 +165,11 @@ class ProcessHandle {
   ProcessHandle& operator=(const ProcessHandle&) = delete;
 
   bool is_there() const { return descriptor_ >= 0; }
-  /// Returns whether this process may list the other one's open files.
+  /// Returns whether this process may list the open files of the other process.
   bool is_visible() const;
-  /// Returns whether the process has the file open for writing. Returns false if this process may not see the other's files.
+  /// Returns whether the process has the file open for writing. Returns false if is_visible() is false.
   bool writes(const std::filesystem::path& file) const;
-  /// Interrupts the process like Ctrl-C. Returns whether that succeeded.
+  /// Sends SIGINT, like Ctrl-C. Returns whether the signal was sent.
   bool interrupt() const;
 
  private:
@@ -175,10 +177,10 @@ class ProcessHandle {
 };
 
 struct ChildCommand {
-  std::vector<std::string> words;       ///< the program, searched in PATH unless it is a path, and its arguments
-  std::filesystem::path folder = {};    ///< working folder; empty: the working folder of this process
-  bool is_silent = false;               ///< its standard input is empty and its output is discarded
-  std::filesystem::path messages = {};  ///< for silent children: an existing file to which standard error is appended
+  std::vector<std::string> words;       ///< name or path of the program, then its arguments; a name is searched in PATH
+  std::filesystem::path folder = {};    ///< working folder of the child; empty: the working folder of this process
+  bool is_silent = false;               ///< whether the child's input is empty and its output is discarded
+  std::filesystem::path messages = {};  ///< existing file to which a silent child's standard error is appended
 };
 
 /// A child process. Not thread-safe.
@@ -191,7 +193,7 @@ class ChildProcess {
   ChildProcess& operator=(const ChildProcess&) = delete;
 
   bool is_running();
-  /// Interrupts the process like Ctrl-C.
+  /// Sends SIGINT, like Ctrl-C.
   void interrupt();
   /// Waits for the end of the process. Returns its exit code, or 128 plus the number of the signal that ended it.
   int wait();
@@ -206,14 +208,14 @@ class ChildProcess {
   double cpu_seconds_ = 0.0;
 };
 
-/// Opens an address in the user's browser. The browser's process may run for days. Returns whether it could be started.
+/// Opens an address in the user's browser, without waiting for the browser to end. Returns whether a shell could be started.
 bool open_in_browser(const std::string& address);
 
 /// Returns whether standard error is a terminal.
 bool is_stderr_terminal();
 
-/// Opens those standard streams that were closed when the process started, as empty files. Otherwise the next file opened would
-/// take the place of one of them.
+/// Opens /dev/null for each standard stream that was closed when the process started. Otherwise the next file that the program
+/// opens would become that stream.
 void open_missing_streams();
 
 /// Makes writes to a closed pipe, or beyond the file size limit, fail with an error. By default they send signals that end the
@@ -235,12 +237,12 @@ void* find_symbol(void* library, const char* name);
 
 // ---- Sockets (platform_sockets.cpp) ---------------------------------------------------------------------------------------
 
-/// A handle of a TCP socket, which may be closed. No call blocks. Not thread-safe.
+/// A TCP socket, open or closed. Sending and receiving do not block. Not thread-safe.
 class Socket {
  public:
   struct Transfer {
     std::size_t bytes = 0;
-    /// The other end has closed, or the connection failed. If this is false and `bytes` is 0, try again later.
+    /// Whether the peer has closed the connection or the connection failed. If false and `bytes` is 0, try again later.
     bool is_over = false;
   };
 
@@ -251,7 +253,7 @@ class Socket {
   Socket(Socket&& other) noexcept : handle_(std::exchange(other.handle_, -1)) {}
   Socket& operator=(Socket&& other) noexcept;
 
-  /// Listens at the first address of the host that works. port 0: any free port. Returns an empty socket on failure.
+  /// Listens at the first usable address of the host. Port 0 selects any free port. Returns a closed socket on failure.
   static Socket listen(const std::string& host, int port);
 
   bool is_open() const { return handle_ >= 0; }
@@ -259,13 +261,13 @@ class Socket {
   /// Returns the local port, or 0.
   int port() const;
 
-  /// Accepts a connection on a listening socket. Returns an empty socket if no connection is pending. Sets `is_full` to whether
-  /// this process has too many open files.
+  /// Accepts a connection on a listening socket. Returns a closed socket if no connection is pending. Sets `is_full` to whether
+  /// this process or the system has too many open files.
   Socket accept(bool& is_full) const;
   Transfer receive(std::span<char> to);
-  /// more_follows: more data will follow, so the system may delay the last packet.
+  /// If `more_follows`, the system may delay the last packet to combine it with the next data.
   Transfer send(std::string_view bytes, bool more_follows);
-  /// Signals the end of the data to the other end.
+  /// Tells the peer that no more data follows.
   void end_sending();
 
  private:
@@ -295,10 +297,10 @@ enum class SocketEvent { kNone, kReadable, kWritable };
 struct WatchedSocket {
   std::intptr_t handle;
   SocketEvent event;
-  bool is_ready = false;  ///< the event has happened, or the socket failed
+  bool is_ready = false;  ///< whether the event has happened or the socket failed
 };
 
-/// Waits until at least one of the events happens, for at most `timeout`. Returns whether one happened.
+/// Waits until at least one of the events happens, for at most `timeout`. Returns whether an event happened.
 bool wait_for_any(std::span<WatchedSocket> sockets, std::chrono::milliseconds timeout);
 
 }  // namespace lippmann::platform

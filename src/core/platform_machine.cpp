@@ -98,7 +98,7 @@ std::string machine_name() {
 std::string host_name() {
   std::string host = machine_name();
   std::erase_if(host, [](unsigned char c) { return !std::isalnum(c) && c != '-'; });
-  constexpr std::size_t kMostLetters = 64;  // names of journals contain it, and file names have at most 255 bytes
+  constexpr std::size_t kMostLetters = 64;  // file names contain the host name and have at most 255 bytes
   return host.empty() ? "host" : host.substr(0, kMostLetters);
 }
 

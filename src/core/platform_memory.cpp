@@ -52,16 +52,16 @@ double left_in(const fs::path& group, const CgroupFiles& files) {
   return *limit - *usage + number_after(group / "memory.stat", files.cache).value_or(0.0);
 }
 
-/// Returns the minimum over a group and its parents. In a container, `path` may be that of the host, so that only `root`
-/// exists.
+/// Returns the smallest number of bytes left in a cgroup and its parents. In a container, `path` may be a path of the host.
+/// Then only `root` exists.
 double left_in_all(const fs::path& root, std::string path, const CgroupFiles& files) {
   double left = left_in(root, files);
   for (; path.size() > 1; path.resize(path.rfind('/'))) left = std::min(left, left_in(root / path.substr(1), files));
   return left;
 }
 
-/// Returns the minimum over the groups in proc/self/cgroup. Its lines are NUMBER:CONTROLLERS:PATH; for version 2, the number is
-/// 0 and there are no controllers.
+/// Returns the smallest number of bytes left in the cgroups listed in proc/self/cgroup. The lines of this file are
+/// NUMBER:CONTROLLERS:PATH. For cgroups version 2, CONTROLLERS is empty.
 double left_in_cgroups(const fs::path& proc, const fs::path& root) {
   std::ifstream file(proc / "self/cgroup");
   double left = kUnlimited;
@@ -77,10 +77,10 @@ double left_in_cgroups(const fs::path& proc, const fs::path& root) {
   return left;
 }
 
-/// Address space for the stacks and heaps of threads that will be started. It counts even if unused.
+/// Bytes of address space for the stacks and heaps of threads that start later.
 constexpr double kThreadBytes = 64e6;
 
-/// Returns the bytes left of a resource limit. `column` of /proc/self/statm counts the pages used.
+/// Returns the bytes left of a resource limit. `column` is the column of /proc/self/statm that counts the used pages.
 double left_of_limit(decltype(RLIMIT_AS) resource, const fs::path& proc, int column) {
   rlimit limit{};
   if (getrlimit(resource, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return kUnlimited;
@@ -119,7 +119,7 @@ void prefer_huge_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size
   if (bytes < kLeast) return;
   const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE)), begin = reinterpret_cast<std::uintptr_t>(memory);
   const std::uintptr_t from = (begin + page - 1) / page * page, to = (begin + bytes) / page * page;
-  madvise(reinterpret_cast<void*>(from), to - from, MADV_HUGEPAGE);  // the result does not matter, because this is only a hint
+  madvise(reinterpret_cast<void*>(from), to - from, MADV_HUGEPAGE);  // only a hint, so that failures do not matter
 #endif
 }
 

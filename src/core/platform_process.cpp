@@ -40,8 +40,8 @@ bool send_signal([[maybe_unused]] int descriptor, [[maybe_unused]] int signal) {
 
 std::string open_files_of(int process) { return fmt::format("/proc/{}/fd", process); }
 
-/// Returns whether `link`, an entry of /proc/PID/fd, refers to `file` and is open for writing. Such a link is then writable
-/// itself.
+/// Returns whether `link`, an entry of /proc/PID/fd, refers to `file` and is open for writing. Linux sets the write permission
+/// of the link if the file is open for writing.
 bool is_open_for_writing(const fs::path& link, const struct stat& file) {
   struct stat opened {
   }, itself{};
@@ -71,8 +71,8 @@ class ChildActions {
   posix_spawn_file_actions_t actions_{};
 };
 
-/// Restores the default action of signals that this process ignores. Shells start background jobs with SIGINT ignored, and
-/// ignore_write_signals() ignores the other signals.
+/// Restores the default action of signals that this process may ignore. Shells start background jobs with SIGINT ignored.
+/// ignore_write_signals() ignores SIGPIPE and SIGXFSZ.
 class ChildAttributes {
  public:
   ChildAttributes() {

@@ -10,8 +10,7 @@ namespace lippmann {
 /// change the text direction, and bytes that are not UTF-8 become '?'.
 std::string printable(std::string_view text);
 
-/// Returns the whole text as one line, with the same replacements as printable(). Error and the tool's warnings use it, because
-/// they contain names from files.
+/// Returns the whole text as one line, with the same replacements as printable().
 std::string printable_line(std::string_view text);
 
 /// Returns the first 60 characters as printable() does, in single quotes.

@@ -1,4 +1,4 @@
-// Random numbers as pure functions of their purpose: hash(seed, frame, pixel, sample), independent of order and threads.
+// Random numbers as hashes of seed, frame, pixel and sample, so that they do not depend on the order of work or on threads.
 //
 // pcg-style integer mixing after: Jarzynski, Olano, "Hash Functions for GPU Rendering", JCGT 9(3), 2020.
 #pragma once

@@ -64,7 +64,7 @@ void read_journal_lines(const fs::path& folder, const std::function<void(std::st
     if (entry.path().extension() == ".jsonl") read_lines(entry.path(), line);
 }
 
-/// Returns whether a journal file contains more than one incomplete line: a complete or an invalid line.
+/// Returns whether a journal file contains more than a single incomplete line.
 bool has_more_than_cut_line(const fs::path& part) {
   std::ifstream in(part, std::ios::binary);
   std::string line;
@@ -80,13 +80,13 @@ std::optional<FileChecksum> checksum_from(const Json& json) {
   return FileChecksum{bytes->get<std::uint64_t>(), sum->get<std::string>()};
 }
 
-/// If `name` is that of a video's side file, returns the video's name. Otherwise returns `name`.
+/// Returns the video's name if `name` is VIDEO.json, the side file of a video. Otherwise returns `name`.
 std::string_view video_of(std::string_view name) {
   constexpr std::string_view kSideFile = ".json";
   return name.ends_with(kSideFile) ? name.substr(0, name.size() - kSideFile.size()) : name;
 }
 
-/// Returns the checksum that a line records for a file, or nothing if the line does not name it.
+/// Returns the checksum of file `name` in a line of a journal, or nothing if the line does not name the file.
 std::optional<FileChecksum> recorded_in(std::string_view line, const std::string& name) {
   const std::string_view video = video_of(name);
   if (line.find(video) == std::string_view::npos) return std::nullopt;

@@ -1,7 +1,7 @@
-// Opens files for reading: scenes, images, displays, jobs, journals and their side files.
+// Opens files for reading, and rejects everything except regular files and links to them.
 //
-// Opening a FIFO may wait forever, reading a device may never end, and meanwhile signals have no effect. Therefore every reader
-// opens files through this interface, which rejects everything except regular files. Links are followed.
+// Opening a FIFO may wait forever, and reading a device may never end. Therefore every reader of a file that the user names
+// (scenes, images, displays, jobs) opens it through this interface.
 #pragma once
 
 #include <cstddef>
@@ -19,13 +19,14 @@ class RegularFile {
  public:
   explicit RegularFile(const std::filesystem::path& path);
 
-  /// Returns the reason why the file cannot be read, in a form that follows its name: "does not exist", "is not a regular file
-  /// but a FIFO". Empty if the file is open.
+  /// Returns the reason why the file cannot be read, to be printed after the file's name, such as "does not exist". Returns an
+  /// empty text if the file is open.
   const std::string& problem() const { return problem_; }
   bool exists() const { return exists_; }
   std::uintmax_t size() const { return size_; }
 
-  /// Reads up to `count` bytes; fewer only at the end of the file or on failure, which sets problem().
+  /// Reads `count` bytes, or fewer at the end of the file and on failure. Returns the number of bytes read. A failure sets
+  /// problem().
   std::size_t read(void* to, std::size_t count);
 
  private:
@@ -35,8 +36,8 @@ class RegularFile {
   std::string problem_;
 };
 
-/// Return the whole file. Throw Error that names the file if it cannot be read or is larger than `limit_bytes`; `accepted` is
-/// part of the message.
+/// Return the whole file. Throw Error that names the file if it cannot be read or is larger than `limit_bytes`. The message
+/// ends with `accepted`.
 std::string read_file_text(const std::filesystem::path& path, std::uintmax_t limit_bytes, const std::string& accepted = {});
 std::vector<std::byte> read_file_bytes(const std::filesystem::path& path, std::uintmax_t limit_bytes,
                                        const std::string& accepted = {});
@@ -47,7 +48,7 @@ std::string read_file_begin(const std::filesystem::path& path, std::size_t count
 /// Throws Error that names the file if it cannot be read. Call this before a library opens the file by name.
 void require_regular_file(const std::filesystem::path& path, const std::string& accepted = {});
 
-/// Returns whether the path is a regular file. Returns false if nothing has that name. Throws Error if it is something else or
+/// Returns true for a regular file, and false if nothing has the name `path`. Throws Error if `path` is something else or
 /// cannot be accessed.
 bool is_regular_file_there(const std::filesystem::path& path);
 

@@ -11,12 +11,13 @@ namespace lippmann {
 /// replaces a letter, or exchanges two neighbours; no letter is edited twice.
 int edit_distance(std::string_view a, std::string_view b);
 
-/// Returns the candidate with the smallest edit distance to `name` (the first of equals), if that is at most half of the length
-/// of `name`. Otherwise returns the first candidate that contains `name`, ignoring dashes, if `name` has 3 letters or more.
-/// Otherwise returns an empty string.
+/// Returns a name similar to `name`, by these rules:
+/// 1. the first candidate with the smallest edit distance, if the distance is at most half of the length of `name`;
+/// 2. otherwise, if `name` has at least 3 letters, the first candidate that contains it (dashes are ignored);
+/// 3. otherwise an empty string.
 std::string nearest_name(std::string_view name, std::span<const std::string_view> candidates);
 
-/// Returns a suffix for messages, such as ", did you mean 'lenses'?", or an empty string. Safe to print.
+/// Returns a suffix for messages, such as ", did you mean 'lenses'?", or an empty string.
 std::string did_you_mean(std::string_view name, std::span<const std::string_view> candidates);
 
 }  // namespace lippmann

@@ -1,5 +1,5 @@
-// Declares to ThreadSanitizer the order of tasks in libraries that are built without it: a task runs after everything that was
-// done before it was started, and before everything that is done after all tasks have ended.
+// Declares to ThreadSanitizer how a library that is built without it orders tasks. Each task runs between the calls of
+// all_begin() and all_ended(), and calls begin() first and end() last.
 #pragma once
 
 // Active in instrumented sources, and in one source that is not instrumented (core/CMakeLists.txt).
@@ -14,7 +14,7 @@ class TaskOrder {
  public:
 #ifdef LIPPMANN_TELLS_TASK_ORDER
   TaskOrder() { all_begin(); }
-  /// Call this before starting tasks, if something was done since this object was constructed that the tasks must see.
+  /// Call this before starting tasks if they read data written after this object was constructed.
   void all_begin() { __tsan_release(&begun_); }
   void begin() { __tsan_acquire(&begun_); }
   void end() { __tsan_release(&ended_); }

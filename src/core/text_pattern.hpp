@@ -10,8 +10,8 @@
 namespace lippmann {
 
 struct PatternMatch {
-  std::size_t begin = 0, end = 0;   ///< position in the text
-  std::vector<std::string> groups;  ///< the first is the whole match; a group that did not participate is empty
+  std::size_t begin = 0, end = 0;   ///< the match is bytes [begin, end) of the text
+  std::vector<std::string> groups;  ///< group 0 is the whole match; a group that did not participate is empty
 };
 
 /// A regular expression. Thread-safe.

@@ -15,10 +15,10 @@ struct Context {
   int threads = 0;  ///< worker threads; 0: one per processor that this process may use
   /// Receives one complete sentence per call, without newline; called from any thread.
   std::function<void(std::string_view)> warn{};
-  /// Receives the share of the current frame that is traced, 0 to 1. Called often, from any thread. If a requested frame needs
-  /// other frames first, such as the key frames around an interpolated one, the share starts again from 0 for each of them.
+  /// Receives the traced share of the current frame, 0 to 1. Called often, from any thread. If a requested frame needs other
+  /// frames first, such as the key frames around an interpolated frame, the share restarts from 0 for each of these frames.
   std::function<void(double)> frame_progress{};
-  std::atomic<bool> cancelled{false};  ///< set it (also from a signal handler) to stop at the next tile or frame
+  std::atomic<bool> cancelled{false};  ///< set to true to stop at the next tile or frame; signal handlers may set it
 
   /// Reports to `warn` if it is set.
   void warning(std::string_view text) const {

@@ -17,7 +17,7 @@ enum class ErrorKind {
 
 class Error : public std::runtime_error {
  public:
-  /// where: file[:line], flag or key. problem: what is wrong. accepted: what would be accepted; empty if obvious.
+  /// where: file, file:line, flag or key. problem: what is wrong. accepted: accepted values; empty if obvious.
   Error(std::string where, std::string problem, std::string accepted = {}, ErrorKind kind = ErrorKind::kInput);
 
   const std::string& where() const { return where_; }

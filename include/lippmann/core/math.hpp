@@ -1,5 +1,4 @@
-// Vectors (glm), similarity transforms and bounds. Vectors are columns, so world_from_object * object_from_local applies the
-// right transform first.
+// Vectors (glm), affine transforms and bounds. Vectors are columns: a product of transforms applies the rightmost factor first.
 #pragma once
 
 #include <algorithm>
@@ -46,8 +45,7 @@ inline Affine3f inverse(const Affine3f& a) {
   const Mat3f m = glm::inverse(a.linear);
   return {m, -(m * a.translation)};
 }
-/// Returns the factor by which a similarity scales lengths. For other transforms, returns the cube root of the factor by which
-/// they scale volumes.
+/// Returns the cube root of the factor by which a transform scales volumes. For similarities, this is the scale of lengths.
 inline float uniform_scale(const Affine3f& a) { return std::cbrt(std::abs(glm::determinant(a.linear))); }
 
 /// An axis-aligned box. Initially empty.

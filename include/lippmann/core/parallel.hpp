@@ -1,9 +1,11 @@
 // Runs independent pieces of work on the context's threads. This interface hides the task library (oneTBB).
 //
-// Results are bit-identical for any number of threads because of three rules. The caller divides the work into pieces
-// independently of the number of threads. A piece writes only its own data. The caller does reductions afterwards, in the order
-// of the pieces. Worker threads flush denormals to zero, as Embree recommends, so that results do not depend on the caller's
-// floating-point mode.
+// Results are bit-identical for any number of threads if the caller follows three rules:
+// 1. The division into pieces does not depend on the number of threads.
+// 2. Each piece writes only its own data.
+// 3. Reductions happen after all pieces, in the order of the pieces.
+// Worker threads flush denormals to zero, as Embree recommends. Therefore results do not depend on the caller's floating-point
+// mode.
 #pragma once
 
 #include <cstddef>
@@ -31,9 +33,8 @@ class ThreadPool {
   /// Runs fn on this pool's threads, so that libraries that use oneTBB internally (Embree's builders) use only this pool.
   void run(const std::function<void()>& fn) const;
 
-  /// Returns the CPU seconds spent by the calling thread, plus those that the other threads spent on this pool's work. The
-  /// difference of two calls is the CPU time of the work between them. It does not include other activities of the process,
-  /// such as writing files.
+  /// Returns the CPU seconds of the calling thread plus the CPU seconds that other threads spent on this pool's work. The
+  /// difference of two calls is the CPU time of the work between the calls. Threads that write files are not included.
   double cpu_seconds() const;
 
  private:
