@@ -80,8 +80,8 @@ class ThreadClock {
 
 /// Returns the machine's host name, or an empty string.
 std::string machine_name();
-/// Returns at most 64 letters, digits and dashes of the host name, or "host" if it has none. Files that several machines write
-/// into one folder have it in their names.
+/// Returns the first 64 letters, digits and dashes of the host name, or "host" if it contains none. The result is used in the
+/// names of files that several machines write into one folder.
 std::string host_name();
 /// Returns the system's name and version, such as "Linux 6.1.0".
 std::string system_name();
@@ -267,7 +267,7 @@ class Socket {
   Transfer receive(std::span<char> to);
   /// If `more_follows`, the system may delay the last packet to combine it with the next data.
   Transfer send(std::string_view bytes, bool more_follows);
-  /// Tells the peer that no more data follows.
+  /// Signals to the peer that no more data follows.
   void end_sending();
 
  private:
