@@ -1,5 +1,6 @@
-// Based on: SMPTE RP 177:1993, "Derivation of Basic Television Color Equations": the columns of the matrix to XYZ are the
-// primaries, scaled so that they sum to white. Whites are adapted with K. M. Lam's Bradford matrix, as in ICC.1:2010, annex E.
+// Based on: SMPTE RP 177:1993, "Derivation of Basic Television Color Equations". The columns of the matrix from RGB to XYZ are
+// the XYZ colours of the primaries, scaled so that they sum to white. Different white points are adapted with K. M. Lam's
+// Bradford matrix, as in ICC.1:2010, annex E.
 #include "image/chromaticities.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
-// Based on: ICC.1:2022, "Image technology colour management". A profile is a header of 128 bytes, then a table of tags
-// (signature, offset, size). Profiles of screens contain the colours of their primaries under D50 (rXYZ, gXYZ, bXYZ) and their
-// curves (rTRC, gTRC, bTRC; for grey: kTRC). A curve is a gamma, a table of 16-bit values, or one of five functions with
-// parameters.
+// Based on: ICC.1:2022, "Image technology colour management". A profile consists of a header of 128 bytes and a table of tags
+// (signature, offset, size). In a profile of a screen, the tags rXYZ, gXYZ and bXYZ contain the colours of the primaries under
+// D50. The tags rTRC, gTRC and bTRC (for grey: kTRC) contain transfer curves. A curve is a gamma, a table of 16-bit values, or
+// one of five functions with parameters.
 #include "image/color_profile.hpp"
 
 #include <fmt/format.h>
@@ -30,7 +30,7 @@ class IccProfile {
   }
   std::string_view color_space() const { return text(bytes_.subspan(16, 4)); }
 
-  /// Returns the data of a tag; empty if it is missing.
+  /// Returns the data of a tag, or nothing if the tag is missing.
   FileBytes tag(std::string_view name) const {
     const std::size_t count = whole(bytes_, 128);
     for (std::size_t i = 0, at = 132; i < count && at + 12 <= bytes_.size(); ++i, at += 12) {
@@ -52,8 +52,8 @@ class IccProfile {
   static double fixed(FileBytes bytes, std::size_t at) { return static_cast<std::int32_t>(whole(bytes, at)) / 65536.0; }
   static std::string_view text(FileBytes bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
 
-  /// Returns the profile's description in ASCII. Version 2 stores it as it is; of version 4's UTF-16, every second byte is
-  /// taken.
+  /// Returns the profile's description in ASCII. Profiles of version 2 store ASCII. Profiles of version 4 store big-endian
+  /// UTF-16, of which the low bytes are returned.
   std::string name() const {
     const FileBytes tag = this->tag("desc");
     if (tag.size() < 12) return "";
@@ -79,7 +79,7 @@ bool has_color(const IccProfile& profile, std::string_view tag, std::array<doubl
   return true;
 }
 
-/// Returns the value of a curve at 0.5, or none for an unknown kind of curve.
+/// Returns the value of a transfer curve at 0.5, or nothing for an unknown kind of curve.
 std::optional<double> curve_at_half(FileBytes curve) {
   const std::string_view kind = IccProfile::text(curve.first(std::min<std::size_t>(4, curve.size())));
   if (kind == "curv") {
@@ -111,7 +111,7 @@ std::optional<double> curve_at_half(FileBytes curve) {
 }
 
 bool has_srgb_curve(const IccProfile& profile, std::string_view tag) {
-  constexpr double kUnseen = 0.01;  // differences below this are invisible; a gamma of 2.2 differs by 0.004
+  constexpr double kUnseen = 0.01;  // invisible difference of linear values; a gamma of 2.2 differs from sRGB by 0.004
   const std::optional<double> half = curve_at_half(profile.tag(tag));
   return half && std::abs(*half - linear_from_srgb(0.5)) <= kUnseen;
 }

@@ -8,12 +8,11 @@
 
 namespace lippmann {
 
-/// Returns the notice for PictureHeader that the profile is not applied: "its colour profile 'Display P3' is not applied: ...".
-/// Returns an empty string if there is no profile, or if it has no visible difference from sRGB.
+/// Returns the text for PictureHeader::notices if a profile is not applied: "its colour profile 'Display P3' is not applied:
+/// ...". Returns an empty string if there is no profile or if the profile looks like sRGB.
 std::string color_profile_notice(FileBytes icc);
 
-/// Returns the profile for PictureHeader. Returns an empty list if there is no profile, or if it has no visible difference from
-/// sRGB.
+/// Returns the bytes for PictureHeader::profile. Returns nothing if there is no profile or if the profile looks like sRGB.
 std::vector<std::byte> profile_to_apply(FileBytes icc);
 
 inline constexpr const char* kInksNotice =

@@ -1,10 +1,10 @@
 // Decodes images of each format from a file's bytes in memory. read_image.hpp has the interface for files.
 //
-// Each format has three functions, which recognise its first bytes, read the header and decode the samples. Rows run from the
-// top, channels are interleaved with colours first, and alpha is not applied. Readers print nothing; the header's `notices`
-// list the data that were ignored. The limits (limits.hpp) and the file's size bound the memory. The header and decode
-// functions throw Error at `where` if the file is truncated, damaged, too large or of an unsupported kind. All functions are
-// thread-safe.
+// Each format has three functions. is_FORMAT() recognises the first bytes of a file, FORMAT_header() reads the header, and
+// decode_FORMAT() decodes the samples. Samples are stored from the top row down, with interleaved channels, colours first.
+// Colours are not multiplied by alpha. The header's `notices` list ignored data of the file. The limits in limits.hpp and the
+// file's size bound the allocated memory. The header and decode functions throw Error at `where` if the file is truncated,
+// damaged, too large or of an unsupported kind. All functions are thread-safe.
 #pragma once
 
 #include <cstddef>
@@ -22,18 +22,18 @@ namespace lippmann {
 
 using FileBytes = std::span<const std::byte>;
 
-/// The side of the picture on which the first row and column of a file lie, 1 to 8 (TIFF 6.0, "Orientation"). EXIF uses the
-/// same numbers.
+/// The sides of the picture on which the first row and the first column of a file lie. The numbers are those of the Orientation
+/// field of TIFF 6.0 and EXIF.
 enum class Orientation { kUpright = 1, kMirrored, kUpsideDown, kFlipped, kTransposed, kRightSide, kTransversed, kLeftSide };
 
 struct PictureHeader {
   int width = 0, height = 0;
-  std::vector<std::string> channels;  ///< their names: R G B A, Y, or the names in an EXR file
+  std::vector<std::string> channels;  ///< names of the channels: R, G, B, A, Y, or the names in an EXR file
   SampleKind kind = SampleKind::kByte;
-  int colors = 0;  ///< number of colour channels, which come first: 3, 1 (grey), 0 (an EXR file without colours)
+  int colors = 0;  ///< number of colour channels: 3, 1 (grey), or 0 (an EXR file without colours); they come first
   Orientation orientation = Orientation::kUpright;  ///< orientation of the stored samples
-  std::vector<std::byte> profile = {};  ///< ICC profile of the samples, unless it is sRGB; applied by decode_picture()
-  /// Notes on ignored data of the file, such as "its gamma of 1 is ...", written to follow the file name.
+  std::vector<std::byte> profile = {};  ///< ICC profile of the samples, or empty for sRGB; decode_picture() applies it
+  /// Notes on ignored data of the file, such as "its gamma of 1 is ...". Warnings print them after the file name.
   std::vector<std::string> notices = {};
 };
 
@@ -41,12 +41,12 @@ using Samples = std::variant<std::vector<std::uint8_t>, std::vector<std::uint16_
 
 struct DecodedPicture {
   PictureHeader header;
-  Samples samples;  ///< samples of the kind in the header; width x height x channels
+  Samples samples;  ///< width x height x channels samples of type header.kind
 };
 
-/// Decodes an image of any format, turns it upright (orientation is kUpright) and converts it from its colour profile to sRGB
-/// (`profile` is empty). A notice names a profile that cannot be applied. Throws Error that lists the formats if none is
-/// recognised. The functions for single formats below return the stored samples.
+/// Read an image of any format, turn it upright and convert it from its colour profile to sRGB. Then header.orientation is
+/// kUpright and header.profile is empty. If the profile cannot be applied, a notice names it. Throw Error that lists all
+/// formats if the file has none of them. The functions for single formats below return the samples as stored.
 PictureHeader picture_header(FileBytes file, const std::string& where);
 DecodedPicture decode_picture(FileBytes file, const std::string& where);
 
@@ -61,8 +61,8 @@ DecodedPicture decode_jpeg(FileBytes file, const std::string& where);
 
 bool is_tiff(FileBytes file);
 PictureHeader tiff_header(FileBytes file, const std::string& where);
-/// Decodes the first image. Grey and RGB of 8 or 16 bits or floats keep their samples and their extra channels. CMYK with a
-/// profile becomes sRGB of 8 or 16 bits. All other kinds become 8-bit RGB.
+/// Decodes the first image. Grey and RGB samples of 8 or 16 bits or floats are returned as stored, with all extra channels.
+/// CMYK with a profile becomes sRGB of 8 or 16 bits. All other kinds become 8-bit RGB.
 DecodedPicture decode_tiff(FileBytes file, const std::string& where);
 
 bool is_exr(FileBytes file);
@@ -70,8 +70,8 @@ PictureHeader exr_header(FileBytes file, const std::string& where);
 /// Decodes the display window of the first part that has colours, in linear Rec. 709.
 DecodedPicture decode_exr(FileBytes file, const std::string& where);
 
-/// Radiance HDR. decode_hdr() undoes EXPOSURE and COLORCORR, converts PRIMARIES and XYZE to linear Rec. 709, and orients rows
-/// and columns by the header.
+/// Radiance HDR. decode_hdr() divides by EXPOSURE and COLORCORR, converts colours (PRIMARIES, XYZE) to linear Rec. 709, and
+/// turns the image upright.
 bool is_hdr(FileBytes file);
 PictureHeader hdr_header(FileBytes file, const std::string& where);
 DecodedPicture decode_hdr(FileBytes file, const std::string& where);
@@ -80,7 +80,7 @@ DecodedPicture decode_hdr(FileBytes file, const std::string& where);
 bool is_heic(FileBytes file);
 PictureHeader heic_header(FileBytes file, const std::string& where);
 DecodedPicture decode_heic(FileBytes file, const std::string& where);
-/// Decodes the depth image that is stored beside the main picture. Returns nothing if there is none.
+/// Decodes the depth image that is stored beside the main picture. Returns nothing if the file has no depth image.
 std::optional<StoredDepth> decode_heic_depth(FileBytes file, const std::string& where);
 
 bool is_webp(FileBytes file);
@@ -89,7 +89,7 @@ DecodedPicture decode_webp(FileBytes file, const std::string& where);
 
 bool is_netpbm(FileBytes file);
 PictureHeader netpbm_header(FileBytes file, const std::string& where);
-/// Decodes PFM, and P5 and P6 files with any highest code. Their codes are scaled to 8 or 16 bits.
+/// Decodes PFM, PGM (P5) and PPM (P6) files. Codes of PGM and PPM files are scaled to the range of 8 or 16 bits.
 DecodedPicture decode_netpbm(FileBytes file, const std::string& where);
 
 bool is_bmp(FileBytes file);
@@ -112,7 +112,7 @@ Error unreadable_picture(const std::string& where, const std::string& reason);
 /// Returns the header of an image whose channels have the default names.
 PictureHeader plain_header(int width, int height, int channels, SampleKind kind);
 
-/// Adds a notice for non-square pixels. aspect: width / height of a pixel.
+/// Adds a notice if pixels are not square. `aspect` is width / height of a pixel.
 void add_aspect_notice(PictureHeader& header, double aspect);
 
 /// Returns the default channel names: Y; Y, A; R, G, B; R, G, B, A; then channel4, ...

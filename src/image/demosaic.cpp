@@ -1,9 +1,9 @@
 // Based on: H. S. Malvar, L. He, R. Cutler, "High-quality linear interpolation for demosaicing of Bayer-patterned color
-// images", ICASSP 2004, figure 2. Each missing colour is the mean of the neighbours that have it, corrected by the second
-// derivative of the pixel's own colour.
+// images", ICASSP 2004, figure 2. Each missing colour is the mean of the neighbours that measure this colour, corrected by the
+// second derivative of the colour that the pixel measures.
 //
-// We deviate:
-// 1. Pixels beyond an edge are mirrored at the edge pixel, so that they have the colour that the pattern requires.
+// We deviate: beyond an edge of the image, pixels are mirrored at the edge pixel. The mirrored pixels continue the Bayer
+// pattern.
 #include "image/demosaic.hpp"
 
 #include <algorithm>
@@ -23,11 +23,11 @@ class Mosaic {
   float green_at_color(int x, int y) const {
     return (4.0f * at(x, y) + 2.0f * (sides(x, y, 1) + ends(x, y, 1)) - sides(x, y, 2) - ends(x, y, 2)) / 8.0f;
   }
-  /// For a green pixel, returns the colour that its left and right neighbours have.
+  /// For a green pixel, returns the colour that its left and right neighbours measure.
   float color_beside(int x, int y) const {
     return (5.0f * at(x, y) + 4.0f * sides(x, y, 1) - corners(x, y) - sides(x, y, 2) + 0.5f * ends(x, y, 2)) / 8.0f;
   }
-  /// For a green pixel, returns the colour that its neighbours above and below have.
+  /// For a green pixel, returns the colour that its neighbours above and below measure.
   float color_above(int x, int y) const {
     return (5.0f * at(x, y) + 4.0f * ends(x, y, 1) - corners(x, y) - ends(x, y, 2) + 0.5f * sides(x, y, 2)) / 8.0f;
   }

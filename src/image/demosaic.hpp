@@ -6,9 +6,9 @@
 
 namespace lippmann {
 
-/// Returns an image with 3 channels and no negative values; each pixel keeps its measured colour. mosaic: 1 channel, linear, at
-/// least 3 x 3 pixels, with a Bayer pattern (each 2 x 2 pixels have red, green twice, and blue). red: position of the red pixel
-/// among the first 2 x 2 pixels; both coordinates are 0 or 1.
+/// Returns an image with 3 channels. Each pixel keeps its measured colour. Negative values become 0. `mosaic` has 1 channel,
+/// linear values, at least 3 x 3 pixels and a Bayer pattern. `red` is the position of the red pixel in the first 2 x 2 pixels:
+/// both coordinates are 0 or 1.
 Image demosaic(const Image& mosaic, Vec2i red);
 
 }  // namespace lippmann

@@ -1,7 +1,6 @@
 // Draws boxes and text into images, for labels of test sheets and marks around prints.
-// Colours are given as 8-bit sRGB codes and converted to the sample type of the picture. Drawing is clipped to the image. Text
-// is ASCII, in capitals 7 units high, in lines 12 units high. A unit is `scale` pixels, a whole number, so that letters have
-// sharp edges.
+// Colours are 8-bit sRGB codes, which are converted to the sample type of the picture. Drawing is clipped to the image. Text is
+// ASCII. Text is measured in units. A unit is `scale` pixels, a whole number, so that letters have sharp edges.
 #pragma once
 
 #include <array>
@@ -22,7 +21,7 @@ struct PixelBox {
   Vec2i size() const { return to - from; }
 };
 
-inline constexpr int kTextCapital = 7, kTextLine = 12;  ///< heights of capitals and lines in units
+inline constexpr int kTextCapital = 7, kTextLine = 12;  ///< heights of a capital letter and of a line of text, in units
 
 void fill_box(Picture& picture, const PixelBox& box, const Rgb8& colour);
 

@@ -1,7 +1,10 @@
-// Encodes sRGB with 8 bits by table instead of pow(). The 255 floats at which the code increases are computed once with the
-// exact formula. A float's exponent and top 7 mantissa bits select a bucket that contains at most one such step. The bucket's
-// entry is (code at its start) 2^16 + (2^16 - the step's position in the bucket), or only the first term if it contains no
-// step. Adding the float's lower 16 bits to the entry carries into the code exactly if the float is at or beyond the step.
+// Encodes 8-bit sRGB by a table instead of pow(), with exactly the same codes:
+// 1. The exact formula gives the 255 floats at which the code increases (steps).
+// 2. A float's exponent and top 7 mantissa bits select a bucket of 2^16 floats, which contains at most one step.
+// 3. The table entry of a bucket is 2^16 (code at its start), plus 2^16 - (position of the step in the bucket) if it contains a
+//    step.
+// 4. The code is (entry + lower 16 bits of the float) / 2^16, rounded down. The sum carries into the code exactly if the float
+//    is at or beyond the step.
 #include "lippmann/image/encode.hpp"
 
 #include <algorithm>
@@ -13,7 +16,7 @@
 namespace lippmann {
 namespace {
 
-/// Returns the sRGB code by the definition in encode.hpp. The table must give the same codes.
+/// Returns the sRGB code by the definition in encode.hpp.
 int srgb_code(float value, int max_code) {
   if (!(value > 0.0f)) return 0;
   return static_cast<int>(std::floor(max_code * srgb_from_linear(std::min(value, 1.0f)) + 0.5));
@@ -46,7 +49,7 @@ class SrgbTable {
   }
 
   unsigned char operator()(float value) const {
-    value = value > kFirst ? value : kFirst;  // replaces NaN, too, for which the comparison is false
+    value = value > kFirst ? value : kFirst;  // also replaces NaN, because comparisons with NaN are false
     value = value < kLast ? value : kLast;
     const std::uint32_t offset = std::bit_cast<std::uint32_t>(value) - kFirstBits;
     return static_cast<unsigned char>((entries_[offset >> kBucketBits] + (offset & ((1u << kBucketBits) - 1))) >> kBucketBits);
@@ -54,8 +57,8 @@ class SrgbTable {
 
  private:
   static constexpr int kBucketBits = 16;
-  static constexpr float kFirst = 0x1p-13f;        // has code 0, since the first step is at 1.52e-4
-  static constexpr float kLast = 1.0f - 0x1p-24f;  // has code 255
+  static constexpr float kFirst = 0x1p-13f;        // 1.22e-4, code 0: code 1 begins at 1.52e-4
+  static constexpr float kLast = 1.0f - 0x1p-24f;  // largest float below 1, code 255
   static constexpr std::uint32_t kFirstBits = std::bit_cast<std::uint32_t>(kFirst);
   static constexpr std::uint32_t kBuckets = (std::bit_cast<std::uint32_t>(1.0f) - kFirstBits) >> kBucketBits;
   std::array<std::uint32_t, kBuckets> entries_{};
@@ -67,7 +70,7 @@ int truncated_code(float value, int max_code) {
   return scaled < static_cast<float>(max_code) ? static_cast<int>(scaled) : max_code;
 }
 
-/// Calls code(value) for the three colour values of each pixel.
+/// Returns code(value) of the three colour values of each pixel.
 template <class Code, class F>
 std::vector<Code> encode(const Image& film, const F& code) {
   assert(film.channels > 0);

@@ -5,8 +5,8 @@
 
 namespace lippmann {
 
-/// Returns the orientation, or kUpright if it is missing or the data are damaged. exif: begins with the byte order mark of the
-/// TIFF header, or with "Exif\0\0" before this mark.
+/// Returns the orientation, or kUpright if it is missing or the data are damaged. `exif` begins with a TIFF header or with
+/// "Exif\0\0" and a TIFF header.
 Orientation exif_orientation(FileBytes exif);
 
 }  // namespace lippmann

@@ -40,7 +40,7 @@ std::string channel_name(const ExrLayer& layer, std::size_t channel) {
   return layer.name.empty() ? layer.channels[channel] : layer.name + "." + layer.channels[channel];
 }
 
-/// Returns the samples converted to the type that is stored, because OpenEXR does not convert when writing.
+/// Returns the samples converted to the stored type, because OpenEXR does not convert samples when it writes.
 template <class Sample>
 std::vector<Sample> samples_of(const Image& image) {
   return {image.data.begin(), image.data.end()};
@@ -50,7 +50,7 @@ std::vector<Sample> samples_of(const Image& image) {
 struct Contents {
   Imf::Header header;
   Imf::FrameBuffer buffer;
-  std::deque<std::vector<Imath::half>> halves;  // the samples of layers that are stored as halves
+  std::deque<std::vector<Imath::half>> halves;  // samples of the layers that are stored as halves
 
   Contents(const std::string& where, std::span<const ExrLayer> layers, ExrCompression compression,
            std::span<const ExrAttribute> attributes)
@@ -84,7 +84,7 @@ struct Contents {
 };
 
 std::vector<std::byte> encode(const Contents& contents) {
-  constexpr int kNoThreads = 0;  // because the thread pool already uses all processors
+  constexpr int kNoThreads = 0;  // our thread pool already uses all processors
   ExrOutput stream;
   {
     Imf::OutputFile output(stream, contents.header, kNoThreads);

@@ -1,7 +1,7 @@
 // Writes float images as layers of one OpenEXR file: the film and further per-pixel data.
 //
-// The file has one part. Channels have the names that compositing programs expect: R G B A, Z, and those in
-// lippmann/trace/aovs.hpp. No time stamp is written, so that equal images give equal bytes.
+// The file has one part. Channels have the names that compositing programs expect: R, G, B, A, Z and the names in
+// lippmann/trace/aovs.hpp. The date in the header is fixed, so that equal images give equal bytes.
 #pragma once
 
 #include <filesystem>
@@ -30,10 +30,9 @@ struct ExrLayer {
 };
 
 ExrLayer film_layer(const Image& film, ExrSample sample = ExrSample::kHalf);
-/// Returns a layer for alpha. The film's colours must be premultiplied by alpha, as the format requires; the film's already
-/// are.
+/// Returns a layer for alpha. OpenEXR requires colours that are premultiplied by alpha.
 ExrLayer alpha_layer(const Image& alpha, ExrSample sample = ExrSample::kHalf);
-/// Returns a layer for depth, stored as floats because the precision of halves is too low.
+/// Returns a layer for depth. It is stored as floats, because halves have too little precision for depth.
 ExrLayer depth_layer(const Image& depth);
 
 /// A text attribute in the header of a file.
@@ -41,7 +40,7 @@ struct ExrAttribute {
   std::string name, text;
 };
 
-/// Writes layers. All images must have the same size, and channel names must be unique. Throws Error naming the file.
+/// Writes layers. All images must have the same size. Channel names must be unique. Throws Error naming the file on failure.
 void write_exr(const std::filesystem::path& path, std::span<const ExrLayer> layers,
                ExrCompression compression = ExrCompression::kZip, std::span<const ExrAttribute> attributes = {});
 

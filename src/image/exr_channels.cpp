@@ -26,7 +26,7 @@ ChannelName split(const std::string& name) {
   return {name.substr(0, at), name.substr(at + 1)};
 }
 
-/// Returns the meaning of a channel: "R", "G", "B", "A", "Y", "RY", "BY", "X", "Z", or an empty string if it has none of these.
+/// Returns the meaning of a channel name: "R", "G", "B", "A", "Y", "RY", "BY", "X", "Z", or an empty string for other names.
 std::string meaning_of(std::string_view channel) {
   const std::string name = lower(channel);
   if (name == "red") return "R";
@@ -38,8 +38,8 @@ std::string meaning_of(std::string_view channel) {
   return "";
 }
 
-/// Maps the meaning of each channel of a layer to its name. A channel named exactly as its meaning has precedence over "r" or
-/// "Red".
+/// Maps each meaning ("R") to the full name of a channel of the layer. A channel named exactly "R" takes precedence over "r"
+/// and "Red".
 using Layer = std::map<std::string, std::string>;
 
 void add(Layer& layer, const std::string& name, const std::string& channel) {
@@ -61,7 +61,7 @@ ExrColors colors_of(const Layer& layer) {
              has_exact_name(layer, "BY")) {
     take({"Y", "RY", "BY"});
     colors.luma_chroma = true;
-  } else if (has("Y") && !has("X")) {  // with an X, the channels X, Y and Z are a position or direction
+  } else if (has("Y") && !has("X")) {  // in a layer with X, Y is a coordinate of a position or direction
     take({"Y"});
   }
   if (!colors.channels.empty() && has("A")) colors.alpha = layer.at("A");
@@ -80,7 +80,7 @@ int rank_of(const std::string& channel) {
   return static_cast<int>(std::find(kFirst.begin(), kFirst.end(), channel) - kFirst.begin());
 }
 
-/// Returns whether a channel of this name holds data other than brightness, such as depth, alpha or a coordinate.
+/// Returns whether the name means data other than brightness, such as depth, alpha or a coordinate.
 bool is_data(const std::string& name) {
   constexpr std::array<std::string_view, 17> kData{"a",     "alpha",    "x",         "z",      "ry",      "by",
                                                    "u",     "v",        "w",         "n",      "id",      "depth",

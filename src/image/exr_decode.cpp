@@ -1,8 +1,8 @@
-// Decodes OpenEXR files as floats: the scan lines, or the finest level of tiles, of the first part with colours.
+// Decodes OpenEXR files as floats. Reads the first part with colours; of mipmaps, reads the finest level.
 //
-// The image covers the display window. A smaller data window is surrounded by zeros, and a larger one is cropped. Colours are
-// converted to linear Rec. 709 if the file has other chromaticities. exr_channels.hpp selects the colour channels. In the
-// result they come first, then alpha, then the other channels by layer.
+// The image covers the display window. Pixels outside the data window are 0. Pixels outside the display window are dropped.
+// Colours are converted to linear Rec. 709 if the file has other chromaticities. exr_channels.hpp selects the colour channels.
+// In the result, colours come first, then alpha, then the other channels sorted by layer.
 #include <Imath/ImathBox.h>
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
@@ -33,7 +33,7 @@
 namespace lippmann {
 namespace {
 
-/// Returns the maximum compression ratio. DWA may keep only one of 64 numbers; deflate then compresses these.
+/// Returns the maximum ratio of a compression method. DWA may keep only one of 64 coefficients before it applies deflate.
 std::uint64_t ratio_of(Imf::Compression compression) {
   switch (compression) {
     case Imf::NO_COMPRESSION:
@@ -42,7 +42,7 @@ std::uint64_t ratio_of(Imf::Compression compression) {
     case Imf::DWAB_COMPRESSION:
       return 64 * kDeflateRatio;
     default:
-      return 2 * kDeflateRatio;  // PXR24 first drops bits of each float
+      return 2 * kDeflateRatio;  // PXR24 drops 8 of the 32 bits of each float before it applies deflate
   }
 }
 
@@ -50,7 +50,7 @@ void prepare_library() {
   static std::once_flag once;
   std::call_once(once, [] {
     Imf::staticInitialize();
-    Imf::setGlobalThreadCount(0);  // because the thread pool already uses all processors
+    Imf::setGlobalThreadCount(0);  // our thread pool already uses all processors
     Imf::Header::setMaxImageSize(kMaxImageSide, kMaxImageSide);
     Imf::Header::setMaxTileSize(kMaxImageSide, kMaxImageSide);
   });
@@ -58,7 +58,7 @@ void prepare_library() {
 
 Imath::V2i size_of(const Imath::Box2i& window) { return window.size() + Imath::V2i(1); }
 
-/// Throws Error if a window is too large. Call this before its size is computed in 32 bits.
+/// Throws Error if a window is too large. Call this before size_of(), which computes in 32 bits.
 void check_window(const std::string& where, const Imath::Box2i& window, std::size_t channels) {
   check_image_size(where, std::int64_t{window.max.x} - window.min.x + 1, std::int64_t{window.max.y} - window.min.y + 1,
                    static_cast<std::int64_t>(channels));
@@ -71,7 +71,7 @@ std::vector<std::string> channels_of(const Imf::Header& header) {
   return names;
 }
 
-/// Returns the samples of the display window: those of the window `data` where it lies inside, zeros elsewhere.
+/// Returns the samples of the window `display`, given the samples of the window `data`. Pixels outside of `data` become 0.
 std::vector<float> placed(const std::vector<float>& samples, std::size_t channels, const Imath::Box2i& data,
                           const Imath::Box2i& display) {
   const Imath::V2i size = size_of(display), data_size = size_of(data);
@@ -183,7 +183,7 @@ class ExrDecoder {
     return static_cast<std::uint64_t>(size_of(window).x) * static_cast<std::uint64_t>(size_of(window).y);
   }
 
-  /// Checks the size of chunks, because OpenEXR allocates whole chunks even if the image covers little of them.
+  /// Throws Error for chunks much larger than the image, because OpenEXR allocates whole chunks.
   void check_chunks(std::uint64_t width, std::uint64_t picture_bytes, std::uint64_t pixel_bytes) const {
     constexpr std::uint64_t kFree = std::uint64_t{1} << 24;
     const Imf::Header& header = part();
@@ -243,8 +243,8 @@ class ExrDecoder {
     });
   }
 
-  /// Decodes luma and chroma to R, G, B, with RY = R / Y - 1 and BY = B / Y - 1. Y is the sum of R, G and B weighted by the
-  /// chromaticities.
+  /// Decodes luma and chroma to R, G, B. The file stores RY = R / Y - 1 and BY = B / Y - 1. Y is a weighted sum of R, G and B;
+  /// the chromaticities determine the weights.
   std::vector<float> luma_chroma_samples(const Imath::Box2i& window) {
     std::vector<std::string> stored = colors_.channels;
     if (!colors_.alpha.empty()) stored.push_back(colors_.alpha);

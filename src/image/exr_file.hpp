@@ -1,4 +1,4 @@
-// Memory streams for reading and writing OpenEXR files. Only the sources that read or write such files include this header.
+// Memory streams for reading and writing OpenEXR files.
 #pragma once
 
 #include <OpenEXR/ImfIO.h>

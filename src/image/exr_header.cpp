@@ -1,10 +1,14 @@
-// Based on: Industrial Light & Magic, "OpenEXR File Layout", 2013. A magic number and a version are followed by a header:
-// attributes with a name, a type, a size and a value, ended by an empty name. A file with several parts has several headers,
-// ended by an empty header. Then follow the offsets of the chunks, 8 bytes each, part by part. A chunk consists of the number
-// of its part (only in files with several parts), its row (4 bytes) or its tile and level (16 bytes), its size and its samples.
+// Based on: Industrial Light & Magic, "OpenEXR File Layout", 2013. A file consists of:
+// 1. a magic number and a version;
+// 2. a header per part; an empty header ends the headers of a file with several parts;
+// 3. the offsets of the chunks, 8 bytes each, part by part;
+// 4. the chunks.
+// A header is a list of attributes, ended by an empty name. An attribute has a name, a type, a size and a value. A chunk begins
+// with the number of its part (only in files with several parts). Its row (4 bytes) or its tile and level (16 bytes), its size
+// and its samples follow.
 //
-// The checks must parse the file as OpenEXR does. OpenEXR reads most values by type and ignores their size, so a size that does
-// not match the type is an error here.
+// The checks must parse the file as OpenEXR does. OpenEXR reads most values by their type and ignores the stored size, so a
+// size that does not match the type is an error here.
 #include "image/exr_header.hpp"
 
 #include <OpenEXR/ImfAttribute.h>
@@ -52,7 +56,7 @@ constexpr std::array<std::pair<std::string_view, std::size_t>, 24> kSizes{{
     {"v3i", 12},
 }};
 
-/// Reads a header's bytes in order. Throws Error for a truncated header if no bytes are left.
+/// Reads the bytes of a header in order. Throws Error if the header is truncated.
 class HeaderInput {
  public:
   HeaderInput(FileBytes bytes, const std::string& where) : rest_(bytes), where_(where) {}
@@ -66,7 +70,7 @@ class HeaderInput {
     rest_ = rest_.subspan(taken.size());
     return taken;
   }
-  /// Returns a text including its terminating zero.
+  /// Reads a text up to its terminating zero, which is not part of the result but follows it in memory.
   std::string_view text() {
     const auto end = std::find(rest_.begin(), rest_.end(), std::byte{0});
     if (end == rest_.end()) throw truncated();
@@ -123,7 +127,7 @@ bool fits_type(std::string_view type, FileBytes value, const std::string& where)
 
 /// The attributes that determine the number of chunks of a part and the layout of their headers.
 struct PartSize {
-  std::int32_t window[4] = {0, 0, -1, -1};  // as stored: x and y of the first and of the last pixel
+  std::int32_t window[4] = {0, 0, -1, -1};  // x and y of the first pixel, then x and y of the last pixel
   std::uint32_t tile[2] = {0, 0};
   // Lower 4 bits: 0: one level, 1: mipmap levels, 2: ripmap levels. Upper 4 bits: 1: sides are rounded up.
   std::uint8_t levels = 0;
@@ -182,7 +186,7 @@ struct PartSize {
   }
 };
 
-/// Throws Error for header values that OpenEXR rejects, with clearer messages than OpenEXR's.
+/// Throws Error for a window that OpenEXR rejects, with a clearer message than OpenEXR's.
 void check_window_place(const std::string& name, FileBytes value, const std::string& where) {
   std::array<std::int32_t, 4> window{};
   std::memcpy(window.data(), value.data(), sizeof window);

@@ -1,7 +1,7 @@
 // Checks the headers and chunks of an OpenEXR file before OpenEXR reads them. Private to src/image.
 //
-// OpenEXR allocates memory by the sizes in a header before it reads the data, so a file of a hundred bytes can make it allocate
-// gigabytes. Some versions of OpenEXR read a truncated file as if zeros followed.
+// OpenEXR allocates memory by the sizes in the header before it reads the data, so that a file of a hundred bytes can cause an
+// allocation of gigabytes. Some versions of OpenEXR read zeros beyond the end of a truncated file.
 #pragma once
 
 #include <OpenEXR/ImfCompression.h>
@@ -13,8 +13,11 @@
 
 namespace lippmann {
 
-/// Throws Error unless the file contains the values of all attributes with the size of their type, pictures are within the
-/// limits, and the file contains all chunks completely. Call Imf::staticInitialize() before.
+/// Throws Error unless all of these are true:
+/// 1. The file contains the values of all attributes, and each value has the size that its type requires.
+/// 2. Pictures are within the limits of limits.hpp.
+/// 3. The file contains all chunks completely.
+/// Call Imf::staticInitialize() before.
 void check_exr_file(FileBytes file, const std::string& where);
 
 /// Returns the number of scan lines in a chunk with this compression.

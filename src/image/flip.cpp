@@ -1,14 +1,15 @@
 // Based on: Andersson, Nilsson, Akenine-Moeller, Oskarsson, Astrom, Fairchild, "FLIP: A difference evaluator for alternating
-// images", Proc. ACM on Computer Graphics and Interactive Techniques 3(2), 2020, sections 4 and 5, with the constants of the
-// authors' program (67 pixels per degree: a monitor 0.7 m wide with 3840 pixels, seen from 0.7 m).
+// images", Proc. ACM on Computer Graphics and Interactive Techniques 3(2), 2020, sections 4 and 5. The constants are those of
+// the authors' program. A monitor 0.7 m wide with 3840 pixels, seen from 0.7 m, has 67 pixels per degree.
 //
 // 1. Convert colours to YCxCz, blur them with the eye's contrast sensitivity functions (luminance, red-green and blue-yellow),
 //    and clamp them to the sRGB gamut.
-// 2. The colour difference is the HyAB distance in CIELAB with Hunt adjustment (reduced chroma in dark regions), to the power
-//    q_c, mapped to 0 ... 1 so that p_c of the largest difference becomes p_t.
-// 3. The feature difference is the larger of the differences of edges and of points (first and second derivatives of a
-//    Gaussian) of Y, divided by the square root of 2, to the power q_f.
-// 4. FLIP of a pixel is colour ^ (1 - feature).
+// 2. Compute the colour difference: the HyAB distance in CIELAB, to the power q_c. Hunt adjustment reduces chroma in dark
+//    regions before. Map the result to 0 ... 1, so that p_c times the largest difference becomes p_t.
+// 3. Compute the feature difference. Edges and points are detected in Y by the first and second derivative of a Gaussian. Take
+//    the larger of the difference of edges and the difference of points. Divide by the square root of 2, then raise to the
+//    power q_f.
+// 4. FLIP of a pixel is (colour difference) ^ (1 - feature difference).
 //
 //   letter | here             | value
 //   q_c    | kColorPower      | 0.7
@@ -17,8 +18,9 @@
 //   w      | kFeatureWidthDeg | 0.082 degrees
 //   q_f    | kFeaturePower    | 0.5
 //
-// All filters are separable. The blue-yellow filter is a sum of two Gaussians. The sign of each derivative depends on only one
-// coordinate, so its positive and negative parts can be normalised in one dimension. At the borders, edge pixels are repeated.
+// All filters are separable; the blue-yellow filter is a sum of two separable Gaussians. The sign of a derivative filter
+// depends on only one coordinate, so that its positive and negative parts can be normalised in one dimension. At the borders,
+// edge pixels are repeated.
 #include "image/flip.hpp"
 
 #include <algorithm>
@@ -39,7 +41,7 @@ constexpr double kPixelsPerDegree = 0.7 * 3840.0 / 0.7 * std::numbers::pi / 180.
 constexpr double kColorPower = 0.7, kKneeIn = 0.4, kKneeOut = 0.95, kFeatureWidthDeg = 0.082, kFeaturePower = 0.5;
 
 using Color = std::array<double, 3>;
-using Kernel = std::vector<double>;  // an odd number of taps, with the middle one at the pixel
+using Kernel = std::vector<double>;  // an odd number of taps; the middle tap is at the filtered pixel
 
 /// Converts linear Rec. 709 to CIE XYZ divided by white. The rows sum to 1.
 constexpr std::array<Color, 3> kXyzFromRgb{{{10135552.0 / 24577794, 8788810.0 / 24577794, 4435075.0 / 24577794},
@@ -93,14 +95,14 @@ Kernel gaussian(int radius, double inverse_twice_variance) {
   return kernel;
 }
 
-/// Scales the taps so that the positive ones sum to 1 and the negative ones to -1.
+/// Scales the taps so that positive taps sum to 1 and negative taps sum to -1.
 void balance(Kernel& kernel) {
   double positive = 0.0, negative = 0.0;
   for (const double tap : kernel) (tap > 0.0 ? positive : negative) += tap;
   for (double& tap : kernel) tap /= tap > 0.0 ? positive : -negative;
 }
 
-/// Filters a line of samples, which are `stride` apart. Beyond the ends, the first and last sample are repeated.
+/// Filters a row or column of samples that are `stride` apart. Repeats the first and last sample beyond the ends.
 void filter_line(const double* from, double* to, int count, std::ptrdiff_t stride, const Kernel& kernel) {
   const int radius = static_cast<int>(kernel.size() / 2);
   for (int i = 0; i < count; ++i) {
@@ -137,7 +139,7 @@ struct Sensitivity {
 
 constexpr double kWidestB = 0.04;
 
-/// Blurs a plane by a sum of Gaussians. The sum is normalised, not each Gaussian.
+/// Blurs a plane by a sum of Gaussians. The sum of all Gaussians is normalised, not each Gaussian.
 SamplePlane blurred(const SamplePlane& plane, const std::vector<Sensitivity>& terms) {
   using std::numbers::pi;
   const int radius = static_cast<int>(std::ceil(3.0 * std::sqrt(kWidestB / (2.0 * pi * pi)) * kPixelsPerDegree));
@@ -175,7 +177,7 @@ Opponents opponents_of(const Image8& image) {
   return planes;
 }
 
-/// Returns the colour of each pixel after removing details that the eye does not resolve, in Hunt-adjusted CIELAB.
+/// Removes details that the eye does not resolve. Returns the colour of each pixel in Hunt-adjusted CIELAB.
 std::vector<Color> seen_colors(const Opponents& opponents) {
   const Opponents blurry{blurred(opponents[0], {{1.0, 0.0047}}), blurred(opponents[1], {{1.0, 0.0053}}),
                          blurred(opponents[2], {{34.1, 0.04}, {13.5, 0.025}})};
@@ -191,7 +193,7 @@ std::vector<Color> seen_colors(const Opponents& opponents) {
   return colors;
 }
 
-/// Maps a colour distance to 0 ... 1: step 2 of the comment at the top, including the power q_c.
+/// Raises a colour distance to the power q_c and maps it to 0 ... 1, as in step 2 at the top of this file.
 double color_difference(double distance, double largest) {
   const double power = std::pow(distance, kColorPower), knee = kKneeIn * largest;
   if (power < knee) return kKneeOut / knee * power;

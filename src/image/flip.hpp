@@ -1,11 +1,12 @@
-// LDR-FLIP, the perceived difference between two alternating images; defined in image/metrics.hpp.
+// Computes LDR-FLIP, the difference that a viewer perceives between two alternating images.
 #pragma once
 
 #include "lippmann/image/image.hpp"
 
 namespace lippmann {
 
-/// Returns the mean FLIP over all pixels of two sRGB images of one size, seen at 67 pixels per degree: 0 (equal) ... 1.
+/// Returns the mean FLIP over all pixels, from 0 (equal images) to 1. The images are sRGB, have the same size, and are seen at
+/// 67 pixels per degree.
 double flip(const Image8& reference, const Image8& test);
 
 }  // namespace lippmann

@@ -1,8 +1,10 @@
-// Decodes Radiance HDR. Based on: Greg Ward, "Real Pixels", Graphics Gems II, 1991, and the Radiance file formats document,
-// A file has header lines, an empty line, and a line with the order and number of rows and columns. Then follow scan lines of
-// four bytes per pixel: three mantissas and their exponent. A scan line may be uncompressed. Otherwise it has runs in one of
-// two ways: a pixel 1, 1, 1, n repeats the previous pixel; or the line begins with 2, 2 and its length, and stores its four
-// components one after the other.
+// Decodes Radiance HDR. Based on: Greg Ward, "Real Pixels", Graphics Gems II, 1991, and the Radiance file formats document.
+//
+// A file has header lines, an empty line, a line with the order and number of rows and columns, and scan lines. A pixel has
+// four bytes: three mantissas and their common exponent. A scan line is stored in one of three ways:
+// 1. pixel by pixel, uncompressed;
+// 2. pixel by pixel with runs: the pixel 1, 1, 1, n means n repetitions of the previous pixel;
+// 3. as 2, 2 and the length of the line, then the four components of the line one after the other, each with runs.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,7 +29,7 @@ using Rgbe = std::array<std::uint8_t, 4>;
 struct HdrShape {
   int width = 0, height = 0;
   bool rows_first = true;          ///< true: scan lines are rows; false: they are columns
-  bool down = true, right = true;  ///< directions in which rows and columns are stored
+  bool down = true, right = true;  ///< whether rows are stored from top to bottom, and columns from left to right
 
   int lines() const { return rows_first ? height : width; }
   int line_pixels() const { return rows_first ? width : height; }
@@ -40,7 +42,7 @@ struct HdrShape {
 
 struct HdrHeader {
   HdrShape shape;
-  std::array<double, 3> exposure{1.0, 1.0, 1.0};  ///< factor by which each colour was multiplied
+  std::array<double, 3> exposure{1.0, 1.0, 1.0};  ///< factors by which R, G and B in the file are multiplied
   double pixel_height = 1.0;                      ///< height of a pixel, in pixel widths
   Chromaticities chromaticities;
   std::vector<std::string> notices;
@@ -77,7 +79,7 @@ class HdrHeaderReader {
     return line;
   }
 
-  /// Reads a line NAME=value. Other lines, which are comments or names of programs, are ignored.
+  /// Reads a line NAME=value. Ignores other lines, which are comments or commands.
   void read_variable(std::string_view text) {
     const std::size_t equals = text.find('=');
     if (equals == std::string_view::npos) return;
@@ -133,7 +135,8 @@ class HdrHeaderReader {
     header_.notices.emplace_back("its PRIMARIES are invalid and are ignored");
   }
 
-  /// Reads a line such as "-Y 512 +X 768": sign, axis and number of the scan lines, then of the pixels in a line.
+  /// Reads a line such as "-Y 512 +X 768". It states direction, axis and number of the scan lines, then direction, axis and
+  /// number of the pixels in a scan line.
   void read_resolution(std::string_view text) {
     HdrShape& shape = header_.shape;
     const std::string_view all = text;
@@ -197,7 +200,7 @@ class HdrLines {
     }
   }
 
-  /// Reads pixels with runs 1, 1, 1, n. If several runs follow each other, their n are the digits of one number, the lowest
+  /// Reads pixels with runs 1, 1, 1, n. The n of consecutive runs are the digits (base 256) of one length, the lowest digit
   /// first.
   void read_pixels(std::vector<Rgbe>& line) {
     int shift = 0;
@@ -228,7 +231,7 @@ float scale_of(const Rgbe& pixel) { return pixel[3] == 0 ? 0.0f : std::ldexp(1.0
 HdrHeader read_hdr_header(FileBytes file, const std::string& where) {
   HdrHeader header = HdrHeaderReader(file, where).read();
   const std::uint64_t pixels = static_cast<std::uint64_t>(header.shape.width) * static_cast<std::uint64_t>(header.shape.height);
-  check_file_holds(where, file.size(), sizeof(Rgbe) * pixels, kDeflateRatio);  // runs cannot be more compact than this
+  check_file_holds(where, file.size(), sizeof(Rgbe) * pixels, kDeflateRatio);  // above the ratio of run-length compression
   return header;
 }
 

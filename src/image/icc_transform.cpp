@@ -28,7 +28,7 @@ using IccContext = std::unique_ptr<std::remove_pointer_t<cmsContext>, ContextDel
 using OpenProfile = std::unique_ptr<void, ProfileDeleter>;
 using OpenTransform = std::unique_ptr<void, TransformDeleter>;
 
-/// Returns the sRGB profile, or for grey, a profile with the curve and white point of sRGB.
+/// Returns the sRGB profile. For grey, returns a grey profile with the transfer curve of sRGB.
 OpenProfile output_profile(cmsContext context, cmsColorSpaceSignature space) {
   OpenProfile srgb(cmsCreate_sRGBProfileTHR(context));
   if (!srgb || space != cmsSigGrayData) return srgb;
@@ -41,8 +41,8 @@ OpenProfile open_profile(cmsContext context, FileBytes icc) {
   return OpenProfile(cmsOpenProfileFromMemTHR(context, icc.data(), static_cast<cmsUInt32Number>(icc.size())));
 }
 
-/// Returns a transform to sRGB, or null if the profile does not fit samples of this colour space. extra: number of channels
-/// after the colours; they are copied.
+/// Returns a transform to sRGB, or null if the profile is not for the colour space `space`. The transform copies the `extra`
+/// channels that follow the colours. `bytes` is the size of a sample.
 OpenTransform transform_of(cmsContext context, FileBytes icc, cmsColorSpaceSignature space, unsigned extra, unsigned bytes) {
   const OpenProfile from = open_profile(context, icc);
   if (!from || cmsGetColorSpace(from.get()) != space) return nullptr;
@@ -58,7 +58,7 @@ OpenTransform transform_of(cmsContext context, FileBytes icc, cmsColorSpaceSigna
                                              is_grey ? grey : rgb, INTENT_RELATIVE_COLORIMETRIC, flags));
 }
 
-/// Number of pixels that are converted at once, since Little CMS counts them with 32 bits.
+/// Number of pixels that are converted at once, because Little CMS counts pixels with 32 bits.
 constexpr std::size_t kPixelsAtOnce = std::size_t{1} << 20;
 
 template <class Code>

@@ -1,6 +1,6 @@
 // Converts samples from the ICC profile of their file to sRGB, and sRGB codes to a printer's profile. This requires Little CMS.
 //
-// The rendering intent is relative colorimetric with black point compensation; colours outside the target's gamut are clipped.
+// The rendering intent is relative colorimetric with black point compensation. Colours outside the target's gamut are clipped.
 // All functions are thread-safe. Private to src/image.
 #pragma once
 
@@ -10,9 +10,9 @@
 
 namespace lippmann {
 
-/// Converts grey or RGB samples of 8 or 16 bits by a profile of the same kind; extra channels do not change. Returns false and
-/// leaves the samples unchanged if they are floats, if the profile is damaged or of another kind, or if the program is built
-/// without Little CMS.
+/// Converts grey or RGB samples of 8 or 16 bits by a profile for grey or RGB. Extra channels do not change. Returns false and
+/// leaves the samples unchanged if they are floats, if the profile is damaged or for another number of colours, or if the
+/// program is built without Little CMS.
 bool apply_color_profile(FileBytes icc, const PictureHeader& header, Samples& samples);
 
 /// Converts CMYK samples of 8 or 16 bits, where the highest code is full ink. Returns RGB codes. Returns nothing if the profile
@@ -20,7 +20,7 @@ bool apply_color_profile(FileBytes icc, const PictureHeader& header, Samples& sa
 std::optional<Samples> rgb_of_inks(FileBytes icc, const Samples& inks);
 
 /// Returns the number of channels of an output profile: 3 (RGB) or 4 (CMYK). Returns nothing if the profile is damaged, if it
-/// is not an output profile (but a camera's, for example), or if the program is built without Little CMS.
+/// is for input only (such as a camera's profile), or if the program is built without Little CMS.
 std::optional<int> output_channels(FileBytes icc);
 
 /// Converts sRGB codes of 8 or 16 bits to codes of an output profile, which has output_channels() channels. Returns nothing if

@@ -1,9 +1,11 @@
-// Decodes JPEG with libjpeg, whose errors use longjmp: no object with a destructor may live between setjmp() and an error.
+// Decodes JPEG with libjpeg. libjpeg reports errors with longjmp(), so that no object with a destructor may be created between
+// setjmp() and a call that may fail.
 //
-// libjpeg only warns about a truncated or damaged scan and fills the rest of the image with grey. Here both are errors. A
-// progressive file with more scans than any encoder makes is also an error, since each scan is a pass over the whole image.
+// libjpeg only warns about a truncated or damaged scan and fills the rest of the image with grey. Here these warnings are
+// errors. Too many scans are also an error, because each scan of a progressive file is a pass over the whole image.
 #include <cstdio>
-// jpeglib.h needs FILE, so <cstdio> is included before it. The error codes depend on the version that jpeglib.h defines.
+// The order of these headers matters: jpeglib.h needs FILE from <cstdio>, and jerror.h needs the version that jpeglib.h
+// defines.
 // clang-format off
 #include <jpeglib.h>
 #include <jerror.h>
@@ -29,7 +31,7 @@ namespace {
 
 constexpr unsigned char kJpegMagic[] = {0xff, 0xd8, 0xff};
 
-/// Maximum compression: a block of 8 x 8 samples takes at least one bit.
+/// A block of 8 x 8 samples takes at least one bit.
 constexpr std::uint64_t kMaxSamplesPerByte = 8 * 64;
 constexpr int kMaxScans = 200;
 
@@ -59,8 +61,8 @@ class JpegDecoder {
     return header;
   }
 
-  /// Decodes the samples. If they are CMYK, converts them to RGB and removes the CMYK profile from the header; adds a notice if
-  /// the profile could not be used.
+  /// Decodes the samples. Converts CMYK to RGB and removes the CMYK profile from the header. Adds a notice if the profile
+  /// cannot be used.
   Samples samples(PictureHeader& header) {
     const std::size_t pixels = static_cast<std::size_t>(header.width) * static_cast<std::size_t>(header.height);
     const bool cmyk = jpeg_.out_color_space == JCS_CMYK;
@@ -92,7 +94,7 @@ class JpegDecoder {
     if (reinterpret_cast<j_decompress_ptr>(jpeg)->input_scan_number > kMaxScans) fail(jpeg, "it has too many scans");
   }
 
-  /// Reads the orientation, the colour profile (stored in numbered parts) and the shape of the pixels.
+  /// Reads the orientation, the aspect ratio of pixels, and the colour profile, which is stored in numbered parts.
   void read_markers(PictureHeader& header) const {
     constexpr std::string_view kExif("Exif\0\0", 6), kIcc("ICC_PROFILE\0", 12);
     std::map<int, FileBytes> profile;
@@ -110,8 +112,7 @@ class JpegDecoder {
     header.profile = profile_to_apply(icc);
     if (jpeg_.saw_JFIF_marker && jpeg_.X_density > 0 && jpeg_.Y_density > 0) {
       const double ratio = static_cast<double>(jpeg_.X_density) / jpeg_.Y_density;
-      add_aspect_notice(
-          header, jpeg_.density_unit == 0 ? ratio : 1.0 / ratio);  // without a unit, the densities give the shape of a pixel
+      add_aspect_notice(header, jpeg_.density_unit == 0 ? ratio : 1.0 / ratio);  // unit 0: X : Y is the aspect ratio of a pixel
     }
   }
 
@@ -138,8 +139,8 @@ class JpegDecoder {
     return true;
   }
 
-  /// Converts CMYK by the profile, or without a usable profile by multiplying the light that each ink transmits. The codes are
-  /// inverted, as in Adobe's files; other CMYK files hardly exist.
+  /// Converts CMYK by the profile. Without a usable profile, multiplies the light that each ink transmits. Assumes inverted
+  /// codes, as Adobe's programs write them, because other CMYK files hardly exist.
   static Samples rgb_of(std::vector<std::uint8_t> codes, PictureHeader& header) {
     if (!header.profile.empty()) {
       std::vector<std::uint8_t> inks(codes.size());

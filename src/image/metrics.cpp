@@ -14,7 +14,7 @@
 namespace lippmann {
 namespace {
 
-/// Returns the sum of squared differences in each channel. The sums are exact, since they are integers of at most 255^2 2^28.
+/// Returns the sum of squared differences of each channel. The sums are exact, because 2^28 pixels give at most 255^2 2^28.
 std::array<std::uint64_t, 3> squared_differences(const Image8& a, const Image8& b) {
   std::array<std::uint64_t, 3> sums{};
   for (std::size_t i = 0; i < a.rgb.size(); i += 3)

@@ -1,12 +1,12 @@
 // Based on: Wang, Simoncelli, Bovik, "Multi-scale structural similarity for image quality assessment", Asilomar Conference on
 // Signals, Systems and Computers, 2003, equation 7 and the weights of section 3.2.
 //
-// Each scale is made from the previous scale by averaging 2 x 2 pixels. MS-SSIM is a product with one factor for each scale:
-// the mean contrast and structure term, to the power of the scale's weight. The factor of the coarsest scale uses the mean SSIM
-// instead.
+// 1. Each scale is computed from the next finer scale by averaging 2 x 2 pixels.
+// 2. The factor of a scale is its mean contrast and structure term, raised to the scale's weight. For the coarsest scale, the
+//    mean SSIM replaces the term.
+// 3. MS-SSIM is the product of all factors.
 //
-// We deviate:
-// 1. A negative mean counts as 0, since its power is not real.
+// We deviate: a negative mean counts as 0, because its power is not a real number.
 #include "image/ms_ssim.hpp"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::array<double, 5> kScaleWeights{0.0448, 0.2856, 0.3001, 0.2363, 0.1333};
 
-/// Averages 2 x 2 pixels. An odd last row or column is repeated.
+/// Averages 2 x 2 pixels. Repeats the last row or column if the number of rows or columns is odd.
 SamplePlane half_size(const SamplePlane& plane) {
   SamplePlane half{(plane.width + 1) / 2, (plane.height + 1) / 2, {}};
   half.samples.reserve(static_cast<std::size_t>(half.width) * half.height);

@@ -1,12 +1,12 @@
-// Multi-scale structural similarity; defined in image/metrics.hpp.
+// Computes the multi-scale structural similarity (MS-SSIM) that image/metrics.hpp defines.
 #pragma once
 
 #include "lippmann/image/image.hpp"
 
 namespace lippmann {
 
-/// Returns the MS-SSIM of two images of one size. NaN if a side is below 161 pixels, since the window does not fit into the
-/// fifth scale.
+/// Returns the MS-SSIM of two images of equal size. Returns NaN if a side is below 161 pixels, because the window of 11 pixels
+/// does not fit into the fifth scale.
 double ms_ssim(const Image8& reference, const Image8& test);
 
 }  // namespace lippmann

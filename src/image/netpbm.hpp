@@ -1,9 +1,9 @@
 // Reads and writes PPM files with codes of 8, 10, 12, 16 or any other number of bits, and PFM files with floats.
 //
-//   PPM  "P6\n<width> <height>\n<highest code>\n", then 3 codes per pixel, rows from the top; each code has 2 bytes, high
-//        byte first, if the highest code is above 255. P5 (grey) is read as three equal codes.
-//   PFM  "Pf\n<width> <height>\n<scale>\n" (PF: 3 channels), then floats, rows from the BOTTOM; little-endian if scale < 0.
-//        Values are multiplied by |scale| when read. Files are written with scale -1.
+//   PPM  "P6\n<width> <height>\n<highest code>\n", then 3 codes per pixel, rows from the top. If the highest code is above 255,
+//        each code has 2 bytes, the high byte first. PGM files (P5, grey) are read as three equal codes per pixel.
+//   PFM  "Pf\n<width> <height>\n<scale>\n" for 1 channel, or "PF" for 3 channels, then floats, rows from the BOTTOM. Floats are
+//        little-endian if scale < 0. Readers multiply values by |scale|. Files are written with scale -1.
 // Readers of both formats check the header against the size of the file. All functions throw Error naming `where`.
 #pragma once
 
@@ -19,7 +19,7 @@ namespace lippmann {
 
 struct PpmCodes {
   Image16 codes;      ///< codes as stored in the file, 0 ... highest
-  int highest = 255;  ///< highest code of the format, 1 ... 65535
+  int highest = 255;  ///< highest possible code, as stated in the file's header, 1 ... 65535
 };
 
 PpmCodes parse_ppm(std::span<const std::byte> file, const std::string& where);

@@ -1,5 +1,5 @@
-// Based on: "TIFF Revision 6.0", 1992, section 8, field Orientation. Its value states on which sides of the image the first row
-// and the first column of samples lie. For values 5 to 8, the columns of the image are stored as rows.
+// Based on: "TIFF Revision 6.0", 1992, section 8, field Orientation. The value of the field states on which sides of the image
+// the first row and the first column of samples lie. For values 5 to 8, the columns of the image are stored as rows.
 #include "image/orientation.hpp"
 
 #include <algorithm>

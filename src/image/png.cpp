@@ -58,7 +58,8 @@ struct PngFormat {
   }
 };
 
-/// Encodes with libpng, whose errors use longjmp: no object with a destructor may live between setjmp() and an error.
+/// Encodes with libpng. libpng reports errors with longjmp(), so that no object with a destructor may be created between
+/// setjmp() and a call that may fail.
 class Encoder {
  public:
   explicit Encoder(const std::string& where) : where_(where) {

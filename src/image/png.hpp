@@ -1,5 +1,5 @@
-// Writes PNG: 8-bit and 16-bit RGB images, with alpha if present, tagged as sRGB or with a colour profile, and height maps as
-// grey images without a colour space. Equal images give equal bytes.
+// Writes PNG files. RGB images of 8 or 16 bits, with optional alpha, are tagged as sRGB or with a colour profile. Height maps
+// are written as grey images without a colour space. Equal images give equal bytes.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,8 @@
 
 namespace lippmann {
 
-/// The search method of deflate: kDefault finds repeats and statistics, kFiltered fewer repeats, kRunLength only runs, kHuffman
-/// only statistics.
+/// The strategies of zlib: kDefault searches for repeated bytes, kFiltered searches less, kRunLength only finds runs of equal
+/// bytes, and kHuffman only applies Huffman coding.
 enum class PngStrategy { kDefault, kFiltered, kRunLength, kHuffman };
 
 /// The neighbours from which a byte is predicted; kAdaptive tries all filters for every row.
@@ -25,11 +25,11 @@ struct PngOptions {
   int level = 1;
   PngStrategy strategy = PngStrategy::kDefault;
   PngFilter filter = PngFilter::kUp;
-  double dots_per_inch = 0.0;               ///< stored as whole pixels per metre (pHYs); 0: none
-  std::span<const std::byte> profile = {};  ///< RGB profile of the codes (stored as iCCP); empty: sRGB
+  double dots_per_inch = 0.0;               ///< resolution, stored in whole pixels per metre (pHYs); 0: not stored
+  std::span<const std::byte> profile = {};  ///< ICC profile of the RGB codes, stored as iCCP; empty: sRGB
 };
 
-/// Heights, row-major from the top left: 0 is the lowest, 65535 the highest.
+/// Heights, row-major from the top left: 0 is the lowest height, 65535 the highest.
 struct HeightMap {
   int width = 0, height = 0;
   std::vector<std::uint16_t> codes = {};
@@ -38,7 +38,7 @@ struct HeightMap {
 /// Returns the bytes of the file. Throws Error for sides outside 1 ... 65536.
 std::vector<std::byte> encode_png(const Image8& image, const PngOptions& options = {});
 
-/// Write the file atomically. Throw Error naming it.
+/// Write the file atomically. Throw Error naming the file on failure.
 void write_png(const std::filesystem::path& path, const Image8& image, const PngOptions& options = {});
 void write_png(const std::filesystem::path& path, const Image16& image, const PngOptions& options = {});
 void write_png(const std::filesystem::path& path, const HeightMap& heights, const PngOptions& options = {});

@@ -1,5 +1,5 @@
-// Decodes PNG with libpng, whose errors use longjmp: no object with a destructor may live between setjmp() and an error.
-// Therefore the PngDecoder outside owns all memory.
+// Decodes PNG with libpng. libpng reports errors with longjmp(), so that no object with a destructor may be created between
+// setjmp() and a call that may fail. Therefore PngDecoder owns all memory.
 #include <fmt/format.h>
 #include <png.h>
 
@@ -22,7 +22,7 @@ namespace {
 
 constexpr unsigned char kPngMagic[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
 
-/// The numbers in a cICP chunk that stand for sRGB (ITU-T H.273).
+/// The contents of a cICP chunk for sRGB: primaries, transfer curve, matrix and full range (numbers of ITU-T H.273).
 constexpr std::array<std::uint8_t, 4> kSrgbCodingPoints{1, 13, 0, 1};
 
 class PngDecoder {
@@ -36,7 +36,7 @@ class PngDecoder {
     }
     png_set_read_fn(png_, this, &on_read);
     png_set_user_limits(png_, kMaxImageSide, kMaxImageSide);
-    constexpr png_alloc_size_t kMaxChunk = 8 << 20;  // for profiles and texts
+    constexpr png_alloc_size_t kMaxChunk = 8 << 20;  // maximum bytes of a chunk, such as a profile or a text
     png_set_chunk_malloc_max(png_, kMaxChunk);
     read_unknown_chunks(file);
   }
@@ -102,7 +102,7 @@ class PngDecoder {
     return profile_to_apply(std::as_bytes(std::span(profile, size)));
   }
 
-  /// Returns notices about ignored colour chunks, in the order in which such chunks override each other.
+  /// Returns notices about ignored colour chunks. cICP overrides iCCP, iCCP overrides sRGB, and sRGB overrides gAMA and cHRM.
   std::vector<std::string> color_notices() const {
     constexpr std::string_view kReadAsSrgb = "are not applied: its codes are read as sRGB";
     if (coding_points_ && *coding_points_ != kSrgbCodingPoints) return {fmt::format("its colours (cICP) {}", kReadAsSrgb)};
@@ -115,7 +115,7 @@ class PngDecoder {
     constexpr double kSrgbGamma = 0.45455, kRounded = 0.005;
     if (png_get_gAMA(png_, info_, &gamma) && std::abs(gamma - kSrgbGamma) > kRounded)
       notices.push_back(fmt::format("its gamma (gAMA {:g}) is not applied: its codes are read as sRGB", gamma));
-    std::array<double, 8> xy{};  // primaries and white, with white first
+    std::array<double, 8> xy{};  // x and y of red, green, blue and white; png_get_cHRM() returns white first
     if (png_get_cHRM(png_, info_, &xy[6], &xy[7], &xy[0], &xy[1], &xy[2], &xy[3], &xy[4], &xy[5]) && !are_rec709({xy}))
       notices.push_back(fmt::format("its chromaticities (cHRM) {}", kReadAsSrgb));
     return notices;
@@ -131,7 +131,7 @@ class PngDecoder {
       header.notices.push_back(fmt::format("its offset (oFFs) of {}, {} is ignored", x, y));
   }
 
-  /// Reads chunks that libpng does not support in older versions.
+  /// Reads the chunks acTL and cICP, which older versions of libpng do not support.
   void read_unknown_chunks(FileBytes file) {
     for (std::size_t at = sizeof kPngMagic; at + 12 <= file.size();) {
       std::uint32_t size = 0;
@@ -172,7 +172,7 @@ class PngDecoder {
   png_infop info_ = nullptr;
   std::optional<std::array<std::uint8_t, 4>> coding_points_;  // from cICP: primaries, transfer curve, matrix, full range
   bool is_animated_ = false;
-  std::uint64_t packed_bytes_ = 0;  // size of all rows as stored before compression
+  std::uint64_t packed_bytes_ = 0;  // bytes of all rows before compression, with pixels of fewer than 8 bits packed
   char reason_[200] = {};
   std::jmp_buf back_;
 };

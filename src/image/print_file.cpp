@@ -15,7 +15,7 @@
 namespace lippmann {
 namespace {
 
-constexpr std::size_t kMaxProfileBytes = std::size_t{64} << 20;  // profiles of presses with fine tables have about 10 MB
+constexpr std::size_t kMaxProfileBytes = std::size_t{64} << 20;  // large profiles of printing presses have about 10 MB
 constexpr double kMmPerInch = 25.4;
 
 bool is_tiff_name(const std::filesystem::path& path) { return path.extension() == ".tif" || path.extension() == ".tiff"; }

@@ -1,4 +1,4 @@
-// Image files for printing: PNG or TIFF files with a resolution, in sRGB codes or codes for a printer's ICC profile.
+// Writes image files for printing: PNG or TIFF files with a resolution, in sRGB or in the colour space of a printer.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace lippmann {
 
-/// The profile of a printer, for RGB or CMYK codes.
+/// The ICC profile of a printer, for RGB or CMYK codes.
 class OutputProfile {
  public:
   /// Throws Error naming the file if it is missing, damaged or not an output profile, or if the program is built without Little
@@ -27,9 +27,9 @@ class OutputProfile {
   bool has_inks_ = false;
 };
 
-/// Writes 8- and 16-bit codes as .png or .tiff, floats as .exr, atomically. With a profile, converts the colours to it
-/// (relative colorimetric, black point compensation) and embeds it; CMYK profiles need .tiff. Throws Error naming the file, its
-/// extension or the profile.
+/// Writes 8- and 16-bit codes as .png or .tiff, floats as .exr, atomically. If `profile` is not null, converts the colours to
+/// the profile (relative colorimetric, with black point compensation) and embeds the profile in the file. CMYK profiles need
+/// .tiff. Throws Error naming the file, its extension or the profile.
 void write_print(const std::filesystem::path& path, const Picture& picture, double dots_per_inch,
                  const OutputProfile* profile = nullptr);
 

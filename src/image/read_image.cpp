@@ -55,8 +55,8 @@ std::vector<std::byte> bytes_in(const fs::path& path) { return read_recorded_byt
 
 PictureHeader read_header(const fs::path& path) { return picture_header(bytes_in(path), path.string()); }
 
-/// Returns the header of a PNG or JPEG file from its first bytes. Returns nothing if the header is longer or damaged, and for
-/// other formats, because their headers may refer to later parts of the file.
+/// Returns the header of a PNG or JPEG file from its first 256 KiB. Returns nothing if the header is longer or damaged. Returns
+/// nothing for other formats, because their headers may refer to later parts of the file.
 std::optional<PictureHeader> begun_header(const fs::path& path) {
   constexpr std::size_t kBeginBytes = std::size_t{256} << 10;
   const std::string begin = read_file_begin(path, kBeginBytes);
@@ -98,7 +98,7 @@ void require_colors(const PictureHeader& header, const fs::path& path) {
 
 bool is_rgb_alone(const PictureHeader& header) { return header.colors == 3 && header.channels.size() == 3; }
 
-/// Returns the colours without extra channels; grey is repeated three times.
+/// Returns R, G and B of each pixel without extra channels. Grey is repeated three times.
 template <class Code>
 std::vector<Code> rgb_of(const std::vector<Code>& codes, const PictureHeader& header) {
   const std::size_t channels = header.channels.size(), pixels = codes.size() / channels;

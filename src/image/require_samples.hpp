@@ -1,5 +1,4 @@
-// Checks that images from outside the library have as many samples as their size requires. Functions that move samples rely on
-// this.
+// Checks that images from outside the library have as many samples as their size requires.
 #pragma once
 
 #include <fmt/format.h>

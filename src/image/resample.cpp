@@ -7,7 +7,7 @@
 namespace lippmann {
 namespace {
 
-/// The input samples that an output sample covers: first, first + 1, ..., and their `weights`, which sum to 1.
+/// The input samples that an output sample covers: first, first + 1, ... The weights sum to 1.
 struct Cover {
   int first = 0;
   std::vector<double> weights;

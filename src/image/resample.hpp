@@ -6,8 +6,8 @@
 
 namespace lippmann {
 
-/// Returns the image resized to `size`, > 0, with any number of channels. If the size stays equal, the samples stay unchanged;
-/// for half the size, two pixels are averaged along each axis.
+/// Returns the image resized to `size`, which must be positive. The image may have any number of channels. If the size does not
+/// change, the samples do not change either.
 Image resampled(const Image& picture, Vec2i size);
 
 }  // namespace lippmann

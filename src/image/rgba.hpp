@@ -1,4 +1,4 @@
-// Interleaves the colours and alpha of integer images, as image files store them. Private to src/image.
+// Interleaves the colours and alpha of integer images for image files. Private to src/image.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Keeps images whose memory can be reused. New memory costs a page fault per 4 KiB and is zeroed needlessly.
+// Keeps images so that their memory can be reused. New memory costs a page fault per 4 KiB and is zeroed needlessly.
 #pragma once
 
 #include <mutex>
@@ -9,10 +9,10 @@
 
 namespace lippmann {
 
-/// A pool of such images. Thread-safe.
+/// A pool of at most two images. Thread-safe.
 class SpareImages {
  public:
-  /// Returns a kept image with its old content, or an empty image if none is kept.
+  /// Removes an image from the pool and returns it with its old content. Returns an empty image if the pool is empty.
   Image take() {
     const std::lock_guard lock(mutex_);
     if (images_.empty()) return {};

@@ -3,8 +3,8 @@
 //
 // With local means mu and (co)variances s^2 under the window,
 //   SSIM = (2 mu_a mu_b + C1) (2 s_ab + C2) / ((mu_a^2 + mu_b^2 + C1) (s_a^2 + s_b^2 + C2)).
-// Only the sum of the variances occurs, so four window sums are enough: those of a, b, a^2 + b^2 and a b. The window is
-// separable: for each row of the result, 11 rows are summed first, then 11 neighbours within the summed row.
+// Only the sum of the variances occurs, so that four window sums are enough: the sums of a, b, a^2 + b^2 and a b. The window is
+// separable. For each row of the result, 11 rows are summed first. Then 11 neighbours within the summed row are summed.
 #include "image/ssim.hpp"
 
 #include <array>
@@ -92,7 +92,7 @@ LIPPMANN_MULTIVERSION void contrast_structure_of_row(const Sums& sums, int width
 
 using RowFunction = void (*)(const Sums& sums, int width, const Window& window, double* result);
 
-/// Returns the mean of the results of `of_row` over all positions of the window.
+/// Returns the mean over all positions of the window. `of_row` computes the values of one row of positions.
 double mean_over_places(const SamplePlane& a, const SamplePlane& b, RowFunction of_row) {
   assert(a.width == b.width && a.height == b.height);
   const int columns = a.width - kTaps + 1, rows = a.height - kTaps + 1;

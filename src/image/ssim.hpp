@@ -1,6 +1,6 @@
-// Structural similarity of two images; defined in image/metrics.hpp.
+// Computes the structural similarity (SSIM) that image/metrics.hpp defines.
 //
-// The two images must have the same size. All functions return NaN if a side is below 11 pixels.
+// The two images must have the same size. ssim() and contrast_structure() return NaN if a side is below 11 pixels.
 #pragma once
 
 #include "image/sample_plane.hpp"
@@ -8,13 +8,14 @@
 
 namespace lippmann {
 
-/// Returns 0.299 R + 0.587 G + 0.114 B of codes (BT.601), not rounded.
+/// Returns the luma 0.299 R + 0.587 G + 0.114 B of each pixel (BT.601), not rounded.
 SamplePlane luma_601(const Image8& image);
 
 double ssim(const Image8& reference, const Image8& test);
 double ssim(const SamplePlane& reference, const SamplePlane& test);
 
-/// Returns the mean of SSIM without its luminance term: (2 s_ab + C2) / (s_a^2 + s_b^2 + C2).
+/// Returns the mean of the contrast and structure factor of SSIM: (2 s_ab + C2) / (s_a^2 + s_b^2 + C2), where s_ab is the
+/// covariance and s_a^2 and s_b^2 are the variances under the window.
 double contrast_structure(const SamplePlane& reference, const SamplePlane& test);
 
 }  // namespace lippmann

@@ -1,6 +1,6 @@
-// Decodes BMP, GIF and TGA with stb_image, without its other formats. Tachyon scenes use TGA for image maps.
+// Decodes BMP, GIF and TGA with stb_image. Tachyon scenes use TGA for image maps.
 //
-// stb_image reads zeros beyond the end of a file. StbInput supplies ones instead, and marks the file as truncated.
+// stb_image reads zeros beyond the end of a file. StbInput supplies bytes of value 1 instead and marks the file as truncated.
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
@@ -25,7 +25,7 @@ namespace {
 
 static_assert(STBI_MAX_DIMENSIONS == kMaxImageSide);
 
-/// A header is expected in this many bytes at the beginning.
+/// The header must be within this number of bytes from the beginning of a file.
 constexpr std::size_t kLongestHeader = 1 << 20;
 
 struct Freed {
@@ -41,7 +41,7 @@ class StbInput {
     const auto wanted = static_cast<std::size_t>(std::max(size, 0)), there = std::min(wanted, input.rest_.size());
     std::memcpy(to, input.rest_.data(), there);
     input.rest_ = input.rest_.subspan(there);
-    // stb_image tries to fill a buffer of this size, so such a read may return less at the end of the file.
+    // A read of kBuffer bytes fills stb_image's buffer, so that it may return fewer bytes at the end of the file.
     constexpr std::size_t kBuffer = sizeof(stbi__context::buffer_start);
     if (there == wanted || (there > 0 && wanted == kBuffer)) return static_cast<int>(there);
     input.truncated_ = true;
@@ -139,14 +139,14 @@ namespace {
 
 /// Properties of the images in a GIF file, found in its blocks without decoding.
 struct GifContent {
-  int pictures = 0;        ///< number of images; 2 also stands for more
-  bool is_whole = false;   ///< the file has a trailer or a second image
-  bool is_opaque = false;  ///< the first image covers the whole canvas and has no transparent colour
+  int pictures = 0;        ///< number of images; 2 means two or more
+  bool is_whole = false;   ///< whether the file has a trailer or a second image
+  bool is_opaque = false;  ///< whether the first image covers the whole canvas and has no transparent colour
 };
 
-/// Scans the blocks of a GIF file. Based on: CompuServe, "Graphics Interchange Format, Version 89a", 1990. A file is a header
-/// of 13 bytes and a colour table, followed by blocks: extensions (0x21) and images (0x2c). A block ends with a list of
-/// sub-blocks; each has a size and that many bytes, and the last has the size 0.
+/// Scans the blocks of a GIF file. Based on: CompuServe, "Graphics Interchange Format, Version 89a", 1990. A file consists of a
+/// header of 13 bytes, a colour table and blocks. A block is an extension (0x21) or an image (0x2c). A block ends with a list
+/// of sub-blocks. A sub-block is a size (one byte) and data of this size. The last sub-block has the size 0.
 class GifBlocks {
  public:
   explicit GifBlocks(FileBytes file) : file_(file) {}
@@ -209,7 +209,7 @@ PictureHeader gif_header(FileBytes file, const std::string& where) {
   constexpr std::size_t kGifHeaderBytes = 13;
   if (file.size() < kGifHeaderBytes) throw unreadable_picture(where, "the file is truncated");
   const Shape shape = shape_of(file, where);
-  // A code has 12 bits at most. This limit also allows for the code before it.
+  // LZW codes have at most 12 bits, so that there are 4096 codes. A code stands for at most as many pixels as there are codes.
   constexpr std::uint64_t kMaxGifPixelsPerByte = 4096;
   check_file_holds(where, file.size(), pixels_of(shape), kMaxGifPixelsPerByte);
   const GifContent content = GifBlocks(file).content();
@@ -240,13 +240,13 @@ bool is_tga(FileBytes file) {
 PictureHeader tga_header(FileBytes file, const std::string& where) {
   const Shape shape = shape_of(file, where);
   const bool runs = std::to_integer<int>(file[2]) >= 8;
-  const std::uint64_t bits_per_pixel = byte_at(file, 16);  // 15 bits take two bytes in the file
+  const std::uint64_t bits_per_pixel = byte_at(file, 16);  // 15 bits take two bytes of the file
   const std::uint64_t begin = 18u + byte_at(file, 0);
   constexpr std::uint64_t kMaxPixelsPerByte = 128;
   check_file_holds(where, file.size() - std::min<std::uint64_t>(begin, file.size()),
                    pixels_of(shape) * ((bits_per_pixel + 7) / 8), runs ? kMaxPixelsPerByte : 1);
   PictureHeader header = plain_header(shape.width, shape.height, shape.channels, SampleKind::kByte);
-  constexpr std::uint64_t kFromTheRight = 0x10;  // needed because stb_image flips rows, but not columns
+  constexpr std::uint64_t kFromTheRight = 0x10;  // stb_image handles the order of rows, but ignores this bit for columns
   if (byte_at(file, 17) & kFromTheRight) header.orientation = Orientation::kMirrored;
   return header;
 }

@@ -23,8 +23,8 @@ constexpr double kMmPerInch = 25.4;
 
 constexpr std::size_t kMaxClassicSamples = (std::size_t{7} << 32) / 8;
 
-/// Writes to an open file and records the first failure, because libtiff does not report failures to write the last bytes,
-/// which hold the directory.
+/// Writes to an open file and records the first failure, because libtiff does not report failures while it writes the directory
+/// at the end of the file.
 class Output {
  public:
   Output(const std::filesystem::path& temporary, const std::filesystem::path& path, bool big)
@@ -98,14 +98,14 @@ class Output {
   TIFF* tiff_ = nullptr;
 };
 
-/// Writes the Exif directory with the sRGB colour space and returns its offset. Afterwards, the image's own directory is
-/// current.
+/// Writes an Exif directory that states the sRGB colour space. Returns the offset of the Exif directory, or 0 on failure. Then
+/// starts a new directory for the image.
 std::uint64_t write_colour_space(TIFF* tiff) {
   constexpr std::uint16_t kSrgb = 1;
   std::uint64_t place = 0;
   const bool written = TIFFCreateEXIFDirectory(tiff) == 0 && TIFFSetField(tiff, EXIFTAG_COLORSPACE, kSrgb) &&
                        TIFFWriteCustomDirectory(tiff, &place);
-  TIFFFreeDirectory(tiff);  // otherwise, creating the next directory would leak this one's memory
+  TIFFFreeDirectory(tiff);  // otherwise TIFFCreateDirectory() would leak the memory of the Exif directory
   if (TIFFCreateDirectory(tiff) != 0) return 0;
   return written ? place : 0;
 }
@@ -151,7 +151,7 @@ void set_fields(TIFF* tiff, const Raster<Code>& image, const TiffOptions& option
   }
 }
 
-/// Returns the samples of a strip with interleaved alpha. They are copied, because libtiff may change them.
+/// Returns a copy of the samples of a strip with interleaved alpha. libtiff may change the copy.
 template <class Code>
 std::vector<Code> strip_of(const Raster<Code>& image, std::size_t first_row, std::size_t rows) {
   const std::size_t width = static_cast<std::size_t>(image.width), begin = first_row * width, end = begin + rows * width;

@@ -1,8 +1,8 @@
 // Decodes TIFF from memory with libtiff.
 //
-// Grey and RGB samples of 8 or 16 bits, halves, floats and doubles are read directly from strips or tiles, interleaved or
-// planar, with any extra channels. All other kinds (palettes, 1 to 4 bits, CMYK, YCbCr, fax) use libtiff's conversion to 8-bit
-// RGB.
+// Grey and RGB samples (8-bit, 16-bit, half, float, double) are read directly, with all extra channels. They may be stored in
+// strips or tiles, interleaved or planar. All other kinds (palettes, 1 to 4 bits, CMYK, YCbCr, fax) use libtiff's conversion to
+// 8-bit RGB.
 #include <Imath/half.h>
 #include <fmt/format.h>
 #include <tiffio.h>
@@ -40,7 +40,7 @@ struct Layout {
   std::uint32_t width = 0, height = 0;
   std::uint32_t block_width = 0, block_height = 0;  // size of a strip or a tile
   bool direct = false, tiled = false;
-  bool inks = false;  // the samples are CMYK of 8 or 16 bits
+  bool inks = false;  // whether the samples are CMYK of 8 or 16 bits
 
   std::size_t sample_bytes() const { return bits / 8u; }
   std::size_t block_channels() const { return planes == PLANARCONFIG_SEPARATE ? 1 : channels; }
@@ -59,7 +59,8 @@ class TiffDecoder {
                                   options.get()));
     if (!tiff_) throw failure();
     read_layout();
-    // libtiff skips tags that it cannot read, such as a palette. That would change the image, so it is an error here.
+    // libtiff skips tags that it cannot read, such as a palette. The image would be wrong, so a truncated file is an error
+    // here.
     if (cut_off_) throw unreadable_picture(where_, "the file is truncated");
   }
 
@@ -72,8 +73,8 @@ class TiffDecoder {
     return header;
   }
 
-  /// Decodes the samples. If they are CMYK, converts them to RGB and removes the CMYK profile from the header; adds a notice if
-  /// the profile could not be used. Throws Error for 16-bit CMYK without a usable profile.
+  /// Decodes the samples. Converts CMYK to RGB and removes the CMYK profile from the header. Adds a notice if the profile
+  /// cannot be used. Throws Error for 16-bit CMYK without a usable profile.
   Samples samples(PictureHeader& header) {
     if (layout_.direct) return direct_samples();
     if (layout_.inks && !header.profile.empty()) {
@@ -108,8 +109,7 @@ class TiffDecoder {
     if (decoder.reason_[0] == 0) std::vsnprintf(decoder.reason_.data(), decoder.reason_.size(), format, arguments);
     return 1;
   }
-  /// Called for libtiff's warnings. libtiff 4.5.1 checks the size of the file before it reads a tag, and only warns if it skips
-  /// the tag.
+  /// Called for libtiff's warnings. If a tag lies beyond the end of the file, libtiff 4.5.1 skips the tag with only a warning.
   static int on_warning(TIFF*, void* user, const char*, const char* format, va_list) {
     const std::string_view text(format);
     if (text.starts_with("IO error during reading of") || text.starts_with("Requested memory size for tag"))
@@ -144,7 +144,7 @@ class TiffDecoder {
     return TIFFGetFieldDefaulted(tiff_.get(), tag, &value) ? value : standard;
   }
 
-  /// Returns a pointer into libtiff's memory, or null if the file does not have the tag.
+  /// Returns the values of a tag in libtiff's memory, or null if the file does not have the tag.
   template <class T>
   const T* array_field(std::uint32_t tag) const {
     const T* values = nullptr;
@@ -184,7 +184,7 @@ class TiffDecoder {
     return layout_.format == SAMPLEFORMAT_IEEEFP ? SampleKind::kFloat : SampleKind::kWord;
   }
 
-  /// Returns the maximum number of bytes of samples that one byte of the file can hold.
+  /// Returns the maximum compression ratio: bytes of samples per byte of the file.
   std::uint64_t ratio() const {
     switch (field<std::uint16_t>(TIFFTAG_COMPRESSION, COMPRESSION_NONE)) {
       case COMPRESSION_NONE:
@@ -271,7 +271,7 @@ class TiffDecoder {
     std::array<char, 1024> reason{};
     if (!TIFFRGBAImageOK(tiff_.get(), reason.data()) || !TIFFRGBAImageBegin(&conversion, tiff_.get(), 1, reason.data()))
       throw unreadable_picture(where_, reason.data());
-    conversion.req_orientation = conversion.orientation;  // keeps the stored orientation
+    conversion.req_orientation = conversion.orientation;  // keeps the samples in the order in which they are stored
     const bool converted = TIFFRGBAImageGet(&conversion, packed.data(), layout_.width, layout_.height);
     TIFFRGBAImageEnd(&conversion);
     if (!converted) throw failure();

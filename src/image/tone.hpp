@@ -1,4 +1,4 @@
-// Tone mapping from scene light to display light: exposure, and a curve for highlights brighter than white.
+// Maps scene light to display light: multiplies by an exposure and applies a curve to highlights brighter than white.
 //
 // Based on: Khronos Group, "Khronos PBR Neutral Tone Mapper", 2024 (specification); AgX by T. Sobotka, in the polynomial form
 // of B. Wrensch, "Minimal AgX Implementation", 2023.
@@ -11,9 +11,9 @@ namespace lippmann {
 
 enum class ToneCurve {
   kNone,  ///< highlights are clipped to white
-  /// Keeps colours up to 0.8 and compresses highlights. For pictures of products.
+  /// Compresses values above 0.8 and preserves base colours, for pictures of products.
   kNeutral,
-  /// Maps a range of 16.5 stops and fades highlights to white. For pictures that look like photographs.
+  /// Maps a range of 16.5 stops and fades highlights to white, for pictures that look like photographs.
   kAgx,
 };
 

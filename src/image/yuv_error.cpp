@@ -1,8 +1,9 @@
-// Based on: Recommendation ITU-R BT.709-6, items 3.2 to 3.4 (luma and colour differences), in the full range 0 ... 255; weights
-// 6:1:1 of Ohm, Sullivan, Schwarz, Tan, Wiegand, "Comparison of the coding efficiency of video coding standards", IEEE Trans.
-// Circuits and Systems for Video Technology 22(12), 2012, which JPEG Pleno's common test conditions also use.
+// Based on: Recommendation ITU-R BT.709-6, items 3.2 to 3.4 (luma and colour differences), in the full range 0 ... 255. The
+// weights 6:1:1 of Y, U and V are from Ohm, Sullivan, Schwarz, Tan, Wiegand, "Comparison of the coding efficiency of video
+// coding standards", IEEE Trans. Circuits and Systems for Video Technology 22(12), 2012. JPEG Pleno's common test conditions
+// use the same weights.
 //
-// The conversion is linear, so it is applied to the differences of the codes.
+// The conversion to YUV is linear, so that it can be applied to the differences of codes.
 #include "image/yuv_error.hpp"
 
 #include <cassert>
@@ -19,7 +20,7 @@ YuvPsnr yuv_psnr(const Image8& reference, const Image8& test) {
     const double r = reference.rgb[i] - test.rgb[i], g = reference.rgb[i + 1] - test.rgb[i + 1],
                  b = reference.rgb[i + 2] - test.rgb[i + 2];
     const double y = 0.2126 * r + 0.7152 * g + 0.0722 * b;
-    // B - Y and R - Y are computed so that they are exactly 0 for grey.
+    // These forms of B - Y and R - Y are exactly 0 for grey.
     const double u = (0.2126 * (b - r) + 0.7152 * (b - g)) / 1.8556, v = (0.7152 * (r - g) + 0.0722 * (r - b)) / 1.5748;
     y2 += y * y, u2 += u * u, v2 += v * v;
   }

@@ -1,4 +1,4 @@
-// PSNR of luma and chroma; defined in image/metrics.hpp.
+// Computes PSNR-Y and PSNR-YUV, which image/metrics.hpp defines.
 #pragma once
 
 #include "lippmann/image/image.hpp"
@@ -9,7 +9,7 @@ struct YuvPsnr {
   double y_db = 0.0, yuv_db = 0.0;  ///< both are infinite for equal images
 };
 
-/// Returns the PSNR of two images of one size.
+/// Returns the PSNR of two images of equal size.
 YuvPsnr yuv_psnr(const Image8& reference, const Image8& test);
 
 }  // namespace lippmann

@@ -22,7 +22,7 @@ struct Image {
 struct Image8 {
   int width = 0, height = 0;
   std::vector<unsigned char> rgb{};
-  std::vector<unsigned char> alpha{};  ///< one per pixel; colours are not premultiplied; empty: opaque
+  std::vector<unsigned char> alpha{};  ///< one code per pixel, empty if opaque; colours are not premultiplied by alpha
 };
 
 /// 16-bit codes of an image with 3 channels, in the pixel order of Image.

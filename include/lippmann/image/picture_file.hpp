@@ -1,4 +1,4 @@
-// Reads and writes images with the sample type of their file, for programs that move pixels without changing them.
+// Reads and writes images with the sample type of their file, for commands that move pixels without changing their values.
 #pragma once
 
 #include <filesystem>
@@ -13,13 +13,13 @@ namespace lippmann {
 /// The pixels of an image file: 8-bit codes, 16-bit codes, or floats with 3 channels.
 using Picture = std::variant<Image8, Image16, Image>;
 
-/// Reads the colours of an image; grey is repeated in three channels. warn: if given, receives a sentence for each property of
-/// the file that is ignored, such as a colour profile. Throws Error naming the file if it is missing, damaged, too large, or
-/// not an image.
+/// Reads the colours of an image. Grey is repeated in three channels. If `warn` is given, it is called with a sentence for each
+/// ignored property of the file, such as a colour profile. Throws Error naming the file if it is missing, damaged, too large,
+/// or not an image.
 Picture read_picture(const std::filesystem::path& path, const std::function<void(std::string_view)>& warn = {});
 
-/// Writes 8- and 16-bit codes as .png, floats as .exr. dots_per_inch: resolution stored in a .png; 0: none. Throws Error naming
-/// the file if it cannot be written or has the wrong extension.
+/// Writes 8- and 16-bit codes as .png, floats as .exr. Stores `dots_per_inch` in a .png unless it is 0. Throws Error naming the
+/// file if it cannot be written or has the wrong extension.
 void write_picture(const std::filesystem::path& path, const Picture& picture, double dots_per_inch = 0.0);
 
 /// Converts to linear light: integer samples are sRGB codes, floats are linear. Values that are not finite become 0.

@@ -10,7 +10,7 @@
 namespace lippmann {
 namespace {
 
-constexpr std::int64_t kMaxDepthPixels = std::int64_t{1} << 28;  // the limit of other images, too (image/limits.hpp)
+constexpr std::int64_t kMaxDepthPixels = std::int64_t{1} << 28;  // equals kMaxImagePixels in image/limits.hpp
 
 template <auto free>
 struct Deleter {
@@ -83,7 +83,7 @@ void copy_codes(const std::uint8_t* plane, std::size_t stride, HeicPicture& pict
   }
 }
 
-/// Decodes an image into `picture`, whose size, bits and alpha are those of `handle`.
+/// Decodes the image of `handle` into `picture`, which already has the size, bits and has_alpha of the image.
 void decode_into(const heif_image_handle* handle, HeicPicture& picture) {
   heif_image* decoded = nullptr;
   const heif_error error = heif_decode_image(handle, &decoded, heif_colorspace_RGB, chroma_of(picture), nullptr);
@@ -104,7 +104,7 @@ void decode_into(const heif_image_handle* handle, HeicPicture& picture) {
 
 using DepthInfo = std::unique_ptr<const heif_depth_representation_info, Deleter<heif_depth_representation_info_free>>;
 
-/// Returns whether the codes of a depth image grow with z (and not with 1 / z or disparity).
+/// Returns whether the codes of a depth image grow with z, and not with 1 / z or disparity.
 bool is_depth_z(const heif_image_handle* picture, heif_item_id id) {
   const heif_depth_representation_info* info = nullptr;
   if (heif_image_handle_get_depth_image_representation_info(picture, id, &info) == 0 || !info) return false;
