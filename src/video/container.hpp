@@ -1,4 +1,4 @@
-// Maps file endings to FFmpeg's names of containers. Private to this part.
+// FFmpeg's names of containers and encoders. Private to src/video.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,7 @@ namespace lippmann {
 
 const char* encoder_name(VideoCodec codec);
 
-/// Returns FFmpeg's name of the container. Throws Error naming the file if its ending is unknown.
+/// Returns FFmpeg's name of the container for a file ending. Throws Error naming the file if its ending is unknown.
 const char* muxer_name(const std::filesystem::path& path);
 
 }  // namespace lippmann

@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Files whose names differ only in their number.
+/// Image files whose names differ only in the frame number, by frame number.
 using Series = std::map<int, fs::path>;
 
 struct SeriesNames {
@@ -63,7 +63,7 @@ SeriesNames names_of(const std::string& from) {
           TextPattern(fmt::format("({})([0-9]{{1,9}})({})", escaped(before), escaped(after)))};
 }
 
-/// Groups the files by the text before and after the number.
+/// Groups the files by the text before and after the frame number in their names.
 std::map<std::string, Series> series_in(const SeriesNames& names) {
   std::map<std::string, Series> all;
   for (const fs::directory_entry& entry : entries_of(names.folder)) {
@@ -81,7 +81,7 @@ std::map<std::string, Series> series_in(const SeriesNames& names) {
   return all;
 }
 
-/// Returns the only series, or the one named frame_..., which is the default name of rendered frames.
+/// Returns the only series. If there are several, returns the series frame_..., the default name of rendered frames.
 const Series& chosen_series(const std::string& from, const std::map<std::string, Series>& all) {
   if (all.empty()) throw Error(from, "contains no frames", "frame_0000.png, frame_0001.png, ...");
   if (all.size() == 1) return all.begin()->second;
@@ -96,7 +96,8 @@ const Series& chosen_series(const std::string& from, const std::map<std::string,
               "a pattern that names one");
 }
 
-/// Returns the contents of the frames' side files if all are equal, or none if a frame has no side file or the files differ.
+/// Returns the contents of the frames' side files if all are equal. Returns nothing if a frame has no side file or the files
+/// differ.
 std::optional<RgbdSideFile> common_side_file(const std::vector<NumberedFrame>& frames) {
   const std::optional<RgbdSideFile> first = read_rgbd_side_file(frames.front().path);
   const auto is_alike = [&](const NumberedFrame& frame) { return read_rgbd_side_file(frame.path) == first; };
@@ -112,7 +113,7 @@ std::vector<NumberedFrame> find_frames(const std::string& from, std::vector<int>
   const Series& series = chosen_series(from, all);
   const int begin = series.begin()->first, end = series.rbegin()->first;
   if (wanted.empty()) {
-    // Stop at the first gap, since the largest number may be huge.
+    // Stops at the first missing number, because the largest number may be huge.
     for (int number = begin; wanted.size() <= series.size() && number <= end; ++number) wanted.push_back(number);
   }
   std::vector<NumberedFrame> frames;
@@ -143,7 +144,7 @@ void describe_depth_of(const std::vector<NumberedFrame>& frames, const fs::path&
   if (frames.empty() || !has_rgbd_name(frames.front().path)) return;
   if (const std::optional<RgbdSideFile> side = common_side_file(frames)) return write_rgbd_side_file(out, *side);
   std::error_code ignored;
-  fs::remove(rgbd_side_path(out), ignored);  // the file may be that of an earlier video
+  fs::remove(rgbd_side_path(out), ignored);  // an earlier video may have left a side file
   context.warning(
       fmt::format("The side files of the frames do not all say the same, so that grey means another depth from frame to frame, "
                   "and {} has none. `depth-range` gives all frames one range when they are made.",

@@ -23,20 +23,21 @@ struct NumberedFrame {
 /// missing frame.
 std::vector<NumberedFrame> find_frames(const std::string& from, std::vector<int> wanted = {});
 
-/// Returns `out` with the quilt suffix of the frames, unless it has one already: room.mp4 of frame_0000_qs8x6a0.75.png, ...
-/// becomes room_qs8x6a0.75.mp4. Does the same for stereo images, room_2x1.mp4, and RGB-D, room_rgbd.mp4.
+/// Returns `out` with the suffix that states the layout of the frames, unless it has this suffix already. For example, frames
+/// frame_0000_qs8x6a0.75.png, ... change room.mp4 to room_qs8x6a0.75.mp4. Other suffixes are those of stereo images
+/// (room_2x1.mp4) and RGB-D images (room_rgbd.mp4).
 std::filesystem::path video_path(const std::filesystem::path& out, const std::vector<NumberedFrame>& frames);
 
-/// Returns the stereo layout that the names of the frames state, or none if they are not stereo images.
+/// Returns the stereo layout that the names of the frames state, or nothing if they are not stereo images.
 std::optional<StereoLayout> stereo_of(const std::vector<NumberedFrame>& frames);
 
-/// Writes the side file of an RGB-D video, a copy of the frames' side file. Warns if frames have none or differ. Does nothing
-/// for other frames.
+/// Copies the side file of RGB-D frames, which states their depth range, to the side file of the video `out`. Warns and writes
+/// no side file if a frame has none or if they differ. Does nothing for other frames.
 void describe_depth_of(const std::vector<NumberedFrame>& frames, const std::filesystem::path& out, const Context& context);
 
-/// Encodes frames into a video. Other threads read the frames ahead and rotate them clockwise by turn_deg: 0, 90, 180 or 270.
-/// `encoded` is called after each frame on one of these threads. If the context is cancelled, returns false and writes no file.
-/// Throws Error like VideoWriter and read_image8.
+/// Encodes frames into a video. Background threads read the frames and rotate them clockwise by `turn_deg` (0, 90, 180 or 270).
+/// `encoded` is called on a background thread after each frame. If the context is cancelled, returns false and writes no file.
+/// Throws Error as VideoWriter and read_image8() do.
 bool encode_frames(const std::vector<NumberedFrame>& frames, const std::filesystem::path& out, const VideoOptions& options,
                    const Context& context, const std::function<void(const NumberedFrame&)>& encoded = {}, int turn_deg = 0);
 

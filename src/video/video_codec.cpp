@@ -44,8 +44,8 @@ std::string names(const std::vector<VideoCodec>& codecs) {
   return text;
 }
 
-/// Returns the longest allowed side in pixels. For H.264 and HEVC, this is the limit of hardware decoders (levels 5.2 and 6.2).
-/// For VP9 and AV1, it is the size of the largest quilts.
+/// Returns the longest allowed side in pixels. For H.264 and HEVC, the limit is that of hardware decoders (levels 5.2 and 6.2).
+/// For VP9 and AV1, the limit is the size of the largest quilts.
 int longest_side(VideoCodec codec) {
   switch (codec) {
     case VideoCodec::kH264:

@@ -1,4 +1,4 @@
-// Video codecs: the codecs that each file ending allows, and its default.
+// Chooses the video codec for a file ending and a frame size.
 #pragma once
 
 #include <array>
@@ -15,16 +15,19 @@ inline constexpr std::array<std::string_view, 5> kVideoCodecNames{"h264", "hevc"
 
 inline std::string_view name_of(VideoCodec codec) { return kVideoCodecNames[static_cast<std::size_t>(codec)]; }
 
-/// Returns `wanted`, or the default of the file ending: FFV1 for .mkv, VP9 for .webm, and for .mp4 and .mov H.264 up to 4096
-/// pixels a side and HEVC above. A size of 0 means unknown and counts as at most 4096 pixels a side. Throws Error naming the
-/// file if the ending is unknown, the container does not support the codec, this build of FFmpeg lacks the codec, or the frames
-/// are too large for it (the error lists codecs for this size).
+/// Returns `wanted`, or the default codec of the file ending:
+///   .mkv        FFV1
+///   .webm       VP9
+///   .mp4, .mov  H.264 up to 4096 pixels a side or for unknown sizes (0), HEVC for larger frames
+/// Throws Error naming the file if the ending is unknown, the container does not support the codec, this build of FFmpeg lacks
+/// the codec, or the frames are too large for the codec.
 VideoCodec choose_codec(const std::filesystem::path& path, std::optional<VideoCodec> wanted, int width, int height);
 
-/// The range and default of a codec's constant rate factor; 0 is the best quality. FFV1 is lossless and has none.
+/// The highest and the default constant rate factor (CRF) of a codec. CRF 0 is the best quality.
 struct CrfRange {
   int highest = 51, standard = 18;
 };
+/// Returns nothing for FFV1, which is lossless.
 std::optional<CrfRange> crf_range(VideoCodec codec);
 
 }  // namespace lippmann

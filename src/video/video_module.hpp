@@ -1,7 +1,7 @@
-// Interface to FFmpeg, implemented by a module (liblippmann_video.so) that is loaded on first use.
+// The interface of the module liblippmann_video.so, which encodes and decodes videos with FFmpeg (src/video/ffmpeg).
 //
-// FFmpeg loads about a hundred shared libraries, which most commands do not need. The rest of the program uses only this
-// interface; src/video/ffmpeg implements it. All functions throw Error naming the file.
+// FFmpeg links about a hundred shared libraries, which most commands do not need. Therefore the module is loaded only on first
+// use. All functions throw Error naming the video file.
 #pragma once
 
 #include <cstdint>
@@ -18,8 +18,8 @@ namespace lippmann {
 
 /// Checked and complete settings of a video encoder.
 struct EncoderSettings {
-  std::filesystem::path path;  ///< named in errors
-  std::string temporary;       ///< the file that is written
+  std::filesystem::path path;  ///< final path of the video, for error messages
+  std::string temporary;       ///< path of the temporary file to write
   VideoCodec codec = VideoCodec::kH264;
   const char* muxer = nullptr;          ///< FFmpeg's name of the container
   const char* encoder = nullptr;        ///< FFmpeg's name of the encoder, accepted by has_encoder()
@@ -41,7 +41,7 @@ class VideoEncoder {
 class VideoDecoder {
  public:
   virtual ~VideoDecoder() = default;
-  /// Returns the next frame, or none after the last one.
+  /// Returns the next frame, or nothing after the last frame.
   virtual std::optional<Image8> next() = 0;
 };
 
@@ -53,11 +53,10 @@ class VideoModule {
   virtual std::unique_ptr<VideoDecoder> decoder(const std::filesystem::path& path) const = 0;
 };
 
-/// Version of this interface. Increment it with every change of this header, so that modules of other versions are rejected.
+/// Version of this interface. Increment it with every change of this header. Modules of another version are rejected.
 inline constexpr int kVideoModuleVersion = 2;
 
-/// Loads the module on the first call. Thread-safe. Throws Error if the module or a library that it needs is missing; the
-/// message names both.
+/// Returns the module. Loads it on the first call. Thread-safe. Throws Error if the module or one of its libraries is missing.
 const VideoModule& video_module();
 
 }  // namespace lippmann

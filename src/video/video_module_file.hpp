@@ -1,4 +1,4 @@
-// Checks whether videos can be written and read.
+// Checks whether the module that writes and reads videos is installed.
 #pragma once
 
 namespace lippmann {

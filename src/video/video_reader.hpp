@@ -1,6 +1,6 @@
 // Reads the frames of a video file in any format that FFmpeg supports, in presentation order, as 8-bit RGB codes.
 //
-// YUV is converted with the matrix and range that the stream states, or with FFmpeg's default, BT.601 limited range.
+// YUV is converted with the matrix and range that the video states, or with BT.601 limited range if it states none.
 #pragma once
 
 #include <filesystem>
@@ -13,8 +13,8 @@ namespace lippmann {
 
 class VideoDecoder;
 
-/// Reads a video. Throws Error naming the file if it is missing, not a video, too large (65536 pixels a side, 2^28 pixels),
-/// damaged or truncated.
+/// Reads a video. Throws Error naming the file if it is missing, damaged, truncated or not a video, or if frames exceed 65536
+/// pixels a side or 2^28 pixels in total.
 class VideoReader {
  public:
   explicit VideoReader(const std::filesystem::path& path);
@@ -22,7 +22,7 @@ class VideoReader {
   VideoReader(const VideoReader&) = delete;
   VideoReader& operator=(const VideoReader&) = delete;
 
-  /// Returns the next frame, or none after the last one.
+  /// Returns the next frame, or nothing after the last frame.
   std::optional<Image8> next();
 
  private:

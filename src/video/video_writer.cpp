@@ -18,11 +18,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the fraction nearest to a positive value, with numerator and denominator up to a million, from the value's continued
-/// fraction.
+/// Returns a fraction close to a positive value: the last convergent of its continued fraction with numerator and denominator
+/// up to a million.
 FrameRate nearest_fraction(double value) {
   constexpr double kLargest = 1e6;
-  double before[2] = {0.0, 1.0}, last[2] = {1.0, 0.0};  // numerator, denominator
+  double before[2] = {0.0, 1.0}, last[2] = {1.0, 0.0};  // numerator and denominator of the last two convergents
   double rest = value;
   for (;;) {
     const double whole = std::floor(rest);
@@ -35,7 +35,7 @@ FrameRate nearest_fraction(double value) {
   return {static_cast<int>(last[0]), static_cast<int>(last[1])};
 }
 
-/// Returns the constant rate factor to use. Throws Error if the codec does not support `crf`.
+/// Returns `crf`, or the codec's default, or 0 for lossless codecs. Throws Error if the codec does not support `crf`.
 int checked_crf(const fs::path& path, VideoCodec codec, std::optional<int> crf) {
   const std::optional<CrfRange> range = crf_range(codec);
   if (!range && crf)

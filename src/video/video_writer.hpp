@@ -1,12 +1,12 @@
 // Writes frames as a video file, for viewing (H.264, HEVC, VP9, AV1) or without loss (FFV1).
 //
-//   .mp4, .mov  H.264, HEVC (.mp4 also VP9, AV1); the index is at the start of the file
-//   .webm       VP9, AV1
-//   .mkv        FFV1 version 3, lossless RGB; also the other codecs
-// All codecs except FFV1 use yuv420p in BT.709 limited range, and are tagged accordingly. An odd width or height is padded by
-// repeating the last column or row. Chroma has half the resolution of luma, so neighbouring views of an integral image share
-// their colour. Equal frames and options give equal bytes: the file contains no dates and no version strings that vary between
-// runs.
+//   .mp4   H.264, HEVC, VP9, AV1; the index is at the start of the file
+//   .mov   H.264, HEVC; the index is at the start of the file
+//   .webm  VP9, AV1
+//   .mkv   FFV1 version 3 (lossless RGB) and all other codecs
+// All codecs except FFV1 use yuv420p in BT.709 limited range and are tagged accordingly. An odd width or height is padded by
+// repeating the last column or row. yuv420p halves the chroma resolution, so that pixels of neighbouring views in an integral
+// image share their colour. Equal frames and options give equal bytes.
 #pragma once
 
 #include <filesystem>
@@ -31,18 +31,18 @@ FrameRate frame_rate(double frames_per_second);
 
 struct VideoOptions {
   FrameRate rate{};
-  std::optional<VideoCodec> codec = {};     ///< none: chosen by the file ending and the frame size (video_codec.hpp)
-  std::optional<int> crf = {};              ///< constant rate factor, 0 (best) ... 51 or 63; none: the codec's default
+  std::optional<VideoCodec> codec = {};     ///< no value: choose_codec() chooses by the file ending and the frame size
+  std::optional<int> crf = {};              ///< constant rate factor, 0 (best) ... 51 or 63; no value: the codec's default
   std::optional<StereoLayout> stereo = {};  ///< layout of stereo frames, written as metadata (ffmpeg/stereo_tags.hpp)
-  int threads = 1;  ///< encoder threads; H.264 output depends on this, so do not derive it from the machine
+  int threads = 1;  ///< encoder threads; must not depend on the machine, because the bytes of H.264 depend on it
 };
 
-/// Warns if row-interleaved stereo is written with chroma subsampling, which mixes the colours of both eyes, and names
-/// alternatives.
+/// Warns if row-interleaved stereo is written with chroma subsampling, because it mixes the colours of both eyes. The warning
+/// names alternatives.
 void warn_of_mixed_rows(const std::filesystem::path& path, const VideoOptions& options, Vec2i size, const Context& context);
 
-/// Writes a video file. Throws Error naming the file if choose_codec() does, the folder is not writable, frames differ in size,
-/// or the disk is full. After an Error, the object can only be destroyed.
+/// Writes a video file. Throws Error naming the file if choose_codec() throws, the folder is not writable, frames differ in
+/// size, or the disk is full. After an Error, the object can only be destroyed.
 class VideoWriter {
  public:
   explicit VideoWriter(const std::filesystem::path& path, const VideoOptions& options = {});
@@ -62,8 +62,8 @@ class VideoWriter {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Throws the Error that a VideoWriter would throw for this file and frame size (0: unknown), without writing. Use it before a
-/// long render.
+/// Throws the Error that a VideoWriter would throw for this file and frame size, without writing. A size of 0 means unknown.
+/// Call this before a long render.
 void check_video_path(const std::filesystem::path& path, const VideoOptions& options = {}, int width = 0, int height = 0);
 
 }  // namespace lippmann

@@ -1,6 +1,6 @@
 // Converts between images (8-bit RGB codes) and FFmpeg frames. Private to the module.
 //
-// RGB frames are copied unchanged. YUV is converted by libswscale with exact, reproducible settings.
+// RGB frames are copied unchanged. libswscale converts YUV frames, with settings that give the same result on every machine.
 #pragma once
 
 #include "lippmann/image/image.hpp"
@@ -25,8 +25,8 @@ class ToFrame {
 /// Converts decoded frames to images. Size and format may change between frames.
 class ToPicture {
  public:
-  /// Converts a frame. YUV is converted with the frame's matrix and range, or with BT.601 limited range if the frame states
-  /// none. Throws Error naming `path` if FFmpeg cannot convert it.
+  /// Converts a frame. YUV is converted with the matrix and range that the frame states, or with BT.601 limited range if the
+  /// frame states none. Throws Error naming `path` if FFmpeg cannot convert the frame.
   Image8 convert(const std::filesystem::path& path, const AVFrame& frame);
 
  private:

@@ -56,7 +56,7 @@ class FfmpegDecoder : public VideoDecoder {
     if (code < 0) throw ffmpeg_error(path_, action, code);
   }
 
-  /// Checks a decoded frame. Its fields come from the file, and libswscale asserts or reads beyond the frame if they are
+  /// Checks a decoded frame. Its size and format come from the file. libswscale asserts or reads beyond the frame if they are
   /// invalid.
   void check_frame() {
     const Vec2i size(frame_->width, frame_->height);
@@ -126,8 +126,9 @@ class FfmpegDecoder : public VideoDecoder {
     }
   }
 
-  /// Throws Error if the file is truncated. Demuxers treat the end of the file as the end of the video, so this compares with
-  /// the headers: the number of index entries (MP4), or the duration (Matroska; only if the file has no other streams).
+  /// Throws Error if the file is truncated. Demuxers treat the end of the file as the end of the video. Therefore this function
+  /// compares the number of packets with the index (MP4), or the end of the last packet with the duration in the header
+  /// (Matroska). The duration is compared only if the file has no other streams.
   void check_complete() const {
     const int indexed = avformat_index_get_entries_count(stream_);
     if (packets_ < indexed) throw Error(path_.string(), fmt::format("is truncated: {} of {} frames", packets_, indexed));
@@ -150,7 +151,7 @@ class FfmpegDecoder : public VideoDecoder {
   Vec2i size_{0, 0};  // size of the first frame
   std::int64_t frames_ = 0, packets_ = 0,
                end_time_ = 0;  // number of decoded frames; number of packets read; end of the last packet in stream time units
-  bool ended_ = false;         // no packets are left; the decoder may still hold frames
+  bool ended_ = false;         // whether all packets were read; the decoder may still hold frames
 };
 
 }  // namespace

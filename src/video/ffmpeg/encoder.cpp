@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 int round_up(int value, int multiple) { return (value + multiple - 1) / multiple * multiple; }
 
-/// Owns FFmpeg's muxer and closes its file before the muxer is freed.
+/// Owns FFmpeg's muxer. Closes the muxer's file before it frees the muxer.
 struct Muxer {
   AVFormatContext* context = nullptr;
 
@@ -31,8 +31,8 @@ struct Muxer {
   }
 };
 
-/// Returns whether a frame shown at `pts` may be decoded at `dts`, both in frames. libx265 reads the decoding time from
-/// uninitialised memory if the video has no more frames than it reorders.
+/// Returns whether a decoding time is plausible for a presentation time, both in frames. In very short videos, libx265 reads
+/// the decoding time from uninitialised memory.
 bool is_plausible(std::int64_t dts, std::int64_t pts) {
   constexpr std::int64_t kMostReordered = 64;
   return dts <= pts && pts <= dts + kMostReordered;
@@ -108,7 +108,7 @@ class FfmpegEncoder : public VideoEncoder {
     check(code, "cannot be written");
   }
 
-  /// Encodes a frame (null: end of the video) and writes the resulting packets.
+  /// Encodes a frame and writes the resulting packets. Null means the end of the video.
   void encode(const AVFrame* frame) {
     check(avcodec_send_frame(codec_.get(), frame), "cannot be encoded");
     for (;;) {

@@ -25,22 +25,22 @@ void tag_colours(AVCodecContext& context) {
 
 void configure_h264(AVCodecContext& context, int crf) {
   set(context, "crf", crf);
-  // x264's macroblock tree reads uninitialised memory (seen with x264 164), so two encodings in one process would differ.
+  // x264's macroblock tree reads uninitialised memory (seen with x264 164), so that two encodings in one process would differ.
   set(context, "mbtree", 0);
 }
 
 void configure_hevc(AVCodecContext& context, int crf) {
   set(context, "crf", crf);
-  // The thread pool has a fixed size, because row-parallel coding changes the output. info=0 leaves out the version text.
+  // The number of threads (pools) is fixed, because it changes the output. info=0 omits the text with x265's version.
   set(context, "x265-params", "log-level=none:info=0:pools=4:frame-threads=1");
 }
 
 void configure_vp9(AVCodecContext& context, int crf) {
-  context.bit_rate = 0;  // constant quality
+  context.bit_rate = 0;  // selects constant quality
   set(context, "crf", crf);
   set(context, "deadline", "good");
   set(context, "cpu-used", 3);
-  set(context, "tile-columns", 2);  // allows more threads; the encoder limits the number by the width
+  set(context, "tile-columns", 2);  // log2 of the maximum number of columns, which are encoded in parallel
 }
 
 void configure_av1(AVCodecContext& context, int crf) {
@@ -54,7 +54,7 @@ void configure_ffv1(AVCodecContext& context) {
   context.level = 3;
   context.gop_size = 1;  // every frame can be decoded without other frames
   context.slices =
-      std::min(context.width, context.height) < 16 ? 1 : 4;  // fixed, because the number of threads must not change the output
+      std::min(context.width, context.height) < 16 ? 1 : 4;  // independent of the number of threads, as the output must be
   set(context, "slicecrc", 1);
 }
 

@@ -24,7 +24,7 @@ struct FfmpegDeleter {
 template <class T>
 using FfmpegPtr = std::unique_ptr<T, FfmpegDeleter>;
 
-/// Takes ownership of a pointer from an FFmpeg allocator. Throws bad_alloc for null, which means that memory has run out.
+/// Takes ownership of a pointer from an FFmpeg allocator. Throws std::bad_alloc for null.
 template <class T>
 FfmpegPtr<T> own(T* p) {
   if (!p) throw std::bad_alloc();

@@ -1,4 +1,4 @@
-// The module's only export.
+// Defines the module's only exported function.
 #include "video/ffmpeg/decoder.hpp"
 #include "video/ffmpeg/encoder.hpp"
 #include "video/ffmpeg/ffmpeg.hpp"

@@ -57,7 +57,7 @@ void tag_stereo(AVFormatContext& muxer, AVStream& stream, const StereoLayout& la
   if (!stereo) throw std::bad_alloc();
   describe(*stereo, layout);
   add_side_data(stream, reinterpret_cast<std::uint8_t*>(stereo), size);
-  muxer.strict_std_compliance = FF_COMPLIANCE_UNOFFICIAL;  // FFmpeg treats st3d as an unofficial extension of MP4
+  muxer.strict_std_compliance = FF_COMPLIANCE_UNOFFICIAL;  // required for st3d, an unofficial extension of MP4
   if (!is_matroska(muxer)) return;
   const Vec2i squeeze = stereo_squeeze(layout.packing);
   stream.sample_aspect_ratio = stream.codecpar->sample_aspect_ratio = {squeeze.x, squeeze.y};
