@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-/// Returns the index of the cell that a pixel has. row: counted from the bottom.
+/// Returns the index in calibration.cells for a pixel. Rows count from the bottom.
 int cell_at(const Calibration& calibration, int column, int row) {
   const bool by_columns = calibration.patterns == Calibration::Patterns::kColumns;
   int cell = 0;
@@ -31,7 +31,7 @@ int cell_at(const Calibration& calibration, int column, int row) {
   return cell % static_cast<int>(calibration.cells.size());
 }
 
-/// Returns whether the sub-pixels of a pixel are counted from the right.
+/// Returns whether flip_image_x negates the step s of the formula of Calibration.
 bool flips_step(const Calibration& calibration) {
   return calibration.flip_image_x && calibration.flip != Calibration::Flip::kSlope;
 }
@@ -48,23 +48,25 @@ SubPixelOffsets offsets_of(const Calibration& calibration) {
   return offsets;
 }
 
-/// Lenses with cells that converge to the viewer and fill the display's view cone.
+/// Pitch and gap of lenses whose cells converge to the viewer and fill the display's view cone.
 struct Lenses {
   double pitch_mm, gap_mm;
 };
 
 Lenses lenses_of(const Display& display, double distance_mm) {
-  // p is the pitch of the sheet. Its cells are p (1 + g/V) wide. 2 atan(cell / 2g) = cone, thus g = p / (2 tan(cone/2) - p/V).
+  // Gap g, pitch p, viewing distance V: cells are p (1 + g/V) wide. 2 atan(cell / 2g) = cone gives g = p / (2 tan(cone/2) -
+  // p/V).
   const double p = display.lenses.pitch_mm, spread = 2.0 * std::tan(0.5 * display.view_cone_deg * kDegree);
   return {p, p / (spread - p / distance_mm)};
 }
 
-/// Returns the coordinate of the panel's centre across the strips of LensStrips, in pixels.
+/// Returns x cos(slant) - y sin(slant) of the panel's centre, in pixels (see LensStrips).
 double centre_of_strips(const Display& display, const LensStrips& strips) {
   return 0.5 * (display.pixels.x * strips.cosine - display.pixels.y * strips.sine);
 }
 
-/// Returns the centre of the first lens to the right of the panel's centre, relative to that centre.
+/// Returns the distance in mm, across the lenses, from the panel's centre to the centre of a lens. The result is between 0.5
+/// and 1.5 pitches.
 float sheet_offset_mm(const Display& display) {
   const LensStrips strips = lens_strips(display);
   const double edge = (strips.start_px - centre_of_strips(display, strips)) / strips.cell_px;
@@ -92,7 +94,7 @@ SlantedPanel slanted_panel(const Display& display, double distance_mm) {
   const Calibration& c = display.calibration;
   SlantedPanel panel;
   panel.periods = periods_of(display), panel.tilt = tilt_of(display);
-  // For stripes, the position x + c s in the formula is one sub-pixel (s) away from the sub-pixel's true position.
+  // panel.sub_pixels places stripes at x + (c - 1) s, but the formula of Calibration at x + c s. The center corrects for s.
   const double step = c.cells.empty() ? (flips_step(c) ? -1.0 : 1.0) / (3.0 * display.pixels.x) : 0.0;
   const bool flips_center = c.flip_image_x && c.flip == Calibration::Flip::kSlopeStepAndCenter;
   panel.center = c.center + (flips_center ? 0.5 : 0.0) - panel.periods * step;

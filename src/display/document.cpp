@@ -34,7 +34,7 @@ Json json_of(const toml::node& node) {
   return nullptr;
 }
 
-/// Replaces members of the form {"value": x} by x. Calibrations use such members.
+/// Replaces members of the form {"value": x}, which calibrations use, by x.
 Json unwrapped(Json json) {
   for (auto& member : json) {
     if (member.is_object() && member.contains("value"))
@@ -45,8 +45,7 @@ Json unwrapped(Json json) {
   return json;
 }
 
-/// Throws Error if the text is too long or if brackets outside of strings are nested too deep. Called before anything is
-/// parsed.
+/// Throws Error if the text is too long or if brackets outside of strings are nested too deep. Call this before parsing.
 void check_limits(std::string_view text, const std::string& where, const char* kind) {
   if (text.size() > kMaxDocumentBytes)
     throw Error(where, fmt::format("has {} bytes", text.size()),
@@ -72,7 +71,7 @@ int line_of(std::string_view text, std::size_t offset) {
 }  // namespace
 
 Json parse_toml(std::string_view text, const std::string& where) {
-  if (text.size() > kMaxDocumentBytes) check_limits(text, where, "TOML");  // the TOML parser itself limits the nesting
+  if (text.size() > kMaxDocumentBytes) check_limits(text, where, "TOML");  // toml++ limits the nesting
   try {
     return unwrapped(json_of(toml::parse(text, where)));
   } catch (const toml::parse_error& error) {

@@ -1,4 +1,4 @@
-// Parses untrusted TOML and JSON, within limits, into trees of the same type. Private to this part.
+// Parses untrusted TOML and JSON into trees of the same type. Limits size and nesting. Private to src/display.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -7,11 +7,11 @@
 
 namespace lippmann {
 
-/// Maximum size of a file; larger ones are rejected.
+/// Maximum size of a file. Larger files are rejected.
 inline constexpr std::size_t kMaxDocumentBytes = 1 << 20;
 
-/// Parse a text and return an object. Members of the form {"value": x} become x, and dates become null. Throw Error naming
-/// `where` (and the line) if the text is invalid, too large or nested too deep.
+/// Parse a text and return an object. Members of the form {"value": x} become x. Dates become null. Throw Error naming `where`
+/// (and the line) if the text is invalid, too large or nested too deep.
 nlohmann::ordered_json parse_toml(std::string_view text, const std::string& where);
 nlohmann::ordered_json parse_json(std::string_view text, const std::string& where);
 

@@ -10,8 +10,8 @@ namespace lippmann {
 /// Returns the folders where drives are mounted: /media, /run/media, /mnt (Linux), /Volumes (macOS).
 std::vector<std::filesystem::path> usual_mount_points();
 
-/// Returns the visual.json files of drives, sorted. Drives are folders up to two levels below the mount points
-/// (/media/user/drive); the file is in LKG_calibration or in the root of the drive. Ignores folders that are missing or
+/// Returns the paths of the visual.json files on all drives, sorted. Drives are folders up to two levels below the mount points
+/// (/media/user/drive). The file is in LKG_calibration or in the root of a drive. Ignores folders that are missing or
 /// unreadable.
 std::vector<std::filesystem::path> find_calibrations(const std::vector<std::filesystem::path>& mount_points);
 

@@ -1,4 +1,4 @@
-// The presets data/displays/*.toml, embedded in the program. Private to this part.
+// The presets data/displays/*.toml, embedded in the program. Private to src/display.
 #pragma once
 
 #include <span>

@@ -72,7 +72,7 @@ std::optional<Vec2d> named_paper_mm(std::string name) {
   return Vec2d(sides[0], sides[1]);
 }
 
-/// Returns the size of a paper in pixels, not rounded to whole numbers.
+/// Returns the width and height of a paper in pixels, not rounded.
 Vec2d paper_px(const std::string& paper, double dpi) {
   if (const std::optional<Vec2d> named = named_paper_mm(paper)) return *named / kInchMm * dpi;
   static const TextPattern size("([0-9.]+)x([0-9.]+)(mm|cm|in|px)", TextPattern::Letters::kEitherCase);
@@ -103,7 +103,7 @@ Vec2i print_px(const SheetValues& values, double dpi) {
   return Vec2i(sides);
 }
 
-/// Returns the pitch in mm, and the key that states it.
+/// Returns the key that states the pitch, and the pitch in mm.
 std::pair<std::string, double> pitch_of(const SheetValues& values) {
   std::optional<std::pair<std::string, double>> pitch;
   for (const std::string_view key : kPitchKeys) {
@@ -159,7 +159,8 @@ Display display_from_line(const std::string& line) {
   const bool is_of_print = key == "visual-lpi" || !sheet.viewing_distance_mm;
   if (key == "visual-lpi" && !sheet.viewing_distance_mm)
     throw usage_error("visual-lpi", "depends on the distance of the eye", "`viewing-distance` with it, or `lpi`");
-  // Strips of width c fill the viewing angle if g = c / (2 tan(angle / 2)). The lens pitch is then p = c D / (D + g).
+  // pitch_mm is the width c of strips. They fill the viewing angle if the gap is g = c / (2 tan(angle / 2)). At distance D, the
+  // pitch of the lenses is p = c D / (D + g).
   const double gap = pitch_mm / (2.0 * std::tan(0.5 * sheet.view_cone_deg * std::numbers::pi / 180.0));
   const double distance = viewing_distance_mm(sheet);
   sheet.lenses.pitch_mm = is_of_print ? pitch_mm * distance / (distance + gap) : pitch_mm;

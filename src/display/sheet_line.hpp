@@ -1,18 +1,21 @@
-// Reads a lenticular sheet on a print from one line: "lpi=60.12 dpi=600 paper=A5". Private to this part.
+// Reads a lenticular sheet on a print from one line: "lpi=60.12 dpi=600 paper=A5". Private to src/display.
 //
-//   lpi, lenses-per-mm, pitch-mm  one of them: the pitch of the lenses. Without viewing-distance the print gets the same pitch
-//   visual-lpi         instead of these: the pitch of the print, from a pitch test at viewing-distance
+// One of the first four keys is required:
+//   lpi                lenses per inch; without viewing-distance, the print has the same pitch as the lenses
+//   lenses-per-mm      like lpi, in lenses per mm
+//   pitch-mm           like lpi, as the pitch of the lenses in mm
+//   visual-lpi         strips of the print per inch, from a pitch test at viewing-distance
 //   dpi                pixels per inch of the print
 //   paper              A0 ... A8, letter, legal, tabloid, or a size: 148x210mm, 5x7in, 3593x2783px
 //   landscape          makes the longer side of the paper horizontal
-//   viewing-distance   from the eye to the lenses, in mm; default: the distance at which the print's height spans 14 degrees
+//   viewing-distance   distance from the eye to the lenses in mm; default: where the print's height spans 14 degrees
 //   view-angle         full angle of the viewing zone, in degrees; default 50
 //   slant              angle between the lenses and the vertical, in degrees; default 0
 //   phase              left edge of a lens, in pixels from the left edge of the print; default 0
 //
-// Lenses of pitch p are a gap g in front of the print, and the eye is at the distance D from the lenses. Rays from the eye
-// through two neighbouring lens centres meet the print, at the distance D + g, p (D + g) / D apart. This is the pitch of the
-// print, which is larger than the pitch of the lenses.
+// The lenses have the pitch p and are a gap g in front of the print. The eye is at distance D from the lenses and D + g from
+// the print. Rays from the eye through two neighbouring lens centres meet the print p (D + g) / D apart. This is the pitch of
+// the print, which is larger than the pitch of the lenses.
 #pragma once
 
 #include <string>
@@ -21,7 +24,7 @@
 
 namespace lippmann {
 
-/// Returns whether a text is a sheet in one line, and not the name of a preset or file.
+/// Returns whether a text is a sheet in one line, and neither the name of a preset nor of a file.
 bool is_sheet_line(const std::string& text);
 
 /// Reads a sheet from one line. Throws a usage Error naming the key.
