@@ -1,10 +1,11 @@
-// Based on: E. Hecht, Optics, 5th edition (2017), section 5.2.2, "Refraction at Spherical Surfaces": a surface of radius r into
-// a medium of index n focuses distant paraxial light from air at depth f = n r / (n - 1). A print at f = t is therefore sharp
-// for r = t (n - 1) / n.
+// Based on: E. Hecht, Optics, 5th edition (2017), section 5.2.2, "Refraction at Spherical Surfaces". A surface of radius r
+// between air and a medium of index n focuses distant paraxial light at depth f = n r / (n - 1). A print at depth t is sharp if
+// f = t, so r = t (n - 1) / n.
 //
-// The viewing angle is that between the outermost rays through the vertex of a lens. Inside the lens they make an angle a with
-// its axis, with tan a = (p / 2) / t, so that they reach the edge of the strip, p / 2, at depth t. They leave the lens at an
-// angle b, with sin b = n sin a (Snell).
+// The viewing angle is 2 b, where b is computed as follows:
+// 1. The outermost ray runs from the edge of the strip (p / 2 from the axis, at depth t) to the vertex of the lens. Its angle a
+//    to the axis inside the lens follows from tan a = (p / 2) / t.
+// 2. The ray leaves the lens at the angle b to the axis, with sin b = n sin a (Snell).
 #include "sheet/lens_heights.hpp"
 
 #include <fmt/format.h>
@@ -20,7 +21,7 @@
 namespace lippmann {
 namespace {
 
-/// Returns the height of the lens surface above the edges of the lens, at distance x_mm from its axis.
+/// Returns the height of the lens surface at distance x_mm from the axis of the lens. The edges of the lens have height 0.
 double cap_mm(const LensShape& shape, double x_mm) {
   const double r = shape.radius_mm, half = 0.5 * shape.pitch_mm;
   return std::sqrt(std::max(0.0, r * r - x_mm * x_mm)) - std::sqrt(std::max(0.0, r * r - half * half));
@@ -76,8 +77,8 @@ HeightMap lens_heights(const Display& sheet, const LensShape& shape, const Threa
   const Vec2i size = sheet.pixels;
   check_image_size("paper", size.x, size.y, 1);
   const LensStrips strips = lens_strips(sheet);
-  // Lenses are narrower than the strips of the print, and agree with them at the centre of the print. Stretched about this
-  // centre, positions relative to the lenses become positions relative to the strips.
+  // Lenses are narrower than strips, and both are aligned at the centre of the print. Stretching a position about the centre
+  // converts it from lens pitches to strip widths.
   const double stretch = strips.cell_px / (shape.pitch_mm / sheet.pixel_mm());
   const Vec2d centre = 0.5 * Vec2d(size);
   const auto code_at = [&](int x, int y) {

@@ -1,8 +1,8 @@
-// Height maps of the lenses of a lenticular sheet, for UV printers that print lenses onto an image.
+// Computes height maps of the lenses of a lenticular sheet, for UV printers that print lenses onto an image.
 //
-// Each lens is a cylindrical cap with pitch p, radius r and height s = r - sqrt(r^2 - p^2 / 4). At distance x from its axis its
-// height is sqrt(r^2 - x^2) - sqrt(r^2 - p^2 / 4). Lens axes are those of native_optics(), so that the heights fit the print
-// that `convert` makes for the same display. Heights are sampled at pixel centres.
+// A lens is a cylindrical cap of pitch p, radius r and height s = r - sqrt(r^2 - p^2 / 4). The surface at distance x from the
+// axis of the lens is sqrt(r^2 - x^2) - sqrt(r^2 - p^2 / 4) high. Lens axes are those of native_optics(), so that the heights
+// fit the image that `convert` makes for the same display. Heights are sampled at pixel centres.
 #pragma once
 
 #include <optional>
@@ -13,21 +13,21 @@
 
 namespace lippmann {
 
-/// Defines the shape of a lens. Exactly one of the three optional values must be given.
+/// Defines the shape of a lens. Exactly one of radius_mm, height_mm and thickness_mm must be given.
 struct LensSpec {
   std::optional<double> radius_mm, height_mm;
-  std::optional<double> thickness_mm;  ///< distance from the top of a lens to the print, at which the lens focuses
+  std::optional<double> thickness_mm;  ///< distance from the top of a lens to the print; the lens focuses on the print
   double refractive_index = 1.5;       ///< refractive index of the lens; about 1.5 for UV inks
 };
 
 struct LensShape {
   double pitch_mm = 0.0, radius_mm = 0.0, height_mm = 0.0;
-  double thickness_mm = 0.0;    ///< the thickness at which distant light focuses on the print
-  double view_angle_deg = 0.0;  ///< full angle over which a lens of that thickness shows its strip of the print
+  double thickness_mm = 0.0;    ///< distance from the top of a lens at which distant light focuses
+  double view_angle_deg = 0.0;  ///< full angle over which a lens of thickness_mm shows its strip of the print
 };
 
-/// Returns the shape of the lenses. Throws a usage Error naming `radius-mm`, `height-mm` or `thickness-mm` if the cap would
-/// exceed half a cylinder, and naming `thickness-mm` unless exactly one of the three values is given.
+/// Returns the shape of the lenses. Throws a usage Error if the cap would exceed half a cylinder, or unless exactly one of the
+/// three values is given.
 LensShape lens_shape(double pitch_mm, const LensSpec& spec);
 
 /// Returns the height map, with codes from 0 at the lens edges to 65535 at the tops. The result does not depend on the number

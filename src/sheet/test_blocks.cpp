@@ -18,15 +18,15 @@ namespace {
 constexpr double kMarginMm = 3.0, kGapMm = 1.0, kCapitalMm = 2.0;
 constexpr double kHalfBar = 0.5, kThirdBar = 1.0 / 3.0;
 
-/// Layout of a test print, in pixels. "Across" is the direction across the bars, "along" the direction along them.
+/// Layout of a test print, in pixels. "Across" is the direction across the bars. "Along" is the direction along the bars.
 struct BlockLayout {
   bool is_vertical = true;
   int scale = 1;                         ///< size of the text, in pixels per unit of the font
   Vec2i header{0, 0};                    ///< corner of the heading above all blocks
-  int first_across = 0, end_across = 0;  ///< start and end of the bars
+  int first_across = 0, end_across = 0;  ///< start and end of each block across the bars
   /// Along the bars: start of the first block, distance between the starts of blocks, and gap between blocks.
   int first_along = 0, pitch = 0, gap = 0;
-  int label_across = 0;  ///< start of the labels
+  int label_across = 0;  ///< start of the labels across the bars
 
   PixelBox block(int number) const {
     const int from = first_along + number * pitch, to = from + pitch - gap;
@@ -45,8 +45,8 @@ Vec2i largest_units(const std::vector<std::string>& labels) {
   return largest;
 }
 
-/// Returns the layout. Text is 2 mm high, or lower if a label would otherwise not fit beside its block or would take more than
-/// a third of the image.
+/// Returns the layout. Text is 2 mm high. It is smaller if a label would not fit beside its block or would take more than a
+/// third of the image.
 BlockLayout block_layout(const Display& sheet, const std::string& header, const std::vector<std::string>& labels,
                          BarDirection bars) {
   const auto px = [&](double mm) { return static_cast<int>(std::lround(mm / sheet.pixel_mm())); };
@@ -61,8 +61,7 @@ BlockLayout block_layout(const Display& sheet, const std::string& header, const 
   const int unit_along = layout.is_vertical ? units.y : units.x,
             unit_across = layout.is_vertical ? units.x : units.y + kTextLine;
   const int header_lines = layout.is_vertical ? 1 : 0;
-  // Finds the largest scale with count * (unit_along scale + gap) + header <= room_along and unit_across scale <= room_across /
-  // 3.
+  // The largest scale for which count * (unit_along scale + 1) + header <= room_along and unit_across scale <= room_across / 3.
   const int by_along = (room_along - count) / (count * unit_along + header_lines * kTextLine);
   layout.scale = std::min({wish, by_along, room_across / 3 / unit_across, (size.x - 2 * margin) / text_units(header).x});
   if (layout.scale < 1)
@@ -78,7 +77,7 @@ BlockLayout block_layout(const Display& sheet, const std::string& header, const 
   return layout;
 }
 
-/// The part of each strip that the bars fill.
+/// The part of each strip that a bar fills, as fractions of the strip's width.
 struct Bars {
   double from = 0.0, to = kHalfBar;
   bool is_black_inside = true;
@@ -140,8 +139,8 @@ int room_across(const Display& sheet, BarDirection bars) {
   return bars == BarDirection::kVertical ? sheet.pixels.x : sheet.pixels.y;
 }
 
-/// Returns the separator between the parts of a label, which has one line beside vertical bars and two lines above horizontal
-/// ones.
+/// Returns the text between the two parts of a label. Labels have one line beside vertical bars and two lines above horizontal
+/// bars.
 const char* separator(BarDirection bars) { return bars == BarDirection::kVertical ? "  " : "\n"; }
 
 std::string header_of(const char* name, const Display& sheet) {

@@ -1,13 +1,14 @@
-// Test prints of labelled blocks, which find the pitch or the phase of a lenticular sheet laid on them.
+// Makes test prints of labelled blocks. A lenticular sheet on the print shows which block has the pitch or phase of the sheet.
 //
-// All blocks consist of bars along the lenses.
-//   pitch test   Bars are black in the left half of each strip and white in the right half. The pitch differs from block to
-//                block. Through the sheet, the block with the right pitch has one shade from edge to edge. Others show
-//                fringes, one per lens of difference over their width.
-//   phase test   Bars are white in the middle third of each strip. The start of the strips moves to the right from block to
-//                block by a share of the pitch. From the middle of the viewing zone, the block with the right phase is white.
-// Blocks are arranged along the lenses: one below the other for vertical bars, side by side for horizontal ones. With an odd
-// number of blocks the middle one has the nominal pitch and a star.
+// Blocks consist of bars along the lenses, one bar in each strip (the part of the print below a lens).
+//   pitch test   Strips are black in the left half and white in the right half. The width of strips differs from block to
+//   block.
+//                Seen through the sheet, the block with the right pitch has a uniform shade. Other blocks show fringes; their
+//                number is the difference between the numbers of strips and lenses in the block.
+//   phase test   Strips are white in the middle third and black elsewhere. From block to block, strips move to the right by a
+//                fraction of the pitch. Seen from the middle of the viewing zone, the block with the right phase is white.
+// Blocks are arranged along the lenses: one below the other for vertical bars, side by side for horizontal bars. If the number
+// of blocks is odd, the middle block has the nominal pitch and its label has a star.
 #pragma once
 
 #include <string>
@@ -32,7 +33,7 @@ PitchStep read_pitch_step(const std::string& text);
 
 struct TestBlock {
   double pitch_px = 0.0;
-  double phase_px = 0.0;  ///< distance from the edge of the image to the start of a strip, across the bars
+  double phase_px = 0.0;  ///< distance across the bars from the edge of the image to the start of a strip
   bool is_nominal = false;
   PixelBox bars = {};
 };
@@ -42,12 +43,13 @@ struct BlockTest {
   std::vector<TestBlock> blocks;
 };
 
-/// Returns a pitch test. sheet: a sheet with the nominal pitch and the size of the image. In each block, strips begin at the
-/// block's edge. Throws a usage Error naming `step` if a block would have fewer than 2 pixels per lens or be narrower than a
-/// lens, and naming `blocks` if the blocks do not fit on the paper. The result does not depend on the number of threads.
+/// Returns a pitch test. `sheet` states the nominal pitch and the size of the image. In each block, strips begin at the block's
+/// edge. Throws a usage Error naming `step` if a block would have fewer than 2 pixels per lens or be narrower than a lens.
+/// Throws a usage Error naming `blocks` if the blocks do not fit on the paper. The result does not depend on the number of
+/// threads.
 BlockTest pitch_test(const Display& sheet, int blocks, const PitchStep& step, BarDirection bars, const ThreadPool& pool);
 
-/// Returns a phase test. Throws as pitch_test() does, but errors of the pitch name `lpi`.
+/// Returns a phase test. Throws as pitch_test() does, but errors about the pitch name `lpi`.
 BlockTest phase_test(const Display& sheet, int blocks, BarDirection bars, const ThreadPool& pool);
 
 }  // namespace lippmann

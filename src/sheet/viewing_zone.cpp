@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-/// Returns the angle of the centre of a view. Eyes are spread evenly along a line parallel to the sheet.
+/// Returns the angle of the centre of a view. The centres are spaced evenly along a line parallel to the sheet.
 double middle_angle_deg(const Display& sheet, int view, int views) {
   const double side = 2.0 * (view + 0.5) / views - 1.0;
   return std::atan(side * std::tan(0.5 * sheet.view_cone_deg * kDegree)) / kDegree;
@@ -34,8 +34,8 @@ Rgb8 tint(double place) {
   return colour;
 }
 
-/// How often the number of a view is repeated, and its size. There are three numbers across, or fewer if the text would not
-/// fit.
+/// The number of repetitions of a view's label across and down, and the scale of its text. There are three labels across, or
+/// fewer if the text would not fit.
 struct Tiling {
   Vec2i tiles;
   int scale;
@@ -60,7 +60,7 @@ std::string angle_text(double angle_deg) {
   return rounded == 0 ? "0 deg" : fmt::format("{:+} deg", rounded);
 }
 
-/// Draws one view. It has one sample per lens, and its rows have the same spacing as its columns.
+/// Draws one view, which has one column per lens and square pixels.
 Picture numbered_view(Vec2i size, int view, int views, double angle_deg) {
   Picture picture = blank(Image8{}, size);
   fill_box(picture, {Vec2i(0), size}, tint(views > 1 ? static_cast<double>(view) / (views - 1) : 0.5));

@@ -1,7 +1,7 @@
-// A test print that shows the viewing zone of a lenticular sheet: N views, each with its number and angle.
+// Makes a test print that shows the viewing zone of a lenticular sheet. It has N views, each with its number and angle.
 //
-// Views are numbered 1 to N from left to right, and coloured from red over grey to blue. From the right distance the whole
-// print shows one number. Where it jumps from N to 1, one zone ends and the next begins.
+// Views are numbered 1 to N from left to right, and coloured from red over grey to blue. Seen from the right distance, the
+// whole print shows one number. Where the number jumps from N to 1, a viewing zone ends and the next begins.
 #pragma once
 
 #include <vector>
@@ -17,8 +17,8 @@ struct ViewingZoneTest {
   std::vector<double> angles_deg;  ///< angles of the centres of the views, negative on the left
 };
 
-/// Returns a default number of views: odd, up to 9, with about 2 pixels per view below a lens; 2 if a lens has fewer than 5
-/// pixels.
+/// Returns a default number of views: an odd number up to 9, so that a view has about 2 pixels below each lens. Returns 2 if a
+/// lens has fewer than 5 pixels.
 int default_zone_views(const Display& sheet);
 
 /// Returns the test print. Throws a usage Error naming `views` if there are more views than pixels below a lens. The result
