@@ -1,5 +1,5 @@
-// Converts a model's lines to world-space rays. A model computes where a line crosses the plane z = z_front, and its slope. The
-// inline functions here serve both single rays and vectorised loops, so that both give identical bits.
+// Converts a model's lines to world-space rays. A model computes the slope of a line and the point where it crosses the plane z
+// = z_front. Single rays and vectorised loops use the same inline functions, so that both give identical bits.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@ struct Crossing {
   float slope_x, slope_y;  ///< slopes dx/dz and dy/dz
 };
 
-/// Converts lines to rays in another frame by a similarity transform (a rotation, a uniform scale, a translation).
+/// A similarity transform (rotation, uniform scale, translation) from lines in the display frame to rays in world space.
 struct RayFrame {
   Vec3f origin{0.0f};                                   ///< world position of (0, 0, z_front)
   Vec3f right{1.0f, 0.0f, 0.0f}, up{0.0f, 1.0f, 0.0f};  ///< world vectors that correspond to 1 mm along x and y
@@ -29,7 +29,7 @@ struct RayFrame {
 /// Returns the frame for lines given at z = z_front.
 RayFrame make_ray_frame(const Affine3f& world_from_display, float z_front_mm);
 
-/// Writes ray i: it starts in the plane z = z_front and runs towards -z with unit direction.
+/// Writes ray i, which starts in the plane z = z_front and runs towards -z with a unit direction.
 LIPPMANN_INLINE void write_ray(const RayFrame& frame, const Crossing& line, const RayArrays& rays, int i) {
   // The ray's direction in the display frame is (-slope_x, -slope_y, -1), normalised. The component -1 is along `unit_forward`.
   const float sx = line.slope_x, sy = line.slope_y, inverse_length = 1.0f / std::sqrt(sx * sx + sy * sy + 1.0f);
@@ -41,24 +41,24 @@ LIPPMANN_INLINE void write_ray(const RayFrame& frame, const Crossing& line, cons
   rays.direction_z[i] = (frame.unit_forward.z - (sx * frame.unit_right.z + sy * frame.unit_up.z)) * inverse_length;
 }
 
-/// Writes the ray of one panel point. For models that have a function crossing(constants, px, py).
+/// Writes the ray of one panel point, for models that have a function crossing(constants, px, py).
 template <class Rays>
 LIPPMANN_INLINE void write_ray_of(const Rays& constants, const RayFrame& frame, float px, float py, const RayArrays& rays,
                                   int i) {
   write_ray(frame, crossing(constants, px, py), rays, i);
 }
 
-/// Block size of loops over pixels: one AVX-512 vector or two AVX2 vectors, unrolled, with constants read from memory at each
-/// use. A loop over all pixels would keep dozens of broadcast constants in registers; to set them up would cost as much as
-/// computing the rays of a packet of 16 pixels.
+/// Number of pixels in one call of a model's loop: one AVX-512 vector or two AVX2 vectors. The compiler unrolls this loop and
+/// reads constants from memory where they are used. In a loop over all pixels, it would first load dozens of constants into
+/// registers, which takes as long as computing the rays of a packet of 16 pixels.
 inline constexpr int kRayBlock = 16;
 
-/// Writes the rays of one block. line_of(px, py) is the model's inlined function that returns a Crossing. Call this from a
-/// LIPPMANN_MULTIVERSION function.
+/// Writes the rays of kRayBlock pixels. line_of(px, py) is the model's inlined function that returns a Crossing. Call this from
+/// a LIPPMANN_MULTIVERSION function.
 template <class LineOf>
 LIPPMANN_INLINE void write_ray_block(const RayFrame& frame, const float* px, const float* py, const RayArrays& rays,
                                      const LineOf& line_of) {
-  // Uses local arrays, because otherwise the compiler must assume that writing to `rays` may change the constants.
+  // Without the local array, the compiler would have to assume that writing to `rays` changes the constants.
   alignas(64) float out[6][kRayBlock];
   for (int i = 0; i < kRayBlock; ++i)
     write_ray(frame, line_of(px[i], py[i]), {out[0], out[1], out[2], out[3], out[4], out[5]}, i);
@@ -66,8 +66,8 @@ LIPPMANN_INLINE void write_ray_block(const RayFrame& frame, const float* px, con
   for (int c = 0; c < 6; ++c) std::memcpy(to[c], out[c], sizeof(out[c]));
 }
 
-/// Writes any number of rays in blocks. The remainder is written through a padded block. write_block(px, py, rays) is a model's
-/// LIPPMANN_MULTIVERSION function.
+/// Writes any number of rays in blocks of kRayBlock. The last block is padded by repeating the last pixel. write_block(px, py,
+/// rays) is a model's LIPPMANN_MULTIVERSION function.
 template <class WriteBlock>
 void for_each_ray_block(const float* px, const float* py, int count, const RayArrays& rays, const WriteBlock& write_block) {
   const auto from = [&rays](int i) {

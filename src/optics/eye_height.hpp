@@ -5,8 +5,9 @@
 
 namespace lippmann {
 
-/// Returns the optics for eyes at this height, or unchanged if no height is given. Points of the plane z = 0 keep their pixels.
-/// Throws a usage Error for optics that have no eye height: microlens arrays, and optics whose viewer is infinitely distant.
+/// Returns the optics for eyes at a height. Returns unchanged optics if no height is given. Points of the plane z = 0 keep
+/// their pixels. Throws a usage Error for optics without an eye height: microlens arrays, and optics with an infinitely distant
+/// viewer.
 Optics with_eye_height(Optics optics, const std::optional<EyeHeight>& height);
 
 /// Returns the height in mm for eyes at `distance_mm` from the display.

@@ -7,12 +7,12 @@ namespace {
 
 constexpr double kAlignmentTolerancePx = 0.01;
 
-/// Makes the cells exactly whole and aligned with the pixels if they are so up to rounding.
+/// Makes the cells exactly whole and aligned with the pixels if they are whole and aligned up to rounding.
 void snap_to_pixels(LensAxis<double>& axis, int size_px) {
   const double whole = std::round(axis.cell_px);
   if (size_px <= 0 || whole < 1.0) return;
   const double cells_before = std::round(axis.start_px / whole);  // number of cells between pixel 0 and cell 0
-  const double farthest_cell = 0.5 * size_px / whole + 1.0;       // in cells; cell 0 is at the panel's centre
+  const double farthest_cell = 0.5 * size_px / whole + 1.0;       // number of cells from cell 0, which is at the panel's centre
   const double misalignment = std::abs(axis.start_px - whole * cells_before) + farthest_cell * std::abs(axis.cell_px - whole);
   if (!(misalignment < kAlignmentTolerancePx)) return;
   axis.cell_px = whole, axis.start_px = 0.0;
@@ -40,11 +40,11 @@ LensAxis<double> make_lens_axis(const LensAxisSpec& spec) {
 
 LensRange lenses_near(const LensAxis<double>& axis, double x_mm, double z_mm, double reach_px, double s_low, double s_high) {
   LensRange range{cell_of(axis, s_low), cell_of(axis, s_high)};
-  // The image offset is a linear function of the lens position l: per_lens * l + at_zero.
+  // The image offset in pixels is a linear function of the lens position l: per_lens * l + at_zero.
   const double at_zero = image_offset_px(axis, 0.0, x_mm, z_mm);
   const double per_lens = (1.0 / z_mm - axis.vergence) / axis.slope_per_px;
   const double a = (-reach_px - at_zero) / per_lens, b = (reach_px - at_zero) / per_lens;
-  if (!std::isfinite(a) || !std::isfinite(b)) return range;  // for a point at the viewing distance: all lenses or none
+  if (!std::isfinite(a) || !std::isfinite(b)) return range;  // at the viewing distance, all lenses have the same image offset
   const double first = (std::min(a, b) - axis.lens0_mm) / axis.pitch_mm - 1.0;
   const double last = (std::max(a, b) - axis.lens0_mm) / axis.pitch_mm + 1.0;
   const double low = range.first, high = range.last;

@@ -1,13 +1,14 @@
-// One axis of a lens array: lenses in a row and the panel cells below them. Lenticular sheets have one axis, microlens arrays
-// have two.
+// One axis of a lens array: lenses in a row and the panel cells below them. A lenticular sheet has one axis. A microlens array
+// has two axes.
 //
-// The axis has a coordinate in mm, 0 at the panel's centre: x for columns of lenses, -y for rows (which count downwards, as
-// pixels do), xi for slanted sheets. It also has a panel coordinate s in pixels. If the axis is an axis of the panel, s is the
-// pixel coordinate itself, so that edges of pixels and cells agree exactly.
-//   lens k    is at l_k = lens0 + k pitch
-//   its cell  is centred at l_k + (l_k - eye) g / V and is pitch (1 + g/V) wide: it begins at the pixel start_px + k cell_px
-//   its rays  leave a point o pixels from the cell's centre with the slope -o m / g - (l_k - eye) / V per mm of z
-// V is the viewing distance, g the gap, m the pixel pitch.
+// An axis has a coordinate in mm, which is 0 at the panel's centre. The coordinate is x for columns of lenses, -y for rows
+// (rows count downwards), and xi for slanted sheets. An axis also has a panel coordinate s in pixels. For columns and rows, s
+// is the pixel coordinate, so that edges of pixels and cells agree exactly.
+//
+// With the viewing distance V, the gap g and the pixel pitch m:
+//   Lens k is at l_k = lens0 + k pitch.
+//   Its cell is centred at l_k + (l_k - eye) g / V. The cell is pitch (1 + g/V) wide and begins at pixel start_px + k cell_px.
+//   The ray of a point o pixels from the centre of the cell has the slope -o m / g - (l_k - eye) / V, in mm per mm of z.
 #pragma once
 
 #include <cmath>
@@ -16,15 +17,15 @@
 
 namespace lippmann {
 
-/// Constants of one axis. T is double for single points, float in loops over pixels.
+/// Constants of one axis. T is double for single points and float in loops over pixels.
 template <class T>
 struct LensAxis {
   T start_px, cell_px, cells_per_px;  ///< cell 0 begins at start_px
   T lens0_mm, pitch_mm;
-  T slope_per_px;  ///< m / g, scaled by the parallax
+  T slope_per_px;  ///< m / g times the parallax factor
   T vergence;      ///< 1 / V, per mm; 0 for an infinite viewing distance
-  T eye_mm;        ///< position of the viewer to whom the cells converge
-  /// Pixels per lens if that number is whole and a cell begins at pixel 0; otherwise 0.
+  T eye_mm;        ///< position of the eye at which the cells converge
+  /// Pixels per lens if this number is whole and a cell begins at pixel 0; otherwise 0.
   int whole_pixels;
 
   template <class U>
@@ -36,17 +37,18 @@ struct LensAxis {
 
 struct LensAxisSpec {
   double pitch_mm, offset_mm, gap_mm, viewing_distance_mm, eye_mm, pixel_pitch_mm;
-  double centre_px;  ///< panel coordinate of the panel's centre
-  int size_px;       ///< size of the panel along the axis; 0 if the axis is not an axis of the panel
+  double centre_px;  ///< coordinate s of the panel's centre
+  int size_px;       ///< size of the panel along the axis; 0: cells are not aligned with pixels
   double parallax = 1.0;
 };
 
-/// Makes an axis. Float parameters are precise to about 1/100 pixel over the whole panel. Cells that are whole and aligned
-/// within that precision become exactly so, with cell 0 at pixel 0. Then all rays of one directional view are exactly parallel.
-/// Otherwise lens 0 is the lens nearest to the centre.
+/// Returns the constants of an axis. If all cells are a whole number of pixels wide and aligned with the pixels, within 1/100
+/// pixel (the precision of float parameters), they become exactly whole and aligned, and cell 0 begins at pixel 0. Then all
+/// pixels of a directional view have exactly the same offset in their cells. Otherwise lens 0 is the lens nearest to the
+/// centre.
 LensAxis<double> make_lens_axis(const LensAxisSpec& spec);
 
-/// The line from a panel point through the lens above it.
+/// The line from a panel point through the centre of its lens.
 template <class T>
 struct LensRay {
   T lens_mm;  ///< position of the lens in the plane z = 0
@@ -58,7 +60,7 @@ LIPPMANN_INLINE LensRay<T> lens_ray(const LensAxis<T>& axis, T s_px) {
   const T t = s_px - axis.start_px;
   T k = std::floor(t * axis.cells_per_px);
   T in_cell = t - k * axis.cell_px;
-  // The product above may be rounded across a cell boundary. t - k cell is exact for whole cells and is used to correct k.
+  // Rounding may have moved k across a cell boundary. in_cell is exact for whole cells, so that it can correct k.
   const bool before = in_cell < T(0), after = in_cell >= axis.cell_px;
   k = before ? k - T(1) : k, in_cell = before ? in_cell + axis.cell_px : in_cell;
   k = after ? k + T(1) : k, in_cell = after ? in_cell - axis.cell_px : in_cell;
@@ -68,7 +70,7 @@ LIPPMANN_INLINE LensRay<T> lens_ray(const LensAxis<T>& axis, T s_px) {
 
 // ---- Inverse, in double precision -----------------------------------------------------------------------------------------
 
-/// The lenses first ... last; none if last < first.
+/// The lenses first ... last. The range is empty if last < first.
 struct LensRange {
   int first, last;
 };
@@ -89,12 +91,12 @@ inline double image_offset_px(const LensAxis<double>& axis, double lens_mm, doub
   return -((x_mm - lens_mm) / z_mm + (lens_mm - axis.eye_mm) * axis.vergence) / axis.slope_per_px;
 }
 
-/// Returns the lenses behind which the point's image may lie within `reach_px` of the centre of the cell. Includes a margin of
-/// one lens for rounding, and only cells in the panel's range s_low ... s_high.
+/// Returns the lenses that may image the point to within `reach_px` of the centre of their cell. Includes one more lens at each
+/// end for rounding. Excludes cells outside the panel, whose coordinate s runs from s_low to s_high.
 LensRange lenses_near(const LensAxis<double>& axis, double x_mm, double z_mm, double reach_px, double s_low, double s_high);
 
-/// Returns whether a point counts as lying in the lens plane. It does if a step of 1e-5 of a lens to the side would move its
-/// image over the whole cell, because floats do not resolve such steps.
+/// Returns whether a point counts as lying in the lens plane. This is so if a movement by 2e-5 lens pitches would move its
+/// image across the whole cell, because floats do not resolve such small movements.
 inline bool in_lens_plane(const LensAxis<double>& axis, double z_mm) {
   return std::abs(z_mm) * axis.slope_per_px * axis.cell_px <= 2e-5 * axis.pitch_mm;
 }

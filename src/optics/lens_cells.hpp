@@ -1,8 +1,8 @@
-// Maps the ray of a film pixel to its lens and to the pixel's position below that lens, for slanted panels and for lens arrays
-// of any pitch, packing and slant.
+// Maps the ray of a film pixel to its lens and to the position of the pixel below the lens. Works for slanted panels and for
+// lens arrays of any pitch, packing and slant.
 //
-// For a ray x(z) = l + s z, `place` is l in mm, and k = l / V + s, which is equal for all pixels at the same position below
-// their lenses (optics/view_place.hpp).
+// A ray is the line x(z) = l + s z. `place` is l, the point in the plane z = 0, in mm. k is l / V + s with the viewing distance
+// V. All pixels at the same position below their lenses have the same k (optics/view_place.hpp).
 #pragma once
 
 #include <optional>
@@ -15,27 +15,27 @@ namespace lippmann {
 struct LensCells {
   enum class Rows { kOfFilm, kSquare, kHexagonal };
 
-  Rows rows = Rows::kOfFilm;  ///< kOfFilm: for cylindrical lenses; each row of the film is a row of lenses
+  Rows rows = Rows::kOfFilm;  ///< kOfFilm: for cylindrical lenses, where each row of the film counts as a row of lenses
   Vec2d lenses_per_mm{0.0};   ///< the column of a lens is dot(place, lenses_per_mm) - first_lens
   double first_lens = 0.0;
-  double rows_per_mm = 0.0, first_row_mm = 0.0;  ///< rows of lenses; first_row_mm is the y of row 0, rows count downwards
+  double rows_per_mm = 0.0, first_row_mm = 0.0;  ///< number of lens rows per mm down, and y of row 0
   Vec2d cell_px{1.0};                            ///< size of a cell in film pixels, along a row and down
   Vec2d px_per_k{0.0};
-  /// For slanted panels, whose rays start at their pixels instead of their lenses: full cone angle, parallax, and -1 if the
-  /// phase decreases to the right, else 1.
+  /// For slanted panels: full angle of the view cone, parallax factor, and sign (-1 if SlantedPanel::inverted, otherwise 1).
+  /// For other optics, cone is 0.
   double cone = 0.0, parallax = 1.0, sign = 1.0;
 
   struct Cell {
     Vec2i lens{0};  ///< column and row of the lens
-    /// Position relative to the cell's corner, in film pixels; the pixels below a lens are 1 apart.
+    /// Position of the pixel relative to the corner of the cell, in film pixels.
     Vec2d in_cell{0.0};
-    double in_lens = 0.0;  ///< distance of `place` to the right of the lens's centre, in lens widths
+    double in_lens = 0.0;  ///< for slanted panels: position of the pixel below its lens, from 0 at the left to 1 at the right
   };
-  /// Returns the cell of a ray. `row`: the film row of the ray's pixel.
+  /// Returns the cell of a ray. `row` is the film row of the ray's pixel.
   Cell cell_of(Vec2d place, Vec2d k, int row) const;
 };
 
-/// Returns the mapping; none for optics without lenses. `optics` must pass validate().
+/// Returns the mapping, or nothing for optics without lenses. `optics` must pass validate().
 std::optional<LensCells> lens_cells(const Optics& optics);
 
 }  // namespace lippmann

@@ -1,11 +1,11 @@
 // Computes the geometry of lens arrays from the user's parameters.
 //
-// Lenses are 1 mm wide on the panel; only proportions matter, because the panel is scaled to the fitted plane. For a cell width
-// c = pixels x pitch and a viewing zone of full angle a, the gap is g = c / (2 tan(a/2)). Cells that converge to a viewer at
-// distance V have lenses of pitch p = c / (1 + g/V).
+// Cells are 1 mm wide. Only proportions matter, because the panel is later scaled to the fitted plane. For a cell width c and a
+// viewing zone of full angle a, the gap is g = c / (2 tan(a/2)). If cells converge to a viewer at distance V, the lens pitch is
+// p = c / (1 + g/V).
 //
-// The width is the number of lenses across times the number of pixels below a lens. If all three are given, they must agree to
-// within one pixel. The default is 64 lenses of 8 pixels.
+// The width of the panel in pixels is the number of lenses across times the number of pixels below a lens. If the user gives
+// all three numbers, they must agree to within one pixel. The default is 64 lenses of 8 pixels.
 #pragma once
 
 #include "optics/optics_params.hpp"
@@ -14,19 +14,19 @@ namespace lippmann {
 
 inline constexpr int kDefaultLenses = 64;
 
-/// Returns the number of whole pixels that `lenses` cells of `pixels` pixels cover: at least 1, clamped to the range of int.
+/// Returns lenses * pixels as a whole number, at least 1 and clamped to the range of int.
 int covered_pixels(int lenses, float pixels);
 
-/// Throws a usage Error unless `lenses` x `pixels` differs from `size` by less than one pixel. `direction` ("across" or "down")
-/// is for the message.
+/// Throws a usage Error unless `lenses` x `pixels` differs from `size` by less than one pixel. The message contains `direction`
+/// ("across" or "down").
 void require_agreement(int size, int lenses, float pixels, const char* direction);
 
-/// Returns the number of pixels below a lens along a row: from the parameters, or the size divided by the number of lenses, or
-/// the default.
+/// Returns the number of pixels below a lens along a row: the given number, or the panel's width divided by the number of
+/// lenses, or the default.
 float lens_pixels_across(const OpticsParams& params);
 
-/// Returns the centre of the cell nearest to the panel's middle, relative to that middle, if a cell begins at the panel's edge
-/// and the panel is `extent` wide.
+/// Returns the centre of a cell near the middle of the panel, relative to the middle. Cells are `cell` wide and begin at the
+/// edge of the panel, which is `extent` wide.
 float cell_center_nearest_middle(float extent, float cell);
 
 struct LensGeometry {

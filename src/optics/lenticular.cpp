@@ -17,7 +17,7 @@ LenticularConstants<double> make_lenticular(const Panel& panel, const Lenticular
   c.eye_y_mm = sheet.eye_height_mm;
   c.row_vergence = 1.0 / (distance + gap);
   c.z_front_mm = z_front_mm;
-  // The row's y at z_front is y + (z_front + g) dy/dz. It is arranged so that all rows meet exactly at the eye's height if
+  // The y of a row at z_front is y + (z_front + g) dy/dz, rearranged so that all rows meet exactly at the eye's height if
   // z_front = V.
   c.row_scale = std::isinf(distance) ? 1.0 : (distance - z_front_mm) * c.row_vergence;
   c.row_shift_mm = c.eye_y_mm * (z_front_mm + gap) * c.row_vergence;
@@ -40,7 +40,7 @@ void write_block(const LenticularRays& c, const RayFrame& frame, const float* px
 
 namespace {
 
-/// Appends the centres of all pixels of one panel row that lie below the lens that covers xi_mm.
+/// Appends the centres of all pixels in the panel row at `py` that lie below the lens at xi_mm.
 void append_row_of_cell(const LenticularConstants<double>& c, int width, double xi_mm, double py, std::vector<Vec2f>& pixels) {
   const double row = std::floor(py) + 0.5;
   const double lens = lens_at(c.axis, xi_mm);
@@ -57,7 +57,7 @@ void append_row_of_cell(const LenticularConstants<double>& c, int width, double 
 void pixels_seeing(const Panel& panel, const LenticularSheet& sheet, Vec3f point_mm, std::vector<Vec2f>& pixels) {
   const LenticularConstants<double> c = make_lenticular(panel, sheet, 0.0);
   const double x = point_mm.x, y = point_mm.y, z = point_mm.z, xi = x * c.cosine + y * c.sine;
-  // Solve y_panel + (z + g) (y_e - y_panel) / (V + g) = y for the panel row's y_panel.
+  // Solves y_panel + (z + g) (y_e - y_panel) / (V + g) = y for y_panel, the y of the panel row that sees the point.
   const double toward_eye = (z + c.gap_mm) * c.row_vergence;
   const double py = c.half_height_px - (y - c.eye_y_mm * toward_eye) / (1.0 - toward_eye) / c.pixel_pitch_mm;
   if (!(py >= 0.0 && py < panel.height)) return;
@@ -113,7 +113,7 @@ OpticsFacts facts_of(const Panel& panel, const LenticularSheet& sheet) {
       {pitch, 0.0, sheet.gap_mm, sheet.viewing_distance_mm, sheet.eye_height_mm, pitch * spread, cosine, sheet.lens_pitch_mm},
       whole > 0 ? Vec2i(whole, 1) : Vec2i(0));
   const double viewer = sheet.viewing_distance_mm;
-  const double to_plane = std::isfinite(viewer) ? viewer / (viewer + sheet.gap_mm) : 1.0;  // rows meet at the viewer's height
+  const double to_plane = std::isfinite(viewer) ? viewer / (viewer + sheet.gap_mm) : 1.0;  // because rows converge
   facts.samples = {pitch, panel.pixel_pitch_mm * to_plane};
   facts.crosstalk_pitch = {cosine, 0.0};
   return facts;
@@ -141,7 +141,7 @@ std::optional<ViewCameras> cameras_of(const Panel& panel, const LenticularSheet&
   const int n = make_lenticular(panel, sheet, 0.0).axis.whole_pixels;
   const double v = sheet.viewing_distance_mm, g = sheet.gap_mm, m = panel.pixel_pitch_mm;
   if (n < 1 || !std::isfinite(v)) return std::nullopt;
-  // Rays are relative to the middle of the panel. The eye height shifts them in the plane of the lenses.
+  // The eye height shifts the rows in the plane of the lenses, because they converge to the eye.
   const Vec2d centre(0.5 * panel.width / n, 0.5 * panel.height + g * sheet.eye_height_mm / (v * m));
   return ViewCameras{
       v, {sheet.lens_pitch_mm, m * v / (v + g)}, centre, lens_eyes({n, 1}, sheet.parallax * m * v / g, sheet.eye_height_mm)};
@@ -165,7 +165,7 @@ void set_lenses(LenticularSheet& sheet, float pitch_mm, float gap_mm, Vec2f offs
 
 namespace {
 
-/// Returns the panel size. The lenses have no ends along the sheet, so the number of lenses down only sets the height of the
+/// Returns the panel size. Cylindrical lenses have no rows, so that the number of lenses down only determines the height of the
 /// panel.
 PanelSize lenticular_size(const OpticsParams& params, Vec2i) {
   const float pixels = lens_pixels_across(params);
@@ -181,7 +181,7 @@ OpticsModel sheet_of_params(const ModelSetup& setup) {
   const Panel& panel = setup.panel;
   LenticularSheet sheet;
   sheet.slant = radians(setup.params.slant_deg);
-  const float cell =  // `lens_pixels` counts pixels along a row
+  const float cell =  // the cosine is needed because `lens_pixels` counts pixels along a row
       setup.size.lens_pixels * panel.pixel_pitch_mm * std::cos(sheet.slant);
   const LensGeometry lens = lens_geometry(cell, setup.params, setup.viewing_distance_mm);
   const float width = static_cast<float>(panel.width) * panel.pixel_pitch_mm * std::cos(sheet.slant);

@@ -1,8 +1,10 @@
-// Rays of a lenticular sheet: across the lenses through the lens centre, along them towards the height of the eye.
+// Computes the rays of a lenticular sheet. Across the lenses, a ray passes through the centre of its lens. Vertically, it
+// points towards the height of the eye.
 //
-// The viewer moves sideways at the height y_e and the distance V (eye_height_mm and viewing_distance_mm in optics.hpp), so rows
-// converge in y for any slant a: dy/dz = (y_e - y) / (V + g). The lens determines the slope of xi = x cos a + y sin a, and
-// dx/dz = (slope of xi - dy/dz sin a) / cos a. The cells converge to the viewer at x = 0, that is at xi_e = y_e sin a.
+// 1. The viewer moves sideways at the height y_e and the distance V (eye_height_mm and viewing_distance_mm in optics.hpp).
+//    Therefore rows converge in y for any slant a: dy/dz = (y_e - y) / (V + g).
+// 2. The lens determines the slope of xi = x cos a + y sin a. It follows that dx/dz = (slope of xi - dy/dz sin a) / cos a.
+// 3. The cells converge to the viewer at x = 0, that is, at xi_e = y_e sin a.
 #pragma once
 
 #include <vector>
@@ -14,7 +16,7 @@
 
 namespace lippmann {
 
-/// Per-frame constants of a sheet's rays; double for single points, float for loops.
+/// Per-frame constants of a sheet's rays. T is double for single points and float in loops over pixels.
 template <class T>
 struct LenticularConstants {
   LensAxis<T> axis;  ///< the axis across the lenses, along xi

@@ -25,8 +25,8 @@ MicrolensConstants<double> make_microlens(const Panel& panel, const MicrolensArr
   rows.pitch_mm = row_pitch, rows.offset_mm = -array.offset_mm.y;
   rows.centre_px = 0.5 * panel.height;
   rows.size_px = hexagonal ? 0 : panel.height;
-  // make_lens_axis() renumbers rows so that the row nearest to the centre becomes row 0. If that was an odd row, its shift is
-  // added to the offset. offset.
+  // make_lens_axis() renumbers rows so that the row nearest to the centre becomes row 0. If it was an odd row, its shift by
+  // half a pitch is added to the offset.
   const double renamed_rows = std::round(rows.offset_mm / row_pitch);
   if (hexagonal && std::fmod(renamed_rows, 2.0) != 0.0) columns.offset_mm += 0.5 * pitch;
   return {make_lens_axis(columns), make_lens_axis(rows), z_front_mm};
@@ -51,8 +51,8 @@ struct Search {
   double width, height;
   std::vector<Vec2f>& pixels;
 
-  /// Returns the panel point that lies `dx`, `dy` pixels from the centre of the cell at a column and a row. In hexagonal
-  /// packing, the column may be k + 1/2.
+  /// Returns the panel point at (dx, dy) pixels from the centre of the cell (column, row). In hexagonal packing, the column may
+  /// be k + 1/2.
   Vec2d panel_point(double column, double row, double dx = 0.0, double dy = 0.0) const {
     return {c.columns.start_px + (column + 0.5) * c.columns.cell_px + dx, c.rows.start_px + (row + 0.5) * c.rows.cell_px + dy};
   }
@@ -67,7 +67,7 @@ struct Search {
     if (p.x >= 0.0 && p.x < width && p.y >= 0.0 && p.y < height) pixels.emplace_back(p);
   }
 
-  /// Appends the centres of all pixels within `reach` of p for which belongs(x, y) is true, row by row.
+  /// Appends the centres (x, y) of all pixels within `reach` of p for which belongs(x, y) is true, row by row.
   template <class Belongs>
   void append_centres(Vec2d p, Vec2d reach, const Belongs& belongs) const {
     const auto bound = [](double at, double size) { return static_cast<int>(std::clamp(at, 0.0, size)); };
@@ -111,8 +111,8 @@ void append_hexagonal_cell(const Search& s, double x, double down) {
   s.append_centres(s.panel_point(lens.column, lens.row), {0.5 * s.c.columns.cell_px, s.c.rows.cell_px}, belongs);
 }
 
-/// Finds the cells that contain the image of the point. A hexagon extends half a column step sideways and 2/3 of a row step up
-/// and down.
+/// Appends the images of the point in all cells that contain their image. A hexagonal cell extends half a column step to each
+/// side and 2/3 of a row step up and down.
 void append_hexagonal(const Search& s, double x, double down, double z) {
   const double step_x = s.c.columns.cell_px, step_y = s.c.rows.cell_px;
   const LensRange columns = lenses_near(s.c.columns, x, z, 0.5 * step_x, -step_x, s.width + step_x);
@@ -178,7 +178,7 @@ double row_pitch_mm(const MicrolensArray& array) {
   return array.lens_pitch_mm * (array.packing == LensPacking::kHexagonal ? std::sqrt(0.75) : 1.0);
 }
 
-/// Returns the width of a cell on the panel.
+/// Returns the width of a cell on the panel: the lens pitch, magnified from the viewing distance.
 double cell_mm(const MicrolensArray& array) {
   return array.lens_pitch_mm * (1.0 + array.gap_mm / static_cast<double>(array.viewing_distance_mm));
 }
@@ -216,7 +216,7 @@ StepRule step_rule(const Panel& panel, const MicrolensArray& array, StepsWithin 
     rule.bounds = hexagonal ? StepRule::Bounds::kHexagon : StepRule::Bounds::kSquareLens;
   } else {
     rule.across.x = c.columns.cell_px;
-    // In a hexagonal array, only every second row has lenses in the same columns.
+    // In a hexagonal array, the lens straight below a lens is two rows down.
     rule.down.y = c.rows.cell_px * (hexagonal ? 2.0f : 1.0f);
   }
   return rule;
@@ -248,7 +248,7 @@ void set_lenses(MicrolensArray& array, float pitch_mm, float gap_mm, Vec2f offse
 
 namespace {
 
-/// Returns the panel size. Microlenses are round, so there are as many pixels down as across below each.
+/// Returns the panel size. Microlenses are round, so that a lens has as many pixels down as across.
 PanelSize microlens_size(const OpticsParams& params, Vec2i) {
   constexpr float kHexagonalRow = 0.8660254f;  // row pitch divided by lens pitch
   const float pixels = lens_pixels_across(params);

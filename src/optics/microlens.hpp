@@ -1,8 +1,9 @@
-// Rays of a microlens array: straight through the centre of the lenslet whose cell contains the pixel, in both directions.
+// Computes the rays of a microlens array. A ray runs straight from a pixel through the centre of the lenslet whose cell
+// contains the pixel.
 //
-// Columns and rows of lenses count as pixels do: columns to the right along x, rows downwards along -y. Thus the half-open
-// square [i, i + 1) x [j, j + 1) of a pixel and a cell treat edges in the same way. Hexagonal packing: rows are lens_pitch
-// sqrt(3)/2 apart, odd rows are shifted right by half a pitch, and a panel point belongs to the nearest cell centre.
+// Columns and rows of lenses count as pixels do: columns to the right along x, rows downwards along -y. Pixels and cells are
+// both half-open: pixel (i, j) is [i, i + 1) x [j, j + 1). In hexagonal packing, rows are lens_pitch sqrt(3)/2 apart, odd rows
+// are shifted right by half a pitch, and a panel point belongs to the nearest cell centre.
 #pragma once
 
 #include <variant>
@@ -17,7 +18,7 @@ namespace lippmann {
 
 template <class T>
 struct MicrolensConstants {
-  /// The mm coordinate of `rows` is -y. For hexagonal packing, `columns` holds the cells of even rows.
+  /// The mm coordinate of `rows` is -y. In hexagonal packing, `columns` describes the cells of even rows.
   LensAxis<T> columns, rows;
   T z_front_mm;
 
@@ -27,7 +28,7 @@ struct MicrolensConstants {
   }
 };
 
-/// Separate types for the two packings, so that the compiler makes a loop for each.
+/// Separate types for the two packings, so that each packing has its own loop.
 struct SquareMicrolensRays : MicrolensConstants<float> {};
 struct HexagonalMicrolensRays : MicrolensConstants<float> {};
 
@@ -38,17 +39,17 @@ LIPPMANN_INLINE Crossing crossing(const SquareMicrolensRays& c, float px, float 
   return {across.lens_mm + c.z_front_mm * across.slope, -(down.lens_mm + c.z_front_mm * down.slope), across.slope, -down.slope};
 }
 
-/// A position in a hexagonal lattice: row and column of a lattice point (columns are shifted by half a step in odd rows), and
-/// the offset from that point in column steps and row steps.
+/// A position in a hexagonal lattice: the row and column of a lattice point, and the offset of the position from the lattice
+/// point, in column steps and row steps.
 template <class T>
 struct HexagonalCell {
   T row, column;  ///< in odd rows, column is k + 1/2
   T from_column, from_row;
 };
 
-/// Returns the nearest lattice point. u: column steps from the centre of lens (0, 0); v: row steps. Only the rows just above
-/// and below need checking, because every point is within 1/sqrt(3) column steps of a lens, and rows are sqrt(3)/2 column steps
-/// apart.
+/// Returns the nearest lattice point. u and v are column steps and row steps from the centre of lens (0, 0). Only the next row
+/// above and the next row below the position are checked, because every position is within 1/sqrt(3) column steps of a lens,
+/// and rows are sqrt(3)/2 column steps apart.
 template <class T>
 LIPPMANN_INLINE HexagonalCell<T> nearest_hexagon(T u, T v) {
   const T upper = std::floor(v), parity = upper - T(2) * std::floor(upper * T(0.5));

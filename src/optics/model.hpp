@@ -1,7 +1,6 @@
-// The interface that models of optics implement. Every model has one header, which declares functions that take the model:
-// lenticular.hpp, microlens.hpp, multi_view.hpp, single_view.hpp, slanted_panel.hpp, ray_table.hpp, plenoptic.hpp. models.hpp
-// lists the models, and the compiler checks that each has all functions. The public functions (lippmann/optics/*.hpp) use only
-// this interface.
+// The interface that models of optics implement. The header of a model, such as lenticular.hpp, declares overloads of these
+// functions for the model. models.hpp lists all models; the compiler checks that each model has all functions. The public
+// functions (lippmann/optics/*.hpp) use only this interface.
 #pragma once
 
 #include <algorithm>
@@ -29,42 +28,41 @@ struct SampleGrid {
   double across_mm = 1.0, down_mm = 1.0;
 };
 
-/// The properties of a model that do not depend on a pixel or point. They are computed once; other properties follow from
-/// these.
+/// The properties of a model that do not depend on a pixel or point.
 struct OpticsFacts {
   std::optional<LensArray> lenses = {};
   std::optional<ViewTiles> tiles = {};
   std::optional<SensorLenses> sensor_lenses = {};
   Vec2i whole_pixels_per_lens{0};  ///< see whole_pixels_per_lens()
-  Vec2f window_size_mm{0.0f};      ///< size of the window of the panel, or of one view
-  Window window = {};              ///< the window as seen by the viewer
+  Vec2f window_size_mm{0.0f};      ///< see window_size_mm()
+  Window window = {};              ///< see display_window()
   float viewing_distance_mm = kInfinity;
-  float eye_height_mm = 0.0f;  ///< height of the viewer above the middle of the array
+  float eye_height_mm = 0.0f;  ///< height of the viewer above the middle of the display
   float viewing_zone = 0.0f;
   float depth_budget_mm = kInfinity;
   Parallax parallax = {false, false};
   Vec2i view_counts{1, 1};
-  SampleGrid samples = {};  ///< samples of a view; for a slanted panel, its whole pixels
+  SampleGrid samples = {};  ///< spacing of the samples of a view; for a slanted panel, spacing of its pixels
   /// Distance between the samples of a view along a row if each sample is a lens; otherwise 0.
   double lens_step_mm = 0.0;
   bool single_view = false;          ///< see is_single_view()
-  bool views_by_angle = false;       ///< the eyes of the views are at equal angles, not at equal distances in their plane
-  bool repeats_beyond_zone = false;  ///< eyes beyond the zone see pixels of neighbouring lenses
-  /// Shift of a lens from each row to the next, to the right, in film columns. Only for slanted lenses without whole pixels on
-  /// a film of sub-pixels.
+  bool views_by_angle = false;       ///< true: the eyes of the views are at equal angles; false: at equal distances
+  bool repeats_beyond_zone = false;  ///< whether eyes beyond the viewing zone see pixels of neighbouring lenses
+  /// Slanted panels only: shift of a lens to the right from one film row to the next, in film columns.
   std::optional<double> lens_columns_per_row = {};
-  /// Number of pixels (for quilts: views) along x and y per pixel step across the lenses; 0: no lens power along this axis.
+  /// Along x and y: the blur in pixels (for quilts: in views) is the sigma of the lens divided by this number. 0: the lenses
+  /// have no power along the axis. crosstalk_sigmas() uses this.
   Vec2d crosstalk_pitch{0.0};
 };
 
-/// Returns the width that one pixel covers through its lens at depth z: the larger of the lens pitch, in perspective from the
-/// viewing distance, and the magnified pixel.
+/// Returns the width that one pixel covers through its lens at depth z. The width is the larger of the lens pitch (scaled by
+/// perspective from the viewing distance) and the magnified pixel.
 inline float lens_footprint_mm(float pitch_mm, float gap_mm, float viewing_distance_mm, float pixel_pitch_mm, float z_mm) {
   return std::max(pitch_mm * std::abs(1.0f - z_mm / viewing_distance_mm), std::abs(z_mm) * pixel_pitch_mm / gap_mm);
 }
 
-/// Returns the z where rays of lens arrays start: `chosen_mm` if it is finite, otherwise the viewing distance if that is
-/// finite, otherwise well in front of the panel.
+/// Returns the z where rays of lens arrays start: `chosen_mm` if it is finite, otherwise the viewing distance if it is finite,
+/// otherwise 4 panel diagonals.
 float front_of_lenses_mm(const Panel& panel, float viewing_distance_mm, float chosen_mm);
 
 /// Returns the viewing zone of a lens array, as a full angle.
@@ -73,36 +71,38 @@ float lens_zone(float pitch_mm, float gap_mm, float viewing_distance_mm);
 /// Returns the facts common to all lens arrays.
 OpticsFacts facts_of_lenses(const Panel& panel, const LensArray& lenses, Vec2i whole_pixels_per_lens);
 
-/// Returns the facts common to all panels without lenses in front of the display plane: their window of square pixels, and the
-/// samples of a view in it.
+/// Returns the facts common to all optics whose window consists of the panel's pixels in the plane z = 0: the window and the
+/// samples of a view.
 OpticsFacts facts_of_window(const Panel& panel, float viewing_distance_mm);
 
 /// Rounds a number of samples to a whole number: at least one, at most the maximum side of a panel.
 int rounded_count(double samples);
 inline int rounded_up_count(double samples) { return rounded_count(std::ceil(samples - 0.01)); }
 
-/// Returns the eyes of the n.x times n.y pixels below a lens, which are eye_step_mm apart, starting at the lower left eye.
+/// Returns the eyes of the n.x times n.y pixels below a lens, starting at the lower left eye. Neighbouring eyes are eye_step_mm
+/// apart.
 std::vector<Vec2d> lens_eyes(Vec2i n, double eye_step_mm, double eye_height_mm);
 
 enum class StepsWithin {
-  kView,  ///< steps within the same directional view
-  kLens,  ///< steps below the same lens
+  kView,  ///< steps lead to pixels of the same directional view
+  kLens,  ///< steps lead to pixels below the same lens
 };
 
-/// The steps from a pixel to its neighbours in the same picture, and the bounds of that picture.
+/// The steps from a pixel to its neighbours in the same picture, and the bounds of the picture. A picture is a directional view
+/// or the pixels below one lens (StepsWithin).
 struct StepRule {
   enum class Bounds { kPanel, kTile, kSheetLens, kSquareLens, kHexagon };
 
-  Vec2f across{1.0f, 0.0f}, down{0.0f, 1.0f};  ///< in film pixels
+  Vec2f across{1.0f, 0.0f}, down{0.0f, 1.0f};  ///< steps to the right and down, in film pixels
   Bounds bounds = Bounds::kPanel;
   LensAxis<float> columns{}, rows{};                        ///< axes of the cells; a sheet has only `columns`, along xi
-  float cosine = 1.0f, sine = 0.0f, inverse_cosine = 1.0f;  ///< of a sheet's slant: cosine, sine and 1 / cosine
-  Vec2i tile{1, 1}, last_tile{0, 0};                        ///< for quilts: size of a tile, and column and row of the last tile
-  int padding_top = 0;
+  float cosine = 1.0f, sine = 0.0f, inverse_cosine = 1.0f;  ///< cosine, sine and 1 / cosine of a sheet's slant
+  Vec2i tile{1, 1}, last_tile{0, 0};                        ///< quilts: size of a tile, and (column, row) of the last tile
+  int padding_top = 0;                                      ///< quilts: number of unused rows at the top
 };
 
-/// The functions that every model must have. `panel` and `model` must pass check_model(), except for kind_of, sub_pixels_of and
-/// check_model itself.
+/// The functions that every model must have. `panel` and `model` must pass check_model(), except in calls of kind_of(),
+/// sub_pixels_of() and check_model().
 template <class Model>
 concept CompleteModel = requires(const Panel& panel, const Model& model, Model& read, nlohmann::ordered_json& json,
                                  const JsonFields& members, float mm, Vec2d share, StepsWithin within) {
@@ -112,25 +112,25 @@ concept CompleteModel = requires(const Panel& panel, const Model& model, Model& 
   { sub_pixels_of(model) } -> std::convertible_to<int>;
   /// Throws Error naming an invalid field.
   check_model(panel, model);
-  /// Write the model to JSON and read it, without the panel and the depths. Reading throws Error through `members`.
+  /// Write the members of the model to JSON and read them. Reading throws Error through `members`.
   write_model(model, json);
   read_model(members, read);
-  /// Returns all other properties that do not depend on a pixel.
+  /// Returns the properties that do not depend on a pixel or point.
   { facts_of(panel, model) } -> std::same_as<OpticsFacts>;
   /// Returns resolved_z_front_mm() for optics with z_front_mm = mm.
   { front_mm(panel, model, mm) } -> std::same_as<float>;
-  /// Returns the constants of the model's rays: one of AnyRays (models.hpp), or a variant of several of these.
+  /// Returns the constants of the model's rays: one of the types of AnyRays (models.hpp), or a variant of several of them.
   make_rays(panel, model, mm);
   /// Returns sample_footprint_mm() at z = mm.
   { footprint_mm(panel, model, mm) } -> std::same_as<Vec2f>;
-  /// Returns the slope, to the right and up, of the eye at `share` of the viewing zone, relative to the design viewer.
+  /// Returns the slope (right, up) of the eye at `share` of the viewing zone, relative to the design viewer.
   { zone_slope(panel, model, share) } -> std::same_as<Vec2d>;
   /// Returns the steps from a pixel to its neighbours.
   { step_rule(panel, model, within) } -> std::same_as<StepRule>;
 };
 
-/// Models with an inverse mapping: pixels_seeing(), and sight_of() for replay, which returns one of AnySight (models.hpp).
-/// Operations that need it throw an Error for other models.
+/// Models with an inverse mapping: pixels_seeing(), and sight_of() for replay. sight_of() returns one of the types of AnySight
+/// (models.hpp). Operations that need an inverse mapping throw Error for other models.
 template <class Model>
 concept HasInverse = requires(const Panel& panel, const Model& model, Vec3f point_mm, std::vector<Vec2f>& pixels) {
   pixels_seeing(panel, model, point_mm, pixels);
@@ -155,14 +155,14 @@ concept HasLensCells = requires(const Panel& panel, const Model& model) {
   { lens_cells_of(panel, model) } -> std::same_as<LensCells>;
 };
 
-/// Models whose lenses can be replaced by set_lenses(), with the arguments pitch across, gap and centre of lens 0. Afterwards
-/// they are viewed from infinity.
+/// Models whose lenses can be replaced by set_lenses(). Its arguments are the pitch across the lenses, the gap and the centre
+/// of lens 0. set_lenses() also sets the viewing distance to infinity.
 template <class Model>
 concept HasLenses = requires(Model& model, float mm, Vec2f offset_mm) {
   set_lenses(model, mm, mm, offset_mm);
 };
 
-/// Models that flags and job files can select. kind_info() describes the model and makes it from parameters
+/// Models that flags and job files can select. kind_info() describes how to make the model from parameters
 /// (optics/optics_kind.hpp).
 template <class Model>
 concept HasKindInfo = requires(const Model& model) {
@@ -172,8 +172,8 @@ concept HasKindInfo = requires(const Model& model) {
 /// Returns the properties of the optics' model.
 OpticsFacts optics_facts(const Optics& optics);
 
-/// Returns a model of the same kind with other lenses: `pitch_mm` apart across the lenses, viewed from infinity. Returns none
-/// if the model has no lenses. The caller must adapt the panel.
+/// Returns a model of the same kind with other lenses, viewed from infinity. `pitch_mm` is measured across the lenses. Returns
+/// nothing if the model has no lenses. The caller must adapt the panel.
 std::optional<OpticsModel> with_lenses(OpticsModel model, float pitch_mm, float gap_mm, Vec2f offset_mm);
 
 /// Throws a usage Error for optics without an inverse mapping.

@@ -1,5 +1,5 @@
-// Lists all models of optics. To add a model, include it here and add its rays and its sight to the variants below; the
-// compiler then checks its interface.
+// Lists all models of optics. To add a model, include its header here and add its rays and its sight to the variants below. The
+// compiler then checks that the model has all functions of model.hpp.
 #pragma once
 
 #include <utility>
@@ -37,7 +37,7 @@ inline constexpr bool kAllComplete<std::variant<Models...>> = (CompleteModel<Mod
 
 static_assert(detail::kAllComplete<OpticsModel>);
 
-/// Returns the sight of the optics. Throws a usage Error for optics without an inverse mapping.
+/// Returns the sight of the optics' model. Throws a usage Error for optics without an inverse mapping.
 AnySight make_sight(const Optics& optics);
 
 }  // namespace lippmann

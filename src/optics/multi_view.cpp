@@ -9,7 +9,7 @@
 namespace lippmann {
 namespace {
 
-/// Angle of the first eye and step between eyes, as seen from the centre of the panel.
+/// Angle of the first eye, and angle between neighbouring eyes, as seen from the centre of the panel.
 struct EyeAngles {
   double first, step;
 };
@@ -118,7 +118,8 @@ namespace {
 
 bool is_grid(const MultiView& views) { return views.baseline_mm > 0.0f; }
 
-/// Returns the viewing zone as an angle. For a camera grid with n eyes along its longer side, the zone is n baselines wide.
+/// Returns the angle of the viewing zone. For a camera grid with n eyes along its longer side, the zone is n baselines wide at
+/// the distance of the eyes.
 float views_zone(const MultiView& views) {
   if (!is_grid(views)) return views.view_cone;
   const auto eyes = static_cast<float>(std::max(views.columns, views.rows));
@@ -190,7 +191,7 @@ std::optional<ViewCameras> cameras_of(const Panel& panel, const MultiView& views
 
 namespace {
 
-/// Returns the panel size; by default 8x6 views of 256x256 pixels.
+/// Returns the panel size. The default is 8x6 views of 256x256 pixels.
 PanelSize quilt_size(const OpticsParams& params, Vec2i) {
   constexpr int kDefaultTile = 256;
   const Extent<int> views = params.views.x > 0 ? params.views : Extent<int>{8, 6}, size = params.size;
@@ -202,8 +203,8 @@ PanelSize quilt_size(const OpticsParams& params, Vec2i) {
   return {size.x, size.y, 0.0f, views};
 }
 
-/// Makes the model. For a camera grid, the viewing zone is divided among the N eyes of its longer side, which are 2 V tan(a/2)
-/// / N apart. If the ends are included, the zone is divided into N - 1 steps.
+/// Returns the model. In a camera grid with N eyes along its longer side, eyes are 2 V tan(a/2) / N apart, with the viewing
+/// distance V and the angle a of the viewing zone. If the ends are included, N - 1 replaces N.
 OpticsModel views_of_params(const ModelSetup& setup) {
   const Extent<int> views = setup.size.views;
   const float distance_mm = setup.viewing_distance_mm;

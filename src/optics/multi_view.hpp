@@ -1,10 +1,13 @@
-// Rays of a quilt: views side by side on one panel, each an off-axis (sheared) pinhole through the same rectangle of z = 0.
+// Computes the rays of a quilt: views side by side on one panel. Each view is an off-axis (sheared) pinhole through the same
+// rectangle of the plane z = 0.
 //
-// Tiles are floor(width / columns) x floor(height / rows) pixels, anchored at the bottom left. Remaining pixels at the top and
-// at the right are padding; their rays continue the adjacent view, and pixels_seeing() skips them. View v has column v mod
-// columns and row floor(v / columns) from the bottom. Its eye is at (distance tan(cone ((v + 1/2) / N - 1/2)), 0, distance), or
-// in a camera grid at (baseline (column - (columns - 1)/2), baseline (row - (rows - 1)/2), distance), with x and y scaled by
-// the parallax. The eye height is added to y afterwards.
+// 1. Tiles have floor(width / columns) x floor(height / rows) pixels and are anchored at the bottom left. Remaining pixels at
+// the
+//    top and at the right are padding. The rays of padding continue the adjacent view; pixels_seeing() skips padding.
+// 2. The tile of view v is in column v mod columns and row floor(v / columns), counted from the bottom.
+// 3. The eye of view v is at (distance tan(cone ((v + 1/2) / N - 1/2)), 0, distance). In a camera grid, it is at
+//    (baseline (column - (columns - 1)/2), baseline (row - (rows - 1)/2), distance).
+// 4. The eye's x and y are scaled by the parallax. Then the eye height is added to y.
 #pragma once
 
 #include <vector>
@@ -21,9 +24,9 @@ struct MultiViewRays {
   float padding_top_px;
   float pixel_pitch_mm, pixel_height_mm;
   float first_half_angle, half_angle_step;  ///< half the angle of view 0's eye, and half the angle between neighbouring views
-  Vec2f first_eye_mm;                       ///< camera grid: position of the lower left eye; cone: x is 0, y is the eye height
+  Vec2f first_eye_mm;                       ///< camera grid: position of the lower left eye; cone: (0, eye height)
   float baseline_mm;                        ///< camera grid: distance between eyes; otherwise 0
-  float eye_reach_mm;                       ///< an eye's x is this number times the tangent of its angle
+  float eye_reach_mm;                       ///< an eye's x divided by the tangent of its angle
   float distance_mm, inverse_distance;
   float front_from_eye_mm;  ///< z of the plane z_front relative to the eye: z_front - distance, <= 0
 };
@@ -36,8 +39,8 @@ EyeMm eye_of_view(const MultiView& views, int view);
 
 MultiViewRays make_multi_view(const Panel& panel, const MultiView& views, float z_front_mm);
 
-/// Returns the index of the tile that contains p: floor(p / size) for half-open tiles of `size` pixels, corrected for rounding
-/// at edges.
+/// Returns the index of the tile of `size` pixels that contains p: floor(p / size), corrected for rounding at edges and clamped
+/// to 0 ... count - 1.
 LIPPMANN_INLINE float tile_index(float p, float size, float per_px, float count) {
   float k = std::floor(p * per_px);
   const float in_tile = p - k * size;
@@ -47,9 +50,9 @@ LIPPMANN_INLINE float tile_index(float p, float size, float per_px, float count)
   return k > 0.0f ? k : 0.0f;
 }
 
-/// Returns tan(2 h) for |h| < pi/4, from Lambert's continued fraction of tan h up to the term h^2/9 (error 2e-8 at pi/4) and
-/// the double-angle formula. Unlike a table of eyes, this vectorises without gathers, and it gives the same bits on every
-/// machine.
+/// Returns tan(2 h) for |h| < pi/4. Computes tan h by Lambert's continued fraction up to the term h^2/9 (error 2e-8 at pi/4),
+/// then applies the double-angle formula. Unlike a table of eyes, this vectorises without gathers. Unlike std::tan(), it gives
+/// the same bits on every machine.
 LIPPMANN_INLINE float tangent_of_double(float h) {
   const float h2 = h * h;
   const float p = h * (945.0f + h2 * (h2 - 105.0f)), q = 945.0f + h2 * (15.0f * h2 - 420.0f);
@@ -63,7 +66,7 @@ LIPPMANN_INLINE Crossing crossing(const MultiViewRays& c, float px, float py) {
   const float x = (px - column * c.tile_width_px - 0.5f * c.tile_width_px) * c.pixel_pitch_mm;
   const float y = (0.5f * c.tile_height_px - (down - row * c.tile_height_px)) * c.pixel_height_mm;
   const float view = (c.rows - 1.0f - row) * c.columns + column;
-  // One of the two terms of eye_x is always 0; adding both avoids branches and gathers.
+  // One of the two terms of eye_x is always 0. Adding both avoids branches.
   const float on_cone = c.eye_reach_mm * tangent_of_double(c.first_half_angle + view * c.half_angle_step);
   const float eye_x = on_cone + (c.first_eye_mm.x + column * c.baseline_mm);
   const float eye_y = c.first_eye_mm.y + (c.rows - 1.0f - row) * c.baseline_mm;

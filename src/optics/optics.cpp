@@ -32,7 +32,7 @@ int rounded_count(double samples) { return static_cast<int>(std::clamp(std::roun
 
 OpticsFacts facts_of_lenses(const Panel& panel, const LensArray& lenses, Vec2i whole_pixels_per_lens) {
   const double m = panel.pixel_pitch_mm;
-  const double toward_viewer = lenses.gap_mm / (lenses.viewing_distance_mm + lenses.gap_mm);  // 0 for an infinite distance
+  const double toward_viewer = lenses.gap_mm / (lenses.viewing_distance_mm + lenses.gap_mm);  // 0 if the distance is infinite
   const auto gap = static_cast<float>(lenses.gap_mm), distance = static_cast<float>(lenses.viewing_distance_mm);
   const bool rows = lenses.row_pitch_mm > 0.0;
   OpticsFacts facts;

@@ -1,6 +1,6 @@
-// Optics as JSON, in the format of report.json.
+// Converts optics to and from JSON, in the format of report.json.
 //
-// Lengths are in millimetres of the display frame, null means infinite. Angles are in degrees.
+// Lengths are in millimetres of the display frame; null means infinity. Angles are in degrees.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -10,12 +10,12 @@
 
 namespace lippmann {
 
-/// Returns JSON for the display as built: a parallax other than 1 belongs to the picture and is not written. "width" and
-/// "pixel_pitch_mm" refer to the film, that is, for a slanted panel, to its sub-pixels. Also writes the derived values
-/// "viewing_zone_deg" and "depth_budget_mm".
+/// Returns JSON that describes the physical display. The parallax factor is not part of it. "width" and "pixel_pitch_mm" refer
+/// to the film; for a slanted panel, they refer to sub-pixels. The JSON includes the derived values "viewing_zone_deg" and
+/// "depth_budget_mm".
 nlohmann::ordered_json optics_json(const Optics& optics);
 
-/// Reads optics from untrusted JSON; the result passes validate(). Ignores derived values and unknown keys. "offset_mm",
+/// Returns optics from untrusted JSON. The result passes validate(). Derived values and unknown keys are ignored. "offset_mm",
 /// "eye_height_mm", "cone_ends_included", "pixel_height", "pixel_offset_px" and "z_front_mm" are optional. Throws Error naming
 /// `where` and the key.
 Optics optics_from_json(const nlohmann::ordered_json& json, const std::string& where);

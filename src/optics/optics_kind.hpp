@@ -1,5 +1,5 @@
-// Makes optics from user parameters, for the kinds that flags can select. Every model whose header declares kind_info()
-// (optics/model.hpp) is such a kind. Flags, job files, --help and messages use its OpticsKindInfo.
+// Describes the kinds of optics that flags and job files can select, and makes optics from parameters. A kind is a model whose
+// header declares kind_info() (optics/model.hpp).
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace lippmann {
 
-/// The size of a panel, as it follows from the parameters.
+/// The size of a panel, computed from the parameters.
 struct PanelSize {
   int width = 512, height = 512;  ///< size in pixels
   float lens_pixels = 0.0f;       ///< number of pixels across a lens, along a pixel row; 0: no lenses
@@ -24,22 +24,22 @@ struct ModelSetup {
   const OpticsParams& params;
   Panel panel;
   PanelSize size;
-  float viewing_distance_mm;  ///< finite for optics without lenses; of a camera: from it to the plane z = 0
+  float viewing_distance_mm;  ///< finite for optics without lenses; for a camera: its distance from the plane z = 0
   Vec2f pixel_offset{0.0f};   ///< pixel offset of the scene's camera
   /// Distance from the panel to a pinhole with the field of view of the scene's camera.
   float pinhole_mm = kInfinity;
-  float f_number = 0.0f;  ///< 0: not given
+  float f_number = 0.0f;  ///< f-number of a camera; 0: not given
 };
 
 struct OpticsKindInfo {
   std::string_view name;                       ///< the result of kind_of() for the model
   std::string_view help = {};                  ///< text that follows the name in --help; may be empty
-  std::array<std::string_view, 7> takes = {};  ///< the elements of kKindParams that have an effect on this kind
-  bool has_parallax = true;                    ///< the picture changes as the eye moves
-  bool is_camera = false;  ///< the panel is a sensor `sensor_width_mm` wide, behind a lens at the scene's camera
+  std::array<std::string_view, 7> takes = {};  ///< names of the elements of kKindParams that have an effect on this kind
+  bool has_parallax = true;                    ///< whether the picture changes as the eye moves
+  bool is_camera = false;  ///< whether the panel is a camera's sensor, with the main lens at the scene's camera
 
-  /// Returns the panel size. `scene_resolution`: the size that the scene's file requests; {0, 0}: none. Throws a usage Error
-  /// for contradictory parameters.
+  /// Returns the panel size. `scene_resolution` is the size that the scene's file requests, or {0, 0}. Throws a usage Error for
+  /// contradictory parameters.
   PanelSize (*panel_size)(const OpticsParams& params, Vec2i scene_resolution);
   OpticsModel (*make_model)(const ModelSetup& setup);
 
@@ -54,7 +54,7 @@ std::span<const OpticsKind> optics_kinds();
 /// Throws a usage Error for parameters that have no effect on this kind.
 void check_kind_params(const OpticsParams& params, OpticsKind kind);
 
-/// Returns the help text of all kinds: "NAME (HELP), NAME or NAME".
+/// Returns the names and help texts of all kinds, such as "NAME (HELP), NAME or NAME".
 std::string_view optics_kinds_help();
 
 }  // namespace lippmann

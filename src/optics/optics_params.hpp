@@ -29,39 +29,39 @@ class OpticsKind {
   const OpticsKindInfo* info_;
 };
 
-/// The height of the viewer's eyes above the middle of the display; negative: below it.
+/// The height of the viewer's eyes above the middle of the display. Negative heights are below the middle.
 struct EyeHeight {
-  float value = 0.0f;     ///< in mm, or in degrees if is_angle
-  bool is_angle = false;  ///< the height is an angle as seen from the middle of the display
+  float value = 0.0f;     ///< height in mm, or in degrees if is_angle
+  bool is_angle = false;  ///< whether the height is an angle as seen from the middle of the display
 };
 
 struct OpticsParams {
-  std::string display{};                       ///< name of a preset, a display file or a calibration; empty: none
-  std::optional<OpticsKind> kind{};            ///< none: the kind of the display, or lenticular without a display
-  LensPacking packing = LensPacking::kSquare;  ///< for microlens arrays
+  std::string display{};                       ///< name of a preset, a display file or a calibration; empty: no display
+  std::optional<OpticsKind> kind{};            ///< no value: the kind of the display, or lenticular without a display
+  LensPacking packing = LensPacking::kSquare;  ///< packing of microlens arrays
   Extent<int> lenses{};                        ///< number of lenses; 0: 64 across, and as many down as fit the panel
   Extent<float> lens_pixels{};                 ///< number of pixels below a lens, may be fractional; 0: 8
-  Extent<int> size{};                          ///< size of the whole panel in pixels; 0: lenses x lens-pixels
+  Extent<int> size{};                          ///< size of the whole panel in pixels; 0: lenses x lens_pixels
   Extent<int> views{};                         ///< multi-view: number of columns and rows of the quilt; 0: 8x6
-  /// Multi-view: true: eyes are at equal distances in a plane, across and up; false: at equal angles in one row.
+  /// Multi-view. True: eyes are at equal distances across and up. False: eyes are at equal angles in one row.
   bool camera_grid = false;
   bool cone_ends = false;  ///< multi-view: the outermost eyes are at the ends of the viewing zone
-  /// Full angle of the viewing zone, which determines the gap. None: that of the display, or 28 degrees.
+  /// Full angle of the viewing zone, which determines the gap. No value: the angle of the display, or 28 degrees.
   std::optional<float> view_angle_deg{};
-  std::optional<float> viewing_distance_mm{};  ///< none: distance of the scene's camera; inf: parallel cells
-  std::optional<EyeHeight> eye_height{};       ///< none: the eyes are level with the middle of the display
-  std::optional<bool> fit_depth{};             ///< reduce depth to what the display can resolve; see fits_depth()
+  std::optional<float> viewing_distance_mm{};  ///< no value: distance of the scene's camera; infinity: parallel cells
+  std::optional<EyeHeight> eye_height{};       ///< no value: the eyes are level with the middle of the display
+  std::optional<bool> fit_depth{};             ///< whether to reduce depth to what the display resolves; see fits_depth()
   float slant_deg = 0.0f;                      ///< angle between the lenses of a lenticular sheet and the vertical
-  std::optional<double> ipd_mm{};              ///< stereo: distance between the eyes; none: kDefaultIpdMm
-  std::optional<double> screen_width_mm{};     ///< stereo: width of the screen; none: the display's, or kDefaultScreenMm
-  std::optional<double> crosstalk_px{};        ///< sigma of the lens blur (optics/crosstalk.hpp); none: the display's
-  bool precompensate = false;                  ///< true: pictures are changed to counteract the display's crosstalk
-  /// Lengths of a plenoptic camera. None: kSensorWidthMm; a main lens with the field of view of the scene's camera; the gap at
-  /// which the images below the lenses touch; microlenses focused at infinity.
+  std::optional<double> ipd_mm{};              ///< stereo: distance between the eyes; no value: kDefaultIpdMm
+  std::optional<double> screen_width_mm{};     ///< stereo: width of the screen; no value: the display's or kDefaultScreenMm
+  std::optional<double> crosstalk_px{};        ///< sigma of the lens blur (optics/crosstalk.hpp); no value: the display's
+  bool precompensate = false;                  ///< whether to change pictures to counteract the display's crosstalk
+  /// Lengths of a plenoptic camera. Defaults: the sensor is kSensorWidthMm wide; the main lens has the field of view of the
+  /// scene's camera; the gap is such that the images below the lenses touch; the microlenses are focused at infinity.
   std::optional<float> sensor_width_mm{}, focal_length_mm{}, gap_mm{}, lens_focal_length_mm{};
 };
 
-/// A parameter that applies to some kinds of optics only (OpticsKindInfo::takes).
+/// A parameter that applies only to some kinds of optics (OpticsKindInfo::takes).
 struct KindParam {
   std::string_view name;  ///< name of the flag
   bool (*is_given)(const OpticsParams&);

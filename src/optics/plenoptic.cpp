@@ -9,7 +9,7 @@
 namespace lippmann {
 namespace {
 
-/// Returns the array as seen from the main lens.
+/// Returns the microlens array, with the main lens as its viewer.
 MicrolensArray array_of(const PlenopticCamera& camera) {
   return {.packing = camera.packing,
           .lens_pitch_mm = camera.lens_pitch_mm,
@@ -119,7 +119,7 @@ PanelSize sensor_size(const OpticsParams& params, Vec2i scene_resolution) {
   return microlens_kind.panel_size(params, scene_resolution);
 }
 
-/// The lengths of a camera, derived from the given ones. The header explains the symbols; n is the f-number.
+/// The lengths b, e, s and f of a camera (see plenoptic.hpp) and its f-number n.
 struct CameraLengths {
   double b, e = 0.0, s = 0.0, f = 0.0, n = 0.0;
   double t() const { return s + e; }
@@ -133,7 +133,8 @@ double given_image_distance(const ModelSetup& setup) {
   return image_distance_mm(f, z);
 }
 
-/// Returns the given gap, or the focal length of the microlenses, or the gap at which the images below the microlenses touch.
+/// Returns the given gap. If no gap is given, returns the focal length of the microlenses. If neither is given, returns the gap
+/// at which the images below the microlenses touch.
 double gap_of(const ModelSetup& setup, double cell) {
   if (setup.params.gap_mm) return static_cast<double>(*setup.params.gap_mm);
   if (setup.params.lens_focal_length_mm) return static_cast<double>(*setup.params.lens_focal_length_mm);

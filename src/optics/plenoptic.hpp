@@ -1,23 +1,33 @@
-// Rays of a plenoptic camera: from a point of the sensor straight through the centre of the microlens above it, to the main
-// lens, and refracted there.
+// Computes the rays of a plenoptic camera. A ray runs from a point of the sensor straight through the centre of its microlens
+// to the main lens, which refracts it.
 //
-// Symbols: f the focal length of the main lens and N its f-number; Z the distance from it to a point, Zf (distance_mm) to the
-// plane z = 0; s = f Zf / (Zf - f) the image distance of that plane; e the shift of the array, so that it stands t = s + e
-// behind the main lens; b its gap to the sensor, m the pixel pitch. All lengths on the sensor are those of the upright picture:
-// they have the opposite sign of where they lie behind the lens.
+// Symbols:
+//   f, N   focal length and f-number of the main lens
+//   Z      distance from the main lens to a point; Zf (distance_mm) is the distance to the plane z = 0
+//   s      s = f Zf / (Zf - f), distance from the main lens to its image of the plane z = 0
+//   e, t   array_shift_mm, and t = s + e, distance from the main lens to the microlens array
+//   b      gap from the array to the sensor
+//   m, p   pixel pitch and pitch of the microlenses
+//   l      position of a microlens
+//   A      position on the main lens
+// All lengths on the sensor are those of the upright picture, so that their signs are opposite to the signs of the real
+// positions behind the main lens.
 //
-//   The main lens's image of its own centre below microlens l is at l (1 + b/t): cells are that of a lens array that is seen
-//   from the distance t, and lens images p (1 + b/t) apart (optics/lens_axis.hpp).
-//   A pixel o beside that image is reached through the point A = o m t/b of the main lens, and blocked if |A| > f / 2N. Lens
-//   images touch where b = N p (1 + b/t) t/f.
-//   A thin lens adds A/f to the slope of a ray. Outside, the line is x(Z) = A - Z (A/f - (A + l)/t).
+// 1. The centre of the main lens is imaged by microlens l to l (1 + b/t). Cells are therefore those of a lens array seen from
+// the
+//    distance t (optics/lens_axis.hpp), and are p (1 + b/t) apart.
+// 2. The ray of a pixel at offset o (in pixels) from the centre of its cell passes through the point A = o m t/b of the main
+// lens.
+//    The ray is blocked if |A| > f / 2N. The images below the microlenses touch if b = N p (1 + b/t) t/f.
+// 3. The main lens (a thin lens) adds A/f to the slope of the ray. In front of the camera, the line is
+//    x(Z) = A - Z (A/f - (A + l)/t).
 //
-// For e = 0 that is x(Z) = A (1 - Z/Zf) + l Z/s: all pixels below a microlens see one point of the plane z = 0. A point (X, Z)
-// appears in the view through A at l = s (X/Z + A (1/Zf - 1/Z)). So neighbouring views, m t/b apart on the main lens, have a
-// disparity of s (1/Zf - 1/Z) m t / (b p) lenses: none in the plane in focus.
+// For e = 0, the line is x(Z) = A (1 - Z/Zf) + l Z/s. Then all pixels below a microlens see the same point of the plane z = 0.
+// A point (X, Z) appears in the view through A at l = s (X/Z + A (1/Zf - 1/Z)). Neighbouring views are m t/b apart on the main
+// lens. Their disparity is s (1/Zf - 1/Z) m t / (b p) lenses, which is 0 in the plane z = 0.
 //
-// Microlenses are pinholes in their centres: their focal length decides how sharp the image below each is, which is not
-// modelled. In a plenoptic camera 2.0 the array is where lenses of focal length g image the main lens's image of z = 0 sharply:
+// Microlenses are modelled as pinholes, so that their focal length and the sharpness of their images play no role. In a
+// plenoptic camera 2.0, microlenses of focal length g image the main lens's image of the plane z = 0 sharply if
 // 1/e + 1/b = 1/g.
 #pragma once
 
@@ -34,17 +44,17 @@ namespace lippmann {
 
 template <class LensRays>
 struct PlenopticRays {
-  LensRays lenses;            ///< their lines in the plane of the array
-  float array_mm;             ///< t
-  float power;                ///< 1/f
-  float front_from_lens_mm;   ///< z_front - Zf, <= 0
-  float aperture_radius_mm2;  ///< squared
+  LensRays lenses;            ///< rays of the microlens array, in the plane of the array
+  float array_mm;             ///< t, distance from the main lens to the array
+  float power;                ///< 1/f, per mm
+  float front_from_lens_mm;   ///< z of the plane z_front relative to the main lens: z_front - Zf, <= 0
+  float aperture_radius_mm2;  ///< square of the aperture's radius
 };
 
 struct SquarePlenopticRays : PlenopticRays<SquareMicrolensRays> {};
 struct HexagonalPlenopticRays : PlenopticRays<HexagonalMicrolensRays> {};
 
-/// The point where a ray meets the main lens, and its slope on the sensor side, -(A + l)/t.
+/// The point A where a ray meets the main lens, and the slope of the ray on the sensor's side, -(A + l)/t.
 struct MainLensCrossing {
   Vec2f at, slope;
 };
@@ -73,17 +83,17 @@ void write_block(const SquarePlenopticRays& constants, const RayFrame& frame, co
 void write_block(const HexagonalPlenopticRays& constants, const RayFrame& frame, const float* px, const float* py,
                  const RayArrays& rays);
 
-/// s: where the main lens makes its image of the plane z = 0.
+/// Returns s, the distance from the main lens to its image of the plane z = 0.
 inline double image_distance_mm(double focal_length_mm, double distance_mm) {
   return focal_length_mm * distance_mm / (distance_mm - focal_length_mm);
 }
 
-/// t: from the main lens to the array.
+/// Returns t, the distance from the main lens to the array.
 inline double array_distance_mm(const PlenopticCamera& camera) {
   return image_distance_mm(camera.focal_length_mm, camera.distance_mm) + static_cast<double>(camera.array_shift_mm);
 }
 
-// ---- What every model answers (optics/model.hpp) ----------------------------------------------------------------------
+// ---- Model interface (optics/model.hpp) -------------------------------------------------------------------------------
 
 constexpr std::string_view kind_of(const PlenopticCamera&) { return "plenoptic"; }
 constexpr int sub_pixels_of(const PlenopticCamera&) { return 1; }

@@ -1,4 +1,4 @@
-// Generates world-space rays for many pixels, with per-frame constants computed once.
+// Generates world-space rays for many pixels. Constants are computed once per frame.
 #pragma once
 
 #include "lippmann/optics/optics.hpp"
@@ -7,30 +7,30 @@
 
 namespace lippmann {
 
-/// Generates rays of points on the panel. Thread-safe after construction. Construct it per frame; per packet, that would be too
-/// slow.
+/// Generates rays of points on the panel. Thread-safe after construction. Construct one per frame, because construction is too
+/// slow for each packet.
 class RayGenerator {
  public:
-  /// `optics` must pass validate(). world_from_display: a rotation, a uniform scale and a translation. Rays are in the world
-  /// frame that it maps to, with origins in world units and unit directions. By default they are in the display frame, in mm.
+  /// `optics` must pass validate(). `world_from_display` consists of a rotation, a uniform scale and a translation. Rays have
+  /// origins in world units and unit directions. By default, they are in the display frame, in mm.
   explicit RayGenerator(const Optics& optics, const Affine3f& world_from_display = {});
 
   /// Computes the rays of `count` points of the panel, in continuous pixel coordinates. Rays start in the plane z = z_front
-  /// (see resolved_z_front_mm), or for a table of rays at their own origins. Works in blocks of 16, so that multiples of 16 are
-  /// most efficient. The arrays must not overlap.
+  /// (see resolved_z_front_mm()). Rays of a table start at their own origins. A multiple of 16 points is most efficient. The
+  /// arrays must not overlap.
   void rays(const float* pixel_x, const float* pixel_y, int count, const RayArrays& rays) const;
 
   /// Returns the ray of one point, bit-identical to rays().
   Ray ray(Vec2f pixel) const;
 
-  /// Sets `mark` to `value` for points whose light is blocked (is_blocked()).
+  /// Sets mark[i] to `value` for each point i whose light is blocked (is_blocked()).
   void mark_blocked(const float* pixel_x, const float* pixel_y, int count, float value, float* mark) const;
 
   /// Returns the unit vector along the display's -z in world space.
   Vec3f forward() const { return frame_.unit_forward; }
 
-  /// Returns the distance between the planes where rays start and end, in world units along forward(); infinite if z_back is
-  /// infinite. The length of a ray is depth() / dot(direction, forward()).
+  /// Returns the distance between the planes where rays start and end, in world units along forward(). The distance is infinite
+  /// if z_back is infinite. The length of a ray is depth() / dot(direction, forward()).
   float depth() const { return depth_; }
 
  private:

@@ -1,4 +1,4 @@
-// Optics given by a table of rays.
+// Rays of optics that are defined by a table of rays.
 #pragma once
 
 #include <memory>
@@ -25,7 +25,7 @@ struct RayTableRays {
   }
 };
 
-/// Writes the ray of one panel point, which starts at its own origin.
+/// Writes the ray of one panel point. The ray starts at the origin that the table states.
 void write_ray_of(const RayTableRays& constants, const RayFrame& frame, float px, float py, const RayArrays& rays, int i);
 void write_block(const RayTableRays& constants, const RayFrame& frame, const float* px, const float* py, const RayArrays& rays);
 
@@ -34,7 +34,7 @@ void write_block(const RayTableRays& constants, const RayFrame& frame, const flo
 constexpr std::string_view kind_of(const RayTable&) { return "rays"; }
 constexpr int sub_pixels_of(const RayTable&) { return 1; }
 void check_model(const Panel& panel, const RayTable& table);
-/// write_model() writes no rays; read_model() throws.
+/// write_model() writes no rays. read_model() throws Error, because JSON does not contain the rays.
 void write_model(const RayTable& table, nlohmann::ordered_json& json);
 void read_model(const JsonFields& json, RayTable& table);
 OpticsFacts facts_of(const Panel& panel, const RayTable& table);

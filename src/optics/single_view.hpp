@@ -1,4 +1,4 @@
-// Rays of one pinhole in front of the display plane, through the rectangle of the panel in z = 0.
+// Computes the rays of one pinhole in front of the display plane, through the rectangle of the panel in the plane z = 0.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace lippmann {
 
-/// The rays of a pinhole at (0, eye_height, distance). They are computed relative to the pinhole, so that they start exactly
-/// there if z_front = distance.
+/// The rays of a pinhole at (0, eye_height, distance). They are computed relative to the pinhole, so that they start exactly at
+/// the pinhole if z_front = distance.
 struct SingleViewRays {
   float centre_x_px, centre_y_px;  ///< the panel's centre minus the offset of the sample points
   float pixel_pitch_mm;

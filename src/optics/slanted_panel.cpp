@@ -1,11 +1,13 @@
-// The inverse mapping finds all sub-pixels that see a point (X, Y, Z). With M = D / (D - Z), the line from an eye at e through
-// the point crosses z = 0 at x = X M + e (1 - M). A sub-pixel below lens k, at the phase k + f, lies at x = (k + f - phase at x
-// = 0) p with the lens pitch p. Its eye is at e = D tan(cone (v - 1/2)) times the parallax s, where v = 1 - f or f. Thus f
-// solves
-//   G(f) = p f + a tan(cone (f - 1/2)) = X M - (k - phase at x = 0) p,   a = +-(1 - M) D s, with + if v = 1 - f.
-// G is monotone except for points in front, near the depth where a lens shows one point over its full width (Z cone = p). There
-// it has two turning points, at cos^2(cone (f - 1/2)) = -a cone / p. In each interval where G is monotone, there is at most one
-// solution per lens.
+// The inverse mapping finds all sub-pixels that see a point (X, Y, Z), with the viewing distance D and the lens pitch p:
+// 1. The line from an eye at (e, D) through the point crosses z = 0 at x = X M + e (1 - M), where M = D / (D - Z).
+// 2. A sub-pixel below lens k with the phase k + f lies at x = (k + f - c) p, where c is the phase at x = 0.
+// 3. The eye of this sub-pixel is at e = s D tan(cone (v - 1/2)), with the parallax s and v = 1 - f (inverted) or v = f.
+// 4. Therefore f solves G(f) = p f + a tan(cone (f - 1/2)) = X M - (k - c) p. If v = 1 - f, a = (1 - M) D s; if v = f,
+//    a = -(1 - M) D s.
+// 5. G is monotone, except for some points in front of the panel, near the depth where a lens shows one point over its full
+// width
+//    (Z cone = p). There G has two turning points, at cos^2(cone (f - 1/2)) = -a cone / p. In each interval where G is
+//    monotone, there is at most one solution per lens.
 #include "optics/slanted_panel.hpp"
 
 #include <algorithm>
@@ -17,7 +19,7 @@
 namespace lippmann {
 namespace {
 
-/// The function G of the comment above.
+/// The function G(f) of step 4 at the top of this file.
 class LensEquation {
  public:
   LensEquation(double pitch_mm, double a, double cone) : pitch_(pitch_mm), a_(a), cone_(cone) {}
@@ -36,8 +38,8 @@ class LensEquation {
     return ends;
   }
 
-  /// Returns the f in [low, high] with G(f) = `wanted`; G must be monotone there. Uses Newton steps, and bisection if they
-  /// leave the interval.
+  /// Returns the f in [low, high] with G(f) = `wanted`. G must be monotone in [low, high]. Uses Newton steps, and bisection
+  /// where a Newton step would leave the interval.
   double solve(double wanted, double low, double high) const {
     const bool rising = value(high) >= value(low);
     double f = 0.5 * (low + high);
@@ -57,7 +59,7 @@ class LensEquation {
   double pitch_, a_, cone_;
 };
 
-constexpr double kMaxTilt = 1e3, kMaxPhase = 1e6;  ///< within these limits, phases are exact to 1e-7 of a lens
+constexpr double kMaxTilt = 1e3, kMaxPhase = 1e6;  ///< within these limits, phases are exact to 1e-7 lenses
 constexpr double kMaxOffset = 4;                   ///< maximum distance of a sub-pixel from its pixel's centre, in pixels
 
 /// Appends all sub-pixels at a point of the plane z = 0. The point is given in panel pixels from the left and from the bottom.
@@ -68,7 +70,7 @@ void append_sub_pixels(const Panel& panel, const SlantedPanel& slanted, double x
       for (int color = 0; color < 3; ++color) {
         const Vec2f offset =
             slanted.sub_pixels[static_cast<std::size_t>(up)][static_cast<std::size_t>(column)][static_cast<std::size_t>(color)];
-        // If the point lies on this sub-pixel, these are its film column from the left and its row from the bottom.
+        // If the point lies on this sub-pixel, i and j are the column and row (from the bottom) of the pixel.
         const double from_left = x - offset.x - 0.5, from_bottom = y - offset.y;
         const double i = std::floor(from_left + 0.5), j = std::floor(from_bottom);
         if (!(i >= 0.0 && i < width && j >= 0.0 && j < height)) continue;
@@ -122,7 +124,7 @@ void pixels_seeing(const Panel& panel, const SlantedPanel& slanted, Vec3f point_
   const double width_mm = panel.width * static_cast<double>(panel.pixel_pitch_mm);
   const double y_mm = point_mm.y * magnification + slanted.eye_height_mm * (1.0 - magnification);
   const double up = 0.5 * panel.height + y_mm / pixel_mm;
-  constexpr double kReach = 4.0;  // a sub-pixel may lie this many pixels outside its pixel: see check_model
+  constexpr double kReach = 4.0;  // maximum distance of a sub-pixel from its pixel, in pixels (kMaxOffset)
   if (!(up >= -kReach && up <= panel.height + kReach)) return;
   const double pitch = width_mm / slanted.periods, x_mm = point_mm.x * magnification;
   const double phase_at_middle = slanted.periods * (0.5 + slanted.tilt * up / panel.height) - slanted.center;
@@ -132,7 +134,7 @@ void pixels_seeing(const Panel& panel, const SlantedPanel& slanted, Vec3f point_
   std::vector<double> values;
   for (const double end : ends) values.push_back(equation.value(end));
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
-  // Find the range of lenses above the panel that may show the point.
+  // Finds the range of lenses above the panel that may show the point.
   const double offset = phase_at_middle + x_mm / pitch, half_panel = 0.5 * slanted.periods + kReach * pixel_mm / pitch;
   const double first = std::max(std::floor(offset - *most / pitch), std::floor(phase_at_middle - half_panel));
   const double last = std::min(std::ceil(offset - *least / pitch), std::floor(phase_at_middle + half_panel));
@@ -166,7 +168,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Returns nested lists: rows from the bottom, columns, colours.
+/// Returns nested lists with the indices [row from the bottom][column][colour].
 Json sub_pixels_json(const SubPixelOffsets& offsets) {
   Json rows = Json::array();
   for (const auto& row : offsets) {
@@ -239,7 +241,8 @@ OpticsFacts facts_of(const Panel& panel, const SlantedPanel& slanted) {
 }
 
 LensCells lens_cells_of(const Panel& panel, const SlantedPanel& slanted) {
-  // At the position (x, y), from 0 to 1 across and up the panel, the phase is (x + y T) P - center (slanted_panel.hpp).
+  // The phase at (x, y), from 0 to 1 across and up the panel, is (x + y T) P - center (slanted_panel.hpp). Here it is converted
+  // to a function of mm from the panel's centre.
   const double periods = slanted.periods, pixel = panel.pixel_pitch_mm;
   LensCells cells;
   cells.lenses_per_mm = Vec2d(1.0 / panel.width, slanted.tilt / panel.height) * (periods / pixel);
@@ -257,7 +260,8 @@ StepRule step_rule(const Panel& panel, const SlantedPanel& slanted, StepsWithin)
   const SlantedPanelRays c = make_slanted_panel(panel, slanted, 0.0f);
   StepRule rule;
   rule.across.x = static_cast<float>(3.0 / std::abs(c.lenses_per_px));
-  rule.down.x = static_cast<float>(3.0 * c.lenses_per_row / c.lenses_per_px);  // follows the lens; y decreases downwards
+  rule.down.x =
+      static_cast<float>(3.0 * c.lenses_per_row / c.lenses_per_px);  // keeps the phase: a row down has lenses_per_row less
   return rule;
 }
 

@@ -1,10 +1,12 @@
-// Rays of a calibrated slanted panel, rendered directly for its sub-pixels: each sub-pixel has one ray, in the direction in
-// which the lens above it emits its light. Without intermediate views, the result has the panel's full resolution.
+// Computes the rays of a calibrated slanted panel. Each sub-pixel has one ray, in the direction in which the lens above it
+// emits its light. Rendering sub-pixels directly, without intermediate views, gives the panel's full resolution.
 //
-// A sub-pixel at the position (x, y), from 0 to 1 across and up the panel, has the phase z = (x + y T) P - center below the
-// lenses, and the position v = 1 - fract(z) (or fract(z)) in the view cone. Its ray crosses the plane z = 0 at the sub-pixel's
-// position and comes from the eye at (parallax distance tan(cone (v - 1/2)), eye_height, distance). Phases are doubles because
-// there may be thousands of lenses.
+// 1. (x, y) is the position of a sub-pixel, from 0 to 1 across and up the panel. Its phase below the lenses is
+//    (x + y T) P - center.
+// 2. Its position in the view cone is v = 1 - fract(phase), or fract(phase) if the panel is not inverted.
+// 3. Its ray comes from the eye at (parallax distance tan(cone (v - 1/2)), eye_height, distance) and crosses the plane z = 0 at
+//    the position of the sub-pixel.
+// Phases are doubles because there may be thousands of lenses.
 #pragma once
 
 #include <cmath>
@@ -18,25 +20,26 @@
 namespace lippmann {
 
 struct SlantedPanelRays {
-  double lenses_per_px, lenses_per_row;  ///< increase of the phase per panel pixel to the right, and per row up
+  double lenses_per_px, lenses_per_row;  ///< increase of the phase per panel pixel to the right, and per panel row up
   double phase_at_corner;                ///< phase at the panel's bottom left corner
-  float phase_sign;                      ///< -1 if v = 1 - fract(z), otherwise 1
-  float half_cone;                       ///< half the view cone, since tangent_of_double() takes half angles
+  float phase_sign;                      ///< -1 if v = 1 - fract(phase), otherwise 1
+  float half_cone;                       ///< half the view cone, for tangent_of_double()
   float width_px, height_px;             ///< size of the panel in panel pixels
   float pixel_mm;
-  float eye_reach_mm;  ///< an eye's x is this number times the tangent of its angle
+  float eye_reach_mm;  ///< an eye's x divided by the tangent of its angle
   float eye_y_mm;
   float distance_mm, inverse_distance;
   float front_from_eye_mm;  ///< z of the plane z_front relative to the eye: z_front - distance, <= 0
-  /// Positions of sub-pixels relative to their pixel's centre, in panel pixels: those of red, green and blue in the columns 2n
-  /// and 2n + 1 of the rows 4n ... 4n + 3, counted from the bottom.
+  /// Positions of sub-pixels relative to their pixel's centre, in panel pixels, y up. Element ((row mod 4) * 2 + column mod 2)
+  /// * 3
+  /// + colour; rows count from the bottom.
   float offset_x[24], offset_y[24];
 };
 
 SlantedPanelRays make_slanted_panel(const Panel& panel, const SlantedPanel& slanted, float z_front_mm);
 
 LIPPMANN_INLINE Crossing crossing(const SlantedPanelRays& c, float px, float py) {
-  // First find the sub-pixel (colour, column, and row from the bottom), then the position within it.
+  // First, finds the sub-pixel (colour, column, and row from the bottom). Then finds the position within the sub-pixel.
   const float sub_pixel = std::floor(px), column = std::floor((sub_pixel + 0.5f) * (1.0f / 3.0f)), row = std::floor(py);
   const float color = sub_pixel - 3.0f * column;
   const float up = c.height_px - 1.0f - row;

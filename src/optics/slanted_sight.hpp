@@ -1,9 +1,12 @@
-// Maps an eye and a point of the display plane to the sub-pixels of a calibrated slanted panel that the eye sees there.
+// Computes which sub-pixels of a calibrated slanted panel an eye sees through a point of the display plane.
 //
-// The index of the lens above a point is the whole part of its phase. Over its full width, the lens shows the eye a single
-// point below it: the point that it images into the direction of the eye. If the line from the eye meets the plane of the
-// viewer at (x_D, D), then atan(x_D / D) = cone (v - 1/2), and the fraction of the phase is 1 - v (or v). Directions repeat
-// beyond the cone. The three colours of the point below the lens are sub-pixels of three different pixels.
+// 1. The whole part of the phase at the point is the index of the lens.
+// 2. Over its full width, the lens shows the eye a single point below the lens: the point whose light goes towards the eye.
+// 3. The line from the eye through the point of the display plane meets the plane z = D (D is distance_mm) at x_D. The view v
+// of
+//    this direction follows from atan(x_D / D) = cone (v - 1/2). Views repeat beyond the cone.
+// 4. The point below the lens has the phase fraction 1 - v, or v if the panel is not inverted. Its three colours are sub-pixels
+//    of up to three different pixels.
 #pragma once
 
 #include "lippmann/optics/optics.hpp"
@@ -17,7 +20,7 @@ struct SlantedPoint {
   bool in_zone = true;
 };
 
-/// Maps eyes to the sub-pixels they see. Rows count from the top.
+/// Maps eyes to the sub-pixels that they see. Rows count from the top.
 class SlantedSight {
  public:
   SlantedSight(const Panel& panel, const SlantedPanel& slanted);
@@ -27,10 +30,11 @@ class SlantedSight {
   /// Returns the continuous pixel coordinates of a point of the plane z = 0.
   Vec2d pixel_at(Vec2d point_mm) const;
 
-  /// Returns the point below the lens that the eye sees through a point of the plane, on the panel's row `row`.
+  /// Returns the point below the lens that the eye sees through a point of the plane z = 0, in the panel's row `row`.
   SlantedPoint seen_from(const Viewer& viewer, Vec2d point_mm, int row) const;
 
-  /// Returns the column in a row, as a fraction (its centre is at + 0.5), of the sub-pixel with this colour and phase.
+  /// Returns the position along a row, in continuous pixel coordinates, of the pixel whose sub-pixel of this colour has the
+  /// phase of `point`. `near_column` is an estimate of the column, which selects the arrangement of sub-pixels.
   double column_of(const SlantedPoint& point, int color, int row, double near_column) const;
 
   /// Returns the index of the lens above a sub-pixel.

@@ -1,11 +1,11 @@
 // Maps a point to the sample grid of a directional view.
 //
-// The rays of one directional view (all pixels at one offset below their lenses, or one tile of a quilt) meet in a point of the
-// viewer's plane z = V, or are parallel if V is infinite. Therefore a view is a picture in the plane z = 0, with one sample per
-// lens and row (lens arrays) or per pixel (views). Given the line x(z) = l + s z of any ray of the view, the view sees a point
-// P in that plane at
-//   (P - (l / V + s) P_z) / (1 - P_z / V),
-// across and up. Divided by the sample spacing, and with y downwards, this is a position in the view's pixels.
+// A directional view consists of all pixels at the same offset below their lenses, or of a tile of a quilt. Its rays meet in a
+// point of the viewer's plane z = V, or are parallel if V is infinite. Therefore the view is a picture in the plane z = 0, with
+// one sample per lens (lens arrays) or per pixel (views). Let x(z) = l + s z be the line of any ray of the view. The view sees
+// a point P at the position
+//   (P - (l / V + s) P_z) / (1 - P_z / V)
+// in the plane z = 0, x right and y up. Divided by the sample spacing, with y downwards, this is a position in samples.
 #pragma once
 
 #include <optional>
@@ -22,13 +22,12 @@ class ViewPlaces {
 
   /// Returns 1 / V, per mm; 0 if the rays of a view are parallel.
   double vergence() const { return vergence_; }
-  /// Returns the number of samples per mm of a view in the plane z = 0, right and down. For a slanted sheet: along the row, and
-  /// from row to row. For slanted panels, the panel's whole pixels are counted, although each view has samples only on some of
-  /// the sub-pixels.
+  /// Returns the number of samples of a view per mm in the plane z = 0, to the right and down. For slanted panels, returns the
+  /// number of pixels per mm, although a view has samples only on some of the sub-pixels.
   glm::dvec2 samples_per_mm() const { return samples_per_mm_; }
 
-  /// Returns the position at which the view of `ray` sees a point, in samples right and down from the middle of the plane z =
-  /// 0. `ray` is any ray of the view, in display mm. Returns none if the point is not in front of the viewer.
+  /// Returns the position at which a view sees a point, in samples right and down from x = y = 0. `ray` is any ray of the view,
+  /// in mm of the display frame. Returns nothing if the point is not in front of the viewer.
   std::optional<Vec2f> place_in_view(const Ray& ray, Vec3f point_mm) const;
 
  private:

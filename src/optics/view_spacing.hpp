@@ -1,4 +1,4 @@
-// The angular spacing of a quilt's views.
+// Describes and changes the angular spacing of a quilt's views.
 #pragma once
 
 #include <string>
@@ -7,12 +7,12 @@
 
 namespace lippmann {
 
-/// Returns a description of the angle between the views of a cone, and of the position of the outermost views: "23 views 2.0455
-/// degrees apart, the outermost at the ends of 45 degrees". Returns an empty text for other optics.
+/// Returns a description of the views of a cone, such as "23 views 2.0455 degrees apart, the outermost at the ends of 45
+/// degrees". Returns an empty text for other optics.
 std::string view_spacing(const Optics& optics);
 
-/// Returns the optics with the outermost views of a cone at its ends, or else half a step inside. Returns other optics
-/// unchanged.
+/// Returns the optics with the outermost views of a cone at its ends, or, if not `ends_included`, half a step inside. Returns
+/// other optics unchanged.
 Optics with_cone_ends(Optics optics, bool ends_included);
 
 }  // namespace lippmann

@@ -16,7 +16,7 @@ inline constexpr StepDirection kStepDirections[] = {StepDirection::kLeft, StepDi
 /// Iterates over the pixels of one picture in one direction.
 class ViewWalk {
  public:
-  /// Returns the next pixel; none at the end of the view, the lens or the panel.
+  /// Returns the index of the next pixel, or nothing at the end of the view, the lens or the panel.
   std::optional<std::uint32_t> next() {
     place_ += step_;
     if (!(place_.x >= low_.x && place_.x < high_.x && place_.y >= low_.y && place_.y < high_.y)) return std::nullopt;
@@ -30,10 +30,13 @@ class ViewWalk {
   std::uint32_t width_;
 };
 
-/// Finds the neighbours of a pixel. kView: the pixels at the same offset below the neighbouring lenses, or the pixels nearest
-/// to that offset; along the lenses of a lenticular sheet or a slanted panel, the pixels of the next row. kLens: the
-/// neighbouring pixels below the same lens (for hexagons: in the rectangle of lens pitch by row pitch). In single views and
-/// quilts, both mean the neighbouring pixels of the same view.
+/// Finds the neighbours of a pixel.
+/// - kView: the pixels at the same offset below the neighbouring lenses, or the pixels nearest to this offset. Along the lenses
+/// of
+///   a lenticular sheet or a slanted panel, the neighbours are pixels of the next row.
+/// - kLens: the neighbouring pixels below the same lens. For hexagonal packing, the area below a lens is approximated by a
+///   rectangle of lens pitch by row pitch.
+/// In single views and quilts, kView and kLens both mean the neighbouring pixels of the same view.
 class ViewSteps {
  public:
   /// `optics` must pass validate().

@@ -8,7 +8,7 @@
 namespace lippmann {
 namespace {
 
-/// Returns the slope, to the right and up, of the eye at `share` of the viewing zone, relative to the design viewer.
+/// Returns the slope (right, up) of the eye at `share` of the viewing zone, relative to the design viewer.
 Vec2d slope_in_zone(const Optics& optics, Vec2d share) {
   return std::visit([&](const auto& model) { return zone_slope(optics.panel, model, share); }, optics.model);
 }

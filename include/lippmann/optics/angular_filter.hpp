@@ -1,11 +1,12 @@
 // Angular filtering against aliasing between views: averages each view over all eye positions up to half-way to its neighbours.
 //
-// Beyond the depth budget, neighbouring views differ by more than a pixel, and a display that moves from one view to the next
-// shows points twice. With the filter such points blur by exactly the distance between views, while points in the plane z = 0
-// stay sharp. Lens arrays do not need it: samples spread over a pixel's area are also spread over its directions.
+// Beyond the depth budget, a point moves by more than a pixel from a view to the next. An eye between two views then sees the
+// point twice. The filter blurs the point by the distance that it moves between views, so that both images merge. Points in the
+// plane z = 0 stay sharp. Lens arrays do not need the filter, because their samples spread over the area of a pixel and
+// therefore over its directions.
 //
 // Zwicker, Matusik, Durand, Pfister: Antialiasing for automultiscopic 3D displays, Eurographics Symposium on Rendering 2006.
-// Unlike the paper, we use a box as wide as the view spacing, by sampling, instead of a Gaussian over both domains.
+// We deviate: instead of a Gaussian over position and angle, we sample a box over the angle, as wide as the view spacing.
 #pragma once
 
 #include <vector>
@@ -16,12 +17,13 @@ namespace lippmann {
 
 enum class AngularFilter {
   kNone,
-  kBox,  ///< a box as wide as the view spacing: across for a cone of views, across and up for a camera grid
+  kBox,  ///< a box as wide as the view spacing: across for a cone of views; across and up for a camera grid
 };
 
-/// Returns the eye shifts of a pixel's samples, in units of the view spacing (MultiView::eye_shift). They are the midpoints of
-/// equal parts of the box, ordered by radical inverse (base 3 across, 5 up), so that their mean is zero and consecutive samples
-/// are far apart. Returns a single zero shift if the filter does not apply.
+/// Returns the eye shift of each sample of a pixel, in units of the view spacing (MultiView::eye_shift). Along each axis, the
+/// box is divided into `samples` equal parts, and a shift is the midpoint of a part. The order follows the radical inverse
+/// (base 3 across, base 5 up), so that consecutive samples are far apart. The mean of all shifts is zero. Returns a single zero
+/// shift if the filter does not apply.
 std::vector<Vec2f> eye_shifts(const Optics& optics, AngularFilter filter, int samples);
 
 /// Returns the optics with all eyes shifted. Optics other than MultiView stay unchanged.

@@ -1,9 +1,9 @@
-// Crosstalk: how much light of the neighbouring pixels (for quilts: views) an eye sees in addition to the pixel that it should
-// see through a lens.
+// Models crosstalk: through a lens, an eye sees light of one pixel and some light of the neighbouring pixels. For quilts, views
+// take the place of pixels.
 //
-// A lens images each point of the panel as a Gaussian with a sigma given in panel pixels (for quilts: in views), integrated
-// over the area of each pixel. Both replay, which simulates crosstalk, and precompensation (layout/precompensate.hpp), which
-// counteracts it, use this definition.
+// The blur of a lens is a Gaussian on the panel, whose sigma is given in pixels. The weight of a pixel is the integral of the
+// Gaussian over the pixel. Replay simulates crosstalk by this definition. Precompensation (layout/precompensate.hpp)
+// counteracts it.
 #pragma once
 
 #include <array>
@@ -32,21 +32,22 @@ struct Taps {
   const Tap* end() const { return tap.data() + count; }
 };
 
-/// Returns the weights of the pixels seen at a position in continuous pixel coordinates (pixel i covers i ... i + 1): a
-/// Gaussian of `sigma_px`, 0 < sigma <= kMaxBlurPx, cut off at 4 sigma and integrated over each pixel. As sigma approaches 0 it
-/// becomes the nearest pixel. Indices may lie outside the image; callers skip those and renormalise the other weights.
+/// Returns the weights of the pixels seen at a position in continuous pixel coordinates, where pixel i covers [i, i + 1). The
+/// weight of a pixel is the integral of a Gaussian of `sigma_px` over the pixel. The Gaussian is cut off at 4 sigma. `sigma_px`
+/// is above 0 and at most kMaxBlurPx. Indices may lie outside the image. Callers skip such indices and renormalise the
+/// remaining weights.
 Taps gaussian_taps(double position_px, double sigma_px);
 
-/// Returns the standard deviation of the blur along x and y, in pixels of a panel picture (quilts: in columns and rows of
-/// views; slanted panels: in whole pixels, for each colour). It is 0 along axes without lens power. For a slanted sheet,
-/// sigma_px is measured perpendicular to its lenses.
+/// Returns the sigma of the blur along x and along y, in pixels of the panel. A sigma is 0 if the lenses have no power along
+/// the axis. For quilts, the unit is columns and rows of views. For slanted panels, the unit is whole pixels, and each colour
+/// is blurred separately. `sigma_px` is measured perpendicular to the lenses.
 Vec2d crosstalk_sigmas(const Optics& optics, double sigma_px);
 
-/// Returns the weight of each of the two direct neighbours, for an eye that sees the middle of a pixel.
+/// Returns the weight of each of the two neighbouring pixels, for an eye that sees the middle of a pixel.
 double neighbour_share(double sigma_px);
 
-/// Parses crosstalk: "0.4" is a sigma in pixels, 0 ... kMaxBlurPx; "10%" is the weight of each direct neighbour, 0 ... 23 %.
-/// Returns the sigma. Throws a usage Error naming `where`.
+/// Parses crosstalk and returns its sigma. "0.4" is a sigma in pixels, 0 ... kMaxBlurPx. "10%" is the weight of each
+/// neighbouring pixel, 0 ... 23 %. Throws a usage Error naming `where`.
 double read_crosstalk(std::string_view text, const std::string& where);
 
 }  // namespace lippmann

@@ -1,5 +1,5 @@
-// Describes every output picture as a set of rays through the display plane: the panel, the optics models, and the two mappings
-// that all models provide.
+// Describes every output picture as a set of rays through the display plane. Defines the panel, the optics models, the mapping
+// from a pixel to its ray, and the mapping from a point to the pixels that see it.
 //
 // Display frame: right-handed, millimetres, x right, y up, z towards the viewer. The lens (or display) plane is z = 0, the
 // panel lies at z = -gap. Pixel (i, j): i from the left, j from the top; continuous pixel coordinates have their origin at the
@@ -7,8 +7,8 @@
 //
 // Lens arrays are modelled as one pinhole per lens. Light from a panel point q leaves lens centre l along l - q towards the
 // viewer. We trace the same line from the viewer's side: it starts at z = z_front and runs towards -z. Thus one ray covers the
-// space in front of the array and behind it, the picture is orthoscopic, and points in front of the display plane correctly
-// hide those behind it.
+// space in front of the array and behind it. The picture is orthoscopic, and points in front of the display plane hide points
+// behind the display plane.
 #pragma once
 
 #include <array>
@@ -21,30 +21,31 @@
 
 namespace lippmann {
 
-/// The physical panel in whole square pixels. Rendering works on its film (film_size), which has the same pixels, or each
-/// pixel's sub-pixels side by side.
+/// The physical panel, which consists of square pixels. Rendering works on the film of the panel (film_size()). The pixels of
+/// the film are the pixels of the panel, or, for a slanted panel, its sub-pixels side by side.
 struct Panel {
   int width = 512, height = 512;  ///< size in pixels
   float pixel_pitch_mm = 0.125f;  ///< the default makes a lens of 8 pixels 1 mm wide
 };
 
-/// Cylindrical lenses; horizontal parallax only. The coordinate across the lenses is xi = x cos(slant) + y sin(slant). Lens k
-/// has its centre at xi = offset_mm + k lens_pitch_mm for all integers k; by default a lens boundary lies at x = 0.
+/// Cylindrical lenses, with parallax only across the lenses. The coordinate across the lenses is xi = x cos(slant) + y
+/// sin(slant). Lens k has its centre at xi = offset_mm + k lens_pitch_mm, for all integers k. By default, a lens boundary lies
+/// at x = 0.
 struct LenticularSheet {
   float lens_pitch_mm = 1.0f;
   float gap_mm = 2.0f;
   float slant = 0.0f;      ///< angle between the lenses and the vertical in radians, |slant| < pi/2
   float offset_mm = 0.5f;  ///< xi coordinate of the centre of lens 0
-  /// Distance at which the cells converge; inf: each cell lies straight below its lens.
+  /// Distance at which the cells converge. If infinite, each cell lies straight below its lens.
   float viewing_distance_mm = kInfinity;
-  float eye_height_mm = 0.0f;  ///< height (y) of the point at which rows converge, for a finite viewing distance
+  float eye_height_mm = 0.0f;  ///< y of the point at which rows converge, if viewing_distance_mm is finite
   float parallax = 1.0f;       ///< see with_parallax
 };
 
 enum class LensPacking { kSquare, kHexagonal };
 
-/// Spherical lenslets; full parallax. Hexagonal packing: rows are lens_pitch * sqrt(3)/2 apart, and odd rows are shifted by
-/// half a pitch. A pixel belongs to the lens with the nearest cell centre.
+/// Spherical lenslets, with parallax in both directions. In hexagonal packing, rows are lens_pitch * sqrt(3)/2 apart, and odd
+/// rows are shifted by half a pitch. A pixel belongs to the lens with the nearest cell centre.
 struct MicrolensArray {
   LensPacking packing = LensPacking::kSquare;
   float lens_pitch_mm = 1.0f;
@@ -55,18 +56,19 @@ struct MicrolensArray {
 };
 
 /// A grid of views (a quilt). Every view is an off-axis (sheared) pinhole through the same rectangle in z = 0. View 0 is the
-/// leftmost one and the bottom left tile; the last view is the top right tile. View v of N has the angle cone ((v + 1/2)/N -
-/// 1/2) and its eye at (distance tan(angle), 0, distance). If baseline_mm is set, the eyes form a camera grid instead, as in
-/// computer vision data sets: columns and rows are a baseline apart in the plane z = distance, centred on the axis, with column
-/// 0 at the left and row 0 at the bottom.
+/// leftmost view, and its tile is at the bottom left. The last view has the tile at the top right. View v of N has the angle
+/// cone ((v + 1/2)/N - 1/2) and its eye at (distance tan(angle), 0, distance).
+///
+/// If baseline_mm is above 0, the eyes form a camera grid instead, as in computer vision data sets. The grid is centred at
+/// (0, 0, distance). Its columns and rows are a baseline apart. Column 0 is at the left, and row 0 at the bottom.
 struct MultiView {
   int columns = 8, rows = 6;         ///< number of tiles, which have equal sizes and fill the panel
   float view_cone = radians(40.0f);  ///< full angle that the N views cover
-  /// True: angles use v / (N - 1) instead of (v + 1/2) / N, as in some tools.
+  /// True: the angle of view v uses v / (N - 1) instead of (v + 1/2) / N, as in some tools.
   bool cone_ends_included = false;
   float distance_mm = 500.0f;  ///< distance from the eyes to the plane z = 0
   float baseline_mm = 0.0f;    ///< > 0: camera grid with this eye spacing; view_cone is ignored
-  /// Height of a pixel in pixel widths; not 1 for quilts whose tiles are stretched on the display.
+  /// Height of a pixel in pixel widths. Differs from 1 for quilts whose tiles are stretched on the display.
   float pixel_height = 1.0f;
   float parallax = 1.0f;       ///< see with_parallax
   Vec2f eye_shift{0.0f};       ///< shifts all eyes right and up, in units of the view spacing (optics/angular_filter.hpp)
@@ -76,47 +78,48 @@ struct MultiView {
 /// One pinhole at (0, eye_height, distance) through the rectangle of the panel in z = 0.
 struct SingleView {
   float distance_mm = 500.0f;
-  Vec2f pixel_offset{0.0f};  ///< sample points are shifted by this many pixels (x right, y down)
+  Vec2f pixel_offset{0.0f};  ///< shift of sample points, in pixels right and down
   float eye_height_mm = 0.0f;
 };
 
 /// Positions of the sub-pixels relative to the centre of their panel pixel, in panel pixels, x right, y up. The indices are
-/// [row from the bottom, modulo 4][column modulo 2][red, green, blue], because arrangements other than stripes repeat with that
-/// period.
+/// [row from the bottom, modulo 4][column modulo 2][red, green, blue], because arrangements other than stripes repeat every 4
+/// rows and 2 columns.
 using SubPixelOffsets = std::array<std::array<std::array<Vec2f, 3>, 2>, 4>;
 
-/// Returns vertical stripes, as on most panels: a third of a pixel apart, with red (or blue) on the left.
+/// Returns vertical stripes a third of a pixel apart, as on most panels. Red is on the left, or blue if `blue_first`.
 SubPixelOffsets striped_sub_pixels(bool blue_first = false);
 
 /// A calibrated panel below slanted lenses, where every sub-pixel has its own ray (formula in slanted_panel.hpp). The film of a
-/// panel of W x H pixels is 3 W x H: film pixel (3 i + c, j) is the sub-pixel of colour c of panel pixel (i, j). Phases are
-/// doubles because they must be as exact at the last of thousands of lenses as at the first.
+/// panel of W x H pixels has 3 W x H pixels: film pixel (3 i + c, j) is the sub-pixel of colour c of panel pixel (i, j). Phases
+/// are doubles because they count thousands of lenses.
 struct SlantedPanel {
   double periods = 244.041;  ///< P: number of lenses across the panel, along a row
-  double tilt = -0.190476;   ///< T: the lenses' horizontal shift over the panel's height, in panel widths
-  /// Phase at the sub-pixel's position. For striped panels it is the calibration's value minus P / 3 W.
+  double tilt = -0.190476;   ///< T: horizontal shift of a lens from the bottom to the top of the panel, in panel widths
+  /// Subtracted from the phase. For striped panels, this is the center in the calibration file minus P / (3 W).
   double center = 0.447;
-  bool inverted = true;              ///< true: v = 1 - fract(phase); false: v = fract(phase)
-  float view_cone = radians(40.0f);  ///< full angle covered by v = 0 ... 1
+  bool inverted = true;              ///< true: view v = 1 - fract(phase); false: v = fract(phase)
+  float view_cone = radians(40.0f);  ///< full angle between the views v = 0 and v = 1
   float distance_mm = 500.0f;        ///< distance from the viewer to the plane z = 0
   SubPixelOffsets sub_pixels = striped_sub_pixels();
   float parallax = 1.0f;       ///< see with_parallax
   float eye_height_mm = 0.0f;  ///< height of the viewer above the middle of the panel
 };
 
-/// A plenoptic camera: a thin main lens in the plane z = distance, focused on the plane z = 0, and behind it a microlens array
-/// in front of the sensor, which is the panel. Its picture is upright, as if the sensor were turned by 180 degrees, so that
-/// offsets on the sensor have the signs of what they show. optics/plenoptic.hpp has the formulas.
+/// A plenoptic camera. A thin main lens in the plane z = distance is focused on the plane z = 0. Behind the main lens are a
+/// microlens array and the sensor, which is the panel. The picture is upright, as if the sensor were turned by 180 degrees, so
+/// that positions on the sensor have the same signs as the points that they show. optics/plenoptic.hpp has the formulas.
 struct PlenopticCamera {
   LensPacking packing = LensPacking::kSquare;
   float lens_pitch_mm = 0.5f;
-  float gap_mm = 1.0f;            ///< from the array to the sensor
-  Vec2f offset_mm{0.0f};          ///< centre of lens (0, 0), from the main lens's axis
-  float focal_length_mm = 50.0f;  ///< of the main lens
-  float f_number = 2.0f;          ///< of the main lens; light that misses its aperture is blocked
-  float distance_mm = 500.0f;     ///< from the main lens to the plane z = 0; more than the focal length
-  float array_shift_mm = 0.0f;    ///< from the main lens's image of the plane z = 0 to the array, away from the main lens. 0:
-                                  ///< plenoptic 1.0; else 2.0, Keplerian above 0 and Galilean below
+  float gap_mm = 1.0f;            ///< distance from the microlens array to the sensor
+  Vec2f offset_mm{0.0f};          ///< centre of lens (0, 0) relative to the axis of the main lens
+  float focal_length_mm = 50.0f;  ///< focal length of the main lens
+  float f_number = 2.0f;          ///< f-number of the main lens, whose aperture blocks all other light
+  float distance_mm = 500.0f;     ///< distance from the main lens to the plane z = 0; greater than the focal length
+  /// Distance from the main lens's image of the plane z = 0 to the array, positive away from the main lens. 0 is a plenoptic
+  /// camera 1.0. Other values are a plenoptic camera 2.0: Keplerian above 0, Galilean below 0.
+  float array_shift_mm = 0.0f;
 };
 
 struct Ray {
@@ -124,15 +127,15 @@ struct Ray {
   Vec3f direction{0.0f, 0.0f, -1.0f};  ///< unit length, z < 0
 };
 
-/// Optics defined by their rays alone: a simulated lens, a measured display, or any function from pixel to ray
-/// (make_ray_table). They can be rendered, and denoised over neighbouring pixels. Interpolation, view layouts and replay are
-/// not possible, because they need an inverse mapping or views.
+/// Optics defined only by a table of rays: a simulated lens, a measured display, or any function from pixel to ray
+/// (make_ray_table()). Such optics can be rendered and denoised. They do not support interpolation, view layouts and replay,
+/// which need an inverse mapping or views.
 struct RayTable {
-  /// Row by row from the top left: panel.height * samples_per_side rows of panel.width * samples_per_side rays. Each pixel is
-  /// divided into samples_per_side^2 parts, and a sample of the pixel takes the ray of the part that it lies in. Every ray
-  /// starts at its own origin. Copies of optics share the table.
+  /// Row by row from the top left: panel.height * samples_per_side rows of panel.width * samples_per_side rays. A pixel is
+  /// divided into samples_per_side^2 parts with one ray each. A sample of the pixel uses the ray of the part that contains the
+  /// sample. Every ray starts at its own origin. Copies of the optics share the table.
   std::shared_ptr<const std::vector<Ray>> rays{};
-  int samples_per_side = 1;  ///< parts of a pixel across and down; 4: 16 rays per pixel
+  int samples_per_side = 1;  ///< parts of a pixel along each side, for example 4 for 16 rays per pixel
   float spread = 0.0f;       ///< spread between the rays of neighbouring pixels, in mm per mm of depth; sets the texture filter
 };
 
@@ -144,18 +147,18 @@ using OpticsModel =
 struct Optics {
   Panel panel{};
   OpticsModel model{};
-  float z_front_mm = kInfinity;  ///< rays start at this z; inf: chosen by the model, see resolved_z_front_mm
-  float z_back_mm = kInfinity;   ///< rays end at z = -z_back
+  float z_front_mm = kInfinity;  ///< rays start at this z; if infinite, resolved_z_front_mm() chooses it
+  float z_back_mm = kInfinity;   ///< rays end at z = -z_back_mm
 };
 
-/// Rays of many pixels, each array `count` long.
+/// Rays of many pixels. Each array has one element per ray.
 struct RayArrays {
   float *origin_x = nullptr, *origin_y = nullptr, *origin_z = nullptr;
   float *direction_x = nullptr, *direction_y = nullptr, *direction_z = nullptr;
 };
 
-/// Makes a table by calling ray_of_point(Vec2f) for the middle of every part of every pixel, row by row. The argument is in
-/// continuous pixel coordinates.
+/// Returns a table of rays. Calls ray_of_point(Vec2f) for the middle of every part of every pixel, in continuous pixel
+/// coordinates, row by row.
 template <class RayOfPoint>
 RayTable make_ray_table(const Panel& panel, int samples_per_side, const RayOfPoint& ray_of_point) {
   auto rays = std::make_shared<std::vector<Ray>>();
@@ -171,9 +174,9 @@ void validate(const Optics& optics);
 
 // ---- Contract 1: the ray of a pixel ---------------------------------------------------------------------------------
 
-/// Returns the z where rays start: z_front_mm if it is finite, else the viewing distance, or 4 panel diagonals for a lens array
-/// viewed from infinity. Rays of views and slanted panels start no farther away than their eye. Rays of a table start at their
-/// own origins; for a table, the result is the largest z of these.
+/// Returns the z where rays start: z_front_mm if it is finite, otherwise the viewing distance. For a lens array viewed from
+/// infinity, returns 4 panel diagonals instead. Rays of views and slanted panels start no farther away than their eye. Rays of
+/// a table start at their own origins; for a table, the result is the largest z of the origins.
 float resolved_z_front_mm(const Optics& optics);
 
 /// Returns the ray of a point of the film in continuous pixel coordinates (pixel (i, j) has its centre at (i + 0.5, j + 0.5)).
@@ -183,18 +186,21 @@ Ray ray_of_pixel(const Optics& optics, Vec2f pixel);
 /// ray_generator.hpp.
 void rays_of_pixels(const Optics& optics, const float* pixel_x, const float* pixel_y, int count, const RayArrays& rays);
 
-/// Returns whether no light reaches a point of the film, which stays black: its ray misses the aperture of a plenoptic
-/// camera's main lens. ray_of_pixel() returns the ray without the aperture.
+/// Returns whether the ray of a point of the film misses the aperture of a plenoptic camera's main lens. Such points stay
+/// black. ray_of_pixel() ignores the aperture.
 bool is_blocked(const Optics& optics, Vec2f pixel);
 
 // ---- Contract 2: all pixels that see a point ------------------------------------------------------------------------
 
-/// Appends the continuous pixel coordinates of all rays that run exactly through `point_mm`, clipped to the panel, in ascending
-/// lens (view) order. There is one for each lens whose cell holds the image of the point, one for each view for multi-view, and
-/// usually one for each lens, from left to right, for a slanted panel.
-/// At z = 0, every pixel below the lens at that point sees it, so all pixel centres of that cell are appended (for a
-/// cylindrical lens: those in the panel row through the point). The padding of a quilt sees nothing, and points beyond the ends
-/// of the rays are not seen. Throws Error for a table of rays and a plenoptic camera, which have no inverse.
+/// Appends the continuous pixel coordinates of all rays that run exactly through `point_mm`, in ascending order of lenses or
+/// views. Positions outside the panel are left out. There are:
+/// - for lens arrays, one position for each lens whose cell contains the image of the point;
+/// - for multi-view, one position for each view;
+/// - for slanted panels, usually one position for each lens, from left to right.
+/// If the point lies in the plane z = 0, all pixels below the lens at the point see it. Then all pixel centres of the lens's
+/// cell are appended (for a cylindrical lens, only those in the panel row through the point). The padding of a quilt sees
+/// nothing. Points beyond the ends of the rays are not seen. Throws Error for a table of rays and a plenoptic camera, which
+/// have no inverse.
 void pixels_seeing(const Optics& optics, Vec3f point_mm, std::vector<Vec2f>& pixels);
 
 // ---- Queries ------------------------------------------------------------------------------------
@@ -204,9 +210,9 @@ void pixels_seeing(const Optics& optics, Vec3f point_mm, std::vector<Vec2f>& pix
 /// such a structure, as for a slanted panel, and (1, 1) for multi-view and single views.
 Vec2i whole_pixels_per_lens(const Optics& optics);
 
-/// Returns the width of the area that one pixel sample covers at depth z (mm), across and along the array. It sets the texture
-/// filter. Along axes with lens power it is max(lens pitch, |z| m / g), along others the panel's own pixel spacing (scaled by
-/// perspective). For a slanted panel it is the larger of a pixel, which neighbouring lenses resolve together, and a magnified
+/// Returns the width and height of the area that one pixel sample covers at depth z (mm). The texture filter has this size.
+/// Along an axis with lens power, the size is max(lens pitch, |z| m / g) with the pixel pitch m and the gap g. Along other
+/// axes, it is the pixel pitch, scaled by perspective. For a slanted panel, the width is the larger of a pixel and a magnified
 /// sub-pixel.
 Vec2f sample_footprint_mm(const Optics& optics, float z_mm);
 
@@ -218,24 +224,24 @@ struct LensArray {
   double viewing_distance_mm = 0.0;  ///< distance at which the cells converge; may be inf
   double eye_height_mm = 0.0;
   double cell_mm = 0.0;        ///< width of the panel area below one lens
-  double slant_cosine = 1.0;   ///< cosine of a sheet's slant; pitch_mm times this is lens_pitch_mm
+  double slant_cosine = 1.0;   ///< cosine of a sheet's slant: lens_pitch_mm = pitch_mm * slant_cosine
   float lens_pitch_mm = 0.0f;  ///< distance between lenses, measured perpendicular to them
 };
 
-/// Returns the lenses of a lenticular sheet or a microlens array; none for other optics.
+/// Returns the lenses of a lenticular sheet or a microlens array, or nothing for other optics.
 std::optional<LensArray> lens_array(const Optics& optics);
 
 /// Returns whether the optics are a lenticular sheet or a microlens array.
 inline bool has_lenses(const Optics& optics) { return lens_array(optics).has_value(); }
 
-/// The images of a plenoptic camera's main lens on its sensor: one below each microlens, in upright rows.
+/// The images of a plenoptic camera's main lens on its sensor, one below each microlens.
 struct SensorLenses {
   double pitch_px = 0.0, row_pitch_px = 0.0;
-  Vec2d centre_px{0.0};  ///< of one image
+  Vec2d centre_px{0.0};  ///< centre of one of the images
   LensPacking packing = LensPacking::kSquare;
 };
 
-/// Returns none for other optics.
+/// Returns the images on the sensor of a plenoptic camera, or nothing for other optics.
 std::optional<SensorLenses> sensor_lenses(const Optics& optics);
 
 /// The arrangement of views in a quilt.
@@ -246,35 +252,37 @@ struct ViewTiles {
   int count() const { return columns * rows; }
 };
 
-/// Returns the tiles of a quilt; none for other optics, including single views.
+/// Returns the tiles of a quilt, or nothing for other optics, including single views.
 std::optional<ViewTiles> view_tiles(const Optics& optics);
 
-/// Returns whether the optics are a single pinhole; its picture is shown unchanged.
+/// Returns whether the optics are a single pinhole.
 bool is_single_view(const Optics& optics);
 
-/// Returns the number of film pixels per panel pixel, side by side: 3 for a slanted panel, else 1.
+/// Returns the number of film pixels that lie side by side in a panel pixel: 3 for a slanted panel, otherwise 1.
 int sub_pixels_per_pixel(const Optics& optics);
 
 /// Returns the width and height of the film in pixels: the panel's pixels, or their sub-pixels side by side.
 Vec2i film_size(const Optics& optics);
 
-/// Returns the design viewing distance; inf: the cells of the lenses are parallel.
+/// Returns the design viewing distance, or infinity if the cells of the lenses do not converge.
 float viewing_distance_mm(const Optics& optics);
 
-/// Returns the full angle of the viewing zone: 2 atan(cell / 2 gap) across; the cone for multi-view and slanted panels; 0 for a
-/// single view.
+/// Returns the full horizontal angle of the viewing zone: 2 atan(cell / 2 gap) for lens arrays, the view cone for multi-view
+/// and slanted panels, and 0 for a single view.
 float viewing_zone(const Optics& optics);
 
-/// Returns the |z| beyond which views alias. Lens arrays: beyond p g / m, a panel pixel seen through its lens is wider than the
-/// lens pitch. Multi-view: beyond m D / (e + m) in front of the plane, the middle views, whose eyes are e apart, differ by more
-/// than a pixel. Slanted panels: the N sub-pixels below a lens of pitch p have directions 2 tan(cone / 2) / N apart, which
-/// gives p N / (2 tan(cone / 2)). Single views and tables: inf.
+/// Returns the |z| beyond which views alias, with the pixel pitch m, the lens pitch p, the gap g and the eye distance D:
+/// - Lens arrays: p g / m. At this depth, a panel pixel seen through its lens is as wide as the lens pitch.
+/// - Multi-view: m D / (e + m), where e is the distance between the two middle eyes. At this depth in front of the plane z = 0,
+///   points move by one pixel between the two middle views.
+/// - Slanted panels: p N / (2 tan(cone / 2)), because the N sub-pixels below a lens have slopes 2 tan(cone / 2) / N apart.
+/// - Single views and tables of rays: infinity.
 float depth_budget_mm(const Optics& optics);
 
-/// Returns the same display with its views drawn closer together (parallax > 0; values above 1 spread them). A view emitted at
-/// angle a shows the scene as seen from parallax tan(a) instead of tan(a), so the scene looks `parallax` times as deep. The
-/// plane z = 0, the middle view and the results of the queries above do not change. For lenses, it scales the pixels' offsets
-/// from the cell centre. No effect on single views and tables of rays.
+/// Returns the same display with the differences between its views scaled by `parallax`, which is above 0. A view emitted at
+/// the angle a shows the scene as seen from the slope parallax * tan(a) instead of tan(a). Therefore the scene looks `parallax`
+/// times as deep. The plane z = 0, the middle view and the results of the queries above do not change. Has no effect on single
+/// views and tables of rays.
 Optics with_parallax(Optics optics, float parallax);
 
 /// Returns the width and height of the visible part of the plane z = 0: the panel, or one view of a quilt.

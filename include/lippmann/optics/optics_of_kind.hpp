@@ -1,5 +1,5 @@
-// Makes optics from the name of their model and from JSON members, as in report.json. For programs that do not use the C++
-// types, such as bindings of other languages.
+// Makes optics from the name of their model and from JSON members, as in report.json. Bindings of other languages use this
+// instead of the C++ types.
 #pragma once
 
 #include <string>
@@ -16,8 +16,8 @@ std::vector<std::string_view> optics_kind_names();
 /// Returns the name of the optics' model.
 std::string_view kind_name(const Optics& optics);
 
-/// Returns optics of this kind. `members` is a JSON object with the model's numbers, named as in report.json; null means
-/// infinity. Throws Error for unknown kinds and keys and for invalid values, naming the key or field.
+/// Returns optics of a kind. `members` is a JSON object with the model's numbers, named as in report.json, where null means
+/// infinity. Throws Error naming the key or field for unknown kinds, unknown keys and invalid values.
 Optics optics_of_kind(const std::string& kind, const Panel& panel, const std::string& members);
 
 }  // namespace lippmann

@@ -1,4 +1,4 @@
-// The view of every sub-pixel of a calibrated panel, for players that interlace views for it.
+// The view of every sub-pixel of a calibrated panel, for players that interlace views for the panel.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@ struct ViewPhases {
   SubPixelOffsets sub_pixels{};
 };
 
-/// Returns the phases of a calibrated slanted panel; none for other optics. `optics` must pass validate().
+/// Returns the phases of a calibrated slanted panel, or nothing for other optics. `optics` must pass validate().
 std::optional<ViewPhases> view_phases(const Optics& optics);
 
 }  // namespace lippmann

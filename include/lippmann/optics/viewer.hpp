@@ -1,9 +1,9 @@
-// The eye of a viewer of a light panel, at a point or infinitely far away.
+// The eye of a viewer, at a point or infinitely far away.
 //
 // The optics need only the slope of the line from the eye through a point (x, y) of the plane z = 0, in mm sideways per mm
 // towards the viewer:
 //   slope = slope_at_centre - (x, y) vergence
-// An eye at (X, Y, Z) has slope_at_centre = (X, Y) / Z and vergence 1 / Z; an infinitely distant eye has vergence 0.
+// An eye at (X, Y, Z) has slope_at_centre = (X, Y) / Z and vergence 1 / Z. An infinitely distant eye has vergence 0.
 #pragma once
 
 #include "lippmann/core/math.hpp"

@@ -6,7 +6,7 @@
 
 namespace lippmann {
 
-/// A rectangle in the plane z = 0, mm.
+/// A rectangle in the plane z = 0, in mm.
 struct Window {
   Vec2d centre{0.0}, size{1.0};
 
@@ -15,7 +15,7 @@ struct Window {
   Vec2d point_at(Vec2d pixel, Vec2i picture) const {
     return centre + Vec2d(pixel.x / picture.x - 0.5, 0.5 - pixel.y / picture.y) * size;
   }
-  /// Returns the pixel that shows a point; the inverse of point_at.
+  /// Returns the pixel that shows a point. Inverse of point_at().
   Vec2d pixel_at(Vec2d point_mm, Vec2i picture) const {
     const Vec2d share = (point_mm - centre) / size;
     return {(share.x + 0.5) * picture.x, (0.5 - share.y) * picture.y};
@@ -46,11 +46,12 @@ double zone_x_mm(const Optics& optics, double share, double z_mm);
 /// away.
 Vec3d default_eye_mm(const Optics& optics);
 
-/// Returns the number of samples of the plane z = 0 across and down. Along axes with lens power there is one sample per lens,
-/// along others one per pixel.
+/// Returns the number of samples of one view in the plane z = 0, across and down. There is one sample per lens along axes with
+/// lens power, and one sample per pixel along other axes.
 Vec2i lens_grid(const Optics& optics);
 
-/// Returns the spacing of one view's samples in mm. On a slanted panel, this is the distance between lenses along a row.
+/// Returns the spacing of one view's samples in mm. Across a slanted panel, the spacing is the distance between lenses along a
+/// row.
 Vec2d sample_spacing_mm(const Optics& optics);
 
 /// The directions in which the picture changes as the eye moves.
@@ -59,14 +60,15 @@ struct Parallax {
 };
 Parallax parallax_of(const Optics& optics);
 
-/// Returns the number of distinct views across and up: the number of pixels below a lens (rounded up), or of the optics' views.
+/// Returns the number of distinct views across and up: the number of pixels below a lens, rounded up, or the number of the
+/// optics' views.
 Vec2i view_counts(const Optics& optics);
 
 /// Returns the size of a picture with square pixels that has at least as many samples as lens_grid().
 Vec2i natural_view_size(const Optics& optics);
 
-/// Returns a pinhole at an eye that sees the window in a picture of `size` pixels, which must have the window's aspect ratio.
-/// For reference renders: trace these optics in a display frame that is moved by (eye.x, eye.y, 0).
+/// Returns a pinhole at an eye, whose picture of `size` pixels shows the window. `size` must have the window's aspect ratio. To
+/// render a reference picture, trace these optics in a display frame that is moved by (eye.x, eye.y, 0).
 Optics pinhole_through_window(const Window& window, Vec2i size, Vec3d eye_mm);
 
 }  // namespace lippmann
