@@ -14,11 +14,9 @@
 // positions behind the main lens.
 //
 // 1. The centre of the main lens is imaged by microlens l to l (1 + b/t). Cells are therefore those of a lens array seen from
-// the
-//    distance t (optics/lens_axis.hpp), and are p (1 + b/t) apart.
+//    the distance t (optics/lens_axis.hpp), and are p (1 + b/t) apart.
 // 2. The ray of a pixel at offset o (in pixels) from the centre of its cell passes through the point A = o m t/b of the main
-// lens.
-//    The ray is blocked if |A| > f / 2N. The images below the microlenses touch if b = N p (1 + b/t) t/f.
+//    lens. The ray is blocked if |A| > f / 2N. The images below the microlenses touch if b = N p (1 + b/t) t/f.
 // 3. The main lens (a thin lens) adds A/f to the slope of the ray. In front of the camera, the line is
 //    x(Z) = A - Z (A/f - (A + l)/t).
 //

@@ -5,8 +5,7 @@
 // 4. Therefore f solves G(f) = p f + a tan(cone (f - 1/2)) = X M - (k - c) p. If v = 1 - f, a = (1 - M) D s; if v = f,
 //    a = -(1 - M) D s.
 // 5. G is monotone, except for some points in front of the panel, near the depth where a lens shows one point over its full
-// width
-//    (Z cone = p). There G has two turning points, at cos^2(cone (f - 1/2)) = -a cone / p. In each interval where G is
+//    width (Z cone = p). There G has two turning points, at cos^2(cone (f - 1/2)) = -a cone / p. In each interval where G is
 //    monotone, there is at most one solution per lens.
 #include "optics/slanted_panel.hpp"
 

@@ -3,8 +3,7 @@
 // 1. The whole part of the phase at the point is the index of the lens.
 // 2. Over its full width, the lens shows the eye a single point below the lens: the point whose light goes towards the eye.
 // 3. The line from the eye through the point of the display plane meets the plane z = D (D is distance_mm) at x_D. The view v
-// of
-//    this direction follows from atan(x_D / D) = cone (v - 1/2). Views repeat beyond the cone.
+//    of this direction follows from atan(x_D / D) = cone (v - 1/2). Views repeat beyond the cone.
 // 4. The point below the lens has the phase fraction 1 - v, or v if the panel is not inverted. Its three colours are sub-pixels
 //    of up to three different pixels.
 #pragma once

@@ -32,8 +32,7 @@ class ViewWalk {
 
 /// Finds the neighbours of a pixel.
 /// - kView: the pixels at the same offset below the neighbouring lenses, or the pixels nearest to this offset. Along the lenses
-/// of
-///   a lenticular sheet or a slanted panel, the neighbours are pixels of the next row.
+///   of a lenticular sheet or a slanted panel, the neighbours are pixels of the next row.
 /// - kLens: the neighbouring pixels below the same lens. For hexagonal packing, the area below a lens is approximated by a
 ///   rectangle of lens pitch by row pitch.
 /// In single views and quilts, kView and kLens both mean the neighbouring pixels of the same view.

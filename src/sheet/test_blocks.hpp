@@ -2,9 +2,8 @@
 //
 // Blocks consist of bars along the lenses, one bar in each strip (the part of the print below a lens).
 //   pitch test   Strips are black in the left half and white in the right half. The width of strips differs from block to
-//   block.
-//                Seen through the sheet, the block with the right pitch has a uniform shade. Other blocks show fringes; their
-//                number is the difference between the numbers of strips and lenses in the block.
+//                block. Seen through the sheet, the block with the right pitch has a uniform shade. Other blocks show fringes;
+//                their number is the difference between the numbers of strips and lenses in the block.
 //   phase test   Strips are white in the middle third and black elsewhere. From block to block, strips move to the right by a
 //                fraction of the pitch. Seen from the middle of the viewing zone, the block with the right phase is white.
 // Blocks are arranged along the lenses: one below the other for vertical bars, side by side for horizontal bars. If the number

@@ -4,8 +4,7 @@
 // Views of a quilt are off-axis pinholes by construction (optics/multi_view.hpp). Views of a lens array with a finite viewing
 // distance V are off-axis pinholes, too. With the gap g and the pixel pitch m:
 // 1. A pixel at offset o from the centre of its cell has a ray of slope -l/V - o/g through its lens at l. The rays of all
-// pixels
-//    with the same offset meet at x = -o V/g, z = V, which is the eye of their view.
+//    pixels with the same offset meet at x = -o V/g, z = V, which is the eye of their view.
 // 2. Neighbouring eyes are m V/g apart. A parallax below 1 (with_parallax()) moves the eyes closer together.
 // 3. Samples are one lens pitch apart. Along the lenses of a lenticular sheet, which have no power, samples are m V/(V + g)
 //    apart.
