@@ -41,7 +41,7 @@ BackgroundQueue::Impl::~Impl() {
   {
     const std::lock_guard lock(mutex);
     stopping = true;
-    waiting.clear();  // safe: these are the newest pieces, and no running piece waits for a later one
+    waiting.clear();  // safe, because running pieces wait only for earlier pieces
   }
   changed.notify_all();
   for (std::thread& thread : threads) thread.join();
@@ -51,7 +51,7 @@ void BackgroundQueue::Impl::start(int number) {
   for (int i = 0; i < number; ++i) threads.emplace_back([this] { serve(); });
 }
 
-/// Runs one half of a piece without the lock. Does nothing after a failure.
+/// Runs one of the two functions of a piece, without holding the lock. Does nothing after a failure.
 void BackgroundQueue::Impl::run(const std::function<void()>& half) {
   {
     const std::lock_guard lock(mutex);

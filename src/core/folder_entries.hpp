@@ -11,8 +11,8 @@ namespace lippmann {
 /// leading zeros.
 bool natural_less(std::string_view a, std::string_view b);
 
-/// Returns the entries of a folder, except hidden ones (.name), in natural order. Throws Error that names the folder if it
-/// cannot be listed; `accepted` is part of the message.
+/// Returns the entries of a folder in natural order, without hidden entries (.name). Throws Error that names the folder if it
+/// cannot be listed. The message ends with `accepted`.
 std::vector<std::filesystem::directory_entry> entries_of(const std::filesystem::path& folder, std::string_view accepted = {});
 
 }  // namespace lippmann

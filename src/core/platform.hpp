@@ -3,8 +3,8 @@
 // Only core/platform_*.cpp include system headers, one file per section below (scripts/check_layers checks this). A port to
 // another system replaces only these files.
 //
-// Unless stated otherwise, functions are thread-safe, and failures are a std::error_code of the generic category. If a system
-// lacks a feature, the declaration states the result: "unknown", infinity, or no effect.
+// Unless stated otherwise, functions are thread-safe and report failures as a std::error_code of the generic category. The
+// comment of a function states what it does on systems that lack the feature.
 #pragma once
 
 #include <chrono>
@@ -113,7 +113,6 @@ class OpenFile {
 
   /// Reads `count` bytes, or fewer at the end of the file and after a failure. Returns the number of bytes read.
   std::size_t read(void* to, std::size_t count, std::error_code& problem);
-  /// Writes all bytes.
   std::error_code write(const void* from, std::size_t count);
   /// Moves to `offset` from the beginning (SEEK_SET), the current position (SEEK_CUR) or the end (SEEK_END). Returns the new
   /// position, or -1 on failure.
@@ -150,7 +149,6 @@ std::filesystem::path make_unique_folder(const std::filesystem::path& prefix, st
 
 // ---- Processes (platform_process.cpp) -------------------------------------------------------------------------------------
 
-/// Returns this process's id.
 int process_id();
 /// Returns whether no process has the id.
 bool is_process_gone(int process);
@@ -211,7 +209,6 @@ class ChildProcess {
 /// Opens an address in the user's browser, without waiting for the browser to end. Returns whether a shell could be started.
 bool open_in_browser(const std::string& address);
 
-/// Returns whether standard error is a terminal.
 bool is_stderr_terminal();
 
 /// Opens /dev/null for each standard stream that was closed when the process started. Otherwise the next file that the program

@@ -25,7 +25,7 @@ std::string read_recorded_text(const std::filesystem::path& path, std::uintmax_t
 std::vector<std::byte> read_recorded_bytes(const std::filesystem::path& path, std::uintmax_t limit_bytes,
                                            const std::string& accepted = {});
 
-/// Checks a file on the disk in the same way. Reads the whole file if the journal names it.
+/// Throws Error as the overload above does, for a file on the disk. Reads the whole file only if the journal names it.
 void require_as_recorded(const std::filesystem::path& file);
 
 /// Throws Error if a frame file in the folder's journal is missing; the message names the first one.

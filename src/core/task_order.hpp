@@ -2,7 +2,7 @@
 // all_begin() and all_ended(), and calls begin() first and end() last.
 #pragma once
 
-// Active in instrumented sources, and in one source that is not instrumented (core/CMakeLists.txt).
+// Enabled in sources that are compiled for ThreadSanitizer, and in parallel.cpp (see core/CMakeLists.txt).
 #if defined(__SANITIZE_THREAD__) || defined(LIPPMANN_THREAD_SANITIZER)
 #include <sanitizer/tsan_interface.h>
 #define LIPPMANN_TELLS_TASK_ORDER

@@ -54,8 +54,8 @@ struct Lenses {
 };
 
 Lenses lenses_of(const Display& display, double distance_mm) {
-  // Gap g, pitch p, viewing distance V: cells are p (1 + g/V) wide. 2 atan(cell / 2g) = cone gives g = p / (2 tan(cone/2) -
-  // p/V).
+  // With the gap g, the lens pitch p and the viewing distance V, cells are p (1 + g/V) wide. It follows from
+  // 2 atan(cell / 2g) = cone that g = p / (2 tan(cone/2) - p/V).
   const double p = display.lenses.pitch_mm, spread = 2.0 * std::tan(0.5 * display.view_cone_deg * kDegree);
   return {p, p / (spread - p / distance_mm)};
 }

@@ -52,8 +52,8 @@ class IccProfile {
   static double fixed(FileBytes bytes, std::size_t at) { return static_cast<std::int32_t>(whole(bytes, at)) / 65536.0; }
   static std::string_view text(FileBytes bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
 
-  /// Returns the profile's description in ASCII. Profiles of version 2 store ASCII. Profiles of version 4 store big-endian
-  /// UTF-16, of which the low bytes are returned.
+  /// Returns the profile's description in ASCII. Profiles of version 2 store ASCII. For profiles of version 4, which store
+  /// big-endian UTF-16, returns the low byte of each character.
   std::string name() const {
     const FileBytes tag = this->tag("desc");
     if (tag.size() < 12) return "";

@@ -115,7 +115,8 @@ PictureHeader plain_header(int width, int height, int channels, SampleKind kind)
 /// Adds a notice if pixels are not square. `aspect` is width / height of a pixel.
 void add_aspect_notice(PictureHeader& header, double aspect);
 
-/// Returns the default channel names: Y; Y, A; R, G, B; R, G, B, A; then channel4, ...
+/// Returns the default names of 1 channel (Y), 2 (Y, A), 3 (R, G, B) or 4 channels (R, G, B, A). Further channels are named
+/// channel4, channel5, ...
 std::vector<std::string> default_channels(int count);
 
 }  // namespace lippmann

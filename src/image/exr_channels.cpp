@@ -17,7 +17,7 @@ std::string lower(std::string_view text) {
 }
 
 struct ChannelName {
-  std::string layer, channel;  // both as written in the file
+  std::string layer, channel;  // names as written in the file
 };
 
 ChannelName split(const std::string& name) {

@@ -19,7 +19,7 @@ namespace lippmann {
 struct ExrColors {
   std::vector<std::string> channels;  ///< names of R, G, B, or of grey, or of Y, RY, BY; empty if the file has no colours
   std::string alpha;                  ///< name of the alpha channel in the layer of the colours, or empty
-  bool luma_chroma = false;           ///< channels are Y, RY and BY
+  bool luma_chroma = false;           ///< whether `channels` are Y, RY and BY
   /// False if the colour is the only channel of the file, taken as grey although its name does not mean grey (rule 4).
   bool by_name = true;
   std::vector<std::string> others;  ///< other layers with colours, if the colours are those of the first layer (rule 3)

@@ -129,7 +129,7 @@ bool fits_type(std::string_view type, FileBytes value, const std::string& where)
 struct PartSize {
   std::int32_t window[4] = {0, 0, -1, -1};  // x and y of the first pixel, then x and y of the last pixel
   std::uint32_t tile[2] = {0, 0};
-  // Lower 4 bits: 0: one level, 1: mipmap levels, 2: ripmap levels. Upper 4 bits: 1: sides are rounded up.
+  // Lower 4 bits: 0 for one level, 1 for mipmaps, 2 for ripmaps. Upper 4 bits: 1 if the sides of levels are rounded up.
   std::uint8_t levels = 0;
   std::uint8_t compression = Imf::NO_COMPRESSION;
   bool tiled = false, deep = false;
@@ -268,7 +268,7 @@ void check_exr_file(FileBytes file, const std::string& where) {
 }
 
 std::uint64_t exr_lines_per_chunk(Imf::Compression compression) {
-  constexpr int kHtj2k256 = 10, kHtj2k32 = 11;  // these two exist since OpenEXR 3.4
+  constexpr int kHtj2k256 = 10, kHtj2k32 = 11;  // compression methods that OpenEXR has since version 3.4
   switch (static_cast<int>(compression)) {
     case Imf::ZIP_COMPRESSION:
     case Imf::PXR24_COMPRESSION:

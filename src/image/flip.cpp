@@ -4,8 +4,8 @@
 //
 // 1. Convert colours to YCxCz, blur them with the eye's contrast sensitivity functions (luminance, red-green and blue-yellow),
 //    and clamp them to the sRGB gamut.
-// 2. Compute the colour difference: the HyAB distance in CIELAB, to the power q_c. Hunt adjustment reduces chroma in dark
-//    regions before. Map the result to 0 ... 1, so that p_c times the largest difference becomes p_t.
+// 2. Convert to CIELAB and reduce chroma in dark regions (Hunt adjustment). The colour difference is the HyAB distance to the
+//    power q_c, mapped to 0 ... 1 so that p_c times the largest difference becomes p_t.
 // 3. Compute the feature difference. Edges and points are detected in Y by the first and second derivative of a Gaussian. Take
 //    the larger of the difference of edges and the difference of points. Divide by the square root of 2, then raise to the
 //    power q_f.

@@ -31,7 +31,7 @@ namespace {
 
 constexpr unsigned char kJpegMagic[] = {0xff, 0xd8, 0xff};
 
-/// A block of 8 x 8 samples takes at least one bit.
+/// A block of 8 x 8 samples takes at least one bit, so that a byte contains at most 8 blocks.
 constexpr std::uint64_t kMaxSamplesPerByte = 8 * 64;
 constexpr int kMaxScans = 200;
 

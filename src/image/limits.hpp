@@ -14,8 +14,8 @@ inline constexpr std::uintmax_t kMaxImageFileBytes = std::uintmax_t{4} << 30;
 /// Throws Error naming `where` if the size exceeds these limits.
 void check_image_size(const std::string& where, std::int64_t width, std::int64_t height, std::int64_t channels);
 
-/// Throws Error if a file of `file_bytes` bytes is too small for `picture_bytes` bytes of samples, compressed at most by the
-/// factor `ratio`. Such a file is truncated, or its header is wrong. Call this before allocating memory for the image.
+/// Throws Error if a file of `file_bytes` bytes cannot contain `picture_bytes` bytes of samples, because it is truncated or its
+/// header is wrong. `ratio` is the maximum compression ratio of the format. Call this before allocating memory for the image.
 void check_file_holds(const std::string& where, std::uint64_t file_bytes, std::uint64_t picture_bytes, std::uint64_t ratio);
 
 /// The maximum compression ratio of deflate: 258 equal bytes take 2 bits, 258 * 8 / 2 = 1032.

@@ -59,8 +59,7 @@ class TiffDecoder {
                                   options.get()));
     if (!tiff_) throw failure();
     read_layout();
-    // libtiff skips tags that it cannot read, such as a palette. The image would be wrong, so a truncated file is an error
-    // here.
+    // libtiff skips tags beyond the end of the file, such as a palette. Then the image would be wrong.
     if (cut_off_) throw unreadable_picture(where_, "the file is truncated");
   }
 

@@ -13,7 +13,7 @@ namespace lippmann {
 
 /// A line in the display frame.
 struct Crossing {
-  float x, y;              ///< in mm, in the plane z = z_front
+  float x, y;              ///< position in the plane z = z_front, in mm
   float slope_x, slope_y;  ///< slopes dx/dz and dy/dz
 };
 

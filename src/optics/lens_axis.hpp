@@ -20,7 +20,7 @@ namespace lippmann {
 /// Constants of one axis. T is double for single points and float in loops over pixels.
 template <class T>
 struct LensAxis {
-  T start_px, cell_px, cells_per_px;  ///< cell 0 begins at start_px
+  T start_px, cell_px, cells_per_px;  ///< start of cell 0, width of a cell, and 1 / cell_px
   T lens0_mm, pitch_mm;
   T slope_per_px;  ///< m / g times the parallax factor
   T vergence;      ///< 1 / V, per mm; 0 for an infinite viewing distance
@@ -95,8 +95,8 @@ inline double image_offset_px(const LensAxis<double>& axis, double lens_mm, doub
 /// end for rounding. Excludes cells outside the panel, whose coordinate s runs from s_low to s_high.
 LensRange lenses_near(const LensAxis<double>& axis, double x_mm, double z_mm, double reach_px, double s_low, double s_high);
 
-/// Returns whether a point counts as lying in the lens plane. This is so if a movement by 2e-5 lens pitches would move its
-/// image across the whole cell, because floats do not resolve such small movements.
+/// Returns whether a point counts as lying in the lens plane: whether moving it by 2e-5 lens pitches moves its image across the
+/// whole cell. Floats do not resolve such small movements.
 inline bool in_lens_plane(const LensAxis<double>& axis, double z_mm) {
   return std::abs(z_mm) * axis.slope_per_px * axis.cell_px <= 2e-5 * axis.pitch_mm;
 }

@@ -30,9 +30,8 @@ struct SlantedPanelRays {
   float eye_y_mm;
   float distance_mm, inverse_distance;
   float front_from_eye_mm;  ///< z of the plane z_front relative to the eye: z_front - distance, <= 0
-  /// Positions of sub-pixels relative to their pixel's centre, in panel pixels, y up. Element ((row mod 4) * 2 + column mod 2)
-  /// * 3
-  /// + colour; rows count from the bottom.
+  /// Positions of sub-pixels relative to their pixel's centre, in panel pixels, y up. The index of a sub-pixel is
+  /// 3 (2 (row mod 4) + column mod 2) + colour, where rows count from the bottom.
   float offset_x[24], offset_y[24];
 };
 

@@ -27,7 +27,7 @@ VideoCodec choose_codec(const std::filesystem::path& path, std::optional<VideoCo
 struct CrfRange {
   int highest = 51, standard = 18;
 };
-/// Returns nothing for FFV1, which is lossless.
+/// Returns the CRF range of a codec, or nothing for FFV1, which is lossless.
 std::optional<CrfRange> crf_range(VideoCodec codec);
 
 }  // namespace lippmann

@@ -20,13 +20,12 @@ struct Context {
   std::function<void(double)> frame_progress{};
   std::atomic<bool> cancelled{false};  ///< set to true to stop at the next tile or frame; signal handlers may set it
 
-  /// Reports to `warn` if it is set.
   void warning(std::string_view text) const {
     if (warn) warn(text);
   }
 };
 
-/// Returns the number of threads for `context`, at least 1.
+/// Returns context.threads, or the number of processors that this process may use if it is 0.
 int resolved_threads(const Context& context);
 
 }  // namespace lippmann

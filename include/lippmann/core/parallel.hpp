@@ -16,7 +16,7 @@
 
 namespace lippmann {
 
-/// A pool of threads. Create one per process or render: creating it per frame costs more than a small frame.
+/// A pool of threads. Create one per process or render, because creating a pool takes longer than tracing a small frame.
 class ThreadPool {
  public:
   explicit ThreadPool(int threads);  ///< threads >= 1; this number includes the calling thread

@@ -16,8 +16,7 @@
 
 namespace lippmann {
 
-/// Returns the version of the linked library, such as "0.3.0"; the macros are the version of the headers. Job files, reports
-/// and EXR files contain it.
+/// Returns the version of the linked library, such as "0.3.0". The macros above are the version of the headers.
 const char* version();
 
 }  // namespace lippmann

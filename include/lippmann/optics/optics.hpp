@@ -39,7 +39,7 @@ struct LenticularSheet {
   /// Distance at which the cells converge. If infinite, each cell lies straight below its lens.
   float viewing_distance_mm = kInfinity;
   float eye_height_mm = 0.0f;  ///< y of the point at which rows converge, if viewing_distance_mm is finite
-  float parallax = 1.0f;       ///< see with_parallax
+  float parallax = 1.0f;       ///< factor of the scene's depth; see with_parallax()
 };
 
 enum class LensPacking { kSquare, kHexagonal };
@@ -52,7 +52,7 @@ struct MicrolensArray {
   float gap_mm = 2.0f;
   Vec2f offset_mm{0.5f, 0.5f};  ///< centre of lens (0, 0)
   float viewing_distance_mm = kInfinity;
-  float parallax = 1.0f;  ///< see with_parallax
+  float parallax = 1.0f;  ///< factor of the scene's depth; see with_parallax()
 };
 
 /// A grid of views (a quilt). Every view is an off-axis (sheared) pinhole through the same rectangle in z = 0. View 0 is the
@@ -67,10 +67,10 @@ struct MultiView {
   /// True: the angle of view v uses v / (N - 1) instead of (v + 1/2) / N, as in some tools.
   bool cone_ends_included = false;
   float distance_mm = 500.0f;  ///< distance from the eyes to the plane z = 0
-  float baseline_mm = 0.0f;    ///< > 0: camera grid with this eye spacing; view_cone is ignored
+  float baseline_mm = 0.0f;    ///< if above 0: eye spacing of a camera grid, which ignores view_cone
   /// Height of a pixel in pixel widths. Differs from 1 for quilts whose tiles are stretched on the display.
   float pixel_height = 1.0f;
-  float parallax = 1.0f;       ///< see with_parallax
+  float parallax = 1.0f;       ///< factor of the scene's depth; see with_parallax()
   Vec2f eye_shift{0.0f};       ///< shifts all eyes right and up, in units of the view spacing (optics/angular_filter.hpp)
   float eye_height_mm = 0.0f;  ///< height of all eyes above the middle of the plane z = 0
 };
@@ -102,7 +102,7 @@ struct SlantedPanel {
   float view_cone = radians(40.0f);  ///< full angle between the views v = 0 and v = 1
   float distance_mm = 500.0f;        ///< distance from the viewer to the plane z = 0
   SubPixelOffsets sub_pixels = striped_sub_pixels();
-  float parallax = 1.0f;       ///< see with_parallax
+  float parallax = 1.0f;       ///< factor of the scene's depth; see with_parallax()
   float eye_height_mm = 0.0f;  ///< height of the viewer above the middle of the panel
 };
 

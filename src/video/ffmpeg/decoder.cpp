@@ -150,7 +150,7 @@ class FfmpegDecoder : public VideoDecoder {
   const AVStream* stream_ = nullptr;
   Vec2i size_{0, 0};  // size of the first frame
   std::int64_t frames_ = 0, packets_ = 0,
-               end_time_ = 0;  // number of decoded frames; number of packets read; end of the last packet in stream time units
+               end_time_ = 0;  // decoded frames, read packets, and end of the last packet in units of the stream's time base
   bool ended_ = false;         // whether all packets were read; the decoder may still hold frames
 };
 

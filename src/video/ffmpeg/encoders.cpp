@@ -53,8 +53,8 @@ void configure_av1(AVCodecContext& context, int crf) {
 void configure_ffv1(AVCodecContext& context) {
   context.level = 3;
   context.gop_size = 1;  // every frame can be decoded without other frames
-  context.slices =
-      std::min(context.width, context.height) < 16 ? 1 : 4;  // independent of the number of threads, as the output must be
+  // The number of slices changes the output, so that it must not depend on the number of threads.
+  context.slices = std::min(context.width, context.height) < 16 ? 1 : 4;
   set(context, "slicecrc", 1);
 }
 
