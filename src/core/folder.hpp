@@ -12,7 +12,7 @@ void make_folder(const std::filesystem::path& folder);
 /// Removes a file, a link or an empty folder. Does nothing if `path` does not exist. Throws Error that names `path` on failure.
 void remove_if_there(const std::filesystem::path& path);
 
-/// Creates a folder for results like make_folder(). The destructor removes the new folders that are still empty, so a failure
+/// Creates a folder as make_folder() does. The destructor removes the created folders that are still empty, so that a failure
 /// leaves nothing behind.
 class NewFolder {
  public:

@@ -1,4 +1,4 @@
-// Reads a lenticular sheet on a print from one line: "lpi=60.12 dpi=600 paper=A5". Private to src/display.
+// Reads a one-line description of a lenticular sheet on a print: "lpi=60.12 dpi=600 paper=A5". Private to src/display.
 //
 // One of the first four keys is required:
 //   lpi                lenses per inch; without viewing-distance, the print has the same pitch as the lenses
@@ -24,10 +24,10 @@
 
 namespace lippmann {
 
-/// Returns whether a text is a sheet in one line, and neither the name of a preset nor of a file.
+/// Returns whether a text is a one-line description of a sheet, and neither the name of a preset nor of a file.
 bool is_sheet_line(const std::string& text);
 
-/// Reads a sheet from one line. Throws a usage Error naming the key.
+/// Reads a one-line description of a sheet. Throws a usage Error naming the key.
 Display display_from_line(const std::string& line);
 
 }  // namespace lippmann

@@ -122,7 +122,7 @@ class PngDecoder {
   }
 
   void add_place_notices(PictureHeader& header) const {
-    png_uint_32 across = 0, down = 0;  // in pixels per unit
+    png_uint_32 across = 0, down = 0;  // resolution in pixels per unit
     int unit = 0;
     if (png_get_pHYs(png_, info_, &across, &down, &unit) && across > 0 && down > 0)
       add_aspect_notice(header, static_cast<double>(down) / across);

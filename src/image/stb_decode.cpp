@@ -126,7 +126,8 @@ PictureHeader bmp_header(FileBytes file, const std::string& where) {
   const std::uint64_t bits = byte_at(file, old ? 24 : 28);
   check_file_holds(where, file.size(), pixels_of(shape) * bits / 8, 1);
   PictureHeader header = plain_header(shape.width, shape.height, shape.channels, SampleKind::kByte);
-  const std::int64_t across = old ? 0 : long_at(file, 38), down = old ? 0 : long_at(file, 42);  // in pixels per metre
+  const std::int64_t across = old ? 0 : long_at(file, 38),
+                     down = old ? 0 : long_at(file, 42);  // resolution in pixels per metre
   if (across > 0 && down > 0) add_aspect_notice(header, static_cast<double>(down) / static_cast<double>(across));
   return header;
 }

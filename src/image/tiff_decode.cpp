@@ -166,7 +166,7 @@ class TiffDecoder {
   }
 
   void add_place_notices(PictureHeader& header) const {
-    float across = 0.0f, down = 0.0f;  // in pixels per unit
+    float across = 0.0f, down = 0.0f;  // resolution in pixels per unit
     if (TIFFGetField(tiff_.get(), TIFFTAG_XRESOLUTION, &across) && TIFFGetField(tiff_.get(), TIFFTAG_YRESOLUTION, &down) &&
         across > 0.0f && down > 0.0f)
       add_aspect_notice(header, static_cast<double>(down) / static_cast<double>(across));

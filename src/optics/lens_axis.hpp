@@ -25,7 +25,7 @@ struct LensAxis {
   T slope_per_px;  ///< m / g times the parallax factor
   T vergence;      ///< 1 / V, per mm; 0 for an infinite viewing distance
   T eye_mm;        ///< position of the eye at which the cells converge
-  /// Pixels per lens if this number is whole and a cell begins at pixel 0; otherwise 0.
+  /// Number of pixels per lens if it is whole and a cell begins at pixel 0; otherwise 0.
   int whole_pixels;
 
   template <class U>

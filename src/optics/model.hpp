@@ -50,8 +50,8 @@ struct OpticsFacts {
   bool repeats_beyond_zone = false;  ///< whether eyes beyond the viewing zone see pixels of neighbouring lenses
   /// Slanted panels only: shift of a lens to the right from one film row to the next, in film columns.
   std::optional<double> lens_columns_per_row = {};
-  /// Along x and y: the blur in pixels (for quilts: in views) is the sigma of the lens divided by this number. 0: the lenses
-  /// have no power along the axis. crosstalk_sigmas() uses this.
+  /// Sigma of a lens's blur (across the lens) divided by the sigma along x and along y, both in pixels or, for quilts, in
+  /// views. 0 if the lenses have no power along the axis.
   Vec2d crosstalk_pitch{0.0};
 };
 
@@ -125,7 +125,6 @@ concept CompleteModel = requires(const Panel& panel, const Model& model, Model& 
   { footprint_mm(panel, model, mm) } -> std::same_as<Vec2f>;
   /// Returns the slope (right, up) of the eye at `share` of the viewing zone, relative to the design viewer.
   { zone_slope(panel, model, share) } -> std::same_as<Vec2d>;
-  /// Returns the steps from a pixel to its neighbours.
   { step_rule(panel, model, within) } -> std::same_as<StepRule>;
 };
 
@@ -137,7 +136,7 @@ concept HasInverse = requires(const Panel& panel, const Model& model, Vec3f poin
   sight_of(panel, model);
 };
 
-/// Models with directional views and known view cameras (view_cameras()).
+/// Models whose directional views are pinhole cameras (view_cameras()).
 template <class Model>
 concept HasCameras = requires(const Panel& panel, const Model& model) {
   { cameras_of(panel, model) } -> std::same_as<std::optional<ViewCameras>>;

@@ -7,7 +7,6 @@
 namespace lippmann {
 namespace {
 
-/// Calls function(panel, model).
 template <class Function>
 auto visit_model(const Optics& optics, const Function& function) {
   return std::visit([&](const auto& model) { return function(optics.panel, model); }, optics.model);

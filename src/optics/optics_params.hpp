@@ -81,7 +81,7 @@ inline constexpr std::array kKindParams{
     KindParam{"lens-focal-length", [](const OpticsParams& params) { return params.lens_focal_length_mm.has_value(); }},
 };
 
-/// Returns the full angle of the viewing zone in radians; 28 degrees if it is not given.
+/// Returns the full angle of the viewing zone in radians. The default is 28 degrees.
 float view_angle(const OpticsParams& params);
 
 }  // namespace lippmann

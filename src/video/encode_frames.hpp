@@ -17,10 +17,12 @@ struct NumberedFrame {
   std::filesystem::path path;
 };
 
-/// Finds frames. `from` is a folder that contains frame_0000.png, ... or a single series of numbered images, including quilts.
-/// It may also be a file name pattern, in which * or %04d stands for the number. `wanted` holds the frame numbers in order; if
-/// it is empty, all frames from the lowest to the highest number are wanted. Throws Error naming the folder and the first
-/// missing frame.
+/// Finds frames. `from` is one of:
+/// - a folder that contains frame_0000.png, frame_0001.png, ...
+/// - a folder that contains a single series of numbered images, including quilts
+/// - a file name pattern, in which * or %04d stands for the frame number
+/// `wanted` contains the frame numbers in order. If it is empty, returns all frames from the lowest to the highest number.
+/// Throws Error naming the folder and the first missing frame.
 std::vector<NumberedFrame> find_frames(const std::string& from, std::vector<int> wanted = {});
 
 /// Returns `out` with the suffix that states the layout of the frames, unless it has this suffix already. For example, frames

@@ -49,8 +49,8 @@ struct Calibration {
   bool flip_sub_pixels = false;     ///< flipSubp: swaps blue and red
   double vertical_angle_deg = 0.0;  ///< verticalAngle: stored but not used by the formula
   double fringe = 0.0;              ///< stored but not used by the formula
-  /// subpixelCells: at most 8 arrangements of sub-pixels in a pixel. In the formula, the x of a sub-pixel replaces c s, and its
-  /// y is added to y. If empty, sub-pixels are vertical stripes.
+  /// subpixelCells: at most 8 arrangements of sub-pixels in a pixel. In the formula above, the x of a sub-pixel replaces c s,
+  /// and its y is added to y. If empty, sub-pixels are vertical stripes.
   std::vector<SubPixelCell> cells{};
   int cell_pattern = 0;   ///< CellPatternMode, 0 ... 4: selects one of `cells` for each pixel (see Patterns)
   std::string version{};  ///< configVersion: version of the file's format

@@ -13,11 +13,11 @@ namespace lippmann {
 /// - the name of a preset ("looking-glass-portrait"; "looking-glass-" may be left out)
 /// - a .toml file that describes a display
 /// - a .json calibration ("visual.json"); the preset for its serial number supplies the missing values (quilt, cone, video)
-/// - a lenticular sheet in one line, "lpi=60.12 dpi=600 paper=A5" (docs/guide/displays.md)
+/// - a one-line description of a lenticular sheet, "lpi=60.12 dpi=600 paper=A5" (docs/guide/displays.md)
 /// Throws Error naming the file and key. For an unknown name, the message suggests the most similar one.
 Display load_display(const std::string& preset_or_path);
 
-/// Returns whether `display` is a path, and neither the name of a preset nor a sheet in one line.
+/// Returns whether `display` is a path, and neither the name of a preset nor a one-line description of a sheet.
 bool is_display_file(const std::string& display);
 
 /// Returns all presets, sorted by name.

@@ -115,7 +115,7 @@ struct PlenopticCamera {
   float gap_mm = 1.0f;            ///< distance from the microlens array to the sensor
   Vec2f offset_mm{0.0f};          ///< centre of lens (0, 0) relative to the axis of the main lens
   float focal_length_mm = 50.0f;  ///< focal length of the main lens
-  float f_number = 2.0f;          ///< f-number of the main lens, whose aperture blocks all other light
+  float f_number = 2.0f;          ///< f-number of the main lens; light outside its aperture is blocked
   float distance_mm = 500.0f;     ///< distance from the main lens to the plane z = 0; greater than the focal length
   /// Distance from the main lens's image of the plane z = 0 to the array, positive away from the main lens. 0 is a plenoptic
   /// camera 1.0. Other values are a plenoptic camera 2.0: Keplerian above 0, Galilean below 0.
@@ -221,7 +221,7 @@ struct LensArray {
   double pitch_mm = 0.0;      ///< distance between lenses along a row of pixels, for any slant
   double row_pitch_mm = 0.0;  ///< distance between rows of lenses; 0: cylindrical lenses
   double gap_mm = 0.0;
-  double viewing_distance_mm = 0.0;  ///< distance at which the cells converge; may be inf
+  double viewing_distance_mm = 0.0;  ///< distance at which the cells converge, or infinity
   double eye_height_mm = 0.0;
   double cell_mm = 0.0;        ///< width of the panel area below one lens
   double slant_cosine = 1.0;   ///< cosine of a sheet's slant: lens_pitch_mm = pitch_mm * slant_cosine

@@ -13,7 +13,6 @@ namespace lippmann {
 /// Returns the names of all models, such as "lenticular": the values of "kind" in report.json.
 std::vector<std::string_view> optics_kind_names();
 
-/// Returns the name of the optics' model.
 std::string_view kind_name(const Optics& optics);
 
 /// Returns optics of a kind. `members` is a JSON object with the model's numbers, named as in report.json, where null means
