@@ -69,8 +69,8 @@ void make_parts(const RenderSetup& setup, const std::vector<int>& parts, FrameLo
 
 /// Claims units one by one and renders them until none is left.
 void share_parts(const Run& run, FrameLoop& loop, StrippedFrames* strips) {
-  // Number of units per rank. Starting a unit costs time, so there should be few units. With fewer than this, ranks would end
-  // at very different times.
+  // Number of units per rank (a process of an MPI job). Starting a unit costs time, so there should be few units. With fewer
+  // units than this, some ranks would end much later than others.
   constexpr int kUnitsPerRank = 8;
   const RenderSetup& setup = run.setup;
   Ranks& ranks = *setup.run.ranks;
@@ -93,11 +93,11 @@ void report_strips(const RenderSetup& setup, const StrippedFrames& strips, Rende
   }
 }
 
-/// Renders this process's share of the run. Also writes the videos if the run has no ranks.
+/// Renders this process's share of the run. If this process renders alone (without ranks), it also writes the videos.
 void make_run(const Run& run, FrameMaker& maker, StrippedFrames* strips) {
   const RenderSetup& setup = run.setup;
   RenderReport& report = run.report;
-  // With ranks, the frames of other ranks would arrive too late for a video that is encoded along with the frames.
+  // A video is encoded along with the frames. With ranks, the frames of other processes would arrive too late for this.
   const bool writes_videos = !setup.run.ranks;
   FrameLoop loop(run, maker, writes_videos ? setup.videos : std::vector<VideoFile>());
   run.progress.planned(setup.plan(kept_parts(setup, run.folder)));

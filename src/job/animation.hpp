@@ -14,8 +14,9 @@ namespace lippmann {
 /// Renders the frames of a job and writes the pictures, the videos, job.toml and report.json into output_folder(). Pictures and
 /// videos have the same bytes for any number of threads, and whether or not the render was interrupted and resumed.
 ///
-/// If frames are rendered in strips (RenderParams::strips), a run that renders only some units or that has ranks leaves the
-/// strips in the folder. A run of the whole job, or a run with only_finished, joins the strips to frames.
+/// If frames are rendered in strips (RenderParams::strips), a run that renders only some units, or that several processes
+/// (RunParams::ranks) share, leaves the strips in the folder. A run of the whole job, or a run with RunParams::only_finished,
+/// joins the strips to frames.
 ///
 /// Stops soon after context.cancelled is set. Finished frames are then kept, the current frame and unfinished videos leave no
 /// files, and report.json has `interrupted` set. Throws Error for jobs that cannot be rendered, before any file is made. Throws

@@ -58,7 +58,7 @@ void write_json(const fs::path& path, const Json& json) {
   write_file_atomically(path, std::as_bytes(std::span(text)));
 }
 
-/// Returns nullopt if the file does not exist. Returns a discarded value if the file is not valid JSON.
+/// Returns nullopt if the file does not exist. If the file is not valid JSON, returns a value for which is_discarded() is true.
 std::optional<Json> read_optional_json(const fs::path& path) {
   std::error_code ignored;
   if (!fs::exists(path, ignored)) return std::nullopt;

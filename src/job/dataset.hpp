@@ -24,7 +24,7 @@
 namespace lippmann {
 
 struct DatasetParams {
-  /// Built-in names or files. Their meshes become objects, in addition to spheres and boxes.
+  /// Names of built-in scenes or of scene files. Objects are made of their meshes, and also of spheres and boxes.
   std::vector<std::string> scenes;
   std::filesystem::path folder;
   int count = 1;

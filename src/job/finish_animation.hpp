@@ -18,7 +18,7 @@ struct FinishedAnimation {
   /// Frames that must be rendered again: they are missing or damaged, and cannot be joined from strips.
   std::vector<int> to_render;
   std::optional<RenderReport> report;  ///< report of the whole folder; nullopt if frames are missing
-  /// False if the job needs a render in kSingleFolder (the plain picture) and that render is not complete.
+  /// False if the job also needs a render of a single view (in the folder kSingleFolder), and that render is not complete.
   bool has_single = true;
 };
 

@@ -88,15 +88,16 @@ bool is_readable_job(const std::filesystem::path& job) try {
 }
 
 /// Returns whether a job file that differs from the journal is damaged. A file that the user has edited is not damaged: it can
-/// be read, and a resumed run reads the same settings from it. The job file of the plain picture is not meant to be edited, so
-/// any difference means damage.
+/// be read, and a resumed run reads the same settings from it. The job file of the single view beside a light field
+/// (kSingleFolder) is not meant to be edited, so any difference means damage.
 bool is_damaged_job(const std::filesystem::path& file, const ResolvedJob& job, const RenderFolder& folder) {
   if (!job.params().resume || !folder.now().files.contains(kJobFile)) return false;
   const bool is_of_single = folder.path().filename() == kSingleFolder && has_journal(folder.path().parent_path());
   return is_of_single || !is_readable_job(file) || !differences(file, job).empty();
 }
 
-/// Returns whether earlier runs already included all frames and companion folders that this run requests.
+/// Returns whether earlier runs already included all frames that this run requests, and all companion folders (additional
+/// renders, such as kSingleFolder).
 bool holds_all(const FolderJournal& before, const FolderJournal& now) {
   return before.asked == now.asked && before.companions == now.companions;
 }

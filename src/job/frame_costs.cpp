@@ -9,9 +9,10 @@
 namespace lippmann {
 namespace {
 
-/// Expected number of frames per key frame, if any frame may become a key frame from which others are copied. A key frame that
-/// does not pay off is followed by 16 or more frames without a key frame. A key frame that pays off is followed by about as
-/// many copies (frames/exact_frames.cpp). The first frame of a measurement is always a key frame.
+/// Assumed number of frames per key frame, if any frame may become a key frame from which others are copied. It cannot be
+/// measured, because the first frame of a measurement is always a key frame. After a key frame that does not pay off, the
+/// renderer makes 16 or more frames without a key frame. After a key frame that pays off, about as many frames are copied
+/// (frames/exact_frames.cpp).
 constexpr double kFramesPerFreeKey = 16.0;
 
 double mean_cost(const std::vector<double>& costs) {
@@ -26,7 +27,7 @@ double sum_of_cpu(const std::vector<FrameReport>& frames) {
   return sum;
 }
 
-/// Returns the mean cost of the frames at each position in their segments.
+/// Returns the mean cost of frames, indexed by the position of the frames in their segment.
 std::map<int, double> costs_by_place(const std::vector<FrameReport>& frames, int segment) {
   std::map<int, std::vector<double>> costs;
   std::vector<double> free_keys;
@@ -54,8 +55,9 @@ std::set<int> segments_of(const std::vector<FrameReport>& frames, int segment) {
   return segments;
 }
 
-/// Returns the mean cost of the source frames that a unit renders in addition to its own frames. If a source is in a measured
-/// segment and belongs to the job, it is not counted, because the unit renders it as one of its own frames.
+/// Returns the mean cost per unit of source frames: frames that a unit renders only because its own frames are made from them.
+/// If a source frame is in a measured segment and belongs to the job, it is not counted, because the unit renders it as one of
+/// its own frames.
 double source_cost(const MeasuredRun& run, const std::vector<int>& of_job, int segment) {
   const std::set<int> measured = segments_of(run.frames, segment);
   double sum = 0.0;

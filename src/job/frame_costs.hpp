@@ -18,10 +18,10 @@ struct JobCosts {
   /// lower position that has an entry.
   std::map<int, double> at;
   double write_cpu_seconds = 0.0;  ///< cost of writing the files of one frame
-  /// Cost of the source frames that a unit renders in addition to its own frames.
+  /// Cost of source frames: frames that a unit renders only because its own frames are made from them.
   double source_cpu_seconds = 0.0;
   std::uint64_t peak_memory_bytes = 0;  ///< peak memory of the measuring process
-  std::vector<int> frames;              ///< frames that were measured, completely or in some strips
+  std::vector<int> frames;              ///< measured frames; of some of them, only some strips were rendered
 };
 
 struct MeasuredRun {

@@ -28,7 +28,7 @@ void make_room_for_videos(const std::vector<VideoFile>& videos, const FrameLayou
                           const Context& context);
 
 /// Completes the videos of `frames`, which `sink` must have received. Records the videos in the folder's journal. If the folder
-/// holds the plain picture of a light field (kSingleFolder), also records them in the journal of the light field's folder.
+/// is the kSingleFolder of a light field (single_clip.hpp), also records them in the journal of the light field's folder.
 void finish_videos(const std::vector<VideoFile>& videos, const std::vector<int>& frames, FrameSink& sink, RenderFolder& folder);
 
 }  // namespace lippmann

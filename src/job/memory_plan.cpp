@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kFilm = 3 * sizeof(float);
 
-/// Ratio of allocated to used memory of an encoded file, because the file is a vector that grows by doubling.
+/// Ratio of allocated to used memory of an encoded file. The file is a vector that grows by doubling.
 constexpr double kGrowth = 2.0;
 
 /// Fraction of the available memory that a plan may use. The rest allows for errors of the estimate and for other programs.
@@ -40,8 +40,8 @@ double frame_held(const MemoryFacts& facts) {
   return bytes;
 }
 
-/// Returns the bytes per pixel for encoding a picture: its codes and the encoded file. The file is assumed to be as large as
-/// the file of a noisy picture.
+/// Returns the bytes per pixel for encoding a picture: the picture's integer or half-float samples, and the encoded file. The
+/// file is assumed to be as large as for a noisy picture.
 double picture_written(const MemoryFacts& facts) {
   constexpr double kPngFile = 3 * 0.6, kPng16File = 3 * 1.7, kHalfFile = 3 * 1.3, kFloatFile = 3 * 2.9;
   constexpr double kCodes = 3.0, kCodes16 = 6.0, kHalves = 6.0;
@@ -60,8 +60,9 @@ double picture_written(const MemoryFacts& facts) {
   return (floats ? kGrowth * kFloatFile : kHalves + kGrowth * kHalfFile) + video_codes;
 }
 
-/// Returns the bytes per pixel for encoding layers. Layers that are stored as 16-bit floats are converted first. The codes of
-/// an alpha layer are interleaved with those of the picture, so alpha counts as part of the picture.
+/// Returns the bytes per pixel for encoding layers. Layers that are stored as 16-bit floats are converted first. In formats
+/// other than EXR, the samples of an alpha layer are interleaved with those of the picture, so alpha is encoded as part of the
+/// picture.
 double layers_written(const MemoryFacts& facts) {
   double bytes = 0.0;
   for (const Aov aov : layers_of(facts)) {
@@ -181,7 +182,7 @@ MemoryPlan plan_strips_memory(const MemoryFacts& facts, int strips, bool joins, 
                 fmt::format("joining a frame of {}x{} pixels from its strips needs about {} of memory, but {} are available",
                             facts.film.x, facts.film.y, bytes_text(joined), bytes_text(available)),
                 "fewer pixels, fewer layers, or more memory");
-  // Both numbers are added, because the heap keeps most of the memory that tracing used.
+  // Add the memory for joining to the memory for tracing, because the heap keeps most of the memory that tracing used.
   return {1, false, strip + joined};
 }
 

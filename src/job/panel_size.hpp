@@ -16,8 +16,8 @@ inline constexpr std::int64_t kMaxPixels = (std::int64_t{1} << 31) - 1;
 /// Maximum number of pixels per side, which is a limit of picture files and libraries.
 inline constexpr int kMaxSide = 65536;
 
-/// Returns the size of the panel. `scene_resolution` is the resolution stated in the scene's file, and the default size of a
-/// single view. It is {0, 0} if the file states none. Throws a usage Error that names contradicting flags and accepted values.
+/// Returns the size of the panel. `scene_resolution` is the resolution stated in the scene's file, or {0, 0} if the file states
+/// none. It is the default size of a single view. Throws a usage Error that names contradicting flags and accepted values.
 PanelSize panel_size(const RenderParams& params, Vec2i scene_resolution);
 
 }  // namespace lippmann

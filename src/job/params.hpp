@@ -61,16 +61,16 @@ struct ReuseParams {
   ReuseChoice choice = ReuseChoice::kAuto;
   /// Number of frames from one key frame to the next. If nullopt, it is chosen automatically, or kDefaultKeyframes is used.
   std::optional<int> keyframes{};
-  std::optional<double> min_psnr_db{};  ///< minimum PSNR of every frame, in 8-bit codes
+  std::optional<double> min_psnr_db{};  ///< minimum PSNR of every frame in dB, after rounding to 8 bits
   SplatMode splat = SplatMode::kView;
-  MissedFill fill = MissedFill::kInterpolate;  ///< kInterpolate or kRetrace
+  MissedFill fill = MissedFill::kInterpolate;  ///< only kInterpolate and kRetrace are allowed
   bool halving = false;
   bool no_z_buffer = false;
   DebugPicture debug = DebugPicture::kNone;  ///< kMissed leaves missed pixels black
 };
 
 /// Additional renders that are made of the same frames.
-enum class Companion { kSingle };  ///< kSingle is the plain picture beside a light field (job/single_clip.hpp)
+enum class Companion { kSingle };  ///< kSingle is a render of a single view beside a light field (job/single_clip.hpp)
 
 struct OutputParams {
   std::string folder;                 ///< output folder; if empty, out/<scene name>

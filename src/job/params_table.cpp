@@ -185,7 +185,8 @@ struct Documentation {
   std::string_view name, group, type, doc;
 };
 
-/// Returns the member of `value` that a path of member pointers leads to.
+/// Returns the member at the end of a path of member pointers. For example, member_of(params, &RenderParams::scene,
+/// &SceneParams::fps) is params.scene.fps.
 template <class T>
 T& member_of(T& value) {
   return value;

@@ -14,7 +14,7 @@
 
 namespace lippmann {
 
-/// Notation of a value in a job file. The flag of a kList may be repeated.
+/// Notation of a value in a job file. The flag of a parameter of the kind kList may be repeated.
 enum class ParamKind { kText, kNumber, kFlag, kList };
 
 struct ParamInfo {
@@ -30,8 +30,8 @@ struct ParamInfo {
 
   /// Sets the value. `where` is the location that messages show, such as "--spp" or "job.toml:3: spp".
   std::function<void(RenderParams&, const std::vector<std::string>& values, const std::string& where)> set;
-  /// Returns the value. Returns an empty list if the parameter is not given and follows from other parameters. set(get())
-  /// changes nothing.
+  /// Returns the value. Returns an empty list if the parameter was not given, so that its value is derived from other
+  /// parameters. Passing the result to set() changes nothing.
   std::function<std::vector<std::string>(const RenderParams&)> get;
 
   /// The accepted words. Empty if the value is not one of a list of words.

@@ -22,10 +22,10 @@ struct PlacedJob {
 /// other.
 Screen screen_of(const ResolvedJob& job, const Scene& scene, const Display* display);
 
-/// Loads the job's display, fits the array to the scene, and makes the optics. Rays start at the viewer. If walls that the
-/// file's camera does not see hide the scene from the viewer, rays start behind these walls, so that a camera inside a room
+/// Loads the job's display, fits the array to the scene, and makes the optics. Rays normally start at the viewer. If walls hide
+/// the scene from the viewer but not from the file's camera, rays start behind these walls. A camera inside a room therefore
 /// shows the room. `scene` must pass validate(). Throws Error if the display cannot be read. Throws a usage Error if parameters
-/// contradict each other or give no rays.
+/// contradict each other, or if no rays exist for them.
 PlacedJob place(const ResolvedJob& job, const Scene& scene);
 
 }  // namespace lippmann

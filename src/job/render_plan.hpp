@@ -16,7 +16,7 @@ struct RenderPlan {
   std::filesystem::path folder;
   FrameNames names;
   PictureFormat format = PictureFormat::kPng;
-  /// Frames to render, in ascending order: those of the requested units, or of the whole job.
+  /// Frames of the requested units, or of the whole job, in ascending order.
   std::vector<int> frames;
   std::vector<std::string> videos = {};
   /// Number of strips to render. 0 if whole frames are rendered.

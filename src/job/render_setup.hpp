@@ -35,7 +35,8 @@ struct RenderSetup {
   MemoryPlan memory;  ///< how frames fit into the available memory
   /// Estimated memory for joining a frame from strips. 0 if no frame is joined.
   double join_bytes = 0.0;
-  /// Crosstalk to correct: a standard deviation, in pixels or views of the optics. nullopt if none is corrected.
+  /// Crosstalk to correct: the standard deviation of the Gaussian blur (optics/crosstalk.hpp), in pixels, or in views for a
+  /// quilt. nullopt if no crosstalk is corrected.
   std::optional<double> crosstalk;
   FormatOptions writing;
   /// Videos of all frames. Empty if other runs render some of the frames.
@@ -56,12 +57,12 @@ struct RenderSetup {
 
   const Optics& optics() const { return stage.placed.optics; }
 
-  /// Returns whether finished frames of earlier runs are kept. They are not kept if a video needs exact codes that the pictures
-  /// do not store.
+  /// Returns whether finished frames of earlier runs are kept. They are not kept if the job makes videos and its pictures are
+  /// not 8-bit PNG files, because videos need the exact 8-bit values.
   bool keeps_frames() const;
 
-  /// Returns whether the run leaves its frames in strips. This is the case if other runs render some of the strips, or if
-  /// frames are joined after all ranks have ended.
+  /// Returns whether the run leaves its frames in strips. This is the case if other runs render some of the strips. It is also
+  /// the case if several processes (ranks) share the run, because they join the strips at the end.
   bool leaves_strips() const { return job.is_in_strips() && (run.units || run.parts || run.ranks); }
 
   /// Returns the plan of the run. `kept` is the number of frames or strips that exist already.

@@ -14,7 +14,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Returns the figures of the crosstalk correction, and the crosstalk itself. Returns null without crosstalk correction.
+/// Returns the figures of the crosstalk correction, together with the amount of crosstalk. Returns null without crosstalk
+/// correction.
 Json precompensation_json(const RenderReport& report) {
   Json json = to_json(precompensation_of(report));
   if (!report.crosstalk_px || json.is_null()) return nullptr;
@@ -44,7 +45,8 @@ Json totals_json(const RenderReport& report) {
           {"threads", report.run.threads}};
 }
 
-/// Returns the runs without their source frames, because the totals include the source frames.
+/// Returns the runs as JSON. Of the source frames of a run, lists only the number, because totals_json() includes their
+/// figures.
 Json runs_json(const RenderReport& report) {
   Json runs = Json::array();
   for (const RunReport& run : report.runs.empty() ? std::vector{report.run} : report.runs) {

@@ -27,7 +27,8 @@ struct RenderReport {
   ShownDepth depth;
   /// Factor of depth: depth on the display divided by depth in the scene.
   float depth_scale = 1.0f;
-  /// Corrected crosstalk: a standard deviation, in pixels or views of the optics.
+  /// Corrected crosstalk: the standard deviation of the Gaussian blur (optics/crosstalk.hpp), in pixels, or in views for a
+  /// quilt.
   std::optional<double> crosstalk_px;
   double frames_per_second = 25.0;
   /// Reports of the frames, in ascending order. Kept frames have the figures of the run that rendered them.
@@ -42,8 +43,8 @@ struct RenderReport {
   bool interrupted = false;
 };
 
-/// Returns the mean share of clipped samples and the largest residual over all frames. Returns nullopt without crosstalk
-/// correction.
+/// Returns the figures of the crosstalk correction: the mean share of clipped samples and the largest residual over all frames.
+/// Returns nullopt without crosstalk correction.
 std::optional<Precompensation> precompensation_of(const RenderReport& report);
 
 nlohmann::ordered_json to_json(const RenderReport& report);

@@ -51,7 +51,7 @@ Interpolate interpolate(const ReuseParams& params) {
 }
 
 /// Returns the kind of reuse that kAuto stands for. Some parameters are ignored and not rejected, so that the same flags work
-/// for many scenes. Key frames are ignored if no frame can be copied. A minimum PSNR is ignored if pixels are copied or traced
+/// for many scenes. --keyframes is ignored if no frame can be copied. --min-psnr is ignored if pixels are copied or traced
 /// without noise, because such pixels satisfy any minimum.
 Reuse reuse_by_sampling(ReuseParams params, const Sampling& sampling) {
   if (can_copy_settled(sampling)) return copy_settled(params);
@@ -78,7 +78,7 @@ Reuse wanted_reuse(const ReuseParams& params, const Sampling& sampling) {
 
 FrameParams frame_params(const ResolvedJob& job) {
   FrameParams frames{job.sampling(), wanted_reuse(job.params().reuse, job.sampling())};
-  // The rays of a camera already pass through its lens.
+  // Switch off the lens of the sampling, because rays of camera optics already pass through the lens of the optics.
   if (optics_kind(job.params()).info().is_camera) frames.sampling.lens.f_number = 0.0f;
   check(frames);
   return frames;

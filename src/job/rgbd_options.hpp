@@ -11,8 +11,7 @@ namespace lippmann {
 struct Stage;
 
 /// Returns the options with the requested depth range. If no range is requested, uses the depth range that is visible in the
-/// whole animation; it does not depend on the frames or strips to render. Throws a usage Error for a range that is not in front
-/// of the eye.
+/// whole animation, whichever frames or strips are rendered. Throws a usage Error for a range that is not in front of the eye.
 FormatOptions rgbd_options(const DepthParams& wanted, const Stage& stage, const ThreadPool& pool);
 
 }  // namespace lippmann

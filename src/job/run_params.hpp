@@ -17,7 +17,7 @@ struct RunParams {
   bool force = false;
   /// Units of the job to render. If nullopt, all frames are rendered. With units, finish_animation() makes the videos later.
   std::optional<Units> units = {};
-  /// Frames to render, among those of the job or the units. If nullopt, all of them.
+  /// Frames to render. Other frames of the job or of `units` are left out. If nullopt, no frame is left out.
   std::optional<FrameRanges> only_frames = {};
   /// Parts to render (see RunParts). They replace the parts that `units` and `only_frames` select.
   std::optional<std::vector<int>> parts = {};

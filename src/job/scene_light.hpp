@@ -15,9 +15,9 @@ bool environment_is_file(std::string_view value);
 /// Checks `value` and returns it unchanged. Throws a usage Error at `where` for an invalid colour.
 std::string read_environment_choice(std::string_view value, const std::string& where);
 
-/// Adds the light that the parameters request to `scene`. Without --environment, path-traced scenes of physical formats get the
-/// built-in studio (scene/studio_light.hpp); if they have lamps, the studio is dim. Whitted shading gets the default light
-/// (scene/default_light.hpp). Returns one sentence on the light, and the reason for it.
+/// Adds the light that --environment requests to `scene`. Without --environment, adds missing light like add_missing_light()
+/// (lippmann/stage/lighting.hpp), except that path tracing keeps the light of scenes made for Whitted shading. Returns one
+/// sentence on the light, and the reason for it.
 std::string light_scene(Scene& scene, const SceneParams& params, Integrator integrator, const Context& context);
 
 }  // namespace lippmann

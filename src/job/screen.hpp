@@ -9,17 +9,18 @@
 
 namespace lippmann {
 
-/// Made from a job's parameters (screen_of_params.hpp), from a display (screen_of_display.hpp), or for two eyes
-/// (screen_for_stereo.hpp).
+/// A screen. screen_of_params.hpp makes it from a job's parameters, screen_of_display.hpp from a display, and
+/// screen_for_stereo.hpp for two eyes.
 struct Screen {
-  /// Width / height of the visible part of the display plane, which is the panel or one view of a quilt.
+  /// Width / height of the visible rectangle in the display plane. The rectangle is the panel, or one view of a quilt.
   float window_aspect = 1.0f;
 
   /// Returns the optics for an array that was fitted with window_aspect. Throws a usage Error if no optics exist for the
   /// array's viewer.
   std::function<Optics(const FittedArray&)> optics;
 
-  /// Used for cameras. If true, the viewer stays where it was fitted, and the optics decide how much of the scene is visible.
+  /// True for optics that are a camera (a sensor behind a lens): the viewer stays where it was fitted, and the optics decide
+  /// how much of the scene is visible.
   bool keeps_viewer = false;
 };
 

@@ -1,10 +1,10 @@
-// The screen of a display that is chosen by name. Lengths are the display's millimetres. Parameters can change some properties
-// of the display.
+// The screen of a display that is chosen by name. Lengths are in millimetres on the display. Parameters can change some
+// properties of the display.
 //
 // Slanted panels show a quilt. With --layout native, they show an interlaced image of their sub-pixels. Lenticular sheets and
 // microlens arrays show the image behind their lenses. The viewer is at the display's viewing distance and not at the scene's
-// camera, so that cells converge at the viewer's eyes. --optics single renders the view of one eye in front of the middle of
-// the display.
+// camera, so that the viewer's eyes see one view through all lenses. --optics single renders the view of one eye in front of
+// the middle of the display.
 #pragma once
 
 #include "job/params.hpp"

@@ -28,8 +28,8 @@ Panel make_panel(const OpticsParams& params, const PanelSize& size, bool is_came
   return {size.width, size.height, has_lenses(size) ? kLensWidthMm / size.lens_pixels : kSingleWidthMm / view_width};
 }
 
-/// Returns the viewing distance. For lens arrays, cells converge at this distance. For other optics, it is the distance of the
-/// eyes and must be finite.
+/// Returns the viewing distance. For lens arrays, it is the distance at which the whole array shows one view; it may be
+/// infinite. For other optics, it is the distance of the eyes and must be finite.
 float viewing_distance_mm(const OpticsParams& params, const PanelSize& size, float fitted_mm, float window_height_mm) {
   const float distance = params.viewing_distance_mm.value_or(fitted_mm);
   if (has_lenses(size) || std::isfinite(distance)) return distance;

@@ -1,4 +1,5 @@
-// The plain picture beside a light field: the same frames seen by one eye in the middle, for screens without lenses.
+// The plain picture beside a light field: a render of the same frames as one eye in the middle sees them, for screens without
+// lenses.
 #pragma once
 
 #include "job/params.hpp"
@@ -6,7 +7,7 @@
 
 namespace lippmann {
 
-/// Returns the parameters that render the plain picture. Its folder is kSingleFolder in the folder of the light field. Its
+/// Returns the parameters that render the plain picture into kSingleFolder, a folder in the folder of the light field. Its
 /// videos are named NAME_single.mp4 etc. `optics` are the optics of `params`. The picture is as wide as the panel, or as one
 /// view of a quilt. For a display, it has the size of the panel.
 RenderParams single_clip(const RenderParams& params, const Optics& optics);

@@ -23,7 +23,8 @@ double of(Texture texture, double clean, double denoised, double noisy) {
 }
 
 // All factors in this file are measured means. The pictures were the built-in room, teapot and tree behind 64 lenses of 8
-// pixels, path-traced with 16 samples per pixel. Layers of light were not measured; noise in all three channels is assumed.
+// pixels, path-traced with 16 samples per pixel. The sizes of the layers of direct and indirect light are not measured; all
+// three channels are assumed to be noisy.
 
 /// Returns the bytes per sample of a picture. A pixel has three samples.
 double picture_bytes_per_sample(const RenderParams& params, PictureFormat format) {

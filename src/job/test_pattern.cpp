@@ -9,8 +9,8 @@
 namespace lippmann {
 namespace {
 
-constexpr float kLine = 0.006f;  ///< half the width of a line, in half heights of the display
-constexpr float kGrid = 0.25f;   ///< distance between grid lines, in half heights of the display
+constexpr float kLine = 0.006f;  ///< half the width of a line, relative to half the height of the display
+constexpr float kGrid = 0.25f;   ///< distance between grid lines, relative to half the height of the display
 
 struct Band {
   float end;  ///< right end of the band in the viewing zone; the zone ranges from 0 (left) to 1
@@ -83,7 +83,7 @@ Vec3f test_pattern(Vec2f place, float aspect, float zone) {
 
 Image test_pattern_film(const Optics& optics, const ThreadPool& pool) {
   Optics parallel = optics;
-  // Rays that begin near the display plane cross it with small rounding errors.
+  // Start the rays 1 mm in front of the display plane, so that rounding errors where they cross the plane are small.
   parallel.z_front_mm = 1.0f;
   const RayGenerator generator(parallel);
   const Vec2f half = 0.5f * window_size_mm(optics);

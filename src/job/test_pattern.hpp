@@ -24,7 +24,7 @@ namespace lippmann {
 /// The name that `render` accepts in place of a scene.
 inline constexpr std::string_view kTestPattern = "test-pattern";
 
-/// Returns an empty scene with one frame. The scene places the array that shows the pattern.
+/// Returns a scene without objects and with one frame. It only defines the position of the array that shows the pattern.
 Scene test_pattern_scene();
 
 /// Returns the linear RGB of a ray. The ray crosses the display at `place`, in half heights of the display from its middle (x

@@ -8,9 +8,9 @@
 
 namespace lippmann {
 
-/// Returns the crosstalk to correct as a standard deviation, in pixels or views of the optics. It is the requested value, or
-/// the value of the display (in views for a quilt). Returns nullopt if no correction is requested. Throws a usage Error if the
-/// value is unknown or too large, or if the optics have no neighbouring pixels.
+/// Returns the crosstalk to correct: the standard deviation of the Gaussian blur (optics/crosstalk.hpp), in pixels, or in views
+/// for a quilt. It is the requested value, or the value of the display. Returns nullopt if no correction is requested. Throws a
+/// usage Error if the value is unknown or too large, or if the optics have no neighbouring pixels.
 std::optional<double> crosstalk_to_undo(const RenderParams& params, const Optics& optics, const Display* display);
 
 }  // namespace lippmann
