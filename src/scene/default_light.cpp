@@ -50,7 +50,8 @@ bool is_phong_lamp(const Material& material) {
 
 float brightest(Vec3f color) { return std::max({color.x, color.y, color.z}); }
 
-/// Returns whether the scene has lamps that are bright enough to count. The renderer rounds smaller values than the limit to 0.
+/// Returns whether some lamp has a colour with a channel of at least the smallest normal float. The renderer rounds smaller
+/// values to 0.
 bool has_lamps(const Scene& scene) {
   return std::any_of(scene.lights.begin(), scene.lights.end(),
                      [](const Light& light) { return brightest(light.color) >= std::numeric_limits<float>::min(); });

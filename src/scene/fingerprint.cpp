@@ -178,8 +178,8 @@ class SceneFingerprint {
     const auto& [name, kind, node, color, attenuation, inverse_square, range, inner_cone, outer_cone, visible_radius, radius,
                  angular_diameter, smooth_edge, web] = light;
     add_all(kind, node, color, attenuation, inverse_square, range, inner_cone, outer_cone, visible_radius);
-    if (radius > 0.0f || angular_diameter > 0.0f || smooth_edge)  // skipped if unset, as above
-      add_all(radius, angular_diameter, smooth_edge);
+    // Skipped if unset, so that existing scenes keep their fingerprint
+    if (radius > 0.0f || angular_diameter > 0.0f || smooth_edge) add_all(radius, angular_diameter, smooth_edge);
     if (web >= 0) add_all(web);
   }
   void add(const PhotometricWeb& web) {

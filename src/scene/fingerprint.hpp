@@ -1,4 +1,4 @@
-// Computes a hash of everything in a scene that affects its pictures. Names do not affect them.
+// Computes a hash of everything in a scene that affects its pictures. Names do not affect the hash.
 #pragma once
 
 #include <cstdint>

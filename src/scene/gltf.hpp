@@ -28,7 +28,7 @@
 
 namespace lippmann {
 
-/// Used if the animation's keys fit no other rate; glTF has no frame rate.
+/// Frame rate of animations whose keys fit no other rate. glTF itself has no frame rate.
 inline constexpr double kGltfFramesPerSecond = 30.0;
 
 /// Resource limits of one scene. Exceeding a limit is an Error.

@@ -232,8 +232,9 @@ bool is_distant(const Bounds3f& bounds) {
   return std::isfinite(away) && std::isfinite(size) && away > kFarthest * size;
 }
 
-/// Returns the middle of the bounds, rounded to multiples of a power of two. This step is about the size of the bounds, but not
-/// below the precision of floats at this distance. Rounding makes differences from the middle exact.
+/// Returns the middle of the bounds, rounded to a multiple of a power of two. This power of two is about the size of the
+/// bounds, but not below the precision of floats at the middle's distance. After this rounding, differences from the middle are
+/// exact.
 Vec3d rounded_middle(const Bounds3f& bounds) {
   const Vec3d middle = middle_of(bounds);
   const double step = std::exp2(std::floor(std::log2(std::max(size_of(bounds), glm::length(middle) * 0x1p-22))));

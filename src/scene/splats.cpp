@@ -12,7 +12,7 @@
 namespace lippmann {
 namespace {
 
-/// Bounds for positions and deviations. Products of two numbers within these bounds stay finite floats.
+/// Bounds for positions and standard deviations. Products of two numbers within these bounds stay finite floats.
 constexpr float kLargestSplatNumber = 1e18f, kLeastDeviation = 1e-15f;
 /// Smallest ratio of a splat's smallest to its largest deviation. Flatter splats are thickened to this ratio, which is
 /// invisible but avoids numerical problems.

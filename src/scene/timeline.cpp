@@ -212,7 +212,8 @@ ResolvedScene evaluate(const Scene& scene, double time) {
 }
 
 bool keys_fall_on_frames(const Timeline& timeline, double frames_per_second) {
-  // In frames. Times rounded to four decimals are within 0.003 frames of a frame at 60 frames per second.
+  // Tolerance in frames, because files may round times. Rounding to four decimals moves a key by up to 0.003 frames at 60
+  // frames per second.
   constexpr double kNearFrame = 0.02;
   const auto on_frames = [&](const std::vector<double>& times) {
     return std::all_of(times.begin(), times.end(), [&](double time) {

@@ -16,7 +16,7 @@ struct BuiltinScene {
   Scene (*build)() = nullptr;
 };
 
-/// Returns the built-in scenes in the order of the list above.
+/// Returns the built-in scenes in this order: teapot, room, small-balls, primitives, tree, gears.
 const std::vector<BuiltinScene>& builtin_scenes();
 
 }  // namespace lippmann

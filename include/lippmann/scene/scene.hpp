@@ -156,7 +156,7 @@ enum class Highlight {
 /// - emission.
 struct PhongSurface {
   Vec3f color{0.8f};
-  int texture = -1;                             ///< a projected texture replaces `color`; mapped by uv, it multiplies `color`
+  int texture = -1;  ///< index of the texture; a projected texture replaces `color`, and a texture mapped by uv multiplies it
   std::optional<ImageProjection> projection{};  ///< none: the texture is mapped by the mesh's uvs
   float ambient = 0.1f, diffuse = 0.9f;
   Highlight highlight_kind = Highlight::kNone;
@@ -281,7 +281,8 @@ struct PhotometricWeb {
   /// One value, >= 0, per azimuth and polar angle; all polar angles of the first azimuth come first. The mean over the sphere
   /// is 1.
   std::vector<float> intensity{};
-  /// Rotation, possibly with a mirroring, from the axes of the light, which shines along -z, to those of the web.
+  /// Maps directions from the axes of the light, which shines along -z, to the axes of the web. It is a rotation, possibly with
+  /// a mirroring.
   Mat3f web_from_light{1.0f};
 };
 
@@ -423,7 +424,7 @@ struct Instance {
   int skin = -1;
   /// Meshes only: camera rays pass through the instance, but mirrors show it, and it still emits light.
   bool hidden_from_cameras = false;
-  /// Meshes only. Other shapes may set it if no instance of the scene casts shadows.
+  /// If true, the instance casts no shadow. Only meshes may set this, unless no instance of the scene casts shadows.
   bool casts_no_shadow = false;
 };
 
@@ -459,7 +460,7 @@ struct Scene {
   /// the file.
   Vec3d origin{0.0};
   Encoding encoding = Encoding::kSrgb;
-  int max_depth = 6;       ///< longest path, in vertices; the file's limit, if it has one
+  int max_depth = 6;       ///< maximum number of vertices of a path; the file's limit, if it states one
   Vec2i resolution{0, 0};  ///< image width and height that the file requests; 0: none
   SceneKind kind = SceneKind::kPhysical;
 

@@ -1,8 +1,8 @@
 // Involute gears: tooth shapes, solid meshes, and the rotation angles at which gears mesh.
 //
-// A gear lies in the x-y plane and rotates about z. One of its teeth is centred on +x; for an internal ring, one of the gaps
-// between teeth. The unit of length is the module: the pitch diameter divided by the number of teeth. Any two gears mesh if the
-// distance between their centres is half the sum of their tooth counts.
+// A gear lies in the x-y plane and rotates about z. One of its teeth is centred on +x. For an internal ring, a gap between two
+// teeth is centred on +x instead. The unit of length is the module: the pitch diameter divided by the number of teeth. Any two
+// gears mesh if the distance between their centres is half the sum of their tooth counts.
 #pragma once
 
 #include "scene/builtin/planar_region.hpp"

@@ -1,8 +1,8 @@
 // The scene "gears": a planetary gear train whose ring drives more gears, in front of the engraved plate of a clockwork. The
 // unit of length is the module of the gears.
 //
-// Turns per loop: the ring makes 1 turn and the carrier 2. The others follow from Willis' equation. All are whole numbers, so
-// that the loop is seamless.
+// Every gear makes a whole number w of turns per loop, so that the loop is seamless. The ring makes 1 turn and the carrier 2.
+// The others follow from Willis' equation, with 36 teeth inside the ring and 12 teeth for sun and planets:
 // - Sun: (w_sun - w_carrier) / (w_ring - w_carrier) = -36/12, so the sun makes 5 turns.
 // - Planets: (w_planet - w_carrier) / (w_ring - w_carrier) = 36/12, so each planet makes -1 turn.
 #include <cmath>

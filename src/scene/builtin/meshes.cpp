@@ -22,8 +22,8 @@ Vec2f unit_or_zero(Vec2f v) {
   return length > 0.0f ? v / length : Vec2f(0.0f);
 }
 
-/// Returns the outward normals (radial, y) of a profile's points. A crease consists of two points, and each has the normal of
-/// its side.
+/// Returns the outward normals (radial, y) of a profile's points. At a crease, a point is listed twice: the first copy has the
+/// normal of the segment before the crease, the second copy the normal of the segment after it.
 std::vector<Vec2f> profile_normals(const std::vector<Vec2f>& profile) {
   const std::size_t n = profile.size();
   const bool loop = n > 2 && profile.front() == profile.back();
@@ -66,7 +66,8 @@ std::vector<Vec3f> transported_normals(const std::vector<Vec3f>& tangents) {
   return normals;
 }
 
-/// Returns the angle about the tangent from the normal that was transported once around a closed curve to the first normal.
+/// Transport of a normal once around a closed curve rotates the normal about the tangent. Returns the angle that rotates it
+/// back to the first normal.
 float closing_twist(const std::vector<Vec3f>& tangents, const std::vector<Vec3f>& normals) {
   const Vec3f arrived = perpendicular_part(normals.back(), tangents[0]);
   return std::atan2(glm::dot(glm::cross(arrived, normals[0]), tangents[0]), glm::dot(arrived, normals[0]));

@@ -43,8 +43,8 @@ std::vector<Vec2f> inset(const PlanarRegion& region, const std::vector<Index>& n
   std::vector<Vec2f> points = region.points;
   for (Index i = 0; i < next.size(); ++i) {
     if (next[i] == kNone) continue;
-    // A mitre moves a corner by distance / cos(a), where a is half the angle between the normals of both edges. |n1 + n2| = 2
-    // cos(a). The factor 1 / cos(a) is limited to 2.
+    // A mitre moves a corner by distance / cos(a), where a is half the angle between the normals n1 and n2 of the two edges
+    // that meet there. |n1 + n2| = 2 cos(a). The factor 1 / cos(a) is limited to 2.
     const float cosine = 0.5f * glm::length(inwards[i]);
     points[i] += distance / std::max(cosine, 0.5f) * glm::normalize(inwards[i]);
   }

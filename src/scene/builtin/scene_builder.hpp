@@ -61,8 +61,9 @@ class SceneBuilder {
   /// border. Call set_display() first.
   void add_backdrop(Vec3f glow, Vec3f edge);
 
-  /// Places the array at `center`, and adds a camera at the viewer whose picture covers the array. The viewer is at
-  /// `viewing_distance`, in a direction turned by `yaw` to the right and by `pitch` upwards. Returns the array's node.
+  /// Places the array at `center`, and adds a camera at the viewer whose picture covers the array. The array faces +z before it
+  /// is turned by `yaw` to the right and by `pitch` upwards, in radians. The viewer is at `viewing_distance` in front of it.
+  /// Returns the array's node.
   int set_display(Vec3f center, float yaw, float pitch, float plane_height, float viewing_distance);
 
   Scene take() { return std::move(scene_); }

@@ -52,7 +52,7 @@ LIPPMANN_INLINE float noise_between(const LatticePlace& u, const LatticePlace& v
   const float b = glm::dot(above(u.after), f - Vec2f(1, 0));
   const float c = glm::dot(below(u.before), f - Vec2f(0, 1));
   const float d = glm::dot(below(u.after), f - Vec2f(1, 1));
-  constexpr float kToUnitRange = 1.41421356f;  // unit gradients reach at most sqrt(1/2) in the middle of a cell
+  constexpr float kToUnitRange = 1.41421356f;  // with unit gradients, the noise is at most sqrt(1/2), in the middle of a cell
   return kToUnitRange * glm::mix(glm::mix(a, b, u.weight), glm::mix(c, d, u.weight), v.weight);
 }
 
@@ -93,7 +93,8 @@ float value_at(const std::vector<float>& values, Vec2f uv) {
   return values[static_cast<std::size_t>(uv.y * kTexels) * kTexels + static_cast<std::size_t>(uv.x * kTexels)];
 }
 
-/// Returns 1 for x close to a whole number, and 0 elsewhere. The result is about 2 half_width wide, with smooth edges.
+/// Returns 1 for x close to a whole number, and 0 elsewhere. The range where the result is 1 has smooth edges, and is about 2
+/// half_width wide.
 float joint(float x, float half_width) {
   const float distance = std::abs(x - std::round(x));
   return 1.0f - ramp(0.5f * half_width, 1.5f * half_width, distance);

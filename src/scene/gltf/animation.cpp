@@ -147,7 +147,7 @@ void read_animation(Document& document, const NodeMap& nodes, const std::string&
   const double rate = frames_per_second > 0.0 ? frames_per_second : rate_of_keys(scene.timeline);
   scene.timeline.frames_per_second = rate;
 
-  // The time of the last key is not a frame of its own because, in a loop, it would repeat the first frame.
+  // The last key gets no frame of its own, because in a loop this frame would repeat the first frame.
   const double frames = std::round(reader.duration * rate);
   if (frames > document.limits.frames)
     document.report.fail(element("animations", chosen),

@@ -36,8 +36,8 @@ bool shows_nothing(Value orthographic) {
   return orthographic["xmag"].number(0.0) == 0.0 || orthographic["ymag"].number(0.0) == 0.0;
 }
 
-/// Reads an orthographic camera. Its vertical_fov is that of a perspective camera that shows the same height at the scene's
-/// centre.
+/// Reads an orthographic camera. Its vertical_fov is chosen so that a perspective camera with this field of view would show the
+/// same height at the scene's centre.
 Camera read_orthographic(Value from, int node, const Scene& scene) {
   const ResolvedScene rest = evaluate(scene, 0.0);
   const Bounds3f bounds = finite_bounds(scene, rest);

@@ -7,8 +7,8 @@
 
 namespace lippmann::gltf {
 
-/// Sets scene.cameras, in the order of the Scene's nodes. An orthographic camera also gets a field of view: that of a
-/// perspective camera which shows the same height at the distance of the scene's centre. The Scene's instances must have been
+/// Sets scene.cameras, in the order of the Scene's nodes. An orthographic camera also gets a field of view, with which a
+/// perspective camera would show the same height at the distance of the scene's centre. The Scene's instances must have been
 /// read before.
 void read_cameras(Document& document, const NodeMap& nodes, Scene& scene);
 

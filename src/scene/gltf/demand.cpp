@@ -122,7 +122,7 @@ class Demand {
       for (const auto& [name, index] : targets.at(i).index_map())
         if (name == "POSITION" || (name == "NORMAL" && attribute(primitive, "NORMAL") >= 0)) add_floats(index);
     for (int set = 0; is_skinned && attribute(primitive, fmt::format("JOINTS_{}", set)) >= 0; ++set) {
-      for (int copy = 0; copy < 2; ++copy)  // counted twice: SkinWeights is a copy
+      for (int copy = 0; copy < 2; ++copy)  // once for the unpacked accessor, once for its copy in SkinWeights
         add(fmt::format("JOINTS_{}", set)), add(fmt::format("WEIGHTS_{}", set));
     }
     spend(count_of(indices >= 0 ? indices : attribute(primitive, "POSITION")),

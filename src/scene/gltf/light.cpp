@@ -48,7 +48,7 @@ bool is_blender_exporter(std::string_view generator) {
 }
 
 /// Returns the factor that converts a light's intensity to watts per steradian, or to watts per square metre for suns. The
-/// lights then match the file's emission.
+/// lights then have the units of the emission of surfaces in the same file.
 float scale_of(std::string_view generator, LightKind kind) {
   if (!is_blender_exporter(generator)) return 1.0f;
   if (!is_unnumbered_exporter(generator) && version_in(generator) >= kFirstInLumens) return 1.0f / kLumensPerWatt;

@@ -84,7 +84,8 @@ class MaterialReader {
     if (surface.transmission > 0.0f) surface.transmission_map = data(extension["transmissionTexture"]);
   }
 
-  /// Returns the index of refraction. If it is below 1, the index of vacuum, warns and returns 1.
+  /// Returns the index of refraction, or 0 if the file gives 0. An index between 0 and 1 would be below that of vacuum, so it
+  /// is replaced by 1, with a warning.
   double checked_ior(Value from, const std::string& where) {
     const double ior = from.extension("KHR_materials_ior")["ior"].number(1.5);
     if (ior == 0.0 || ior >= 1.0) return ior;
@@ -118,7 +119,8 @@ class MaterialReader {
     surface.clearcoat_normal_scale = static_cast<float>(normal["scale"].number(1.0));
   }
 
-  /// Reads the other extensions into surface.extensions. Leaves it empty if none of them has an effect.
+  /// Reads sheen, anisotropy, iridescence, diffuse transmission, volume and dispersion into surface.extensions. If none of
+  /// these has an effect, leaves surface.extensions empty.
   void read_extensions(Value from, MetallicRoughness& surface) {
     SurfaceExtensions e;
     read_sheen(from.extension("KHR_materials_sheen"), e.sheen);

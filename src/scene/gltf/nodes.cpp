@@ -13,7 +13,7 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// Returns the transform of a column-major 4 x 4 matrix. Throws Error if the matrix is not affine.
 Affine3f affine(const std::vector<double>& m, const std::string& where, const Report& report) {
-  constexpr double kTolerance = 1e-5;  // exporters multiply matrices in float precision
+  constexpr double kTolerance = 1e-5;  // exporters multiply matrices in float precision, so the last row is only nearly 0 0 0 1
   if (std::abs(m[3]) + std::abs(m[7]) + std::abs(m[11]) + std::abs(m[15] - 1.0) > kTolerance)
     report.fail(where, "is not an affine transform", "a matrix whose last row is 0 0 0 1");
   return {Mat3f(m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]), Vec3f(m[12], m[13], m[14])};

@@ -22,7 +22,7 @@ std::vector<Affine3f> read_inverse_binds(Document& document, Value skin, const s
   return matrices;
 }
 
-/// The attributes JOINTS_n and WEIGHTS_n of one n. Both have one entry per vertex.
+/// The attributes JOINTS_n and WEIGHTS_n for one index n. Both have one entry per vertex.
 struct Influences {
   std::vector<Joints> joints;
   std::vector<Vec4f> weights;

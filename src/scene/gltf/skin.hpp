@@ -1,4 +1,4 @@
-// Reads what deforms glTF meshes: skins, the weights of vertices, and morph targets with their weights.
+// Reads the data that deform glTF meshes: skins, the weights of vertices, and morph targets with their weights.
 #pragma once
 
 #include <map>

@@ -22,7 +22,7 @@ void add_cone(Mesh& mesh, Vec3f base, float base_radius, Vec3f apex, float apex_
     mesh.normals.insert(mesh.normals.end(), 2, normal);
   }
   for (std::uint32_t i = 0; i < kConeSides; ++i) {
-    // Both are vertices at the base; the vertex at the apex follows each of them.
+    // `here` and `there` are neighbouring vertices of the base. Each is followed in the list by its vertex at the apex.
     const std::uint32_t here = first + 2 * i, there = first + 2 * ((i + 1) % kConeSides);
     if (base_radius > 0.0f) mesh.triangles.push_back({here, there, there + 1});
     if (apex_radius > 0.0f) mesh.triangles.push_back({here, there + 1, here + 1});

@@ -19,7 +19,8 @@ class Columns {
   /// `element` must outlive this object.
   explicit Columns(const Element& element) : element_(element), read_(element.properties.size(), false) {}
 
-  /// These functions return the column of the first property called `name` that is a single value, or a list.
+  /// Both functions return the column of the first property called `name`. value() looks for properties with a single value,
+  /// list() for lists.
   int value(std::string_view name) { return mark(find(name, false)); }
   int list(std::string_view name) { return mark(find(name, true)); }
 

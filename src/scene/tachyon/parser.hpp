@@ -43,7 +43,8 @@ struct ParserState {
   Vec2i resolution{0, 0};
   LeftOut left_out;  ///< keywords that are read but have no effect
   int include_depth = 0, includes = 0;
-  int undefined_textures = 0, redefined_textures = 0;  ///< numbers of uses; only the first use causes a warning
+  /// Numbers of occurrences so far. Only the first occurrence causes a warning.
+  int undefined_textures = 0, redefined_textures = 0;
 };
 
 /// Reads a whole scene, from BEGIN_SCENE to END_SCENE.

@@ -152,7 +152,7 @@ bool SceneBuilder::IndexedTriangles::add(int i0, int i1, int i2) {
     all_have_normals = all_have_normals && corners[k].normal != Vec3f(0.0f);
   }
   Mesh& mesh = colored_ ? builder_.group(material_).colored : builder_.group(material_).smooth;
-  if (!all_have_normals) {  // the triangle's normal replaces the missing one, so that vertices cannot be shared
+  if (!all_have_normals) {  // a corner without a normal gets the triangle's normal, so its vertex cannot be shared
     builder_.add_corners(mesh, corners, colored_);
     return true;
   }

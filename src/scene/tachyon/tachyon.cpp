@@ -53,7 +53,8 @@ Background background_of(const ParserState& state, const Vec3d& origin) {
 /// Warns that the scene is orthographic. Also warns if the picture shows only a small part of the scene, which happens in files
 /// of programs that use pixels as units, such as Jmol.
 void warn_about_orthographic(const Scene& scene, const std::string& name, const Context& context) {
-  constexpr float kSmall = 0.05f, kLeastZoom = 1e-3f;  // least picture height relative to the scene; least `zoom`
+  // Limit of picture height / size of the scene, and the smallest `zoom` that the warning suggests.
+  constexpr float kSmall = 0.05f, kLeastZoom = 1e-3f;
   const float height = scene.cameras.front().orthographic_height;
   context.warning(
       fmt::format("{}: PROJECTION ORTHOGRAPHIC sets the height of the display's plane; viewers see it in perspective.", name));
