@@ -95,8 +95,8 @@ std::optional<JournalVideo> find_video(const FolderJournal& journal, const std::
   return found == journal.videos.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// Returns the record of the job's video. The folder of the plain picture may be removed, so its videos are also recorded in
-/// the journal of the light field's folder.
+/// Returns the record of the job's video. The folder of the single view beside a light field (kSingleFolder) may be removed, so
+/// its videos are also recorded in the journal of the light field's folder.
 std::optional<JournalVideo> recorded_video(const fs::path& folder, const Contents& contents, const std::string& video) {
   if (contents.is_this_job)
     if (auto own = find_video(*contents.journal, video_name(folder, video))) return own;
@@ -184,7 +184,7 @@ void remove_parts(const fs::path& folder, const std::vector<fs::path>& parts, co
   for (const fs::path& emptied : {journal_folder(folder), folder}) sync_if_there(emptied);
 }
 
-/// Removes the render of the plain picture, unless its folder is a symbolic link.
+/// Removes the render of the single view beside a light field (kSingleFolder), unless its folder is a symbolic link.
 void remove_single(const fs::path& folder) {
   std::error_code ignored;
   if (fs::is_symlink(folder, ignored)) return;
@@ -206,8 +206,8 @@ void remove_render(const fs::path& folder, const FolderJournal& journal, const f
   remove_parts(folder, journal.parts, own);
 }
 
-/// Removes files that block a render: those of runs of other jobs that finished nothing and, with `force`, those of another
-/// render.
+/// Removes files that block a render. These are the files of other jobs whose runs finished nothing. With `force`, also removes
+/// the files of another render.
 void remove_others(const fs::path& folder, const Contents& contents, const NewRender& render) {
   if (!contents.journal) return;
   for (const fs::path& claim : contents.journal->claims)

@@ -33,7 +33,7 @@ struct NewRender {
   std::filesystem::path own = {};
 };
 
-/// Clears an existing folder. Removes what runs of other jobs left that finished nothing. With `force`, also removes the files
+/// Clears an existing folder. Removes the files of other jobs whose runs finished nothing. With `force`, also removes the files
 /// of another render, and foreign files of frames. Does not follow symbolic links. Warns about foreign files that remain.
 /// Throws Error if a file cannot be removed, if a run of another job is active, or if the folder holds another render and
 /// `force` is false.

@@ -79,7 +79,7 @@ void add_strips(const fs::path& folder, const FolderJournal& journal, FolderChec
   }
 }
 
-/// Returns the paths, relative to `folder`, of the videos of the plain picture (kSingleFolder). add_single() checks these
+/// Returns the paths, relative to `folder`, of the videos of the single view in kSingleFolder. add_single() checks these
 /// videos.
 std::set<std::string> videos_of_single(const fs::path& folder, const FolderJournal& journal) {
   std::set<std::string> names;
@@ -89,7 +89,7 @@ std::set<std::string> videos_of_single(const fs::path& folder, const FolderJourn
   return names;
 }
 
-/// Checks the render of the plain picture. If its folder has no journal, the folder counts as missing.
+/// Checks the render of the single view in kSingleFolder. If this folder has no journal, it counts as missing.
 void add_single(const fs::path& folder, FolderCheck& check) {
   const std::optional<FolderJournal> journal = read_journal(folder / kSingleFolder);
   if (!journal || journal->job.empty()) return add_file(kSingleFolder, FileState::kMissing, check);

@@ -42,8 +42,9 @@ const char* ending_of(PictureFormat format);
 /// paths of the written files. Throws Error that names the file.
 std::vector<std::filesystem::path> write_frame_files(const FrameFiles& files, int frame, const FramePictures& pictures);
 
-/// Writes the views of a film in a light-field format, as a folder or as one picture. `pictures` holds codes, or linear values
-/// for EXR. If the format uses depth, `pictures` also holds depth (Aov::kDepth). Returns the paths of the written files.
+/// Writes the views of a film in a light-field format, as a folder or as one picture. `pictures` holds 8- or 16-bit samples, or
+/// linear floats for EXR. If the format uses depth, `pictures` also holds depth (Aov::kDepth). Returns the paths of the written
+/// files.
 std::vector<std::filesystem::path> write_light_field_files(const FrameFiles& files, int frame, const LightFieldFormat& format,
                                                            const Optics& optics, const FramePictures& pictures);
 

@@ -43,7 +43,7 @@ double display_aspect(const Optics& optics) {
   return static_cast<double>(window.x) / window.y;
 }
 
-/// Returns the default layout: a quilt if the optics are tiles for a display, otherwise the integral image.
+/// Returns the default layout: a quilt if the optics render views for the quilt of a display, otherwise the integral image.
 PictureLayout default_layout(const Optics& optics, const Display* display) {
   const bool is_quilt = display && view_tiles(optics);
   return is_quilt ? PictureLayout::kQuilt : PictureLayout::kIntegral;

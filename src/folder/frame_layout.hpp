@@ -21,8 +21,8 @@ namespace lippmann {
 
 class FrameLayout {
  public:
-  /// `display` is the display of the optics, or null. Throws a usage Error if views must be rearranged but the optics have no
-  /// views of whole pixels. Also throws if the number of tiles does not match the optics.
+  /// `display` is the display of the optics, or null. Throws a usage Error if views must be rearranged, but the views of the
+  /// optics do not consist of whole pixels. Also throws if the number of tiles does not match the optics.
   FrameLayout(const PictureParams& params, const Optics& optics, const Display* display = nullptr);
 
   const FrameNames& names() const { return names_; }

@@ -78,10 +78,10 @@ struct FrameSink::Impl {
 
   bool keeps_light() const { return files.format == PictureFormat::kExr; }
 
-  /// Returns whether 8-bit codes of the pictures are kept. A video then has the same bytes whether its frames come from films
-  /// or from pictures of an earlier run.
+  /// Returns whether the 8-bit samples of pictures are kept. Videos are made from these samples, so that they have the same
+  /// bytes whether a frame was just rendered or is the picture of an earlier run.
   bool needs_codes() const {
-    // Pictures in light-field formats have their own codes. Videos read these codes from the files.
+    // Light-field formats convert pictures to 8 bits themselves. Videos read these samples from the files.
     if (settings.layout.light_field()) return false;
     return files.format == PictureFormat::kPng || files.format == PictureFormat::kTiff || !videos.empty();
   }

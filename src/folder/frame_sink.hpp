@@ -35,7 +35,8 @@ class FrameSink {
     const FrameLayout& layout;
     const Optics& optics;
     Encoding encoding = Encoding::kSrgb;  ///< encoding of the scene's values
-    /// Crosstalk to correct: a standard deviation, in pixels or views of the optics (optics/crosstalk.hpp).
+    /// Crosstalk to correct: the standard deviation of the Gaussian blur (optics/crosstalk.hpp), in pixels, or in views for a
+    /// quilt.
     std::optional<double> crosstalk_to_undo = {};
     std::vector<VideoFile> videos = {};
     FormatOptions writing = {};

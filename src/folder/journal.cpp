@@ -361,7 +361,7 @@ void sync_render(const fs::path& folder, const FolderJournal& journal) {
   std::vector<fs::path> files;
   for (const auto& [frame, record] : journal.frames)
     for (const auto& [name, sum] : record.files) files.push_back(folder / name);
-  // One name is enough, because all strips are in the same folder.
+  // The name of one strip is enough, because all strips are in the same folder, and sync_names() syncs folders.
   if (!journal.strips.empty()) files.push_back(folder / strip_name(0, 0));
   sync_names(folder, files);
 }

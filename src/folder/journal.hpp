@@ -45,10 +45,11 @@ namespace lippmann {
 /// Checksums of finished files, indexed by file name relative to the folder.
 using FileRecords = std::map<std::string, FileChecksum>;
 
-/// Syncs the names of files in `folder` or its subfolders, so that the files survive a power loss.
+/// Syncs the directory entries of files in `folder` or its subfolders, so that the files survive a power loss.
 void sync_names(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& files);
 
-/// Syncs the names of files in `folder` and returns their checksums. Throws Error that names a file that cannot be read.
+/// Syncs the directory entries of files in `folder` and returns the checksums of the files. Throws Error that names a file that
+/// cannot be read.
 FileRecords records_of(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& files);
 
 struct JournalEntry {
@@ -76,8 +77,8 @@ struct JournalVideo {
   std::vector<FileChecksum> side;
 };
 
-/// Companion folders in the folder of a render. kSingleFolder holds the render of the plain picture, with its own journal.
-/// kPageFolder holds a page for browsers.
+/// Companion folders in the folder of a render. kSingleFolder holds a render of a single view beside a light field, with its
+/// own journal. kPageFolder holds a page for browsers.
 inline constexpr const char* kSingleFolder = "single";
 inline constexpr const char* kPageFolder = "page";
 
@@ -94,7 +95,8 @@ struct RunReport {
   double write_seconds = 0.0;
   std::uint64_t peak_memory_bytes = 0;
   int threads = 1;
-  /// Reports of source frames that were rendered in addition to the run's own frames, in ascending order.
+  /// Reports of source frames, in ascending order. The run rendered these frames only because its own frames are made from
+  /// them.
   std::vector<FrameReport> sources = {};
 };
 
@@ -146,8 +148,8 @@ std::optional<FolderJournal> read_journal(const std::filesystem::path& folder);
 /// Reads the journal file of one run. Returns an empty journal if the file does not exist.
 FolderJournal read_journal_part(const std::filesystem::path& part);
 
-/// Syncs the journal and the names of the frames' files. Needed because a killed run may not have synced its last line and its
-/// last files.
+/// Syncs the journal and the directory entries of the frames' files. Needed because a killed run may not have synced its last
+/// line and its last files.
 void sync_render(const std::filesystem::path& folder, const FolderJournal& journal);
 
 /// Throws Error if the journal has a problem.

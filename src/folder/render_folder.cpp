@@ -41,7 +41,7 @@ FileChecksum written_checksum(const fs::path& file) {
   return *sum;
 }
 
-/// Returns the journal files that runs of other jobs still write. Includes those in the folder of the plain picture.
+/// Returns the journal files that runs of other jobs still write, also in the subfolder kSingleFolder.
 std::vector<fs::path> other_runs(const fs::path& folder, const std::string& job) {
   const std::optional<FolderJournal> journal = read_journal(folder);
   if (!journal) return {};

@@ -82,8 +82,8 @@ class RenderFolder {
 /// Throws Error if a run of another job is active in `folder`. Changes nothing.
 void require_no_other_run(const std::filesystem::path& folder, const std::string& job);
 
-/// If `folder` holds the plain picture of a light field (kSingleFolder), returns the folder of the light field. Otherwise
-/// returns an empty path.
+/// If `folder` is the kSingleFolder of a light field, which holds a render of a single view, returns the folder of the light
+/// field. Otherwise returns an empty path.
 std::filesystem::path folder_of_whole(const std::filesystem::path& folder);
 
 /// Returns a video's path relative to the folder, as the journal stores it.

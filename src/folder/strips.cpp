@@ -62,7 +62,7 @@ std::optional<FrameReport> find_strip(const fs::path& folder, const FolderJourna
 
 FileRecords write_strip(const fs::path& folder, int frame, int strip, const FramePictures& pictures) {
   const fs::path file = folder / strip_name(frame, strip);
-  // Uncompressed, because the file is temporary and is read only once.
+  // The file is not compressed, because it is temporary and is read only once.
   write_exr(file, layers_of_strip(pictures), ExrCompression::kNone);
   return records_of(folder, {file});
 }
