@@ -24,8 +24,8 @@
 namespace lippmann {
 namespace {
 
-/// Minimum distance from the viewer to the plane, as a multiple of the visible part's diagonal. At a nearer plane, the whole
-/// scene would be background.
+/// Minimum distance from the viewer to the plane, as a multiple of the diagonal of the visible part of the scene. With a nearer
+/// plane, the whole scene would lie far behind the display.
 constexpr float kNearestPlane = 0.05f;
 constexpr float kDefaultFov = radians(45.0f);
 constexpr float kMargin = 1.05f;  ///< ratio of the visible size to the size of the content
@@ -56,8 +56,8 @@ float world_units(const Setting& setting, int node) {
   return std::abs(scale - 1.0f) <= kRounding ? 1.0f : scale;
 }
 
-/// Returns the frame in which the array of a node is fitted. It has the translation and rotation of the node, and world units
-/// of frame 0.
+/// Returns the frame in which the array of a node is fitted. It has the translation and rotation of the node. Its unit of
+/// length is the world unit at frame 0.
 Affine3f world_from_frame(const Setting& setting, int node, const ResolvedScene& resolved) {
   const Affine3f world_from_node = similarity(resolved.of(node));
   return {world_from_node.linear / world_units(setting, node), world_from_node.translation};
@@ -103,8 +103,8 @@ ConvexRegion region_of(const CameraView& view) {
 }
 
 /// Places the array at a distance from a camera, perpendicular to the camera's axis and as large as the view. The viewer of the
-/// array is at the camera. The position of an orthographic camera along its axis is meaningless. Its viewer is at least so far
-/// away that the default angle covers the view.
+/// array is at the camera. For an orthographic camera, whose position along its axis is meaningless, the viewer is at least so
+/// far away that the default angle covers the view.
 void place_before_camera(FittedArray& array, const Camera& camera, float distance, const CameraView& view) {
   array.node_from_plane = {Mat3f(1.0f), {0.0f, 0.0f, -distance}};
   array.plane_height = 2.0f * view.half.y * (view.is_orthographic ? 1.0f : distance);
@@ -149,9 +149,9 @@ float width_of_subject(const Setting& setting, const Camera& camera, const Camer
   return half;
 }
 
-/// Returns the view of the image. Its height is the height of the camera's view, or more if the image is too narrow for the
-/// visible part of the subject. In files that specify a resolution (Tachyon, NFF), the view has the same height for images of
-/// any size. In files that only specify an aspect ratio (glTF), the view is the author's frame.
+/// Returns the view of the image. Its height is the height of the camera's view. In files that state an aspect ratio but no
+/// resolution (glTF), the height is larger if the image is too narrow for the visible part of the subject. In files that state
+/// a resolution (Tachyon, NFF), the height is the same for images of any size.
 CameraView view_for(const Setting& setting, const Camera& camera) {
   const CameraView own = view_of(camera);
   float height = own.half.y;
@@ -289,10 +289,10 @@ SubjectBounds bounds_in_view(const Setting& setting, const Direction& direction,
   return all;
 }
 
-/// Returns the centre (x, y) of the image for a viewer at the given distance from the subject's middle, so that opposite
-/// margins are equal. The subject may fill the image along one axis only. Along the other axis, the subject covers a smaller
-/// angle than the angle that it was measured with, so the measurement is repeated with the smaller angle. The centre stays
-/// within the limits of the full angles.
+/// Returns the centre (x, y) of the image at which opposite margins are equal, for a viewer at `distance` from the subject's
+/// middle. `bounds` were measured with the full view angle. The subject may fill the image along one axis only. Along the other
+/// axis, it covers a smaller angle, so its bounds are measured again with this angle. The centre is limited so that the subject
+/// stays within the full view.
 Vec2f middle_from(const Setting& setting, const Direction& direction, const SubjectBounds& bounds, Vec2f angle,
                   float distance) {
   constexpr int kMostPasses = 4;
@@ -340,7 +340,7 @@ FittedArray fitted_to_bounds(const Setting& setting, const Direction& direction)
   return array;
 }
 
-/// Rotates the view about the world's vertical and then upwards. The result is limited to straight above or below.
+/// Rotates the view about the world's vertical and then upwards, but not beyond a view from straight above or below.
 Mat3f turned(const Mat3f& world_from_view, const Orbit& orbit) {
   const float elevation = degrees(std::asin(std::clamp(world_from_view[2].y, -1.0f, 1.0f)));
   const bool is_upright = world_from_view[1].y >= 0.0f;

@@ -18,7 +18,8 @@
 namespace lippmann {
 namespace {
 
-/// Minimum fraction of the frame that walls must cover to affect the start of rays.
+/// Minimum fraction of the frame that walls must cover to affect the start of rays. The frame is the rectangle of the display
+/// as the eye sees it.
 constexpr double kWallShare = 0.25;
 /// Position of the start of rays between the near clipping plane (0) and the wall (1).
 constexpr float kBeforeWall = 0.999f;

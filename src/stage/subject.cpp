@@ -26,7 +26,7 @@ constexpr float kNearFace = 0.05f;
 constexpr float kSpanning = 0.8f;  ///< minimum fraction of a face that its sheets must span
 /// Maximum diagonal of the part that remains without surroundings, as a fraction of the whole.
 constexpr float kMuchSmaller = 0.5f;
-/// Maximum diagonal of the remaining part, as a fraction of the whole, if only walls or a shell suggest surroundings.
+/// Like kMuchSmaller, but for surroundings without a ground, namely walls or a shell.
 constexpr float kSmallBefore = 0.25f;
 
 using Indices = std::vector<std::size_t>;

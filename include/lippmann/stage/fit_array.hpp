@@ -51,11 +51,11 @@ struct FittedArray {
   float viewing_distance = kInfinity;  ///< distance from the plane to the viewer in front of it
   /// Distance from the viewer to the near clipping plane of the camera. 0 without one.
   float near_distance = 0.0f;
-  /// Nearest and farthest z that the display should show sharply. z > 0 is in front of the plane. Limited to what lies in front
-  /// of the viewer. Both are 0 if there are no finite shapes.
-  /// - If the author placed the array: the range of all finite shapes at frame 0.
-  /// - Otherwise: the range of the visible subject at frame 0, and of walls within one diagonal of the subject.
-  /// - For a fitted subject, the range covers the whole animation.
+  /// Nearest and farthest z that the display should show sharply. z > 0 is in front of the plane. Both are limited to positions
+  /// in front of the viewer. Both are 0 if there are no finite shapes. They are the range of:
+  /// - all finite shapes at frame 0, if the author placed the array,
+  /// - the subject over the whole animation, and walls within one diagonal of it, if the view is fitted to the subject,
+  /// - the visible subject at frame 0, and walls within one diagonal of it, otherwise.
   float depth_front = 0.0f, depth_back = 0.0f;
   /// True if ground, walls and sky do not affect the position of the plane. Only near walls then affect the depth range.
   bool leaves_out_surroundings = false;
@@ -72,8 +72,8 @@ struct FittedArray {
 /// the node of the camera or display has a scale of 0. Throws a usage Error for options that cannot be satisfied.
 FittedArray fit_array(const Scene& scene, float aspect = 1.0f, const ViewWish& wish = {});
 
-/// Returns the world units per millimetre of the display frame. `height_mm` is the height of the visible part of the plane z =
-/// 0, which is the panel or one view of a quilt.
+/// Returns the world units per millimetre of the display frame. `height_mm` is the height of the visible rectangle in the plane
+/// z = 0. This rectangle is the panel, or one view of a quilt.
 inline float scene_units_per_mm(const FittedArray& array, float height_mm) { return array.plane_height / height_mm; }
 
 /// Returns the transform from the display frame (mm) to the world at one time. It is a similarity transform. Throws Error if

@@ -61,7 +61,7 @@ PlacedOptics placed_on(const Scene& scene, const FittedArray& array, Optics opti
 /// optics do not pass validate().
 Placement place(const Scene& scene, const Optics& optics, const PlacementWish& wish = {});
 
-/// Places the optics of a display like the function above. Throws Error if `picture` is kQuilt and the display has no quilt.
+/// Places the optics of a display, like place() for optics. Throws Error if `picture` is kQuilt and the display has no quilt.
 Placement place(const Scene& scene, const Display& display, DisplayPicture picture, const PlacementWish& wish = {});
 
 }  // namespace lippmann
