@@ -15,7 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// For up to this number of frames, tick marks are set explicitly. gnuplot would place some of them between frame numbers.
+/// For up to this number of frames, tick marks are set explicitly, because gnuplot would place some tick marks between frame
+/// numbers.
 constexpr std::size_t kFewFrames = 20;
 
 /// Returns the number at the end of a frame's name. Returns nullopt if there is none.

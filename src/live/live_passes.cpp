@@ -30,7 +30,7 @@ PictureParams layout_of_panel(const Optics& optics) {
   return as_shown;
 }
 
-/// Returns the codes of the panel's image. `rendered` is a film that was traced for the panel's optics.
+/// Returns the 8-bit samples of the panel's image. `rendered` is a film that was traced for the panel's optics.
 Image8 panel_codes(const LiveStage& live, RenderedFrame rendered) {
   const JobStage& stage = live.stage();
   const Optics& optics = stage.placed.optics;

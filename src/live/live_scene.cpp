@@ -284,7 +284,7 @@ void LiveScene::render(bool all_frames) {
     if (!all_frames) params.output.frames = FrameRanges{{frame, frame}};
   }
   render_.start(ResolvedJob(params), [this] { notify_pages(); });
-  // Stops the finer images, which are rendered after the job.
+  // Stop making finer images. They are made again after the render of the job has ended.
   context_.cancelled = true;
   notify_pages();
 }

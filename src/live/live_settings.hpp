@@ -44,7 +44,7 @@ class LiveSettings {
   nlohmann::ordered_json changed() const;
 
  private:
-  /// Returns the parameters to which `changes` are applied: base_ or first_.
+  /// Returns base_ or first_: the parameters before `changes` are applied to them.
   const RenderParams& changed_params(const std::map<std::string, std::string>& changes) const;
   RenderParams applied(const std::map<std::string, std::string>& changes) const;
 

@@ -12,7 +12,7 @@
 namespace lippmann {
 namespace {
 
-/// Returns a text that identifies the scene, its light and its acceleration structures. If the text changes, they must be
+/// Returns a text that identifies the scene, its light and its acceleration structures. If the text changes, the scene must be
 /// loaded again.
 std::string scene_key(const ResolvedJob& job) {
   RenderParams key;
@@ -56,7 +56,7 @@ std::optional<RenderedFrame> LiveStage::frame(int frame) {
   last_frame_ = frame;
   RenderedFrame made = maker_->make(frame);
   if (!context_.cancelled) return made;
-  // The maker holds unfinished data too, so it cannot be used again.
+  // The maker may hold data of the unfinished frame, so it cannot be used again.
   maker_.reset();
   return std::nullopt;
 }

@@ -11,8 +11,8 @@
 namespace lippmann {
 namespace {
 
-/// Makes the ray of a view's pixel, as seen from the eye of the view. The slopes of the eye are multiplied by `parallax`
-/// (with_parallax()).
+/// Makes the ray of a view's pixel, as seen from the eye of the view. The horizontal and vertical slopes of the ray, relative
+/// to the middle view, are multiplied by the parallax (with_parallax()).
 class EyeRays {
  public:
   EyeRays(const PlacedOptics& placed, const PageFacts& facts)

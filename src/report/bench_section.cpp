@@ -40,7 +40,7 @@ double largest_in(const Json& rows, const std::string& key) {
   return std::isfinite(largest) ? largest : 0.0;
 }
 
-/// Returns a number with a bar below it, which is scaled to the largest value of the column.
+/// Returns the HTML of a number with a bar below it. The length of the bar is relative to the largest value of the column.
 std::string cell_html(const Json& row, const std::string& key, double largest) {
   if (!row.contains(key)) return {};
   const std::string text = escaped(value_text(row[key]));

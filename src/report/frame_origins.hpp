@@ -1,4 +1,4 @@
-// The origin of a frame's pixels, and the time saved by reuse.
+// How the pixels of a frame were obtained (their origin: traced, copied, interpolated or filled), and the time saved by reuse.
 #pragma once
 
 #include <array>
