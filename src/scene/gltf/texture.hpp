@@ -23,7 +23,8 @@ class TextureReader {
   /// image, warns and returns -1. `srgb` is true for colours and false for data.
   int read(int texture, bool srgb);
 
-  /// Returns a texture whose channel G is the roughness 1 - `glossiness` * a, with a the value of channel A of the file's texture.
+  /// Returns a texture whose channel G is the roughness 1 - `glossiness` * a, with a the value of channel A of the file's
+  /// texture.
   int read_roughness(int texture, float glossiness);
 
   /// Decodes all textures that have been read.
