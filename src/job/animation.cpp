@@ -61,13 +61,14 @@ int kept_parts(const RenderSetup& setup, RenderFolder& folder) {
   return static_cast<int>(std::count_if(setup.parts.parts.begin(), setup.parts.parts.end(), is_finished));
 }
 
-/// Renders the parts as whole frames, or only as strips if another process joins them. A part is a frame or a strip (RunParts).
+/// Renders `parts`. A part is a frame or a strip (RunParts). Strips are then joined to frames, unless another process joins
+/// them.
 void make_parts(const RenderSetup& setup, const std::vector<int>& parts, FrameLoop& loop, StrippedFrames* strips) {
   if (setup.leaves_strips()) return strips->make_strips(parts);
   loop.take(frames_of_parts(parts, setup.parts.strips));
 }
 
-/// Claims units one by one and renders them until none is left.
+/// Renders units until none is left. The ranks share the units: each rank claims one unit after another.
 void share_parts(const Run& run, FrameLoop& loop, StrippedFrames* strips) {
   // Number of units per rank (a process of an MPI job). Starting a unit costs time, so there should be few units. With fewer
   // units than this, some ranks would end much later than others.

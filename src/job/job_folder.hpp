@@ -27,7 +27,7 @@ RenderFolder open_job_folder(const std::filesystem::path& path, const std::strin
 std::vector<std::string> words_to_resume(const std::filesystem::path& folder);
 
 struct FrameSteps {
-  bool keeps_finished = false;  ///< whether frames are kept if their files match the journal
+  bool keeps_finished = false;  ///< if true, frames whose files match the journal are kept
   bool only_finished = false;   ///< if true, no frame is made, and a missing frame is an Error
   std::function<void(const FrameReport&)> keep;
   std::function<bool(int)> make;  ///< returns false if cancelled
@@ -38,7 +38,7 @@ void take_frames(const std::vector<int>& frames, RenderFolder& folder, const Fra
 
 struct StripSteps {
   int count = 1;  ///< number of strips per frame
-  /// Whether strips are kept if their files match the journal. Strips of finished frames are then skipped.
+  /// If true, strips whose files match the journal are kept, and all strips of finished frames are skipped.
   bool keeps_finished = false;
   std::function<bool(int frame, int strip)> make;  ///< returns false if cancelled
 };

@@ -31,7 +31,7 @@ struct MemoryFacts {
 struct MemoryPlan {
   int bands = 1;               ///< number of bands of rows per frame, which are traced one after another
   bool one_at_a_time = false;  ///< whether each frame is written before the next frame is traced
-  double bytes = 0.0;          ///< estimated memory in bytes, with up to two frames in memory
+  double bytes = 0.0;          ///< estimated memory in bytes, if at most two frames are in memory
 };
 
 /// Returns the estimated bytes of `frames_at_a_time` frames, each traced in `bands` bands.

@@ -87,7 +87,7 @@ Codec<Extent<T>> extent(T lowest, T highest) {
           [](const Extent<T>& value) { return value.x == T{0} ? std::string() : write_extent(value); }};
 }
 
-/// Reads WxH. A single number sets width and height.
+/// Returns a codec that reads WxH. A single number sets width and height.
 Codec<Extent<int>> full_extent(int highest) {
   Codec<Extent<int>> codec = extent(1, highest);
   codec.read = [highest](std::string_view value, const std::string& where) {
@@ -106,7 +106,7 @@ Codec<E> choice(const std::array<std::string_view, N>& names) {
       {names.begin(), names.end()}};
 }
 
-/// Also accepts the names that job files of earlier versions use.
+/// Returns a codec that also accepts the names that job files of earlier versions use.
 Codec<ReuseChoice> reuse_choice() {
   Codec<ReuseChoice> codec = choice<ReuseChoice>(kReuseNames);
   codec.read = [by_name = codec.read](std::string_view value, const std::string& where) {
@@ -116,7 +116,7 @@ Codec<ReuseChoice> reuse_choice() {
   return codec;
 }
 
-/// Also accepts true and false, which job files of earlier versions use.
+/// Returns a codec that also accepts true and false, which job files of earlier versions use.
 Codec<Denoise> denoise_choice() {
   Codec<Denoise> codec = choice<Denoise>(kDenoiseNames);
   codec.read = [by_name = codec.read](std::string_view value, const std::string& where) {

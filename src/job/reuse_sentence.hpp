@@ -7,7 +7,7 @@
 
 namespace lippmann {
 
-/// Returns the kind of reuse (name_of()), followed by its effect.
+/// Returns text that names the kind of reuse and states its effect.
 std::string reuse_sentence(const RenderReport& report);
 
 /// Returns the PSNR and the 90 % interval of the frame with the largest error, such as "estimated error 42 dB (40 to 44)". The

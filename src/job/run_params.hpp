@@ -34,8 +34,8 @@ struct RunParams {
   bool is_first_rank() const { return !ranks || ranks->rank() == 0; }
 };
 
-/// The parts of a job that a run makes. A part is a frame. If the job is rendered in strips, a part is a strip, and its number
-/// is frame * strips + strip.
+/// The parts of a job that a run makes. Normally, a part is a frame. If the job is rendered in strips, a part is a strip, and
+/// its number is frame * strips + strip.
 struct RunParts {
   int strips = 1;
   /// Units begin at frames that are multiples of this number (frames_per_segment).

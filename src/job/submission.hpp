@@ -1,5 +1,5 @@
-// Submits a job to clusters and render farms, as a Slurm script, an Open Job Description template, or plain commands. The job
-// is divided into units. Each task of the cluster renders one unit.
+// Describes a job for clusters and render farms: as a Slurm script, an Open Job Description template, or plain commands. The
+// job is divided into units. Each task of the cluster renders one unit.
 #pragma once
 
 #include <cstdint>

@@ -27,9 +27,9 @@ inline constexpr std::string_view kTestPattern = "test-pattern";
 /// Returns a scene without objects and with one frame. It only defines the position of the array that shows the pattern.
 Scene test_pattern_scene();
 
-/// Returns the linear RGB of a ray. The ray crosses the display at `place`, in half heights of the display from its middle (x
-/// right, y up). The ray arrives at `zone` in the viewing zone, from 0 (leftmost) to 1. `aspect` is width / height of the
-/// display.
+/// Returns the linear RGB of a ray. `place` is where the ray crosses the display, relative to the middle of the display (x
+/// right, y up), in units of half the display's height. `zone` is where the ray arrives in the viewing zone, from 0 (leftmost)
+/// to 1. `aspect` is width / height of the display.
 Vec3f test_pattern(Vec2f place, float aspect, float zone);
 
 /// Returns a frame maker for the pattern. It traces no rays. The arguments must outlive the result.
