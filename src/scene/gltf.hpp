@@ -33,7 +33,7 @@ inline constexpr double kGltfFramesPerSecond = 30.0;
 
 /// Resource limits of one scene. Exceeding a limit is an Error.
 struct GltfLimits {
-  std::uint64_t file_bytes = 0xffff'ffff;        ///< size of each file; the largest 32-bit length of a .glb
+  std::uint64_t file_bytes = 0xffff'ffff;        ///< size of each file; the default is the largest length that a .glb can state
   std::uint64_t json_values = 20'000'000;        ///< number of JSON values; the limit corresponds to about 2 GB of parsed JSON
   std::uint64_t json_objects = 2'000'000;        ///< total number of nodes, meshes, accessors and other objects
   int json_depth = 64;                           ///< nesting depth of the JSON; glTF itself needs 9

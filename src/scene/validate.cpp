@@ -123,7 +123,7 @@ class Validator {
     require(skin.per_vertex >= 0 && skin.joints.size() == count && skin.weights.size() == count, element,
             "the number of joints or weights does not match the vertices");
     for (const float weight : skin.weights) require(finite(weight) && weight >= 0.0f, element, "a weight is not a number >= 0");
-    constexpr float kRounding = 0.01f;  // tolerance of the sum, for weights stored in 8 bits
+    constexpr float kRounding = 0.01f;  // tolerance of the sum of weights, because files may store weights in 8 bits
     const auto per_vertex = static_cast<std::size_t>(skin.per_vertex);
     for (std::size_t v = 0; per_vertex > 0 && v < vertices; ++v) {
       const float sum = std::accumulate(skin.weights.begin() + static_cast<std::ptrdiff_t>(v * per_vertex),

@@ -26,9 +26,9 @@ PhongSurface polished_metal(Vec3f color, float mirror);
 
 /// A sinusoidal oscillation: amplitude * sin(2 pi (cycles * t / loop duration + phase)).
 struct Swing {
-  float amplitude = 0.0f;  ///< in radians, or in units of length
-  int cycles = 1;          ///< per loop; a whole number, so that the loop is seamless
-  float phase = 0.0f;      ///< fraction of a cycle, 0 ... 1
+  float amplitude = 0.0f;  ///< in radians for swing(), in units of length for bob()
+  int cycles = 1;          ///< cycles per loop; a whole number, so that the loop is seamless
+  float phase = 0.0f;      ///< phase at the start of the loop, as a fraction of a cycle (0 ... 1)
 };
 
 class SceneBuilder {
@@ -46,7 +46,8 @@ class SceneBuilder {
   }
 
   /// Rotates the node at a constant speed about an axis of its own frame, in addition to its initial rotation. `turns` is the
-  /// number of turns per loop; negative turns are clockwise. `start` is the initial angle in turns.
+  /// number of turns per loop. Negative turns are clockwise, seen from the tip of the axis. `start` is the initial angle in
+  /// turns.
   void spin(int node, Vec3f unit_axis, int turns, float start = 0.0f);
   /// Rotates the node back and forth about an axis of its own frame, around its initial rotation.
   void swing(int node, Vec3f unit_axis, const Swing& swing);

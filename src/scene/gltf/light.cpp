@@ -59,7 +59,8 @@ float scale_of(std::string_view generator, LightKind kind) {
 /// there (docs/reference/gltf.md), because the extension has no light sizes.
 float extra(Value from, const char* name) { return static_cast<float>(from["extras"][name].number(0.0)); }
 
-/// Sets the inner cone from Blender's `blend`: the soft edge covers this fraction of the cosines between the outer cone and 1.
+/// Sets the inner cone from Blender's `blend`. The soft edge lies between the outer and the inner cone. It covers the fraction
+/// `blend` of the range of cosines from cos(outer cone) to 1.
 void blend_edge(float blend, Light& light) {
   const float cos_outer = std::cos(light.outer_cone);
   light.inner_cone = std::min(std::acos(cos_outer + (1.0f - cos_outer) * blend), light.outer_cone);

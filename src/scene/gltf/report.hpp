@@ -34,7 +34,7 @@ class Report {
   /// element.
   void warn_at(const std::string& text, std::string_view first_element);
 
-  /// Warns once that `feature` is not supported, for example "skins are". `instead` says what happens instead.
+  /// Warns once that `feature`, such as "skins are", is not supported. `instead` states what the reader does instead.
   void not_supported(const std::string& feature, const std::string& instead, std::string_view first_element);
 
  private:

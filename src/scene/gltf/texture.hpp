@@ -39,7 +39,8 @@ class TextureReader {
   PendingTextures pending_;
   std::map<int, std::string> problems_;  ///< result of problem_of() for each image
   std::map<std::tuple<int, Wrap, Wrap, bool>, int> known_;
-  std::map<std::pair<int, float>, int> roughness_;  ///< roughness texture for a texture of the Scene and a glossiness factor
+  /// Maps a texture of the Scene and a glossiness factor to the roughness texture made from both.
+  std::map<std::pair<int, float>, int> roughness_;
 };
 
 }  // namespace lippmann::gltf

@@ -63,7 +63,8 @@ void require_view(const View& view, const Lexer& lexer) {
   if (!(*view.angle > 0.0f && *view.angle < 180.0f))
     throw lexer.error(fmt::format("the view's angle is {}", *view.angle), "degrees above 0 and below 180");
   const glm::dvec3 along = glm::dvec3(*view.at) - glm::dvec3(*view.from), up(*view.up);
-  constexpr double kSine = 1e-6;  // for smaller sines, the rounding of the file's digits determines the direction
+  // Smallest sine of the angle between the two directions. Below it, the result depends on the rounding of digits.
+  constexpr double kSine = 1e-6;
   if (!(glm::length(glm::cross(along, up)) > kSine * glm::length(along) * glm::length(up)))
     throw lexer.error("the view's from, at and up do not span a plane",
                       "different points from and at, and up not parallel to the view");
@@ -187,7 +188,8 @@ void add_camera(Scene& scene, const View& view) {
 }
 
 void add_lights(Scene& scene, const std::vector<PointLight>& lights) {
-  const float intensity = 1.0f / std::sqrt(static_cast<float>(lights.size()));  // NFF's intensity of lights without a colour
+  // NFF defines this intensity for lights without a colour.
+  const float intensity = 1.0f / std::sqrt(static_cast<float>(lights.size()));
   for (const PointLight& point : lights) {
     Node node;
     node.name = fmt::format("light {}", scene.lights.size());

@@ -24,7 +24,7 @@ class Columns {
   int value(std::string_view name) { return mark(find(name, false)); }
   int list(std::string_view name) { return mark(find(name, true)); }
 
-  /// Returns the columns of the first set in which every name is a property with a single value.
+  /// Returns the columns of the first element of `sets` in which every name is a property with a single value.
   template <std::size_t N>
   std::optional<std::array<int, N>> values(std::initializer_list<std::array<std::string_view, N>> sets) {
     for (const std::array<std::string_view, N>& names : sets) {
