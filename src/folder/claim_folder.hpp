@@ -39,7 +39,7 @@ struct NewRender {
 /// `force` is false.
 void clear_folder(const std::filesystem::path& folder, const NewRender& render, const Context& context);
 
-/// Throws Error if `out`, a destination that is not for a render, is a finished file of a render or the folder of a render.
+/// Throws Error if `out` is a finished file of a render, or the folder of a render. For outputs other than renders.
 void require_no_render(const std::filesystem::path& out);
 
 }  // namespace lippmann

@@ -125,7 +125,7 @@ struct FrameSink::Impl {
     return side.has_value();
   }
 
-  /// Returns codes with the tone curve applied. Videos need them if the pictures store linear light.
+  /// Returns 8-bit samples with the tone curve applied. Videos need them if the pictures store linear light.
   Image8 toned_codes(const Tone& tone, Image film) const {
     apply_tone(tone, film);
     return to_codes(film, settings.encoding);

@@ -404,7 +404,7 @@ FittedArray fitted_to(const Setting& setting, const std::string& name, const Orb
 
 // ---- Options of the user ------------------------------------------------------------------------------------------------
 
-/// Returns the z of the plane that `focus` requests, in the current frame of the array.
+/// Returns the z of the plane that `focus` requests. The plane of `array` is at z = 0.
 float wanted_plane_z(const FittedArray& array, const Setting& setting, const std::string& focus) {
   const Affine3f world_from_plane = world_from_frame(setting, array.node, setting.resolved) * array.node_from_plane;
   const Affine3f plane_from_world = inverse(world_from_plane);

@@ -22,8 +22,8 @@ struct ScenePiece {
 
 ScenePiece piece_of_triangle(Vec3f a, Vec3f b, Vec3f c);
 
-/// Returns a box around the main part. The box cuts no pieces outside the main part except slivers. Returns nothing if the
-/// scene stays whole.
+/// Returns a box around the main part. The sides of the box cross no piece except slivers. Returns nothing if the scene stays
+/// whole.
 std::optional<Bounds3f> find_main_part(std::vector<ScenePiece> pieces);
 
 }  // namespace lippmann
