@@ -28,11 +28,11 @@ struct FlickerSums {
   double squares = 0.0, weights = 0.0;
 };
 
-/// Returns the sum of squared changes of the error along the motion, in squared codes, and the sum of the weights. Each pixel
-/// has a weight of at most 1 per channel, and thus at most 3.
+/// Returns the sum of squared changes of the error along the motion, in squared 8-bit steps, and the sum of the weights. Each
+/// pixel has a weight of at most 1 per channel, and thus at most 3.
 FlickerSums flicker_of_view(const ViewChange& change);
 
-/// Returns the square root of the weighted mean of squared changes, in codes. Returns NaN if no pixel can be followed.
+/// Returns the square root of the weighted mean of squared changes, in 8-bit steps. Returns NaN if no pixel can be followed.
 double flicker_of(const FlickerSums& sums);
 
 }  // namespace lippmann

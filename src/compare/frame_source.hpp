@@ -42,10 +42,10 @@ class FrameSource {
 std::optional<int> frame_number(const std::filesystem::path& file);
 
 /// Opens a source of frames. `wanted` lists the frames to read, in ascending order: frame_number(), or the position from 0 in a
-/// video. If it is nullopt, all frames are read. Throws Error that names `path` if it does not exist. Also throws if it is a
-/// folder without images, with two images for one frame, or without a wanted frame. next() throws if a video ends before the
-/// last wanted frame. `warn` may be empty. It is called with warnings about ignored properties of images, on the threads that
-/// load the images.
+/// video. If `wanted` is nullopt, all frames are read. Throws Error that names `path` if `path` does not exist. Also throws if
+/// the folder holds no images, holds two images for one frame, or lacks a wanted frame. next() throws if a video ends before
+/// the last wanted frame. `warn` may be empty. It is called with warnings about ignored properties of images, on the threads
+/// that load the images.
 std::unique_ptr<FrameSource> open_frames(const std::filesystem::path& path, const std::optional<std::vector<int>>& wanted = {},
                                          const std::function<void(std::string_view)>& warn = {});
 

@@ -1,4 +1,4 @@
-// Reads the views of one frame in any format, as codes.
+// Reads the views of one frame in any format, as 8-bit samples.
 #pragma once
 
 #include <filesystem>

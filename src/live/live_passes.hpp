@@ -28,8 +28,7 @@ std::optional<LivePictures> coarse_pictures(LiveStage& live, const PageFacts& fa
 /// Returns images with fewer samples per pixel than the render. Returns nullopt if such images would not be faster to make.
 std::optional<LivePictures> draft_pictures(LiveStage& live, const PageFacts& facts, int frame, const Context& context);
 
-/// Returns the codes of the images that a render with 8 bits per sample would write. Throws Error if parameters contradict each
-/// other.
+/// Returns the same 8-bit images that a render would write. Throws Error if parameters contradict each other.
 std::optional<LivePictures> finished_pictures(LiveStage& live, const PageFacts& facts, int frame);
 
 /// Returns the disparity codes (view/disparity_codes.hpp) of the views as a quilt. Each view has the size `view_size`. Requires

@@ -9,7 +9,8 @@
 namespace lippmann {
 namespace {
 
-/// Returns valid UTF-8. The JSON writer replaces invalid bytes, and the JSON parser removes the escapes of the writer.
+/// Replaces invalid bytes, so that the result is valid UTF-8. The JSON writer replaces these bytes. The JSON parser removes the
+/// escapes that the writer adds.
 std::string as_utf8(std::string_view text) {
   const std::string json = json_to_text(nlohmann::ordered_json(std::string(text)), -1);
   return json_from_text(json).get<std::string>();
