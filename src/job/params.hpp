@@ -59,7 +59,8 @@ struct SceneParams {
 /// (job/reuse_params.hpp).
 struct ReuseParams {
   ReuseChoice choice = ReuseChoice::kAuto;
-  /// Number of frames from one key frame to the next. If nullopt, it is chosen automatically, or kDefaultKeyframes is used.
+  /// Number of frames from one key frame to the next. If nullopt, the number is kDefaultKeyframes for Interpolate without a
+  /// minimum PSNR. Otherwise, it is chosen automatically.
   std::optional<int> keyframes{};
   std::optional<double> min_psnr_db{};  ///< minimum PSNR of every frame in dB, after rounding to 8 bits
   SplatMode splat = SplatMode::kView;

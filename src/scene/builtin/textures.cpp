@@ -52,7 +52,7 @@ LIPPMANN_INLINE float noise_between(const LatticePlace& u, const LatticePlace& v
   const float b = glm::dot(above(u.after), f - Vec2f(1, 0));
   const float c = glm::dot(below(u.before), f - Vec2f(0, 1));
   const float d = glm::dot(below(u.after), f - Vec2f(1, 1));
-  constexpr float kToUnitRange = 1.41421356f;  // with unit gradients, the noise is at most sqrt(1/2), in the middle of a cell
+  constexpr float kToUnitRange = 1.41421356f;  // the noise of unit gradients is at most sqrt(1/2), in the middle of a cell
   return kToUnitRange * glm::mix(glm::mix(a, b, u.weight), glm::mix(c, d, u.weight), v.weight);
 }
 
