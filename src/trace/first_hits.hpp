@@ -11,7 +11,7 @@
 
 namespace lippmann {
 
-/// The scene in the current and in the previous frame. The device scene must show `now`.
+/// The scene in the current and in the previous frame. The device scene must be at the time of `now`.
 struct FrameStep {
   const ResolvedScene& now;
   const ResolvedScene& before;

@@ -1,7 +1,7 @@
-// Positions of ray hits in the previous frame, relative to the display of that frame.
+// Finds where the surface points that rays hit in the current frame were in the previous frame.
 //
-// A point on a moving node is moved back by the node's motion. A point on a deforming mesh has the same triangle and
-// barycentric coordinates in the previous pose. The transforms are composed in double precision.
+// A point on a moving node is moved back by the node's motion. A point on a deforming mesh keeps its triangle and barycentric
+// coordinates, and takes its position from the mesh's previous pose. The transforms are composed in double precision.
 #pragma once
 
 #include <optional>
@@ -16,17 +16,17 @@ namespace lippmann {
 
 class FormerPlaces {
  public:
-  /// `scene` must show the frame `step.now`. All arguments must outlive this object.
+  /// `scene` must be at the time of `step.now`. All arguments must outlive this object.
   FormerPlaces(const ShadedScene& scene, const Affine3f& world_from_display, const FrameStep& step);
 
-  /// Returns the position of lane i's hit in the previous frame, in mm of that frame's display frame. Returns nothing if the
-  /// point has not moved relative to the display. The lane's surface must have been evaluated.
+  /// Returns the previous position of the point that lane i's ray has hit, in mm relative to the display of the previous frame.
+  /// Returns nothing if the point has not moved relative to the display. The surface of lane i must have been evaluated.
   std::optional<Vec3f> of(const RayHitPacket& packet, const SurfacePacket& surface, int i) const;
 
  private:
   struct OfInstance {
     bool still = true;
-    Affine3d display_from_world;     ///< maps world space of the current frame to the display frame of the previous frame
+    Affine3d display_from_world;     ///< maps the current world space to mm relative to the display of the previous frame
     std::optional<MeshPose> pose{};  ///< pose in the previous frame; only for deforming meshes
   };
 

@@ -28,8 +28,8 @@ inline std::size_t blocks_in(int packets) {
   return static_cast<std::size_t>((packets + kPacketsPerBlock - 1) / kPacketsPerBlock);
 }
 
-/// Divides the selected packets of a strip into batches, each no larger than a block. Calls trace(packets, block) for each
-/// batch: `packets` are indices within the strip, and `block` is an index within the frame.
+/// Divides the selected packets of a strip into batches of at most kPacketsPerBlock packets. Calls trace(packets, block) for
+/// each batch. `packets` holds packet indices within the strip, and `block` is the index of the block in the frame.
 template <class Trace>
 void for_each_batch(const FrameWork& work, std::size_t strip, int packets_per_strip, const Trace& trace) {
   std::array<int, kPacketsPerBlock> batch;
@@ -55,7 +55,7 @@ void for_each_batch(const FrameWork& work, std::size_t strip, int packets_per_st
 }
 
 /// Calls trace(strip) for all strips in parallel. Returns the sum of the ray counts. After cancellation, no further strips
-/// start. `share` is the share of the samples that is traced, by which the reported progress is scaled.
+/// start. If the call traces only a `share` of the samples, the reported progress is that of all shares together.
 template <class Trace>
 RayCounts trace_strips(std::size_t strips, const Workers& workers, const Trace& trace, SampleShare share = {}) {
   std::vector<RayCounts> counts(strips);

@@ -39,7 +39,7 @@ struct Integration {
   const ShadedScene& scene;
   const BeamFootprint& beam;
   const TraceParams& params;
-  PathFilm film;  ///< integrators that do not separate light fill only `all` and `open`
+  PathFilm film;  ///< integrators that do not separate direct and indirect light fill only `all` and `open`
 };
 
 /// An integrator: its properties and its factory. Each integrator defines one constant of this type next to its class.

@@ -14,20 +14,20 @@ namespace lippmann {
 /// it.
 struct NoisyFrame {
   Image film;    ///< 3 channels: light
-  Image noise;   ///< 3 channels: half the difference between the means of two halves of the samples, which estimates the error
-  Image seen;    ///< 3 channels: background and emission seen directly or behind holes, which have no path-tracing noise
+  Image noise;   ///< 3 channels: error estimate: half the difference of the means of the samples' first and second half
+  Image seen;    ///< 3 channels: noise-free part of the light: background and emission seen directly or through holes
   Image albedo;  ///< 3 channels: base colour; 0 without a surface
   Image normal;  ///< 3 channels: normal in world space; shorter than 1 if the samples' normals differ
   Image z;       ///< 1 channel: z in mm of the display frame, 0 without a surface; z / met is the mean z of the surfaces
   Image met;     ///< 1 channel: share of the samples that hit a surface
 };
 
-/// Returns whether a sample belongs to the second half of a pixel's samples: those whose number has an odd number of binary
-/// ones. If a pixel has 2^k samples, both halves cover the pixel and the directions equally well.
+/// Returns whether a sample belongs to the second half of a pixel's samples. The second half consists of the sample numbers
+/// with an odd count of 1 bits. If a pixel has 2^k samples, both halves cover the pixel and the directions equally well.
 inline bool is_of_second_half(std::uint32_t sample) { return (std::popcount(sample) & 1) != 0; }
 
-/// Returns the weights in NoisyFrame::noise of samples from the first and from the second half, relative to their weight in the
-/// film.
+/// Returns two factors, for samples of the first and of the second half. A sample is added to NoisyFrame::noise with its weight
+/// in the film times this factor.
 std::array<float, 2> weights_of_halves(int spp);
 
 /// Size of the images of a NoisyFrame, in bytes per pixel.

@@ -41,7 +41,7 @@ Vec2f SubPixel::position(std::uint32_t pixel, int sample) const {
   if (samples == 1) return Vec2f(0.5f);
   const auto s = static_cast<std::uint32_t>(sample);
   const std::uint32_t shift_x = hash(seed, pixel, 0u), shift_y = hash(seed, pixel, 1u);
-  // Both coordinates are 32-bit fractions, so overflow of the integer sum computes it modulo 1.
+  // Positions and shifts are 32-bit fractions of a pixel. Their integer sum overflows, which wraps the position around at 1.
   const auto x = static_cast<std::uint32_t>((static_cast<std::uint64_t>(s) << 32) / static_cast<std::uint32_t>(samples));
   // The last 1/256 of the pixel is excluded. Positions there would be rounded up into the next pixel or lens when the pixel's
   // coordinate, up to 65,535, is added as a float.

@@ -5,8 +5,8 @@
 
 namespace lippmann {
 
-/// Weighted sums of features of the first surfaces on camera rays. The weights are those of the light. NoisyFrame describes the
-/// features.
+/// Sums of the features of the first surfaces that camera rays hit. NoisyFrame describes the features. Each sample has the same
+/// weight as its light in the film.
 struct FirstSurfaces {
   float *albedo, *normal;                   ///< arrays with three channels per pixel
   float *z, *met;                           ///< arrays with one channel per pixel
@@ -14,7 +14,7 @@ struct FirstSurfaces {
 
   void add(const ShadingPoint& point, Vec3f normal_there, std::size_t pixel, float weight) const;
 };
-/// Returns the row of the matrix from world to display that computes z.
+/// Returns the row of the world-to-display matrix that computes z. The unit of z is mm.
 Vec4f display_z(const Affine3f& world_from_display);
 
 /// Output arrays with three channels per pixel, except for `open`. Outputs that are null are not computed.
@@ -25,7 +25,7 @@ struct PathFilm {
   float* noise = nullptr;     ///< see NoisyFrame::noise
   float* seen = nullptr;      ///< see NoisyFrame::seen
   const FirstSurfaces* surfaces = nullptr;
-  float* open = nullptr;  ///< one channel: number of samples that hit no surface; if not null, the film omits the surroundings
+  float* open = nullptr;  ///< one channel: number of samples that hit no surface; if not null, the film omits the background
 };
 
 }  // namespace lippmann

@@ -12,8 +12,8 @@ namespace {
 constexpr int kRouletteDepth = 3;
 constexpr std::uint32_t kColorStream = 0x636f6c6fu;
 
-/// Returns whether a direction is on the right side of the facet: behind it for transmission, otherwise in front. Shading
-/// normals alone may select the wrong side.
+/// Returns whether a direction is possible for a sample: behind the facet for transmission, otherwise in front of the facet.
+/// The shading normal alone may select the wrong side.
 bool is_possible(const ShadingPoint& point, Vec3f direction, bool transmitted) {
   return point.is_behind(direction) == transmitted;
 }
@@ -235,8 +235,8 @@ void PathIntegrator::trace_shadow_rays() {
       shadow_rays_.trace(scene_, [this](const ShadowRay& ray, Vec3f radiance) { add(ray.pixel, radiance, ray.depth); });
 }
 
-/// Clamps indirect light, which more than one vertex has scattered. Light emitted at a path's second vertex counts as direct
-/// light at the first vertex.
+/// Clamps indirect light: light that more than one vertex has scattered, so `depth` is above 1. Light emitted at a path's
+/// second vertex is direct light of the first vertex.
 Vec3f PathIntegrator::clamped(Vec3f radiance, int depth) const {
   const float most = largest(radiance);
   return params_.clamp_indirect > 0.0f && depth > 1 && most > params_.clamp_indirect

@@ -24,7 +24,7 @@ namespace lippmann {
 struct PathParams {
   int max_depth = 6;            ///< maximum number of vertices of a path
   std::uint32_t seed = 0;       ///< different in each frame, so that the noise of frames is independent
-  float clamp_indirect = 0.0f;  ///< > 0: upper limit of the indirect light of one path, at the cost of lost light; 0: no limit
+  float clamp_indirect = 0.0f;  ///< > 0: upper limit of one path's indirect light (images get darker); 0: no limit
   int spp = 1;                  ///< samples per pixel; each sample has the weight 1 / spp
 };
 

@@ -71,13 +71,14 @@ inline void scatter(PathRay& ray, const ShadingPoint& point, const BsdfSample& s
     ray.through_wall = true;
   ray.spread |= !sample.is_delta();
   if (sample.transmitted && point.behind != kSameMedium) ray.medium = point.behind;
-  // Direction and density of the last vertex are kept, because its shadow rays also sample light straight behind this surface.
+  // Straight transmission keeps the direction and density of the last vertex. Shadow rays of that vertex pass this surface too,
+  // so multiple importance sampling needs the original density.
   if (sample.straight) return;
   ray.direction = sample.direction;
   ray.density = sample.density, ray.scattered_at = length;
 }
 
-/// Returns the light receiver at the last change of direction, as it was used to sample lights.
+/// Returns the receiver for which the vertex at the last change of direction sampled lights.
 inline LightReceiver last_receiver(const PathRay& ray) {
   return {ray.origin - (ray.path_length - ray.scattered_at) * ray.direction, ray.lit_side, ray.near_share};
 }

@@ -36,7 +36,8 @@ LIPPMANN_INLINE void gather(const Word* from, const std::int32_t* place, Word* t
   LIPPMANN_FOR_LANES(i) to[i] = from[place[i]];
 }
 
-/// Gathers lane i of `to` from place[i], an index in floats from lane 0 of packet 0.
+/// Collects a packet from rays of different packets. For each lane i and each field, copies the value that lies place[i] floats
+/// behind lane 0 of the field in the first packet, met[0].
 LIPPMANN_MULTIVERSION void gather_packet(const RayHitPacket* met, const std::int32_t* place, RayHitPacket& to) {
   gather(met->ray.org_x, place, to.ray.org_x);
   gather(met->ray.org_y, place, to.ray.org_y);

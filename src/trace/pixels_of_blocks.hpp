@@ -10,8 +10,8 @@
 
 namespace lippmann {
 
-/// Calls fn(pixel) for each pixel that trace_blocks() traces for `wanted`, which has one entry per block as in TouchedBlocks.
-/// pixel is y * width + x, and row y = 0 is the first of the shot's rows.
+/// Calls fn(y * width + x) for each pixel of the wanted blocks, as trace_blocks() would trace them. `wanted` has one entry per
+/// block, as in TouchedBlocks. Row y = 0 is the first of the shot's rows.
 void for_each_pixel_of_blocks(const Shot& shot, RayOrder order, std::span<const std::uint8_t> wanted,
                               const std::function<void(std::uint32_t)>& fn);
 

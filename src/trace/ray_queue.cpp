@@ -9,8 +9,7 @@
 namespace lippmann {
 namespace {
 
-/// Maximum number of rays of one wave, which take about 200 MB. Waves are far smaller up to the depths at which images stop
-/// changing.
+/// Maximum number of rays of one wave. They take about 200 MB. Waves at usual depth limits are far smaller.
 constexpr std::size_t kMostRays = std::size_t{1} << 22;
 
 /// Pointers to the elements of one ray in all arrays of the queue.

@@ -1,4 +1,5 @@
-// The queue of mirrored and transmitted rays that form the next wave. Rays are in the order of the surfaces that they leave.
+// The queue of mirrored and transmitted rays that form the next wave. Rays are in the order of the surface points where they
+// start.
 #pragma once
 
 #include <memory>
@@ -11,7 +12,7 @@ namespace lippmann {
 struct Bundle {
   Lanes3 weight;      ///< factor on a lane's radiance when it is added to its pixel
   Lanes path_length;  ///< path length at the origin of the lane's ray
-  Lanes open;  ///< share of a camera ray that has only passed surfaces made transparent by alpha; 0 behind other surfaces
+  Lanes open;  ///< transmitted share of a camera ray that has passed only surfaces made transparent by alpha; otherwise 0
   alignas(64) std::uint32_t pixel[kLanes];
 };
 

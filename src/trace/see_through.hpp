@@ -6,7 +6,8 @@
 
 namespace lippmann {
 
-/// Sets branches.open. Rays stay open behind surfaces that alpha makes transparent, but not behind glass.
+/// Sets branches.open, the factor on Bundle::open, to 1 - opacity for rays through surfaces that alpha makes transparent. The
+/// factor stays 0 for rays through glass.
 void keep_holes_open(const ShadedScene& scene, const SurfacePacket& surface, Branches& branches);
 
 /// Multiplies the shares of transmitted rays by the transmittance of thin walls. `rays` are the rays that hit the walls.

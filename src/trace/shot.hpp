@@ -22,7 +22,8 @@ inline Vec2i film_size(const Shot& shot) { return film_size(shot.optics, shot.ro
 
 enum class Progress { kSilent, kReported };
 
-/// Threads and cancellation of some work. `progress` says whether the work counts as progress of the frame.
+/// The threads that do some work, and its cancellation. `progress` states whether the work is reported as progress of the
+/// frame.
 struct Workers {
   const ThreadPool& pool;
   const Context& context;

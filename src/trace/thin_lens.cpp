@@ -36,7 +36,7 @@ ThinLens::ThinLens(const Optics& optics, const Affine3f& world_from_display, con
   inverse_focus_ = 1.0f / (to_focus * unit_scale(world_from_display));
 }
 
-// Each ray is sheared so that it crosses its pinhole ray in the focal plane.
+// Moves each ray's origin on the lens, and turns the ray so that it crosses the original pinhole ray in the focal plane.
 void ThinLens::spread(const LensLanes& lanes, RayPacket& rays) const {
   alignas(64) float u[kLanes], v[kLanes];
   lens_places(lanes, seed_, u, v);

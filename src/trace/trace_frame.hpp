@@ -39,10 +39,10 @@ struct TraceTargets {
   Image& film;  ///< resized to film_size(shot), with 3 linear channels
   /// Path tracing only: layers of light; find_first_hits() in trace/first_hits.hpp fills the other layers.
   FrameAovs* aovs = nullptr;
-  /// Receives the first hits behind the pixels' centres; may be null. With one sample per pixel they cost nothing, otherwise
-  /// they take an extra pass.
+  /// Receives the first hits behind the pixels' centres; may be null. Recording is free with one sample per pixel. With several
+  /// samples, it takes an extra pass.
   PrimaryPoints* points = nullptr;
-  TouchedBlocks* touched = nullptr;  ///< receives the blocks whose rays meet its boxes; may be null
+  TouchedBlocks* touched = nullptr;  ///< input: boxes; output: the blocks whose rays hit the boxes; may be null
 };
 
 /// Traces a frame. The result does not depend on the number of threads. After cancellation, returns early with an unfinished

@@ -13,7 +13,7 @@ namespace {
 
 using Pixels = std::span<const std::uint32_t>;
 
-/// Returns each pixel's position in the order of a full strip, for pixel index y * width + x.
+/// Returns the rank of each pixel of a full strip in the tracing order. The result is indexed by y * width + x.
 std::vector<std::uint32_t> ranks_in_strip(const StripOrder& order, int width) {
   std::vector<std::uint32_t> ranks(order.pixels.size());
   for (std::uint32_t i = 0; i < order.pixels.size(); ++i)

@@ -15,8 +15,9 @@ int count_lanes(const LaneMask& mask) {
   return count;
 }
 
-/// Computes one channel of the light that the surface itself sends to the viewer: color * (ambient + diffuse light) + highlight
-/// + emission. The light is multiplied by the opacity, except for Tachyon's materials, where whole = 1.
+/// Computes one channel of the radiance that leaves the surface without mirrored and transmitted rays: color * (ambient +
+/// diffuse light) + highlight + emission. If `whole` is 0, this sum is multiplied by the opacity. If `whole` is 1 (Tachyon's
+/// materials), it is not.
 template <Lanes Lanes3::*kChannel>
 LIPPMANN_INLINE void radiance_channel(const SurfacePacket& s, const DirectLight& direct, float whole, Lanes3& out) {
   LIPPMANN_FOR_LANES(i) {
@@ -35,7 +36,8 @@ LIPPMANN_MULTIVERSION void local_radiance(const SurfacePacket& s, const DirectLi
   radiance_channel<&Lanes3::z>(s, direct, whole, out);
 }
 
-/// Computes mirrored rays, and transmitted rays that are straight.
+/// Computes the directions and shares of all mirrored rays and transmitted rays. Transmitted rays continue straight on, as
+/// without refraction.
 LIPPMANN_MULTIVERSION void branch_off(const RayPacket& rays, const SurfacePacket& s, Branches& branches) {
   LIPPMANN_FOR_LANES(i) {
     const float dx = rays.dir_x[i], dy = rays.dir_y[i], dz = rays.dir_z[i];
@@ -78,7 +80,7 @@ Vec3f refracted(Vec3f d, Vec3f n, float eta) {
   return glm::normalize(eta * d + (eta * cosine - std::sqrt(k)) * n);
 }
 
-/// The background gradient. A height of 0 is the horizon's colour, and 1 the zenith's colour.
+/// The background gradient. A height of 0 has the colour of the horizon, and a height of 1 the colour of the zenith.
 struct Sky {
   explicit Sky(const Background& b)
       : horizon(b.horizon),
@@ -129,8 +131,8 @@ LaneMask still_open(const Bundle& bundle) {
   return lanes;
 }
 
-/// Adds the background at the end of a path, for the branches `first` + lane. In Tachyon mode, adds the unweighted background
-/// straight ahead.
+/// Adds the background that the branches `first` + lane see, instead of tracing them further. The background is weighted by the
+/// branch's share. In Tachyon mode, adds the unweighted background in the direction of the incoming ray instead.
 LIPPMANN_MULTIVERSION void end_branches(const Background& background, const RayPacket& rays, const Branches& branches,
                                         int first, bool tachyon, Lanes3& radiance) {
   const Sky sky(background);
@@ -147,7 +149,7 @@ LIPPMANN_MULTIVERSION void end_branches(const Background& background, const RayP
   }
 }
 
-/// Adds the panorama at the end of a path, for the branches `first` + lane.
+/// Adds the part of the panorama that the branches `first` + lane see, instead of tracing them further.
 void end_in_panorama(const Environment& environment, const LaneMask& hit, const Branches& branches, int first,
                      Lanes3& radiance) {
   for (int i = 0; i < kLanes; ++i) {
