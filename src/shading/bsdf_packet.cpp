@@ -3,7 +3,7 @@
 namespace lippmann {
 namespace {
 
-/// Converts to the BSDF of lane i. emplace() then constructs the BSDF in place, because BSDFs are expensive to copy.
+/// Converts implicitly to the BSDF of lane i. emplace() thus constructs the BSDF in place. BSDFs are expensive to copy.
 struct BsdfOfLane {
   const ShadedScene& scene;
   const RayHitPacket& packet;

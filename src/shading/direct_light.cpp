@@ -37,7 +37,8 @@ LIPPMANN_INLINE void dim(ShadowPacket& shadow, int i, float factor) {
   shadow.arriving[i] *= factor;
 }
 
-/// Sets `lifted` for lanes whose light is behind the facet but in front of the smooth normal. Returns nonzero if there are any.
+/// Sets `lifted` for lanes whose light is behind the facet but in front of the smooth surface. Returns nonzero if any lane is
+/// lifted.
 LIPPMANN_INLINE int find_setting(const SurfacePacket& s, ShadowPacket& shadow) {
   int any = 0;
   LIPPMANN_FOR_LANES(i) {

@@ -16,8 +16,8 @@ namespace {
 /// smaller.
 constexpr float kLeastHeight = 0.01f, kPartOfView = 0.9f;
 
-/// Returns (sin a, cos a), up to a positive factor, of the angle a that mirrors the view to `height`. Of the two solutions,
-/// chooses the one towards +x.
+/// Returns a positive multiple of (sin a, cos a), with a the angle at which the normal mirrors the view to `height`. Of the two
+/// solutions, chooses the one towards +x.
 Vec2f angle_of(float vx, float vz, float height) {
   const float in_plane = std::sqrt(vx * vx + vz * vz);
   const float c = vz / in_plane, s = vx / in_plane, wanted = height / in_plane;

@@ -40,7 +40,7 @@ LightChoice::LightChoice(std::array<LightGroup, kGroups> groups, float sun, floa
   }
   add(0.0f, sky);
   near_ = kind_of(near), far_ = kind_of(far);
-  // The mean irradiance over all orientations of a surface is a quarter of the irradiance across the light's direction.
+  // Averaged over all orientations, a surface receives a quarter of the irradiance of a surface that faces the light.
   far_irradiance_ = 0.25f * static_cast<float>(far_.chances.total());
 }
 

@@ -28,7 +28,8 @@ inline float finite_power(float power) { return power > 0.0f ? std::min(power, s
 
 /// The lights of one Part. Each vector has one element per light.
 struct LightGroup {
-  /// near: flux of near lights, 0 for far lights. far: irradiance of far lights across their direction, 0 for near lights.
+  /// near: the flux of a near light, or 0 for a far light. far: the irradiance that a far light gives a surface facing it, or 0
+  /// for a near light.
   std::vector<float> near, far;
   std::vector<TreeLight> lights;  ///< description of each near light for the tree
   float irradiance = 0.0f;        ///< sum of the irradiances of `lights` at distance 1
@@ -59,8 +60,8 @@ class LightChoice {
   float chance_of_sun(const LightReceiver& at) const;
   float chance_of_sky(const LightReceiver& at) const;
 
-  /// Returns whether the sky is chosen for more than about a quarter of the points. Sky directions for all lanes of a packet
-  /// are then sampled in advance.
+  /// Returns whether more than about a quarter of the points choose the sky. The caller then samples sky directions for all
+  /// lanes of a packet in advance.
   bool asks_sky_often() const { return (near_.empty() ? 1.0f : 0.5f) * far_.of_sky > 0.25f; }
   /// Returns whether choose() returns kSky for this `pick`.
   bool picks_sky(const LightReceiver& at, float pick) const { return pick >= 1.0f - chance_of_sky(at); }

@@ -9,12 +9,12 @@ namespace lippmann {
 struct LightSample {
   Vec3f direction{0.0f};  ///< unit length, from the point to the light
   float distance = 0.0f;  ///< length of the shadow ray
-  /// Radiance that arrives from `direction`. For point-like lights: irradiance across `direction` divided by the light's
-  /// probability.
+  /// Radiance that arrives from `direction`. For point-like lights: the irradiance of a surface that faces the light, divided
+  /// by the probability of choosing the light.
   Vec3f radiance{0.0f};
-  /// Probability of choosing the light, times density of the direction per steradian. kInfinity for point-like lights.
+  /// Probability of choosing the light times the density of `direction` per steradian. kInfinity for point-like lights.
   float density = 0.0f;
-  bool is_lamp = false;  ///< Phong surfaces show highlights of the light
+  bool is_lamp = false;  ///< true: Phong surfaces show highlights of the light
   bool is_point() const { return density == kInfinity; }
 };
 

@@ -30,7 +30,7 @@ float strength(const WhittedLight& light, Vec3f direction, float distance) {
 /// Near lights fall off with the distance. Far lights send the same irradiance to all points of the scene.
 bool is_near(const WhittedLight& light) { return light.falls_off > 0.0f; }
 
-/// Returns the flux of a near light, or the irradiance of a far light across its direction. `unit` is explained in
+/// Returns the flux of a near light, or the irradiance that a far light gives a surface facing it. `unit` is explained in
 /// light_table.hpp.
 float power(const WhittedLight& light, float unit) {
   const float color = unit * luminance(light.color);

@@ -60,12 +60,12 @@ class LightTable {
                        draws.density[i] * choice_.chance_of_sky(at)};
   }
 
-  /// Returns the density with which sample() chooses a point on triangle `prim` of a record. The point lies at `distance` along
-  /// the unit vector `direction`. Returns 0 if the triangle is not a light.
+  /// Returns the density per steradian with which sample() chooses a point on triangle `prim` of a record. The point lies at
+  /// `distance` from the receiver along the unit vector `direction`. Returns 0 if the triangle is not a light.
   float density_of(std::uint32_t record, std::uint32_t prim, float distance, Vec3f direction, const LightReceiver& at) const;
 
-  /// Returns the density with which sample() chooses the direction of ray i. The ray hits the sky. The radiance of `rays` must
-  /// have been looked up before.
+  /// Returns the density per steradian with which sample() chooses the direction of ray i. Ray i must hit the sky, and its sky
+  /// radiance must have been looked up.
   float density_of_sky(const SkyRays& rays, int i, const LightReceiver& at) const;
 
   const Environment& environment() const { return environment_; }

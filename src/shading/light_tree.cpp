@@ -9,7 +9,7 @@ constexpr float kLeastFacing = 1.0f / 16.0f;
 constexpr float kLeastSquared = 1e-20f;
 /// Lower bound of the squared cosine of faces seen edge-on. It prevents rounding from removing their light.
 constexpr float kLeastSquaredCosine = 1e-6f;
-/// Lower bound of the factor `shining` of a face. It prevents negative factors by rounding.
+/// Lower bound of a face's factor `shining` (light_tree.hpp). Rounding could otherwise make the factor negative.
 constexpr float kLeastFaceShining = 1e-4f;
 /// Lower bounds of `shining` inside the cones. A cluster keeps at least kLeastShining of its mean emission over all directions.
 /// A single lamp keeps at least kLeastFading of its full light, so that rounding does not remove light at the rim of its cone.
@@ -124,8 +124,8 @@ LIPPMANN_INLINE int pick(const Lanes& w, const Sums& s, float& u) {
   return lane;
 }
 
-/// Chooses a light by one descent through the tree. Sets `child` to ~light. Returns the probability of the choice, or 0 if no
-/// light reaches the point.
+/// Chooses a light by one descent through the tree. Sets `child` to ~(index of the light). Returns the probability of the
+/// choice, or 0 if no light reaches the point.
 LIPPMANN_MULTIVERSION float descend(const LightNodes& tree, const LightReceiver& at, float& u, std::int32_t& child) {
   float probability = 1.0f;
   child = 0;

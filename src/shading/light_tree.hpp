@@ -21,10 +21,10 @@
 // 6. Light from the inner side of a closed body keeps a sixteenth of its importance, because the point may be inside, or the
 // body may transmit light.
 //
-// Symbols: w importance; p power; d vector between point and centre; v variance; n the receiver's normal; m the normal of a
-// face.
+// Symbols: w importance; p power; d vector from the point to the centre of the cluster; v variance; n the receiver's normal; m
+// the normal of a face.
 //    w = p facing shining / (d^2 + v)
-//    facing = 1/16 + 15/16 (n.d + sqrt((n.d)^2 + v / 3)) / 2 sqrt(d^2 + v)
+//    facing = 1/16 + 15/16 (n.d + sqrt((n.d)^2 + v / 3)) / (2 sqrt(d^2 + v))
 // facing is 1 if light may come from either side.
 // The factor `shining` of lamps is 0 if the point lies outside all cones. Otherwise, a single lamp has the fading of its cone.
 // A cluster has the mean over its lamps, as a polynomial of second degree in -d / sqrt(d^2 + v), fitted over all directions.
@@ -60,8 +60,8 @@ struct LightProfile {
 /// A light, as input of the tree.
 struct TreeLight {
   Vec3f middle{0.0f};
-  /// Irradiance at distance 1, across the direction of the light. Lights whose power is not positive and finite are never
-  /// chosen.
+  /// Irradiance that the light gives a surface facing it at distance 1. The tree never chooses lights whose power is not
+  /// positive and finite.
   float power = 0.0f;
   float variance = 0.0f;  ///< mean squared distance of emitting points from `middle`
   float radius = 0.0f;    ///< radius of a ball around `middle` that contains the light
@@ -135,7 +135,7 @@ class LightTree {
 
  private:
   friend class LightTreeBuilder;
-  /// Share of its cosine that a face of a closed body keeps on its inner side.
+  /// When lights are chosen, a face of a closed body emits this share of its cosine on the inner side.
   static constexpr float kLeastInward = 1.0f / 16.0f;
   static constexpr std::uint32_t kNowhere = 0xffffffffu;
 

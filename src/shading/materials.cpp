@@ -34,7 +34,8 @@ WhittedMaterial from(const PhongSurface& s, MaterialTable& table) {
   return m;
 }
 
-// Rougher surfaces show no mirror image. The mirror image gets stronger towards roughness 0.
+// Surfaces with a roughness above kMirrorRoughness show no mirror image. Below, the mirror image gets stronger towards
+// roughness 0.
 constexpr float kMirrorRoughness = 0.4f;
 
 // KHR_materials_ior: materials with total reflection have this index of refraction.

@@ -28,7 +28,7 @@ struct WhittedMaterial {
   float opacity = 1.0f;
   float ior = 1.0f;
   bool blocks_light = false;  ///< shadow rays are blocked regardless of the opacity
-  bool is_whole = false;      ///< path tracing only: true if these terms define the scattering, false if only the BSDF does
+  bool is_whole = false;      ///< path tracing only. true: these terms alone define the scattering; false: the BSDF defines it
   Vec3f emission{0.0f};
   TextureMap color_map, emission_map;
   int projection = -1;     ///< index into MaterialTable::projections for the colour map; -1: the map uses uv coordinates
@@ -73,11 +73,11 @@ struct WhittedLight {
   bool attenuates = false;
   Vec3f attenuation{1.0f, 0.0f, 0.0f};  ///< if `attenuates` is set, the light is divided by x + y d + z d^2 at distance d
   float visible_radius = 0.0f;
-  float has_smooth_edge = 0.0f;         ///< 1: the factor t^2 of the cone's edge becomes 3 t^2 - 2 t^3
+  float has_smooth_edge = 0.0f;         ///< 1: at t in [0, 1] across the cone's edge, the factor t^2 becomes 3 t^2 - 2 t^3
   float radius = 0.0f;                  ///< radius of a spherical lamp; 0: point lamp. Only path tracing uses it.
   float half_angle = 0.0f;              ///< half the angular diameter of a sun's disc; 0: no disc
   const PhotometricWeb* web = nullptr;  ///< factor on the colour by direction; null: the factor is 1
-  Mat3f light_from_world{1.0f};         ///< rotates directions for the web; mirrors them if the node does
+  Mat3f light_from_world{1.0f};         ///< rotates world directions into the space of the web; a mirroring node mirrors them
 
   bool operator==(const WhittedLight&) const = default;
 };

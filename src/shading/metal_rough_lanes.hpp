@@ -57,7 +57,8 @@ class MetalRoughLanes {
   bool scatters_through(int i) const { return glass_[i] > 0.0f; }
 
  private:
-  /// Features of a lane, each including the ones before. most_ is the largest Kind of all lanes and selects the kernels.
+  /// Parts of a lane's BSDF. Each kind has all parts of the kinds before it. most_ is the largest Kind of all lanes and selects
+  /// the kernels.
   enum class Kind { kLambert, kGloss, kGlass };
 
   /// The results of lippmann::draw_glass() for all lanes. weigh() computes density and weight later.
@@ -72,8 +73,8 @@ class MetalRoughLanes {
   template <bool with_glass>
   LIPPMANN_INLINE BsdfValue evaluate(int i, const GgxAlbedo& albedo, Vec3f light) const;
   LIPPMANN_INLINE void draw_glass(int i, float lobe, Vec2f u, GlassLanes& drawn) const;
-  /// Samples a direction. Density and weight are final only for Dirac lobes. For other lobes they are 1, and weigh() replaces
-  /// them.
+  /// Samples a direction. For Dirac lobes, density and weight are final. For other lobes both are set to 1, and weigh()
+  /// replaces them.
   template <bool with_glass>
   LIPPMANN_INLINE BsdfSample draw(int i, float lobe, Vec2f u, const GlassLanes* by_glass) const;
   template <bool with_glass>

@@ -41,13 +41,14 @@ Cone cone_of(const WhittedLight& light, Vec3f from) {
 Vec3f direction_in(const Cone& cone, Vec2f u) {
   const Vec2f d = sample_disc(u);  // d is uniform in the disc, so |d|^2 is a uniform random share of the cone
   const float share = std::min(glm::dot(d, d), 1.0f), height = cone.one_minus_cos * share;
-  // The direction's sine is sqrt(height (2 - height)), and d / sqrt(share) is a unit vector. Their product is scale * d.
+  // `height` is 1 minus the cosine between the direction and the axis, so the sine is sqrt(height (2 - height)). The unit
+  // vector d / sqrt(share) times this sine equals scale * d.
   const float scale = std::sqrt(std::max(0.0f, cone.one_minus_cos * (2.0f - height)));
   return glm::normalize(Basis(cone.axis).to_world({scale * d.x, scale * d.y, 1.0f - height}));
 }
 
-/// Returns the distance along `direction` to a spherical lamp that the ray hits up to rounding. If the ray starts inside the
-/// lamp, returns the distance to the exit.
+/// Returns the distance along `direction` to a spherical lamp. The ray hits the lamp, or misses it only by rounding errors. If
+/// the ray starts inside the lamp, returns the distance to the exit.
 float way_to(const WhittedLight& light, Vec3f from, Vec3f direction, bool is_within) {
   const WorldSphere ball{light.position.x, light.position.y, light.position.z, light.radius};
   const auto [middle, discriminant] =

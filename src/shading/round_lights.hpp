@@ -34,7 +34,7 @@ bool is_pointed_at(const WhittedLight& light, const RayPacket& rays);
 std::optional<LightSample> sample_round(const WhittedLight& light, float unit, Vec3f from, Vec2f u);
 
 /// Evaluates the lamp along a ray of unit direction that has scattered at `from`. Returns nothing if the ray misses the lamp,
-/// or in the cases of sample_round().
+/// if `from` is out of range, or if the lamp does not emit towards `from`.
 std::optional<LightSample> see_round(const WhittedLight& light, float unit, Vec3f from, Vec3f direction);
 
 }  // namespace lippmann

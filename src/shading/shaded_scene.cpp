@@ -56,7 +56,7 @@ ShadedScene::ShadedScene(const Scene& described, const ResolvedScene& resolved, 
 void ShadedScene::update(const ResolvedScene& resolved, const ThreadPool& pool) {
   std::vector<WhittedLight> moved = make_lights(*scene, resolved);
   const bool stands = moved == lights && !any_emitter_moves();
-  if (!stands) lights = std::move(moved);  // keep the vector `lights` itself, because the light table refers to it
+  if (!stands) lights = std::move(moved);  // otherwise `lights` must not be replaced, because the light table refers to it
   RayScene::update(resolved, pool);
   if (!stands) tabulate_lights();
 }

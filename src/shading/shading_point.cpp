@@ -89,7 +89,7 @@ Bsdf bsdf_at(const ShadedScene& scene, const RayHitPacket& packet, const Surface
   const Vec3f color = surface.color.get(i);
   const auto* m = std::get_if<MetallicRoughness>(&material_of(scene, surface, i).surface);
   if (!m) {
-    const float itself = scene.tachyon ? 1.0f : surface.opacity[i];  // Tachyon does not multiply these terms by the opacity
+    const float itself = scene.tachyon ? 1.0f : surface.opacity[i];  // Tachyon's diffuse term and highlight ignore the opacity
     PhongPoint p;
     p.diffuse = itself * surface.diffuse[i] * color;
     p.highlight = itself * surface.highlight[i] * glm::mix(Vec3f(1.0f), color, surface.highlight_tint[i]);

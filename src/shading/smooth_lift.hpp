@@ -18,8 +18,8 @@ struct SmoothTriangle {
   std::array<float, 3> weights;
 };
 
-/// Returns the offset from the point to the weighted mean of its projections onto the tangent planes at the corners. Planes
-/// below the facet count with offset 0. outer: 1, or -1 for the side that the normals point away from.
+/// Returns the offset from the point to the weighted mean of its projections onto the tangent planes at the corners. A plane
+/// below the facet contributes no offset. outer: 1 on the side to which the normals point, -1 on the other side.
 inline Vec3f smooth_lift(const SmoothTriangle& t, float outer) {
   Vec3f point(0.0f), lift(0.0f);
   for (std::size_t k = 0; k < 3; ++k) point += t.weights[k] * t.corners[k];

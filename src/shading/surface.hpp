@@ -50,9 +50,9 @@ Vec3f smooth_lift(const SurfacePacket& surface, int i);
 /// -z axis, with mirrors unfolded. The width is exact for the central view. For other views, it is off by at most a factor of
 /// the cosine of half the viewing zone.
 ///
-/// widths() covers a pixel. Each of n samples covers 1 / n of the pixel's area, because the mean of all samples filters the
-/// rest. After: M. Pharr et al., "Physically Based Rendering", 4th ed., section 10.1, which also limits the width to 1 / 8 of a
-/// pixel.
+/// The beam of a sample covers 1 / n of the area of a pixel with n samples, because averaging the samples also filters the
+/// texture. A sample's beam is at least 1 / 8 as wide as the pixel. After: M. Pharr et al., "Physically Based Rendering", 4th
+/// ed., section 10.1, which also sets this lower bound.
 class BeamFootprint {
  public:
   BeamFootprint(const Optics& optics, const Affine3f& world_from_display, int samples_per_pixel = 1)

@@ -156,7 +156,8 @@ MetalRoughPoint metal_rough_point(const MetallicRoughness& m, Vec3f color, const
   normals.diffuse = normals.gloss = mapped(m.normal_map, m.normal_scale);
   if (at.surface.metallic > 0.0f || at.surface.specular > 0.0f || at.surface.transmission > 0.0f)
     normals.gloss = lifted(normals.gloss);
-  // The diffuse part below a gloss keeps the given normal, because a lifted normal would remove most of its light.
+  // Metals and glass use the lifted normal for all terms. Otherwise the diffuse term keeps the normal that is not lifted,
+  // because lifting would remove most of its light.
   if (at.surface.metallic > 0.0f || at.surface.transmission > 0.0f) normals.diffuse = normals.gloss;
   if (m.clearcoat > 0.0f) normals.coat = lifted(mapped(m.clearcoat_normal_map, m.clearcoat_normal_scale));
   return at;

@@ -52,7 +52,8 @@ UvFootprint uv_footprint(const GeometryRecord& record, const RayHitPacket& packe
   // Limits the footprints of surfaces seen edge-on to 16 beam widths.
   const float inverse = 1.0f / std::copysign(std::max(std::abs(across), 0.0625f), across);
   const float u_along = glm::dot(du, d) * inverse, v_along = glm::dot(dv, d) * inverse;
-  // The axis is projected along the ray onto the facet: axis - d (n . axis) / (n . d).
+  // Projects the beam's axis along the ray onto the facet: axis - d (n . axis) / (n . d), with d the ray's direction and n the
+  // facet's normal.
   const auto change = [&](Vec3f axis, float width) {
     const float slide = glm::dot(n, axis);
     return width * Vec2f(glm::dot(du, axis) - slide * u_along, glm::dot(dv, axis) - slide * v_along);

@@ -1,8 +1,8 @@
 // Mip pyramids and texture lookups for the lanes of a packet.
 //
-// Textures with uv coordinates: up to 8 trilinear probes lie along the longer side of the footprint, a parallelogram. The mip
-// level fits the shorter side. After: McCormack et al., "Feline", SIGGRAPH 1999; we deviate by equal weights. This filter
-// avoids aliasing at 1 sample per pixel, without blur along the lens.
+// Textures with uv coordinates: up to 8 trilinear probes lie along the longer side of the footprint, which is a parallelogram.
+// The mip level fits the shorter side. After: McCormack et al., "Feline", SIGGRAPH 1999. We deviate: all probes have the same
+// weight. This filter avoids aliasing at 1 sample per pixel, without blur along the axis of cylindrical lenses.
 //
 // Projected textures: Tachyon's image maps, bit-identical where possible.
 #pragma once
@@ -18,7 +18,7 @@ namespace lippmann {
 struct DeviceTexture {
   struct Level {
     int width, height;
-    /// Linear codes, 65535 stands for 1; 16 bits keep all 8-bit codes distinct, sRGB-encoded or not
+    /// Linear codes; 65535 stands for 1. With 16 bits, all 8-bit input codes stay distinct, linear or sRGB-encoded.
     std::vector<std::uint16_t> rgba;
   };
   std::vector<Level> levels;  ///< levels[0] is the finest; each level has half the size of the one before, down to 1 x 1
