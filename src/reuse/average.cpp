@@ -15,8 +15,8 @@ constexpr std::size_t kStripPixels = 8192;  // number of pixels per task
 // Number of pixels averaged together. The compiler vectorises loops of this fixed length.
 constexpr std::size_t kAveragedBlock = 64;
 
-/// Sets out = a + weight_b (b - a), which preserves the bits of equal inputs. `count` is 3. If one more float may be read and
-/// written, a `count` of 4 is faster.
+/// Mixes one colour: out = a + weight_b (b - a). Equal inputs keep their bits. `count` is 3, or 4 if one more float may be read
+/// and written; 4 is faster.
 template <std::size_t count>
 LIPPMANN_INLINE void mix(const float* color_a, const float* color_b, float weight_b, float* out) {
   float a[count], b[count], mixed[count];
@@ -33,15 +33,17 @@ struct Landed {
   const float* color(std::uint64_t key) const { return film + 3 * std::size_t{SplatBuffer::source(key)}; }
 };
 
-/// Mixes the colours of pixels first ... end - 1 without branches, because the branches would be unpredictable. Writes to
-/// `special` the ascending indices of pixels whose colours must be computed separately. A pixel is special if a source has no
-/// point there, if its colour changes beside the sample, or if it is left over at the end of the range. Returns the number of
-/// special pixels. `special` must have room for end - first entries.
+/// Mixes the colours of pixels first ... end - 1 without branches, because branches would be unpredictable. Lists in `special`
+/// the ascending indices of pixels whose colours the caller must compute. A pixel is special if no point of one source has
+/// landed there, or if the colour of a landed point changes next to its sample (SplatBuffer::color_changes()). The last pixels
+/// of the range, which do not fill a block, are special too. Returns the number of special pixels. `special` must have room for
+/// end - first entries.
 LIPPMANN_MULTIVERSION std::size_t mix_plainly(const Landed& a, const Landed& b, float weight_b, std::size_t first,
                                               std::size_t end, Image& film, std::uint32_t* special) {
   const std::uint64_t *keys_a = a.keys, *keys_b = b.keys;
   const float *film_a = a.film, *film_b = b.film;
-  // mix<4>() reads one float after a colour, so it must not read the last pixel. kNoSource is larger than `last`.
+  // mix<4>() reads one float beyond a colour, so it must not read the film's last pixel. Pixels without a source are not read
+  // either, because kNoSource is larger than `last`.
   const auto last = static_cast<std::uint32_t>(film.data.size() / 3 - 1);
   std::size_t count = 0, p = first;
   for (; p + kAveragedBlock < end; p += kAveragedBlock) {
@@ -86,8 +88,8 @@ class ColorsBetween {
     next_ = colors_.get();
   }
 
-  /// Returns the colour of the next pixel: `plain`, or the interpolated colour if the pixel's colour changes. Call this once
-  /// per pixel, in the order of the constructor's `pixels`.
+  /// Returns the colour of the next pixel. This is the interpolated colour if SplatBuffer::color_changes(key) is true,
+  /// otherwise `plain`. Call next_or() once per pixel, in the order of the constructor's `pixels`.
   const float* next_or(std::uint64_t key, const float* plain) {
     const bool changes = next_ && SplatBuffer::color_changes(key);
     const float* color = changes ? next_ : plain;

@@ -1,9 +1,9 @@
 // Computes the colours of an in-between frame from the projected points of the previous and the following frame.
 //
-// Based on the paper's interpolation. If points of both frames land on a pixel, the pixel's colour is the weighted mean of
-// their colours. If one point lands, the pixel gets that point's colour. If no point lands, the pixel is missed (status -1). We
-// deviate: the frame nearer in time has a larger weight (see in_between.cpp). The paper's recursion needs only the weights half
-// way between two frames, which are equal.
+// Based on the interpolation of Eljdid, Aggoun and Youssef (README.md). If points of both frames land on a pixel, the pixel's
+// colour is the weighted mean of their colours. If one point lands, the pixel gets that point's colour. If no point lands, the
+// pixel is missed (status -1 in the paper). We deviate: the frame nearer in time has a larger weight (see in_between.cpp). The
+// paper makes only frames half way between two others, where both weights are equal.
 #pragma once
 
 #include <cstdint>
@@ -27,8 +27,8 @@ struct SplatSource {
 };
 
 /// Sets `film` to the averaged colours and `missed` to the missed pixels (ascending). `film` must have the panel's size. Missed
-/// pixels become black. With a sampler, changing colours are interpolated between samples; both images then need
-/// PointImage::contrast. Without a sampler, pixels get the colours of the points that land on them.
+/// pixels become black. With a sampler, colours that change between neighbouring samples are interpolated, for which both
+/// images need PointImage::contrast. Without a sampler, pixels get the colours of the points that land on them.
 void average(const SplatSource& previous, const SplatSource& following, const EpipolarSampler* sampler, const ThreadPool& pool,
              Image& film, std::vector<std::uint32_t>& missed);
 

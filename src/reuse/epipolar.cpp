@@ -111,7 +111,7 @@ LIPPMANN_MULTIVERSION void compare_floats(const float* row, int count, int ahead
 }
 
 /// Fills one row of PointImage::contrast. `step` is the distance in pixels to the next sample of a view. `differs` is a buffer
-/// for 3 width values.
+/// for 3 * width values.
 LIPPMANN_MULTIVERSION void contrast_of_row(const float* colors, int width, int step, bool linear, std::uint32_t* differs,
                                            std::uint8_t* contrast) {
   const int pairs = std::max(0, width - step);

@@ -1,9 +1,10 @@
 // Interpolates the colour at a pixel's centre if the point that landed on the pixel is off-centre.
 //
 // A directional view of a lens array has one sample per lens, so a point may land up to half a lens away from the next sample.
-// The paper uses the point's colour unchanged, which causes most of the error of in-between frames. The other views of the same
-// panel row have sampled the same surface at other positions. At depth z, the samples shift by z m/g from view to view (lines
-// of the epipolar-plane image). If the colour changes beside the sample, the colour is interpolated:
+// Using the point's colour unchanged, as the paper does (see average.hpp), causes most of the error of in-between frames. The
+// other views of the same panel row have sampled the same surface at other positions. At depth z, the samples shift by z m/g
+// from view to view, with m the width of a pixel and g the gap between pixels and lenses (lines of the epipolar-plane image).
+// If the colour changes next to the sample, the colour is interpolated:
 //   1. Let d be the offset of the projected point from the sample's centre, in lenses. The pixel shows the position at -d from
 //      the centre of the sample.
 //   2. Choose the layer, which is the surface that the pixel shows. It is the surface of the sample, or of the next sample of

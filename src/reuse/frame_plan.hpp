@@ -2,7 +2,7 @@
 //
 // Every K-th frame, counted from frame 0, is a key frame. The last frame is a key frame too. The plan depends on the whole
 // animation and not on the requested frames, so rendering a part later gives the same frames. A frame between two key frames is
-// made directly from both, or by halving (the paper's recursive interpolation):
+// made directly from both, or by halving, a recursive interpolation:
 // 1. Make the middle frame of the interval from both ends. Of two middle frames, take the earlier one.
 // 2. Repeat step 1 with each half. Frames made in step 1 are sources like traced frames.
 #pragma once

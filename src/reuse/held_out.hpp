@@ -66,7 +66,8 @@ inline constexpr double kLearnedWeight = 0.5;
 
 /// Sums of the known errors, per level.
 struct Evidence {
-  /// Number of known samples of a level, and sums over their mean squared errors (in squared codes).
+  /// The known samples of a level. count: their number. sum, squares and largest: the sum, the sum of squares and the maximum
+  /// of their mean squared errors, in squared codes.
   struct Level {
     double count = 0.0, sum = 0.0, squares = 0.0, largest = 0.0;
   };

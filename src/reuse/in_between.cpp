@@ -8,8 +8,7 @@ namespace lippmann {
 namespace {
 
 /// How strongly the nearer frame is preferred. With 0, both frames have equal weights, which averages out their sampling
-/// errors. With 1, the weights follow the distance in time, so that light and shadow change evenly. The value between has the
-/// lowest error.
+/// errors. With 1, the weights follow the distance in time, so that light and shadow change evenly. 0.7 gave the lowest error.
 constexpr float kNearness = 0.7f;
 
 /// Returns the weight of the following frame. `position` is 0 at the previous frame and 1 at the following frame.

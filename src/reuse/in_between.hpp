@@ -1,8 +1,9 @@
 // Makes an in-between frame from the point images of two other frames. Projects their points, averages the colours and fills
 // missed pixels.
 //
-// Based on the paper's interpolated animation. Retracing missed pixels follows S. J. Adelson, L. F. Hodges, "Generating exact
-// ray-traced animation frames by reprojection", IEEE Computer Graphics and Applications 15(3), 1995.
+// Based on the interpolated animation of Eljdid, Aggoun and Youssef (README.md). Retracing missed pixels follows S. J. Adelson,
+// L. F. Hodges, "Generating exact ray-traced animation frames by reprojection", IEEE Computer Graphics and Applications 15(3),
+// 1995.
 #pragma once
 
 #include <optional>
@@ -19,7 +20,7 @@ namespace lippmann {
 enum class Provenance : std::uint8_t;
 
 enum class SplatSampling {
-  /// A pixel gets the colour of the point that lands anywhere within the pixel, as in the paper.
+  /// A pixel gets the colour of the point that lands anywhere within the pixel, as in the paper (see the top of this file).
   kPixel,
   /// Colours that change between samples are interpolated (epipolar.hpp). Only for arrays with a whole number of pixels per
   /// lens.
@@ -54,7 +55,7 @@ class InBetweenMaker {
   /// or if the optics do not support kEpipolar.
   InBetweenMaker(const Scene& scene, const Optics& optics, const ForwardParams& params);
 
-  /// Adds the data that a source frame needs to a traced frame, which has film, points and moment.
+  /// Prepares a traced frame for use as a source of other frames. The frame must already have film, points and moment.
   void prepare(PointImage& frame, const ThreadPool& pool) const;
 
   /// Makes the film of the frame at frame.moment. If `as_source` is set, also makes the points and contrast that a source frame

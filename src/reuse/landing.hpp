@@ -20,7 +20,7 @@
 //   If the number of pixels per lens is not whole, the point lands on the pixel of the lens that is nearest to the offset o. On
 //   slanted sheets, this pixel is in the row where the point lands. In hexagonal arrays, it is within the cell.
 //
-// Same lens (`SplatMode::kLens`, as in the paper):
+// Same lens (`SplatMode::kLens`, as by Eljdid, Aggoun and Youssef, see README.md):
 //   Lens l sees the point at the offset o = -((X - l)/Z + (l - e)/V) g/m in its cell. A point outside the cell is dropped.
 //   A point very near the lens plane stays in its pixel, because a shift by 1/1000 of a lens would move its image through the
 //   whole cell.

@@ -49,8 +49,8 @@ GridLine plain_line(const GridScale& scale, double slope, int i, int first, int 
           static_cast<float>(high)};
 }
 
-/// Returns the scale of the rows of a sheet. The eye at distance V sees the rows in perspective: row = floor(y0 samples_per_mm
-/// + shift), where y0 counts along -y.
+/// Returns the scale of the rows of a sheet. The eye at distance V sees the rows in perspective. A ray that crosses z = 0 at
+/// the height y, in mm, belongs to row floor(-y samples_per_mm + shift).
 GridScale sheet_rows(const LenticularConstants<double>& c) {
   const double spread = 1.0 + c.gap_mm * c.axis.vergence;
   return {static_cast<float>(spread / c.pixel_pitch_mm),

@@ -1,6 +1,6 @@
 // Finds out why no point landed on a pixel of an in-between frame, and chooses the pixel's colour.
 //
-// The paper names two causes. The cause depends on the surface that the missed pixel shows:
+// There are two causes (Eljdid, Aggoun and Youssef, see README.md). The surface that the missed pixel shows decides:
 // 1. Find the nearest pixels with a point to the left and to the right, in the same view (or below the same lens).
 // 2. Take the surface of the pixel that is farther from the viewer, because newly visible surfaces lie behind others.
 // 3. Move the point of that surface at the missed pixel to both source frames.

@@ -1,6 +1,6 @@
 // The point image of a frame holds the first hit point and the colour of each pixel. In-between frames are made from the point
-// images of key frames (the paper's point image). A pixel without a known point is "missed" (the paper's status -1). In-between
-// frames do not use the colour of a missed pixel.
+// images of key frames. Based on Eljdid, Aggoun and Youssef (README.md). A pixel without a known point is "missed" (status -1
+// in their paper). In-between frames do not use the colour of a missed pixel.
 #pragma once
 
 #include <cstdint>

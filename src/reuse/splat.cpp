@@ -170,7 +170,8 @@ void offer_strays(const std::vector<Strays>& strays, TargetRange own, std::uint6
   }
 }
 
-/// Gives the highest source pixel the highest order. Replaces the depths, for splatting without a z-buffer.
+/// Replaces the depths by the order of the source pixels, for splatting without a z-buffer. The source pixel with the highest
+/// index then wins.
 void order_by_source(Block& block, int count) {
   for (int i = 0; i < count; ++i) block.order[i] = (~block.source[i] >> 1) + 1;
 }

@@ -1,10 +1,10 @@
 // Projects the points of a point image to another moment, and finds the visible point of each pixel.
 //
-// Based on the paper's projection of point images with a z-buffer. A point lands on the pixel that shows it at the new moment.
-// If several points land on a pixel, the point nearest to the viewer wins: it has the largest z in the display frame. If depths
-// are equal, the point with the lowest source pixel wins. The result therefore does not depend on the order of processing or on
-// threads. Background points stay in their pixels, behind all other points, as if they were infinitely far away and the display
-// did not turn.
+// Based on the projection of point images with a z-buffer by Eljdid, Aggoun and Youssef (README.md). A point lands on the pixel
+// that shows it at the new moment. If several points land on a pixel, the point nearest to the viewer wins: it has the largest
+// z in the display frame. If depths are equal, the point with the lowest source pixel wins. The result therefore does not
+// depend on the order of processing or on threads. Background points stay in their pixels, behind all other points, as if they
+// were infinitely far away and the display did not turn.
 #pragma once
 
 #include <bit>
