@@ -9,8 +9,8 @@ namespace lippmann {
 namespace {
 
 constexpr int kFilterSteps[] = {1, 2, 4};
-/// Added to the albedo before light is divided by it. Highlights on dark surfaces do not scale with the albedo, and would
-/// otherwise become very large.
+/// Added to the albedo before light is divided by the albedo. Highlights do not scale with the albedo, so on dark surfaces the
+/// quotient would otherwise become very large.
 constexpr float kLeastFactor = 0.04f;
 /// Upper limit of light. Sums of squares of larger values would overflow.
 constexpr float kMostLight = 1e15f;
@@ -33,7 +33,8 @@ void set_rgb(Vec3f color, float* image, std::size_t p) {
 
 Vec3f limited(Vec3f light) { return glm::clamp(light, Vec3f(-kMostLight), Vec3f(kMostLight)); }
 
-/// Returns the film's light divided by Texels::light, for pixel p. Texels::albedo must already be divided by `met`.
+/// Returns the factor that converts Texels::light of pixel p to light in the film. Texels::albedo must already be divided by
+/// `met`.
 Vec3f factor_of(const Texels& texels, std::size_t p) { return texels.met[p] * (rgb(texels.albedo, p) + Vec3f(kLeastFactor)); }
 
 }  // namespace

@@ -35,8 +35,8 @@ constexpr float kLeastNeighbours = 8.0f;  ///< minimum number of neighbours of t
 /// edge of a highlight would spread into its surroundings.
 constexpr float kInfluence = 16.0f;
 
-/// Largest squared change of light by the filter, as a fraction of the estimated variance. The estimate is about twice the true
-/// variance (NoisyFrame::noise). A sum over 7 x 7 pixels is accurate to about 25 %.
+/// Largest squared change of light by the filter that counts as removed noise, as a fraction of the estimated variance. The
+/// estimate is about twice the true variance (NoisyFrame::noise). Sums over 7 x 7 pixels are accurate to about 25 %.
 constexpr float kExplained = 0.7f;
 
 constexpr float kNoNoise = 1e-10f;

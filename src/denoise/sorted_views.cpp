@@ -10,7 +10,8 @@
 namespace lippmann {
 namespace {
 
-/// The ray of a pixel: x(z) = place + s z. Its view direction is k = place / V + s.
+/// The ray of a pixel: x(z) = place + s z, with s the slope of the ray. Its view direction is k = place / V + s, with V the
+/// viewing distance.
 struct PixelLine {
   std::uint32_t pixel;
   int row;
@@ -150,7 +151,8 @@ void SortedViews::sort_by_lenses(const Optics& optics, const LensCells& cells, R
     pixels_[slot(view, y) + static_cast<std::size_t>(x)] = line.pixel - before;
     shifts_[static_cast<std::size_t>(y + kBeyond)] = static_cast<float>(at.x - cell.in_lens - x);
   });
-  // A view that holds only surplus pixels of its neighbours has no rays of its own. It gets the sight of the previous view.
+  // A view may hold only surplus pixels of its neighbours and then has no direction of its own. It gets the Sight of the
+  // previous view.
   Sight sight;
   for (const Sums& sum : sums) {
     if (sum.pixels > 0.0) sight = {Vec2f(sum.k / sum.pixels), Vec2f(sum.first / sum.pixels)};

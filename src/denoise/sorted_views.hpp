@@ -44,9 +44,10 @@ class SortedViews {
   /// Returns the pixel indices in row y of a view, one per column. kNoPixel marks a gap.
   const std::uint32_t* row(int view, int y) const { return pixels_.data() + slot(view, y); }
 
-  /// Maps a position in the plane z = 0 to a pixel of the view: column = samples_per_mm.x place.x - first.x - shifts()[row],
-  /// and row = first.y - samples_per_mm.y place.y - first_row(). The mapping is exact if lenses cover a whole number of pixels.
-  /// Otherwise it is accurate to half a pixel's direction.
+  /// How a view maps points to pixels. k is the direction of the view's rays (see the top of this file). A position `place` in
+  /// the plane z = 0 belongs to column samples_per_mm.x place.x - first.x - shifts()[row], and to row first.y -
+  /// samples_per_mm.y place.y - first_row(). This is exact if lenses cover a whole number of pixels. Otherwise the direction
+  /// may differ by half a pixel.
   struct Sight {
     Vec2f k{0.0f}, first{0.0f};
   };
@@ -54,9 +55,9 @@ class SortedViews {
   /// Returns the offset of the first lens of each row, in columns. Valid indices are -kBeyond to size().y + kBeyond - 1.
   const float* shifts() const { return shifts_.data() + kBeyond; }
   static constexpr int kBeyond = 2;
-  /// Returns which row of the whole film's views is row 0 of these views.
+  /// Returns the index of row 0 of these views within the rows of the whole film's views.
   int first_row() const { return first_row_; }
-  float vergence() const { return vergence_; }  ///< returns 1 / V, per mm
+  float vergence() const { return vergence_; }  ///< returns 1 / viewing distance, per mm
   Vec2f samples_per_mm() const { return samples_per_mm_; }
 
   /// Returns the distance between neighbouring samples of a view in the plane z = 0, in mm. If the distances along x and y
@@ -66,8 +67,8 @@ class SortedViews {
  private:
   void sort_by_tiles(const Optics& optics, RowRange rows);
   void sort_by_lenses(const Optics& optics, const LensCells& cells, RowRange rows);
-  /// Returns the view nearest to column at.x in row at.y of the grid of views that still has a gap at (x, y). Returns -1 if no
-  /// view has a gap there.
+  /// Looks in row at.y of the grid of views for views without a pixel at (x, y). Returns the one nearest to column at.x, or -1
+  /// if there is none.
   int free_view(Vec2i at, int x, int y) const;
   std::size_t slot(int view, int y) const {
     return (static_cast<std::size_t>(view) * static_cast<std::size_t>(size_.y) + static_cast<std::size_t>(y)) *

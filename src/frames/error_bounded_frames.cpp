@@ -21,8 +21,8 @@ constexpr int kSegmentIntervals = 8;
 /// Maximum cost of predicting a frame, as a fraction of the cost of tracing it. More expensive predictions are not tried,
 /// because tracing the uncertain pixels would use up the remaining saving.
 constexpr double kMostPredictionCost = 1.0 / 3.0;
-/// Minimum saving of predicting an interval, as a fraction of the cost of tracing it, including its key frame. Estimated costs
-/// are accurate to about a third.
+/// Minimum saving for which frames of an interval are predicted. The saving is a fraction of the cost of tracing the interval,
+/// including its key frame. Estimated costs are accurate to about a third.
 constexpr double kLeastIntervalSaving = 0.05;
 /// Expected reduction of the cost of partial tracing when key frames are twice as close, as a fraction of the cost of tracing a
 /// frame.
@@ -249,7 +249,7 @@ std::unique_ptr<FrameMaker> make_error_bounded_frames(const MakerParts& parts, c
 double error_bounded_frames_bytes_per_pixel() {
   constexpr double kFilm = 3 * sizeof(float), kPoint = sizeof(float) + sizeof(std::uint32_t), kContrast = 1;
   const int halvings = halving_depth(kDefaultKeyframes);
-  // Upper bounds. These images rarely exist at the same time.
+  // Upper bounds, because these images rarely all exist at the same time.
   const int images = 1 + halvings, films = halvings - 1;
   // Projected points and predictions of both key frames, and the planes of the uncertainty estimate.
   constexpr double kUncertainty = 2 * sizeof(std::uint64_t) + 2 * kFilm + 5;

@@ -15,7 +15,8 @@
 namespace lippmann {
 namespace {
 
-/// Returns whether a middle frame is a source of other frames, which lie between it and an end of its interval.
+/// Returns whether other frames lie between a middle frame and the ends of its interval. The middle frame is then a source of
+/// these frames.
 bool is_source(int frame, const FrameInterval& interval) { return frame - interval.first > 1 || interval.last - frame > 1; }
 
 class ForwardFrames final : public FrameMaker {

@@ -1,5 +1,6 @@
-// Makes the paper's interpolated animation. Key frames are traced. The frames between them are made from the points of key
-// frames, directly or by halving (reuse/frame_plan.hpp). Only the sources of the current frame are kept.
+// Makes interpolated frames, based on Eljdid, Aggoun and Youssef (README.md). Key frames are traced. The frames between them
+// are made from the points of key frames, directly or by halving (reuse/frame_plan.hpp). Only the sources of the current frame
+// are kept.
 #pragma once
 
 #include <memory>

@@ -85,7 +85,7 @@ TraceParams trace_params(const Sampling& sampling, const Stage& stage);
 void add_first_hits(const Stage& stage, const Sampling& sampling, const Moment& moment, int frame, const ThreadPool& pool,
                     FrameAovs& aovs);
 
-/// Moves the device scene to the frame's time and traces the frame. `touched` is that of TraceTargets::touched. The result is
+/// Moves the device scene to the frame's time and traces the frame. `touched` becomes TraceTargets::touched. The result is
 /// incomplete if context.cancelled is set meanwhile.
 RenderedFrame render_frame(Stage& stage, const Sampling& sampling, int frame, const ThreadPool& pool, const Context& context,
                            TouchedBlocks* touched = nullptr);

@@ -41,9 +41,9 @@ std::unique_ptr<FrameMaker> make_frame_maker(Stage& stage, const FrameParams& pa
 /// included.
 double working_bytes_per_pixel(const FrameParams& params, int frames);
 
-/// Returns the segment length in frames. An animation should be divided only before frames whose number is a multiple of this
-/// length. The frames after such a cut then need no earlier frames, or only one key frame, which is traced in both parts. Cuts
-/// do not change any image.
+/// Returns the segment length in frames. Divide an animation only before frames whose number is a multiple of this length. The
+/// frames after such a cut then need no earlier frames, or they need one earlier key frame, which is traced for both parts.
+/// Cuts do not change any image.
 int frames_per_segment(const FrameParams& params);
 
 }  // namespace lippmann

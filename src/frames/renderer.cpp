@@ -59,7 +59,7 @@ std::shared_ptr<const Context> moved(Context&& context) {
   return kept;
 }
 
-/// Returns a pointer to the context that does not own it.
+/// Returns a non-owning pointer to the context.
 std::shared_ptr<const Context> borrowed(const Context& context) { return {std::shared_ptr<void>(), &context}; }
 
 }  // namespace
