@@ -88,8 +88,8 @@ LIPPMANN_INLINE void find_direction(float turn, float cosine, float rotation, fl
   x = sine * cos_azimuth, y = cosine, z = sine * sin_azimuth;
 }
 
-/// Samples a number in [0, 1). Its density is linear, in proportion to a at 0 and to b at 1. Both must be >= 0. If both are 0,
-/// the density is uniform.
+/// Samples a number in [0, 1). The density changes linearly from 0 to 1. a and b are proportional to the densities at 0 and at
+/// 1. Both must be >= 0. If both are 0, the density is uniform.
 LIPPMANN_INLINE float sample_line(float u, float a, float b) {
   const float sum = a + b, from = a / (sum > 0.0f ? sum : 1.0f);
   const float root = std::sqrt(std::max(from * from + u * (1.0f - 2.0f * from), 0.0f)), both = from + root;
@@ -135,7 +135,7 @@ LIPPMANN_INLINE void draw_within(const Panorama& map, const PatchDraws& patches,
   const float turn = (patches.x[i] + 0.5f + across) / static_cast<float>(map.width);
   const float cosine = mixed(patches.upper[i], patches.lower[i], down);
   find_direction(turn, cosine, map.rotation, draws.x[i], draws.y[i], draws.z[i]);
-  // Light is bilinear in the polar angle, but `down` is uniform in its cosine.
+  // Light is bilinear in the polar angle, but `down` is linear in the cosine of this angle.
   const float polar = fast_acos(std::min(std::max(cosine, -1.0f), 1.0f)) * (1.0f / kPi);
   const float below = std::min(std::max(polar * static_cast<float>(map.height) + 0.5f - patches.y[i], 0.0f), 1.0f);
   const auto channel = [&](int c) LIPPMANN_INLINE_LAMBDA {

@@ -2,7 +2,7 @@
 // luminance.
 //
 // Panoramas are equirectangular. Row 0 is straight up (+y). The middle column points along +x, and the column at three quarters
-// of the width along +z. Blender shows panoramas in the same orientation to scenes imported from glTF.
+// of the width along +z. Blender orients panoramas in the same way around scenes imported from glTF.
 #pragma once
 
 #include "lippmann/scene/scene.hpp"

@@ -110,7 +110,8 @@ class GgxAlbedo {
   // Plain arrays instead of std::array or vectors, because GCC 14 does not vectorise loops that take the address of a table in
   // a member.
   float single_f0_[kSize * kSize], single_f90_[kSize * kSize];  ///< indexed by [roughness][cosine]
-  /// For each roughness, means over the hemisphere of x, y, x (1 - E) / E and y (1 - E) / E; x and y are those of single().
+  /// Means over the hemisphere for each roughness. The four tables hold x, y, x (1 - E) / E and y (1 - E) / E, with x and y as
+  /// returned by single(), and E as at the top of this file.
   float mean_[4][kSize];
   GlassAlbedo glass_;
   BrushedAlbedo brushed_;

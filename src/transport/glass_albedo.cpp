@@ -14,8 +14,8 @@ namespace {
 
 constexpr float kLargestContrast = 0.5f;  // (n - 1) / (n + 1) for the index of refraction n = 3
 
-/// Returns the albedo: the mean over all facets visible from the view, of the share of light that no other facet blocks on its
-/// way out.
+/// Returns the albedo: the share of light that no other facet blocks on its way out, averaged over the facets that are visible
+/// from the viewing direction.
 float integrate(float cosine, float alpha, float eta) {
   constexpr int kPoints = 256;
   const Ggx ggx{alpha};

@@ -298,7 +298,7 @@ bool LayeredBsdf::draw_glass(float decision, Vec2f u, BsdfSample& s) const {
 
 /// Continues straight through a thin wall. `chance` is the probability with which sample() calls this function.
 bool LayeredBsdf::pass_straight(float chance, BsdfSample& s) const {
-  s.direction = ahead_;  // view_ may be lifted: its opposite would let paths drift that pass many walls
+  s.direction = ahead_;  // -view_ differs slightly if view_ was lifted, so paths through many walls would drift
   s.density = kInfinity;
   s.weight = straight() / chance;
   s.straight = surface_.shadow_rays_pass;

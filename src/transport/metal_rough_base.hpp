@@ -100,8 +100,8 @@ LIPPMANN_INLINE Vec3f diffuse_cosine_f(const MetalRoughBase& b, const GgxAlbedo&
   return b.diffuse_color * let_in(b, albedo, cosine) * (cosine * (1.0f / kPi));
 }
 
-/// Returns the BRDF of a rough gloss times the cosine, for light.z > 0. Sets `density` to Ggx::visible_density, because both
-/// have most terms in common.
+/// Returns the BRDF of a rough gloss times the cosine, for light.z > 0. Also sets `density` to the result of
+/// Ggx::visible_density(), because BRDF and density have most terms in common.
 LIPPMANN_INLINE Vec3f gloss_cosine_f(const MetalRoughBase& b, Vec3f light, float& density) {
   const Ggx ggx{b.alpha};
   const Vec3f h = glm::normalize(b.view + light);

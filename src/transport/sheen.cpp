@@ -13,8 +13,8 @@ constexpr float kLeastRoughness = 0.1f;
 
 float alpha_of(float roughness) { return squared(std::max(roughness, kLeastRoughness)); }
 
-/// The exponent of the shadowing as a function of the cosine (section 3, table 1). It is interpolated between the fits for
-/// alpha = 1 and alpha = 0, which are the first and the second argument of at().
+/// The exponent of the shadowing as a function of the cosine (section 3 and table 1 of the paper in sheen.hpp). It is
+/// interpolated between the fits for alpha = 1 and alpha = 0, which are the first and the second argument of at().
 class Shadowing {
  public:
   explicit Shadowing(float alpha) {

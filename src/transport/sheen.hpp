@@ -16,8 +16,8 @@
 
 namespace lippmann {
 
-/// Returns the BRDF divided by the sheen colour, without the cosine. Directions are local: z points along the normal, and must
-/// be > 0 for both. `roughness` is in [0, 1].
+/// Returns the BRDF divided by the sheen colour, without the cosine. Both directions are local, with z along the normal, and
+/// must have z > 0. `roughness` is in [0, 1].
 float sheen_f(Vec3f view, Vec3f light, float roughness);
 
 class SheenAlbedo {

@@ -1,5 +1,5 @@
-// Notation follows the paper. Medium 1 is air, 2 the film and 3 the surface. R and T are reflectance and transmittance of a
-// boundary, phi is the phase shift of a reflection, and D the optical path difference of the film.
+// Notation follows Belcour and Barla (thin_film.hpp). Medium 1 is air, 2 the film and 3 the surface. R and T are reflectance
+// and transmittance of a boundary, phi is the phase shift of a reflection, and D the optical path difference of the film.
 //
 // The reflected spectrum is a sum of cosines of the phase. The colour of each cosine follows from the Fourier transform of the
 // eye's sensitivity, which is nearly a sum of Gaussians.
@@ -12,7 +12,8 @@
 namespace lippmann {
 namespace {
 
-/// One Gaussian of a colour matching function over wave numbers. at() evaluates its Fourier transform.
+/// One term of a colour matching function, which is a sum of Gaussians over wave number. at() returns the Fourier transform of
+/// the term.
 struct Sensitivity {
   float height, place, variance;
 
@@ -21,7 +22,7 @@ struct Sensitivity {
   }
 };
 
-// The values are from the paper's section 4, table of the fit. X is the sum of two Gaussians.
+// The values are from the table of the fit in section 4 of the paper in thin_film.hpp. X is the sum of two Gaussians.
 constexpr Sensitivity kX{5.4856e-13f, 1.6810e+06f, 4.3278e+09f}, kXBlue{9.7470e-14f, 2.2399e+06f, 4.5282e+09f},
     kY{4.4201e-13f, 1.7953e+06f, 9.3046e+09f}, kZ{5.2481e-13f, 2.2084e+06f, 6.6121e+09f};
 constexpr float kWhole = 1.0685e-7f;  ///< divisor that makes white light 1
