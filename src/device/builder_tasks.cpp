@@ -5,7 +5,7 @@
 namespace lippmann {
 namespace {
 
-/// Returns the TaskOrder that all builders share, because a callback cannot know which builder called it.
+/// Returns the TaskOrder. All builders share it, because a callback is not passed the builder that calls it.
 TaskOrder& order() {
   static TaskOrder order;
   return order;

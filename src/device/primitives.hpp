@@ -57,8 +57,8 @@ LIPPMANN_INLINE bool crosses(const Primitive& primitive, const LaneRay& r) {
   return distance(primitive, r) < kInfinity;
 }
 
-/// Returns whether the ray intersects the sphere. Compares squares to avoid the square root: t0 = b - half > t_near is
-/// equivalent to b - t_near > half, and the other conditions are rewritten in the same way.
+/// Returns whether the ray intersects the sphere. Compares squares to avoid half = sqrt(squared): the condition b - half >
+/// t_near is equivalent to b - t_near > half. The other conditions are rewritten in the same way.
 LIPPMANN_INLINE bool crosses(const WorldSphere& s, const LaneRay& r) {
   const auto [b, squared] = crossing(s, r);
   const float past_near = b - r.t_near, past_far = b - r.t_far;

@@ -37,9 +37,9 @@ class RayScene : public SceneGeometry {
   /// hidden from cameras. A null pointer marks no lanes.
   void trace(const LaneMask& active, RayHitPacket& packet, Coherence coherence, const LaneMask* of_cameras = nullptr) const;
 
-  /// Sets tfar to -inf for active lanes that an opaque surface occludes between tnear and tfar. Multiplies the transmittance of
-  /// other lanes by that of transparent surfaces: transmittance.white is multiplied in place, and the tint is reset first.
-  /// Removes lanes with invalid rays from `active`, so that they receive no light.
+  /// Sets tfar to -inf for active lanes that an opaque surface occludes between tnear and tfar. In the other active lanes,
+  /// transparent surfaces reduce the transmittance: transmittance.white is multiplied by their factors, and an earlier tint is
+  /// discarded. Removes lanes with invalid rays from `active`, so that they receive no light.
   void trace_shadows(LaneMask& active, RayPacket& rays, Transmittance& transmittance) const;
 
   bool has_splats() const { return !splats.splats.empty(); }

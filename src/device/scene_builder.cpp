@@ -46,7 +46,8 @@ bool is_singular(const Mat3f& m) {
   return !(volume > 1e-12f * glm::length(m[0]) * glm::length(m[1]) * glm::length(m[2]));
 }
 
-/// Returns the largest coordinate of rays that stays within kLargestReach after transformation to a node's space.
+/// Returns the limit of a ray's world coordinates. Within this limit, the ray's coordinates in a node's space stay within
+/// kLargestReach.
 float reach_of(const Affine3f& mesh_from_world) {
   const Mat3f& m = mesh_from_world.linear;
   const Vec3f sums = glm::abs(m[0]) + glm::abs(m[1]) + glm::abs(m[2]), moved = glm::abs(mesh_from_world.translation);
@@ -280,8 +281,8 @@ class SceneBuilder {
   std::map<int, int> uses_;
 };
 
-/// Places a mesh instance. Hides the instance if its scale is practically 0: its transform is singular, or it would limit the
-/// coordinates of rays to less than least_reach.
+/// Places a mesh instance. Hides the instance if its scale is practically 0. This is the case if its transform is singular, or
+/// if rays that may hit the instance could not have coordinates up to least_reach.
 void place(GeometryRecord& record, RTCGeometry geometry, const Affine3f& world_from_mesh, float least_reach) {
   record.reach = reach_of(inverse(world_from_mesh));
   if (is_singular(world_from_mesh.linear) || !(record.reach >= least_reach)) {  // animations hide objects by scaling them to 0

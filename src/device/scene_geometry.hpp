@@ -40,7 +40,7 @@ struct GeometryRecord {
   const void* primitives = nullptr;  ///< analytic shapes only: the PrimitiveTable of this kind
   const std::vector<std::uint32_t>* instance_of_primitive = nullptr;
   bool one_material = true;     ///< whether all instances of this record have the same material
-  float reach = kLargestReach;  ///< largest coordinate of rays that stays within kLargestReach in mesh space, for placed meshes
+  float reach = kLargestReach;  ///< limit of world coordinates of rays, so that they stay within kLargestReach in mesh space
   Affine3f world_from_mesh;
   Mat3f normal_from_mesh{1.0f};  ///< inverse transpose of world_from_mesh.linear
 };
