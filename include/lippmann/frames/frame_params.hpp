@@ -44,7 +44,7 @@ struct Sampling {
   /// Path tracing: upper limit of the indirect light that a path contributes, as linear light. 0 means no limit.
   float clamp_indirect = 0.0f;
   Denoise denoise = Denoise::kAuto;
-  /// Adds an alpha channel to pictures. The surroundings light the scene but are invisible.
+  /// Adds an alpha channel to pictures. The background lights the scene but is invisible.
   bool transparent = false;
   std::vector<Aov> aov{};  ///< extra layers of each frame
 };

@@ -21,8 +21,8 @@ struct CopySettled {
   std::optional<int> keyframes{};
 };
 
-/// Interpolates frames as in the paper. Projects the points of key frames into the frames between them, and then fills the
-/// pixels that no point projects onto. Requires Whitted shading.
+/// Interpolates frames by the method of Eljdid, Aggoun and Youssef (README.md). Projects the points of key frames into the
+/// frames between them, and then fills the pixels that no point projects onto. Requires Whitted shading.
 struct Interpolate {
   /// Number of frames from one key frame to the next. If empty, it is kDefaultKeyframes, or chosen automatically with
   /// min_psnr_db.

@@ -28,7 +28,7 @@ enum class Aov : std::uint8_t {
   kDirect,      ///< path tracing only: emission, and light that exactly one surface has scattered
   /// Path tracing only: all other light. kDirect + kIndirect equals the film before denoising, up to rounding.
   kIndirect,
-  /// Coverage of the pixel by surfaces, partial alpha included; if this layer is requested, the film omits the surroundings.
+  /// Coverage of the pixel by surfaces, partial alpha included. If this layer is requested, the film omits the background.
   kAlpha,
 };
 

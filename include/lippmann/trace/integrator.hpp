@@ -13,7 +13,7 @@ struct IntegratorFacts {
   bool is_stochastic = false;     ///< images have noise, which differs between frames and decreases with the number of samples
   bool can_share_pixels = false;  ///< frames may copy or interpolate pixels from other frames
   bool separates_light = false;   ///< the layers of direct and indirect light are available
-  /// All lights, emissive surfaces and media of the scene are tabulated, because the integrator samples them.
+  /// The integrator samples all lights, emissive surfaces and media of the scene, so that tables of them are needed.
   bool samples_all_light = false;
   bool is_lit_by_surroundings = false;  ///< the background alone lights a scene, so that lamps are not needed
 };
