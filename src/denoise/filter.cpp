@@ -340,8 +340,8 @@ struct alignas(64) PlaceRow {
 
 LIPPMANN_INLINE float perspective(float z, float vergence) { return 1.0f / most(1.0f - z * vergence, 1e-3f); }
 
-/// Finds the positions of a row's points in another view. A point lies between four pixels. `below` is 0 for the upper two of
-/// them and 1 for the lower two.
+/// Finds the positions of a row's points in another view. A point lies between four pixels. `below` selects the upper two
+/// pixels (0) or the lower two (1).
 LIPPMANN_MULTIVERSION
 void find_places(const SurfaceRow& a, const SortedViews& views, const SortedViews::Sight& sight, int below, int count,
                  PlaceRow& places) {

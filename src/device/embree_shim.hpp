@@ -47,7 +47,7 @@ using EmbreeGeometry = EmbreeHandle<RTCGeometry, rtcReleaseGeometry>;
 /// Returns the width of packets that the device supports natively: 16, 8 or 4.
 int native_packet_width(RTCDevice device);
 
-/// The context of an occlusion query. Geometry filters multiply its transmittance at transparent surfaces.
+/// The context of an occlusion query. At transparent surfaces, geometry filters reduce the transmittance.
 struct ShadowContext {
 #if RTC_VERSION_MAJOR >= 4
   RTCRayQueryContext embree;
@@ -86,7 +86,7 @@ struct SplatContext {
 void gather(RTCScene scene, int native_width, const LaneMask& active, RayHitPacket& packet, SplatContext& context);
 
 /// Sets tfar to -inf for active lanes that are occluded between tnear and tfar. The lanes must come from sound_lanes(). The
-/// caller sets context.transmittance to 1, and each transparent surface multiplies it.
+/// caller sets context.transmittance to 1. Each transparent surface on the way multiplies it by its own transmittance.
 void occluded(RTCScene scene, int native_width, const LaneMask& active, RayPacket& packet, ShadowContext& context);
 
 }  // namespace lippmann

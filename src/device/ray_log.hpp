@@ -16,7 +16,7 @@ struct LoggedPacket {
 
 using RayLog = std::vector<LoggedPacket>;
 
-/// Returns a record of rays that search their nearest hits.
+/// Returns a record of rays that are traced to their nearest hits.
 inline LoggedPacket logged(const RayPacket& rays, const LaneMask& active, Coherence coherence) {
   LoggedPacket packet{rays, active, false, coherence};
   make_ready(packet.rays);

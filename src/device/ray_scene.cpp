@@ -62,8 +62,8 @@ LIPPMANN_MULTIVERSION void meet_lights(const WorldSphere* lights, std::size_t co
   }
 }
 
-/// Ends the active rays that cross an opaque plane, by setting tfar to -inf. Multiplies the transmittance of rays that cross a
-/// transparent plane. Sets `lit` to the lanes that have not ended. Returns whether there are any.
+/// Ends the active rays that cross an opaque plane, by setting tfar to -inf. Rays that cross a transparent plane lose
+/// transmittance instead. Sets `lit` to the lanes whose rays have not ended. Returns whether `lit` has any lanes.
 LIPPMANN_MULTIVERSION int cross_planes(const WorldPlaneRecord* planes, std::size_t count, const LaneMask& active,
                                        RayPacket& rays, Lanes& transmittance, LaneMask& lit) {
   for (std::size_t p = 0; p < count; ++p) {

@@ -281,8 +281,8 @@ class SceneBuilder {
   std::map<int, int> uses_;
 };
 
-/// Places a mesh instance. Hides the instance if its scale is practically 0. This is the case if its transform is singular, or
-/// if rays that may hit the instance could not have coordinates up to least_reach.
+/// Places a mesh instance. Hides the instance if its scale is practically 0. This is the case if its transform is singular. It
+/// is also the case if rays with world coordinates below least_reach could exceed kLargestReach in mesh space.
 void place(GeometryRecord& record, RTCGeometry geometry, const Affine3f& world_from_mesh, float least_reach) {
   record.reach = reach_of(inverse(world_from_mesh));
   if (is_singular(world_from_mesh.linear) || !(record.reach >= least_reach)) {  // animations hide objects by scaling them to 0
@@ -311,7 +311,7 @@ float least_reach_of(const std::vector<GeometryRecord>& records) {
   return reach;
 }
 
-/// Moves the primitives of one table. Their order is the one in which the builder added them.
+/// Moves the primitives of one table. The table holds the primitives in the order in which the builder has added them.
 template <class Source, class Primitive>
 void move_primitives(PrimitiveTable<Primitive>& table, const EmbreeGeometry& geometry, const Scene& scene,
                      const ResolvedScene& resolved) {

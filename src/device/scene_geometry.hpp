@@ -75,7 +75,7 @@ struct SplatSet {
   Mat3f local_from_world;  ///< maps directions from world space to the axes of the shape
 };
 
-/// The splats of all sets, set by set. Within a set, they are in the order of their shape.
+/// The splats of all sets, set by set. Within a set, splats are in the order of the scene's shape.
 struct SplatTable {
   std::vector<WorldSplat> splats;
   std::vector<SplatSet> sets;

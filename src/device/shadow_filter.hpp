@@ -6,7 +6,7 @@
 
 namespace lippmann {
 
-/// From now on, `caster` is called for each hit of a shadow ray with the geometry. A hit multiplies the ray's transmittance
+/// From now on, `caster` is called for each hit of a shadow ray with the geometry. A hit reduces the ray's transmittance
 /// (ShadowContext), and ends the ray only if no light passes. `caster` must outlive the geometry.
 void filter_shadows(RTCGeometry geometry, const ShadowCaster& caster);
 

@@ -73,7 +73,7 @@ LIPPMANN_INLINE void intersect_callback(const RTCIntersectFunctionNArguments* ar
     intersect_lanes(primitive, args->valid, packet, args->N, args->primID, args->geomID, inst);
 }
 
-/// Lets shadow rays pass a transparent primitive. Multiplies their transmittance at each crossing. The id of a ray is its lane
+/// Lets shadow rays pass a transparent primitive. Each crossing reduces a ray's transmittance. The id of a ray is its lane
 /// (ShadowContext).
 template <class Primitive>
 void filter_lanes(const RTCOccludedFunctionNArguments* args, const Primitive& primitive, float transmittance) {

@@ -1,5 +1,5 @@
-// Analytic primitives as Embree user geometries, with one geometry per kind. Its callbacks test one primitive against a whole
-// packet.
+// Analytic primitives as Embree user geometries, with one geometry per kind of primitive. A geometry's callbacks test one
+// primitive against a whole packet.
 #pragma once
 
 #include "device/embree_shim.hpp"

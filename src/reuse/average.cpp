@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kStripPixels = 8192;  // number of pixels per task
 
-// Number of pixels averaged together. The compiler vectorises loops of this fixed length.
+// Number of pixels whose colours one inner loop averages. The compiler vectorises loops of this fixed length.
 constexpr std::size_t kAveragedBlock = 64;
 
 /// Mixes one colour: out = a + weight_b (b - a). Equal inputs keep their bits. `count` is 3, or 4 if one more float may be read

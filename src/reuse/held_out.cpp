@@ -29,7 +29,7 @@ class Runs {
     for (std::uint32_t level = 0; level < kUncertaintyLevels; ++level) begin(level);
   }
 
-  /// Returns whether the next patch of a level is the held-out patch of its run.
+  /// Goes on to the next patch of a level. Returns whether this patch is the held-out patch of its run.
   bool draw(std::uint32_t level) {
     Run& run = runs_[level];
     const bool drawn = run.place == run.sample;

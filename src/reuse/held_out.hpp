@@ -66,8 +66,8 @@ inline constexpr double kLearnedWeight = 0.5;
 
 /// Sums of the known errors, per level.
 struct Evidence {
-  /// The known samples of a level. count: their number. sum, squares and largest: the sum, the sum of squares and the maximum
-  /// of their mean squared errors, in squared codes.
+  /// Statistics of the known samples of a level: their count, and the sum, the sum of squares and the maximum of the samples'
+  /// mean squared errors (in squared codes).
   struct Level {
     double count = 0.0, sum = 0.0, squares = 0.0, largest = 0.0;
   };

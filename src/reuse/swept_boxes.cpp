@@ -81,8 +81,8 @@ bool contains(const Bounds3f& outer, const Bounds3f& inner) {
   return glm::all(glm::lessThanEqual(outer.lower, inner.lower)) && glm::all(glm::greaterThanEqual(outer.upper, inner.upper));
 }
 
-/// Adds the boxes of one part of a mesh. The part does not change during its first `rests_for` frames, and gets no box for
-/// horizons within them. `box_at` returns the box of the part in a frame.
+/// Adds the boxes of one part of a mesh. The part does not change during its first `rests_for` frames, so horizons of at most
+/// `rests_for` frames get no box. `box_at` returns the box of the part in a frame.
 template <class BoxAt>
 void add_boxes(std::size_t frames, std::size_t rests_for, std::span<const int> horizons, std::vector<HorizonBox>& boxes,
                const BoxAt& box_at) {

@@ -1,7 +1,7 @@
-// Estimates the costs of tracing frames and of making frames from others.
+// Estimates the costs of tracing frames and of making frames from other frames.
 //
 // The costs decide which pixels are traced. They depend on counts and not on a clock, so that every run on every machine makes
-// the same decisions. The weights were measured once (one thread, 512 x 512 pixels, one sample each). They are accurate to
+// the same decisions. The constants were measured once (one thread, 512 x 512 pixels, one sample each). They are accurate to
 // about a third. Only their ratios matter.
 #pragma once
 

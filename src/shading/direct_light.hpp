@@ -10,8 +10,8 @@
 
 namespace lippmann {
 
-/// Direct light, summed over lights, for each lane. The caller multiplies `diffuse` by the surface's colour and `highlight` by
-/// its tint.
+/// Direct light, summed over lights, for each lane. The caller multiplies `diffuse` by the surface's colour, and `highlight` by
+/// the tint of the surface's highlight.
 struct DirectLight {
   Lanes3 diffuse;  ///< sum of light colour * N.L * visibility
   /// Sum of light colour * (N.H)^size * visibility. In Tachyon mode, `highlight` omits the light's fading and transmittance

@@ -7,7 +7,7 @@ namespace {
 
 constexpr float kBelowOne = 1.0f - 0x1p-24f;
 
-/// Returns whether the group has more than most_by_power lights, so that they are chosen by a tree.
+/// Returns whether the group has more than most_by_power lights. A tree then chooses among them.
 bool needs_tree(const LightGroup& group) {
   const auto in_tree =
       std::count_if(group.lights.begin(), group.lights.end(), [](const TreeLight& l) { return l.power > 0.0f; });

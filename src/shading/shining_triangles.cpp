@@ -65,8 +65,8 @@ void ShiningTriangles::add(std::size_t r) {
   if (closed != BodyFacing::kNone && is_opaque(sources_.materials[material])) bodies_[r] = bounds_of(*record.mesh, place);
 }
 
-/// The intensity of a two-sided triangle with flux F at the angle t to its normal is F cos(t) / (2 pi). At distance 1, a point
-/// on the normal thus receives the irradiance F / (2 pi), which group.irradiance adds up.
+/// A two-sided triangle with flux F has the intensity F cos(t) / (2 pi) at the angle t to its normal. A point on the normal at
+/// distance 1 thus receives the irradiance F / (2 pi). group.irradiance is the sum of these irradiances.
 LightGroup ShiningTriangles::group() const {
   LightGroup group{{}, std::vector<float>(triangles_.size(), 0.0f), {}, 0.0f, kMostTrianglesByPower};
   for (const Triangle& t : triangles_) {

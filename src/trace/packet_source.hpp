@@ -26,7 +26,7 @@ struct SubPixel {
   Vec2f position(std::uint32_t pixel, int sample) const;
 };
 
-/// Rays that the optics block (is_blocked()) have this tfar. Their samples are black.
+/// The tfar of rays that are blocked by the optics (is_blocked()). Samples of blocked rays are black.
 inline constexpr float kBlocked = -1.0f;
 
 /// Generates the rays of each sample of a pixel. Each view has one eye position, or several with an angular filter.

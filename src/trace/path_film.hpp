@@ -5,8 +5,8 @@
 
 namespace lippmann {
 
-/// Sums of the features of the first surfaces that camera rays hit. NoisyFrame describes the features. Each sample has the same
-/// weight as its light in the film.
+/// Sums of the features of the first surfaces that camera rays hit. NoisyFrame describes the features. The features of a sample
+/// have the same weight as the sample's light in the film.
 struct FirstSurfaces {
   float *albedo, *normal;                   ///< arrays with three channels per pixel
   float *z, *met;                           ///< arrays with one channel per pixel

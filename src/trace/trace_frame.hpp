@@ -31,7 +31,7 @@ struct TraceParams {
   /// Seed of sample positions within pixels; constant over frames, so that static parts do not flicker.
   std::uint32_t seed = 0;
   std::uint32_t frame = 0;  ///< path tracing only: number of the frame, which makes the noise of frames different
-  /// Path tracing only: upper limit of the indirect light of one path, at the cost of lost light; 0: no limit.
+  /// Path tracing only: upper limit of one path's indirect light. A limit makes images darker; 0: no limit.
   float clamp_indirect = 0.0f;
 };
 

@@ -131,8 +131,8 @@ LaneMask still_open(const Bundle& bundle) {
   return lanes;
 }
 
-/// Adds the background that the branches `first` + lane see, instead of tracing them further. The background is weighted by the
-/// branch's share. In Tachyon mode, adds the unweighted background in the direction of the incoming ray instead.
+/// Ends paths at the depth limit. Adds the background that the branches `first` + lane see, times the branch's share. In
+/// Tachyon mode, adds the background in the direction of the incoming ray, without the factor.
 LIPPMANN_MULTIVERSION void end_branches(const Background& background, const RayPacket& rays, const Branches& branches,
                                         int first, bool tachyon, Lanes3& radiance) {
   const Sky sky(background);
@@ -149,7 +149,8 @@ LIPPMANN_MULTIVERSION void end_branches(const Background& background, const RayP
   }
 }
 
-/// Adds the part of the panorama that the branches `first` + lane see, instead of tracing them further.
+/// Ends paths at the depth limit. Adds the light of the panorama that the branches `first` + lane see, times the branch's
+/// share.
 void end_in_panorama(const Environment& environment, const LaneMask& hit, const Branches& branches, int first,
                      Lanes3& radiance) {
   for (int i = 0; i < kLanes; ++i) {
@@ -206,8 +207,8 @@ void WhittedTracer::finish() {
   }
 }
 
-/// Adds the light of splats, and multiplies the weight of the light behind them by their transmittance. Deactivates lanes with
-/// transmittance 0.
+/// Adds the light of splats. Multiplies the weight of light from behind the splats by the splats' transmittance. Deactivates
+/// lanes with transmittance 0.
 void WhittedTracer::look_at_splats(const RayPacket& rays, LaneMask& active, Bundle& bundle) {
   SplatLight light;
   see_splats(scene_, active, rays, splat_hits_, light);

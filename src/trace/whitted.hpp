@@ -5,7 +5,7 @@
 //
 // We deviate:
 // 1. Rays are traced breadth first, so that neighbouring secondary rays form full packets.
-// 2. At the depth limit, a mirror shows the background instead of black, as in Tachyon.
+// 2. A mirror at the depth limit shows the background instead of black. Tachyon does the same.
 #pragma once
 
 #include <cstdint>
@@ -33,8 +33,8 @@ struct WhittedParams {
 /// Traces rays for one thread, and adds radiance to the film. The constructor's arguments must outlive this object.
 class WhittedTracer final : public FrameIntegrator {
  public:
-  /// film.all must not be null. film.open may be null. Otherwise it receives the number of samples that hit no surface, and
-  /// these samples add no surroundings to the film.
+  /// film.all must not be null. film.open may be null. If it is not null, it receives the number of samples that hit no
+  /// surface, and these samples add no background to the film.
   WhittedTracer(const ShadedScene& scene, const BeamFootprint& beam, const WhittedParams& params, const PathFilm& film);
 
   /// Shades camera rays that have been traced. Queues mirrored and refracted rays for finish().

@@ -88,8 +88,8 @@ LIPPMANN_INLINE void find_direction(float turn, float cosine, float rotation, fl
   x = sine * cos_azimuth, y = cosine, z = sine * sin_azimuth;
 }
 
-/// Samples a number in [0, 1). The density changes linearly from 0 to 1. a and b are proportional to the densities at 0 and at
-/// 1. Both must be >= 0. If both are 0, the density is uniform.
+/// Samples x in [0, 1) with a density that is linear in x. The density is proportional to a at x = 0 and to b at x = 1. Both
+/// must be >= 0. If both are 0, the density is uniform.
 LIPPMANN_INLINE float sample_line(float u, float a, float b) {
   const float sum = a + b, from = a / (sum > 0.0f ? sum : 1.0f);
   const float root = std::sqrt(std::max(from * from + u * (1.0f - 2.0f * from), 0.0f)), both = from + root;

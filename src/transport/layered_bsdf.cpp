@@ -128,7 +128,7 @@ void LayeredBsdf::set_coat() {
   below_coat_ = 1.0f - surface_.base.clearcoat * GgxAlbedo::directional(single, Vec3f(kCoatReflectance), Vec3f(1.0f)).x;
 }
 
-/// Returns the share of light along a direction that passes the gloss. Below a film the share is grey, because a film would
+/// Returns the share of light that passes the gloss along `direction`. Below a film the share is grey, because a film would
 /// otherwise colour the layers below it.
 Vec3f LayeredBsdf::passes_gloss(Vec3f direction) const {
   const Vec3f reflected = albedo_of(dielectric_f0_, dielectric_f90_, direction);

@@ -27,8 +27,8 @@ struct Interpolate {
   /// Number of frames from one key frame to the next. If empty, it is kDefaultKeyframes, or chosen automatically with
   /// min_psnr_db.
   std::optional<int> keyframes{};
-  /// Minimum PSNR of every frame, in dB, measured in 8-bit codes. Uncertain pixels are traced to reach it. If empty, there is
-  /// no minimum.
+  /// Minimum PSNR of every frame, in dB, measured in 8-bit codes. Uncertain pixels are traced so that frames reach this
+  /// minimum. If empty, there is no minimum.
   std::optional<double> min_psnr_db{};
   SplatMode splat = SplatMode::kView;
   MissedFill fill = MissedFill::kInterpolate;

@@ -26,7 +26,7 @@ enum class Aov : std::uint8_t {
   kMotion,      ///< movement of the surface point since the previous frame, in pixels to the right and down (place_in_view)
   kProvenance,  ///< how the pixel was made: a value of Provenance
   kDirect,      ///< path tracing only: emission, and light that exactly one surface has scattered
-  /// Path tracing only: all other light. kDirect + kIndirect equals the film before denoising, up to rounding.
+  /// Path tracing only: light that is not in kDirect. kDirect + kIndirect equals the film before denoising, up to rounding.
   kIndirect,
   /// Coverage of the pixel by surfaces, partial alpha included. If this layer is requested, the film omits the background.
   kAlpha,
