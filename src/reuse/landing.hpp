@@ -91,7 +91,7 @@ LIPPMANN_INLINE AxisLanding land_on_grid(const GridScale& scale, const GridLine&
 struct GridLanding {
   struct Constants {
     GridScale across, down;  ///< `down` counts rows along -y
-    float vergence;          ///< 1/V, per mm
+    float vergence;          ///< 1 / viewing distance, per mm
   };
   struct Row {
     Constants c;
@@ -202,7 +202,7 @@ struct SheetLanding {
   struct Row {
     LenticularConstants<float> c;
     GridScale down;
-    /// The slope a of all rows: e/V. Rows count along -y.
+    /// Slope of the rays along y, the same for all rows: height of the eye / viewing distance. Rows count along -y.
     float eye_slope;
     float width, height;
     float px, py;  ///< panel coordinates of the centre of pixel 0, in pixels

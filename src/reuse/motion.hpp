@@ -29,8 +29,8 @@ struct MotionGroups {
 MotionGroups make_motion_groups(const Scene& scene);
 
 struct GroupMotion {
-  /// Rows of the 3x4 matrix that maps p to p'. Row x has entries 0 to 3, row y entries 4 to 7 and row z entries 8 to 11. The
-  /// last entry of a row is the translation.
+  /// Rows of the 3x4 matrix that maps a point p to the moved point p'. Row x has entries 0 to 3, row y entries 4 to 7 and row z
+  /// entries 8 to 11. The last entry of a row is the translation.
   std::array<float, 12> rows;
   /// True if p' = p exactly. Still points then keep their pixels despite rounding errors.
   bool still = false;

@@ -21,8 +21,8 @@ std::vector<unsigned char> codes_of(const Image& film, const Patches& patches, I
 }
 
 /// Returns one error per wanted patch: the sum of the squared differences between predicted and traced codes, divided by the
-/// mean number of codes of a patch. Patches at the panel's lower edge are smaller, but the mean over all patches is thus the
-/// mean over all pixels.
+/// mean number of codes of a patch. This divisor is the same for small patches at the panel's lower edge. The mean over all
+/// patches is thus the mean over all pixels.
 std::vector<double> errors_of(const Patches& patches, Indices wanted, const std::vector<unsigned char>& predicted,
                               const std::vector<unsigned char>& traced) {
   const double mean_values = 3.0 * static_cast<double>(patches.pixel_count()) / static_cast<double>(patches.count());

@@ -23,8 +23,8 @@ class Media {
   /// Returns the number of the medium inside a material, or kNoMedium.
   std::uint16_t of_material(std::uint32_t material) const { return of_material_.empty() ? kNoMedium : of_material_[material]; }
 
-  /// Returns the transmittance over `distance` in a medium. Returns 1 for an infinite distance: a ray that never leaves the
-  /// medium shows that the shape is not closed.
+  /// Returns the transmittance over `distance` in a medium. Returns 1 for an infinite distance, because the ray then never
+  /// leaves the medium, which shows that the shape is not closed.
   Vec3f transmittance(std::uint16_t medium, float distance) const {
     if (!(distance < kInfinity)) return Vec3f(1.0f);
     return glm::exp(-distance * absorption_[medium]);

@@ -26,7 +26,7 @@ class FormerPlaces {
  private:
   struct OfInstance {
     bool still = true;
-    Affine3d display_from_world;     ///< maps the current world space to mm relative to the display of the previous frame
+    Affine3d display_from_world;     ///< maps current world space to mm relative to the display of the previous frame
     std::optional<MeshPose> pose{};  ///< pose in the previous frame; only for deforming meshes
   };
 

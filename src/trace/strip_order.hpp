@@ -24,7 +24,8 @@ struct StripPixel {
 
 struct StripOrder {
   int strip_height = 16;  ///< rows of a full strip; the last strip may have fewer
-  /// Each pixel of a full strip once; in a last strip with fewer rows, the pixels of missing rows are skipped.
+  /// Lists each pixel of a full strip once, in tracing order. In a last strip with fewer rows, the pixels of missing rows are
+  /// skipped.
   std::vector<StripPixel> pixels;
 };
 

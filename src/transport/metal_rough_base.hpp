@@ -94,8 +94,9 @@ LIPPMANN_INLINE Vec3f let_in(const MetalRoughBase& b, const GgxAlbedo& albedo, f
          GgxAlbedo::directional_of(single_albedo(albedo, cosine, b.alpha), b.dielectric_f0, Vec3f(b.dielectric_f90));
 }
 
-/// Returns the diffuse BRDF times the cosine, after Kelemen and Szirmay-Kalos: the product of the shares that pass the gloss
-/// from the light and to the viewer. diffuse_color includes the share to the viewer and the normalisation.
+/// Returns the diffuse BRDF times the cosine, after Kelemen and Szirmay-Kalos. It is proportional to the share of light that
+/// the gloss lets in from the light, and to the share that the gloss lets out to the viewer. diffuse_color includes the share
+/// to the viewer and the normalisation.
 LIPPMANN_INLINE Vec3f diffuse_cosine_f(const MetalRoughBase& b, const GgxAlbedo& albedo, float cosine) {
   return b.diffuse_color * let_in(b, albedo, cosine) * (cosine * (1.0f / kPi));
 }
