@@ -12,7 +12,7 @@ bl_info = {
 
 import bpy  # noqa: E402
 
-from . import displays, engine, frame, overlay, panel, saving, settings  # noqa: E402
+from . import displays, engine, frame, overlay, panel, render_views, saving, settings  # noqa: E402
 
 
 def forget_displays(_self, _context):
@@ -29,7 +29,7 @@ class Preferences(bpy.types.AddonPreferences):
         self.layout.prop(self, "tool")
 
 
-PARTS = (settings, engine, panel, frame, overlay, saving)
+PARTS = (settings, engine, render_views, panel, frame, overlay, saving)
 
 
 def register():

@@ -14,7 +14,7 @@ import numpy as np
 
 # Members that do not affect the exported scene: Blender's internal counts and states, selections, and the size and look of pictures.
 STATE = {"ID": {"us", "icon_id", "recalc", "recalc_up_to_undo_push", "recalc_after_undo_push", "session_uuid", "session_uid", "tag", "flag"}, "Object": {"flag", "recalc", "base_flag", "select_id", "lastNeedMapping"},
-         "Base": {"flag", "flag_legacy", "flag_from_collection", "local_view_bits"}, "bNode": {"need_exec", "locx", "locy"}, "bNodeTree": {"cur_index", "update"},
+         "Base": {"flag", "flag_legacy", "flag_from_collection", "local_view_bits"}, "LayerCollection": {"runtime_flag"}, "bNode": {"need_exec", "locx", "locy"}, "bNodeTree": {"cur_index", "update"},
          "IDProperty": {"len", "totallen", "saved", "next", "prev"}, "IDPropertyData": {"group"},
          "RenderData": {"pic", "xsch", "ysch", "size", "cfra", "engine", "im_format"}, "Scene": {"view_settings", "display_settings", "cursor", "flag", "customdata_mask"}}
 SKIPPED = {b"TEST", b"REND", b"GLOB", b"USER", b"DNA1", b"ENDB"}  # thumbnails, the window's scene, folders: none of them is rendered

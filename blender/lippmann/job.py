@@ -105,26 +105,35 @@ def stamp(path):
 
 
 def files_beside(scene):
-    """Returns stamps of the files that the scene refers to, and of its simulation caches."""
+    """Returns stamps of the files that the scene refers to, and of its simulation caches. Pictures in the output folder are results."""
     caches = []
     if bpy.data.filepath:
         blend = pathlib.Path(bpy.data.filepath)
         caches = sorted(blend.parent.glob(f"blendcache_{blend.stem}/*"))
-    return {str(path): stamp(path) for path in [*bpy.utils.blend_paths(absolute=True), *caches]}
+    results = str(output_folder(scene))
+    return {str(path): stamp(path) for path in [*bpy.utils.blend_paths(absolute=True), *caches] if not str(path).startswith(results + os.sep)}
 
 
 def digest(values):
     return hashlib.blake2b(json.dumps(values, sort_keys=True, default=str).encode(), digest_size=16).hexdigest()
 
 
-def hashes(library):
-    """Returns the hash of the scene in a file, and {name: hash} of its materials with everything that they refer to."""
+def hashes(library, ignored=NOT_EXPORTED):
+    """Returns the hash of the scene in a file, and {name: hash} of its materials with everything that they refer to. ignored: names of properties."""
     try:
-        held = contents.Contents(library, NOT_EXPORTED)
+        held = contents.Contents(library, ignored)
     except (ValueError, LookupError, StopIteration, struct.error) as error:  # a later Blender may write another form
         print(f"lippmann: the scene is exported anew each time: {error!r}", file=sys.stderr)
         return os.urandom(16).hex(), {}
     return held.all, {name[2:]: held.with_references(name) for name in held.by_name if name.startswith("MA")}
+
+
+def hash_of(scene):
+    """Returns a hash of the scene with all of its settings, and of the files that it refers to. Size of pictures and view transform do not count."""
+    with tempfile.TemporaryDirectory(prefix="lippmann-") as folder:
+        library = os.path.join(folder, "scene.blend")
+        bpy.data.libraries.write(library, {scene}, path_remap="ABSOLUTE")
+        return digest([hashes(library, ())[0], files_beside(scene), bpy.app.version_string])
 
 
 class Export:

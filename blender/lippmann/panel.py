@@ -5,7 +5,7 @@ import textwrap
 
 import bpy
 
-from . import displays, engine, frame, job, look, progress, tool, views
+from . import displays, engine, frame, job, look, render_views, tool
 
 
 class Operator(bpy.types.Operator):
@@ -66,39 +66,6 @@ class TakeOverViewTransform(Operator):
         look.take_over(context.scene.lippmann, context.scene.view_settings)
 
 
-class RenderViews(Operator):
-    bl_idname = "lippmann.render_views"
-    bl_label = "Render Views"
-    bl_description = "Render a picture for each of the display's views with another engine of Blender's, and lay them out as a quilt; as native frames, too, if that is the output"
-    bl_options = {"REGISTER"}
-
-    engine: bpy.props.EnumProperty(items=views.engines, name="Engine", description="What renders the views")
-    animation: bpy.props.BoolProperty(name="Animation", description="All frames of the scene, not only the current one")
-
-    def invoke(self, context, _event):
-        return context.window_manager.invoke_props_dialog(self)
-
-    def act(self, context):
-        scene, manager, terminal = context.scene, context.window_manager, progress.Terminal()
-
-        def tell(step, share):
-            manager.progress_update(share)
-            if bpy.app.background:
-                terminal.say(step, share, None)
-
-        made = views.Views(scene, self.engine)
-        numbers = range(scene.frame_start, scene.frame_end + 1) if self.animation else [scene.frame_current]
-        manager.progress_begin(0.0, 1.0)
-        try:
-            made.render(numbers, tell)
-        finally:
-            manager.progress_end()
-        pictures = made.lay_out(scene.lippmann.output == "native")
-        engine.last_folder = str(pictures[0].parent)
-        bpy.data.images.load(str(pictures[0]), check_existing=True).reload()
-        self.report({"INFO"}, f"The pictures are in {pictures[0].parent}.")
-
-
 class ViewInPage(Operator):
     bl_idname = "lippmann.view"
     bl_label = "View in Browser"
@@ -124,11 +91,11 @@ def panel_width(context):
     return context.region.width / context.preferences.system.ui_scale
 
 
-def show_sentence(layout, text, width):
+def show_sentence(layout, text, width, icon="ERROR"):
     """A label of as many lines as the text needs: Blender cuts what is wider than the panel. Its letters are about 7 pixels wide."""
     column = layout.column(align=True)
     for index, line in enumerate(textwrap.wrap(text, max(20, int((width - 60) / 7)))):
-        column.label(text=line, icon="BLANK1" if index else "ERROR")
+        column.label(text=line, icon="BLANK1" if index else icon)
 
 
 class LIPPMANN_PT_light_field(bpy.types.Panel):
@@ -159,7 +126,9 @@ class LIPPMANN_PT_light_field(bpy.types.Panel):
             row.active = name != "bake_size" or settings.bake
             row.prop(settings, name)
         layout.operator("lippmann.view", icon="URL")
-        layout.operator("lippmann.render_views", text="Render Views with Cycles or Eevee")
+        layout.operator("lippmann.render_views", text="Render Views with Cycles or Eevee", icon="RENDER_STILL")
+        if render_views.is_running():
+            show_sentence(layout, render_views.status(), panel_width(context), "INFO")
         for warning in engine.last_warnings:
             show_sentence(layout, warning, panel_width(context))
         if not look.is_plain(scene.view_settings):
@@ -198,7 +167,7 @@ class LIPPMANN_PT_light_field(bpy.types.Panel):
         box.label(text=f"In the scene: {zone.budget:.3g}")
 
 
-CLASSES = (PlaceAtSelected, PlaceAtFocus, MatchResolution, TakeOverViewTransform, RenderViews, ViewInPage, LIPPMANN_PT_light_field)
+CLASSES = (PlaceAtSelected, PlaceAtFocus, MatchResolution, TakeOverViewTransform, ViewInPage, LIPPMANN_PT_light_field)
 
 
 def register():

@@ -6,9 +6,15 @@ viewing distance D, and looks through the frame of the display: its camera is sh
 """
 
 import contextlib
+import functools
+import json
 import math
+import pathlib
 import shutil
 import subprocess
+import tempfile
+import time
+from dataclasses import dataclass
 
 import bpy
 from mathutils import Matrix, Vector
@@ -16,6 +22,8 @@ from mathutils import Matrix, Vector
 from . import displays, frame, job as jobs, tool
 
 NAME = "lippmann-view"
+DRAWN = {"BLENDER_EEVEE", "BLENDER_EEVEE_NEXT", "BLENDER_WORKBENCH"}  # engines that need OpenGL
+NO_OPENGL = "Eevee and Workbench need OpenGL, and this Blender without a window finds none. Use Cycles, or start it with `xvfb-run -a blender -b`."
 LINES = 8          # of sight to test for walls, across and up
 _items = []        # Blender needs the strings of dynamic lists to stay alive
 WALL_SHARE = 0.25  # of the lines that walls must hide to be cut, as in the tool (src/stage/front_of_rays.hpp)
@@ -90,9 +98,31 @@ def settings_for(scene, engine, camera, size, pixel_aspect):
     wide = pixel_aspect >= 1.0
     values = {"engine": engine, "resolution_x": size[0], "resolution_y": size[1], "resolution_percentage": 100, "pixel_aspect_x": pixel_aspect if wide else 1.0,
               "pixel_aspect_y": 1.0 if wide else 1.0 / pixel_aspect, "use_persistent_data": True, "use_file_extension": True, "use_multiview": False, "use_border": False,
-              "filepath": render.filepath}
+              "filepath": render.filepath, "use_lock_interface": True}  # no changes between views
     picture = {"file_format": "PNG", "color_mode": "RGBA" if render.film_transparent else "RGB", "color_depth": "8"}
     return (scene, {"camera": camera}), (render, values), (render.image_settings, picture)
+
+
+@functools.cache
+def has_opengl():
+    """Returns whether a Blender without a window can draw. A second Blender tries it, since Blender crashes where it cannot."""
+    with tempfile.TemporaryDirectory(prefix="lippmann-") as folder:
+        picture = pathlib.Path(folder) / "drawn.png"
+        program = ("import bpy; render = bpy.context.scene.render; render.engine, render.resolution_x, render.resolution_y = 'BLENDER_WORKBENCH', 8, 8; "
+                   f"render.filepath = {str(picture)!r}; bpy.ops.render.render(write_still=True); picture = bpy.data.images.load(render.filepath); "
+                   "assert max(picture.pixels[:3]) > 0.0")
+        words = [bpy.app.binary_path, "-b", "--factory-startup", "-noaudio", "--python-exit-code", "1", "--python-expr", program]
+        return subprocess.run(words, stdin=subprocess.DEVNULL, capture_output=True).returncode == 0
+
+
+@dataclass
+class Step:
+    """A step of rendering views: in words, the finished share of all, the seconds left or None, and whether Blender must render a picture for it."""
+
+    words: str
+    share: float
+    seconds_left: float | None = None
+    renders: bool = False
 
 
 class Views:
@@ -105,11 +135,16 @@ class Views:
         refusal = displays.refused_size(scene, jobs.resolution(scene)) if scene.lippmann.output == "quilt" else None
         if refusal:
             raise tool.ToolError(refusal)
+        if bpy.app.background and engine in DRAWN and not has_opengl():
+            raise tool.ToolError(NO_OPENGL)
         self.scene, self.engine = scene, engine
         self.tool = displays.preferred_tool()
         self.folder = jobs.output_folder(scene) / engine.lower()
+        self.pictures = []  # of the last step, once all are done
         columns, rows = self.display["quilt"]["tiles"]
         self.tiles, self.count = (columns, rows), columns * rows
+        self._drawn = self.folder / "rendering.png"  # moved when it is complete
+        self._record = self.folder / "views.json"
         self._distance = None
 
     def _zone(self):
@@ -118,49 +153,111 @@ class Views:
             self._distance = frame.plane_distance(self.scene)
         return frame.zone(self.scene, self._distance)
 
-    def render(self, numbers, tell=lambda *_: None):
-        """Renders the views of these frames. tell: receives a step in words and its finished share."""
-        shutil.rmtree(self.folder, ignore_errors=True)
+    def _view(self, number, view):
+        return self.folder / "views" / f"frame_{number:04d}" / f"view_{view:03d}.png"
+
+    def steps(self, numbers):
+        """Yields Steps until the pictures of these frames are made. If one asks for a picture, the caller lets Blender render the scene with
+        write_still before it takes the next. Closing this generator restores the scene; complete views are used again as long as the scene is the same."""
+        now = self.scene.frame_current
+        try:
+            self.scene.frame_set(numbers[0])
+            self._zone()
+            yield Step("comparing the scene with the last one", 0.0)
+            self._keep_only(self._key())
+            try:
+                yield from self._frames(numbers)
+            finally:
+                self.scene.frame_set(numbers[0])
+                self._remember(self._key())  # which differs, since engines add properties of their own to the scene
+        finally:
+            self.scene.frame_set(now)
+
+    def _key(self):
+        """Returns a hash of all that the views depend on."""
+        scene = self.scene
+        view, render = scene.view_settings, scene.render
+        looks = [str(getattr(view, name)) for name in ("view_transform", "look", "exposure", "gamma", "use_curve_mapping")]
+        looks += [scene.display_settings.display_device, self.engine, render.film_transparent, *jobs.resolution(scene), scene.lippmann.output]
+        return jobs.digest([jobs.hash_of(scene), looks, self.display, self._distance])
+
+    def _keep_only(self, key):
+        """Removes the pictures of another scene."""
+        if not self.scene.lippmann.resume or key not in self._keys():
+            shutil.rmtree(self.folder, ignore_errors=True)
+            self._remember(key)
+
+    def _keys(self):
+        """Returns the hashes of the scene whose pictures are in the folder."""
+        return json.loads(self._record.read_text()) if self._record.is_file() else []
+
+    def _remember(self, key):
+        keys = self._keys()
+        if key not in keys:
+            self.folder.mkdir(parents=True, exist_ok=True)
+            self._record.write_text(json.dumps([*keys, key]))
+
+    def _frames(self, numbers):
+        """Yields Steps that render the missing views and lay out each frame as soon as it has all of them."""
+        missing = {number: [view for view in range(self.count) if not self._view(number, view).is_file()] for number in numbers}
+        total, left = len(missing) * self.count, sum(map(len, missing.values()))
+        begin, rendered = time.monotonic(), 0
         camera = bpy.data.objects.new(NAME, bpy.data.cameras.new(NAME))
         self.scene.collection.objects.link(camera)
         size, pixel_aspect = tile_of(self.scene, self.display)
-        now = self.scene.frame_current
         try:
-            for index, number in enumerate(numbers):
+            for number in numbers:
                 self.scene.frame_set(number)
                 zone = self._zone()
                 self._prepare(camera, zone)
                 with lent(*settings_for(self.scene, self.engine, camera, size, pixel_aspect)):
-                    self._render_frame(camera, zone, number, lambda share, i=index, n=number: tell(f"rendering the views of frame {n}", (i + share) / len(numbers)))
+                    self.scene.render.filepath = str(self._drawn.with_suffix(""))
+                    for view in missing[number]:
+                        place_camera(camera, zone, eye_offset(view, self.count, zone.cone, zone.distance))
+                        seconds = (time.monotonic() - begin) / rendered * (left - rendered) if rendered else None
+                        yield Step(f"rendering the views of frame {number}", (total - left + rendered) / total, seconds, True)
+                        self._keep(number, view)
+                        rendered += 1
+                yield from self._lay_out(number)
         finally:
+            self._drawn.unlink(missing_ok=True)
             data = camera.data
             bpy.data.objects.remove(camera)
             bpy.data.cameras.remove(data)
-            self.scene.frame_set(now)
+
+    def _keep(self, number, view):
+        """Moves a picture that Blender has rendered to its place."""
+        if not self._drawn.is_file():
+            raise tool.ToolError(f"Blender has written no picture of view {view} of frame {number}.")
+        place = self._view(number, view)
+        place.parent.mkdir(parents=True, exist_ok=True)
+        self._drawn.replace(place)
 
     def _prepare(self, camera, zone):
         cut = hides_scene(self.scene, bpy.context.evaluated_depsgraph_get(), zone)
         camera.data.clip_start = zone.near if cut else 1e-3 * zone.distance
         camera.data.clip_end = 1e3 * zone.distance
 
-    def _render_frame(self, camera, zone, number, tell):
-        for view in range(self.count):
-            tell(view / self.count)
-            place_camera(camera, zone, eye_offset(view, self.count, zone.cone, zone.distance))
-            self.scene.render.filepath = str(self.folder / "views" / f"frame_{number:04d}" / f"view_{view:03d}")
-            bpy.ops.render.render(write_still=True, scene=self.scene.name)
+    def _convert(self, step, *words):
+        """Yields Steps while the tool converts files."""
+        child = tool.Child([self.tool, "convert", *words, "--quiet"], self.folder / "lippmann.log")
+        try:
+            while child.running():
+                yield Step(step, 1.0)
+                child.wait(0.05)
+            child.check()
+        finally:
+            child.stop()
 
-    def _convert(self, *words):
-        done = subprocess.run([self.tool, "convert", *(str(word) for word in words), "--quiet"], capture_output=True, text=True)
-        if done.returncode:
-            raise tool.ToolError(tool.last_message(done.stderr))
-
-    def lay_out(self, native):
-        """Makes quilts and, if native, frames of the panel. Returns the pictures of the last step."""
+    def _lay_out(self, number):
+        """Makes a frame's quilt and, if that is the output, the panel's frame."""
+        name, (columns, rows) = f"frame_{number:04d}", self.tiles
         quilts, frames = self.folder / "quilt", self.folder / "native"
-        columns, rows = self.tiles
-        self._convert(self.folder / "views", quilts, "--from", "views", "--views", f"{self.count}x1", "--to", "quilt", "--quilt", f"{columns}x{rows}", "--aspect",
-                      self.display["quilt"]["aspect"])
-        if native:
-            self._convert(quilts, frames, "--from", "quilt", "--to", "native", "--display", displays.argument(self.scene))
-        return sorted(path for path in (frames if native else quilts).rglob("*.png"))
+        if not tool.pictures(quilts, number):
+            yield from self._convert(f"laying out the quilt of frame {number}", self.folder / "views" / name, quilts / f"{name}.png", "--from", "views",
+                                     "--views", f"{self.count}x1", "--to", "quilt", "--quilt", f"{columns}x{rows}", "--aspect", str(self.display["quilt"]["aspect"]))
+        is_native = self.scene.lippmann.output == "native"
+        if is_native and not tool.pictures(frames, number):
+            yield from self._convert(f"making frame {number} of the panel", tool.pictures(quilts, number)[0], frames / f"{name}.png", "--from", "quilt",
+                                     "--to", "native", "--display", displays.argument(self.scene))
+        self.pictures += tool.pictures(frames if is_native else quilts, number)
