@@ -105,13 +105,12 @@ def stamp(path):
 
 
 def files_beside(scene):
-    """Returns stamps of the files that the scene refers to, and of its simulation caches. Pictures in the output folder are results."""
+    """Returns stamps of the files that the scene refers to, and of its simulation caches."""
     caches = []
     if bpy.data.filepath:
         blend = pathlib.Path(bpy.data.filepath)
         caches = sorted(blend.parent.glob(f"blendcache_{blend.stem}/*"))
-    results = str(output_folder(scene))
-    return {str(path): stamp(path) for path in [*bpy.utils.blend_paths(absolute=True), *caches] if not str(path).startswith(results + os.sep)}
+    return {str(path): stamp(path) for path in [*bpy.utils.blend_paths(absolute=True), *caches]}
 
 
 def digest(values):
@@ -128,12 +127,14 @@ def hashes(library, ignored=NOT_EXPORTED):
     return held.all, {name[2:]: held.with_references(name) for name in held.by_name if name.startswith("MA")}
 
 
-def hash_of(scene):
-    """Returns a hash of the scene with all of its settings, and of the files that it refers to. Size of pictures and view transform do not count."""
+def hash_of(scene, results):
+    """Returns a hash of the scene with all of its settings, and of the files that it refers to outside of the folder of results. The size of pictures and the
+    view transform do not count."""
     with tempfile.TemporaryDirectory(prefix="lippmann-") as folder:
         library = os.path.join(folder, "scene.blend")
         bpy.data.libraries.write(library, {scene}, path_remap="ABSOLUTE")
-        return digest([hashes(library, ())[0], files_beside(scene), bpy.app.version_string])
+        files = {path: state for path, state in files_beside(scene).items() if not path.startswith(str(results) + os.sep)}
+        return digest([hashes(library, ())[0], files, bpy.app.version_string])
 
 
 class Export:

@@ -17,12 +17,14 @@ import bpy
 import mathutils
 import numpy as np
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "blender"))
+sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[2] / "blender"), str(pathlib.Path(__file__).resolve().parent)]
+import exporter  # noqa: E402
 import lippmann  # noqa: E402
 from lippmann import contents, displays, engine, exposure, film, frame, look, losses, materials, overlay, progress, scene_export, tool  # noqa: E402
 from lippmann import job as jobs  # noqa: E402
 
 lippmann.register()
+exporter.serve(jobs)
 
 WHITE = (1.0, 1.0, 1.0, 1.0)
 

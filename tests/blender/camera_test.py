@@ -12,11 +12,13 @@ import bpy
 import mathutils
 import numpy as np
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "blender"))
+sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[2] / "blender"), str(pathlib.Path(__file__).resolve().parent)]
+import exporter  # noqa: E402
 import lippmann  # noqa: E402
 from lippmann import displays, engine, frame, job, tool  # noqa: E402
 
 lippmann.register()
+exporter.serve(job)
 
 
 def shining(colour):

@@ -8,11 +8,13 @@ import unittest
 
 import bpy
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "blender"))
+sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[2] / "blender"), str(pathlib.Path(__file__).resolve().parent)]
+import exporter  # noqa: E402
 import lippmann  # noqa: E402
 from lippmann import contents, displays, engine, job, look, progress, saving, tool  # noqa: E402
 
 lippmann.register()
+exporter.serve(job)
 
 
 def new_scene(folder, output, size=(60, 80)):

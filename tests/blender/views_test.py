@@ -8,13 +8,14 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import unittest.mock
 
 import bpy
 import mathutils
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "blender"))
 import lippmann  # noqa: E402
-from lippmann import engine, frame, tool, views  # noqa: E402
+from lippmann import engine, frame, render_views, tool, views  # noqa: E402
 
 lippmann.register()
 
@@ -78,6 +79,51 @@ class Views(unittest.TestCase):
         bpy.ops.lippmann.render_views(engine="CYCLES", animation=True)
         self.assertEqual([path.name for path in self.pictures("cycles", "native")], ["frame_0003.png", "frame_0004.png"])
         self.assertEqual(tuple(bpy.data.images["frame_0003.png"].size), (48, 64))
+
+    def test_rendering_continues_where_it_was_stopped(self):
+        scene = self.new_scene(size=(80, 40))
+        scene.cycles.samples, scene.render.use_persistent_data = 1, False
+        steps = views.Views(scene, "CYCLES").steps([1])
+        for _ in range(4):  # a comparison and three views, of which the last one is not taken
+            if next(steps).renders:
+                bpy.ops.render.render(write_still=True)
+        steps.close()
+        begun = {path.name: path.stat().st_mtime_ns for path in self.pictures("cycles")}
+        self.assertEqual(sorted(begun), ["view_000.png", "view_001.png"])
+        self.assertEqual((scene.render.engine, scene.render.use_persistent_data, scene.camera.name), ("LIPPMANN", False, "Camera"))
+        self.assertNotIn(views.NAME, bpy.data.objects)
+        self.assertEqual(self.render_and_count(), 6)
+        kept = {path.name: path.stat().st_mtime_ns for path in self.pictures("cycles", "views")}
+        self.assertEqual({name: kept[name] for name in begun}, begun)
+        self.assertEqual(self.render_and_count(), 0)
+        scene.cycles.samples = 2
+        self.assertEqual(self.render_and_count(), 8)
+        scene.lippmann.resume = False
+        self.assertEqual(self.render_and_count(), 8)
+
+    def render_and_count(self):
+        """Renders the views, and returns how many pictures Blender has made."""
+        made = []
+
+        def count(*_):
+            made.append(1)
+
+        bpy.app.handlers.render_complete.append(count)
+        bpy.ops.lippmann.render_views(engine="CYCLES")
+        bpy.app.handlers.render_complete.remove(count)
+        return len(made)
+
+    def test_a_failed_render_is_said_in_blender_s_words(self):
+        scene = self.new_scene(size=(80, 40))
+        scene.render.engine, scene.camera = "CYCLES", None
+        self.assertRaisesRegex(tool.ToolError, "^(?!Error).*no camera", render_views.render_picture, scene)
+
+    def test_engines_that_cannot_draw_are_refused(self):
+        self.new_scene()
+        hidden = {**os.environ, "__EGL_VENDOR_LIBRARY_DIRS": str(self.folder), "LIBGL_DRIVERS_PATH": str(self.folder)}
+        hidden.pop("DISPLAY", None)
+        with unittest.mock.patch.dict(os.environ, hidden, clear=True), unittest.mock.patch.object(views, "has_opengl", views.has_opengl.__wrapped__):
+            self.assertRaisesRegex(RuntimeError, "need OpenGL", bpy.ops.lippmann.render_views, engine="BLENDER_WORKBENCH")
 
     def test_eyes_stand_where_the_quilt_s_do(self):
         self.assertAlmostEqual(views.eye_offset(0, 4, math.radians(40.0), 2.0), -2.0 * math.tan(math.radians(15.0)))
