@@ -91,7 +91,7 @@ def more_flags(scene, still):
     try:
         more = shlex.split(settings.extra)
     except ValueError as error:
-        raise tool.ToolError(f"More flags: {error}.") from error
+        raise tool.ToolError(f"More Flags: {error}.") from error
     return (["--transparent"] if film.is_transparent(scene, still) and "--transparent" not in more else []) + look.flags(settings, more) + more
 
 

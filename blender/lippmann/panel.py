@@ -22,16 +22,28 @@ class Operator(bpy.types.Operator):
         return {"FINISHED"}
 
 
+def selected(context):
+    return [thing for thing in context.selected_objects if not thing.lippmann.is_frame]
+
+
+def is_possible(operator, condition, reason):
+    """Returns whether the condition holds. The tooltip of the greyed button shows the reason otherwise."""
+    if not condition:
+        operator.poll_message_set(reason)
+    return bool(condition)
+
+
 class PlaceAtSelected(Operator):
     bl_idname = "lippmann.place_at_selected"
     bl_label = "At Selected Objects"
     bl_description = "Put the light-field frame through the middle of the selected objects, facing the camera"
 
+    @classmethod
+    def poll(cls, context):
+        return is_possible(cls, selected(context), "Select an object other than the frame")
+
     def act(self, context):
-        things = [thing for thing in context.selected_objects if not thing.lippmann.is_frame]
-        if not things:
-            raise tool.ToolError("No object is selected that the frame could be placed at.")
-        frame.place_at_objects(context.scene.lippmann.frame or frame.add(context), things, context.scene.camera)
+        frame.place_at_objects(context.scene.lippmann.frame or frame.add(context), selected(context), context.scene.camera)
 
 
 class PlaceAtFocus(Operator):
@@ -39,10 +51,12 @@ class PlaceAtFocus(Operator):
     bl_label = "At Camera's Focus"
     bl_description = "Put the light-field frame where the camera is focused, as large as what it frames there"
 
+    @classmethod
+    def poll(cls, context):
+        return is_possible(cls, context.scene.camera, "The scene has no camera")
+
     def act(self, context):
         camera = context.scene.camera
-        if not camera:
-            raise tool.ToolError("The scene has no camera.")
         matrix, height = frame.framed(camera, displays.aspect(displays.chosen(context.scene)), frame.focus_distance(camera))
         frame.place(context.scene.lippmann.frame or frame.add(context), matrix, height)
 
@@ -72,9 +86,11 @@ class ViewInPage(Operator):
     bl_description = "Show the last rendered light field in the browser, where the mouse moves the eye"
     bl_options = {"REGISTER"}
 
-    def act(self, context):
-        if not engine.last_folder:
-            raise tool.ToolError("Nothing has been rendered yet.")
+    @classmethod
+    def poll(cls, _context):
+        return is_possible(cls, engine.last_folder, "Nothing has been rendered yet")
+
+    def act(self, _context):
         stop_viewing()
         ViewInPage.child = subprocess.Popen([displays.preferred_tool(), "view", engine.last_folder, "--open"], stdin=subprocess.DEVNULL)
 
@@ -113,26 +129,46 @@ class LIPPMANN_PT_light_field(bpy.types.Panel):
         settings = scene.lippmann
         layout.use_property_split = True
         layout.use_property_decorate = False
+        try:
+            displays.known()
+        except tool.ToolError as error:
+            show_sentence(layout, str(error), panel_width(context))
+            layout.operator("preferences.addon_show", text="Open the Add-on's Preferences").module = __package__
+            return
         column = layout.column()
-        column.prop(settings, "display")
-        column.prop(settings, "calibration", text="Or a File")
+        row = column.row()
+        row.active = not settings.calibration
+        row.prop(settings, "display")
+        column.prop(settings, "calibration")
         column.prop(settings, "output")
         column.operator("lippmann.match_resolution")
         self._refusal(context, layout)
         self._frame(context, layout)
-        column = layout.column()
+        self._settings(context, layout.column())
+        self._results(context, layout)
+
+    def _settings(self, context, column):
+        settings = context.scene.lippmann
         for name in ("samples", "denoise", "tone", "exposure", "full_depth", "bake", "bake_size", "folder", "resume", "video", "extra"):
             row = column.row()
             row.active = name != "bake_size" or settings.bake
             row.prop(settings, name)
+            if name == "folder" and settings.folder.startswith("//") and not bpy.data.filepath:
+                show_sentence(column, "This file is not saved yet: pictures go to a temporary folder.", panel_width(context), "INFO")
+
+    def _results(self, context, layout):
+        view = context.scene.view_settings
         layout.operator("lippmann.view", icon="URL")
         layout.operator("lippmann.render_views", text="Render Views with Cycles or Eevee", icon="RENDER_STILL")
         if render_views.is_running():
             show_sentence(layout, render_views.status(), panel_width(context), "INFO")
+        seen = look.lost(view)
         for warning in engine.last_warnings:
-            show_sentence(layout, warning, panel_width(context))
-        if not look.is_plain(scene.view_settings):
-            layout.operator("lippmann.take_over_view_transform", icon="INFO")
+            if warning != seen:
+                show_sentence(layout, warning, panel_width(context))
+        if seen:
+            show_sentence(layout, seen, panel_width(context), "INFO")
+            layout.operator("lippmann.take_over_view_transform")
 
     def _refusal(self, context, layout):
         """Shows why F12 would refuse the picture's size."""
@@ -159,12 +195,22 @@ class LIPPMANN_PT_light_field(bpy.types.Panel):
         except tool.ToolError as error:
             show_sentence(layout, str(error), panel_width(context))
             return
-        budget = display["depth_budget_mm"]
         box = layout.box().column()
-        box.label(text=f"{display['views']} views, {display['view_cone_deg']:.0f} degrees")
-        box.label(text=f"Viewer at {display['viewing_distance_mm']:.0f} mm")
-        box.label(text=f"Sharp within {budget:.1f} mm")
-        box.label(text=f"In the scene: {zone.budget:.3g}")
+        for line in figures(scene, display, zone):
+            box.label(text=line)
+
+
+def length(scene, value):
+    """Returns a length of the scene as Blender shows it, such as 1.2 m."""
+    units = scene.unit_settings
+    return bpy.utils.units.to_string(units.system, "LENGTH", value * units.scale_length, precision=3)
+
+
+def figures(scene, display, zone):
+    """Returns lines about the display: its own lengths, and those in the scene."""
+    return [f"{display['views']} views within {display['view_cone_deg']:.0f}\u00b0",
+            f"Viewer at {display['viewing_distance_mm']:.0f} mm; in the scene at {length(scene, zone.distance)}",
+            f"Sharp \u00b1 {display['depth_budget_mm']:.1f} mm; in the scene \u00b1 {length(scene, zone.budget)}"]
 
 
 CLASSES = (PlaceAtSelected, PlaceAtFocus, MatchResolution, TakeOverViewTransform, ViewInPage, LIPPMANN_PT_light_field)

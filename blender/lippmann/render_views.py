@@ -88,6 +88,14 @@ def frames_of(scene, animation):
     return range(scene.frame_start, scene.frame_end + 1) if animation else [scene.frame_current]
 
 
+def refusal(scene):
+    """Returns why views of the scene cannot be rendered, or None."""
+    try:
+        return views.refused(scene, displays.chosen(scene))
+    except tool.ToolError as error:
+        return str(error)
+
+
 class RenderViews(bpy.types.Operator):
     bl_idname = "lippmann.render_views"
     bl_label = "Render Views"
@@ -98,10 +106,11 @@ class RenderViews(bpy.types.Operator):
     animation: bpy.props.BoolProperty(name="Animation", description="All frames of the scene, not only the current one")
 
     @classmethod
-    def poll(cls, _context):
-        if is_running():
-            cls.poll_message_set("Views are being rendered. Esc stops")
-        return not is_running()
+    def poll(cls, context):
+        reason = "Views are being rendered. Esc stops." if is_running() else refusal(context.scene)
+        if reason:
+            cls.poll_message_set(reason.rstrip("."))  # Blender adds the full stop
+        return not reason
 
     def invoke(self, context, _event):
         self.is_interactive = True

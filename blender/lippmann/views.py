@@ -77,6 +77,13 @@ def tile_of(scene, display):
     return size, display["quilt"]["aspect"] * size[1] / size[0]
 
 
+def refused(scene, display):
+    """Returns why views cannot be rendered for this display, or None."""
+    if not display.get("quilt"):
+        return f"The display {display['name']} has no quilt. Choose one that has, such as {displays.DEFAULT}."
+    return displays.refused_size(scene, jobs.resolution(scene)) if scene.lippmann.output == "quilt" else None
+
+
 @contextlib.contextmanager
 def lent(*owners):
     """Sets members of owners, each (owner, {name: value}), and restores them afterwards."""
@@ -130,9 +137,7 @@ class Views:
 
     def __init__(self, scene, engine):
         self.display = displays.chosen(scene)
-        if not self.display.get("quilt"):
-            raise tool.ToolError(f"The display {self.display['name']} has no quilt. Choose one that has, such as {displays.DEFAULT}.")
-        refusal = displays.refused_size(scene, jobs.resolution(scene)) if scene.lippmann.output == "quilt" else None
+        refusal = refused(scene, self.display)
         if refusal:
             raise tool.ToolError(refusal)
         if bpy.app.background and engine in DRAWN and not has_opengl():

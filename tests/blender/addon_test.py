@@ -20,7 +20,7 @@ import numpy as np
 sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[2] / "blender"), str(pathlib.Path(__file__).resolve().parent)]
 import exporter  # noqa: E402
 import lippmann  # noqa: E402
-from lippmann import contents, displays, engine, exposure, film, frame, look, losses, materials, overlay, progress, scene_export, tool  # noqa: E402
+from lippmann import contents, displays, engine, exposure, film, frame, look, losses, materials, overlay, panel, progress, scene_export, tool  # noqa: E402
 from lippmann import job as jobs  # noqa: E402
 
 lippmann.register()
@@ -286,6 +286,26 @@ class AddOn(unittest.TestCase):
         bpy.data.objects.remove(scene.camera)
         with self.assertRaisesRegex(tool.ToolError, "neither a light-field frame nor a camera"):
             frame.zone(scene)
+
+    def test_buttons_that_can_do_nothing_are_greyed_with_a_reason(self):
+        scene = new_scene(self.folder, "quilt")
+        engine.last_folder = ""
+        self.assertIn("Nothing has been rendered yet", failure(bpy.ops.lippmann.view))
+        bpy.ops.object.select_all(action="DESELECT")
+        self.assertIn("Select an object", failure(bpy.ops.lippmann.place_at_selected))
+        scene.camera = None
+        self.assertIn("no camera", failure(bpy.ops.lippmann.place_at_focus))
+        scene.render.resolution_x = 7
+        self.assertIn("needs 8 x 6 pixels", failure(bpy.ops.lippmann.render_views))
+        scene.lippmann.display = "lenticular-60lpi-600dpi"
+        self.assertIn("has no quilt", failure(bpy.ops.lippmann.render_views))
+
+    def test_lengths_of_the_scene_have_its_units(self):
+        scene = new_scene(self.folder, "quilt")
+        display, zone = displays.chosen(scene), Fake(distance=31.0625, budget=0.608)
+        self.assertEqual(panel.figures(scene, display, zone)[1:], ["Viewer at 654 mm; in the scene at 31.1 m", "Sharp \u00b1 12.8 mm; in the scene \u00b1 60.8 cm"])
+        scene.unit_settings.system = "NONE"
+        self.assertTrue(panel.figures(scene, display, zone)[1].endswith("at 31.063"), panel.figures(scene, display, zone))
 
     def test_rendering_leaves_the_data_of_blender_alone(self):
         # Blender 5 ends at the second frame of an animation where the first one has loaded and removed an image.

@@ -1,4 +1,4 @@
-"""What the add-on draws into the viewport, in a Blender with windows that runs this file (CMakeLists.txt says how).
+"""What the add-on draws into the viewport and its panel, in a Blender with windows that runs this file (CMakeLists.txt says how).
 
 SCREENSHOTS, where it is set, is a folder that keeps the pictures, for looking.
 """
@@ -7,6 +7,7 @@ import os
 import pathlib
 import sys
 import unittest
+import unittest.mock
 
 import bpy
 import gpu
@@ -16,7 +17,7 @@ from bpy_extras.view3d_utils import location_3d_to_region_2d
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "blender"))
 import lippmann  # noqa: E402
-from lippmann import frame, overlay  # noqa: E402
+from lippmann import displays, engine, frame, overlay, panel  # noqa: E402
 
 SAMPLES = 60  # of each line
 NEAR_PX, NEAR_COLOUR = 2, 0.25  # lines are 2 pixels wide, and partly transparent
@@ -97,6 +98,31 @@ class Overlay(unittest.TestCase):
                 self.assertGreater(self.share_drawn(shown, corners, colour), 0.9, colour)
                 for picture in (hidden, other):
                     self.assertLess(self.share_drawn(picture, corners, colour), 0.1, colour)
+
+    def test_the_panel_is_drawn_in_every_state(self):
+        window = bpy.context.window_manager.windows[0]
+        area = next(area for area in window.screen.areas if area.type == "PROPERTIES")
+        scene, own, drawn = bpy.context.scene, panel.LIPPMANN_PT_light_field.draw, []
+
+        def draw(drawing, context):
+            own(drawing, context)
+            drawn.append(state)
+
+        with bpy.context.temp_override(window=window, area=area), unittest.mock.patch.object(panel.LIPPMANN_PT_light_field, "draw", draw):
+            scene.render.engine, scene.lippmann.display = "LIPPMANN", "looking-glass-portrait"
+            area.spaces.active.context = "RENDER"
+            states = {"a size that is refused": lambda: setattr(scene.render, "resolution_x", 4), "warnings": lambda: engine.last_warnings.append("The sky is lost."),
+                      "a view transform": lambda: setattr(scene.view_settings, "view_transform", "Filmic"), "a file": lambda: setattr(scene.lippmann, "calibration", "/nowhere"),
+                      "no camera": lambda: setattr(scene, "camera", None), "no tool": displays.forget}
+            with unittest.mock.patch.dict(os.environ):
+                for state, make in states.items():
+                    if state == "no tool":
+                        os.environ["LIPPMANN_TOOL"] = "/nowhere/lippmann"
+                    make()
+                    area.tag_redraw()
+                    bpy.ops.wm.redraw_timer(type="DRAW_WIN", iterations=1)
+                    self.assertEqual(drawn[-1:], [state])
+            displays.forget()
 
 
 def run():
