@@ -203,7 +203,7 @@ class LIPPMANN_PT_light_field(bpy.types.Panel):
 def length(scene, value):
     """Returns a length of the scene as Blender shows it, such as 1.2 m."""
     units = scene.unit_settings
-    return bpy.utils.units.to_string(units.system, "LENGTH", value * units.scale_length, precision=3)
+    return bpy.utils.units.to_string(units.system, "LENGTH", value * units.scale_length, precision=3).strip()
 
 
 def figures(scene, display, zone):

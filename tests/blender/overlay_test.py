@@ -120,7 +120,7 @@ class Overlay(unittest.TestCase):
                         os.environ["LIPPMANN_TOOL"] = "/nowhere/lippmann"
                     make()
                     area.tag_redraw()
-                    bpy.ops.wm.redraw_timer(type="DRAW_WIN", iterations=1)
+                    bpy.ops.wm.redraw_timer(type="DRAW_WIN_SWAP", iterations=1)
                     self.assertEqual(drawn[-1:], [state])
             displays.forget()
 
