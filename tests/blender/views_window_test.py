@@ -35,7 +35,7 @@ def shining(shade):
 
 
 def set_up(folder):
-    """Makes a scene of bright shapes in front of and behind the plane of a display of 4 views."""
+    """Makes a scene of bright shapes in front of and behind the plane of a display of 4 views, whose pixels are not square."""
     scene = bpy.context.scene
     scene.world.node_tree.nodes["Background"].inputs["Strength"].default_value = 0.0
     cube = bpy.data.objects["Cube"]
@@ -46,9 +46,9 @@ def set_up(folder):
         scene.collection.objects.link(other)
     scene.render.engine, scene.view_settings.view_transform = "LIPPMANN", "Standard"
     scene.eevee.taa_render_samples, scene.cycles.samples, scene.cycles.use_denoising, scene.cycles.device = 8, 8, False, "CPU"
-    (folder / "small.toml").write_text('base = "looking-glass-portrait"\n[quilt]\ntiles = [4, 1]\nsize = [480, 160]\naspect = 0.75\n')
+    (folder / "small.toml").write_text('base = "looking-glass-portrait"\n[quilt]\ntiles = [4, 1]\nsize = [480, 120]\naspect = 0.75\n')
     scene.lippmann.calibration, scene.lippmann.folder = str(folder / "small.toml"), str(folder)
-    scene.render.resolution_x, scene.render.resolution_y = 480, 160
+    scene.render.resolution_x, scene.render.resolution_y = 480, 120
 
 
 def codes(picture):
@@ -57,10 +57,14 @@ def codes(picture):
 
 
 def start(engine):
-    """Begins to render as the dialog's button does."""
-    with bpy.context.temp_override(window=bpy.context.window_manager.windows[0]):
-        assert bpy.ops.lippmann.run_views("INVOKE_DEFAULT", engine=engine, animation=False) == {"RUNNING_MODAL"}
-    assert render_views.is_running() and not bpy.ops.lippmann.render_views.poll()
+    """A coroutine that opens the dialog and presses Enter in it."""
+    window = bpy.context.window_manager.windows[0]
+    with bpy.context.temp_override(window=window):
+        assert bpy.ops.lippmann.render_views("INVOKE_DEFAULT", engine=engine) == {"RUNNING_MODAL"}
+    while not render_views.is_running():
+        window.event_simulate(type="RET", value="PRESS")
+        yield
+    assert not bpy.ops.lippmann.render_views.poll()
 
 
 def state(scene):
@@ -73,7 +77,7 @@ def check(folder):
     before, display_type = state(scene), bpy.context.preferences.view.render_display_type
     lines = set()
 
-    start(EEVEE)
+    yield from start(EEVEE)
     while render_views.is_running():
         lines.add(render_views.status())
         yield
@@ -83,13 +87,13 @@ def check(folder):
     assert state(scene) == before, state(scene)
     assert bpy.context.preferences.view.render_display_type == display_type
 
-    start("CYCLES")
+    yield from start("CYCLES")
     bpy.context.window_manager.windows[0].event_simulate(type="ESC", value="PRESS")
     while render_views.is_running():
         yield
     assert not list(folder.joinpath("cycles").rglob("*.png"))
 
-    start("CYCLES")
+    yield from start("CYCLES")
     first = folder / "cycles/views/frame_0001/view_000.png"
     while not first.is_file():
         yield
@@ -98,11 +102,11 @@ def check(folder):
         yield
     complete = sorted(folder.joinpath("cycles").rglob("*.png"))
     assert first in complete and len(complete) < 4 and all(path.parent == first.parent for path in complete), complete
-    assert codes(first).shape == (160, 120)
+    assert codes(first).shape == (120, 120)
     assert state(scene) == before, state(scene)
 
     rendered = first.stat().st_mtime_ns
-    start("CYCLES")
+    yield from start("CYCLES")
     while render_views.is_running():
         yield
     assert first.stat().st_mtime_ns == rendered
