@@ -122,7 +122,7 @@ class LIPPMANN_PT_light_field(bpy.types.Panel):
 
     @classmethod
     def poll(cls, context):
-        return context.engine == "LIPPMANN"
+        return context.engine == "LIPPMANN" or render_views.is_running()  # with another engine for as long
 
     def draw(self, context):
         scene, layout = context.scene, self.layout

@@ -10,13 +10,14 @@ import sys
 import tempfile
 import time
 import traceback
+import types
 
 import bpy
 import numpy as np
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "blender"))
 import lippmann  # noqa: E402
-from lippmann import render_views, views  # noqa: E402
+from lippmann import panel, render_views  # noqa: E402
 
 EEVEE = "BLENDER_EEVEE_NEXT" if (4, 2) <= bpy.app.version < (5, 0) else "BLENDER_EEVEE"
 TICK, PATIENCE = 0.02, 240.0  # seconds
@@ -80,6 +81,7 @@ def check(folder):
     yield from start(EEVEE)
     while render_views.is_running():
         lines.add(render_views.status())
+        assert panel.LIPPMANN_PT_light_field.poll(types.SimpleNamespace(engine=scene.render.engine))
         yield
     assert any("rendering the views of frame 1, 75 %" in line and "(Esc stops)" in line for line in lines), lines
     eevee, = folder.joinpath(EEVEE.lower(), "quilt").glob("*.png")
