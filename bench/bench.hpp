@@ -30,7 +30,8 @@ struct Report {
 struct Request {
   std::vector<std::string> scenes;  ///< names or files; if empty, the benchmark's default
   int frames = 0;                   ///< frames per animation; 0 means the benchmark's default
-  std::string views;       ///< columns and rows of views as CxR; if empty, those of the row, or 3x1 if view_pixels is set
+  /// columns and rows of views as CxR; if empty, the default of each row of the table, or 3x1 if view_pixels is set
+  std::string views;
   int view_pixels = 0;     ///< width and height of a view in pixels; 0 means the benchmark's default
   bool large = false;      ///< also measure 3840 x 2160 pixels
   bool quick = false;      ///< measure only a few small frames, to check that the benchmark works

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kSeeds = 5, kQuickSeeds = 2, kFramesPerSeed = 4;
 
-/// Counts and sums over the frames of a row.
+/// Counts and sums over the frames of a LightCase, which is a row of the table.
 struct Intervals {
   /// `contain`: the interval contains the true PSNR; `too_low`: the true PSNR is above the interval; `too_high`: it is below
   int frames = 0, contain = 0, too_low = 0, too_high = 0;

@@ -1,5 +1,5 @@
-// Renders the frames of a row with several samplings. Measures the CPU time. Measures error, mean light and flicker relative to
-// converged frames.
+// Renders the frames of a LightCase (a row of the benchmark's table) with several samplings. Measures the CPU time. Measures
+// error, mean light and flicker relative to converged frames.
 //
 // CPU seconds are the rendering time of all threads together. Each frame is rendered with all samplings before the next frame,
 // so that changes in the machine's speed affect all samplings equally.
@@ -18,7 +18,7 @@
 
 namespace lippmann::bench {
 
-/// The cost and quality of a row's frames with one sampling.
+/// The cost and quality of the frames of a LightCase with one sampling.
 struct LightFigures {
   double cpu_seconds = 0.0;
   double psnr_db = 0.0, block_psnr_db = 0.0, edge_psnr_db = 0.0;  ///< computed from the mean squared error over all frames
@@ -29,7 +29,7 @@ struct LightFigures {
   Frames frames;
 };
 
-/// Renders and measures the frames of one row.
+/// Renders and measures the frames of one LightCase.
 class LightBench {
  public:
   /// Builds the scene, and renders the references that are not kept. `row`, `request` and `context` must outlive this object.

@@ -3,11 +3,11 @@
 //
 // Both pictures have one sample per lens at the centre of the lens. For a lenticular sheet, they have one sample per lens and
 // row of the panel. PSNR is computed from 8-bit codes, for all pixels and for four ranges of depth. The depth is that of the
-// pinhole view, relative to the depth budget N g: up to a quarter, up to a half, up to all of it, and beyond it, where a pixel
-// is wider than a lens.
+// pinhole view, relative to the depth budget: up to a quarter, up to a half, up to all of it, and beyond it. The depth budget
+// is the gap times the number of pixels per lens; beyond it, a pixel is wider than a lens.
 //
-// Each view is also compared with that of an eye a fifth of the zone away. Depth must be orthoscopic both behind and in front
-// of the display, and pseudoscopic after the conversion.
+// Each view is also compared with the view of another eye, a fifth of the zone away. Depth must be orthoscopic both behind and
+// in front of the display, and pseudoscopic after the conversion.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -33,7 +33,8 @@
 namespace lippmann::bench {
 namespace {
 
-constexpr int kEyes = 5;  ///< number of eyes along each axis of the zone; its square if there is parallax in one direction only
+/// number of eyes along each axis of the zone; if the parallax has one axis only, kEyes * kEyes eyes lie along it
+constexpr int kEyes = 5;
 constexpr double kBaseline = 1.0 / 5;  ///< distance between two eyes as a share of the zone
 
 /// One value for each range of depth: up to 1/4, up to 1/2, up to 1 of the depth budget, and beyond it.
@@ -66,7 +67,8 @@ class ReplayBench {
 
   const Optics& optics() const { return recorded_.optics; }
 
-  /// Returns the position of the eye at these shares of the zone, counted from its left and its lower end.
+  /// Returns the position of the eye at the shares `across` and `along` of the zone. They are counted from the left and from
+  /// the lower end.
   Vec3d eye_at(double across, double along) const {
     const double up = parallax_of(optics()).along ? zone_x_mm(optics(), along, eye_z_mm_) : 0.0;
     return {zone_x_mm(optics(), across, eye_z_mm_), up, eye_z_mm_};

@@ -111,7 +111,8 @@ def median_seconds(film, nodes, units, seeds=9):
 
 
 def table(film, nodes_list, units_per_node):
-    """Yields the lines of the table. A line states the units, the hours and the efficiency for a number of nodes."""
+    """Yields the lines of the scaling table in Markdown, one line for each number of nodes: the number of work units, the hours,
+    the efficiencies, and the share of the time for which the disk is busy."""
     yield "| nodes | units | hours, simulated | efficiency, simulated | efficiency at least | disk busy |"
     yield "|---|---|---|---|---|---|"
     for nodes in nodes_list:

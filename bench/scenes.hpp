@@ -22,7 +22,7 @@ struct BenchScene {
 /// Returns the requested scenes, which are built in or files. Returns all built-in scenes if none is requested. Throws Error.
 std::vector<BenchScene> bench_scenes(const Request& request, const Context& context);
 
-/// The frames of an animation for measuring reuse. They begin at a key frame of every interval up to 8.
+/// The frames of an animation for measuring reuse. The first frame is a key frame for every interval of 2, 4 or 8 frames.
 struct BenchAnimation {
   std::string name;      ///< animations of Tachyon's scenes have names such as "tachyon teapot"
   RenderParams params;   ///< the same optics as in BenchScene

@@ -130,8 +130,9 @@ class Surface:
         """Returns the shader for plastic. It is the gloss of a black Principled surface plus the diffuse light below it. Fresnel's
         term applies to the facets of the gloss."""
         f0 = self.specular * ((self.ior - 1) / (self.ior + 1))**2
-        # Since Blender 4.0, the input is relative to twice the reflectance that the index of refraction gives. In earlier versions it is
-        # relative to 0.08.
+        # The reflectance f0 is given by the input "Specular". Since Blender 4.0, an input of 0.5
+        # means the reflectance that the index of refraction gives. In earlier versions, an input of
+        # 1 means 0.08.
         of_ior = LATER["Specular"] in self.principled.inputs
         gloss = self.gloss(Base_Color=[0, 0, 0], Specular=0.5 * self.specular if of_ior else f0 / 0.08)
         return self.node("ShaderNodeAddShader", {0: gloss, 1: self.diffuse(self.times(self.input("Base Color"), self.left(f0)))})
@@ -196,7 +197,8 @@ class Surface:
         return self.node("ShaderNodeMixShader", {0: coverage, 1: self.node("ShaderNodeBsdfTransparent", {}), 2: shader})
 
     def absorb(self, volume):
-        """Sets absorption by Beer's law as in KHR_materials_volume: the importer uses 1 - colour for its logarithm. Cycles absorbs density (1 - colour)."""
+        """Sets absorption as KHR_materials_volume defines it, by the logarithm of the colour. The
+        importer uses 1 - colour instead. Cycles absorbs density (1 - colour) per unit of length."""
         node = next((n for n in self.tree.nodes if n.type == "VOLUME_ABSORPTION"), None)
         distance = volume.get("attenuationDistance", math.inf)
         if node is None:

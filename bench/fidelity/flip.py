@@ -16,7 +16,8 @@ RGB_TO_XYZ = np.array([[10135552 / 24577794, 8788810 / 24577794, 4435075 / 24577
 WHITE = RGB_TO_XYZ.sum(axis=1)
 COLOR_POWER, COLOR_SPLIT, COLOR_SHARE, FEATURE_POWER = 0.7, 0.4, 0.95, 0.5
 FEATURE_WIDTH_DEG = 0.082
-# Contrast sensitivity as sums of Gaussians (a, b), for lightness, red-green and blue-yellow.
+# Contrast sensitivity of the eye for lightness, red-green and blue-yellow. A pair (a, b) is the
+# Gaussian a sqrt(pi / b) exp(-(pi x)^2 / b) of the distance x in degrees.
 SENSITIVITY = (((1.0, 0.0047),), ((1.0, 0.0053),), ((34.1, 0.04), (13.5, 0.025)))
 WIDEST = 0.04
 
