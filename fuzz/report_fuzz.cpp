@@ -1,6 +1,6 @@
-// Passes bytes to the page of figures, as a report.json or as the result of a benchmark. The page must throw Error, or be made
-// without a script, a picture or a link that comes from a name in the input. The page has one script of its own, and data for
-// this script.
+// Fuzzes the HTML page of figures. The bytes are read as a report.json, and as the result of a benchmark. Making the page must
+// throw Error, or give a page into which no name in the input has injected a script, a picture or a link. The page has one
+// script of its own, and data for this script.
 //
 // fuzz/report_seeds SEEDS && fuzz_report -dict=fuzz/report.dict CORPUS SEEDS; or scripts/fuzz report.
 #include <cstdlib>
