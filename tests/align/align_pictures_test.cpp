@@ -115,7 +115,8 @@ TEST_F(Align, views_show_the_focus_at_one_place) {
             std::abs(view.rgb[3 * (static_cast<std::size_t>(y) * view.width + x)] - 20.0 - 215.0 * texture_at(place, 21));
         worst = std::max(worst, off), sum += off, ++count;
       }
-    // Rounding can add twice half a code. A shift of 0.1 px adds about 1 code where neighbouring pixels differ by 10 codes.
+    // Limits in 8-bit codes. Rounding adds up to 1/2 code in the input and 1/2 code in the output. A misalignment of 0.1 px
+    // adds about 1 code where neighbouring pixels differ by 10 codes.
     EXPECT_LT(sum / count, 1.5) << i;
     EXPECT_LT(worst, 12.0) << i;
   }

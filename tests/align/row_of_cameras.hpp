@@ -14,7 +14,8 @@
 namespace lippmann::test {
 
 inline constexpr Vec2i kSceneSize{640, 480};
-inline constexpr Vec2d kSceneFocus{320.0, 240.0};  ///< centre of the disc that moves by kFocusMove
+/// centre of the middle disc, which moves by kFocusMove from camera to camera
+inline constexpr Vec2d kSceneFocus{320.0, 240.0};
 /// shift in pixels to the right from one camera to the next
 inline constexpr double kNearMove = -6.0, kFocusMove = -2.0, kFarMove = 3.0;
 
@@ -51,7 +52,7 @@ inline Similarity moved_about_centre(double turn_deg, double scale, Vec2d shift)
   return moved;
 }
 
-/// Returns the picture of camera `k`. `moved` maps its pixels to pixels of the aligned picture.
+/// Returns the picture that camera `k` takes. `moved` maps pixels of this picture to pixels of the aligned picture.
 inline Image8 shot(int k, const Similarity& moved) {
   Image8 picture{kSceneSize.x, kSceneSize.y, {}};
   picture.rgb.reserve(std::size_t{3} * kSceneSize.x * kSceneSize.y);

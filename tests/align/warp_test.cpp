@@ -38,7 +38,8 @@ TEST(Warp, waves_move_by_subpixels_and_rotate) {
   const ThreadPool pool(2);
   const Image result = warped(picture, moved, {16, 16}, {32, 32}, pool);
   for (int y = 0; y < 32; ++y)
-    for (int x = 0; x < 32; ++x)  // a Lanczos filter of three lobes changes a wave of 15 pixels by at most 1 %
+    // A Lanczos filter of three lobes changes a wave with a period of 15 pixels by at most 1 %.
+    for (int x = 0; x < 32; ++x)
       ASSERT_NEAR(result.pixel(x, y)[1], wave(inverse(moved)(Vec2d(x + 16.5, y + 16.5))), 0.004) << x << " " << y;
 }
 
