@@ -19,8 +19,9 @@ Scene scene_named(const std::string& name) {
   return std::find_if(all.begin(), all.end(), [&](const HostileScene& scene) { return scene.name == name; })->build();
 }
 
-/// Returns the longest distance that a node with a shape or a light moves from the previous frame to `frame`. A point beside
-/// each node is measured too, so that rotation counts. The distance is relative to the display plane, as a share of its height.
+/// Returns how far the scene moves from the previous frame to `frame`, as a share of the height of the display plane. This is
+/// the longest distance of any node with a shape or a light. Points beside each node with a shape are included, so that
+/// rotation counts. For shapes, the motion of the display is subtracted.
 float largest_step(const Scene& scene, int frame) {
   const ResolvedScene before = evaluate(scene, scene.timeline.time(frame - 1)),
                       after = evaluate(scene, scene.timeline.time(frame));

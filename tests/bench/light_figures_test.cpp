@@ -39,8 +39,9 @@ TEST(LightFigures, error_is_the_mean_over_all_frames) {
 }
 
 TEST(LightFigures, noise_of_references_is_not_counted) {
-  // The true value is 100. The first half has errors of +-4 and the second of +-6 codes, and the test picture equals the true
-  // value. In every pixel the product of the differences from the two halves is +-24, and these products sum to 0.
+  // The true value is 100. The first half of the reference has errors of +-4 codes, the second half of +-6 codes. A test
+  // picture equal to the true value differs from the halves by -+4 and -+6, so the product of both differences is +24 or -24.
+  // Over the four pixels, these products sum to 0.
   const References references{{picture(4, 1, {104, 96, 104, 96}), picture(4, 1, {106, 106, 94, 94})}};
   EXPECT_DOUBLE_EQ(mean_squared_error(references, {picture(4, 1, {100, 100, 100, 100})}), 0.0);
   EXPECT_DOUBLE_EQ(mean_squared_error(references, {picture(4, 1, {103, 103, 103, 103})}), 9.0);
