@@ -82,7 +82,7 @@ TEST(Convert, dropped_camera_positions_are_reported) {
 TEST(Convert, failure_leaves_no_folder) {
   const TempDir dir;
   expect_done(dir, small_views("r"));
-  // The format hci describes parallel cameras. It cannot store views at equal angles, as this frame has.
+  // The format hci requires parallel cameras at equal distances. These views are at equal angles, so hci cannot store them.
   EXPECT_EQ(run_tool(dir, {"convert", "r/frame_0000.png", "one", "--to", "hci"}).exit_code, 1);
   EXPECT_EQ(run_tool(dir, {"convert", "r", "all", "--to", "hci"}).exit_code, 1);
   EXPECT_FALSE(fs::exists(dir / "one") || fs::exists(dir / "all"));

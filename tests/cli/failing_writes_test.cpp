@@ -105,18 +105,19 @@ TEST(FailingWrites, folder_errors_are_reported) {
   expect_error_and_whole_files({"--layout", "views"}, Fails::kOneWrite, "mkdir");
 }
 
-/// Returns the distance between tested allocations. A render makes tens of thousands of allocations, and testing all of them
-/// would take minutes. Steps are larger until the run has made its folder. LIPPMANN_ALLOCATION_STEP=1 tests every allocation.
+/// Returns the step from one tested allocation to the next. A render makes tens of thousands of allocations, and testing all of
+/// them would take minutes. The step is larger until the run has made its folder. LIPPMANN_ALLOCATION_STEP=1 tests every
+/// allocation.
 int allocation_step(bool has_folder) {
   const char* step = std::getenv("LIPPMANN_ALLOCATION_STEP");
   return step ? std::stoi(step) : has_folder ? 457 : 1999;
 }
 
-/// Counts how runs ended in which an allocation failed.
+/// Numbers of runs in which an allocation failed, by how they ended.
 struct Ends {
-  int with_folder = 0;  ///< the run had made its folder when it failed
-  int reported = 0;     ///< the run printed one line and ended with exit code 1
-  int ended = 0;        ///< a signal ended the run
+  int with_folder = 0;  ///< runs that failed after they had made their folder
+  int reported = 0;     ///< runs that printed one line and ended with exit code 1
+  int ended = 0;        ///< runs that were ended by a signal
 };
 
 /// A run with a failed allocation may end in three ways:

@@ -14,8 +14,8 @@ Words small_paths(const std::string& frames, const std::string& folder) {
   return {"render", "teapot", "--lenses", "8", "--integrator", "path", "--spp", "2", "--frames", frames, "--output", folder};
 }
 
-/// Returns a render without denoising. The error of its 2 samples per pixel is far above the noise of the error estimate, so
-/// that the tool reports an estimate.
+/// Returns the arguments of a render without denoising. At 2 samples per pixel, the noise is strong enough for the tool to
+/// report an estimated error.
 Words noisy_paths(const std::string& frames, const std::string& folder) {
   return small_paths(frames, folder) + Words{"--denoise", "none"};
 }

@@ -48,7 +48,8 @@ TEST(Readme, dockerfile_runs_only_its_two_commands) {
   for (const std::string& command : commands) EXPECT_TRUE(fs::exists(root / command)) << command;
 }
 
-/// Returns the command with --dry-run appended if it is a render. A render whose output the same line uses stays unchanged.
+/// Appends --dry-run to a line that consists of a single render command. Other lines are returned unchanged, because a later
+/// command in the line may read the rendered files.
 std::string quick(const std::string& line) {
   const bool alone = line.find("&&") == std::string::npos;
   if (!alone || line.find("lippmann render ") != 0) return line;

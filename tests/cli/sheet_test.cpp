@@ -67,8 +67,8 @@ TEST(Sheet, left_eye_sees_a_red_zone) {
     const std::size_t corner = 3 * (4 * static_cast<std::size_t>(seen.width) + static_cast<std::size_t>(seen.width) / 2);
     return std::array<int, 3>{seen.rgb[corner], seen.rgb[corner + 1], seen.rgb[corner + 2]};
   };
-  // The five views are spread over 50 degrees. At 400 mm, the centres of the first and the last view are at x = -+400 mm *
-  // tan(25 degrees) * 4 / 5 = -+149 mm.
+  // The five views are spread over 50 degrees. At the distance of 400 mm they cover x = -+400 mm * tan(25 degrees). The centres
+  // of the first and the last view are at 4/5 of this: x = -+149 mm.
   const auto left = colours_from("-149,0,400"), right = colours_from("149,0,400"), middle = colours_from("0,0,400");
   EXPECT_GT(left[0], left[2] + 100);
   EXPECT_GT(right[2], right[0] + 100);
