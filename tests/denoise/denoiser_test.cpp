@@ -88,8 +88,8 @@ TEST(Denoiser, noise_free_light_keeps_its_shadows) {
   for (std::size_t i = 0; i < film.data.size(); ++i) ASSERT_NEAR(film.data[i], made.film.data[i], 1e-3f) << i;
 }
 
-// The differences of 2 % are about as small as kRelativeSpread, so the filter averages over them. find_blur() must detect this
-// blur and undo it.
+// The values differ by 2 %, which is about kRelativeSpread, so the filter averages them. find_blur() must detect this blur and
+// undo it.
 TEST(Denoiser, slight_differences_without_noise_are_not_blurred) {
   Made made;
   for (int y = 0; y < kHeight; ++y)

@@ -66,8 +66,8 @@ TEST(SortedViews, views_of_whole_pixels_match_the_layout) {
   }
 }
 
-/// Returns the error of the view's sight in columns and rows: the distance between pixel (x, y) and the position at which the
-/// sight shows the point of `ray` at depth z.
+/// Returns the error of SortedViews::Sight, which maps a point to a pixel of a view, in columns and rows. The point is where
+/// `ray` reaches depth z, and the correct pixel is (x, y).
 Vec2f off(const SortedViews& views, const Ray& ray, float z, int view, int x, int y) {
   const Vec2f point = Vec2f(ray.origin) + Vec2f(ray.direction) * ((z - ray.origin.z) / ray.direction.z);
   const SortedViews::Sight& sight = views.sight(view);
@@ -88,9 +88,9 @@ TEST(SortedViews, sights_find_points_at_their_pixels) {
   }
 }
 
-// The pixels of a view have slightly different directions. The difference is less than the angle of one pixel, so a point at
-// half of the depth budget moves by less than one pixel. On the panel with diamond-shaped pixels, a few pixels belong to a
-// neighbouring view.
+// Each view has a single Sight, although the directions of its pixels differ slightly. They differ by less than the angle of
+// one pixel, so a point at half of the depth budget is mapped to within one pixel. On the panel with diamond-shaped pixels, a
+// few pixels belong to a neighbouring view.
 TEST(SortedViews, sights_are_accurate_to_one_pixel) {
   for (const OpticsCase& kind : optics_cases()) {
     const SortedViews views = all_views(kind.optics);
