@@ -9,8 +9,8 @@
 namespace lippmann {
 namespace {
 
-/// Returns the view v of a sub-pixel, 0 to 1, derived from the point where the ray of the sub-pixel meets the plane of the
-/// eyes.
+/// Returns the view coordinate v of a sub-pixel, from 0 to 1 across the view cone. v is derived from the point where the ray of
+/// the sub-pixel meets the plane of the eyes.
 double view_of(const Optics& optics, int i, int j, int color) {
   const auto& slanted = std::get<SlantedPanel>(optics.model);
   const Ray ray = ray_of_pixel(optics, {3 * i + color + 0.5f, j + 0.5f});
@@ -18,8 +18,8 @@ double view_of(const Optics& optics, int i, int j, int color) {
   return 0.5 + std::atan((ray.origin.x + to_eye * ray.direction.x) / slanted.distance_mm) / slanted.view_cone;
 }
 
-/// Tolerance of v. In single precision, the position of the eye has an error of 3e-5 mm. The views are spread over about 800
-/// mm.
+/// Tolerance of v. Rays in single precision meet the plane of the eyes with an error of 3e-5 mm. The views are spread over
+/// about 800 mm, so the error of v is much smaller than this tolerance.
 constexpr double kView = 1e-6;
 
 TEST(SlantedDisplay, portrait_has_the_published_periods_and_tilt) {
@@ -58,7 +58,8 @@ TEST(SlantedDisplay, third_generation_sub_pixel_table_by_hand) {
   // The panel has 3840 x 2160 pixels, P = 600.5274503 lens periods and the tilt T = -0.08152174.
   // Offsets (ox, oy) of the sub-pixels in even columns: red (-0.31, 0.25), green (0.28, 0.25), blue (0, -0.25). In odd columns,
   // oy has the opposite sign.
-  // Phase: z = (x + ox / 3840 + (y + oy / 2160) T) P - 0.5. Columns of the table: pixel (i, j), colour, z and the view v.
+  // Position: x = (i + 1/2) / 3840, y = 1 - (j + 1/2) / 2160. Phase: z = (x + ox / 3840 + (y + oy / 2160) T) P - 0.5.
+  // View: v = 1 - fract(z). Columns of the table: pixel i, j, colour, z and v.
   //   0    0    r  -49.420662  v 0.420662     2000 1000 b  286.078698  v 0.921302
   //   1    0    r  -49.252943  v 0.252943     2001 1000 b  286.223753  v 0.776247
   //   0    0    g  -49.328394  v 0.328394     3839 2159 g  599.987379  v 0.012621
@@ -75,7 +76,8 @@ TEST(SlantedDisplay, third_generation_sub_pixel_table_by_hand) {
 
 TEST(SlantedDisplay, flipped_portrait_sub_pixel_table_by_hand) {
   // Lens periods: P = 52.594 * 1536 / 324 cos(atan(1 / -7.2115)) = 246.97136. Tilt: T = -2048 / (1536 * -7.2115) = 0.18488987.
-  // Phase: z = (x - c / 4608 + 0.18488987 y) 246.97136 - 0.40277. View: v = 1 - fract(z).
+  // Position: x = (i + 1/2) / 1536, y = 1 - (j + 1/2) / 2048. Phase of sub-pixel c (0 red, 1 green, 2 blue) of pixel (i, j):
+  // z = (x - c / 4608 + T y) P - 0.40277. View: v = 1 - fract(z).
   //   i     j     c   x           y           z           v
   //   0     0     0   0.00032552  0.99975586  45.328980   0.671020
   //   0     0     1                           45.275384   0.724616
@@ -97,8 +99,9 @@ TEST(SlantedDisplay, flipped_portrait_sub_pixel_table_by_hand) {
 }
 
 TEST(SlantedDisplay, flipping_only_the_slope_keeps_steps) {
-  // Without flipped steps, z = 45.328980 + 0.053597 c at pixel (0, 0), and v = 1 - fract(z). Green has c = 1, so v = 0.617423.
-  // kSlopeStepAndCenter also flips the step and adds 1/2 to the centre, so z = 44.775384 for green.
+  // Expected v = 1 - fract(z) of sub-pixel c at pixel (0, 0). With kSlope, the sub-pixels are not mirrored: z = 45.328980 +
+  // 0.053597 c, so green (c = 1) has v = 0.617423. kSlopeStepAndCenter mirrors them and adds 1/2 to the centre: z = 45.328980 -
+  // 0.053597 - 0.5 = 44.775384 for green.
   Display d;
   d.calibration = {.pitch = 52.594, .slope = -7.2115, .center = 0.40277, .flip_image_x = true};
   d.calibration.flip = Calibration::Flip::kSlope;
