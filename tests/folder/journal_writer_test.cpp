@@ -94,8 +94,8 @@ TEST(JournalWriter, interrupting_does_what_ctrl_c_does) {
   EXPECT_EQ(writing.wait(), 7);
 }
 
-// The journal file is named after this process, as if the number of an ended writer had been given to this process. This
-// process is not the writer while it has the file closed, or open only for reading.
+// The name of the journal file contains the id of this process, as if the system had reused the id of a writer that has ended.
+// This process counts as the writer only while it has the file open for writing.
 TEST(JournalWriter, reused_process_ids_are_not_writers) {
   const test::TempDir dir;
   const fs::path part = dir / ("01764104700-" + platform::host_name() + "-" + std::to_string(getpid()) + ".jsonl");

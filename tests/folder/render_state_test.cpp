@@ -38,8 +38,9 @@ struct Watched {
   RenderActivity activity() { return reader.read()->activity; }
 };
 
-// The runs have finished 3 frames in 30 s and 1 frame in 20 s, so together they finish 0.1 + 0.05 = 0.15 frames/s. 6 frames
-// take 6 / 0.15 = 40 s. The last frame was finished at 130 s, 4 s before the current time of 134 s, so 36 s are left.
+// One run has finished 3 frames in 30 s, the other 1 frame in 20 s. Together they finish 0.1 + 0.05 = 0.15 frames/s, so the
+// remaining 6 frames take 6 / 0.15 = 40 s. The last frame was finished at 130 s, 4 s before the current time of 134 s, so 36 s
+// are left.
 TEST(RenderState, time_left_combines_all_runs) {
   const std::array runs{RunPace{100.0, 130.0, 3}, RunPace{100.0, 120.0, 1}};
   EXPECT_NEAR(*estimated_seconds_left(runs, 6, 134.0), 36.0, 1e-9);
