@@ -56,7 +56,7 @@ TEST(Audit, does_not_depend_on_threads_or_range) {
 }
 
 // Compares frames of 20 random seeds with a reference of 128 times as many samples. If each interval contains the true error
-// with probability 0.9, the probability that fewer than 12 of 20 do is 7e-5.
+// with probability 0.9, the probability that fewer than 12 of the 20 intervals contain it is 7e-5.
 TEST(Audit, intervals_mostly_contain_the_truth) {
   constexpr int kSeeds = 20, kLeastHeld = 12;
   RenderParams params = noisy_paths();

@@ -64,7 +64,8 @@ struct MovingEdge {
 
 // Frame 1 is at 0.4 s, when the edge is at 0.4 * 25 = 10 pixels. The edge moves 10 pixels per frame. The shutter is open for
 // half of a frame, so the edge becomes a ramp of 5 pixels.
-// Variance of the ramp's slope: 25 / 12 for the ramp, plus 1/6 because pixels have a width.
+// `steps` are the differences between neighbouring pixels. Their mean position is that of the edge. Their variance is 5^2 / 12
+// for the ramp, plus 1/6 because pixels have a width.
 // Tolerances: the 32 exposure times are 5 / 32 = 0.16 pixels apart, and the light of a pixel has errors of up to 2/64.
 TEST(Exposure, a_moving_edge_becomes_a_ramp) {
   const Image film = MovingEdge().frame({.spp = 64, .shutter = 0.5f}).pictures.film;
@@ -86,7 +87,8 @@ TEST(Exposure, is_bit_identical_for_any_thread_count) {
 TEST(Exposure, alpha_averages_all_times) {
   const RenderedFrame frame = MovingEdge().frame({.spp = 32, .shutter = 1.0f, .transparent = true});
   // With the shutter open for a whole frame, the edge moves from 5 to 15 pixels right of the middle. The pixel at 10 is covered
-  // for half of the exposure. The tolerance allows for the width of a pixel and for one of the 32 times.
+  // for half of the exposure. The tolerance allows for the width of a pixel and for the motion between two of the 32 exposure
+  // times.
   EXPECT_NEAR(frame.pictures.aovs[Aov::kAlpha].data[4 * kWidth + kWidth / 2 + 10], 0.5f, 0.15f);
   EXPECT_EQ(frame.pictures.aovs[Aov::kAlpha].data[4 * kWidth + kWidth / 2 - 4], 1.0f);
   EXPECT_EQ(frame.pictures.aovs[Aov::kAlpha].data[4 * kWidth + kWidth / 2 + 20], 0.0f);
