@@ -27,7 +27,8 @@ constexpr std::array<std::array<int, 3>, 4> kQuarters{{{200, 60, 40}, {40, 180, 
 
 fs::path picture(const char* name) { return fs::path(LIPPMANN_SOURCE) / "tests/image/pictures" / name; }
 
-/// Compares the pixel in the middle of each quarter with the quarter's colour. `code` is the value of one 8-bit code step.
+/// Compares the pixel in the middle of each quarter with the quarter's colour. `code` is the difference between two successive
+/// 8-bit codes: 1 in 8-bit images, 257 in 16-bit images.
 template <class AnyImage>
 void expect_quarters(const AnyImage& image, double code, double tolerance) {
   ASSERT_EQ(image.width, kWidth);

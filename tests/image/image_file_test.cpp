@@ -273,8 +273,7 @@ TEST(ReadImage, truncated_png_and_exr_are_errors) {
   write_exr(dir / "a.exr", layers);
   for (const double share : {0.02, 0.2, 0.5, 0.9, 0.98})
     for (const char* name : {"a.png", "a.exr"})
-      EXPECT_THAT(error_message([&] { read_image(truncated(dir / name, share)); }), HasSubstr("truncated"))
-          << name << share;  // the message names the file
+      EXPECT_THAT(error_message([&] { read_image(truncated(dir / name, share)); }), HasSubstr("truncated")) << name << share;
 }
 
 TEST(ReadImage, truncated_jpeg_scan_is_an_error) {

@@ -323,7 +323,8 @@ TEST(Chromaticities, xyz_under_d65_gives_the_usual_matrix) {
   EXPECT_NEAR((*matrix)[1][1], 1.8758, 2e-3);
 }
 
-// The matrix must map white to white, although the white points differ. The weights of each colour therefore sum to 1.
+// The white points differ, but the matrix must map white to white. In each row of the matrix, the weights of red, green and
+// blue therefore sum to 1.
 TEST(Chromaticities, white_of_another_colour_stays_white) {
   const auto matrix = rec709_from({{0.713, 0.293, 0.165, 0.830, 0.128, 0.044, 0.32168, 0.33767}});  // chromaticities of ACEScg
   ASSERT_TRUE(matrix);
