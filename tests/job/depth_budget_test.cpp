@@ -10,8 +10,8 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Returns an array in a scene that reaches `half_depth` units in front of the plane and behind it. One unit is 10 mm, and the
-/// array is as high as 64 lenses of 1 mm.
+/// Returns an array in a scene that reaches `half_depth` units in front of the array and as far behind it. One unit is 10 mm,
+/// and the array is as high as 64 lenses of 1 mm.
 FittedArray array_of_depth(float half_depth) {
   FittedArray array;
   array.plane_height = 6.4f;
@@ -112,8 +112,8 @@ TEST(FitDepth, optics_do_not_depend_on_depth) {
 }
 
 TEST(FitDepth, middle_of_the_zone_is_unchanged) {
-  // A single lens of 512 pixels is in front of the viewer's eye. The ray of the central pixel keeps its direction, and other
-  // rays turn towards it.
+  // There is a single lens, which covers all 512 pixels. with_parallax() must keep the ray of the central pixel, and multiply
+  // the slopes of all rays by the parallax of 0.5.
   Optics optics{.panel = {512, 1, 0.125f},
                 .model = LenticularSheet{.lens_pitch_mm = 64.0f, .gap_mm = 100.0f, .offset_mm = 0.0f}};
   for (const auto& [pixel, slope] : {std::pair(256.0f, 0.0f), std::pair(264.0f, -0.01f)}) {
