@@ -108,7 +108,8 @@ HciParameters by_hand() {
 }
 
 TEST(HciDisparity, zero_in_focus_7_63_at_infinity) {
-  // Disparity at infinity: b f n / (F s) = 6 * 100 * 512 / (1150 * 35) = 307200 / 40250 = 7.63230 px, with n = 512 pixels.
+  // Disparity at infinity: b f n / (F s) = 6 * 100 * 512 / (1150 * 35) = 307200 / 40250 = 7.63230 px. b is the baseline, f the
+  // focal length, n the width in pixels, F the focus distance and s the width of the sensor, all lengths in mm.
   EXPECT_EQ(hci_disparity_px(by_hand(), 1.15), 0.0);
   EXPECT_NEAR(hci_disparity_px(by_hand(), INFINITY), -7.63230, 1e-5);
   EXPECT_NEAR(hci_disparity_px(by_hand(), 0.575), 7.63230, 1e-5) << "half the focus distance: positive";

@@ -25,7 +25,7 @@ Image8 plain(Vec2i size, unsigned char r, unsigned char g, unsigned char b) {
   return image;
 }
 
-/// Returns a light field in which view k is uniform, with the red code 40 k + 10.
+/// Returns a light field in which view k is uniform, with the red code 20 k + 10.
 LightField plain_views(int count, Vec2i size, const Display& display, DisplayTarget target, const ThreadPool& pool) {
   ViewFitter fitter(display, target, AspectFit::kCrop, pool);
   LightField field;
@@ -76,7 +76,8 @@ TEST(DisplayPicture, whole_pitch_has_one_column_per_view) {
 TEST(DisplayPicture, ten_frames_of_a_flip_print) {
   DisplayPictureParams flip;
   flip.flip = FlipParams{};
-  // Lenses begin at half a pixel (phase=0.5), so the left edge of pixel x is x pixels from a lens edge.
+  // A lens is 9.56 pixels wide, and each of the 10 frames covers 0.956 = 239/250 pixels of it. The first lens begins at half a
+  // pixel (phase=0.5), so the centre of pixel x is x pixels from its left edge.
   const Picture print = print_of(10, {64, 8}, "pitch-mm=0.33725555555555556 dpi=720 paper=1434x20px phase=0.5", flip);
   for (int x = 0; x < 1434; ++x) ASSERT_EQ(view_at(print, x, 3), 250 * x % 2390 / 239) << x;
 }
@@ -93,7 +94,8 @@ TEST(DisplayPicture, flip_shares_and_soft_transitions) {
   const std::string line = "pitch-mm=1 dpi=1016 paper=80x4px";  // a lens covers 40 pixels
   const Picture hard = print_of(3, {8, 4}, line, flip);
   for (int x = 0; x < 80; ++x) EXPECT_EQ(view_at(hard, x, 0), x % 40 < 20 ? 0 : x % 40 < 30 ? 1 : 2) << x;
-  // views are blended within 0.4 * 10 = 4 pixels around each transition, where 10 pixels is the shortest share
+  // The smallest of the three shares of a lens is 10 pixels. Around each transition, views are blended over 0.4 * 10 = 4
+  // pixels.
   flip.flip->blend = 0.4;
   const Picture soft = print_of(3, {8, 4}, line, flip);
   const auto red = [&](int x) { return int{std::get<Image8>(soft).rgb[3 * static_cast<std::size_t>(x)]}; };

@@ -1,4 +1,4 @@
-// Makes light fields for tests. As far as the codes allow, all samples of all views are different.
+// Makes light fields for tests. All samples of all views differ, as far as 8-bit or 16-bit values allow.
 #pragma once
 
 #include <cstdint>

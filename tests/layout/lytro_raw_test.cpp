@@ -85,8 +85,8 @@ TEST(LytroRaw, flat_colour_comes_back_everywhere) {
     ASSERT_NEAR(raw.light.data[i + 1], 480.0 / 959.0, 1e-6) << i;
     ASSERT_NEAR(raw.light.data[i + 2], 160.0 / 959.0, 1e-6) << i;
   }
-  // The white balance multiplies red by 2 and blue by 1.5, so the light is 480, 480 and 240 of 959. The colour matrix replaces
-  // blue by the mean of green and blue: 360.
+  // Of the largest light, 959, the samples are 240 (red), 480 (green) and 160 (blue). The white balance multiplies red by 2 and
+  // blue by 1.5, which gives 480, 480 and 240. The colour matrix replaces blue by the mean of green and blue: 360.
   const Image16 colors = developed(raw);
   const auto code = [](double linear) { return std::floor(65535.0 * srgb_from_linear(linear) + 0.5); };
   EXPECT_NEAR(colors.rgb[0], code(480.0 / 959.0), 1.0);
@@ -172,8 +172,9 @@ TEST(Demosaic, linear_grey_is_kept_exactly) {
   }
 }
 
-/// Figure 2 of the paper: weights of a red pixel in the three colours at its own position. They are 1 for red, 4/8 for green
-/// and 6/8 for blue.
+/// Weights of a red pixel in the three colours at its own position: 1 in red, 4/8 in green and 6/8 in blue. They are the
+/// central weights of the filters by Malvar, He and Cutler, "High-quality linear interpolation for demosaicing of
+/// Bayer-patterned color images", 2004, figure 2.
 TEST(Demosaic, weights_are_those_of_the_paper) {
   Image mosaic(9, 9, 1);
   *mosaic.pixel(4, 4) = 1.0f;

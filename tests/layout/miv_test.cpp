@@ -83,8 +83,8 @@ TEST(MivFormat, depth_codes_match_formula) {
   EXPECT_EQ(codes.rgb[0], 65535) << "the nearest";
   EXPECT_EQ(codes.rgb[3], 64) << "the farthest: 1 of 1023 codes in 10 bits, where 0 is nothing";
   EXPECT_EQ(codes.rgb[9], 0);
-  // Tolerance: half a code at a distance of 1 m. Codes are linear in 1 / distance, so half a code is (1 / near - 1 / far) /
-  // 65535 / 2 = 23e-6 m.
+  // Tolerance: half a code. 16-bit codes are linear in 1 / distance, from 1 / far = 1/m to 1 / near = 4/m. At a distance of 1
+  // m, half a code is therefore (4 - 1) / 65535 / 2 m = 0.023 mm.
   for (const std::size_t i : {0u, 1u, 2u, 1201u}) EXPECT_NEAR(back.depth->data[i], field.depth->data[i], 0.024f) << i;
   EXPECT_EQ(back.depth->data[3], -INFINITY);
 }

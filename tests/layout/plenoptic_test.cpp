@@ -121,7 +121,8 @@ LensGridFit fit_of_lenses(const LensGrid& grid, double across) {
   return fit;
 }
 
-/// One case has 10 lenses with a pitch of 10.4 pixels. Along its diagonals, this grid has a period of 7.35 pixels.
+/// The case of 10 lenses with a pitch of 10.4 pixels has another regular period: 7.35 pixels along the diagonals. The estimate
+/// must not take this period for the pitch.
 TEST(LensGridEstimate, six_to_forty_lenses_are_enough) {
   struct Case {
     double across, pitch, rotation_deg;
@@ -253,13 +254,12 @@ TEST(PlenopticViews, vignetting_is_divided_out) {
       EXPECT_NEAR(view_sample(field, view, at.x, at.y) / view_sample(field, 12, at.x, at.y), 1.0, 0.01);
 }
 
-/// In the picture, every lens has one colour. It corresponds to an object in the plane of the array, which all views show at
-/// the same position, whatever the pitch is.
+/// Every lens shows one colour in all directions. Such a picture shows an object in the plane of the lens array. All views must
+/// show this object at the same position, whatever the pitch is.
 TEST(PlenopticViews, wrong_pitch_drifts_one_lens_per_74) {
   const double pitch = 10.135;
   const Vec2i size(1600, 60);
   const LensGrid truth = lens_grid(pitch, 0.0, {pitch / 2, pitch / 2}, LensArrangement::kSquare);
-  // The light depends only on the lens, not on the direction.
   const Image raw = raw_picture(truth, size, [&](Vec2d lens, Vec2d) { return std::lround(lens.x / pitch - 0.5); });
   const LightField right = views_of(raw, {.grid = truth}, {9, 3});
   const int last = right.view_size.x - 1;
@@ -336,9 +336,9 @@ Vec2d centroid_of_view(const LightField& field, int view) {
   return mean / sum;
 }
 
-/// The main lens has f = 100 mm and is focused at Zf = 2 m, so the array is at t = s = 105.263 mm behind it. The eyes of
-/// neighbouring views are m t / b apart on the main lens, where m is the width of a pixel and b the gap. Between neighbouring
-/// views, a spot at the distance Z moves by s (1/Zf - 1/Z) m t / (b p) lenses, where p is the lens pitch.
+/// The main lens has f = 100 mm and is focused at Zf = 2 m, so the lens array is s = 105.263 mm behind it. Neighbouring views
+/// show the scene from points on the main lens that are m s / b apart, where m is the width of a pixel and b the gap. Between
+/// neighbouring views, a spot at the distance Z moves by s (1/Zf - 1/Z) m s / (b p) lenses, where p is the lens pitch.
 TEST(PlenopticViews, simulated_camera_has_parallax_of_the_thin_lens) {
   constexpr double kFocal = 100.0, kFocus = 2000.0, kGap = 0.5, kPixel = 0.01;
   const double s = kFocal * kFocus / (kFocus - kFocal), eye_step = kPixel * s / kGap;

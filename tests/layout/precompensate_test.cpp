@@ -10,8 +10,8 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Crosstalk with which an eye sees 10 % of each neighbouring view. This Gaussian is so narrow that the view after the
-/// neighbour has a weight of 6e-5, which determines the tolerance kNextButOne.
+/// The Gaussian crosstalk with which an eye sees 10 % of each neighbouring view. The second neighbours have a weight of only
+/// 6e-5. The tests neglect it, so their tolerance is kNextButOne.
 const double kTenPercent = read_crosstalk("10%", "test");
 constexpr float kNextButOne = 2e-4f;
 
@@ -53,7 +53,7 @@ TEST(Precompensate, clips_negative_light_and_adjusts_neighbours) {
   EXPECT_NEAR(done.largest_residual, 0.1125, 2e-4);
 }
 
-// Black next to white would need negative light, and the white views would need more than 1. Without a possible correction, an
+// Black next to white would need negative light, and the white views would need more than 1, so no correction is possible. An
 // eye sees 0.8 / 0.9 instead of white, and 0.2 instead of black.
 TEST(Precompensate, full_contrast_misses_by_the_neighbour_share) {
   Image image = views(1.0f, 0.0f, 7.0f);  // values above 1 are shown as white

@@ -46,7 +46,8 @@ TEST(StatedCameras, disparities_follow_from_the_flags) {
   ConvertParams params = stated("hci", "hci");
   params.options.views = ViewGrid{3, 1};
   convert(dir / "in", dir / "out", params);
-  // Disparity: b f n / s (1 / Z - 1 / F), with b f n / s = 146285.714 mm px and the focus distance F = 8000 mm.
+  // Disparity: (b f n / s) (1 / Z - 1 / F), with the baseline b = 100 mm, the focal length f = 100 mm, n = 512 pixels across
+  // the sensor width s = 35 mm, the depth Z and the focus distance F = 8000 mm. b f n / s = 146285.714 mm px.
   const Image disparity = read_pfm(dir / "out/gt_disp_lowres_Cam001.pfm");
   EXPECT_NEAR(disparity.data[0], 18.2857, 1e-4);
   EXPECT_NEAR(disparity.data[1], 0.0, 1e-4);
