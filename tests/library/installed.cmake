@@ -19,13 +19,14 @@ set(examples ${work}/build)
 file(REMOVE_RECURSE ${work})
 run(${CMAKE_COMMAND} --install ${BUILD} --component development --prefix ${work}/prefix)
 
-# This project does not see the sources of the library, so the installed headers must be self-contained.
+# The programs are a separate project that does not see the sources of the library, so the installed
+# headers must be self-contained.
 run(${CMAKE_COMMAND} -G ${GENERATOR} -S ${SOURCE}/examples/library -B ${examples} -D CMAKE_PREFIX_PATH=${work}/prefix
   -D CMAKE_CXX_COMPILER=${CXX} "-DCMAKE_CXX_FLAGS=${FLAGS}" "-DCMAKE_EXE_LINKER_FLAGS=${FLAGS}")
 run(${CMAKE_COMMAND} --build ${examples})
 
-# The program that renders a denoised path-traced quilt has at most 20 lines. Its picture equals that of the tool's
-# default render.
+# Check that the program that renders a denoised path-traced quilt has at most 20 lines of code, and
+# that its picture equals the tool's default render.
 file(READ ${SOURCE}/examples/library/quilt.cpp text)
 string(REGEX REPLACE "(^|\n)//[^\n]*" "" text "${text}")
 string(REGEX MATCHALL "\n[^\n]" lines "${text}")
@@ -76,8 +77,8 @@ run_refused(1 "no-such-file" ${examples}/look no-such-file ${work}/seen)
 run_refused(1 "CMakeLists.txt" ${examples}/own_scene ${SOURCE}/CMakeLists.txt/below)
 run_refused(1 "CMakeLists.txt" ${examples}/data_set ${SOURCE}/CMakeLists.txt/below)
 
-# Builds a project in which warnings are errors. Every public struct must support designated initialisers. A program of
-# the project that is installed must find the library.
+# Build a project in which warnings are errors. Every public struct must support designated
+# initialisers. Install the project's program `triangle`, which must find the library.
 set(outside ${work}/outside)
 run(${PYTHON} -B ${CMAKE_CURRENT_LIST_DIR}/designators.py ${work}/prefix/include)
 file(WRITE ${work}/designators.cpp "${output}")
