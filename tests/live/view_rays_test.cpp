@@ -36,8 +36,9 @@ TEST(ViewRays, full_views_have_the_panels_rays) {
     }
 }
 
-// Hexagonal lenses do not cover whole pixels, so the views are rendered from one eye each. Such an eye sees a point of the
-// plane at its own slope. The slope is halved, because the depth is shown at half its size.
+// Hexagonal lenses do not cover whole pixels, so view k is rendered from the k-th eye instead of from the panel's rays. The ray
+// through a point of the plane z = 0 must have the slope from the eye to that point. The eye's slope is multiplied by the
+// parallax of 0.5.
 TEST(ViewRays, other_optics_use_rays_of_eyes) {
   MicrolensArray array;
   array.packing = LensPacking::kHexagonal;
