@@ -294,8 +294,8 @@ TEST(MultiView, eyes_are_exact_over_the_widest_cone) {
 
 // ---- Slanted panel ----------------------------------------------------------------------------------------------------
 
-/// Returns the view v of a sub-pixel, 0 to 1, derived from the point where the ray of the sub-pixel meets the plane of the
-/// eyes.
+/// Returns the view coordinate v of a sub-pixel, from 0 to 1 across the view cone. v is derived from the point where the ray of
+/// the sub-pixel meets the plane of the eyes.
 double view_of(const Optics& optics, Vec2f pixel) {
   const auto& slanted = std::get<SlantedPanel>(optics.model);
   const double eye = at_depth(ray_of_pixel(optics, pixel), slanted.distance_mm).x;
@@ -318,8 +318,8 @@ TEST(SlantedPanel, sub_pixel_table_by_hand) {
     double v;
   } table[] = {{0, 0, 0, 25 / 48.0}, {0, 0, 1, 21 / 48.0}, {0, 0, 2, 17 / 48.0}, {3, 0, 1, 33 / 48.0},
                {1, 3, 0, 43 / 48.0}, {1, 3, 1, 39 / 48.0}, {1, 3, 2, 35 / 48.0}, {7, 2, 2, 17 / 48.0}};
-  // The eye is up to 130 mm from the middle. In single precision, its position is exact to 1e-5 mm. The views are spread over
-  // 240 mm.
+  // Tolerance of v. The eye is up to 130 mm from the middle, and single precision gives its position with an error of 1e-5 mm.
+  // The views are spread over 240 mm, so the error of v is about 1e-5 / 240.
   constexpr double kView = 1e-6;
   for (const auto& [i, j, color, v] : table) {
     const Vec2f centre(3 * i + color + 0.5f, j + 0.5f);

@@ -14,8 +14,8 @@ namespace {
 using test::at_depth;
 using test::OpticsSampler;
 
-/// Returns a step in pixels. It leads from the pixel with this ray to the pixel whose ray passes through `wanted`, if both
-/// pixels are below the same lens or in the same view.
+/// Returns the step, in pixels, from the pixel with the ray `ray` to the pixel whose ray passes through `wanted`. Both pixels
+/// must be below the same lens or in the same view.
 Vec2f pixel_step(const Optics& optics, const Ray& ray, Vec3f wanted) {
   const Vec3f passed = at_depth(ray, wanted.z), at_z0 = at_depth(ray, 0.0f);
   const float m = optics.panel.pixel_pitch_mm / sub_pixels_per_pixel(optics), z = wanted.z;
@@ -29,8 +29,8 @@ Vec2f pixel_step(const Optics& optics, const Ray& ray, Vec3f wanted) {
   if (const auto* a = std::get_if<MicrolensArray>(&optics.model))
     return Vec2f(-miss.x, miss.y) * (a->gap_mm / (a->parallax * z * m));
   if (const auto* p = std::get_if<SlantedPanel>(&optics.model)) {
-    // A step of one row up moves the eye and the point where the ray meets the panel. The step across then corrects x,
-    // including the change caused by the step up.
+    // First, a step `dy` along the column corrects y. It also moves the eye to which the ray points. Then a step `dx` along the
+    // row corrects x, including the effect of `dy`.
     const float shrink = 1.0f - z / p->distance_mm, pitch = film_size(optics).x / static_cast<float>(p->periods) * m;
     // follows from x(z) = x(0) (1 - z / D) + eye z / D, where D is the viewing distance
     const float eye = (passed.x - at_z0.x * shrink) * p->distance_mm / z;
@@ -80,9 +80,9 @@ bool contains(const std::vector<Vec2f>& pixels, Vec2f p) {
   return std::any_of(pixels.begin(), pixels.end(), [p](Vec2f q) { return glm::distance(p, q) < 0.03f; });
 }
 
-/// Returns the distance in pixels from the edge of a cell, a tile or the panel below which points are not compared, because
-/// rounding decides on which side they are. For slanted panels the distance is larger, because the first step of the search has
-/// an error.
+/// Returns a distance in pixels. Points nearer to the edge of a cell, a tile or the panel are not compared, because rounding
+/// decides on which side of the edge they are. The distance is larger for slanted panels, because the steps of their search are
+/// less exact.
 float edge_px(const Optics& optics) { return std::holds_alternative<SlantedPanel>(optics.model) ? 0.05f : 0.02f; }
 
 bool near_an_edge(const Optics& optics, const RayGenerator& generator, Vec2f p, Vec3f point) {

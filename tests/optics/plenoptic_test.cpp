@@ -15,12 +15,12 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Returns a camera with the focal length f = 100 mm that is focused at Zf = 300 mm.
-/// Distance of the array behind the main lens: t = s = 1 / (1 / 100 - 1 / 300) = 150 mm. The plane in focus, z = 0, is Zf / s =
-/// 2 times as large as its image.
-/// Gap between array and sensor: b = 1.5 mm, so t / b = 100.
-/// The 10 x 10 lenses have a pitch of 0.1 mm. Their images are 0.1 (1 + 1.5 / 150) = 0.101 mm apart, which is 10 pixels of
-/// 0.0101 mm.
+/// Returns a camera with the focal length f = 100 mm that is focused at the distance Zf = 300 mm.
+/// The array is s = 1 / (1 / 100 - 1 / 300) = 150 mm behind the main lens. The plane in focus, z = 0, is Zf / s = 2 times as
+/// large as its image on the array.
+/// The gap between array and sensor is b = 1.5 mm, so s / b = 100.
+/// The 10 x 10 lenses have a pitch of 0.1 mm. Their images on the sensor are 0.1 (1 + 1.5 / 150) = 0.101 mm apart, which is 10
+/// pixels of 0.0101 mm.
 PlenopticCamera some_camera() {
   return {.lens_pitch_mm = 0.1f,
           .gap_mm = 1.5f,
@@ -45,14 +45,14 @@ void expect_at(Vec2d place, Vec2d expected, double tolerance = 1e-4) {
   EXPECT_NEAR(place.y, expected.y, tolerance);
 }
 
-/// The lens at l = (0.05, 0.05) mm has an image whose middle is at pixel coordinates (55, 45). Pixel (57.5, 42.5) is 2.5 pixels
-/// to the right of the middle and 2.5 pixels above it. The ray meets the main lens at A = 2.5 * 0.0101 * t / b = 2.525 mm, and
-/// the plane in focus at 2 l = 0.1 mm.
+/// The image of the lens at l = (0.05, 0.05) mm is centred at the pixel coordinates (55, 45). Pixel (57.5, 42.5) is 2.5 pixels
+/// of 0.0101 mm to the right of this centre and 2.5 pixels above it. Its ray meets the main lens at A = 2.5 * 0.0101 * 150 /
+/// 1.5 = 2.525 mm in x and y, and the plane in focus at 2 l = 0.1 mm.
 TEST(Plenoptic, rays_cross_main_lens_and_focus) {
   const Optics optics = optics_of(some_camera());
   expect_at(place_at(optics, {57.5f, 42.5f}, 0.0), {2.525, 2.525});
   expect_at(place_at(optics, {57.5f, 42.5f}, 300.0), {0.1, 0.1});
-  // At twice the focus distance: A (1 - 600 / 300) + l * 600 / s = -2.525 + 0.05 * 600 / 150 = -2.325 mm.
+  // At twice the focus distance, the ray is at A (1 - 600 / 300) + l * 600 / 150 = -2.525 + 0.05 * 4 = -2.325 mm.
   expect_at(place_at(optics, {57.5f, 42.5f}, 600.0), {-2.325, -2.325});
 }
 
@@ -76,8 +76,9 @@ TEST(Plenoptic, rays_beside_the_aperture_are_blocked) {
   EXPECT_FALSE(is_blocked({.panel = {8, 8, 0.1f}, .model = SingleView{}}, {0.5f, 0.5f}));
 }
 
-/// With the f-number f b / (t cell) = 100 / (100 * 0.101) = 100 / 10.1, the images of the aperture below neighbouring lenses
-/// touch. Each image is a disc with a diameter of 10 pixels, which contains 80 of 100 pixel centres.
+/// If the f-number is f b / (s c), the images of the aperture below neighbouring lenses touch. f is the focal length, s / b =
+/// 100 the ratio of distance and gap of the array, and c = 0.101 mm the distance between the images. Here it is 100 / (100 *
+/// 0.101) = 100 / 10.1. Each image is a disc with a diameter of 10 pixels, which contains 80 of 100 pixel centres.
 TEST(Plenoptic, equal_f_numbers_fill_the_cells) {
   PlenopticCamera camera = some_camera();
   camera.f_number = 100.0f / 10.1f;
@@ -88,8 +89,9 @@ TEST(Plenoptic, equal_f_numbers_fill_the_cells) {
   EXPECT_EQ(lit, 100 * 80);
 }
 
-/// Seen through the point A of the main lens, a point at the position X and the distance Z appears at l = s (X / Z + A (1 / Zf
-/// - 1 / Z)) on the array. The loop compares this l with the lens through which the ray runs.
+/// A point at the position X and the distance Z, seen through the point A of the main lens, appears on the lens array at l = s
+/// (X / Z + A (1 / Zf - 1 / Z)). s is the distance of the array, and Zf the distance in focus. The loop compares l with the
+/// lens through which the ray runs.
 TEST(Plenoptic, parallax_is_that_of_thin_lenses) {
   PlenopticCamera camera = some_camera();
   camera.distance_mm = 2000.0f;
@@ -102,9 +104,9 @@ TEST(Plenoptic, parallax_is_that_of_thin_lenses) {
   }
 }
 
-/// In a focused plenoptic camera, the main lens's image of the point 2 I in the plane z = 0 is at I, e = 3 mm in front of the
-/// array. A lens at l projects this image to l + (l - I) b / e on the sensor. Below neighbouring lenses, the projections are
-/// 0.1 * 1.5 / 3 mm farther apart than the lenses.
+/// In a focused plenoptic camera, the main lens projects the plane z = 0 to a plane that is e = 3 mm in front of the lens
+/// array. The point 2 I has its image at I. A lens at l projects this image to l + (l - I) b / e on the sensor, with the gap b
+/// = 1.5 mm. So each lens shows the point again.
 TEST(Plenoptic, focused_camera_repeats_points_below_lenses) {
   PlenopticCamera camera = some_camera();
   camera.array_shift_mm = 3.0f;
@@ -188,19 +190,22 @@ TEST(Plenoptic, parameters_make_a_camera) {
   OpticsParams params;
   const PlenopticCamera matched = camera_of(params);
   EXPECT_EQ(matched.f_number, 2.0f);
-  // Cells are 10 pixels of 0.1 mm = 1 mm wide, N = 2, and the plane in focus is at 1000 mm.
-  // Gap: b = 1 * 2 (1 + 50 / 1000) / (1 + 2 / 1000). Distance of the array: s = 50 - b. Focal length: f = 1 / (1 / s + 1 /
-  // 1000).
-  // With this gap, the images below neighbouring lenses touch: b = N s / f.
+  // Expected values. Cells are c = 10 pixels of 0.1 mm = 1 mm wide, the f-number is N = 2, and the plane in focus is at 1000
+  // mm.
+  // Gap: b = c N (1 + 50 / 1000) / (1 + c N / 1000) = 2.0958 mm. Distance of the array: s = 50 mm - b. Focal length: f = 1 / (1
+  // / s + 1 / 1000).
+  // With this gap, the images below neighbouring lenses touch: b = N s c / f.
   EXPECT_NEAR(matched.gap_mm, 2.095808f, 1e-5f);
   EXPECT_NEAR(matched.focal_length_mm, 45.7143f, 1e-3f);
   EXPECT_NEAR(2.0f * (50.0f - matched.gap_mm) / matched.focal_length_mm, matched.gap_mm, 1e-5f);
   params.gap_mm = 1.0f;
-  // With a gap of 1 mm, s = 49 mm, f = 46.711 mm and N = f b / s.
+  // With a gap of b = 1 mm, the array is at s = 49 mm, the focal length is f = 46.711 mm and the f-number is f b / (s c), with
+  // cells of c = 1 mm.
   EXPECT_NEAR(camera_of(params).focal_length_mm, 46.71115f, 1e-3f);
   EXPECT_NEAR(camera_of(params).f_number, 46.71115f / 49.0f, 1e-5f);
   EXPECT_EQ(camera_of(params, 4.0f).f_number, 4.0f);
-  params.lens_focal_length_mm = 0.75f;  // 1 / e = 1 / 0.75 - 1 / gap, so e = 3 mm
+  // The array is shifted by e, where 1 / e = 1 / 0.75 - 1 / gap. With a gap of 1 mm, e = 3 mm.
+  params.lens_focal_length_mm = 0.75f;
   EXPECT_NEAR(camera_of(params).array_shift_mm, 3.0f, 1e-5f);
   params.lens_focal_length_mm = 1.25f;
   EXPECT_NEAR(camera_of(params).array_shift_mm, -5.0f, 1e-5f);
@@ -215,7 +220,7 @@ TEST(Plenoptic, parameters_without_a_camera_are_refused) {
   params = {};
   params.gap_mm = 60.0f;
   EXPECT_THAT(test::error_message([&] { camera_of(params); }), HasSubstr("gap"));
-  // The aperture is 46 / 8 mm wide. Its image below a lens is 0.1 / 50 times as large, an eighth of a pixel.
+  // The aperture is 46 mm / 8 wide. Its image below a lens is 0.1 / 50 times as wide: an eighth of a pixel, which is too small.
   params.gap_mm = 0.1f;
   EXPECT_THAT(test::error_message([&] { camera_of(params, 8.0f); }), HasSubstr("f-number: is 8: the image below each"));
 }

@@ -109,7 +109,8 @@ TEST_P(RoundTrip, z_front_does_not_change_the_line) {
       const Vec2f pixel(random.uniform(0.0f, film_size(near).x), random.uniform(0.0f, near.panel.height));
       const Ray a = ray_of_pixel(near, pixel), b = ray_of_pixel(far, pixel);
       EXPECT_EQ(a.direction, b.direction);
-      // Positions of up to 1000 mm and directions over 140 mm have a relative rounding error of 6e-8.
+      // Tolerance for rounding: the positions are up to 1000 mm, and an error of the direction acts over 140 mm. Both have
+      // relative errors of 6e-8.
       EXPECT_LT(glm::distance(test::at_depth(b, 10.0f), a.origin), 5e-4f);
     }
   }

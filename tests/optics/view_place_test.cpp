@@ -60,8 +60,8 @@ TEST(ViewPlace, neighbours_are_one_sample_apart) {
   }
 }
 
-// The viewer is 100 mm in front of the lenses, and the panel is 2 mm behind them. Projected onto the plane of the lenses, rows
-// of pixels are 100 / 102 of their distance apart. The positions in a view are counted in rows.
+// The viewer is 100 mm in front of the lenses, and the panel is 2 mm behind them. Seen by the viewer through the plane of the
+// lenses, rows of pixels are 100 / 102 of the pixel pitch apart there. A view has one sample per row.
 TEST(ViewPlace, sheet_rows_meet_at_the_viewer) {
   const Optics sheet{{64, 50, 0.0625f}, LenticularSheet{.gap_mm = 2.0f, .viewing_distance_mm = 100.0f}};
   const Vec2f a = own_place(sheet, {20.5f, 10.5f}), b = own_place(sheet, {20.5f, 40.5f});
