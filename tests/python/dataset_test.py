@@ -57,8 +57,8 @@ class Dataset(Case):
             there = np.round(x - disparity).astype(int)
             inside = (there >= 0) & (there < 32)
             same = ids[1][y, np.clip(there, 0, 31)] == ids[0]
-            # The threshold allows for pixels at silhouettes. The next view may not show them, or rounding may move them
-            # to a neighbour.
+            # The threshold allows for pixels at silhouettes. The next view may not show the surface
+            # there, or rounding may move it to a neighbouring pixel.
             self.assertGreater(same[inside].mean(), 0.9)
 
     def test_units_equal_one_run(self):
