@@ -52,8 +52,8 @@ TEST(EyeView, slanted_and_hexagonal_lenses_equal_direct_view) {
     const ThreadPool pool(1);
     const EyeSampler sampler(panel, SampleFilter::kLinear);
     for (int k = -8; k <= 8; ++k) {
-      // Tests the points at lens centres. Lens axes of the slanted sheet are at xi = (k + 1/2) pitch, on the line y = 1.3. The
-      // hexagonal lenses are in the row of lens (0, 0).
+      // Compare at points on lens axes. For the slanted sheet, these are the points with y = 1.3 mm on the axes (k + 1/2)
+      // pitch. For the hexagonal lenses, they are the lens centres in the row of lens (0, 0).
       const auto* s = std::get_if<LenticularSheet>(&optics.model);
       const float pitch = s ? s->lens_pitch_mm : std::get<MicrolensArray>(optics.model).lens_pitch_mm;
       const Vec2d at =
@@ -66,8 +66,8 @@ TEST(EyeView, slanted_and_hexagonal_lenses_equal_direct_view) {
   }
 }
 
-// At the depth z, a pixel is enlarged to |z| m / g, where m is its width and g the gap. The relative error of a wave of 1
-// rad/mm is about the square of this width in mm, divided by 8.
+// At the depth z, a pixel of width m is magnified to w = |z| m / g, where g is the gap. The relative error of a wave of 1
+// rad/mm is about w^2 / 8, with w in mm.
 TEST(EyeView, error_grows_with_depth_within_magnified_pixel) {
   const Vec3d eye(6, 0, 100);
   for (const Optics& optics : {test::sheet(100.0f), test::lenslets(100.0f)}) {

@@ -86,8 +86,8 @@ TEST(LensInterlace, pixel_shows_the_sample_at_its_lens) {
   const Image16 picture =
       behind_lenses(coded(sheet_of_ten(), [](int, int x, int y) { return 1000 * x + 10 * y; }), sheet_of_ten());
   const double cell = cell_mm();
-  // The viewer sees the panel through a window in the plane of the lenses, which is narrower by the factor V / (V + g). The ten
-  // samples of a view fill this window.
+  // The viewer at the distance V = 1000 mm sees the panel through a window in the plane of the lenses. With the gap g, the
+  // window is V / (V + g) times as wide as the panel. The ten samples of a view fill this window.
   const double window = 80.0 * 1000.0 / (1000.0 + gap_mm());
   for (int i = 0; i < 80; ++i) {
     const double lens = 8.0 * (std::floor((i + 0.5 - 40.0) / cell) + 0.5);

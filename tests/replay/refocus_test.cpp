@@ -26,8 +26,8 @@ double depth_of_peak(const RenderedPanel& panel, double step, int count) {
   return depth;
 }
 
-// Depth step in mm. A step dz changes the shift of the outermost views by half a lens: (N m / 2) dz / g = p / 2, where N m = p,
-// because N pixels of the width m lie below a lens of the pitch p. The step is therefore the gap, dz = g = 2 mm.
+// Depth step in mm. N pixels of width m lie below a lens of pitch p = N m, and g is the gap. A depth step dz changes the shift
+// of the outermost views by (p / 2) dz / g. This is half a lens if dz = g = 2 mm.
 constexpr double kStep = 2.0;
 
 /// Tests 10 depths behind the display and 10 in front of it. Nearer than 2 g, only one lens sees the point, and the depth of a

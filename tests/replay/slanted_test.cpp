@@ -45,8 +45,9 @@ Image view_from(const RenderedPanel& panel, Vec3d eye_mm) {
   return eye_view(panel, view, pool);
 }
 
-// All sub-pixels below a lens show the same position, which is up to a lens width of 1.6 mm beside the point. The largest error
-// is 0.4 * 0.2 * 0.8 = 0.06, which is 24 dB. The mean error is half of it.
+// All sub-pixels below a lens show the same position. It is up to half a lens width of 1.6 mm, 0.8 mm, beside the correct
+// point. The largest error is 0.4 * 0.2 * 0.8 = 0.06 (amplitude, rad/mm, mm), which is 24 dB. The mean error is half of it,
+// which is 30 dB.
 TEST(SlantedSight, scenes_equal_direct_views_within_a_lens) {
   const Optics optics = slanted_panel();
   for (const double z : {-8.0, 0.0, 8.0}) {
