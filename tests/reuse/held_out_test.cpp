@@ -20,7 +20,8 @@ TEST(HeldOut, levels_follow_uncertainty) {
 }
 
 TEST(HeldOut, every_run_of_a_level_gives_one_patch) {
-  // Patches alternate between two levels of uncertainty. One of 30 patches is held out.
+  // Patches alternate between two levels of uncertainty. hold_out() draws one of 30 patches, which is then traced to measure
+  // the error.
   std::vector<std::uint8_t> uncertainty(12000);
   for (std::size_t p = 0; p < uncertainty.size(); ++p) uncertainty[p] = p % 2 ? 30 : 0;
   ASSERT_EQ(patches_per_sample(uncertainty.size()), 30u);
@@ -30,7 +31,7 @@ TEST(HeldOut, every_run_of_a_level_gives_one_patch) {
   for (std::size_t i = 0; i < held_out.patches.size(); ++i) {
     const std::uint32_t patch = held_out.patches[i], odd = patch % 2;
     EXPECT_EQ(held_out.levels[i], level_of(uncertainty[patch]));
-    // every second patch belongs to this level, so 30 patches of the level are spread over 60 patches
+    // Every second patch belongs to this level, so one of 60 patches in a row is drawn for the level.
     EXPECT_EQ(patch / 60, drawn[odd]++);
   }
   EXPECT_EQ(held_out.population[0], 6000u);
@@ -72,11 +73,12 @@ TEST(HeldOut, errors_are_weighted_by_untraced_patches) {
   EXPECT_NEAR(errors[0].mse, 96.0 / 150.0 * 1.25, 1e-12);
   EXPECT_NEAR(errors[1].mse, errors[0].mse, 1e-12);
   EXPECT_NEAR(errors[2].mse, errors[0].mse + 48.0 / 150.0 * 300.0, 1e-12);
-  // Upper bound of level 0. Weight of a sample: w = 96 / (150 * 4) = 0.16. Sum of squared deviations: 25 - 4 (5/4)^2 = 18.75.
-  // The bound adds a sample that was not drawn, with the smallest assumed error of 12^2 = 144.
+  // Upper bound of level 0, at 2.326 standard deviations. Each of its 4 samples has the weight w = 96 / (150 * 4) = 0.16. Their
+  // squared deviations sum to 25 - 4 (5/4)^2 = 18.75. The bound adds a sample that was not drawn, with the smallest assumed
+  // squared error, 12^2 = 144.
   const double w = 0.16, not_drawn = w * 144.0;
   EXPECT_NEAR(errors[0].bound, 0.8 + not_drawn + 2.326 * std::sqrt(w * w * 18.75 + not_drawn * not_drawn), 1e-9);
-  // Upper bound of both levels. The sample that was not drawn has the largest known error, 400.
+  // Upper bound of levels 0 and 2 together. The sample that was not drawn has the largest known squared error, 400.
   const double both = w * 400.0;
   EXPECT_NEAR(errors[2].bound, errors[2].mse + both + 2.326 * std::sqrt(w * w * (18.75 + 20000.0) + both * both), 1e-9);
 }

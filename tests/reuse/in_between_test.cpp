@@ -164,8 +164,8 @@ TEST(InBetween, colours_are_weighted_by_nearness_in_time) {
   const PointImage a = animation.traced(0.0), b = animation.traced(1.0);
   for (const float time : {0.25f, 0.5f}) {
     const PointImage frame = animation.made(a, b, time);
-    // At time 0.25, nearness in time alone would give the following frame the weight 0.25. The used weight is 0.7 of the way
-    // from 0.5 to it: 0.5 + 0.7 (0.25 - 0.5) = 0.325.
+    // By nearness in time alone, the following frame would have the weight 0.25 at time 0.25. Only 0.7 of the distance from
+    // equal weights is used: 0.5 + 0.7 (0.25 - 0.5) = 0.325.
     const float weight = time == 0.5f ? 0.5f : 0.325f;
     for (std::size_t k = 0; k < frame.film.data.size(); ++k)
       ASSERT_FLOAT_EQ(frame.film.data[k], (1 - weight) * a.film.data[k] + weight * b.film.data[k]);

@@ -49,7 +49,8 @@ bool same_lens(const Optics& optics, Vec2f a, Vec2f b) {
 }
 
 Place seen_below_lens(const Optics& optics, Vec2f from, Vec3f point) {
-  // Uses a larger panel, because the image may lie just outside of the panel if its edge cuts the cell.
+  // Search a panel with a margin. Where the panel's edge cuts a cell, the image of the point in that cell may lie outside of
+  // the panel.
   constexpr float kMargin = 8.0f;
   Optics wide = optics;
   wide.z_front_mm = resolved_z_front_mm(optics);
@@ -61,7 +62,7 @@ Place seen_below_lens(const Optics& optics, Vec2f from, Vec3f point) {
     if (!same_lens(wide, p, from + kMargin)) continue;
     const Vec2f place = p - kMargin;
     if (!sheet) return place;
-    // A pixel of a sheet shows points of its whole row. Moves along the lens axis to the centre of the row.
+    // A pixel of a sheet shows points of its whole row, so move the place along the lens axis to the centre of the row.
     const float row = std::floor(place.y) + 0.5f;
     return glm::dvec2(place.x + (row - place.y) * std::tan(sheet->slant), row);
   }
@@ -114,8 +115,8 @@ glm::dvec2 nearest_lens(const Lattice& lattice, glm::dvec2 p) {
   return best;
 }
 
-/// Returns a position with the same offset from the centre of its cell as `from` has. Of all lenses, its lens is the one whose
-/// ray with this offset passes nearest to the point.
+/// Returns the position that shows the point in the view of `from`. In its cell, this position has the same offset from the
+/// cell's centre as `from`. Of all such positions, its ray passes nearest to the point.
 Place seen_in_lens_view(const Optics& optics, Vec2f from, Vec3f point) {
   const Lattice lattice = lattice_of(optics);
   const double m = optics.panel.pixel_pitch_mm, w = optics.panel.width, h = optics.panel.height;
@@ -131,8 +132,9 @@ Place seen_in_lens_view(const Optics& optics, Vec2f from, Vec3f point) {
     p = {p.x * cosine + p.y * sine, 0.0};
   }
   const auto cell_centre = [&](glm::dvec2 lens) { return lens + (lens - lattice.eye) * (lattice.spread - 1.0); };
-  // Finds the lens above the pixel, whose cell centre is nearest to the pixel. A pixel at the offset o has a ray with the slope
-  // -parallax o/g - (l - e)/V, where l is the lens and e the eye.
+  // Find the lens above the pixel, whose cell centre is nearest to the pixel. At the offset o from the cell centre, the ray has
+  // the slope -parallax o / gap - (l - e) / V. l is the position of the lens, e the point to which the cells converge, and V
+  // the viewing distance.
   const glm::dvec2 own = nearest_lens(lattice, (panel_mm + lattice.eye * (lattice.spread - 1.0)) / lattice.spread);
   const glm::dvec2 o = panel_mm - cell_centre(own);
   const glm::dvec2 through = (p + (parallax * o / gap - lattice.eye * vergence) * double{point.z}) / from_eye;
@@ -191,8 +193,8 @@ std::optional<std::uint32_t> pixel_at(const Optics& optics, const Place& place) 
 /// Returns whether the coordinate is less than 1e-3 pixel from a pixel edge.
 bool is_on_pixel_edge(double place) { return std::abs(place - std::round(place)) < 1e-3; }
 
-/// Returns whether rounding can change the pixel. It can if moving the point by a thousandth of a pixel's footprint changes the
-/// pixel.
+/// Returns whether rounding can change the expected pixel: whether a shift of the point by a thousandth of a pixel's footprint
+/// changes it.
 bool is_close_call(const Optics& optics, SplatMode mode, Vec2f from, Vec3f point) {
   const Vec2f footprint = sample_footprint_mm(optics, point.z);
   const float step = 1e-3f * std::min(footprint.x, optics.panel.pixel_pitch_mm);
@@ -205,8 +207,8 @@ bool is_close_call(const Optics& optics, SplatMode mode, Vec2f from, Vec3f point
 }
 
 /// Returns whether `landed` is an acceptable result for the position `place` in the cell of `lens`. At the edge of a cell, the
-/// position may lie in a pixel whose centre belongs to the neighbouring cell. Then no pixel is acceptable, and so is a pixel of
-/// the lens's own cell within 1.5 pixels.
+/// position may lie in a pixel whose centre belongs to the neighbouring cell. In this case, two results are acceptable: none,
+/// or a pixel of the lens's own cell at most 1.5 pixels away.
 bool is_own_neighbour(const Optics& optics, glm::dvec2 place, glm::dvec2 lens, std::optional<std::uint32_t> landed) {
   if (!landed) return true;
   const Vec2f centre = centre_of(optics, *landed);
@@ -237,8 +239,8 @@ void check(const Optics& optics, SplatMode mode, OpticsSampler& random) {
          << ", landed on " << (landed ? std::to_string(*landed) : "nothing") << ", expected ";
     (place ? what << place->x << " " << place->y : what << "nothing");
     ASSERT_TRUE(place && lenses) << what.str();
-    // Finds the lens that must show the point. With kLens it is the lens above the original pixel. With kView it is the lens
-    // above the expected position.
+    // Find the lens below which the point must land: with kLens the lens above the original pixel, with kView the lens above
+    // the expected position.
     const Vec2f floor_centre(std::floor(place->x) + 0.5, std::floor(place->y) + 0.5);
     const glm::dvec2 lens = mode == SplatMode::kLens ? lens_above(optics, from) : lens_above(optics, Vec2f(*place));
     EXPECT_TRUE(glm::distance(lens_above(optics, floor_centre), lens) > 0.25 * lens_pitch(optics) || !on_panel(optics, *place))
@@ -309,8 +311,8 @@ TEST(Landing, slanted_panels_keep_the_direction) {
       ++seen;
       const Vec2f centre = centre_of(optics, *landed);
       const Vec3f place = at_depth(ray_of_pixel(optics, centre), 0.0f);
-      // Tolerance in y: half a row and rounding. Tolerance in x: half a lens and half a sub-pixel. Tolerance of the view: half
-      // of the step between sub-pixels, where the first view follows the last.
+      // Tolerances. y: half a row and rounding. x: half a lens and half a sub-pixel. View: half of the step from sub-pixel to
+      // sub-pixel. Differences by a whole view cone are ignored, because the views repeat from lens to lens.
       const double pitch = optics.panel.pixel_pitch_mm / 3.0;
       EXPECT_LE(std::abs(place.y - in_plane.y), 1.51 * pitch);
       EXPECT_LE(std::abs(place.x - in_plane.x), (0.5 * sub_pixels + 0.51) * pitch);

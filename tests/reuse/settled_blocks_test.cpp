@@ -17,8 +17,8 @@ SettledBlocks planner(std::optional<int> every = {}) {
   return {nothing, -1, every};
 }
 
-/// Returns blocks of one ray each. The horizons are 2, 4, 8, 16, 32 and 64 frames. A block with the lowest horizon h must be
-/// traced from frame 2^h on.
+/// Returns blocks of one ray each. Horizon h is 2^(h+1) frames long. `lowest_horizon` contains, for each block, the first h in
+/// which something moving meets the block. The block must be traced from frame 2^h on.
 TouchedBlocks blocks_with(const std::vector<std::uint8_t>& lowest_horizon) {
   return {{}, lowest_horizon, std::vector<std::uint32_t>(lowest_horizon.size(), 1)};
 }

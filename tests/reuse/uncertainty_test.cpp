@@ -41,7 +41,8 @@ TEST(Uncertainty, disagreement_spreads_to_neighbours) {
   Case c;
   Case::paint(c.following, pixel(5, 3), 40.0f / 255.0f);
   const auto uncertainty = c.uncertainty();
-  // 40 is the difference of the pixel itself; 20 is half of the largest difference around it, which is also its own
+  // The first 40 is the pixel's own difference. The 20 is half of the largest difference in its neighbourhood, which includes
+  // the pixel itself.
   EXPECT_EQ(uncertainty[pixel(5, 3)], 40 + 20);
   EXPECT_EQ(uncertainty[pixel(6, 3)], 20 + 20);  // 20 as a neighbour in the view, and 20 as an adjacent pixel of the panel
   EXPECT_EQ(uncertainty[pixel(5, 4)], 20);
