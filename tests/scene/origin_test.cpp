@@ -54,7 +54,7 @@ std::string obj_at(Vec3d place) {
   return text + "f 1 2 3\nf 1 2 4\n";
 }
 
-/// Returns a file of one splat at place + kCorners[0]. In the file, z or -y points up.
+/// Returns a file of one splat at place + kCorners[0]. In the file, z points up if `z_up` is true, and -y otherwise.
 std::string splat_at(Vec3d place, bool z_up) {
   const Vec3d at = place + kCorners[0], in_file = z_up ? Vec3d(at.x, -at.z, at.y) : Vec3d(at.x, -at.y, -at.z);
   return fmt::format(

@@ -27,8 +27,8 @@ CameraFrame frame_of(const Scene& scene, double time = 0.0) {
   return {world_from_camera.translation, axis({1, 0, 0}), axis({0, 1, 0}), axis({0, 0, -1})};
 }
 
-/// Tachyon: view = +z, up = +y, right = up x view = +x.
-/// Mirrored in z: view = -z, up = +y, right = view x up = +x.
+/// In Tachyon's left-handed axes, view = +z, up = +y and right = cross(up, view) = +x. The reader mirrors z: view = -z, up =
+/// +y, right = cross(view, up) = +x.
 TEST_F(Tachyon, camera_along_z_looks_along_minus_z) {
   const Scene scene = files.load_statements(camera("CENTER 1 2 3 VIEWDIR 0 0 1 UPDIR 0 1 0"));
   const CameraFrame frame = frame_of(scene);
@@ -38,8 +38,8 @@ TEST_F(Tachyon, camera_along_z_looks_along_minus_z) {
   EXPECT_EQ(xyz(frame.forward), (std::array{0.0f, 0.0f, -1.0f}));
 }
 
-/// Tachyon: view = +x, up = +z, right = up x view = z x x = +y.
-/// Mirrored in z: view = +x, up = -z, right = view x up = x x (-z) = +y.
+/// In Tachyon's left-handed axes, view = +x, up = +z and right = cross(up, view) = +y. The reader mirrors z: view = +x, up =
+/// -z, right = cross(view, up) = +y.
 TEST_F(Tachyon, camera_right_is_tachyon_s_right_mirrored) {
   const CameraFrame frame = frame_of(files.load_statements(camera("CENTER 0 0 0 VIEWDIR 3 0 0 UPDIR 0 0 2")));
   EXPECT_EQ(xyz(frame.right), (std::array{0.0f, 1.0f, 0.0f}));
@@ -53,8 +53,9 @@ TEST_F(Tachyon, up_is_made_orthogonal_to_view) {
   EXPECT_EQ(xyz(frame.up), (std::array{0.0f, 1.0f, 0.0f}));
 }
 
-/// Tachyon's first column samples one pixel to the right of the left edge; the centre of our pixel 0 is half a pixel to the
-/// right of it. Tachyon's bottom row samples one pixel above the bottom edge, half a pixel above our centre.
+/// Tachyon's leftmost column samples points one pixel to the right of the picture's left edge. They are half a pixel to the
+/// right of the centres of our leftmost pixels. Tachyon's bottom row samples points one pixel above the bottom edge, half a
+/// pixel above the centres of our bottom row.
 TEST_F(Tachyon, pixel_offset_is_half_right_and_up) {
   const Scene scene = files.load_statements("");
   EXPECT_EQ(scene.cameras[0].pixel_offset.x, 0.5f);
@@ -198,8 +199,8 @@ TEST_F(Tachyon, depth_of_field_is_ignored) {
   EXPECT_THAT(files.warnings, ElementsAre(HasSubstr("the depth of field of PERSPECTIVE_DOF is left out")));
 }
 
-/// The range of heights, -1 to 3, has its middle at the height of the camera, 1. Its ends are half a picture height away from
-/// the middle, so the assumed viewer sees them at 22.5 degrees.
+/// The gradient covers the heights -1 to 3. The camera is at the height 1, in the middle. Both ends of the gradient are half a
+/// picture height away from it, and the assumed viewer sees them at 22.5 degrees.
 TEST_F(Tachyon, orthographic_gradient_becomes_directions) {
   const Scene scene = files.load_statements(
       camera("CENTER 0 1 0 VIEWDIR 0 0 1 UPDIR 0 1 0", "PROJECTION ORTHOGRAPHIC ZOOM 0.25") +
@@ -233,7 +234,8 @@ TEST_F(Tachyon, light_without_attenuation_does_not_fade) {
   EXPECT_EQ(xyz(scene.lights[0].attenuation), (std::array{1.0f, 0.0f, 0.0f}));
 }
 
-/// d.UPDIR = TOPVAL = 1.5 where the direction's component along UPDIR is 1.5 / |UPDIR| = 0.75.
+/// The top colour is reached where dot(direction, UPDIR) = TOPVAL = 1.5. As |UPDIR| = 2, the component along UPDIR is 1.5 / 2 =
+/// 0.75 there.
 TEST_F(Tachyon, gradient_overrides_background) {
   const Scene scene = files.load_statements(
       "BACKGROUND_GRADIENT SKY_SPHERE UPDIR 0 0 2 TOPVAL 1.5 BOTTOMVAL -1 TOPCOLOR 0 0 1 BOTTOMCOLOR 1 0 0 BACKGROUND 1 1 1");

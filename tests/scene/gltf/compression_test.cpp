@@ -47,8 +47,8 @@ Packed pack_vertices(const void* values, std::size_t count, std::size_t stride) 
   return packed;
 }
 
-/// Replaces the bytes of a buffer view by compressed ones. The view then refers to a second buffer, which has no data: it
-/// stands for the uncompressed copy for readers without the extension.
+/// Replaces the bytes of a buffer view by compressed bytes. The view itself then refers to buffer 1. This buffer has no data;
+/// it stands for an uncompressed copy that readers without the extension could use.
 void pack_view(GltfBuilder& b, int view, const Packed& packed, std::size_t count, std::size_t stride, const char* mode,
                const char* filter = "NONE") {
   const int source = b.add_view(packed);
@@ -64,7 +64,7 @@ void pack_view(GltfBuilder& b, int view, const Packed& packed, std::size_t count
                                                      {"filter", filter}};
 }
 
-/// Returns the whole file. Its second buffer is the one without data.
+/// Returns the whole file, including buffer 1, which pack_view() refers to and which has no data.
 test::Contents with_fallback(const GltfBuilder& b) {
   Json root = b.document();
   root["buffers"].push_back({{"byteLength", 1'000'000}, {"extensions", {{"EXT_meshopt_compression", {{"fallback", true}}}}}});

@@ -179,7 +179,7 @@ TEST(GltfMaterial, glossiness_alpha_becomes_roughness) {
                                                                                  {"specularGlossinessTexture", {{"index", 0}}}};
   const Scene scene = parse(b);
   const auto& s = std::get<MetallicRoughness>(scene.materials[0].surface);
-  EXPECT_EQ(s.roughness, 1.0f);  // the factor; the map contains the roughness
+  EXPECT_EQ(s.roughness, 1.0f);  // the factor is 1, because the map contains the roughness
   ASSERT_GE(s.metallic_roughness_map.texture, 0);
   const Texture& rough = scene.textures[static_cast<std::size_t>(s.metallic_roughness_map.texture)];
   EXPECT_EQ(rough.rgba[1], 102);  // 255 * (1 - 0.6)
@@ -410,7 +410,8 @@ TEST(GltfTexture, every_png_prefix_is_an_error) {
 
 TEST(GltfTexture, png_with_damaged_pixels_is_an_error) {
   std::vector<unsigned char> damaged = four_colours();
-  // -12: before the last chunk; -4: before the checksum of the pixels; -6: within the compressed pixels.
+  // Change the sixth byte from the end of the compressed pixels. They are followed by a checksum of 4 bytes and by the last
+  // chunk of 12 bytes.
   damaged[damaged.size() - 12 - 4 - 6] ^= 0xff;
   EXPECT_THAT(error_message([&] { parse(textured(damaged)); }), HasSubstr("a.glb: images[0]: cannot be read as a picture"));
 }
