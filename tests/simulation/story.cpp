@@ -48,7 +48,8 @@ struct Work {
 };
 
 using FolderFrame = std::pair<fs::path, int>;
-using FolderPart = std::pair<fs::path, int>;  ///< folder and number of a strip; parts_of() numbers the strips of all frames
+/// A folder, and the number of a strip among the strips of all frames (see parts_of()).
+using FolderPart = std::pair<fs::path, int>;
 
 /// While this object exists, the frame or strip counts as being written.
 class Making {
@@ -153,7 +154,7 @@ class Teller {
     folder.add_video(video, frames_);
   }
 
-  /// Imitates render_animation().
+  /// Does what render_animation() does to the folder, with a few bytes in place of each picture.
   RenderReport render(const Work& work) {
     const Context context;
     const RenderParams params = params_of(work);
@@ -204,7 +205,7 @@ class Teller {
     return true;
   }
 
-  /// Imitates joining the strips of a frame. Complains if a strip that would be joined has wrong bytes.
+  /// Reads the strips of a frame as joining does. Complains if a strip that would be joined has wrong bytes.
   void join_strips(int frame, const RenderFolder& folder) {
     finished_strips(folder, frame, strips_);
     for (int strip = 0; strip < strips_; ++strip) {
@@ -222,7 +223,8 @@ class Teller {
     if (strips_ == 1) return;
     forget_strips_of(folder, frame);
     remove_strips(folder, frame, strips_);
-    // another task may have finished a strip of this frame, but this strip has been removed too
+    // While remove_strips() ran, another task may have finished a strip of this frame. This strip has been removed too, so
+    // forget it.
     forget_strips_of(folder, frame);
   }
 
@@ -418,7 +420,7 @@ class Teller {
     return work.job == kJob ? static_cast<int>(random_.below(kMachines - 1)) : kMachines - 1;
   }
 
-  /// Runs the task, and often repeats it if it failed.
+  /// Runs the task. If it fails, usually queues it again, for up to four attempts.
   void attempt(Work work) {
     const bool is_done = try_to(work);
     if (++work.attempts < 4 && !is_done && !random_.once_in(4)) queue_.push_back(work);

@@ -10,7 +10,7 @@ namespace lippmann::test {
 struct Story {
   /// what went wrong, such as a wrong or lost frame or a folder that cannot be finished; empty on success
   std::string problem;
-  std::string log;  ///< events, for reading
+  std::string log;  ///< list of events, for people to read
   int frames = 0, runs = 0;
   std::uint64_t calls = 0;  ///< number of simulated system calls
 };

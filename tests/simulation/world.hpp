@@ -82,7 +82,7 @@ class World {
   std::uint64_t steps = 0, last_flip = 0;
   /// is called with a path, and returns whether a byte of this file may be damaged
   std::function<bool(const std::string&)> flips;
-  std::string log;  ///< failures that happened, for reading
+  std::string log;  ///< list of the failures that happened, for people to read
 
  private:
   void resume(Process& process);
