@@ -124,8 +124,7 @@ Camera& add_orthographic(Scene& scene, Vec3f position, float height) {
 TEST(FitArray, orthographic_cameras_frame_their_volume) {
   Scene scene;
   add_box(scene, Vec3f(-1), Vec3f(1));
-  // A perspective view that is as high as the orthographic view at the first box would show this box. The orthographic view
-  // does not show it.
+  // This box is outside of the orthographic view. A perspective view that is equally high at the first box would show it.
   add_box(scene, {4, -1, -90}, {5, 1, -30});
   add_orthographic(scene, {0.5f, 0, 20}, 3.0f);
   const FittedArray array = fit_array(scene);
@@ -148,7 +147,7 @@ TEST(FitArray, orthographic_height_ignores_position_and_focus) {
     EXPECT_NEAR(focused.plane_height, 3.0f, kRounding) << away;
     scene.cameras[0].focus_distance = 1.5f;
     EXPECT_NEAR(fit_array(scene).plane_height, 3.0f, kRounding) << away;
-    // The viewer is at the camera, but not so near that the vertical angle exceeds 45 degrees.
+    // The viewer would be at the camera, but is moved away so far that the picture is at most 45 degrees high.
     EXPECT_NEAR(fit_array(scene).viewing_distance, 1.5f / std::tan(radians(22.5f)), kRounding) << away;
   }
 }
@@ -238,7 +237,8 @@ Vec4f margins(const Scene& scene, const FittedArray& array, float aspect, Vec3f 
   return {1.0f + least.x, 1.0f - most.x, 1.0f + least.y, 1.0f - most.y};
 }
 
-// A flat plate is seen from above. Its near edge appears larger than its far edge. The picture is higher than necessary.
+// A flat plate is seen from above, so its near edge appears larger than its far edge. It must still be in the middle of the
+// picture.
 TEST(FitArray, scenes_without_cameras_are_centred) {
   const Vec3f lower(-4, 0, -4), upper(4, 0.5f, 4);
   Scene scene;
