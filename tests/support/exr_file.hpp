@@ -54,7 +54,7 @@ inline std::string exr_header(const ExrPart& part, bool several) {
     channels += name;
     channels += '\0';
     const int sampling = exr_sampling(part, name);
-    // sample type 2 is float; 0 means that the values are not linear
+    // each channel: its sample type (2: float), whether its values are perceptually linear (0: no), and its sampling in x and y
     for (const std::int32_t word : {2, 0, sampling, sampling}) channels += bytes_of_value(word);
   }
   channels += '\0';
