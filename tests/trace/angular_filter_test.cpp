@@ -59,9 +59,11 @@ TEST(AngularFilter, far_edges_become_ramps) {
   const Picture ramp = trace(edge_at(-20.0f), camera_row(), filtered(spp));
   for (int view = 0; view < kViews; ++view) {
     const double eye = kBaseline * (view - 2), place = 0.5 * kWidth + (0.5 * eye + 0.5 * 0.03) / kPitch;
-    // Tolerance of the place: 256 samples resolve a pixel's area to 2/256. The ramp has six pixels, so the error is at most
-    // 12/256 = 0.047. Tolerance of the variance: pixels at distance d from the middle count d times, 2 (2.5 + 1.5 + 0.5) 2/256
-    // = 0.07. The measured errors are less than half of these bounds.
+    // Tolerances: 256 samples resolve a pixel's area to 2/256.
+    // Place: the ramp has six pixels, so the error is at most 12/256 = 0.047.
+    // Variance: the error of a pixel counts d times, where d is its distance from the middle. The six pixels give 2 (2.5 + 1.5
+    // + 0.5) * 2/256 = 0.07.
+    // The measured errors are less than half of these bounds.
     EXPECT_NEAR(edge_in(sharp, view * kWidth, kWidth).place_px, place, 0.01) << view;
     EXPECT_NEAR(edge_in(ramp, view * kWidth, kWidth).place_px, place, 0.02) << view;
     EXPECT_LE(edge_in(sharp, view * kWidth, kWidth).variance_px2, 0.25 + 0.01)

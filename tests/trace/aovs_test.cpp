@@ -132,7 +132,8 @@ TEST(Aovs, albedo_is_the_textured_base_colour) {
   for (const Integrator integrator : {Integrator::kWhitted, Integrator::kPath}) {
     const Picture p = trace(textured({255, 255, 255, 255}, half), single_view(kAovSize), {}, 1, 0.0, {}, integrator);
     for (const auto& [x, red] : {std::pair(4, 0.0f), {12, 85 / 510.0f}, {20, 170 / 510.0f}, {28, 0.5f}}) {
-      // The centres of texels are between pixels 3 and 4, 11 and 12 and so on. The pixels tested here are 1/16 of a texel off.
+      // The four texels are 8 pixels wide each. Their centres are between pixels 3 and 4, 11 and 12, and so on. The tested
+      // pixels are half a pixel, 1/16 of a texel, from such a centre.
       EXPECT_NEAR(p.aovs[Aov::kAlbedo].pixel(x, 16)[0], red, 85 / 510.0f / 15.0f);
       EXPECT_NEAR(p.aovs[Aov::kAlbedo].pixel(x, 16)[1], 0.5f, 1e-5f);
     }

@@ -98,7 +98,7 @@ TEST(Hidden, shadows_follow_their_own_flag) {
     SmallScene open = shaded_floor(true);
     open.scene.instances.pop_back();
     EXPECT_GT(lit, 0.0f);
-    // The light is exactly equal, because paths that hit the roof get no light from its black surface.
+    // The hidden roof does not change the light at all, because paths that hit it get no light from its black surface.
     EXPECT_EQ(lit, seen(open, integrator).at(16, 16).x);
   }
 }

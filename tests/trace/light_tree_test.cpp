@@ -94,7 +94,7 @@ TEST(LightTree, draws_by_squared_distance_and_horizon) {
 }
 
 // The first face is seen along its normal. The second is seen at 60 degrees from its normal, so its weight is cos 60 = 1/2. The
-// first thus has probability 2/3. The variance of both is 0.
+// first thus has probability 2/3.
 TEST(LightTree, draws_faces_by_their_cosine) {
   std::vector<TreeLight> lights{lamp({0, 0, 1}), lamp({0, 0, -1})};
   lights[0].face = {0, 0, 1};
@@ -194,7 +194,8 @@ TEST(LightTree, draws_lights_with_the_stated_probability) {
           EXPECT_NEAR(choice->probability, tree.probability(choice->light, at), 1e-5f * choice->probability);
           ++drawn[choice->light];
         }
-      // The numbers u are evenly spaced. Those that choose a light form one interval, which may cut off a number at either end.
+      // The numbers given to choose() are evenly spaced. Those that choose a given light form one interval, so their count
+      // differs from the expected count by less than one at either end.
       for (std::uint32_t l = 0; l < 100; ++l)
         EXPECT_NEAR(drawn[l], tree.probability(l, at) * kDraws, 2.0f) << static_cast<int>(kind) << ' ' << l;
     }
@@ -311,7 +312,8 @@ TEST(LightTree, does_not_depend_on_units) {
   }
 }
 
-// Expects all balls whose centre the ray approaches to less than the radius, within `reach`.
+// Expects that the tree finds every ball that the ray hits within `reach`: every ball whose centre is nearer to the ray than
+// its radius.
 TEST(LightTree, rays_find_all_balls_they_pass) {
   const std::vector<TreeLight> lights = random_lights(Kind::kBalls, 2000, 13);
   const LightTree tree(lights);

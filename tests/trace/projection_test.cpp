@@ -43,8 +43,8 @@ TEST(Project, plane_takes_coordinates_along_its_axes) {
   ImageProjection p = projection(ProjectionKind::kPlane);
   p.scale = {0.5f, -0.25f, 100.0f};
   p.rotate = {0.1f, 0.2f, 0.0f};
-  // u: U = 3, so 0.5 x 3 + 0.1 = 1.6, whose fraction is 0.6. v: V = 1, so -0.25 x 1 + 0.2 = -0.05, whose fraction is 0.95.
-  // Blur: 0.05 x 8 x 0.5 = 0.2. scale.z has no effect.
+  // Relative to the centre, the point is U = 3 along u_axis and V = 1 along v_axis. u: 0.5 x 3 + 0.1 = 1.6, whose fraction is
+  // 0.6. v: -0.25 x 1 + 0.2 = -0.05, whose fraction is 0.95. Blur: 0.05 x 8 x 0.5 = 0.2. scale.z has no effect.
   const ProjectedPoint at = project(p, {13, 21, 77}, 8.0f);
   EXPECT_NEAR(at.u, 0.6f, kProjectionRounding);
   EXPECT_NEAR(at.v, 0.95f, kProjectionRounding);
@@ -65,8 +65,9 @@ TEST(Project, cylinder_starts_at_u_axis_around_v_axis) {
 TEST(Project, cylinder_uses_height_and_distance) {
   ImageProjection p = projection(ProjectionKind::kCylinder);
   p.scale = {2.0f, 3.0f, 0.0f};
-  const ProjectedPoint at = project(p, {13, 24.1f, 30}, 40.0f);  // |q| = hypot(3, 4.1)
-  // v is the fraction of V scale.y = 4.1 x 3 = 12.3, of which a float keeps only 6 digits.
+  // The point is 3 from the axis of the cylinder and 4.1 along it.
+  const ProjectedPoint at = project(p, {13, 24.1f, 30}, 40.0f);
+  // v is the fraction of 4.1 x scale.y = 12.3. A float keeps only about 6 digits of it.
   EXPECT_NEAR(at.v, 0.3f, 1e-5f);
   EXPECT_NEAR(at.blur, 0.05f * 40.0f / (8.0f * std::hypot(3.0f, 4.1f)) * 3.0f, kProjectionRounding);
 }

@@ -66,9 +66,9 @@ TEST(StripOrder, view_tiles_of_microlenses_share_one_direction) {
 }
 
 TEST(StripOrder, view_tiles_of_a_slanted_panel_follow_its_lenses) {
-  // A lens is 10 sub-pixels wide and shifts by 600 x 0.25 / 100 = 1.5 sub-pixels per row. Straight columns of 8 rows would
-  // extend over two lenses. Along the slant, only the rounding to whole sub-pixels and the second column remain, which are 1/10
-  // of a lens each.
+  // A lens is 10 sub-pixels wide and shifts by 600 x 0.25 / 100 = 1.5 sub-pixels per row, so straight columns of 8 rows would
+  // extend over two lenses. The pixels of a packet are taken along the slant. Their phases differ only by rounding to whole
+  // sub-pixels and by the packet's second column, each of which is 1/10 of a lens.
   Optics o;
   o.panel = {200, 100, 0.3f};
   for (const double tilt : {0.25, -0.25}) {
@@ -85,8 +85,8 @@ TEST(StripOrder, view_tiles_of_a_slanted_panel_follow_its_lenses) {
       }
       if (high - low > 0.21) ++wide;
     }
-    // Packets at the panel's edge wrap around. Over 16 rows the lenses shift by 24 sub-pixels. Each pair of columns has two
-    // packets, so up to 24 packets wrap.
+    // At the panel's left and right edges, packets continue on the other side, where phases differ. Over 16 rows the lenses
+    // shift by 24 sub-pixels, and each pair of columns has two packets. So up to 24 packets are split.
     EXPECT_LE(wide, 24);
   }
 }
