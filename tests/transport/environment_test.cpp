@@ -160,9 +160,9 @@ TEST(Environment, one_texel_suns_are_found_anywhere) {
   for (const Vec2i at : {Vec2i(100, 40), Vec2i(0, 64), Vec2i(255, 64), Vec2i(30, 0), Vec2i(255, 0), Vec2i(0, 127)}) {
     const Background b = sunny(at.x, at.y);
     const Environment e(b);
-    // Expected share at a pole: light extends beyond the texel's row. Relative to the row's solid angle, the half row of
-    // patches at the pole has 1/4, and the next row has twice as much at half the light. Together they have 5/4 instead of 1,
-    // so the share is 1.25 / 2.25.
+    // The sun has as much light as the rest, so its share is 1/2. A sun at a pole has 5/4 of this light, which gives 1.25 /
+    // 2.25. Interpolation extends its light over half a row at the pole and the whole row after it. In units of the solid angle
+    // of the texel's row, the half row has 1/4. The whole row has 2, with half of the light on average, which counts as 1.
     EXPECT_NEAR(e.sun_share(), at.y % 127 == 0 ? 1.25f / 2.25f : 0.5f, 0.002f) << at.x << ", " << at.y;
     double solid_angle = 0.0;
     for_each_direction(b, 3, [&](Vec3f d, double steradian) {
