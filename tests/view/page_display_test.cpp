@@ -22,8 +22,8 @@ Display small_panel() {
 }
 
 // Lens periods: P = pitch * width / dpi * cos(atan(1 / slope)) = 10 * 300 / 100 * cos(atan(1/2)). Tilt: T = height / (width *
-// slope) = 200 / (300 * -2). The phase is stated at the position of a sub-pixel and is P / (3 * 300) lower than the
-// calibration's.
+// slope) = 200 / (300 * -2). Centre: the page measures x at the middle of a sub-pixel, and the calibration a third of a pixel
+// to the right of it. The page's centre is therefore P / (3 * 300) lower.
 TEST(PageDisplay, phases_follow_the_calibration) {
   const nlohmann::ordered_json json = page_display_json({small_panel(), {ViewFilter::kGaussian, 0.75}});
   const double periods = 30.0 * 2.0 / std::sqrt(5.0);
