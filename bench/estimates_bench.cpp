@@ -19,7 +19,8 @@ constexpr int kSeeds = 5, kQuickSeeds = 2, kFramesPerSeed = 4;
 
 /// Counts and sums over the frames of a LightCase, which is a row of the table.
 struct Intervals {
-  /// `contain`: the interval contains the true PSNR; `too_low`: the true PSNR is above the interval; `too_high`: it is below
+  /// `contain`: frames whose interval contains the true PSNR; `too_low`: frames whose interval is below it; `too_high`: frames
+  /// whose interval is above it
   int frames = 0, contain = 0, too_low = 0, too_high = 0;
   int bounded = 0;  ///< frames with an estimate and an interval; other frames have only a lower bound
   /// sums over the bounded frames of the estimate minus the true PSNR, and of the width of the interval

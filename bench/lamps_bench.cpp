@@ -24,7 +24,7 @@ constexpr std::uint32_t kLampsReferenceSeed = 77;
 constexpr float kLampsPower = 12.0f;  ///< total radiant intensity of all lamps of a room
 
 // The eye looks slightly down at the middle of the picture. Its distance is five times the height of the picture. Objects more
-// than kLampsFront in front of the middle are invisible, such as the wall behind the viewer.
+// than kLampsFront units in front of the middle are invisible, such as the wall behind the viewer.
 constexpr Vec3f kLampsMiddle{0.0f, 0.95f, -0.2f};
 constexpr float kLampsPitch = radians(8.0f), kLampsPictureHeight = 2.1f, kLampsPanelMm = 100.0f, kLampsEyeMm = 500.0f,
                 kLampsFront = 3.6f;

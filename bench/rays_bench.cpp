@@ -3,8 +3,8 @@
 //
 // The bare loop traces prepared packets of rays: it copies a packet, traces it and keeps the hits in registers. It makes no
 // rays, shading or picture. It is timed for a strip of the picture at a time, so that the packets of the strip are in the
-// cache. All measurements use one thread. In each repetition, the ratio of both times is measured. A row states the median of
-// these ratios.
+// cache. All measurements use one thread. Each repetition measures the ratio of the bare loop's time to our time. A row states
+// the median of these ratios.
 #include <fmt/core.h>
 
 #include <algorithm>

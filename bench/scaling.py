@@ -73,7 +73,8 @@ def longest_seconds(film, units):
 def bounds_seconds(film, nodes, units):
     """Returns (least, most), bounds of the time of the film.
 
-    least = max(work / nodes, disk), most = max(work / nodes + (1 - 1 / nodes) longest, disk).
+    least = max(work / nodes, disk), most = max(work / nodes + (1 - 1 / nodes) longest, disk). `work` is the time of all units,
+    `longest` the time of the longest unit, and `disk` the time of the shared folder.
 
     A node takes the next unit as soon as it is free, so no node waits while units are left. All nodes therefore end within the time of
     the longest unit (Graham, Bounds on multiprocessing timing anomalies, 1969, theorem 1).

@@ -32,7 +32,8 @@ LATER = {"Specular": "Specular IOR Level", "Transmission": "Transmission Weight"
 
 
 def socket(node, key):
-    """Returns an input of a node by its number or name. If the node has the input under its later name (LATER), returns that input."""
+    """Returns the input of a node that has the number or name `key`, or the input with the later name of `key` (LATER)
+    if the node has it."""
     later = LATER.get(key)
     return node.inputs[later if later and later in node.inputs else key]
 

@@ -47,7 +47,8 @@ class Scenario:
 
 
 def camera_place(orbit, target):
-    """Returns the position of a camera on the orbit, and the quaternion (x, y, z, w) that rotates -z to its view direction."""
+    """Returns the position of a camera on the orbit, and the quaternion (x, y, z, w) that rotates -z to the camera's
+    view direction."""
     theta, phi = math.radians(orbit.theta), math.radians(orbit.phi)
     away = (math.sin(phi) * math.sin(theta), math.cos(phi), math.sin(phi) * math.cos(theta))
     yaw, pitch = theta / 2, (phi - math.pi / 2) / 2
