@@ -43,7 +43,8 @@ inline double scene_at(Vec2d place, int k) {
   return texture_at(place - Vec2d(kFarMove * k, 0.0), 31);
 }
 
-/// Returns a transform that rotates clockwise by `turn_deg` and scales about the centre of the picture, and then shifts.
+/// Returns a transform that rotates clockwise by `turn_deg` and scales about the centre of the picture, and then moves by
+/// `shift`.
 inline Similarity moved_about_centre(double turn_deg, double scale, Vec2d shift) {
   const double angle = turn_deg * std::numbers::pi / 180.0;
   Similarity moved{scale * std::cos(angle), scale * std::sin(angle), 0.0, 0.0};
