@@ -19,7 +19,8 @@ namespace {
 using testing::HasSubstr;
 using Json = nlohmann::ordered_json;
 
-/// Returns a request for the first `frames` frames of a scene. The folder of Tachyon scenes does not exist, so none is run.
+/// Returns a request for the first `frames` frames of a scene. Its folder of Tachyon scenes does not exist, so no Tachyon scene
+/// is run.
 bench::Request small_request(const std::string& scene, int frames) {
   bench::Request request;
   request.scenes = {scene}, request.frames = frames, request.tachyon_scenes = "nowhere";

@@ -44,7 +44,7 @@ class Flip(unittest.TestCase):
         self.assertEqual(flip.difference(noise, noise).max(), 0.0)
 
     def test_green_and_blue_differ_most(self):
-        # FLIP scales colour errors so that green and blue have an error of 1
+        # FLIP scales colour errors so that the error of green against blue is 1
         np.testing.assert_allclose(flip_of(GREEN, BLUE), 1.0, atol=1e-6)
 
     def test_black_and_white_differ_in_lightness(self):
@@ -126,7 +126,7 @@ class Pictures(unittest.TestCase):
 class Judge(unittest.TestCase):
     def test_outliers_are_far_from_the_median(self):
         judged = judge.judged({"a": plain((100, 100, 100)), "b": plain((102, 102, 102)), "c": plain((101, 101, 101)), "odd": plain((200, 100, 100))})
-        # the grey values are 100, 101 and 102, so each is within 2 of the median
+        # the three grey pictures have the codes 100, 101 and 102, so each code is within 2 of the median
         self.assertGreater(judged["a"]["psnr_db"], 44)
         self.assertLess(judged["odd"]["psnr_db"], 14)
         self.assertGreater(judged["odd"]["flip"], 10 * judged["a"]["flip"])

@@ -1,5 +1,5 @@
-"""Compares the formulas of docs/lab/scaling.md with a simulation of machines that each take the next group of frames
-when they are free."""
+"""Compares the formulas of docs/lab/scaling.md with a simulation of machines, each of which takes the next group of
+frames as soon as it is free."""
 
 import random
 import sys
