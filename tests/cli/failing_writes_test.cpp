@@ -1,6 +1,6 @@
-// Tests renders in which a system call fails: write, open, rename, mkdir, fsync or a memory allocation. Each run fails one
-// call, or one call and all calls after it; successive runs fail later calls. The tool must report the failure, and every file
-// with a final name must be complete.
+// Tests renders in which a system call fails: write, open, rename, mkdir, fsync or a memory allocation. In each run, one call
+// fails, or one call and all calls after it. Each further run fails a later call. The tool must report the failure, and every
+// file with a final name must be complete.
 #include <gtest/gtest.h>
 
 #include <cstdlib>

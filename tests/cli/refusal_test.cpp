@@ -1,5 +1,5 @@
 // Tests flags and job files that are refused. The tool must print one line that names the flag, exit with code 2, and write
-// nothing. The conditions themselves are tested in the libraries' tests; these tests check that messages name flags instead of
+// nothing. The tests of the libraries check which values are refused. These tests check that messages name flags instead of
 // parameters.
 #include <gmock/gmock.h>
 

@@ -58,7 +58,7 @@ TEST(View, empty_page_has_a_token) {
     expect_refusal(run_tool(dir, Words{"view"} + flag), 2, flag[0] + ": has no effect without IN");
 }
 
-// The page of an unfinished render has a button to resume it, so its address has a token.
+// The page of an unfinished render has a button to resume it, so the page's address has a token.
 TEST(View, unfinished_render_has_a_token) {
   const TempDir dir;
   Subprocess render(tool_command(small_teapot("0-99", "r")), {dir.path().string(), 0});
