@@ -66,8 +66,9 @@ Errors errors_of(const Image& film, const Image& truth, int channel) {
 /// variance is 0.5^2 / 2.
 constexpr double kVariance = 0.125;
 
-/// Share of the variance that may be left. One pass of the denoiser's 5 x 5 filter leaves (1 + 16 + 36 + 16 + 1) / 256 = 70 /
-/// 256 in each direction. The factor 2 allows for narrow views, which have fewer neighbours.
+/// Share of the variance that may be left. The denoiser's 5 x 5 filter has the weights (1, 4, 6, 4, 1) / 16 in each direction.
+/// One pass leaves the sum of their squares in each direction, 70 / 256. The factor 2 allows for narrow views, which have fewer
+/// neighbours.
 constexpr double kLeft = 2.0 * (70.0 / 256.0) * (70.0 / 256.0);
 
 TEST(DenoisedOptics, uniform_light_loses_only_its_noise) {
