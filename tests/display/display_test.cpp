@@ -11,8 +11,8 @@ namespace lippmann {
 namespace {
 
 TEST(Display, viewer_stands_where_the_panel_spans_14_degrees) {
-  // Height of the Portrait: 2048 pixels / 324 dpi = 160.55 mm. Viewing distance: half the height / tan(14 / 2 degrees) = 80.277
-  // mm / tan(7 degrees) = 653.80 mm.
+  // The Portrait is 2048 pixels / 324 dpi = 160.55 mm high. Its file states no viewing distance, so the height appears under 14
+  // degrees. The distance is half the height / tan(14 / 2 degrees) = 80.277 mm / tan(7 degrees) = 653.80 mm.
   EXPECT_NEAR(viewing_distance_mm(load_display("portrait")), 653.80, 0.01);
   Display display;
   display.viewing_distance_mm = 400.0;
