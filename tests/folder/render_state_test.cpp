@@ -1,4 +1,4 @@
-// Tests the progress of renders, which is read from their journals and processes.
+// Tests the progress of renders. It is determined from their journals, and from whether their processes are alive.
 #include "folder/render_state.hpp"
 
 #include <gmock/gmock.h>
