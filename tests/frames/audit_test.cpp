@@ -27,7 +27,7 @@ TEST(ErrorInterval, starts_at_0_without_a_positive_mean) {
   EXPECT_DOUBLE_EQ(interval.high, 2.0);
 }
 
-/// Returns parameters of path tracing without denoising. The error of 2 samples per pixel is far above the noise of the error
+/// Returns parameters of path tracing without denoising. With 2 samples per pixel, the error is far above the noise of its
 /// estimate, so that every frame has an estimate.
 RenderParams noisy_paths() {
   RenderParams params = small_scene();

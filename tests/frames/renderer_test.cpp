@@ -74,8 +74,8 @@ Image picture_of_mesh_at(Vec3f where) {
 }
 
 TEST(Renderer, scene_far_from_the_origin_is_exact) {
-  // The coordinates are multiples of the scene's size. The scene is moved by such multiples to the origin, so that no bit
-  // differs.
+  // move_near_origin() rounds the middle of the scene to multiples of 2, which gives exactly the position of the mesh. The mesh
+  // then has the same coordinates as the mesh at the origin, so no bit of the pictures differs.
   EXPECT_EQ(picture_of_mesh_at({4'194'304, 1024, -2'097'152}).data, picture_of_mesh_at(Vec3f(0)).data);
 }
 
