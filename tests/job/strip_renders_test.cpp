@@ -46,7 +46,7 @@ class StripRenders : public Renders {
   Files pictures(const std::string& folder) const { return pictures_below(dir_ / folder); }
 };
 
-/// Settings of optics and shading that can be rendered in strips with the same bits.
+/// Settings of optics and shading. With each of them, a render in strips has the same bits as a render of whole frames.
 const std::vector<Settings>& kinds() {
   static const std::vector<Settings> all{
       {},
