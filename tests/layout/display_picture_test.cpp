@@ -1,5 +1,5 @@
-// Tests pictures for displays that are made from views of any size. In these prints and panels, the view below every pixel is
-// known.
+// Tests pictures for displays that are made from views of any size. Most of the views are uniform and have different colours,
+// so the colour of a pixel tells from which view it comes.
 #include "lippmann/layout/display_picture.hpp"
 
 #include <gmock/gmock.h>

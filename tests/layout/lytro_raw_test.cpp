@@ -85,8 +85,8 @@ TEST(LytroRaw, flat_colour_comes_back_everywhere) {
     ASSERT_NEAR(raw.light.data[i + 1], 480.0 / 959.0, 1e-6) << i;
     ASSERT_NEAR(raw.light.data[i + 2], 160.0 / 959.0, 1e-6) << i;
   }
-  // Of the largest light, 959, the samples are 240 (red), 480 (green) and 160 (blue). The white balance multiplies red by 2 and
-  // blue by 1.5, which gives 480, 480 and 240. The colour matrix replaces blue by the mean of green and blue: 360.
+  // Relative to the largest light, 959, the samples are 240 (red), 480 (green) and 160 (blue). The white balance multiplies red
+  // by 2 and blue by 1.5, which gives 480, 480 and 240. The colour matrix replaces blue by the mean of green and blue: 360.
   const Image16 colors = developed(raw);
   const auto code = [](double linear) { return std::floor(65535.0 * srgb_from_linear(linear) + 0.5); };
   EXPECT_NEAR(colors.rgb[0], code(480.0 / 959.0), 1.0);

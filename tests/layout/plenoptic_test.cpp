@@ -22,8 +22,8 @@ namespace {
 using test::error_message;
 using testing::HasSubstr;
 
-/// Returns the light through a lens in a direction. `lens` is the position of the lens centre in pixels, and `offset` is the
-/// distance from this centre in pixels, which stands for the direction.
+/// A function that returns the light through a lens in a direction. `lens` is the centre of the lens in pixels. `offset` is the
+/// vector from this centre to the pixel below the lens, which stands for the direction.
 using RawLight = std::function<double(Vec2d lens, Vec2d offset)>;
 
 struct NearestLens {
@@ -144,8 +144,8 @@ TEST(LensGridEstimate, six_to_forty_lenses_are_enough) {
                 turn_deg * std::numbers::pi / 180.0, 5e-3);
 }
 
-/// With so few lenses, the fundamental frequency of the grid is ignored as vignetting, so only harmonics are found. They would
-/// belong to a finer grid.
+/// With two or three lenses across the picture, the estimate takes the lowest frequency of the grid for vignetting and ignores
+/// it. It finds only harmonics, which would belong to a finer grid.
 TEST(LensGridEstimate, too_few_lenses_are_refused) {
   const LensGrid grid = lens_grid(40.0, 0.03, {7.0, 11.0}, LensArrangement::kSquare);
   for (const double across : {2.0, 3.0})

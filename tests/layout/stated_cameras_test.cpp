@@ -1,4 +1,4 @@
-// Tests cameras that flags describe for files without camera data, and which of these values each format stores.
+// Tests cameras that flags describe for files without camera data. Also tests which values of these cameras each format stores.
 #include <gmock/gmock.h>
 
 #include <cmath>
