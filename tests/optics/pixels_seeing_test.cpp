@@ -32,7 +32,8 @@ Vec2f pixel_step(const Optics& optics, const Ray& ray, Vec3f wanted) {
     // First, a step `dy` along the column corrects y. It also moves the eye to which the ray points. Then a step `dx` along the
     // row corrects x, including the effect of `dy`.
     const float shrink = 1.0f - z / p->distance_mm, pitch = film_size(optics).x / static_cast<float>(p->periods) * m;
-    // follows from x(z) = x(0) (1 - z / D) + eye z / D, where D is the viewing distance
+    // x of the eye to which the ray points. It follows from x(z) = x(0) (1 - z / D) + eye z / D, where D is the viewing
+    // distance.
     const float eye = (passed.x - at_z0.x * shrink) * p->distance_mm / z;
     const float reach = p->parallax * p->distance_mm;
     // derivative of the eye's position by the view v

@@ -64,8 +64,8 @@ TEST(Plenoptic, rays_meet_the_image_of_their_pixel) {
   expect_at(place_at(optics_of(some_camera()), {57.5f, 42.5f}, z), {x, x});
 }
 
-/// The ray of pixel (57.5, 42.5) meets the main lens |A| = 2.525 sqrt(2) = 3.571 mm from the axis. The radius of the aperture,
-/// f / (2 N), is 3.125 mm for N = 16 and 4.167 mm for N = 12.
+/// The ray of pixel (57.5, 42.5) meets the main lens |A| = 2.525 sqrt(2) = 3.571 mm from the axis. The radius of the aperture
+/// is f / (2 N), with the focal length f and the f-number N. It is 3.125 mm for N = 16 and 4.167 mm for N = 12.
 TEST(Plenoptic, rays_beside_the_aperture_are_blocked) {
   PlenopticCamera camera = some_camera();
   camera.f_number = 16.0f;
