@@ -24,7 +24,7 @@ class Deformation(Case):
         self.assertEqual(bounds(scene), [[1, -1, 0], [3, 1, 0]])  # moved to the right by 0.5 * 4
         mesh.animate(weights=[[0, 0], [0.25, 1]])
         self.assertEqual(bounds(scene, 0), [[-1, -1, 0], [1, 1, 0]])
-        # moved to the right by 0.25 * 4, and the upper edge also moved up by 2
+        # the quad moved to the right by 0.25 * 4, and its upper edge also moved up by 2
         self.assertEqual(bounds(scene, 1), [[0, -1, 0], [2, 3, 0]])
 
     def test_target_normals_change_the_shading(self):
