@@ -144,7 +144,7 @@ void expect_settled_blocks_as_traced(const Optics& optics) {
     }
   }
   // The test does not check the exact number of settled blocks. The random scenes depend on the order in which the compiler
-  // evaluates arguments, so their number differs between compilers.
+  // evaluates arguments, so the number of settled blocks differs between compilers.
   EXPECT_GT(settled_blocks, 0u);
 }
 
