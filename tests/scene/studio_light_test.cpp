@@ -49,8 +49,8 @@ TEST(StudioLight, is_grey) {
   }
 }
 
-// If white has radiance 0.5, greys with reflectances 0.18 and 0.5 have sRGB codes 85 and 137. If white has radiance 1, they
-// have 118 and 188.
+// White that faces the viewer must have a radiance above 0.5, and the brightest white a radiance below 1. If white has radiance
+// 0.5, greys with reflectances 0.18 and 0.5 have sRGB codes 85 and 137. If white has radiance 1, they have 118 and 188.
 TEST(StudioLight, grey_and_white_are_well_exposed) {
   const EnvironmentMap map = studio_environment(kStraight);
   float most = 0.0f, least = 1e9f;

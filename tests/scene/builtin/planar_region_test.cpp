@@ -49,9 +49,9 @@ TEST(Extrude, square_ring_becomes_a_closed_solid) {
   EXPECT_TRUE(test::boundary_edges(mesh).empty());
   EXPECT_EQ(test::count_degenerate(mesh), 0);
   EXPECT_EQ(test::count_facing_wrong(mesh), 0);
-  // The square ring has the area 8 - 2 = 6 and the boundary length P = 4 * (2 + 1) * sqrt(2). Moved inwards by d, its area is 6
-  // - d P, because the terms 4 d^2 of outer and inner corners cancel. A bevel of width w at each of the two faces removes the
-  // volume P w^2 / 2. The result is 6 * 0.5 - 2 * P w^2 / 2.
+  // The square ring has the area 8 - 2 = 6 and the boundary length P = 4 * (2 + 1) * sqrt(2). If the boundary moves inwards by
+  // d, the area becomes 6 - d P, because the terms 4 d^2 of outer and inner corners cancel. A bevel of width w at each of the
+  // two faces removes the volume P w^2 / 2. The result is 6 * 0.5 - 2 * P w^2 / 2.
   const double w = 0.0625, perimeter = 12.0 * std::sqrt(2.0);
   EXPECT_NEAR(test::signed_volume(mesh), 3.0 - perimeter * w * w, 1e-5);
 }

@@ -113,7 +113,7 @@ TEST(TeapotPatches, open_only_where_newell_left_it_open) {
   for (const test::BoundaryEdge& edge : test::boundary_edges(teapot(8))) {
     const Vec3f p = edge.from;
     const float radius = std::hypot(p.x, p.y);
-    // Tolerance: the cubic quarters of a circle deviate from it by at most 1.5 % of the radius.
+    // Tolerance: each quarter of a circle is a cubic curve. The curve deviates from the circle by at most 1.5 % of the radius.
     const bool lid_or_rim = std::abs(p.z - 2.4f) < 1e-4f && radius > 1.28f && radius < 1.42f;
     const bool handle = p.x < -1.4f && p.x > -2.05f && std::abs(p.y) <= 0.3f;
     const bool spout_root = std::abs(p.x - 1.7f) < 1e-4f && std::abs(p.y) <= 0.66f;

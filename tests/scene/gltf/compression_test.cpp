@@ -108,7 +108,8 @@ TEST(GltfMeshopt, vertices_and_triangles_round_trip) {
   }
 }
 
-/// The bytes of the first view are invalid. Unpacking it before all views are counted would give another error.
+/// The bytes of the first view are invalid. The expected error names the memory limit. If the first view were unpacked before
+/// all views are counted, the error would name its bytes instead.
 TEST(GltfMeshopt, counts_all_views_before_unpacking) {
   GltfBuilder b = packed_square("TRIANGLES");
   const std::size_t from = b.root["bufferViews"][0]["extensions"]["EXT_meshopt_compression"]["byteOffset"];

@@ -210,7 +210,8 @@ TEST(GltfDocument, unpacking_beyond_the_limit_is_an_error) {
               HasSubstr("accessors[1]: the unpacked scene needs too much memory; accepted: at most 30 bytes in total"));
 }
 
-/// The positions of the first mesh are invalid. Unpacking it before all meshes are counted would give another error.
+/// The positions of the first mesh are invalid. The expected error names the memory limit. If the first mesh were unpacked
+/// before all meshes are counted, the error would name its positions instead.
 TEST(GltfDocument, counts_all_meshes_before_unpacking) {
   GltfBuilder b;
   const int bad = b.add_accessor(std::vector<Vec3f>{{0, 0, 0}, {std::nanf(""), 0, 0}, {0, 1, 0}});
