@@ -193,7 +193,7 @@ Vec2f seen_extent(const Scene& scene, const FittedArray& array, float aspect, Ve
   for (int corner = 0; corner < 8; ++corner) {
     const Vec3f world(corner & 1 ? upper.x : lower.x, corner & 2 ? upper.y : lower.y, corner & 4 ? upper.z : lower.z);
     const Vec3f p = transform_point(plane_from_world, world);
-    // projects to the plane, as the viewer sees it
+    // `shrink` projects the corner to the display's plane, as the viewer sees it.
     const float shrink = array.viewing_distance / (array.viewing_distance - p.z);
     extent = glm::max(extent, glm::abs(Vec2f(p.x / aspect, p.y)) * shrink / (0.5f * array.plane_height));
   }
