@@ -105,7 +105,7 @@ TEST(Aovs, motion_follows_deforming_meshes) {
 
 // ---- Albedo and coverage --------------------------------------------------------------------------------------------
 
-/// Four texels in a row. Their red values are 0, 85, 170, 255, and their alphas are given.
+/// Four texels in a row. Their red values are 0, 85, 170 and 255. Their alpha values are `alpha`.
 Texture four_texels(std::array<int, 4> alpha) {
   Texture t;
   t.width = 4, t.height = 1, t.srgb = false;
@@ -158,7 +158,8 @@ TEST(Aovs, pixels_of_low_alpha_are_empty) {
 
 TEST(Aovs, ray_depth_is_measured_along_the_ray) {
   const Picture p = trace(sliding(1.0f, Vec3f(0.0f)), single_view(kAovSize));
-  // Pixel (19, 16) sees this point of z = 0, whose distance in z from the eye is 10.
+  // Pixel (19, 16) would see the point (x, y, 0), whose distance in z from the eye is 10. The square is at z = 1, so the ray
+  // ends after 0.9 of the way.
   const float x = 3.5f / 8.0f, y = 0.5f / 8.0f;
   EXPECT_NEAR(p.aovs[Aov::kRayDepth].pixel(19, 16)[0], 0.9f * std::sqrt(x * x + y * y + 100.0f), 1e-5f);
   EXPECT_EQ(p.aovs[Aov::kRayDepth].pixel(0, 0)[0], kInfinity);

@@ -31,8 +31,8 @@ SmallScene edge() {
 
 TEST(BeamFootprint, many_samples_average_a_pixel) {
   // Expected value: the last eighth of the pixel has a mean of 1/4, so the pixel has 1/32.
-  // Tolerance: the samples are in 64 columns, shifted by an unknown u < 1/64. Eight columns are in the last eighth. The sum of
-  // their values divided by 64 is (32 u + 7/4) / 64, which is 1/32 +- 1/256.
+  // Tolerance: the samples are in 64 columns, shifted by an unknown part u < 1/64 of a pixel. Eight columns are in the last
+  // eighth. The sum of their values divided by 64 is (32 u + 7/4) / 64, which is 1/32 +- 1/256.
   TraceParams params;
   params.spp = 64;
   for (const Integrator integrator : {Integrator::kWhitted, Integrator::kPath}) {

@@ -78,7 +78,7 @@ MetallicRoughness of(float metallic, float roughness) {
   return surface;
 }
 
-// Where a smooth normal faces away from the view, the gloss would take all light from the paint below it. Lifting the normal
+// The gloss would take all light from the paint below it where the smooth normal faces away from the view. Lifting the normal
 // avoids this. The darkest of every 500 pixels has 0.82 of the sky's light without lifting, and 0.91 with it. Surfaces with
 // rare layers (LayeredBsdf) must reach the same limit.
 TEST(LiftedNormal, glossy_coarse_balls_have_no_dark_rim) {

@@ -102,8 +102,8 @@ TEST(LightTree, draws_faces_by_their_cosine) {
   EXPECT_NEAR(LightTree(lights).probability(0, {}), 2.0f / 3.0f, 1e-6f);
 }
 
-// In front of it, a face of a closed body has its full weight. Behind it, the face keeps 1/16. The probability is 1 / (1 +
-// 1/16) = 16/17.
+// The origin is in front of the face of lamp 0 and behind the face of lamp 1. A face of a closed body has its full weight for
+// points in front of it, and 1/16 of it for points behind it. The probability of lamp 0 is 1 / (1 + 1/16) = 16/17.
 TEST(LightTree, draws_front_faces_of_closed_bodies) {
   std::vector<TreeLight> lights{lamp({0, 0, 1}), lamp({0, 0, -1})};
   for (TreeLight& light : lights) light.face = {0, 0, -1}, light.is_closed = true;

@@ -154,7 +154,7 @@ TEST(MeshMaterial, map_rotates_and_scales_anisotropy) {
   EXPECT_GT(std::abs(along.at(8, 8).x / by_numbers.at(8, 8).x - 1.0f), 0.1f);
 }
 
-/// A normal map with one normal, which leans to the right by this angle.
+/// A normal map with one normal, which leans to the right by `degrees`.
 Texture leaning(float degrees) {
   const float a = radians(degrees);
   Texture map = row_of({0});
@@ -163,7 +163,7 @@ Texture leaning(float degrees) {
   return map;
 }
 
-/// A clear-coated surface with normal maps for base and coat. layered: with a sheen too faint to be visible, so that
+/// A clear-coated surface with normal maps for base and coat. If `layered`, it has a sheen too faint to be visible, so that
 /// LayeredBsdf is used.
 MetallicRoughness coated(bool layered) {
   MetallicRoughness m;
@@ -173,7 +173,8 @@ MetallicRoughness coated(bool layered) {
   return m;
 }
 
-/// Returns the radiance of a surface's middle, seen perpendicularly. The lamp is to the right at this angle from the normal.
+/// Returns the radiance of a surface's middle, seen perpendicularly. The normals of base and coat lean to the right by
+/// `base_degrees` and `coat_degrees`, and the direction to the lamp leans by `lamp_degrees`.
 float lit_from(MetallicRoughness m, float base_degrees, float coat_degrees, float lamp_degrees) {
   SmallScene s;
   s.scene.textures = {leaning(base_degrees), leaning(coat_degrees)};

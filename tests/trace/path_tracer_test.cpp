@@ -152,8 +152,8 @@ TEST(PathTracer, panorama_spots_act_as_distant_lamps) {
   std::fill_n(s.scene.background.map->radiance.pixel(32, row), 3, 1000.0f);
   const Mat3f towards_x(Vec3f(0, 0, -1), Vec3f(0, 1, 0), Vec3f(1, 0, 0));
   s.add(square(2, 0), s.material(matte(Vec3f(1.0f))), s.node({towards_x, Vec3f(0.0f)}));
-  // Irradiance / pi of the texel: radiance x solid angle x cosine / pi. A texel interpolated bilinearly is two texels wide and
-  // high with a mean weight of 1/4, so its solid angle is that of one texel.
+  // Irradiance / pi of the texel: radiance x solid angle x cosine / pi. Bilinear interpolation spreads the texel over two
+  // texels in width and height, with a mean weight of 1/4. The effective solid angle is that of one texel.
   const double step = M_PI / 32, polar = (row + 0.5) * step, azimuth = 0.5 * step;
   const double cosine = std::sin(polar) * std::cos(azimuth), expected = 1000.0 * step * step * std::sin(polar) * cosine / M_PI;
   const Picture p = trace_paths(s.scene, single_view(5), 4096, {}, 1, {0.1f * towards_x, Vec3f(0.0f)});

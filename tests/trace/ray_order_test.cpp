@@ -134,8 +134,8 @@ TEST(SubPixel, samples_of_a_pixel_fill_every_stratum) {
     const Vec2f p = sub.position(1234, s);
     ASSERT_GE(std::min(p.x, p.y), 0.0f);
     ASSERT_LT(std::max(p.x, p.y), 1.0f);
-    // The shift of a pixel is the same for all its samples. Relative to sample 0, they must be in 16 different sixteenths of
-    // the pixel.
+    // The shift of a pixel is the same for all its samples. Relative to sample 0, the samples must be in 16 different
+    // sixteenths of the pixel, both across and down.
     columns.insert(static_cast<int>(std::floor((p.x - sub.position(1234, 0).x + 1.0f) * 16.0f + 0.5f)) % 16);
     rows.insert(static_cast<int>(std::floor((p.y - sub.position(1234, 0).y + 1.0f) * 16.0f + 0.5f)) % 16);
   }

@@ -177,8 +177,8 @@ TEST(RoundLight, lamps_do_not_occlude) {
   EXPECT_NEAR(irradiance(s, 4096), kPi, 0.01f);
 }
 
-// The cones have cosines 0.5 and 1, and the point is seen at 0.75. Then t = 1/2, the squared edge is t^2 = 1/4, and the smooth
-// edge is 3 t^2 - 2 t^3 = 1/2.
+// The outer and inner cones of the spot have the cosines 0.5 and 1, and the direction to the point has the cosine 0.75. Its
+// share of the way between the cones is t = 1/2. The squared edge is t^2 = 1/4, and the smooth edge is 3 t^2 - 2 t^3 = 1/2.
 TEST(RoundLight, spot_edges_are_smooth_or_squared) {
   for (const Integrator integrator : {Integrator::kWhitted, Integrator::kPath}) {
     for (const bool smooth : {false, true}) {

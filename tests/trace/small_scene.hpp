@@ -98,8 +98,8 @@ inline EnvironmentMap sunny_sky(Vec3f light, Vec3f toward, Vec3f irradiance) {
   const Vec3f d = glm::normalize(toward);
   const auto x = static_cast<int>((0.5 + std::atan2(static_cast<double>(d.z), static_cast<double>(d.x)) * 0.5 / M_PI) * kWidth);
   const auto y = static_cast<int>(std::acos(static_cast<double>(d.y)) / kStep);
-  // A texel interpolated bilinearly is two texels wide and high with a mean weight of 1/4, so its solid angle is that of one
-  // texel.
+  // Bilinear interpolation spreads the texel over two texels in width and height, with a mean weight of 1/4. The effective
+  // solid angle is that of one texel.
   const auto inverse = static_cast<float>(1.0 / (kStep * kStep * std::sin((y + 0.5) * kStep)));
   for (int c = 0; c < 3; ++c) map.radiance.pixel(x, y)[c] += irradiance[c] * inverse;
   return map;

@@ -9,8 +9,9 @@ namespace {
 
 using namespace test;
 
-// The corners are the ends of a quarter circle. The point half-way between them lies 1 - 1/2 = 1/2 below each tangent. Each
-// tangent moves the point by this distance along its normal, weighted by 1/2, which gives 1/4 along x and y.
+// The corners are the ends of a quarter of the unit circle, and their normals point away from its centre. The point half-way
+// between the corners lies 1 - 1/2 = 1/2 below the tangent plane of each corner. Each tangent plane moves the point by this
+// distance along its normal, weighted by 1/2. The lift is 1/4 along x and y.
 TEST(SmoothLift, half_way_along_chords_matches_by_hand) {
   const SmoothTriangle chord{{{{1, 0, 0}, {0, 1, 0}, {0, 1, 0}}}, {{{1, 0, 0}, {0, 3, 0}, {0, 1, 0}}}, {0.5f, 0.5f, 0.0f}};
   expect_color(smooth_lift(chord, 1.0f), {0.25f, 0.25f, 0.0f});

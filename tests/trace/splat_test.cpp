@@ -125,8 +125,8 @@ Vec3d reference_radiance(const std::vector<ReferenceHit>& hits, bool is_linear) 
   return sum;
 }
 
-/// Renders a picture by the reference. wall_z: height of a black wall that hides everything behind it. Rays start above the
-/// wall.
+/// Renders a picture by the reference. `wall_z` is the height of a black wall that hides everything behind it. Rays start above
+/// the wall.
 Image reference_picture(const Splats& splats, const Affine3f& place, const Optics& optics, double wall_z = -1e9) {
   const PacketSource source(optics, {}, RayOrder::kRows, SubPixel{});
   const Vec2i size = film_size(optics);

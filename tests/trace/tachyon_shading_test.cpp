@@ -19,7 +19,8 @@ SmallScene tachyon_scene() {
 
 Vec3f middle(const SmallScene& s) { return trace(s.scene, single_view(kShadedSize)).at(kShadedMiddle, kShadedMiddle); }
 
-/// A surface that shows only its highlight. With light and view at 45 degrees to each other, N.H = cos 22.5 degrees.
+/// A surface that shows only its highlight. With light and view at 45 degrees to each other, the cosine N.H between the normal
+/// and the half vector is cos 22.5 degrees.
 PhongSurface highlighted(Highlight kind) {
   PhongSurface surface = matte(Vec3f(1.0f, 0.5f, 0.25f));
   surface.diffuse = 0.0f;

@@ -58,9 +58,9 @@ TEST_P(ThinLensEdge, is_as_wide_as_the_circle_of_confusion) {
   for (int view = 0; view < kViews; ++view) {
     const double eye = kBaseline * (view - 1), place = 0.5 * kWidth + (eye * (1.0 - m) + kEdge * m) / kPitch;
     const Edge edge = edge_in(blurred, view * kWidth, kWidth);
-    // Tolerance of the place: 256 samples are stratified over the lens in 16 x 16 cells. The edge cuts about 20 cells, each
-    // with an error of at most half its area, so a pixel has a standard deviation of 0.5 sqrt(20) / 256 = 0.01. With c pixels
-    // in the ramp, the place has an error of 0.01 sqrt(c), at most 0.06. The test allows three times this error.
+    // Tolerance of the edge's place: 256 samples are stratified over the lens in 16 x 16 cells. The edge cuts about 20 cells,
+    // each with an error of at most half its area, so a pixel has a standard deviation of 0.5 sqrt(20) / 256 = 0.01. With c
+    // pixels in the ramp, the place has an error of 0.01 sqrt(c), at most 0.06. The test allows three times this error.
     EXPECT_NEAR(edge.place_px, place, 0.2) << view;
     EXPECT_NEAR(edge.variance_px2, circle_px * circle_px / 16.0 + 1.0 / 6.0, 0.03 * circle_px * circle_px / 16.0 + 0.1) << view;
   }

@@ -87,7 +87,8 @@ TEST(Whitted, blinn_highlight_has_value_and_tint) {
   const int material = s.material(surface);
   s.add(square(2, 0), material);
   s.point_light({3, 0, 4});
-  // N = V = (0, 0, 1) and L = (3, 0, 4) / 5, so H is (0.6, 0, 1.8) divided by its length.
+  // The normal and the direction to the viewer are (0, 0, 1). The direction to the light is (3, 0, 4) / 5. The half vector H is
+  // (0.6, 0, 1.8) divided by its length.
   const float n_h = 1.8f / std::sqrt(0.36f + 3.24f);
   const float lobe = 0.75f * std::pow(n_h, 20.0f);
   expect_color(trace(s.scene, single_view(kSize)).at(kMiddle, kMiddle), lobe * Vec3f(0.5f, 0.25f, 1.0f), kRounding);
@@ -142,8 +143,8 @@ TEST(Whitted, rays_along_shared_edges_hit) {
   EXPECT_EQ(holes, 0);
 }
 
-/// A right-angled triangle in the plane z = 0, lit perpendicularly. It covers the quarter x > 0, y > 0 of the view. smooth:
-/// with vertex normals.
+/// A right-angled triangle in the plane z = 0, lit perpendicularly. It covers the quarter x > 0, y > 0 of the view. If
+/// `smooth`, it has vertex normals.
 Picture picture_of_corner(const Affine3f& place, bool smooth, bool moving) {
   SmallScene s;
   Mesh corner;
