@@ -39,8 +39,8 @@ struct FacetWalk {
   }
 };
 
-/// Returns the share of light that leaves a metal after any number of bounces. view: local unit vector. The standard error of
-/// 40,000 walks is at most 0.3 %.
+/// Returns the share of light that leaves a metal after any number of bounces. `view` is a unit vector in local coordinates.
+/// The standard error of 40,000 walks is at most 0.3 %.
 inline Vec3f walked_albedo(Vec3f view, Vec2f alpha, Vec3f f0) {
   constexpr int kWalks = 40'000, kMostBounces = 100;
   std::mt19937 random(5);

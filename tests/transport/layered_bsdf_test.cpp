@@ -210,9 +210,9 @@ TEST(LayeredBsdf, white_brushed_metal_conserves_energy) {
         }
 }
 
-// The tolerance of 7 % has two causes: interpolation in the table, and the approximation that later facets have the roughness
-// that the viewer sees, in all directions. With the mean reflectance at all later facets, most of these metals would be 7 to 29
-// % too dark.
+// The tolerance of 7 % has two causes: interpolation in the table, and the approximation that all facets after the first have
+// the roughness that the viewer sees, in all directions. With the mean reflectance at all facets after the first, most of these
+// metals would be 7 to 29 % too dark.
 TEST(LayeredBsdf, coloured_brushed_metal_matches_facet_walks) {
   for (const float roughness : {0.2f, 0.4f})
     for (const float cosine : {0.1f, 0.3f})

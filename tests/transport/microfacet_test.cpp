@@ -13,7 +13,9 @@ Vec3f view_from_z(float degrees_from_normal) {
 }
 
 TEST(Ggx, visible_facets_project_to_the_view) {
-  // The integral of G1(v) max(0, v . h) D(h) over h is v . n (Heitz 2014, equation 14). The density thus integrates to one.
+  // v is the direction to the viewer, h the normal of a facet, n the normal of the surface, G1 the visible share of facets and
+  // D their density. The integral of G1(v) max(0, v . h) D(h) over h is v . n (Heitz 2014, equation 14). The density of visible
+  // facets thus integrates to one.
   for (const float alpha : {0.05f, 0.3f, 1.0f})
     for (const float angle : {0.0f, 40.0f, 80.0f}) {
       const Ggx ggx{alpha};

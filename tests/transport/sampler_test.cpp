@@ -53,7 +53,8 @@ TEST(Sampler, pairs_of_one_path_are_not_correlated) {
     const std::vector<Vec2f> a = pairs_of(9u, first, 0, 0), b = pairs_of(9u, first, 0, 1);
     for (std::size_t i = 0; i < a.size(); ++i) product += static_cast<double>((a[i].x - 0.5f) * (b[i].x - 0.5f));
   }
-  // For independent numbers, the standard deviation is 1/12 / sqrt(4096) = 0.0013. The tolerance is four of these.
+  // For independent numbers, the mean product has a standard deviation of 1/12 / sqrt(4096) = 0.0013. The tolerance is four of
+  // these.
   EXPECT_NEAR(product / kPaths, 0.0, 0.0052);
 }
 
