@@ -18,7 +18,7 @@ struct SquaredError {
   double mean() const { return count > 0 ? std::max(0.0, sum / static_cast<double>(count)) : std::nan(""); }
 };
 
-/// Accumulates the mean of |a - 2 b + c|.
+/// Accumulates the mean of |a - 2 b + c|, where a, b and c are the codes of a pixel in three successive frames or views.
 struct SecondDifference {
   double sum = 0.0;
   std::size_t count = 0;

@@ -15,7 +15,9 @@ RenderParams params_of(const std::string& scene);
 
 struct BenchScene {
   std::string name;
-  RenderParams params;  ///< lenticular sheet of 512 x 512 pixels with 64 lenses of 8 pixels, 28 degrees, full depth
+  /// a lenticular sheet of 512 x 512 pixels with 64 lenses of 8 pixels, a viewing zone of 28 degrees, and the scene's full
+  /// depth
+  RenderParams params;
   int frame = 0;
 };
 
