@@ -19,7 +19,7 @@ inline constexpr Vec2d kSceneFocus{320.0, 240.0};
 /// shift in pixels to the right from one camera to the next
 inline constexpr double kNearMove = -6.0, kFocusMove = -2.0, kFarMove = 3.0;
 
-/// Returns smooth noise, 0 to 1.
+/// Returns smooth noise from 0 to 1. The noise has random values at multiples of `cell`, and is interpolated between them.
 inline double noise_at(Vec2d place, double cell, std::uint32_t seed) {
   const Vec2d at = place / cell, low = glm::floor(at);
   const Vec2d t = at - low, s = t * t * (3.0 - 2.0 * t);
