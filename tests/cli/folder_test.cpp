@@ -87,7 +87,7 @@ TEST(Folder, fifo_instead_of_a_file_is_refused) {
     EXPECT_EQ(run_tool(dir, {"check", "a"}).exit_code, 1) << name;
     for (const Words& reader : {Words{"convert", "a", "views", "--to", "views"}, Words{"replay", "a", "-o", "eye"}}) {
       const RunResult result = run_tool(dir, reader);
-      // ^`replay` reads report.json instead of the JSON files beside the pictures.
+      // `replay` reads report.json instead of the JSON files beside the pictures.
       const bool is_side_file = name.extension() == ".json" && name != "report.json";
       const bool is_read =
           (name.string().starts_with("frame_") && !(is_side_file && reader[0] == "replay")) || name == "report.json";
