@@ -58,7 +58,8 @@ TEST(Lenticular, slanted_rows_converge_to_eye_height) {
     // whole number of pitches.
     const Vec3f p = at_depth(ray_of_pixel(optics, pixel), 0.0f);
     const float lens = (p.x * std::cos(sheet.slant) + p.y * std::sin(sheet.slant) - sheet.offset_mm) / sheet.lens_pitch_mm;
-    EXPECT_NEAR(lens, std::round(lens), 1e-3f);  // 1e-4 mm, relative to pitches of at least 0.1 mm
+    // tolerance: kPositionMm, 1e-4 mm, divided by the smallest pitch of 0.1 mm
+    EXPECT_NEAR(lens, std::round(lens), 1e-3f);
   }
 }
 

@@ -204,7 +204,8 @@ TEST(Plenoptic, parameters_make_a_camera) {
   EXPECT_NEAR(camera_of(params).focal_length_mm, 46.71115f, 1e-3f);
   EXPECT_NEAR(camera_of(params).f_number, 46.71115f / 49.0f, 1e-5f);
   EXPECT_EQ(camera_of(params, 4.0f).f_number, 4.0f);
-  // The array is shifted by e, where 1 / e = 1 / 0.75 - 1 / gap. With a gap of 1 mm, e = 3 mm.
+  // The focal length of the microlenses is 0.75 mm and the gap is 1 mm. The array is shifted by e = 3 mm, because 1 / e = 1 /
+  // 0.75 - 1 / gap.
   params.lens_focal_length_mm = 0.75f;
   EXPECT_NEAR(camera_of(params).array_shift_mm, 3.0f, 1e-5f);
   params.lens_focal_length_mm = 1.25f;
@@ -220,7 +221,9 @@ TEST(Plenoptic, parameters_without_a_camera_are_refused) {
   params = {};
   params.gap_mm = 60.0f;
   EXPECT_THAT(test::error_message([&] { camera_of(params); }), HasSubstr("gap"));
-  // The aperture is 46 mm / 8 wide. Its image below a lens is 0.1 / 50 times as wide: an eighth of a pixel, which is too small.
+  // With a gap of 0.1 mm, the array is 49.9 mm behind the main lens, and the focal length is 47.5 mm. At the f-number 8, the
+  // aperture is 47.5 mm / 8 wide. Its image below a microlens is 0.1 / 49.9 times as wide: an eighth of a pixel, which is too
+  // small.
   params.gap_mm = 0.1f;
   EXPECT_THAT(test::error_message([&] { camera_of(params, 8.0f); }), HasSubstr("f-number: is 8: the image below each"));
 }
