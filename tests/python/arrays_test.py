@@ -59,7 +59,7 @@ class Arrays(Case):
         scene.place_display(height=10, viewing_distance=10)
         grid = small_grid(2, 2, (32, 32), baseline_mm=5, distance_mm=100, pixel_mm=100 / 32)
         field = lippmann.render(scene, grid, layers=["disparity"], spp=1, fit_depth=False)
-        # 2 units in front of the display; 10 units of the display's height are 100 mm
+        # the plane is 2 units in front of the display; a unit is 10 mm, because the display is 10 units or 100 mm high
         np.testing.assert_allclose(field.depth, 20, rtol=1e-4)
         # The eye moves by 5 mm, so in the plane of the display a point moves by 5 z / (100 - z) = 5 * 20 / 80 mm. A
         # pixel is 100 / 32 = 3.125 mm wide.
