@@ -216,7 +216,8 @@ TEST(MeshMaterial, rough_coats_show_lamps_behind_the_base) {
   }
 }
 
-// In uniform light from all sides, shadow rays must not omit light either. The tolerance of 1 % is noise.
+// The base is black, so only the coat reflects light. Its light must not change if the normal of the base leans by 60 degrees.
+// The tolerance of 1 % covers noise.
 TEST(MeshMaterial, rough_coats_keep_their_albedo) {
   const auto in_white_furnace = [](const MetallicRoughness& m, float base_degrees) {
     SmallScene s;

@@ -266,7 +266,7 @@ TEST(RoundLight, directions_cover_the_cone_uniformly) {
   // The mean of uniform directions in a cone is (1 + cos) / 2 along its axis.
   EXPECT_NEAR(sum.z / (kSteps * kSteps), 0.5f * (1.0f + std::sqrt(0.75f)), 1e-4f);
   EXPECT_NEAR(sum.x / (kSteps * kSteps), 0.0f, 1e-4f);
-  // 31 degrees from the axis, outside the cone of 30 degrees.
+  // This direction is 31 degrees from the axis. It is outside the lamp's cone of 30 degrees.
   EXPECT_FALSE(see_round(light, 1.0f, from, glm::normalize(Vec3f(0.6f, 0.0f, 1.0f))));
   EXPECT_FALSE(see_round(light, 1.0f, from, Vec3f(0, 0, -1)));
 }
