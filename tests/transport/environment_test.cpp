@@ -212,9 +212,9 @@ TEST(Environment, soft_skies_have_no_sun) {
   gradient.zenith = Vec3f(1.0f), gradient.horizon_at = 0.99f;
   const Background even = panorama(256, 128, [](int, int) { return Vec3f(2.0f); }),
                    dark = panorama(256, 128, [](int, int) { return Vec3f(0.0f); }),
-                   // 0.15 steradian with nearly all the light
+                   // a window of 0.15 steradian that has nearly all the light
       window = panorama(256, 128, [](int x, int y) { return Vec3f(x < 16 && y > 56 && y < 72 ? 1000.0f : 0.1f); }),
-                   // 200 times as bright as the rest, but with only a hundredth of all light
+                   // a texel that is 200 times as bright as the rest, but has only a hundredth of all light
       veiled = panorama(256, 128, [](int x, int y) { return Vec3f(x == 9 && y == 60 ? 200.0f : 1.0f); });
   for (const Background* b : std::initializer_list<const Background*>{&gradient, &even, &dark, &window, &veiled}) {
     const Environment e(*b);
