@@ -13,6 +13,7 @@ import { Motion } from "./motion";
 import { codeFromLinear, openGl } from "./gl";
 import { Pace } from "./pace";
 import { Player } from "./player";
+import type { Placed } from "./pair";
 import { Print, type PrintChoices } from "./print";
 import { ProgressLine, type Work } from "./progress";
 import { showLegend } from "./provenance";
@@ -387,6 +388,7 @@ export class App {
     this.showScale();
     this.showOrigins();
     this.showLine();
+    this.showCaptions();
     if (isWhole) void this.prefetch();
   }
 
@@ -443,6 +445,26 @@ export class App {
     line.style.left = `${this.canvas.offsetLeft + left * ratio}px`;
     line.style.top = `${this.canvas.offsetTop + (top + state.line * height) * ratio}px`;
     line.style.width = `${width * ratio}px`;
+  }
+
+  /** Names the two pictures of an integral image with few lenses. */
+  private showCaptions(): void {
+    const { pair, screen } = this.renderer;
+    const ratio = this.canvas.clientWidth / screen[0];
+    const isWhole = this.store.state.magnify === 1;
+    const name = (id: string, text: string, placed: Placed | undefined) => {
+      const caption = byId(id);
+      caption.hidden = !placed;
+      if (!placed) return;
+      const { room, centre, height } = placed;
+      const bottom = Math.min(room.top + room.height, isWhole ? centre[1] + height / 2 : Infinity);
+      const middle = Math.min(Math.max(centre[0], room.left), room.left + room.width);
+      caption.textContent = text;
+      caption.style.left = `${this.canvas.offsetLeft + middle * ratio}px`;
+      caption.style.top = `${this.canvas.offsetTop + bottom * ratio}px`;
+    };
+    name("eye-caption", "What an eye sees", pair?.eye);
+    name("panel-caption", `The panel behind the lenses${isWhole && pair ? `, ${pair.scale}:1` : ""}`, pair?.panel);
   }
 
   /** Warns of flips, as `lippmann replay` does. */

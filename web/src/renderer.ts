@@ -3,17 +3,11 @@ import { disparityOfDepth, hasCrosstalk, naturalSize, type Axis, type Field } fr
 import type { Frames, LoadedFrame, Use } from "./frames";
 import { bind, codeFromLinear, Program, Target, type Gl, type Uniform } from "./gl";
 import { eyeShader, kFrameShader, kWindowShader, kWindowVertices, panelShader, screenShader, type ScreenMode, type Variant } from "./shaders";
+import { pairOf, type Pair, type Rectangle } from "./pair";
 import { tints } from "./provenance";
 import { bindQuilt } from "./quilt";
 import type { State } from "./state";
 import type { HeadsetView } from "./xr";
-
-export interface Rectangle {
-  left: number;
-  top: number;
-  width: number;
-  height: number;
-}
 
 export interface Loupe {
   x: number;
@@ -35,6 +29,19 @@ const kMostPlace = 8192;
 /** Crosstalk applies only to the view of an eye with a closed aperture. */
 export const useOf = (state: State): Use => (state.show === "eye" && state.crosstalk > 0 && state.aperture === 0 ? `eye/${Math.round(100 * state.crosstalk)}` : state.show);
 
+/** Returns the rectangle of a picture that is magnified and moved. */
+function magnified({ width, height, centre }: { width: number; height: number; centre: [number, number] }, by: number, pan: number[]): Rectangle {
+  const place = { width: Math.max(1, Math.round(width * by)), height: Math.max(1, Math.round(height * by)) };
+  return { left: Math.round(centre[0] + pan[0] * width - place.width / 2), top: Math.round(centre[1] + pan[1] * height - place.height / 2), ...place };
+}
+
+/** Returns the part of a rectangle within another. */
+function overlap({ left, top, width, height }: Rectangle, room: Rectangle): Rectangle {
+  const at = { left: Math.max(left, room.left), top: Math.max(top, room.top) };
+  const [right, bottom] = [Math.min(left + width, room.left + room.width), Math.min(top + height, room.top + room.height)];
+  return { ...at, width: Math.max(1, right - at.left), height: Math.max(1, bottom - at.top) };
+}
+
 const axisOf = (axis: Axis): number[] => [axis.first, axis.step, axis.by === "angle" ? 1 : 0, kBeyond[axis.beyond]];
 
 export class Renderer {
@@ -42,6 +49,8 @@ export class Renderer {
   screen: [number, number] = [1, 1];
   /** Size and centre of the picture without magnification. */
   fitted = { width: 1, height: 1, centre: [0, 0] as [number, number] };
+  /** Layout of an eye's view and its panel; null: one picture is shown. */
+  pair: Pair | null = null;
   /** Rectangle of the picture on the canvas, from the top left; may exceed the canvas if magnified. */
   place: Rectangle = { left: 0, top: 0, width: 1, height: 1 };
   /** The same rectangle at the present resolution of the canvas. */
@@ -102,16 +111,18 @@ export class Renderer {
     if (this.direct) {
       this.drawDirectly(field, loaded[0] as LoadedFrame, state, ground);
       if (state.line >= 0) this.drawLine(field, loaded[0] as LoadedFrame, state);
+      if (this.pair) this.drawBeside(this.pair, field, loaded[0] as LoadedFrame, state);
       return true;
     }
     shown.forEach((one, i) => {
       const frame = loaded[i] as LoadedFrame;
-      if (state.show === "panel") this.drawPanel(this.targets[i], this.fields[one], frame, state);
+      if (state.show === "panel") this.drawPanel(this.targets[i], this.fields[one], frame, state, this.place, (this.panelPart = shown.length > 1 ? this.place : overlap(this.place, { left: 0, top: 0, width: this.screen[0], height: this.screen[1] })));
       else if (stereo) this.drawPair(field, frame, state, size);
       else this.drawEye(this.targets[i], this.fields[one], frame, state, state.eye, size);
     });
     this.compose(state, stereo, ground);
     if (state.line >= 0 && state.show === "eye") this.drawLine(field, loaded[0] as LoadedFrame, state);
+    if (this.pair) this.drawBeside(this.pair, field, loaded[0] as LoadedFrame, state);
     return true;
   }
 
@@ -226,13 +237,18 @@ export class Renderer {
     const high = stereo && state.stereo === "top-bottom";
     const aspect = ((w / h) * (wide ? 2 : 1)) / (high ? 2 : 1);
     const fitted = Math.min(width / aspect, room);
-    this.fitted = { width: fitted * aspect, height: fitted, centre: [width / 2, room / 2] };
+    const isAlone = stereo || compared || state.line >= 0 || state.show !== "eye" || this.frames.isLive;
+    this.pair = isAlone ? null : pairOf(field, this.screen, this.ratio);
+    this.fitted = this.pair?.eye ?? { width: fitted * aspect, height: fitted, centre: [width / 2, room / 2] };
     // The epipolar-plane image lies below the unmagnified picture.
     const by = state.line >= 0 && state.show === "eye" ? 1 : Math.min(state.magnify, this.mostMagnified);
     const pan = by === state.magnify ? state.pan : [0, 0];
-    const place = { width: Math.max(1, Math.round(this.fitted.width * by)), height: Math.max(1, Math.round(this.fitted.height * by)) };
-    const [x, y] = [width / 2 + pan[0] * this.fitted.width, room / 2 + pan[1] * this.fitted.height];
-    this.place = { left: Math.round(x - place.width / 2), top: Math.round(y - place.height / 2), ...place };
+    this.place = magnified(this.fitted, by, pan);
+  }
+
+  /** Pixels of the canvas at full resolution per CSS pixel. */
+  private get ratio(): number {
+    return this.screen[0] / Math.max(1, (this.gl.canvas as HTMLCanvasElement).clientWidth);
   }
 
   /** Magnification at which a picture reaches the GPU's size limit. */
@@ -314,13 +330,50 @@ export class Renderer {
     const gl = this.gl;
     const { left, top, width, height } = this.drawn;
     const bottom = gl.canvas.height - top - height;
+    this.beginCanvas(ground);
+    gl.viewport(left, bottom, width, height);
+    const [program, uniforms] = this.eyePass(field, frame, state, state.eye, [width, height], true);
+    program.draw({ ...uniforms, u_offset: [left, bottom] });
+    this.clip(null);
+  }
+
+  /** Draws the panel beside the eye's view. Once both have the same scale, they are magnified together. */
+  private drawBeside({ eye, panel }: Pair, field: Field, frame: LoadedFrame, state: State): void {
+    const by = this.place.width / eye.width;
+    const place = magnified(panel, by > 1 ? Math.max(1, this.place.width / panel.width) : by, state.pan);
+    const part = overlap(place, panel.room);
+    this.drawPanel(this.targets[1], field, frame, state, place, part);
+    const gl = this.gl;
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    gl.viewport(0, 0, gl.canvas.width, gl.canvas.height);
+    this.clip(part);
+    this.screenProgram("first").draw({ ...this.screenUniforms(state, [0, 0, 0]), u_first: bind(gl, 0, this.targets[1].texture), u_place: this.onCanvas(part) });
+    this.clip(null);
+  }
+
+  /** Clears the canvas, and limits what follows to the room of the eye's view. */
+  private beginCanvas(ground: number[]): void {
+    const gl = this.gl;
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     gl.viewport(0, 0, gl.canvas.width, gl.canvas.height);
     gl.clearColor(ground[0], ground[1], ground[2], 1);
     gl.clear(gl.COLOR_BUFFER_BIT);
-    gl.viewport(left, bottom, width, height);
-    const [program, uniforms] = this.eyePass(field, frame, state, state.eye, [width, height], true);
-    program.draw({ ...uniforms, u_offset: [left, bottom] });
+    this.clip(this.pair?.eye.room ?? null);
+  }
+
+  private clip(room: Rectangle | null): void {
+    const gl = this.gl;
+    if (!room) return gl.disable(gl.SCISSOR_TEST);
+    gl.enable(gl.SCISSOR_TEST);
+    gl.scissor(...this.onCanvas(room));
+  }
+
+  /** Returns left, bottom, width and height at the present resolution of the canvas. */
+  private onCanvas({ left, top, width, height }: Rectangle): [number, number, number, number] {
+    const { canvas } = this.gl;
+    const [x, right] = [left, left + width].map((place) => Math.round((place * canvas.width) / this.screen[0]));
+    const [y, bottom] = [top, top + height].map((place) => Math.round((place * canvas.height) / this.screen[1]));
+    return [x, canvas.height - bottom, right - x, bottom - y];
   }
 
   private eyePass(field: Field, frame: LoadedFrame, state: State, eye: Eye, size: [number, number], screen: boolean): [Program, Record<string, Uniform>] {
@@ -344,17 +397,15 @@ export class Renderer {
     return made;
   }
 
-  /** Draws only the visible part, so that a magnified panel needs no larger target. */
-  private drawPanel(target: Target, field: Field, frame: LoadedFrame, state: State): void {
-    const { place } = this;
-    const ratio = this.gl.canvas.width / (this.gl.canvas as HTMLCanvasElement).clientWidth;
-    const part = (this.panelPart = this.shownFields(state).length > 1 ? place : this.onScreen());
+  /** Draws a part of the panel, whose whole picture has the rectangle `place`. A magnified panel needs no larger target. */
+  private drawPanel(target: Target, field: Field, frame: LoadedFrame, state: State, place: Rectangle, part: Rectangle): void {
     const size = [part.width, part.height].map((side) => Math.min(side, kMostPlace / 2)) as [number, number];
     target.begin(...size);
     const loupe = this.loupe;
     const [w, h] = field.panel.size;
     const [perX, perY] = [w / place.width, h / place.height];
     const cell = field.panel.is === "integral" ? Math.max(field.across.views, field.up.views) : 8;
+    const { ratio } = this;
     const radius = kLoupeRadius * ratio;
     const overlay = this.overlays(frame, state);
     this.panelProgram({ overlay, layered: frame.layer !== null }).draw({
@@ -367,14 +418,6 @@ export class Renderer {
       u_loupe: loupe ? [loupe.x - part.left, loupe.y - part.top, radius, Math.max(2 * ratio, Math.floor((1.6 * radius) / (2 * cell)))] : [0, 0, 0, 1],
       u_loupe_at: loupe ? [(loupe.x - place.left) * perX, (loupe.y - place.top) * perY] : [0, 0],
     });
-  }
-
-  /** Returns the visible part of the picture's rectangle. */
-  private onScreen(): Rectangle {
-    const { left, top, width, height } = this.place;
-    const [right, bottom] = [Math.min(left + width, this.screen[0]), Math.min(top + height, this.screen[1])];
-    const at = { left: Math.max(left, 0), top: Math.max(top, 0) };
-    return { ...at, width: Math.max(1, right - at.left), height: Math.max(1, bottom - at.top) };
   }
 
   private screenUniforms(state: State, ground: number[]): Record<string, Uniform> {
@@ -396,9 +439,8 @@ export class Renderer {
 
   private compose(state: State, stereo: boolean, ground: number[]): void {
     const gl = this.gl;
-    const { width, height } = gl.canvas;
-    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
-    gl.viewport(0, 0, width, height);
+    const { height } = gl.canvas;
+    this.beginCanvas(ground);
     let mode: ScreenMode = "first";
     if (stereo) mode = kStereoModes[state.stereo];
     else if (this.shownFields(state).length > 1) mode = kCompareModes[state.compare];
@@ -407,6 +449,7 @@ export class Renderer {
       ...this.screenUniforms(state, ground),
       u_place: [drawn.left, height - drawn.top - drawn.height, drawn.width, drawn.height],
     });
+    this.clip(null);
   }
 
   /** Draws the epipolar-plane image of the line below the picture. */
@@ -430,6 +473,8 @@ export class Renderer {
 
   /** Returns the share of the display, from its top left, of a point on the canvas, or null beside the picture. */
   shareAt(state: State, x: number, y: number): [number, number] | null {
+    const room = this.pair?.eye.room;
+    if (room && (x < room.left || y < room.top || x > room.left + room.width || y > room.top + room.height)) return null;
     let share: [number, number] = [(x - this.place.left) / this.place.width, (y - this.place.top) / this.place.height];
     if (share.some((s) => s < 0 || s > 1)) return null;
     const twice = (s: number) => (2 * s) % 1;
