@@ -22,8 +22,15 @@ const hashOfScript = {
   },
 };
 
+/// Minifiers do not change texts: comments and indentation of shaders take 5 kB.
+const shadersWithoutComments = {
+  name: "shaders-without-comments",
+  enforce: "pre",
+  transform: (code, id) => (/\/(gl|interlace|quilt|shaders)\.ts$/.test(id) ? code.replace(/(^|\s)\/\/ .*$/gm, "").replace(/^\s+/gm, "") : null),
+};
+
 const view = {
-  plugins: [classicScript],
+  plugins: [shadersWithoutComments, classicScript],
   build: {
     target: "es2021",
     modulePreload: false,

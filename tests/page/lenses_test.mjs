@@ -2,7 +2,7 @@
 // the warning of flips.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { closeAfterEach, drawn, eyeOfView, grid, inFolder, lenslets, lippmann, open, psnrBeside, quilt, replay, set, sheet, view } from "./support.mjs";
+import { closeAfterEach, codesOf, drawn, eyeOfView, grid, inFolder, lenslets, lippmann, only, open, psnrBeside, quilt, replay, set, sheet, view } from "./support.mjs";
 
 closeAfterEach();
 
@@ -77,4 +77,41 @@ test("crosstalk is stated as each neighbour's share", async () => {
   }
   await set(page, { show: "panel" });
   assert.equal(await page.getByRole("slider", { name: "Crosstalk" }).isVisible(), false);
+});
+
+/** Compares the panel beside the eye's view with its file, pixel by pixel. The caption stands below its middle. */
+const besidePanel = async (page, file) =>
+  page.evaluate(({ width, height, data }) => {
+    const canvas = document.querySelector("canvas"), seen = window.lippmann.panel();
+    const caption = document.getElementById("panel-caption");
+    const scale = Number(/(\d+):1/.exec(caption.textContent)[1]);
+    const left = parseFloat(caption.style.left) - canvas.offsetLeft - (scale * width) / 2;
+    const top = parseFloat(caption.style.top) - canvas.offsetTop - scale * height;
+    let most = 0;
+    for (let y = 0; y < scale * height; y++)
+      for (let x = 0; x < scale * width; x++)
+        for (let c = 0; c < 3; c++)
+          most = Math.max(most, Math.abs(seen[4 * ((top + y) * canvas.width + left + x) + c] - data[4 * (Math.floor(y / scale) * width + Math.floor(x / scale)) + c]));
+    const eye = document.getElementById("eye-caption").style;
+    return { scale, most, isBelow: parseFloat(eye.top) < top };
+  }, await codesOf(page, inFolder(`${file}/${only(file, /^frame_0000\.png$/)}`)));
+
+test("few lenses show their panel pixel for pixel", async () => {
+  sheet();
+  const page = await open(await view("sheet"), { width: 1400, height: 900 });
+  assert.deepEqual(await besidePanel(page, "sheet"), { scale: 2, most: 0, isBelow: false });
+  await page.setViewportSize({ width: 1000, height: 700 });
+  assert.deepEqual(await besidePanel(page, "sheet"), { scale: 1, most: 0, isBelow: false });
+  await page.setViewportSize({ width: 390, height: 844 });
+  assert.deepEqual(await besidePanel(page, "sheet"), { scale: 1, most: 0, isBelow: true });
+  await set(page, { magnify: 3 });
+  assert.equal(await page.locator("#panel-caption").textContent(), "The panel behind the lenses");
+  await set(page, { show: "panel", magnify: 1 });
+  assert.equal(await page.locator(".caption:visible").count(), 0);
+});
+
+test("a quilt fills the page alone", async () => {
+  quilt();
+  const page = await open(await view("quilt"), { width: 1400, height: 900 });
+  assert.equal(await page.locator(".caption:visible").count(), 0);
 });

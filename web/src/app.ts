@@ -375,6 +375,7 @@ export class App {
     const stage = byId("stage");
     this.showProgress("frame", isWhole || this.live ? null : { what: "Loading", ...(this.frames.progress ?? { bytes: 0, of: null }) });
     if (!this.live) stage.dataset.outdated = String(!drawn && this.hasDrawn);
+    stage.dataset.show = state.show;
     stage.dataset.empty = String(!this.hasDrawn);
     stage.dataset.preview = String(drawn && !isWhole);
     stage.dataset.drawn = String(isWhole && divisor === 1 && !this.frames.isAsking);

@@ -45,7 +45,7 @@ export function makeControls(parent: HTMLElement, store: Store, actions: Actions
   const { live, player, print } = actions;
   const beginsOnPanel = live?.about.plays ?? false;
   const isSeen = () => store.state.show !== "display";
-  const hasEyes = () => field.across.views * field.up.views > 1 && isSeen();
+  const hasEyes = () => field.across.views * field.up.views > 1 && store.state.show === "eye";
   const groups = [
     beginsOnPanel ? playGroup(player, true, shown) : null,
     ...(live ? setUpGroups(store, field, live, shown) : []),
@@ -204,7 +204,7 @@ function onlyIf(applies: () => boolean, made: HTMLElement, shown: Shown[]): HTML
 
 /** Makes the choice of what to show. It appears once a panel was dropped on the page, or if there are views. */
 function showChoice(store: Store, hasViews: () => boolean, shown: Shown[]): HTMLElement {
-  const row = choice("Show", "show", [["eye", "What an eye sees"], ["panel", "The panel, without its lenses"], ["display", "Played on a calibrated panel"]], store, shown, () => hasViews() || store.plays);
+  const row = choice("Show", "show", [["eye", "What an eye sees"], ["panel", "Panel without lenses"], ["display", "On a calibrated panel"]], store, shown, () => hasViews() || store.plays);
   const played = row.querySelector<HTMLOptionElement>('option[value="display"]') as HTMLOptionElement;
   shown.push({ update: () => (played.hidden = played.disabled = !store.plays) });
   return row;

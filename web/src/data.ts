@@ -164,9 +164,19 @@ export async function loadBytes(path: string, progress: (now: Progress) => void)
   return new Blob(pieces, { type: response.headers.get("Content-Type") ?? "" });
 }
 
+const expected = new Map<string, Promise<Blob | null>>();
+
+/** Requests a picture before the page is ready to show it. */
+export function expectPicture(name: string): void {
+  if (!isSaved()) expected.set(name, loadBytes(name, () => {}).catch(() => null));
+}
+
 /** Loads one picture: FIELD/views/FRAME, FIELD/preview/FRAME, FIELD/depth/FRAME or FIELD/panel/FRAME. */
 export async function loadPicture(name: string, progress: (now: Progress) => void = () => {}): Promise<Blob> {
   if (source() === "within") return pictureWithin(name);
+  const early = await expected.get(name);
+  expected.delete(name);
+  if (early) return early;
   return isSaved() ? fromScript(name) : loadBytes(name, progress);
 }
 

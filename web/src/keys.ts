@@ -33,4 +33,6 @@ export function toggleKeyList(isLive: boolean): void {
   document.body.append(dialog);
   shown = dialog;
   dialog.showModal();
+  // The focused button at its end would hide the first lines on low screens.
+  dialog.scrollTop = 0;
 }

@@ -1,6 +1,6 @@
 // Loads the description and starts the page.
 import { App, fail } from "./app";
-import { loadFields } from "./data";
+import { expectPicture, loadFields } from "./data";
 import { readDisplay } from "./display";
 import { DropPage } from "./drop";
 import { readFields, Refusal } from "./field";
@@ -18,6 +18,8 @@ async function start(): Promise<void> {
     const fields = readFields(json);
     const { display, live, run, prints } = json as { display?: unknown; live?: Choices; run?: RunState; prints?: PrintChoices };
     const panel = display ?? live?.display;
+    // The server makes the preview while the graphics start, which takes as long.
+    if (fields[0].preview && fields.length === 1 && !panel && !run && !/[#&](frame|show|crosstalk)=/.test(location.hash)) expectPicture("0/preview/0");
     const app = new App(fields, panel ? readDisplay(panel) : null, live ?? null, run ?? null, { prints: prints ?? null, drops });
     steerFromOutside(app);
   } catch (error) {

@@ -35,6 +35,11 @@ const kCaption = 24;
 const hasWideLenses = (field: Field, scale: number): boolean =>
   field.lens_samples.some((isLens, i) => isLens && scale * field.panel.size[i] > kWideLens * field.view_size[i]);
 
+/** Returns the scale, in pixels of the canvas per pixel of the panel, at which a panel or its wide lenses are shown: a whole number if
+ *  it fits. */
+export const trueScale = (field: Field, scale: number, isPanel: boolean): number =>
+  scale >= 1 && (isPanel || (field.panel.is === "integral" && hasWideLenses(field, scale))) ? Math.floor(scale) : scale;
+
 /** Returns the layout on a canvas of this size with `ratio` pixels per CSS pixel. Null: the panel has many lenses, or less than half of
  *  it would be visible. */
 export function pairOf(field: Field, [width, height]: Two, ratio: number): Pair | null {
@@ -53,7 +58,8 @@ export function pairOf(field: Field, [width, height]: Two, ratio: number): Pair 
   const first = Math.round((room[along] - eye[along] - between - visible[along]) / 2);
   const end = Math.round(first + eye[along]), second = end + between;
   const place = (size: Two, middle: number, from: number, to: number): Placed => {
-    const centre: Two = [room[0] / 2, room[1] / 2], low: Two = [0, 0], high: Two = [...room];
+    const [x, y] = size.map((side, i) => Math.round((room[i] - side) / 2) + side / 2);
+    const centre: Two = [x, y], low: Two = [0, 0], high: Two = [...room];
     [centre[along], low[along], high[along]] = [middle, from, to];
     return { width: size[0], height: size[1], centre, room: { left: low[0], top: low[1], width: high[0] - low[0], height: high[1] - low[1] } };
   };

@@ -3,7 +3,7 @@ import { disparityOfDepth, hasCrosstalk, naturalSize, type Axis, type Field } fr
 import type { Frames, LoadedFrame, Use } from "./frames";
 import { bind, codeFromLinear, Program, Target, type Gl, type Uniform } from "./gl";
 import { eyeShader, kFrameShader, kWindowShader, kWindowVertices, panelShader, screenShader, type ScreenMode, type Variant } from "./shaders";
-import { pairOf, type Pair, type Rectangle } from "./pair";
+import { pairOf, trueScale, type Pair, type Rectangle } from "./pair";
 import { tints } from "./provenance";
 import { bindQuilt } from "./quilt";
 import type { State } from "./state";
@@ -236,7 +236,10 @@ export class Renderer {
     const wide = (stereo && state.stereo === "side-by-side") || (compared && state.compare === "side-by-side");
     const high = stereo && state.stereo === "top-bottom";
     const aspect = ((w / h) * (wide ? 2 : 1)) / (high ? 2 : 1);
-    const fitted = Math.min(width / aspect, room);
+    const rows = field.panel.size[1] * (high ? 2 : 1);
+    const largest = Math.min(width / aspect, room);
+    // The pictures of a scene that is set up begin with few lenses, and would change their size.
+    const fitted = this.frames.isLive ? largest : rows * trueScale(field, largest / rows, state.show === "panel");
     const isAlone = stereo || compared || state.line >= 0 || state.show !== "eye" || this.frames.isLive;
     this.pair = isAlone ? null : pairOf(field, this.screen, this.ratio);
     this.fitted = this.pair?.eye ?? { width: fitted * aspect, height: fitted, centre: [width / 2, room / 2] };
