@@ -93,7 +93,7 @@ const besidePanel = async (page, file) =>
         for (let c = 0; c < 3; c++)
           most = Math.max(most, Math.abs(seen[4 * ((top + y) * canvas.width + left + x) + c] - data[4 * (Math.floor(y / scale) * width + Math.floor(x / scale)) + c]));
     const eye = document.getElementById("eye-caption").style;
-    return { scale, most, isBelow: parseFloat(eye.top) < top };
+    return { scale, most, isBelow: parseFloat(eye.top) < parseFloat(caption.style.top) };
   }, await codesOf(page, inFolder(`${file}/${only(file, /^frame_0000\.png$/)}`)));
 
 test("few lenses show their panel pixel for pixel", async () => {

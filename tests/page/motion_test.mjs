@@ -71,9 +71,7 @@ test("wheel, right button and 0 zoom and pan", async () => {
   await page.mouse.up({ button: "right" });
   assert.ok((await state(page)).pan[0] > zoomed.pan[0] + 0.05);
   await page.keyboard.press("1");
-  const box = await page.locator("#canvas").boundingBox();
-  const fitted = Math.min(box.width, box.height);
-  assert.ok(Math.abs((await state(page)).magnify * fitted - 256) < 2, "the sheet has 256 pixels per side");
+  assert.equal((await state(page)).magnify, 1, "a sheet of few lenses is fitted at true size");
   await page.keyboard.press("0");
   await page.waitForFunction((before) => document.querySelector("canvas").toDataURL() === before, before);
 });
