@@ -1,11 +1,11 @@
 // With slow graphics, moving pictures are drawn coarsely, and finely again at rest.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { closeAfterEach, open, set, sheet, view } from "./support.mjs";
+import { closeAfterEach, open, quilt, set, view } from "./support.mjs";
 
 closeAfterEach();
-sheet();
-const address = await view("sheet");
+quilt();
+const address = await view("quilt");
 
 /** Makes every frame of the screen appear to take this many times as long. */
 const slowed = (times) => `

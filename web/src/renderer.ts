@@ -67,6 +67,9 @@ export class Renderer {
   private panelPart: Rectangle = this.place;
   private last: { state: State; field: Field; frame: LoadedFrame } | null = null;
   private readonly targets: [Target, Target, Target, Target];
+  /** The panel beside the eye's view, kept while the eye moves. */
+  private readonly beside: Target;
+  private besideShows: { frame: LoadedFrame; key: string } | null = null;
 
   constructor(
     private readonly gl: Gl,
@@ -74,6 +77,7 @@ export class Renderer {
     private readonly frames: Frames,
   ) {
     this.targets = [new Target(gl), new Target(gl), new Target(gl), new Target(gl)];
+    this.beside = new Target(gl);
   }
 
   /** Returns the frame of another light field to show with frame `frame` of the first: the one with the same label, or else the same
@@ -345,12 +349,14 @@ export class Renderer {
     const by = this.place.width / eye.width;
     const place = magnified(panel, by > 1 ? Math.max(1, this.place.width / panel.width) : by, state.pan);
     const part = overlap(place, panel.room);
-    this.drawPanel(this.targets[1], field, frame, state, place, part);
+    const key = JSON.stringify([place, part, this.overlays(frame, state) && state.overlay]);
+    if (this.besideShows?.frame !== frame || this.besideShows.key !== key) this.drawPanel(this.beside, field, frame, state, place, part);
+    this.besideShows = { frame, key };
     const gl = this.gl;
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     gl.viewport(0, 0, gl.canvas.width, gl.canvas.height);
     this.clip(part);
-    this.screenProgram("first").draw({ ...this.screenUniforms(state, [0, 0, 0]), u_first: bind(gl, 0, this.targets[1].texture), u_place: this.onCanvas(part) });
+    this.screenProgram("first").draw({ ...this.screenUniforms(state, [0, 0, 0]), u_first: bind(gl, 0, this.beside.texture), u_place: this.onCanvas(part) });
     this.clip(null);
   }
 
