@@ -44,7 +44,14 @@ test("filtered views", async () => {
 // The last of hundreds of lenses must be as exact as the first: with floats, hundreds of sub-pixels would show another view.
 test("a preset at full size", () => compare("portrait", quilts[0], "portrait"));
 
-test("a render behind a lenticular sheet", () => compare("of-sheet", "sheet/frame_0000.png", calibration("sheet-panel")));
+test("a render behind a lenticular sheet", async () => {
+  const page = await compare("of-sheet", "sheet/frame_0000.png", calibration("sheet-panel"));
+  await page.setViewportSize({ width: 1400, height: 900 });
+  await set(page, { show: "eye" });
+  assert.equal(await page.locator(".caption:visible").count(), 2);
+  await set(page, { show: "display" });
+  assert.equal(await page.locator(".caption:visible").count(), 0);
+});
 
 test("a set of views", async () => {
   lippmann("convert", quilts[0], "set", "--to", "views");

@@ -162,6 +162,7 @@ export class Renderer {
     const gl = this.gl;
     const { width, height } = gl.canvas;
     this.place = { left: 0, top: 0, width, height };
+    this.pair = null;
     this.last = null;
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     gl.viewport(0, 0, width, height);
