@@ -1,11 +1,11 @@
-// The lines of `lippmann --version` below the version: commit, compiler, libraries and modules.
+// The lines of `lippmann --version` below the version: commit, compiler, libraries, and which optional modules are installed.
 #pragma once
 
 #include <string>
 
 namespace lippmann::app {
 
-/// Returns the lines, without a final newline. Loads no module.
+/// Returns the lines, without a final newline.
 std::string build_facts();
 
 }  // namespace lippmann::app

@@ -43,7 +43,7 @@ void print_text(const std::string& folder, const FolderCheck& check) {
              check.frames, check.frames == 1 ? "" : "s", check.damaged.size(), check.missing.size(), check.foreign.size());
 }
 
-/// Returns a JSON object with a list of numbers for each frame or folder: {"0": "2,5-7"}.
+/// Returns a JSON object that maps each key (a frame or a folder) to ranges of its numbers, as {"0": "2,5-7"}.
 template <class Key>
 nlohmann::ordered_json numbers_json(const std::map<Key, std::vector<int>>& numbers) {
   nlohmann::ordered_json json = nlohmann::ordered_json::object();

@@ -28,11 +28,11 @@ class Flag {
   explicit Flag(CLI::Option& option) : option_(&option) {}
 
   const Flag& required() const;
-  const Flag& type_name(const std::string& name) const;  ///< sets the name of its value in --help
-  const Flag& group(const std::string& heading) const;   ///< sets the heading below which --help lists it
-  const Flag& values(int count, char delimiter) const;   ///< makes it take a list of `count` values in one word
-  const Flag& single() const;                            ///< makes it take only one word, although its variable is a list
-  /// Makes it take one word each time it is given; for more values of the list it is repeated.
+  const Flag& type_name(const std::string& name) const;  ///< sets the name of the flag's value in --help
+  const Flag& group(const std::string& heading) const;   ///< sets the heading below which --help lists the flag
+  const Flag& values(int count, char delimiter) const;   ///< the flag takes one word that lists `count` values
+  const Flag& single() const;                            ///< the flag takes one word, although its variable is a list
+  /// The flag takes one word each time it is given. Repeating the flag adds values to its list.
   const Flag& one_word_each() const;
   const Flag& range(int least, int most) const;        ///< limits the value to a range, both ends included
   const Flag& range(double least, double most) const;  ///< limits the value to a range, both ends included
@@ -46,8 +46,9 @@ class Flag {
   CLI::Option* option_;
 };
 
-/// A command, or a group of its flags below a heading of --help. CommandLine::parse writes to the variables, so these must live
-/// until then. A flag is declared by its names, such as "-o,--output"; a name without dashes declares a positional argument.
+/// A command, or a group of its flags below a heading of --help. CommandLine::parse writes the values of flags to their
+/// variables, so the variables must outlive that call. A flag is declared by its names, such as "-o,--output". A name without
+/// dashes declares a positional argument.
 class Command {
  public:
   explicit Command(CLI::App& app) : app_(&app) {}
@@ -70,7 +71,7 @@ class Command {
   CLI::App* app_;
 };
 
-/// The tool and its commands. The command line names one of these.
+/// The tool and its commands. A command line names one command.
 class CommandLine {
  public:
   CommandLine(const std::string& name, const std::string& doc, const std::string& version);
@@ -81,15 +82,16 @@ class CommandLine {
   /// returns the exit code.
   std::optional<int> parse(int argc, char** argv);
 
-  /// Returns the possible values of a flag (named without dashes) or argument if its declaration does not list them.
+  /// Returns the possible values of a flag or argument whose declaration does not list them. name: without dashes.
   using ValuesOf = std::function<std::vector<std::string>(const std::string& name)>;
-  /// Returns the completions of the last word. `words` are those after the tool's name. ":files" in the result stands for file
-  /// names.
+  /// Returns the completions of the last word. words: the words after the tool's name. ":files" in the result requests file
+  /// names from the shell.
   std::vector<std::string> completions(const std::vector<std::string>& words, const ValuesOf& values_of) const;
 
   /// Returns the manual page of all commands and flags, for man(1).
   std::string manual() const;
-  /// Returns the same as Markdown, for docs/reference/command-line.md. A flag that several commands share is explained once.
+  /// Returns the reference of all commands and flags as Markdown, for docs/reference/command-line.md. A flag that several
+  /// commands share is explained once.
   std::string reference() const;
 
   /// Returns the message of an Error with flags in place of parameter names.

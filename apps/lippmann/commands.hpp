@@ -1,9 +1,11 @@
 // The commands of the tool, one file each. A file declares the flags of its command and the function that runs after parsing.
 // The work itself is done by the library.
 //
-// To add a command: write `add_NAME_command` in NAME_command.cpp, declare it below, and call it in main.cpp. Allocate the
-// options on the heap, because the command line keeps references to them; declare flags that write to them; assign the work to
-// `chosen`:
+// To add a command:
+// 1. Write `add_NAME_command` in NAME_command.cpp, declare it below, and call it in main.cpp.
+// 2. Allocate the options on the heap, because the command line keeps references to them.
+// 3. Declare the flags.
+// 4. When the command is named, assign the function that runs it to `chosen`:
 //
 //   struct Options { std::string scene; bool json = false; };
 //   auto options = std::make_shared<Options>();
@@ -11,8 +13,8 @@
 //   command.add_option("SCENE", options->scene, "...").required();
 //   command.when_named([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });
 //
-// The work returns the exit code (0) or throws Error, which only main() catches. Only results and --json go to stdout; messages
-// and progress go to stderr.
+// The function returns the exit code (0) or throws Error, which only main() catches. Only results and --json go to stdout.
+// Messages and progress go to stderr.
 #pragma once
 
 #include <functional>
@@ -28,7 +30,7 @@ class CommandLine;  // command_line.hpp
 /// The function that the chosen command runs. Returns the exit code of the process.
 using Action = std::function<int(Context& context)>;
 
-/// program: the name by which the tool was called, for commands that the summary prints.
+/// program: the name by which the tool was called. It begins the commands that the tool suggests in its output.
 void add_render_command(const Command& root, Action& chosen, const std::string& program);
 void add_plan_command(const Command& root, Action& chosen);
 void add_submit_command(const Command& root, Action& chosen, const std::string& program);

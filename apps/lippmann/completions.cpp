@@ -48,7 +48,7 @@ Names flags_of(const CLI::App& command) {
   return {flags.begin(), flags.end()};
 }
 
-/// Returns the flag that `word` names if it takes a value, which is then the next word; otherwise null.
+/// Returns the flag that `word` names if the next word is its value; otherwise null.
 const CLI::Option* flag_before(const CLI::App& command, const std::string& word) {
   for (const CLI::Option* option : options_of(command))
     if (word.starts_with("-") && option->check_name(word)) return option->get_items_expected_max() > 0 ? option : nullptr;

@@ -61,7 +61,6 @@ DepthConversion depth_frames_of(const ConvertOptions& options, std::string_view 
   return params;
 }
 
-/// Returns the content of a side file for the lens grid, with the residual of the fit.
 nlohmann::ordered_json lens_grid_result(const LensGridFit& fit) {
   return {{"plenoptic", lens_grid_json(fit.grid)}, {"lenses", fit.lenses}, {"residual_px", fit.residual_px}};
 }

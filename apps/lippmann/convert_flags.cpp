@@ -28,7 +28,7 @@ struct IdleRule {
   const char* accepted;
 };
 
-/// Returns whether the format to read or the format to write uses an option.
+/// Returns whether the input format uses the option `use`. is_written() tests the output format.
 template <bool FormatUses::*use>
 bool is_read(const Conversion& c) {
   return c.from && c.from->reads.*use;
@@ -38,8 +38,7 @@ bool is_written(const Conversion& c) {
   return c.to && c.to->writes.*use;
 }
 
-/// Returns whether a raw plenoptic picture may be the input. Every kind of conversion reads these through --from, except
-/// stereo, which reads its light field itself.
+/// Returns whether a raw plenoptic picture may be the input. Only conversions to stereo cannot read raw plenoptic pictures.
 bool reads_plenoptic(const ConvertOptions&, const Conversion& c) {
   return is_read<&FormatUses::plenoptic>(c) && c.kind != ConvertKind::kStereo;
 }
@@ -75,12 +74,12 @@ bool uses_views(const ConvertOptions& options, const Conversion& c) {
   return is_read<&FormatUses::views>(c) && (!options.keep.empty() || !keeps_order(c));
 }
 
-/// Returns whether the number of tiles has an effect. Stereo output has two views, whatever the tiles of the source are.
+/// Returns whether --quilt has an effect.
 bool uses_tiles(const ConvertOptions& o, const Conversion& c) {
   return is_read<&FormatUses::tiles>(c) || (is_written<&FormatUses::tiles>(c) && !is_for_display(o, c));
 }
 
-/// Returns whether the filter between views has an effect. Frames of a flip print have transitions of their own instead.
+/// Returns whether the filter between views has an effect. It has none on flip prints, whose frames change without a filter.
 bool uses_filter(const ConvertOptions& o, const Conversion& c) {
   return is_written<&FormatUses::filter>(c) || (is_for_display(o, c) && !o.picture.flip);
 }
@@ -96,7 +95,7 @@ bool uses_view_angle(const ConvertOptions& options, const Conversion& c) {
          options.sheet.pitch_depends_on_angle(options.stereo.viewing_distance_mm.has_value());
 }
 
-/// The conversions in which each flag has an effect. --json and --quiet always have one and are not listed.
+/// The conversions on which each flag has an effect. --json and --quiet are not listed, because they always have an effect.
 constexpr std::array kIdleRules{
     IdleRule{"--from", [](const ConvertOptions& o) { return !o.from.empty(); }, has_formats, "--to"},
     IdleRule{"--to", [](const ConvertOptions& o) { return !o.to.empty(); }, has_formats,
@@ -212,14 +211,14 @@ constexpr std::array kIdleRules{
              "RGB-D or stereo pictures converted to views, without --keep and --crop"},
 };
 
-/// Returns whether the output is the picture of a display. With --from native, --display describes IN instead.
+/// Returns whether the output is the picture of a display. It is not with --from native: then --display describes IN.
 bool makes_display_picture(const ConvertOptions& options, const Conversion& c) {
   const std::string_view to = c.to->name;
   return options.has_display() && c.from->name != "native" && (to == "integral" || to == "quilt" || to == "native");
 }
 
-/// Returns whether each frame of a video is one view. In videos of a render, and those with a quilt's name, each frame holds
-/// all views.
+/// Returns whether IN is a video with one view per frame. Throws Error for a video whose frames hold all views: the video of a
+/// render, or one whose name is that of a quilt.
 bool is_video_of_views(const ConvertOptions& options) {
   if (!is_video_name(options.in) || !(options.from.empty() || options.from == "views")) return false;
   if (options.from.empty() && (parse_quilt_name(options.in) || rendering_of(options.in)))
@@ -248,7 +247,7 @@ bool makes_views_of_depth(const ConvertOptions& options, const Conversion& c) {
   return c.from->name == "rgbd" && (!options.depth.map.empty() || c.to->name != "rgbd");
 }
 
-/// Returns whether views are computed from a stereo picture. It has only two views, so `--views` requests computed ones.
+/// Returns whether views are computed from a stereo picture. A stereo picture has only two views, so --views requests new ones.
 bool makes_views_of_pair(const ConvertOptions& options, const Conversion& c) {
   return c.from->name == "stereo" && c.to->name != "stereo" && c.to->name != "rgbd" && !options.views.empty();
 }

@@ -1,4 +1,4 @@
-// The flags of `lippmann convert`, and the formats for which each has an effect.
+// The flags of `lippmann convert`, and the conversions on which each flag has an effect.
 #pragma once
 
 #include <string>
@@ -38,7 +38,7 @@ struct ConvertOptions {
   Display read_display() const;
 };
 
-/// The kind of a conversion. One flag or the pair of formats determines it.
+/// The kind of a conversion. The flag named below determines the kind, or else the two formats.
 enum class ConvertKind {
   kRearrange,      ///< moves the pixels of views
   kDisplay,        ///< resamples views for a display
@@ -51,12 +51,13 @@ enum class ConvertKind {
 
 struct Conversion {
   ConvertKind kind = ConvertKind::kRearrange;
-  const LightFieldFormat *from = nullptr, *to = nullptr;  ///< formats to read and to write; null for the last three kinds
-  bool is_from_video = false;                             ///< whether the views are the frames of a video
+  /// Formats to read and to write. Null for kRotate, kSpoc and kPrecompensate.
+  const LightFieldFormat *from = nullptr, *to = nullptr;
+  bool is_from_video = false;  ///< whether the views are the frames of a video
 };
 
-/// Determines the conversion. Throws a usage Error for a missing --to, for flags that exclude each other, and for an unknown
-/// format.
+/// Returns the conversion that the options request. Throws a usage Error for a missing --to, for flags that exclude each other,
+/// and for an unknown format.
 Conversion conversion_of(const ConvertOptions& options);
 
 /// Throws a usage Error for a flag that has no effect on this conversion. The error names the flag and the conversions that use

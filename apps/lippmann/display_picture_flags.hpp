@@ -1,4 +1,4 @@
-// Flags of `lippmann convert` for the picture of a display.
+// Flags of `lippmann convert` for the picture that is shown on a display or printed behind its lenses.
 #pragma once
 
 #include <optional>

@@ -38,7 +38,7 @@ struct EncodeOptions {
   ResultFlags result;
 };
 
-/// Returns the given frame rate, or else that of the report beside the frames.
+/// Returns the frame rate in Hz: the value of --fps, or else the rate in the report beside the frames.
 double rate_of(const EncodeOptions& options, const std::vector<NumberedFrame>& frames) {
   if (options.fps) return *options.fps;
   const std::optional<Rendering> rendering = rendering_of(frames.front().path);
@@ -51,7 +51,8 @@ std::vector<NumberedFrame> wanted_frames(const EncodeOptions& options) {
   return find_frames(options.from, frames_of(read_frames(options.frames, "--frames")));
 }
 
-/// Returns the rotation. Throws for frames with several views, because players find the views by the name of the video.
+/// Returns the rotation in degrees. Throws a usage Error if a frame holds several views. The name of such a video describes the
+/// arrangement of the views, which a rotation would change.
 int turn_of(const EncodeOptions& options, const std::vector<NumberedFrame>& frames) {
   const int turn_deg = options.turn_deg.value_or(0);
   if (turn_deg % 90 != 0) throw usage_error("--rotate", "is not a multiple of 90 degrees", "90, 180 or 270");

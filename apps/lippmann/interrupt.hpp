@@ -1,5 +1,4 @@
-// Turns Ctrl-C and `kill` into the `cancelled` of the context, so that work stops between frames and leaves only complete
-// files.
+// On Ctrl-C or `kill`, sets `cancelled` of the context, so that work stops between frames and leaves only complete files.
 #pragma once
 
 #include <atomic>

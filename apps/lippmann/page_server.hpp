@@ -22,15 +22,17 @@ struct PageServerFlags {
 
 void add_page_server_flags(const Command& command, PageServerFlags& flags);
 
-/// Prints the page's address and serves the page until interrupted. display: the display on which the first light field is
-/// played. The address of a live scene contains a token even if only this machine can reach it, so that other users of the
-/// machine cannot change the scene.
+// Each function prints the page's address and serves the page until interrupted. The address contains a secret token if other
+// machines can reach it, and also if the page changes something, so that other users of this machine cannot use the page.
+
+/// Serves a page that sets up a scene. Its address always contains a token.
 int serve_page(std::unique_ptr<LivePage> live, const PageServerFlags& flags, const Context& context);
+/// Serves a page that shows light fields. display: the display on which the first light field is played.
 int serve_page(std::vector<std::unique_ptr<PageField>> fields, std::optional<PageDisplay> display, const PageServerFlags& flags,
                const Context& context);
-/// Serves a page on which pictures can be dropped. Its address always contains a token, too.
+/// Serves a page on which pictures can be dropped. Its address always contains a token.
 int serve_page(std::shared_ptr<DroppedPictures> dropped, const PageServerFlags& flags, const Context& context);
-/// Serves a page that can stop and resume a render. Its address always contains a token, too.
+/// Serves a page that can stop and resume a render. Its address always contains a token.
 int serve_page(std::unique_ptr<PageField> field, std::shared_ptr<RunningRender> render, const PageServerFlags& flags,
                const Context& context);
 

@@ -47,8 +47,8 @@ std::vector<std::string_view> given(const ParamFlags& flags) {
   return names;
 }
 
-/// Writes the sheet that the flags describe to the display parameter, as a display in one line. The pitch depends on the
-/// viewing angle and the viewing distance.
+/// Sets the display parameter to the sheet that the flags describe. The sheet includes the viewing angle and the viewing
+/// distance, because the pitch of its print depends on them.
 void set_sheet(const ParamFlags& flags, RenderParams& params) {
   const auto text_of = [&](std::string_view name) {
     const auto found = flags.values.find(name);

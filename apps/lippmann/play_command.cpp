@@ -30,7 +30,6 @@ struct PlayOptions {
   int threads = 0;
 };
 
-/// Returns the panel. Throws Error unless its frame consists of views.
 PageDisplay panel_to_play_on(const std::string& display, const ViewFilterFlags& filter) {
   if (display.empty())
     throw usage_error("--display", "is required",
@@ -40,7 +39,7 @@ PageDisplay panel_to_play_on(const std::string& display, const ViewFilterFlags& 
   return panel;
 }
 
-/// Sets up a scene on the panel that the flag or the job selects as display.
+/// Sets up a scene on the panel that --display or the job selects.
 int play_scene(const PlayOptions& options, const Context& context) {
   SceneToSetUpFlags flags = options.scene;
   if (!options.display.empty()) flags.params.values["display"] = {options.display};

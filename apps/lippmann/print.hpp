@@ -1,5 +1,5 @@
-// Prints text. Does not throw if the reader has gone, so that work continues; at the end, main() reports that standard output
-// did not accept everything.
+// Prints text. If the reader of a pipe has gone, nothing throws and the command continues. main() reports at the end that
+// standard output did not accept everything.
 #pragma once
 
 #include <fmt/core.h>
@@ -11,7 +11,7 @@
 namespace lippmann::app {
 
 inline void print_text(std::FILE* stream, const std::string& text) {
-  std::fwrite(text.data(), 1, text.size(), stream);  // ferror() remembers a failure
+  std::fwrite(text.data(), 1, text.size(), stream);  // main() checks ferror()
 }
 
 /// Prints to standard output.

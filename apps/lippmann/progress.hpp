@@ -12,18 +12,17 @@ namespace lippmann::app {
 
 enum class ProgressStyle {
   kBar,       ///< redraws one line
-  kLines,     ///< prints a line after the first and the last step, and between them at increasing intervals, also within a step
+  kLines,     ///< prints the lines that LineSchedule chooses
   kEveryLine  ///< prints a line after every step, and within long steps
 };
 
-/// Chooses the steps that print a line, so that logs of long work stay short: the first, the last, and one whenever 30 s and a
-/// tenth of the elapsed time have passed since the last line.
+/// Chooses when to print a line, so that logs of long work stay short. A line is printed after the first and the last step, and
+/// whenever at least 30 s and a tenth of the elapsed time have passed since the last line.
 class LineSchedule {
  public:
   /// Returns whether the line for step `done`, counted from 1, is due. If so, counts it as printed.
   bool is_due(int done, int total, double elapsed_s);
-  /// Returns whether a line is due within a step, so that nobody has to wait an hour for the first line. If so, counts it as
-  /// printed.
+  /// Returns whether a line is due within a step, because the first step may take an hour. If so, counts it as printed.
   bool is_due_within(double elapsed_s);
 
  private:
@@ -39,7 +38,7 @@ class Progress {
 
   /// now: returns the time; replaced in tests.
   Progress(int total, ProgressStyle style, std::function<Clock::time_point()> now = Clock::now);
-  /// Ends the line of the bar.
+  /// Prints a newline after the bar.
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
@@ -53,11 +52,10 @@ class Progress {
   /// Sets a note that is shown after the time left, such as the total size.
   void set_note(const std::string& note);
 
-  /// Reports that the step in progress is done up to `share`, 0 to 1. Thread-safe.
+  /// Sets the share of the current step that is done, from 0 to 1. Thread-safe.
   void within(double share);
 
-  /// Redraws the bar, or prints a line if the current step takes long. Call regularly during steps that do not report their
-  /// share.
+  /// Redraws the bar, or prints a line if the current step takes long. Call regularly, since a step may not call within().
   void tick();
 
   static bool stderr_is_terminal();
@@ -65,7 +63,7 @@ class Progress {
  private:
   double elapsed_s() const { return std::chrono::duration<double>(now_() - start_).count(); }
   double share_done() const;
-  /// Returns the time left, as "3:00 left", or while the share is unknown the time so far, as "0:30 so far".
+  /// Returns the time left, as "3:00 left". While nothing is done, returns the elapsed time, as "0:30 so far".
   std::string left_text(double elapsed_s) const;
   /// Returns the note after a comma, as ", files: about 12 MB"; empty without a note.
   std::string note() const { return note_.empty() ? note_ : ", " + note_; }

@@ -11,8 +11,8 @@
 namespace lippmann::app {
 namespace {
 
-/// Returns the name of an option's value, or the words that it accepts. Leaves out other checks that CLI11 appends, because
-/// they depend on its version.
+/// Returns the name of an option's value, or the words that the option accepts. Leaves out other checks that CLI11 appends,
+/// because their text depends on the version of CLI11.
 std::string type_in_reference(const CLI::Option& option) {
   std::string type = option.get_type_name();
   if (const std::size_t words = type.find(":{"); words != std::string::npos) {
@@ -35,7 +35,7 @@ bool is_in_reference(const CLI::Option& option) {
   return !option.check_lname("help") && !option.check_lname("help-all") && !option.get_group().empty();
 }
 
-/// The options below one heading: entries of options that are new, and the names of options that an earlier command has too.
+/// The options below one heading. An option that an earlier command has too is listed by its name only.
 class ReferenceGroup {
  public:
   ReferenceGroup(std::string heading, std::string command) : heading_(std::move(heading)), command_(std::move(command)) {}
@@ -60,7 +60,7 @@ class ReferenceGroup {
 
  private:
   std::string heading_, command_, entries_;
-  /// Names of options that an earlier command has, by the first command that has them.
+  /// Maps an earlier command to the names of the options that it explains.
   std::map<std::string, std::string> repeated_;
 };
 

@@ -1,5 +1,4 @@
-// `lippmann render SCENE`: reads flags and job file into a ResolvedJob, calls render_animation, and prints progress and a
-// summary.
+// `lippmann render SCENE`: renders the scene or job, and prints progress and a summary.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -53,7 +52,7 @@ std::string part_flag(const RenderOptions& options) {
   return options.unit.empty() ? " --only-frames " + options.only_frames : " --unit " + options.unit;
 }
 
-/// The data of the plan that the summary needs. The plan no longer exists then.
+/// The data of the plan that the summary prints. The data are copied, because the plan does not exist any more then.
 struct Planned {
   fs::path folder;
   FrameNames names;
@@ -68,7 +67,7 @@ std::string describe_pictures(const Planned& plan) {
                      plan.picture_size.x, plan.picture_size.y);
 }
 
-/// Returns whether `replay` is of use for the pictures. It is not for single views, which already show what an eye sees.
+/// Returns whether the summary suggests `lippmann replay`. It does not for single views, which already show what an eye sees.
 bool can_be_replayed(const RenderReport& report) {
   return !is_single_view(report.optics) && !sensor_lenses(report.optics) && !report.params.output.pictures.mirror;
 }
@@ -251,7 +250,7 @@ RenderReport render(const ResolvedJob& job, const RenderOptions& options, Ranks*
   return report;
 }
 
-/// Prepares a process of an MPI job. Only the first rank prints.
+/// Sets the threads of this process of an MPI job, and disables warnings except on the first rank.
 void join_in(const RenderOptions& options, const OutputParams& output, const Ranks& ranks, Context& context) {
   if (!options.unit.empty() || output.also)
     throw usage_error(options.unit.empty() ? "also" : "unit", "cannot be combined with mpirun", "one of the two");
@@ -259,8 +258,8 @@ void join_in(const RenderOptions& options, const OutputParams& output, const Ran
   if (ranks.rank() > 0) context.warn = {};
 }
 
-/// Returns whether this rank leaves the report of an error to the first rank. If all ranks have the same error, this rank is
-/// stopped soon. Otherwise it reports its own error.
+/// Returns whether this rank leaves the report of an error to the first rank. Waits up to 5 s to decide: if all ranks have the
+/// same error, the first rank stops this rank in that time. Otherwise, this rank reports the error itself.
 bool is_reported_by_first_rank(const Ranks* ranks, const Context& context) {
   if (is_first(ranks) || ranks->has_begun()) return false;
   constexpr int kTenths = 50;

@@ -44,7 +44,7 @@ std::string describe(const RenderPlan& plan, int wanted, double bytes) {
   return fmt::format("{} of {}{} to {}; all files: about {} (an estimate)", what, each, size, folder, bytes_text(bytes));
 }
 
-/// Prints the depth of the scene if a default determines it, so that it can be checked before hours are spent on the render.
+/// If the depth of the scene is reduced to what the optics can show, prints the depth before hours are spent on the render.
 void print_fitted_depth(const RenderPlan& plan, const RenderParams& params) {
   const PlacedOptics& placed = plan.stage.placed;
   if (placed.depth_scale >= 1.0f) return;
@@ -125,7 +125,7 @@ void RenderProgress::tick() {
   if (written_ < wanted_ && schedule_.is_due_within(seconds())) print_object(-1);
 }
 
-/// Estimates the size of all files, from the frames that are finished.
+/// Estimates the size of all files from the mean size of the frames written so far.
 double RenderProgress::estimated_bytes() const {
   return written_ == 0 ? estimated_at_first_ : bytes_ / written_ * frames_ + video_bytes_;
 }

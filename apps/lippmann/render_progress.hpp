@@ -16,7 +16,7 @@ namespace lippmann::app {
 enum class RenderProgressKind {
   kAuto,     ///< a bar on a terminal, otherwise a line from time to time
   kVerbose,  ///< a line per frame
-  kJson,     ///< an object per frame, and within long frames; docs/reference/formats.md lists its keys
+  kJson,     ///< JSON objects after every frame and within long frames; docs/reference/formats.md lists the keys
   kNone
 };
 
@@ -31,7 +31,7 @@ class RenderProgress {
 
   void traced(const FrameReport& frame);
   void written(int frame, std::uintmax_t bytes);
-  /// Reports that the current frame is traced up to `share`, from 0 to 1. Thread-safe.
+  /// Sets the traced share of the current frame, from 0 to 1. Thread-safe.
   void within(double share);
 
  private:
@@ -43,14 +43,14 @@ class RenderProgress {
 
   RenderProgressKind kind_;
   bool interpolates_;
-  /// Numbers of frames or strips: in the plan, to be rendered by this run, and written to disk so far.
+  /// Numbers of frames or strips in the plan, to be rendered by this run, and written to disk so far.
   int frames_ = 0, wanted_ = 0, written_ = 0;
   double bytes_ = 0.0;  ///< total size of the written frames or strips
   double estimated_at_first_ = 0.0, video_bytes_ = 0.0;
   Clock::time_point start_ = Clock::now();
-  LineSchedule schedule_;             ///< determines when objects are printed within frames
-  double within_ = 0.0;               ///< traced share of the current frame, for these objects
-  std::mutex mutex_;                  ///< guards all members that change
+  LineSchedule schedule_;             ///< determines when JSON objects are printed within frames
+  double within_ = 0.0;               ///< traced share of the current frame, for JSON objects
+  std::mutex mutex_;                  ///< guards the members that change
   std::map<int, std::string> lines_;  ///< lines to print for frames that are traced but not yet written
   std::unique_ptr<Progress> progress_;
   std::optional<Heartbeat> heartbeat_;  ///< declared last, so that it stops before the other members are destroyed

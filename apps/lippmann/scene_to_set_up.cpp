@@ -14,8 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Size of the first views: the default number of views per lens, with 4 times the pixels of the default size, which suits
-/// single pictures.
+/// Number of views of first_settings(), and width and height of a view in pixels. The number is the default number of views per
+/// lens. The default view size is meant for lenses, and is too coarse for views shown one at a time.
 constexpr int kFirstViews = 8, kFirstViewSide = 360;
 
 void refuse_light_field_flags(const LightFieldFlags& field) {

@@ -1,5 +1,5 @@
-// Scenes that are set up in the browser. Commands whose input may be a light field or a scene use this to distinguish both, and
-// to read the flags of the render.
+// Commands whose input may be a light field or a scene use this file. A scene is set up in the browser, before it is rendered.
+// The functions distinguish scenes from light fields, and read the render flags of scenes.
 #pragma once
 
 #include <filesystem>
@@ -31,15 +31,15 @@ bool is_scene_to_set_up(const std::string& in);
 /// Throws a usage Error naming a flag that is only for scenes, since `in` is a light field.
 void refuse_scene_flags(const std::string& in, const SceneToSetUpFlags& flags);
 
-/// Returns the parameters for rendering the scene `in`. field: flags that scenes share with light fields; throws Error if one
-/// is given that does not apply to scenes. threads: number of threads; 0: the job's number.
+/// Returns the parameters for rendering the scene `in`. field: flags of the command that describe light fields. Some of them
+/// also apply to scenes; throws Error if another one is given. threads: number of threads; 0: the number in the job.
 RenderParams scene_params(const std::string& in, const SceneToSetUpFlags& flags, const LightFieldFlags& field, int threads);
 
-/// Returns the initial settings of the page. A scene without a display is shown as a row of views, which looks good on a screen
-/// at once. A job is shown as its file defines it.
+/// Returns the initial settings of the page. If neither flags nor a job define a display, optics or a layout, the settings are
+/// a row of views, because views can be looked at on a plain screen.
 LiveSettings first_settings(const RenderParams& params, const std::string& in);
 
-/// Returns the file that Save on the page writes: the one that a flag names, or else SCENE.toml in the working folder.
+/// Returns the job file that Save on the page writes: the value of --save-job, or SCENE.toml in the working folder.
 std::filesystem::path job_file_for(const SceneToSetUpFlags& flags, const RenderParams& params);
 
 }  // namespace lippmann::app

@@ -25,8 +25,8 @@ bool uses_angle(const SheetOptions& o) {
   return o.sheet.are_given() && (!has_blocks(o) || o.sheet.pitch_depends_on_angle(o.viewing_distance_mm.has_value()));
 }
 
-/// The kinds for which each flag has an effect. Not listed: --display, --to, --output, --json, --quiet, and the flags of the
-/// sheet except --phase.
+/// The kinds of sheets on which each flag has an effect. Not listed are --display, --to, --output, --json, --quiet, and the
+/// flags in SheetFlags except --phase.
 constexpr std::array kIdleSheetRules{
     IdleSheetRule{"--blocks", [](const SheetOptions& o) { return o.blocks.has_value(); }, has_blocks, "pitch or phase"},
     IdleSheetRule{"--step", [](const SheetOptions& o) { return !o.step.empty(); },

@@ -1,4 +1,4 @@
-// The flags of `lippmann sheet`, and the kinds for which each has an effect.
+// The flags of `lippmann sheet`, and the kinds of sheets on which each flag has an effect.
 #pragma once
 
 #include <optional>

@@ -68,8 +68,8 @@ int save(const ViewOptions& options, const Context& context) {
   return 0;
 }
 
-/// Returns whether IN is the folder of a running render that has written its first report. False if any other flag is given,
-/// since the other flags describe a finished light field.
+/// Returns whether IN is the folder of a running render that has written its first report. Returns false if another flag is
+/// given, because the other flags describe a finished light field.
 bool is_render_to_watch(const ViewOptions& options) {
   const LightFieldFlags& field = options.field;
   const bool is_alone = options.other.empty() && field.from.empty() && field.report.empty() && field.views.empty() &&
@@ -97,7 +97,7 @@ int set_up(const ViewOptions& options, const Context& context) {
   return serve_page(std::make_unique<LiveAnswers>(std::move(scene)), options.server, context);
 }
 
-// ---- Nothing yet --------------------------------------------------------------------------------------------------------
+// ---- No input -----------------------------------------------------------------------------------------------------------
 
 /// Throws a usage Error if flags that describe IN are given without IN.
 void refuse_flags_without_in(const ViewOptions& options) {

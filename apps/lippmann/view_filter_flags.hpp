@@ -1,4 +1,4 @@
-// Flags that choose the filter between views in the frame of a slanted panel.
+// Flags that choose how pixels of a slanted panel interpolate between neighbouring views.
 #pragma once
 
 #include <string>

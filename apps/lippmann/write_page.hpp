@@ -1,5 +1,4 @@
-// Writes the page of a render beside its frames (`render --page`). The page belongs to the render; the render's journal lists
-// the page's files.
+// Writes the page of a render beside its frames (`render --page`).
 #pragma once
 
 #include <filesystem>

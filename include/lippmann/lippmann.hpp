@@ -1,5 +1,5 @@
 // Includes the whole library. A Renderer takes a scene, optics and a placement, and returns frames. Other functions read,
-// convert, show and write pictures and light fields. Each header below describes its part.
+// convert, show and write pictures and light fields.
 #pragma once
 
 #include "lippmann/core/context.hpp"
