@@ -1,7 +1,7 @@
 """Builds the wheel for `pip install .` (PEP 517) without packages from a network.
 
-CMake and Ninja build the module in build/pip, linked with the system's libraries; scripts/wheel makes wheels for other machines.
-Set LIPPMANN_BUILD in the environment to use a finished build instead.
+CMake and Ninja build the module in build/pip, linked with the system's libraries. If the environment variable LIPPMANN_BUILD names a
+finished build folder, its module is used instead. scripts/wheel makes wheels for other machines.
 """
 
 import base64
@@ -20,7 +20,7 @@ VERSION_HEADER = "include/lippmann/core/version.hpp"
 
 
 def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
-    """Writes the metadata, so that pip reports the build as the building of a wheel."""
+    """Writes the metadata files. Without this hook, pip would build the whole wheel to get them."""
     info = f"lippmann-{_version()}.dist-info"
     folder = pathlib.Path(metadata_directory) / info
     folder.mkdir()
@@ -44,7 +44,7 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
 
 
 def _metadata():
-    """Returns the contents of the files that describe the package, by name."""
+    """Returns a dict from the names of the package's metadata files to their contents."""
     python = f"{sys.version_info[0]}.{sys.version_info[1]}"
     metadata = (
         f"Metadata-Version: 2.1\nName: lippmann\nVersion: {_version()}\nSummary: Renders 3D integral images and their animation\n"
@@ -67,8 +67,8 @@ def _version():
 def _built():
     """Builds the module for this Python, and returns the build folder."""
     build = SOURCE / "build/pip"
-    environment = {name: value for name, value in os.environ.items() if not name.startswith("PYTHON")}  # pip sets variables
-                                                                                                        # that hide NumPy
+    # pip sets PYTHON... variables that hide NumPy from the build.
+    environment = {name: value for name, value in os.environ.items() if not name.startswith("PYTHON")}
     options = ["-DLIPPMANN_TESTS=OFF", "-DLIPPMANN_UNITY=ON", f"-DLIPPMANN_PYTHON={sys.executable}"]
     configure = ["cmake", "--preset", "release", "-B", build, *options]
     for command in (configure, ["cmake", "--build", build, "--target", "lippmann_python"]):
@@ -82,7 +82,7 @@ def _built():
 
 
 def _package_files(build, prefix):
-    """Yields names and contents of the installed package. The module is stripped."""
+    """Installs the package below `prefix`, with a stripped module. Yields the name and the content of each file."""
     install = ["cmake", "--install", build, "--component", "python3", "--strip", "--prefix", prefix]
     subprocess.run(install, check=True, stdout=subprocess.DEVNULL)
     packages = list(prefix.rglob("lippmann/__init__.py"))

@@ -1,9 +1,10 @@
 """Renders, opens, views and saves light fields of 3D scenes as NumPy arrays.
 
-Arrays of views have the axes (rows, columns, y, x, channel). Row 0 of the views is the LOWEST eye, column 0 the leftmost;
-`views[::-1]` starts with the highest row, as in data sets that count from the top left. In each view y = 0 is the top row of
-pixels. Rendered colours are linear light (float32, 1 is white); opened ones are stored as in the file (uint8 and uint16 are
-sRGB codes). Lengths are millimetres of the display: x to the right, y up, z towards the viewer, 0 in the display's plane.
+Arrays of views have the axes (rows, columns, y, x, channel). Row 0 of the views is the LOWEST eye. Column 0 is the leftmost eye.
+`views[::-1]` starts with the highest row, as in data sets that count from the top left. In each view, y = 0 is the top row of
+pixels. Rendered colours are linear light: float32, 1 is white. Opened colours are stored as in the file: uint8 and uint16 are
+sRGB codes, float32 is linear light. Lengths are millimetres of the display: x to the right, y up, z towards the viewer. z = 0 is
+the display's plane.
 
 >>> import lippmann
 >>> field = lippmann.render("room", lippmann.camera_grid(rows=3, columns=3, size=(64, 64)), layers=["depth"])

@@ -12,7 +12,7 @@ from ._errors import Error, MissingFileError
 
 
 def number(value: Any, name: str, lowest: float = -math.inf, highest: float = math.inf, finite: bool = True) -> float:
-    """Returns a number within limits, both included."""
+    """Returns the value as a float. Raises Error unless it is a number from `lowest` to `highest`."""
     wanted = "a number" + ("" if lowest == -math.inf and highest == math.inf else f" from {lowest:g} to {highest:g}")
     if isinstance(value, (bool, str, bytes)):
         raise Error(name, f"is {value!r}", wanted)
@@ -33,7 +33,7 @@ def positive(value: Any, name: str, highest: float = 1e6) -> float:
 
 
 def integer(value: Any, name: str, lowest: int, highest: int) -> int:
-    """Returns a whole number within limits, both included. Accepts floats with a whole value."""
+    """Returns the value as an int. Accepts floats with a whole value. Raises Error unless it is from `lowest` to `highest`."""
     result = number(value, name, lowest, highest)
     if result != int(result):
         raise Error(name, f"is {result:g}", f"a whole number from {lowest} to {highest}")
@@ -47,7 +47,7 @@ def choice(value: Any, name: str, accepted: Sequence[str]) -> str:
 
 
 def path(value: Any, name: str) -> str:
-    """Returns a path that the system accepts."""
+    """Returns the value as a path. Raises Error if it is none."""
     try:
         result = os.fspath(value)
     except TypeError:
@@ -60,7 +60,7 @@ def path(value: Any, name: str) -> str:
 
 
 def path_bytes(value: Any, name: str) -> bytes:
-    """Returns a path as bytes of the system: file names need not be UTF-8."""
+    """Returns a path as the bytes that the system uses, since file names need not be UTF-8."""
     return os.fsencode(path(value, name))
 
 
@@ -85,7 +85,9 @@ def file_path(value: Any, name: str) -> bytes:
 def array(
     value: Any, name: str, shape: Tuple[Optional[int], ...], finite: bool = True, dtype: Any = np.float32
 ) -> np.ndarray:
-    """Returns a C-contiguous array of this type and shape (None: any length above 0), without NaN and, if `finite`, infinities."""
+    """Returns a C-contiguous array of this type and shape. A None in `shape` allows any length above 0. Raises Error for NaN, and
+    for infinities if `finite`.
+    """
     wanted = "numbers of the shape (" + ", ".join("n" if n is None else str(n) for n in shape) + ")"
     try:
         given = np.asarray(value)
@@ -107,7 +109,7 @@ def array(
 
 
 def indices(value: Any, name: str, columns: int, count: int) -> np.ndarray:
-    """Returns indices, uint32 (n, columns), each below `count`."""
+    """Returns an array (n, columns) of uint32. Raises Error unless all values are from 0 to count - 1."""
     wanted = f"integers of the shape (n, {columns}), from 0 to {count - 1}"
     try:
         given = np.asarray(value)
@@ -129,7 +131,7 @@ def vector(value: Any, name: str, length: int = 3) -> Tuple[float, ...]:
 
 
 def pair(value: Any, name: str, lowest: int, highest: int) -> Tuple[int, int]:
-    """Returns (rows, columns) or (height, width)."""
+    """Returns two whole numbers, such as (height, width). Raises Error unless both are from `lowest` to `highest`."""
     if isinstance(value, (str, bytes)) or not isinstance(value, Iterable):
         raise Error(name, f"is {value!r}", "two whole numbers: (height, width)")
     both = tuple(value)

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 _Path = Union[str, "PathLike[str]"]
-_Pair = Tuple[int, int]  # (rows, columns) or (height, width)
+_Pair = Tuple[int, int]  # (rows, columns) of a grid, or (height, width) of a picture
 _Three = Sequence[float]
 _Four = Sequence[float]
 _Floats = NDArray[np.float32]
@@ -117,12 +117,12 @@ class Display:
     def view_count(self) -> int: ...
     @property
     def tiles(self) -> Optional[List[int]]:
-        """[rows, columns] of its quilt; None: it has none."""
+        """[rows, columns] of the display's quilt, or None for a display without a quilt."""
     @property
     def aspect(self) -> float: ...
     @property
     def crosstalk_px(self) -> Optional[float]:
-        """Blur of its lenses: sigma in pixels of the panel; None: unknown."""
+        """Blur of the lenses: standard deviation in pixels of the panel, or None if unknown."""
 
 class Optics:
     """The ray of every pixel of a panel, in mm of the display."""
@@ -137,13 +137,13 @@ class Optics:
         """[height, width] of the visible part of the display's plane."""
     @property
     def default_eye_mm(self) -> List[float]:
-        """The intended viewing position."""
+        """[x, y, z] of the intended viewing position."""
     @property
     def depth_budget_mm(self) -> float:
-        """Depth in front of and behind the plane that is shown sharply."""
+        """Depth that is shown sharply, in front of the display's plane and as much behind it."""
     def rays(self, pixels: _Floats) -> Tuple[_Floats, _Floats]:
-        """Returns origins (n, 3), mm, and directions (n, 3) of the rays of points (n, 2) of the panel: x, y in pixels from its top left
-        corner, centres at + 0.5.
+        """Returns origins (n, 3) in mm and directions (n, 3) of the rays of points (n, 2) of the panel. Points are x, y in pixels from
+        the top left corner. Pixel centres are at + 0.5.
         """
 
 class ViewWish:

@@ -1,7 +1,7 @@
 """The exception for bad input, the category of warnings, and the translation of the library's names to Python's.
 
-The library names invalid input as the tool does: by flags without leading hyphens, and by fields of optics. Calls of the library
-that take arguments run in a `Naming`, which replaces these names by Python's.
+Errors of the C++ library name flags of the command line (without leading hyphens) or fields of optics. Calls of the library run in
+the context manager `Naming`, which replaces these names by the names of Python's arguments.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ _ARGUMENTS = {
     "to": "format",
 }
 
-# Phrases that contain flags, and their replacements; the longest first.
+# Phrases of error messages that contain flags, and their replacements. Longer phrases precede phrases that they contain.
 _PHRASES = (
     ("`optics` single or multiview", "single_view(), camera_grid() or quilt() as `display`"),
     ("`optics` lenticular or microlens", "lenticular_sheet() or microlens_array()"),
@@ -57,8 +57,9 @@ _GRID = re.compile(r"(?<![\w./\\-])(\d+)x(\d+)(?![\w./\\-])")  # columns x rows,
 class Error(ValueError):
     """Bad input: an argument, a file, a size.
 
-    where: the argument, the file, or the unknown attribute of a light field. problem: what is wrong with it. accepted: what would be
-    accepted; empty if obvious.
+    where: the argument, the file, or the unknown attribute of a light field.
+    problem: what is wrong with the input.
+    accepted: the input that would be accepted; empty if obvious.
     """
 
     def __init__(self, where: str, problem: str, accepted: str = "") -> None:
@@ -72,11 +73,13 @@ class Error(ValueError):
 
 
 class UnknownError(Error, AttributeError):
-    """An attribute that this object lacks although its type may have it. hasattr() returns False; getattr() returns its default."""
+    """Raised by an attribute that this object lacks, although other objects of its type have it. hasattr() returns False for such an
+    attribute, and getattr() returns its default.
+    """
 
 
 class MissingFileError(Error, FileNotFoundError):
-    """A file or folder to read does not exist. `filename` is its path, `errno` is ENOENT."""
+    """Raised if a file or folder to read does not exist. `filename` is the path. `errno` is ENOENT."""
 
     def __init__(self, where: str, problem: str, accepted: str = "", filename: str = "") -> None:
         super().__init__(where, problem, accepted)
@@ -102,7 +105,7 @@ def known(get: Callable[[Any], _Value]) -> Callable[[Any], _Value]:
 
 
 def _argument(where: str, names: Mapping[str, str]) -> str:
-    """Returns Python's name of `where`: a name, optionally followed by a colon and a place in it."""
+    """Returns `where` with Python's name of the argument. `where` is a name of the library, or "NAME:PLACE"."""
     name, colon, place = where.partition(":")
     field = _FIELD.fullmatch(name)
     name = field[1] if field else name
@@ -110,8 +113,8 @@ def _argument(where: str, names: Mapping[str, str]) -> str:
 
 
 def _sentence(text: str, names: Mapping[str, str], has_grids: bool = False, file: str = "") -> str:
-    """Replaces the library's names in a text by Python's. has_grids: the text has sizes as rows and columns, which are swapped;
-    otherwise sizes are W x H pixels. file: a name in the text that stays unchanged.
+    """Returns a text with the library's names replaced by Python's. has_grids: sizes in the text, such as 8x6, are columns x rows, and
+    become (rows, columns). Otherwise sizes are pixels and stay. file: a file name in the text that stays unchanged.
     """
     for flags, words in _PHRASES:
         text = text.replace(flags, words)
@@ -125,8 +128,10 @@ def _sentence(text: str, names: Mapping[str, str], has_grids: bool = False, file
 
 
 class Naming:
-    """A context in which errors of the library name Python's arguments. file: a path that stays unchanged. names: Python's name for
-    each name of the library.
+    """A context manager in which errors of the library name Python's arguments.
+
+    file: a path that stays unchanged in messages.
+    names: maps names of the library to names of Python's arguments.
     """
 
     def __init__(self, file: str = "", **names: str) -> None:
@@ -147,7 +152,7 @@ class Naming:
 
 
 class Reading(Naming):
-    """A Naming for calls that read `file`: raises a MissingFileError if there is no such file or folder."""
+    """A Naming for calls that read `file`. An Error becomes a MissingFileError if there is no such file or folder."""
 
     def __init__(self, file: str, **names: str) -> None:
         super().__init__(file, **names)
@@ -160,11 +165,15 @@ class Reading(Naming):
 
 
 class LippmannWarning(UserWarning):
-    """Input that is read but not supported, a value chosen by default, or an argument without effect."""
+    """The category of all warnings of this package: about unsupported parts of input, values chosen by default, and arguments without
+    effect.
+    """
 
 
 def warn(text: Union[str, bytes]) -> None:
-    """Warns the caller of the package, however deep the call is inside it. bytes: a sentence of the library."""
+    """Warns, and attributes the warning to the line of the user's code that called the package. text: bytes if the text comes from the
+    C++ library.
+    """
     message = text if isinstance(text, str) else _sentence(text.decode("utf-8", "replace"), {})
     level, caller = 1, sys._getframe()
     while caller.f_back is not None and caller.f_globals.get("__package__") == __package__:
@@ -173,5 +182,5 @@ def warn(text: Union[str, bytes]) -> None:
 
 
 def warn_of_ignored(argument: str, why: str) -> None:
-    """Warns of an argument that has no effect beside the others."""
+    """Warns that an argument has no effect, given the other arguments."""
     warn(f"`{argument}` is ignored: {why}.")

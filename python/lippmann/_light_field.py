@@ -14,17 +14,17 @@ from ._errors import Error, Naming, Reading, known, warn_of_ignored
 from ._optics import Display, Optics, display_of
 
 _SIZE = 1 << 15
-_FAR_MM = 1e9  # greatest distance of an eye
+_FAR_MM = 1e9  # largest accepted coordinate of an eye
 _RENDERED_WITH = "a frame of lippmann.render with its name among `layers`"
 
 
 def formats() -> Dict[str, str]:
-    """Returns the formats that `open` reads and `LightField.save` writes: names, each with a one-line description."""
+    """Returns the formats that `open` reads and `LightField.save` writes, as a dict from names to one-line descriptions."""
     return dict(_core.formats())
 
 
 def to_codes(picture: Any) -> np.ndarray:
-    """Returns sRGB codes, uint8, of linear light of the shape (..., 3)."""
+    """Converts linear light of the shape (..., 3) to sRGB codes, uint8."""
     given = np.asarray(picture)
     if given.dtype.kind not in "fiu" or given.ndim < 2 or given.shape[-1] != 3 or given.size == 0:
         raise Error("picture", f"has the type {given.dtype} and the shape {given.shape}", "linear light of the shape (..., 3)")
@@ -33,8 +33,11 @@ def to_codes(picture: Any) -> np.ndarray:
 
 
 def show(picture: Any, *, enlarge: int = 1) -> _notebook.Shown:
-    """Returns a picture for the last line of a notebook's cell. picture: (y, x, 3), uint8 codes or linear light, or (y, x) as grey:
-    finite values from the lowest (black) to the highest (white). enlarge: integer factor for both sides.
+    """Returns an object that a notebook displays as a picture, if it is the last line of a cell.
+
+    picture: (y, x, 3) of uint8 codes or linear light, or (y, x) of numbers, which are shown as grey: the lowest finite value is black,
+        the highest is white.
+    enlarge: integer factor for both sides.
     """
     given = np.asarray(picture)
     if given.ndim == 2 and given.size and given.dtype.kind in "fiu":
@@ -50,19 +53,19 @@ def show(picture: Any, *, enlarge: int = 1) -> _notebook.Shown:
 
 
 class LightField:
-    """The views of one moment, (rows, columns, y, x, channel); row 0 is the lowest, column 0 the leftmost.
+    """The views of a scene at one time: (rows, columns, y, x, channel). Row 0 is the lowest, column 0 the leftmost.
 
-    Rendered by lippmann.render and lippmann.frames, opened by lippmann.open, or made of arrays:
+    lippmann.render and lippmann.frames render light fields. lippmann.open opens them. The constructor makes one from arrays:
 
-    views: (rows, columns, y, x, 3): uint8 or uint16 (sRGB codes) or float32 (linear light).
-    depth: (rows, columns, y, x), mm in front of the plane in which views coincide, -inf where there is no surface.
-    distance_mm, baseline_mm, pixel_mm: the cameras, as in lippmann.camera_grid; all three or none.
+    views: (rows, columns, y, x, 3) of uint8 or uint16 (sRGB codes) or float32 (linear light).
+    depth: (rows, columns, y, x) in mm in front of the plane in which views coincide. -inf where there is no surface.
+    distance_mm, baseline_mm, pixel_mm: the cameras, as in lippmann.camera_grid. Give all three or none.
 
-    `field[r, c]` is a view (y, x, 3), `field[r]` a row of views, `len(field)` the number of rows, and np.asarray(field) is
-    `views`. Unknown attributes, such as the depth of a light field without depth, raise an Error that is also an AttributeError:
-    use hasattr(field, "depth"). Light fields can be pickled and deeply copied.
+    `field[r, c]` is a view (y, x, 3). `field[r]` is a row of views. `len(field)` is the number of rows. np.asarray(field) is `views`.
+    Attributes that are unknown, such as the depth of a light field without depth, raise an Error that is also an AttributeError.
+    Test for them with hasattr(field, "depth"). Light fields can be pickled and deeply copied.
 
-    Arrays that share the light field's memory are read-only: copy them to change them.
+    Arrays that share the light field's memory are read-only. Copy an array to change it.
     """
 
     def __init__(
@@ -104,7 +107,7 @@ class LightField:
         self._own, self._film, self._placement, self._optics, self._display = views, film, placement, optics, display
         self._shown: Any = None
         self._layers: Dict[str, np.ndarray] = {}
-        self.path: Optional[str] = None  # path that it was opened from
+        self.path: Optional[str] = None  # file or folder that lippmann.open read
 
     @classmethod
     def _of_film(cls, film: Any, placement: Any, display: Optional[Display]) -> "LightField":
@@ -133,7 +136,7 @@ class LightField:
     @property
     @known
     def views(self) -> np.ndarray:
-        """(rows, columns, y, x, 3). float32 linear light if rendered, else as stored in the file; no copy."""
+        """(rows, columns, y, x, 3), not copied. Rendered views are linear light, float32. Opened views have the type of the file."""
         return self._views.views
 
     @property
@@ -143,7 +146,7 @@ class LightField:
         return self.views.shape
 
     def __array__(self, dtype: Any = None, copy: Optional[bool] = None) -> np.ndarray:
-        """Returns `views`, for np.asarray(field). `copy` as in NumPy 2."""
+        """Returns `views`, for np.asarray(field). copy: None copies only if necessary, False raises ValueError if a copy is necessary."""
         views = self.views
         if dtype is not None and views.dtype != dtype:
             if copy is False:
@@ -160,7 +163,7 @@ class LightField:
     @property
     @known
     def depth(self) -> np.ndarray:
-        """(rows, columns, y, x), float32: mm in front of the display's plane (negative behind it), -inf where there is no surface."""
+        """(rows, columns, y, x), float32: mm in front of the display's plane. Negative behind the plane; -inf where there is no surface."""
         depth = self._views.depth
         if depth is None:
             raise Error("depth", "is not known", 'layers=["depth"] when rendering, or a file that has it')
@@ -169,10 +172,12 @@ class LightField:
     @property
     @known
     def disparity(self) -> np.ndarray:
-        """(rows, columns, y, x), float32: pixels by which a point lies farther left in the next view to the right (in the last column:
-        relative to the previous view); positive in front of the display, as in the HCI benchmark. For a single column: farther
-        down in the next higher view. -inf where there is no surface, as in `depth`; the disparity of a receding point approaches
-        -step / pixel_mm instead, where `step` is the distance between eyes.
+        """(rows, columns, y, x), float32: shift of a point, in pixels, from a view to its neighbour.
+
+        The disparity is the shift to the left between a view and the next view on the right. For views of the last column, it is the
+        shift between the previous view and this view. In a grid with a single column, it is the shift downwards between a view and the
+        next higher view. It is positive in front of the display, as in the HCI benchmark. It is -inf where there is no surface, as in
+        `depth`. The disparity of a receding point approaches -step / pixel_mm, where step is the distance between neighbouring eyes.
         """
         distance, pixel, eyes = self._cameras()
         rows, columns = eyes.shape[:2]
@@ -191,18 +196,18 @@ class LightField:
     @property
     @known
     def normals(self) -> np.ndarray:
-        """(rows, columns, y, x, 3), float32: unit vectors in world space, towards the viewer; 0 where there is no surface."""
+        """(rows, columns, y, x, 3), float32: unit normals in world space that face the viewer. 0 where there is no surface."""
         return self.layer("normal")
 
     @property
     @known
     def motion(self) -> np.ndarray:
-        """(rows, columns, y, x, 2), float32: pixels to the right and down since the previous frame, within the same view."""
+        """(rows, columns, y, x, 2), float32: motion in the view since the previous frame, in pixels to the right and down."""
         return self.layer("motion")
 
     def layer(self, name: str) -> np.ndarray:
-        """(rows, columns, y, x, channels), float32: a layer requested in lippmann.frames or lippmann.render. Light fields that were not
-        rendered have only the layer depth, if their depth is known.
+        """Returns (rows, columns, y, x, channels), float32: a layer that was requested in lippmann.frames or lippmann.render. Light fields
+        that were not rendered have only the layer depth, if their depth is known.
         """
         name = choice(name, "name", _core.layer_names)
         if self._film is None:
@@ -218,21 +223,21 @@ class LightField:
     @property
     @known
     def picture(self) -> np.ndarray:
-        """(y, x, 3), float32, linear: the panel's picture: a quilt, an integral image or native pixels, depending on the optics."""
+        """(y, x, 3), float32, linear: the picture of the panel. Depending on the optics: a quilt, an integral image or native pixels."""
         return self._panel().picture if self._film is None else self._film.picture
 
     @property
     @known
     def codes(self) -> np.ndarray:
-        """(y, x, 3), uint8: the picture as `lippmann render` writes it; (y, x, 4) for transparent frames."""
+        """(y, x, 3), uint8: `picture` as sRGB codes, as `lippmann render` writes it. (y, x, 4) for transparent frames."""
         return to_codes(self.picture) if self._film is None else self._film.codes
 
     @property
     @known
     def alpha(self) -> np.ndarray:
-        """(rows, columns, y, x), float32, 0 to 1: the covered share of each pixel, for transparent frames.
+        """(rows, columns, y, x), float32, 0 to 1: the covered share of each pixel of a transparent frame.
 
-        Their views hold only the light of the covered share. Over a background of linear light they become
+        The views of a transparent frame hold only the light of the covered share. The views over a background of linear light are
         views + (1 - alpha[..., None]) * background.
         """
         self._require_alpha()
@@ -241,8 +246,7 @@ class LightField:
     @property
     @known
     def rgba(self) -> np.ndarray:
-        """(rows, columns, y, x, 4), uint8: sRGB codes of transparent views with straight alpha, as picture files store them.
-        """
+        """(rows, columns, y, x, 4), uint8: sRGB codes of transparent views with straight alpha, as picture files store them."""
         alpha = self.alpha[..., None]
         shown = alpha > 0
         straight = np.divide(self.views, alpha, out=np.zeros_like(self.views), where=shown)
@@ -257,7 +261,7 @@ class LightField:
         return self._film is not None and self._film.is_transparent
 
     def panel_layer(self, name: str) -> np.ndarray:
-        """(y, x, channels), float32: a layer in the layout of `picture`, including native pixels."""
+        """Returns (y, x, channels), float32: a layer in the layout of `picture`."""
         name = choice(name, "name", _core.layer_names)
         if self._film is None:
             raise Error("layer", f"{name!r} is not known of a light field that was not rendered", _RENDERED_WITH)
@@ -267,13 +271,15 @@ class LightField:
 
     @property
     def optics(self) -> Optional[Optics]:
-        """The optics that it was rendered for; None if unknown."""
+        """The optics of the light field; None if unknown."""
         return self._optics
 
     @property
     def report(self) -> Dict[str, Any]:
-        """Figures of the rendering: frame, kind, seconds, cpu_seconds, rays, ...; and its error: estimated_psnr_db, with the limits
-        psnr_at_least_db and psnr_at_most_db, None if not estimated. Empty if it was not rendered.
+        """Figures of the rendering: frame, kind, seconds, cpu_seconds, rays and others. Empty if the light field was not rendered.
+
+        estimated_psnr_db is the estimated quality of the frame. psnr_at_least_db and psnr_at_most_db are the limits of the estimate. All
+        three are None if there is no estimate.
         """
         return {} if self._film is None else self._film.report
 
@@ -292,13 +298,13 @@ class LightField:
     @property
     @known
     def pixel_mm(self) -> Tuple[float, float]:
-        """(height, width) of a view's pixel in that plane."""
+        """(height, width) in mm of a view's pixel, in the plane in which views coincide."""
         return self._cameras()[1]
 
     @property
     @known
     def world_from_camera(self) -> np.ndarray:
-        """(rows, columns, 4, 4), float64: each camera's pose in mm. Its axes point right, up and backwards."""
+        """(rows, columns, 4, 4), float64: pose of each camera, in mm. The camera's x axis points right, y up and z backwards."""
         return self._poses()[0]
 
     @property
@@ -345,10 +351,10 @@ class LightField:
         return self._shown
 
     def refocus(self, z_mm: float = 0.0, size: Optional[Tuple[int, int]] = None) -> np.ndarray:
-        """(y, x, 3), float32, linear: focused at z_mm, positive in front of the display.
+        """Returns (y, x, 3), float32, linear: the light field focused at the depth z_mm, positive in front of the display.
 
-        size: (height, width); None: the display's own samples. If the positions of the cameras are unknown, they are assumed as in
-        `lippmann replay`.
+        size: (height, width) in pixels. None: one pixel per sample of the display. If the positions of the cameras are unknown, they
+        are assumed as in `lippmann replay`.
         """
         depth, shape = number(z_mm, "z_mm"), self._size(size)
         with Naming():
@@ -366,12 +372,14 @@ class LightField:
         nearest: bool = False,
         crosstalk: Union[float, str] = 0.0,
     ) -> np.ndarray:
-        """(y, x, 3), float32, linear: what an eye at (x, y, z) mm sees through the display; None: the intended viewing position.
+        """Returns (y, x, 3), float32, linear: the picture that an eye at (x, y, z) mm sees through the display.
 
-        pupil_mm: diameter of the pupil, focused at focus_mm; 0: a pinhole, which ignores focus_mm with a LippmannWarning. nearest:
-        no interpolation between the pixels below a lens.
-        crosstalk: blur of each lens: a sigma in panel pixels (quilts: in views), 0 to 8, or the share of each neighbour, "10%", as
-        in `lippmann replay --crosstalk`; for a native frame, display.crosstalk_px.
+        x, y, z: None is the coordinate of the intended viewing position.
+        pupil_mm: diameter of the eye's pupil. 0 is a pinhole, which ignores focus_mm with a LippmannWarning.
+        focus_mm: depth at which the eye is focused, in front of the display.
+        nearest: True does not interpolate between the pixels below a lens.
+        crosstalk: blur of each lens, as in `lippmann replay --crosstalk`. Either a standard deviation from 0 to 8 in pixels of the panel
+            (for quilts in views), such as display.crosstalk_px of a native frame; or the share of light of each neighbour, such as "10%".
         """
         panel = self._panel()
         eye = tuple(
@@ -387,8 +395,10 @@ class LightField:
             return panel.eye(eye, shape, pupil, focus, bool(nearest), blur)
 
     def epi(self, row: Optional[int] = None, column: Optional[int] = None) -> np.ndarray:
-        """An epipolar-plane image, float32, linear: (eyes, x, 3) of a row of pixels (counted from the top), leftmost eye first; or
-        (y, eyes, 3) of a column, lowest eye first.
+        """Returns an epipolar-plane image, float32, linear. Give either `row` or `column`.
+
+        row: a row of pixels, counted from the top. The image is (eyes, x, 3), with the leftmost eye first.
+        column: a column of pixels. The image is (y, eyes, 3), with the lowest eye first.
         """
         if (row is None) == (column is None):
             raise Error("row", "and column are both given, or neither", "one of the two")
@@ -413,12 +423,15 @@ class LightField:
         tiles: Optional[Tuple[int, int]] = None,
         display: Any = None,
     ) -> List[str]:
-        """Writes the light field and returns the files. Creates a missing folder.
+        """Writes the light field and returns the paths of the written files. Creates a missing folder.
 
-        format: one of lippmann.formats(), as in `lippmann convert`. None: the panel's picture, .png or .exr; for transparent frames
-        a .png with alpha, which formats of light fields do not support. bits: 8, 16 or 32 (linear floats, .exr) for float samples;
-        None: 32 for .exr, else 8. tiles: (rows, columns) of a quilt. display: a name or file, for the format "native". Arguments
-        that the format does not use are ignored with a LippmannWarning.
+        format: one of lippmann.formats(), as in `lippmann convert`. None writes the panel's picture as .png or .exr. Transparent frames
+            can only be written with None, as a .png with alpha.
+        bits: bits per sample of float views: 8, 16, or 32 (linear floats, .exr). None: 32 for .exr, else 8.
+        tiles: (rows, columns) of a quilt.
+        display: a name or a file, for the format "native".
+
+        Arguments that the format does not use are ignored with a LippmannWarning.
         """
         where = _path(path, "path")
         if self._is_transparent and (format is not None or not where.endswith(".png")):
@@ -451,9 +464,9 @@ class LightField:
         _core.write_picture(self._panel().picture, where)
 
     def to_xarray(self) -> Any:
-        """Returns an xarray.Dataset: the views, depth and alpha if known, with the axes row, column, y, x, channel and the eyes' positions.
-        Lengths have the attribute units, "mm"; the views state whether they are linear radiance (float32) or sRGB codes.
-        Raises ImportError if xarray (python3-xarray) is not installed.
+        """Returns an xarray.Dataset of the views, and of depth, alpha and the positions of the eyes if known. The axes are row, column, y,
+        x and channel. Lengths have the attribute units = "mm". An attribute of the views states whether they are linear radiance (float32)
+        or sRGB codes. Raises ImportError if xarray (python3-xarray) is not installed.
         """
         try:
             import xarray  # type: ignore[import]
@@ -486,7 +499,7 @@ class LightField:
 
 @contextlib.contextmanager
 def _folder_of(path: str) -> Iterator[None]:
-    """Creates the folder of `path`. A failure removes the folders that were created."""
+    """A context manager that creates the folder of `path`. If its body raises an exception, the created folders are removed."""
     folder = os.path.dirname(path)
     missing = []
     while folder and not os.path.isdir(folder):
@@ -511,7 +524,7 @@ def _make(folder: str) -> None:
 
 
 def _warn_of_strays(tiles: Any, display: Any, format: str) -> None:
-    """Warns of arguments that this format does not use."""
+    """Warns if `tiles` or `display` is given although the format does not use it."""
     for argument, value, of in (("tiles", tiles, "quilt"), ("display", display, "native")):
         if value is not None and format != of:
             warn_of_ignored(argument, f"only the format {of!r} uses it")
@@ -530,12 +543,13 @@ def open(
     tiles: Optional[Tuple[int, int]] = None,
     display: Any = None,
 ) -> LightField:
-    """Opens a light field from a file or folder of any format that `lippmann convert` reads (lippmann.formats()), with depth and
-    cameras if the files state them.
+    """Opens a light field from a file or folder of any format in lippmann.formats(), with depth and cameras if the files state them.
 
-    format: None: chosen by the name and a report.json beside it. frame: index in a folder of frames. views: (rows, columns) if the
-    files do not state it. tiles: (rows, columns) of a quilt. display: a name or file, for the format "native". tiles and display
-    are ignored for other formats, with a LippmannWarning.
+    format: a name in lippmann.formats(). None: determined by the file name and by a report.json beside the file.
+    frame: index of the frame in a folder of frames.
+    views: (rows, columns) of the grid, if the files do not state it.
+    tiles: (rows, columns) of a quilt. Ignored for other formats, with a LippmannWarning.
+    display: a name or a file, for the format "native". Ignored for other formats, with a LippmannWarning.
     """
     name = "" if format is None else choice(format, "format", list(formats()))
     where = _path(path, "path")

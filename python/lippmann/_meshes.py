@@ -1,4 +1,4 @@
-"""Reads meshes of other packages by the names of their attributes: trimesh.Trimesh and open3d.geometry.TriangleMesh."""
+"""Reads meshes of trimesh (trimesh.Trimesh) and Open3D (open3d.geometry.TriangleMesh), without importing these packages."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from ._errors import Error
 
 
 def arrays_of(mesh: Any) -> Dict[str, Any]:
-    """Returns the arguments of Scene.add_mesh that a mesh holds: positions, triangles, and uvs, colors and normals if stored. Raises
-    Error if it is not a mesh.
+    """Returns arguments for Scene.add_mesh: positions and triangles, and uvs, colors and normals if the mesh stores them. Raises Error
+    if `mesh` is not a mesh.
 
-    trimesh computes vertex normals for every mesh; they are left out, so that boxes keep their edges.
+    The normals of trimesh are left out, because trimesh computes smooth normals for every mesh, even for boxes.
     """
     faces = getattr(mesh, "faces", None) if hasattr(mesh, "faces") else getattr(mesh, "triangles", None)
     if not hasattr(mesh, "vertices") or faces is None:
@@ -34,14 +34,14 @@ def arrays_of(mesh: Any) -> Dict[str, Any]:
 
 
 def texture_of(mesh: Any) -> Optional[np.ndarray]:
-    """Returns the colour texture (y, x, 4), uint8, of a mesh of trimesh, or None."""
+    """Returns the colour texture of a mesh of trimesh as (y, x, 4), uint8. Returns None if the mesh has no texture."""
     surface = getattr(getattr(mesh, "visual", None), "material", None)
     image = getattr(surface, "baseColorTexture", None) or getattr(surface, "image", None)
     return None if image is None else np.asarray(image.convert("RGBA"))
 
 
 def linear_light(srgb: np.ndarray) -> np.ndarray:
-    """Returns the linear light of sRGB values from 0 to 1 (IEC 61966-2-1)."""
+    """Converts sRGB values from 0 to 1 to linear light (IEC 61966-2-1)."""
     values = srgb.astype(np.float64)
     return np.where(values <= 0.04045, values / 12.92, ((values + 0.055) / 1.055) ** 2.4).astype(np.float32)
 

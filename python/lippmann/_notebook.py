@@ -12,7 +12,7 @@ import numpy as np
 from . import _core
 from ._errors import Error
 
-_SIDE, _VIEWS = 320, 81  # longest side of a picture in pixels; most pictures
+_SIDE, _VIEWS = 320, 81  # longest side of a picture in pixels, and largest number of pictures
 
 
 def png(codes: np.ndarray) -> bytes:
@@ -46,7 +46,7 @@ class Shown:
 
 
 def _small(view: np.ndarray) -> np.ndarray:
-    """Returns uint8 codes with no side above _SIDE, averaged over blocks of pixels."""
+    """Returns the view as uint8 codes, reduced to at most _SIDE pixels per side by averaging blocks of pixels."""
     step = max(1, -(-max(view.shape[:2]) // _SIDE))
     height, width = view.shape[0] // step * step, view.shape[1] // step * step
     if step > 1 and height and width:
@@ -73,7 +73,7 @@ def _picture(codes: np.ndarray) -> str:
 
 
 def _chosen(count: int, most: int) -> List[int]:
-    """Returns at most `most` of `count` indices, including both ends."""
+    """Returns at most `most` evenly spaced indices from 0 to count - 1, including both ends."""
     return sorted({round(i) for i in np.linspace(0, count - 1, min(count, max(most, 1)))})
 
 
@@ -85,7 +85,7 @@ def _shown_size(views: np.ndarray) -> str:
 
 
 def html_of(field: Any) -> str:
-    """Returns self-contained HTML: pictures and two sliders."""
+    """Returns self-contained HTML that shows one view, selected with two sliders."""
     try:
         views = field.views
     except Error:

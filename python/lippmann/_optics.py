@@ -19,8 +19,8 @@ from ._errors import Error, Naming, Reading
 Display = _core.Display
 Optics = _core.Optics
 
-_MOST = 32768  # pixels per side
-_FIELDS = {  # names in the library's optics
+_MOST = 32768  # largest number of pixels per side
+_FIELDS = {  # maps fields of the library's optics to Python's arguments
     "panel": "size",
     "width": "size",
     "height": "size",
@@ -37,12 +37,15 @@ def displays() -> List[Display]:
 
 
 def display(name: Any) -> Display:
-    """Returns a display: a preset by name, or a file (.toml, a display of your own; .json, a calibration such as visual.json)."""
+    """Returns a display.
+
+    name: the name of a preset, or a file: a .toml that describes a display of your own, or a .json calibration such as visual.json.
+    """
     return display_of(name, "name")
 
 
 def display_of(display: Any, argument: str) -> Display:
-    """Returns the display of an argument with this name."""
+    """Returns the display that an argument gives, by name, by file or as a Display. argument: the argument's name, for errors."""
     if isinstance(display, Display):
         return display
     where = path_bytes(display, argument)
@@ -80,9 +83,11 @@ def camera_grid(
 ) -> Optics:
     """Parallel cameras in a grid, as in data sets of light fields.
 
-    rows, columns: size of the grid. size: (height, width) of each view in pixels. baseline_mm: distance between neighbours, across
-    and up. distance_mm: from the cameras to the plane in which all views coincide (disparity 0). pixel_mm: size of a view's pixel in
-    that plane; None: views are 100 mm high.
+    rows, columns: size of the grid.
+    size: (height, width) of each view in pixels.
+    baseline_mm: distance between neighbouring cameras, horizontally and vertically.
+    distance_mm: distance from the cameras to the plane in which all views coincide (disparity 0).
+    pixel_mm: size of a view's pixel in that plane. None: the size that makes views 100 mm high.
     """
     return _views(rows, columns, size, pixel_mm, 0.1, distance_mm, positive(baseline_mm, "baseline_mm"))
 
@@ -96,9 +101,11 @@ def quilt(
     distance_mm: float = 500.0,
     pixel_mm: Optional[float] = None,
 ) -> Optics:
-    """Views from left to right at equal angles, in tiles of a picture: rows x columns tiles of `size` = (height, width) pixels.
+    """Views from left to right at equal angles, which are the tiles of one picture.
 
-    view_cone_deg: full angle of all views. The arrays have one row of rows x columns views.
+    rows, columns: number of tiles. The arrays of the light field have a single row of rows x columns views.
+    size: (height, width) of a tile in pixels.
+    view_cone_deg: angle over which the views are spread.
     """
     cone = number(view_cone_deg, "view_cone_deg", 0.01, 179.0)
     return _views(rows, columns, size, pixel_mm, cone, distance_mm, 0.0)
@@ -119,10 +126,13 @@ def lenticular_sheet(
     offset_mm: Optional[float] = None,
     viewing_distance_mm: float = math.inf,
 ) -> Optics:
-    """Cylindrical lenses on a panel of `size` = (height, width) pixels, with parallax from left to right.
+    """Cylindrical lenses on a panel, with horizontal parallax.
 
-    slant_deg: angle of the lenses from the vertical. gap_mm: from the panel to the lenses. offset_mm: position of a lens's centre;
-    None: half a pitch, which puts a boundary in the middle.
+    size: (height, width) of the panel in pixels.
+    slant_deg: angle of the lenses from the vertical.
+    gap_mm: distance from the panel to the lenses.
+    offset_mm: position of a lens's centre, to the right of the panel's centre. None: half a pitch, so that two lenses meet in the
+        panel's centre.
     """
     panel, pixel, distance = _lenses(size, pixel_mm, viewing_distance_mm)
     pitch = positive(lens_pitch_mm, "lens_pitch_mm")
@@ -143,7 +153,7 @@ def microlens_array(
     offset_mm: Optional[float] = None,
     viewing_distance_mm: float = math.inf,
 ) -> Optics:
-    """Spherical lenses on a panel of `size` = (height, width) pixels, in squares or hexagons, with parallax in all directions."""
+    """Spherical lenses on a panel of `size` = (height, width) pixels, in a square or hexagonal grid, with parallax in all directions."""
     panel, pixel, distance = _lenses(size, pixel_mm, viewing_distance_mm)
     pitch = positive(lens_pitch_mm, "lens_pitch_mm")
     offset = pitch / 2 if offset_mm is None else number(offset_mm, "offset_mm", -1e6, 1e6)
@@ -153,7 +163,7 @@ def microlens_array(
 
 
 def _for_json(value: Any, name: str) -> Any:
-    """Returns a value as JSON types; infinity becomes None."""
+    """Converts a value to types that JSON has. Infinity becomes None."""
     if isinstance(value, (np.ndarray, np.generic)):
         value = value.tolist()
     if isinstance(value, (list, tuple)):
@@ -168,8 +178,10 @@ def _for_json(value: Any, name: str) -> Any:
 def optics(kind: str, size: Tuple[int, int] = (512, 512), *, pixel_mm: float = 0.125, **values: Any) -> Optics:
     """Optics of any kind, by the names of report.json: `optics("single", (40, 56), distance_mm=500)`.
 
-    kind: "kind" of a report's "optics". size: (height, width) of the panel in pixels of pixel_mm. values: the report's fields of
-    this kind, such as lens_pitch_mm and gap_mm; lengths are mm, angles degrees; math.inf is accepted.
+    kind: the value of "kind" in the "optics" of a report.json.
+    size: (height, width) of the panel in pixels.
+    pixel_mm: size of a pixel.
+    values: the other fields of this kind in report.json, such as lens_pitch_mm and gap_mm. Angles are degrees. math.inf is accepted.
     """
     panel, pixel = pair(size, "size", 1, _MOST), positive(pixel_mm, "pixel_mm")
     members = json.dumps({name: _for_json(value, name) for name, value in values.items()})
@@ -178,7 +190,7 @@ def optics(kind: str, size: Tuple[int, int] = (512, 512), *, pixel_mm: float = 0
 
 
 def single_view(size: Tuple[int, int] = (512, 512), *, pixel_mm: float = 0.125, distance_mm: float = 500.0) -> Optics:
-    """A pinhole camera of (height, width) pixels: what one eye sees from `distance_mm` in front of the display's centre."""
+    """A pinhole camera at `distance_mm` in front of the display's centre. size: (height, width) in pixels."""
     panel = pair(size, "size", 1, _MOST)
     pixel, distance = positive(pixel_mm, "pixel_mm"), positive(distance_mm, "distance_mm")
     with Naming(**_FIELDS):
@@ -186,13 +198,17 @@ def single_view(size: Tuple[int, int] = (512, 512), *, pixel_mm: float = 0.125, 
 
 
 def _middles(size: Tuple[int, int], samples_per_side: int) -> np.ndarray:
-    """Returns (n, 2): x, y of the centre of every part of every pixel, row by row from the top left, in pixels."""
+    """Divides every pixel into samples_per_side x samples_per_side parts. Returns (n, 2): x and y of the centre of every part, in pixels,
+    row by row from the top left.
+    """
     y, x = np.mgrid[0 : size[0] * samples_per_side, 0 : size[1] * samples_per_side].astype(np.float32)
     return np.stack([x.ravel() + 0.5, y.ravel() + 0.5], axis=1) / samples_per_side
 
 
 def _unit_directions(directions: np.ndarray) -> np.ndarray:
-    """Returns float32 unit vectors. Scales before squaring, because squares of very short or long vectors would over- or underflow."""
+    """Returns the directions as float32 unit vectors. Scales each vector by its largest component first, so that the squares of very long
+    or short vectors neither overflow nor underflow.
+    """
     largest = np.abs(directions).max(axis=1, keepdims=True)
     unit = directions / np.where(largest > 0, largest, 1.0)
     unit = (unit / np.maximum(np.linalg.norm(unit, axis=1, keepdims=True), 1.0)).astype(np.float32)
@@ -202,14 +218,14 @@ def _unit_directions(directions: np.ndarray) -> np.ndarray:
 
 
 def _spread(directions: np.ndarray, rows: int) -> float:
-    """Returns the typical spread of neighbouring rays in a row, in mm per mm of depth."""
+    """Returns the median distance by which the rays of neighbouring points in a row separate, in mm per mm of depth."""
     slopes = (directions[:, :2].astype(np.float64) / -directions[:, 2:]).reshape(rows, -1, 2)
     steps = np.linalg.norm(np.diff(slopes, axis=1), axis=2)
     return float(np.median(steps)) if steps.size else 0.0
 
 
 def _pair_of(returned: Any) -> Sequence[Any]:
-    """Returns the two arrays that `rays` has returned, possibly as a generator, whose exceptions are passed on."""
+    """Returns the two arrays in the result of the function `rays`, which may be a generator. Exceptions of the generator are passed on."""
     try:
         parts = iter(returned)
     except TypeError:
@@ -229,11 +245,13 @@ def own_optics(
 ) -> Optics:
     """Optics given by a function from pixel to ray, such as a simulated lens or a measured display.
 
-    rays: called once with all traced points (n, 2) of the panel, x from the left and y from the top in pixels, the centre of a
-    pixel at + 0.5; returns origins (n, 3) in mm and directions (n, 3) of any length. The display's frame has x to the right, y up
-    and z towards the viewer, its centre at (0, 0, 0). Rays point away from the viewer (z below 0) and show what lies beyond their
-    origins. Exceptions are passed on. size: (height, width) of the panel in pixels of pixel_mm. samples_per_side: 4 gives every
-    pixel 16 rays, from which its samples (spp) choose.
+    rays: a function that returns the rays of points on the panel. It is called once with all points that are traced, as (n, 2): x from
+        the left and y from the top, in pixels. Pixel centres are at + 0.5. It returns origins (n, 3) in mm and directions (n, 3) of any
+        length, in the display frame: x to the right, y up, z towards the viewer, (0, 0, 0) in the centre of the display. Directions point
+        away from the viewer (z below 0). A ray shows only what lies beyond its origin. Exceptions of the function are passed on.
+    size: (height, width) of the panel in pixels.
+    pixel_mm: size of a pixel.
+    samples_per_side: every pixel has samples_per_side squared rays. Each of its samples (spp) uses one of them.
 
     Such pictures have no views, and cannot be interpolated, denoised or replayed.
     """

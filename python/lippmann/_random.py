@@ -1,4 +1,4 @@
-"""Random scenes, displays and light fields for training. The same seed gives the same bits."""
+"""Random scenes, displays and light fields for training. Equal seeds give equal results, bit for bit."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def _generator(seed: Any, purpose: int) -> np.random.Generator:
 
 def _material(rng: np.random.Generator, textured: float = 0.7) -> Material:
     texture = None
-    if rng.random() < textured:  # without texture, matching finds no features
+    if rng.random() < textured:
         cells = int(rng.integers(4, 33))
         texture = rng.integers(0, 256, (cells, cells, 3), dtype=np.uint8).repeat(8, axis=0).repeat(8, axis=1)
     return Material(
@@ -34,7 +34,7 @@ def _material(rng: np.random.Generator, textured: float = 0.7) -> Material:
 
 
 def _ball(rng: np.random.Generator, rings: int = 24, sectors: int = 48) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Returns a lumpy ball: positions, triangles, uvs."""
+    """Returns the mesh of a ball with a random, wavy radius: positions, triangles, uvs."""
     v, u = np.meshgrid(np.linspace(0, 1, rings + 1), np.linspace(0, 1, sectors + 1), indexing="ij")
     theta, phi = np.pi * v, 2 * np.pi * u
     lumps = rng.uniform(0, 0.15, 3)
@@ -48,14 +48,16 @@ def _ball(rng: np.random.Generator, rings: int = 24, sectors: int = 48) -> Tuple
 
 
 def _turn(rng: np.random.Generator) -> np.ndarray:
-    """Returns a uniformly distributed rotation: K. Shoemake, "Uniform random rotations", Graphics Gems III, 1992."""
+    """Returns a quaternion, uniformly distributed over all rotations: K. Shoemake, "Uniform random rotations", Graphics Gems III, 1992."""
     a, b, c = rng.random(3)
     s, t = np.sqrt(1 - a), np.sqrt(a)
     return np.array([s * np.sin(2 * np.pi * b), s * np.cos(2 * np.pi * b), t * np.sin(2 * np.pi * c), t * np.cos(2 * np.pi * c)])
 
 
 def random_scene(seed: int, *, objects: int = 12, frames: int = 1) -> Scene:
-    """Textured shapes in front of a wall, near the display's plane, 10 units high. With several frames they move and rotate."""
+    """Returns a scene of textured shapes in front of a wall, near the display's plane. The display is 10 scene units high. If there are
+    several frames, the shapes move and rotate.
+    """
     rng = _generator(seed, 0)
     scene = Scene(f"random {seed}", frames=frames)
     count = integer(objects, "objects", 0, 1 << 16)
@@ -90,7 +92,7 @@ def random_scene(seed: int, *, objects: int = 12, frames: int = 1) -> Scene:
 
 
 def random_camera_grid(seed: int, *, rows: int = 5, columns: int = 5, size: Tuple[int, int] = (128, 128)) -> Optics:
-    """Cameras in a grid with a random distance (200 to 800 mm) and baseline (1 to 3 degrees as seen from the plane)."""
+    """Returns a camera grid at a random distance (200 to 800 mm) with a random baseline (1 to 3 degrees, as seen from the display)."""
     rng = _generator(seed, 1)
     distance = float(rng.uniform(200, 800))
     baseline = distance * float(np.tan(np.radians(rng.uniform(1, 3))))
@@ -98,11 +100,11 @@ def random_camera_grid(seed: int, *, rows: int = 5, columns: int = 5, size: Tupl
 
 
 def random_display(seed: int, *, size: Tuple[int, int] = (256, 192)) -> Display:
-    """A slanted panel of (height, width) pixels with random lens pitch, slope, phase and cone, the values that a calibration gives."""
+    """Returns a slanted panel with a random calibration: lens pitch, slope, phase and view cone. size: (height, width) in pixels."""
     rng = _generator(seed, 2)
     height, width = pair(size, "size", 8, 1 << 14)
     dpi = float(rng.uniform(150, 500))
-    below = rng.uniform(6, 15)  # sub-pixels below a lens
+    below = rng.uniform(6, 15)  # number of sub-pixels below a lens
     return display_from_toml(
         f"""description = "random {seed}"
 kind = "slanted-panel"
@@ -133,10 +135,13 @@ def training_data(
     spp: int = 16,
     **options: Any,
 ) -> Iterator[LightField]:
-    """Yields light fields of random scenes and random cameras, endlessly or `count` of them: views, depth and disparity.
+    """Yields light fields of random scenes and random cameras, with views, depth and disparity.
 
-    Light field i shows random_scene(seed + i) through random_camera_grid(seed + i), so that several processes can share the work by
-    taking different seeds. Other options are those of lippmann.render.
+    count: number of light fields. None: endless.
+    seed: light field i shows random_scene(seed + i) through random_camera_grid(seed + i). Several processes can share the work by
+        taking different seeds.
+
+    Other options are those of lippmann.render.
     """
     first = integer(seed, "seed", 0, 1 << 62)
     numbers = itertools.count(first) if count is None else range(first, first + integer(count, "count", 0, 1 << 62))

@@ -15,15 +15,16 @@ from ._scene import Scene, choose_camera, load, strength_and_turn, surround
 
 
 class Animation:
-    """Frames of one scene through one set of optics, rendered on access. Frames that reuse others are quickest in ascending order.
-    Use `for field in animation`, `animation[3]`, `len(animation)`; `animation[2:5]` is an Animation of those frames, also rendered
-    on access. A pickle or a copy holds the scene and its settings, and renders independently.
+    """A sequence of frames of a scene, each of which is rendered when it is accessed.
+
+    Use `for field in animation`, `animation[3]` or `len(animation)`. `animation[2:5]` is an Animation of these frames. With `reuse`,
+    access frames in ascending order, which is the fastest. A pickle or a copy holds the scene and the settings, not the frames.
     """
 
     def __init__(
         self, core: Any, settings: Any, frames: Sequence[int], display: Optional[Display], progress: Optional[Progress]
     ) -> None:
-        """settings: the remaining arguments of _core.Frames: sampling, reuse, threads."""
+        """core: a _core.Frames. settings: the last three arguments of its constructor: sampling, reuse and threads."""
         self._core, self._settings, self._frames, self._display, self._progress = core, settings, frames, display, progress
 
     def __len__(self) -> int:
@@ -62,7 +63,7 @@ class Animation:
 
 
 def _remade(made_of: Any, *rest: Any) -> Animation:
-    """Returns the Animation of a pickle."""
+    """Returns an Animation, restored from a pickle. made_of: arguments of _core.Frames. rest: the other arguments of Animation."""
     return Animation(_core.Frames(*made_of), *rest)
 
 
@@ -101,44 +102,51 @@ def frames(
     threads: int = 0,
     progress: Optional[Progress] = None,
 ) -> Animation:
-    """Renders the frames of a scene as light fields, one at a time. Ctrl-C stops (KeyboardInterrupt).
+    """Renders frames of a scene as light fields. Each frame is rendered when it is accessed. Ctrl-C stops (KeyboardInterrupt).
 
     scene: a lippmann.Scene, the name of a built-in scene, or a file.
-    display: a preset's name, a file (.toml, a calibration .json), a lippmann.Display, or optics (lippmann.camera_grid, ...).
+    display: the name of a preset, a file (.toml, or a .json calibration), a lippmann.Display, or optics such as lippmann.camera_grid().
         None: lippmann.camera_grid().
-    frames: frame numbers, counted from 0; None: all.
-    layout: "views": the views, for a slanted panel its quilt; "native": the panel's own pixels.
-    layers: depth (mm, positive in front of the display), ray-depth, normal, position (both in world space), id, albedo, motion
-        (pixels since the previous frame), provenance (a code, docs/guide/reuse.md), direct, indirect. "disparity" asks for depth.
-    integrator: "path" (all light, by random paths) or "whitted" (fast: direct light, sharp shadows, mirrors). None: path, but
-        whitted for scenes of formats that describe Whitted's shading, including the built-in ones, and for files that contain only
-        splats.
-    spp: samples per pixel; None: 16 (path), 4 (files that contain only splats), else 1. max_depth: path vertices; 0: the scene's
-        value. seed: of the random paths. clamp_indirect: upper bound of a path's indirect light, which removes fireflies but loses
-        light; 0: no bound.
-    denoise: "auto" (or True) removes the noise of path-traced frames of 2 or more spp; "none" (or False) leaves frames as traced.
-    angular_filter: "none" renders each view from one eye, "box" averages it over the range between its neighbours, which blurs
-        depth beyond the budget. None: "box" for quilts of a display, else "none".
-    aperture_mm, or f_number (of a camera with a sensor 36 mm wide, for scenes in metres): depth of field for views: diameter of the
-        lens of each view. focal_plane_mm: depth in focus, in front of the display's plane. Needs 2 or more spp.
-    shutter: motion blur, over this share of the time between frames (0 to 1). Needs 2 or more spp.
-    reuse: auto, none, copy, interpolate (docs/guide/reuse.md); copy and interpolate need integrator="whitted". keyframes: for copy
-        and interpolate, the largest distance between key frames. min_psnr: for interpolate, the lowest PSNR of a frame in dB. Other
-        values of reuse refuse them; "auto" ignores unsuitable keyframes, with a LippmannWarning.
-    fit_depth: reduces the depth of scenes that exceed the display's depth budget. None: as in `lippmann render`; False for optics
-        of your own.
-    focus: what lies in the display's plane: a node's name, "x,y,z" or a distance. fit_to: a node that fills the picture, or "all".
-        zoom: above 1 is nearer. orbit: degrees to the right and up.
-    light: "auto" adds light to scenes without any, as `lippmann render` does; "none" adds nothing.
-    environment: surrounds and lights the scene in place of its own environment: "studio", the built-in one; a panorama,
-        equirectangular with the zenith on top, as a file (.hdr, .exr, .pfm, .tif) or an array (y, x, 3) of linear light; or a colour
-        (3). "none" keeps the scene's own light, as light="none" does. environment_strength: a factor for its light.
-        environment_rotation_deg: about +y. Without `environment` both are ignored, with a LippmannWarning.
-    camera: the camera of the scene that sets the view, by name or index (Scene.cameras); None: the first.
-    transparent: the environment lights the scene but is not visible: LightField.alpha.
-    threads: 0: one per processor. The result has the same bits for any number.
-    progress: called as progress(frame, share) about every 50 ms, in this thread; an exception stops the render. The share starts
-        again at 0 for every frame that the requested frame depends on.
+    frames: frame numbers, counted from 0. None: all frames.
+    layout: "views" renders views, which a slanted panel shows as a quilt. "native" renders the pixels of a slanted panel.
+    layers: data of every pixel beside its colour. depth (mm in front of the display), ray-depth, normal and position (in world space),
+        id, albedo, motion (pixels since the previous frame), provenance (codes of docs/guide/reuse.md), direct, indirect. "disparity"
+        is accepted as another name of depth.
+    integrator: "path" traces random paths and includes all light. "whitted" is fast: direct light, sharp shadows and mirrors. None is
+        whitted for built-in scenes, for other scenes of formats that describe Whitted's shading, and for files that contain only
+        splats; it is path for all other scenes.
+    spp: samples per pixel. None is 16 for path, 4 for files that contain only splats, and 1 otherwise.
+    max_depth: largest number of vertices of a path. 0: the limit in the scene.
+    seed: seed of the random paths.
+    clamp_indirect: upper bound of the indirect light of a path. It removes fireflies but loses light. 0: no bound.
+    denoise: "auto" or True removes the noise of path-traced frames of 2 or more spp. "none" or False does not.
+    angular_filter: "none" renders each view from one eye. "box" averages each view over the range between its neighbours, which blurs
+        depth beyond the depth budget. None: "box" for quilts of a display, otherwise "none".
+    aperture_mm: diameter of the lens of each view, for depth of field. Needs 2 or more spp.
+    f_number: defines the aperture instead, as that of a camera with a sensor 36 mm wide, for scenes in metres.
+    focal_plane_mm: depth in focus, in front of the display's plane.
+    shutter: share of the time between frames, from 0 to 1, over which motion is blurred. Needs 2 or more spp.
+    reuse: "auto", "none", "copy" or "interpolate" (docs/guide/reuse.md). copy and interpolate need integrator="whitted".
+    keyframes: for copy and interpolate, the largest distance between key frames. "auto" ignores a value that it cannot use, with a
+        LippmannWarning. "none" raises Error.
+    min_psnr: for interpolate, the lowest PSNR of a frame in dB.
+    fit_depth: True reduces the depth of scenes that exceed the display's depth budget. None decides as `lippmann render` does, and is
+        False for custom optics.
+    focus: places the display's plane at a node (by name), at a point ("x,y,z") or at a distance from the viewer, in scene units.
+    fit_to: the node, by name, that fills the picture with its children. "all": the whole scene fills the picture.
+    zoom: factor that enlarges the middle of the view.
+    orbit: (right, up): angles in degrees by which the viewer moves around the subject.
+    light: "auto" adds light to scenes without any, as `lippmann render` does. "none" adds nothing.
+    environment: surrounds and lights the scene, in place of the scene's environment. "studio" is built in. A panorama is equirectangular
+        with the zenith on top: a file (.hdr, .exr, .pfm, .tif) or an array (y, x, 3) of linear light. A colour has 3 numbers. "none"
+        keeps the scene's own light, as light="none" does.
+    environment_strength: factor of the environment's light. Without `environment` it is ignored, with a LippmannWarning.
+    environment_rotation_deg: rotation about +y. Without `environment` it is ignored, with a LippmannWarning.
+    camera: the camera that sets the view, by name or index in Scene.cameras. None: the first camera.
+    transparent: True hides the environment, which still lights the scene. LightField.alpha is the coverage.
+    threads: number of threads. 0: one per processor. The number does not affect the result.
+    progress: called as progress(frame, share) about every 50 ms, in the calling thread. An exception stops the render. The share starts
+        again at 0 for every frame on which the requested frame depends.
     """
     if isinstance(scene, Scene):
         core = scene._core.copy()
@@ -169,7 +177,7 @@ def frames(
     open_share = number(shutter, "shutter", 0.0, 1.0)
     workers = integer(threads, "threads", 0, 4096)
     choice(light, "light", ("auto", "none"))
-    core.move_near_origin()  # checks it
+    core.move_near_origin()  # raises Error for an invalid scene
     choose_camera(core, camera)
     if isinstance(environment, str) and environment == "none":
         environment, light = None, "none"
@@ -242,7 +250,7 @@ def render(
 
 
 class _Frame(List[int]):
-    """The frame that lippmann.render is asked for. Errors name its argument."""
+    """The frame that lippmann.render renders, as a list of one. The type makes errors name the argument `frame`, not `frames`."""
 
 
 def _which(frames: Optional[Iterable[int]], count: int) -> Sequence[int]:
@@ -259,8 +267,8 @@ def _which(frames: Optional[Iterable[int]], count: int) -> Sequence[int]:
 def _reuse(
     name: str, keyframes: Optional[int], min_psnr: Optional[float], layers: Set[str], sampling: Any
 ) -> Any:
-    """Returns the reuse of this name, with keyframes and min_psnr. "auto" with keyframes becomes "copy" where pixels can be copied.
-    Frames that copy or trace pixels with Whitted's shading satisfy any min_psnr.
+    """Returns a _core.Reuse, and raises Error if the arguments exclude each other. "auto" with keyframes becomes "copy" if pixels can be
+    copied. min_psnr limits only "interpolate", because traced and copied frames of Whitted's shading have no error.
     """
     if min_psnr is not None and sampling.is_stochastic:
         accepted = "spp for path tracing; min_psnr with reuse='interpolate'"
@@ -299,7 +307,7 @@ def _place(
     zoom: float,
     orbit: Tuple[float, float],
 ) -> Tuple[Any, Optional[Display]]:
-    """Returns the placement of the display in the scene, and the display if it is one."""
+    """Returns the placement in the scene, and the Display. The Display is None if `display` is optics."""
     try:
         yaw, pitch = orbit
     except (TypeError, ValueError):

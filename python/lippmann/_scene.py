@@ -1,6 +1,7 @@
 """Scenes: built-in ones, files, and scenes made of arrays.
 
-World space is right-handed, in any unit, with +y up as in glTF. Handles (Object) place, move and animate a scene's objects.
+World space is right-handed, in any unit, with +y up as in glTF. The methods that add something to a scene return handles (Object),
+which place, move and animate what was added.
 """
 
 from __future__ import annotations
@@ -20,11 +21,11 @@ from ._meshes import arrays_of, texture_of
 from ._options import UpAxis
 
 _UP = np.array([0.0, 1.0, 0.0])
-_UP_AXES = ("y", "x", "z", "-x", "-y", "-z")  # in the library's order
+_UP_AXES = ("y", "x", "z", "-x", "-y", "-z")  # in the order of the C++ enumeration
 
 
 def scenes() -> Dict[str, str]:
-    """Returns the built-in scenes: names, each with a one-line description."""
+    """Returns the built-in scenes, as a dict from names to one-line descriptions."""
     return dict(_core.builtin_scenes())
 
 
@@ -32,11 +33,16 @@ def scenes() -> Dict[str, str]:
 class Material:
     """A surface of glTF's metallic-roughness model.
 
-    color: linear red, green, blue from 0 to 1. roughness: 0 (mirror) to 1 (chalk). metallic: 0 or 1. emission: emitted linear light,
-    unlimited. transmission: share of light that passes, as through glass, refracted by ior. alpha: share of the surface's coverage.
-    texture: (y, x, 3 or 4) uint8, sRGB, multiplied by color, at the mesh's uvs; other shapes and meshes without uvs ignore it with a
-    LippmannWarning. An object keeps the material as it was when the object was added; later changes, including those of the
-    texture's pixels, apply to objects added afterwards.
+    color: linear red, green, blue from 0 to 1.
+    roughness: from 0 (mirror) to 1 (chalk).
+    metallic: 0 or 1.
+    emission: emitted linear light, without an upper limit.
+    transmission: share of light that passes, as through glass, refracted by the index of refraction `ior`.
+    alpha: coverage, from 0 to 1.
+    texture: (y, x, 3 or 4) of uint8 sRGB codes, multiplied by color. It is mapped by the uvs of a mesh. Other shapes, and meshes without
+        uvs, ignore it with a LippmannWarning.
+
+    Adding an object copies its material. Later changes of the material or of the texture's pixels affect only objects added later.
     """
 
     color: Sequence[float] = (0.8, 0.8, 0.8)
@@ -54,10 +60,11 @@ class Material:
 
 @dataclass
 class Skin:
-    """Joints that deform a mesh (Scene.add_mesh). The mesh keeps its rest pose at the time when it is added.
+    """Joints that deform a mesh (Scene.add_mesh). The poses of the joints when the mesh is added are the rest pose: they do not deform it.
 
-    joints: handles of Scene.add_joint. indices: (vertices, n), into joints: the joints of each vertex. weights: (vertices, n), 0 or
-    more: influence of each joint, normalised to sum 1.
+    joints: handles returned by Scene.add_joint.
+    indices: (vertices, n): the n joints of each vertex, as indices into `joints`.
+    weights: (vertices, n): influence of each of these joints, 0 or more. The weights of a vertex are normalised to sum 1.
     """
 
     joints: Sequence["Object"]
@@ -66,7 +73,7 @@ class Skin:
 
 
 class Object:
-    """An object in a scene: a mesh, a shape, a lamp, a camera. Created by the scene's add_ functions."""
+    """A handle of something in a scene: a mesh, a shape, a lamp, a camera, a joint. The scene's add_ functions return it."""
 
     def __init__(self, scene: "Scene", node: int, name: str) -> None:
         self._scene, self._node = scene, node
@@ -82,12 +89,14 @@ class Object:
         scale: Any = None,
         weights: Any = None,
     ) -> "Object":
-        """Animates the object with one value per frame of the scene, which replaces its initial placement.
+        """Animates the object with one value per frame of the scene. The values replace the object's initial placement.
 
-        matrices: (frames, 4, 4), columns x, y, z, origin; each a scale, then a rotation, then a translation, without shear. Or
-        parts of it: translation (frames, 3), rotation (frames, 4) as quaternions x, y, z, w, scale (frames, 3). weights: (frames,
-        targets), of a mesh with morph targets. Children move with their parents. A mesh with a skin is moved by its joints.
-        Returns the object.
+        matrices: (frames, 4, 4), with the columns x axis, y axis, z axis, origin. Each matrix is a scale, then a rotation, then a
+            translation, without shear.
+        translation, rotation, scale: (frames, 3), (frames, 4) as quaternions x, y, z, w, and (frames, 3), instead of matrices.
+        weights: (frames, targets), for a mesh with morph targets.
+
+        Children move with their parents. A mesh with a skin cannot be moved: animate its joints. Returns the object.
         """
         count = self._scene.frame_count
         moves = {"matrices": matrices, "translation": translation, "rotation": rotation, "scale": scale}
@@ -118,7 +127,9 @@ class Object:
 class Scene:
     """A scene made in memory. Add objects to it, and render it with `lippmann.render` or `lippmann.frames`.
 
-    name: used in reports. frames: number of frames of the animation. frames_per_second: its rate.
+    name: the scene's name in reports.
+    frames: number of frames of the animation.
+    frames_per_second: frame rate of the animation.
     """
 
     def __init__(self, name: str = "scene", *, frames: int = 1, frames_per_second: float = 25.0) -> None:
@@ -136,8 +147,8 @@ class Scene:
         return scene
 
     def _start(self) -> None:
-        self._materials: Dict[Any, int] = {}  # indices by all values of a material
-        self._textures: Dict[Any, int] = {}  # indices by the hash of the pixels
+        self._materials: Dict[Any, int] = {}  # maps the values of a material to its index
+        self._textures: Dict[Any, int] = {}  # maps the hash of a texture's pixels to its index
 
     # ---- Properties ----------------------------------------------------------------------------------------------------
 
@@ -153,12 +164,12 @@ class Scene:
 
     @property
     def frames_per_second(self) -> float:
-        """The frame rate: frame f shows the second f / frames_per_second."""
+        """The frame rate. Frame f shows the scene at f / frames_per_second seconds."""
         return self._core.frames_per_second
 
     @property
     def objects(self) -> Tuple[str, ...]:
-        """Names by object id, the value of the layer "id"."""
+        """The names of the objects. The index is the object's id, as in the layer "id"."""
         return tuple(self._core.instance_names)
 
     @property
@@ -167,14 +178,14 @@ class Scene:
         return tuple(self._core.camera_names)
 
     def bounds(self, frame: int = 0) -> Optional[np.ndarray]:
-        """(2, 3): the lowest and the highest coordinates of all finite shapes; None if there are none."""
+        """Returns (2, 3): the lowest and the highest coordinates of all finite shapes. Returns None if there are no finite shapes."""
         return self._core.bounds(integer(frame, "frame", 0, self.frame_count - 1))
 
     def copy(self) -> "Scene":
-        """Returns an independent scene with the same contents. Handles of objects stay with the original."""
+        """Returns an independent copy of the scene. Handles of objects still refer to the original scene."""
         return Scene._of(self._core.copy(), self._is_file)
 
-    __copy__ = copy  # copy.copy(); copy.deepcopy() and pickle keep handles and their scene together
+    __copy__ = copy
 
     def __repr__(self) -> str:
         count = self.frame_count
@@ -200,15 +211,19 @@ class Scene:
         rotation: Any = (0, 0, 0, 1),
         scale: Any = (1, 1, 1),
     ) -> Object:
-        """Adds a mesh. positions: (vertices, 3). triangles: (triangles, 3), indices, counter-clockwise seen from the front. Per vertex:
-        normals (vertices, 3), uvs (vertices, 2) with v downwards, colors (vertices, 3), linear, multiplied by the material's.
-        Without normals the mesh is faceted. translation, rotation (quaternion x, y, z, w) and scale place it.
+        """Adds a mesh.
 
-        A mesh of trimesh or Open3D replaces both arrays: `add_mesh(mesh)`. Its uvs, vertex colours (as linear light), stored
-        normals and, without a material, its texture are used unless the arguments give others.
-
-        targets: morph targets (targets, vertices, 3), in units of the mesh: offsets of positions, multiplied by weights (targets),
-        default 0; target_normals: offsets of normals, of the same shape. skin: joints that deform it.
+        positions: (vertices, 3). Or a mesh of trimesh or Open3D, without `triangles`: `add_mesh(mesh)`. Its uvs, its vertex colours (as
+            linear light), its stored normals and its texture are used, unless arguments replace them. `material` replaces the texture.
+        triangles: (triangles, 3) indices of vertices, counter-clockwise seen from the front.
+        normals: (vertices, 3). None: the mesh is faceted.
+        uvs: (vertices, 2), with v downwards.
+        colors: (vertices, 3), linear, multiplied by the colour of the material.
+        translation, rotation, scale: placement of the mesh. The rotation is a quaternion x, y, z, w.
+        targets: (targets, vertices, 3): morph targets. A target holds offsets of positions, in units of the mesh.
+        target_normals: offsets of normals, of the same shape.
+        weights: (targets): factors of the targets. Default: 0.
+        skin: joints that deform the mesh.
         """
         if triangles is None:
             held = arrays_of(positions)
@@ -250,8 +265,9 @@ class Scene:
         parent: Optional[Object] = None,
         name: str = "",
     ) -> Object:
-        """Adds a joint of a skeleton, placed relative to its parent (None: the world). Joints are invisible: they deform meshes (Skin),
-        and animate() moves them with all their children.
+        """Adds a joint of a skeleton, placed relative to its parent. parent: None is the world.
+
+        Joints are invisible. They deform meshes that have a Skin. animate() moves a joint together with its children.
         """
         if parent is not None and (not isinstance(parent, Object) or parent._scene is not self):
             raise Error("parent", f"is {parent!r}", "a handle of this scene's")
@@ -267,7 +283,7 @@ class Scene:
     def add_sphere(
         self, center: Any = (0, 0, 0), radius: float = 1.0, *, material: Optional[Material] = None, name: str = ""
     ) -> Object:
-        """Adds an exact sphere. Its handle's origin is its centre."""
+        """Adds a sphere, which is not approximated by triangles. The origin of its handle is its centre."""
         at, size, surface = vector(center, "center"), positive(radius, "radius"), self._material(material)
         return self._instance(self._core.add_sphere((0.0, 0.0, 0.0), size), surface, name or "sphere", at)
 
@@ -280,7 +296,7 @@ class Scene:
         name: str = "",
         rotation: Any = (0, 0, 0, 1),
     ) -> Object:
-        """Adds a box between two corners. Its handle's origin is its centre, about which `rotation` turns it."""
+        """Adds a box between two corners. The origin of its handle is its centre. rotation: a quaternion x, y, z, w about the centre."""
         low, high = np.array(vector(lower, "lower")), np.array(vector(upper, "upper"))
         if not (low < high).all():
             raise Error("upper", f"{tuple(high)} is not above lower, {tuple(low)}", "larger coordinates on every axis")
@@ -291,7 +307,7 @@ class Scene:
     def add_cylinder(
         self, base: Any, apex: Any, radius: float, *, material: Optional[Material] = None, name: str = ""
     ) -> Object:
-        """Adds the side of a cylinder, without caps, from base to apex. Its handle's origin is the world's."""
+        """Adds the side of a cylinder from base to apex, without caps. The origin of its handle is the origin of the world."""
         ends = vector(base, "base"), vector(apex, "apex")
         if ends[0] == ends[1]:
             raise Error("apex", "is the base", "another point")
@@ -324,13 +340,18 @@ class Scene:
         angular_diameter_deg: float = 0.0,
         name: str = "",
     ) -> Object:
-        """Adds a lamp. kind: "point", "spot" (both fall off with the squared distance) or "directional".
+        """Adds a lamp.
 
-        Spot and directional lamps shine towards `target` (a point) or along `direction`; by default downwards. color, linear, times
-        intensity is the light reflected by a white surface that faces the lamp at distance 1, times pi. Cones are half angles of a
-        spot. Point and spot lamps can be spheres of a radius, directional lamps discs of an angular diameter (the sun: 0.53), of the
-        same total brightness; their shadows are soft in path-traced pictures. Arguments that a kind does not use are ignored with a
-        LippmannWarning: the direction of a point lamp, the cones of all but spots, the range of a directional lamp.
+        kind: "point", "spot" or "directional". Point and spot lamps fall off with the squared distance.
+        target, direction: a point towards which, or a vector along which, a spot or directional lamp shines. Default: downwards.
+        color, intensity: linear colour and its factor. A white surface that faces the lamp at distance 1 reflects color * intensity / pi.
+        range: distance beyond which a point or spot lamp has no effect.
+        inner_cone_deg, outer_cone_deg: half angles of a spot lamp.
+        radius: makes a point or spot lamp a sphere of the same total brightness. Its shadows are soft in path-traced pictures.
+        angular_diameter_deg: makes a directional lamp a disc of the same total brightness, such as the sun (0.53).
+
+        Arguments that a kind does not use are ignored with a LippmannWarning: the direction of a point lamp, the cones of all lamps but
+        spots, the range of a directional lamp.
         """
         if kind not in ("point", "directional", "spot"):
             raise Error("kind", f"is {kind!r}", "point, directional, spot")
@@ -361,20 +382,26 @@ class Scene:
         return Object(self, node, name or kind)
 
     def set_background(self, horizon: Any = (0, 0, 0), zenith: Any = None) -> None:
-        """Sets the background, which also lights the scene: linear colours, 0 or more, at the horizon and the zenith (None: equal)."""
+        """Sets the background, which also lights the scene. horizon, zenith: linear colours, 0 or more. zenith: None is the colour of the
+        horizon.
+        """
         low = _light(horizon, "horizon")
         self._core.set_background(low, low if zenith is None else _light(zenith, "zenith"))
 
     def set_environment(self, radiance: Any, *, strength: float = 1.0, rotation_deg: float = 0.0) -> None:
-        """Sets a panorama that surrounds and lights the scene. radiance: (y, x, 3), linear, 0 or more, equirectangular, the zenith on
-        top; a file (.hdr, .exr, .pfm or .tif); one colour (3); or "studio", the built-in one, which faces the first camera that the
-        scene then has. rotation_deg: about +y.
+        """Sets a panorama that surrounds and lights the scene.
+
+        radiance: an equirectangular panorama with the zenith on top, as an array (y, x, 3) of linear light or a file (.hdr, .exr, .pfm or
+            .tif). Or one linear colour. Or "studio", a built-in panorama, which is turned towards the first camera in the scene at the
+            time of this call.
+        strength: factor of the light.
+        rotation_deg: rotation about +y.
         """
         surround(self._core, radiance, *strength_and_turn(strength, rotation_deg), "radiance")
 
     def choose_camera(self, camera: Union[str, int]) -> None:
-        """Makes the camera of this name or index (see `cameras`) set the view. It becomes the first camera, and replaces a display's
-        placement stored in the scene.
+        """Selects the camera that sets the view, by name or index in `cameras`. It becomes the first camera, and replaces the placement of
+        a display that the scene contains.
         """
         choose_camera(self._core, camera)
 
@@ -389,8 +416,10 @@ class Scene:
         focus_distance: Optional[float] = None,
         name: str = "",
     ) -> Object:
-        """Adds a camera at `position` that looks at `target`, in scene units. The first camera places the display in the scene:
-        perpendicular to the camera's axis, at its focus distance (None: at the target), as high as its view there.
+        """Adds a camera at `position` that looks at `target`, in scene units.
+
+        The first camera places the display in the scene. The display is perpendicular to the camera's axis, at the distance
+        `focus_distance` (None: at the target), and as high as the camera's view there.
         """
         at, to = vector(position, "position"), vector(target, "target")
         along = _along(at, to, None, (0.0, 0.0, -1.0))
@@ -404,8 +433,12 @@ class Scene:
     def place_display(
         self, center: Any = (0, 0, 0), *, facing: Any = (0, 0, 1), height: float = 1.0, viewing_distance: float = math.inf
     ) -> Object:
-        """Places the display in the scene: the centre of its plane, the direction to the viewer, its height and the viewer's distance,
-        in scene units. Takes precedence over cameras.
+        """Places the display in the scene. Takes precedence over cameras. Lengths are in scene units.
+
+        center: centre of the display's plane.
+        facing: direction from the display to the viewer.
+        height: height of the display.
+        viewing_distance: distance from the display to the viewer.
         """
         at, towards = vector(center, "center"), _direction(facing, "facing")
         size = positive(height, "height", 1e9)
@@ -417,7 +450,7 @@ class Scene:
     # ---- Helpers -------------------------------------------------------------------------------------------------------
 
     def _material(self, material: Optional[Material], has_uvs: bool = False) -> int:
-        """Returns the index of a material in its present state. Equal materials share an index."""
+        """Returns the index of a copy of the material. Equal materials share an index."""
         if material is None:
             material = Material()
         if not isinstance(material, Material):
@@ -455,14 +488,16 @@ class Scene:
         return self._materials.setdefault(key, self._core.add_material(surface))
 
     def _texture(self, rgba: np.ndarray) -> int:
-        """Returns the index of a texture (y, x, 4). Textures of equal pixels share an index; an array may have changed in between."""
+        """Returns the index of a texture (y, x, 4). Textures with equal pixels share an index. The pixels are compared, not the arrays,
+        because the caller may change an array between two calls.
+        """
         key = rgba.shape, hashlib.blake2b(rgba.data, digest_size=32).digest()
         if key not in self._textures:
             self._textures[key] = self._core.add_texture(rgba, True)
         return self._textures[key]
 
     def _carried(self, skin: Skin, vertices: int) -> Tuple[Sequence[int], np.ndarray, np.ndarray]:
-        """Returns nodes of joints, indices and weights, checked and normalised to sum 1."""
+        """Checks a skin. Returns the nodes of its joints, its indices, and its weights normalised to sum 1."""
         if not isinstance(skin, Skin):
             raise Error("skin", f"is {skin!r}", "a lippmann.Skin")
         joints = list(skin.joints) if isinstance(skin.joints, (list, tuple)) else []
@@ -508,11 +543,15 @@ def load(
     """Opens a built-in scene by name, or a file: .gltf, .glb, .dat, .nff, .obj, .ply. A missing file raises an Error that is also a
     FileNotFoundError.
 
-    frames_per_second: 0: the format's default. animation: by name or index, for files with several. camera_path: a Tachyon .cam
-    file. asset_root: a folder in which the files named by the scene may lie; None: the scene's own folder. variant: the materials'
-    variant of a glTF file, by name or index. up: the axis of the file that points up. light_scale: a factor for all lamps.
-    texture_memory_mb: upper bound for decoded textures of glTF and OBJ files: the largest are halved until they fit, with a
-    LippmannWarning. A single texture that exceeds it is an Error.
+    frames_per_second: frame rate of the animation. 0: the default of the format.
+    animation: the animation to use, by name or index, for files with several animations.
+    camera_path: a Tachyon .cam file.
+    asset_root: the folder below which the scene may read textures and other files. None: the folder of the scene file.
+    texture_memory_mb: upper bound for the decoded textures of glTF and OBJ files. The largest textures are halved until all fit, with a
+        LippmannWarning. A single texture above the bound is an Error.
+    variant: the material variant of a glTF file, by name or index.
+    up: the axis of the file that points up.
+    light_scale: factor of the light of all lamps.
     """
     where = path_bytes(name, "name")
     options: Tuple[Union[str, bytes], float, Union[str, bytes], str, str, int] = (
@@ -536,7 +575,7 @@ def load(
 
 
 def choose_camera(core: Any, camera: Union[str, int, None]) -> None:
-    """Makes the camera of this name or index set the view; None changes nothing."""
+    """Selects the camera that sets the view, by name or index. None changes nothing."""
     if isinstance(camera, str):
         core.choose_camera(text(camera, "camera"))
     elif camera is not None:
@@ -547,12 +586,14 @@ def choose_camera(core: Any, camera: Union[str, int, None]) -> None:
 
 
 def strength_and_turn(strength: Any, rotation_deg: Any, prefix: str = "") -> Tuple[float, float]:
-    """Returns the checked strength and rotation of an environment. prefix: of the arguments' names."""
+    """Checks the strength and the rotation of an environment, and returns both. prefix: prefix of the argument names, for errors."""
     return number(strength, prefix + "strength", 0.0, 1e6), number(rotation_deg, prefix + "rotation_deg", -1e6, 1e6)
 
 
 def surround(core: Any, light: Any, factor: float, turn: float, name: str) -> None:
-    """Sets an environment: "studio", a panorama as a file or an array (y, x, 3), or one colour (3). name: of the argument."""
+    """Sets the environment of a scene. light: "studio", a panorama (a file or an array (y, x, 3)), or one colour (3 numbers). name: name
+    of the argument, for errors.
+    """
     if isinstance(light, str) and light == "studio":
         return core.surround_with_studio(factor, turn)
     if isinstance(light, (str, bytes, os.PathLike)):
@@ -569,7 +610,7 @@ def surround(core: Any, light: Any, factor: float, turn: float, name: str) -> No
 def _is_color(light: Any) -> bool:
     try:
         return np.asarray(light).shape == (3,)
-    except (TypeError, ValueError):  # rows of unequal lengths; array() reports them
+    except (TypeError, ValueError):  # rows of unequal lengths, for which array() raises an Error later
         return False
 
 
@@ -577,7 +618,7 @@ def _is_color(light: Any) -> bool:
 
 
 def _morphs(targets: Any, normals: Any, weights: Any, vertices: int, has_normals: bool) -> Any:
-    """Returns checked targets (n, vertices, 3), their normals and weights; None without targets."""
+    """Checks morph targets. Returns targets (n, vertices, 3), target normals and weights. Returns None without targets."""
     if targets is None:
         for value, name in ((normals, "target_normals"), (weights, "weights")):
             if value is not None:
@@ -640,7 +681,9 @@ def _unit(vectors: np.ndarray, name: str) -> np.ndarray:
 
 
 def _quaternions(rotations: np.ndarray) -> np.ndarray:
-    """Returns x, y, z, w of rotations (n, 3, 3), from the largest component (Shepperd, "Quaternion from rotation matrix", 1978)."""
+    """Converts rotation matrices (n, 3, 3) to quaternions x, y, z, w. Computes the largest component first, for accuracy (Shepperd,
+    "Quaternion from rotation matrix", 1978).
+    """
     result = np.empty((len(rotations), 4))
     for q, m in zip(result, rotations):
         trace = np.trace(m)
@@ -657,7 +700,7 @@ def _quaternions(rotations: np.ndarray) -> np.ndarray:
 
 
 def _parts_of(matrices: np.ndarray) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Returns translations, quaternions and scales of matrices (n, 4, 4)."""
+    """Decomposes matrices (n, 4, 4) into translations, quaternions and scales. Raises Error for other transforms, such as shear."""
     wanted = "a scale, then a rotation, then a translation"
     if np.abs(matrices[:, 3] - (0, 0, 0, 1)).max() > 1e-6:
         raise Error("matrices", "have a last row that is not 0, 0, 0, 1", wanted)

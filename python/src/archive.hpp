@@ -1,8 +1,10 @@
 // Serialises values for pickling and deep copies. Every plain struct of the library can be stored, member by member.
 //
-// The compiler finds the members: the number of fields of an aggregate is the largest number of initialisers that it takes, and
-// structured bindings name them. A member added to a struct is stored without a change here. The bytes depend on this machine
-// and this build: the head of an archive holds the version and the size of the struct, and reading refuses others.
+// No struct lists its members here, so a new member needs no change. The number of members of an aggregate is the largest
+// number of initialisers that the aggregate accepts. Structured bindings access the members.
+//
+// The bytes depend on the machine and the build. An archive begins with the version of the library and the size of the struct.
+// Reading an archive throws Error if either differs.
 #pragma once
 
 #include <array>
@@ -27,7 +29,7 @@ namespace lippmann::python {
 
 // ---- Fields of a struct -----------------------------------------------------------------------------------------------
 
-/// Converts to any type. Used to count how many initialisers an aggregate takes.
+/// Converts to any type, to test how many initialisers an aggregate accepts.
 struct AnyValue {
   template <class T>
   requires(!std::is_lvalue_reference_v<T>) operator T() const;  // NOLINT(google-explicit-constructor)
@@ -108,8 +110,8 @@ inline constexpr bool kIsNumber<glm::qua<T>> = true;
 template <class T, std::size_t N>
 inline constexpr bool kIsNumber<std::array<T, N>> = kIsNumber<T>;
 
-/// Passes a value to an archive: numbers to raw(pointer, bytes), and values with a length or that may be absent (strings,
-/// vectors, optionals) to the archive's other functions.
+/// Visits a value and its members recursively, and calls the functions of the archive: raw() for numbers, length() for strings
+/// and vectors, optional(), variant() and shared(). The archive is an ArchiveWriter or an ArchiveReader.
 template <class Archive>
 class Walk {
  public:
@@ -251,7 +253,7 @@ class ArchiveReader {
   void length(auto& values) {
     std::size_t size = 0;
     raw(&size, sizeof size);
-    require(size);  // an element takes at least one byte
+    require(size);  // an element takes at least one byte, so a larger size is an error
     values.resize(size);
   }
   template <class T>

@@ -15,7 +15,7 @@ namespace lippmann::python {
 template <class T>
 using Array = py::array_t<T, py::array::c_style | py::array::forcecast>;
 
-/// Returns a read-only array that shares memory of `owner` and keeps `owner` alive.
+/// Returns a read-only array of the memory at `data`, which belongs to `owner`. The array keeps `owner` alive.
 template <class T, class Owner>
 py::array view_of(const T* data, std::vector<py::ssize_t> shape, std::shared_ptr<Owner> owner) {
   auto* kept = new std::shared_ptr<Owner>(std::move(owner));
@@ -25,7 +25,7 @@ py::array view_of(const T* data, std::vector<py::ssize_t> shape, std::shared_ptr
   return array;
 }
 
-/// Returns an array that owns `data`, which is moved into it without a copy.
+/// Returns an array that takes over the memory of `data` without a copy.
 template <class T>
 py::array moved(std::vector<T> data, std::vector<py::ssize_t> shape) {
   auto* kept = new std::vector<T>(std::move(data));
@@ -33,13 +33,13 @@ py::array moved(std::vector<T> data, std::vector<py::ssize_t> shape) {
   return py::array_t<T>(std::move(shape), kept->data(), base);
 }
 
-/// Returns an array of shape (y, x, channel) that owns the image, without a copy.
+/// Returns an array of shape (y, x, channel) that takes over the memory of the image without a copy.
 inline py::array moved(Image image) {
   const std::vector<py::ssize_t> shape{image.height, image.width, image.channels};
   return moved(std::move(image.data), shape);
 }
 
-/// Throws Error naming `name` unless the array has this shape, in which -1 stands for any length.
+/// Throws Error naming `name` unless the array has the given shape. A -1 in the shape allows any length.
 void require_shape(const py::array& array, std::initializer_list<py::ssize_t> shape, const char* name);
 
 /// Returns the rows of an array (n, 2), (n, 3) or (n, 4). Throws Error naming `name`.
@@ -56,7 +56,7 @@ std::vector<Vec> vectors_of(const Array<float>& array, const char* name) {
 /// Copies an array of shape (y, x, channels) to an image. Throws Error naming `name`.
 Image image_of(const Array<float>& array, int channels, const char* name);
 
-/// Returns a (4, 4) matrix for column vectors.
+/// Returns the (4, 4) matrix of `transform` followed by a translation by `origin`. It multiplies column vectors.
 py::array matrix_of(const Affine3f& transform, const Vec3d& origin);
 
 }  // namespace lippmann::python

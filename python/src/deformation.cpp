@@ -1,7 +1,7 @@
 // Binds deforming meshes: morph targets, which are blended by weights, and skins, which follow joints.
 //
-// Each mesh of lippmann.Scene has a shape, an instance and a node of its own, so the instance and the node are found by the
-// shape.
+// In a lippmann.Scene, exactly one instance refers to the shape of a mesh, and exactly one node to the instance. Therefore, the
+// index of the shape identifies all three.
 #include <algorithm>
 #include <utility>
 
@@ -27,7 +27,8 @@ std::vector<Vec3f> offsets_of(const Array<float>& array, py::ssize_t index) {
   return offsets;
 }
 
-/// Sets morph targets and their normals (n, vertices, 3), and weights (n) that apply to frames without animation.
+/// Sets the morph targets of a mesh. positions and normals: offsets (n, vertices, 3). weights: factors of the n targets in
+/// frames without animation.
 void set_targets(Scene& scene, int shape, const Array<float>& positions, const std::optional<Array<float>>& normals,
                  std::vector<float> weights) {
   Mesh& mesh = mesh_of(scene, shape);
@@ -49,8 +50,8 @@ ResolvedScene at_rest(const Scene& scene) {
   return evaluate(skeleton, 0.0);
 }
 
-/// Sets a skin. The mesh keeps its present placement when the joints are at rest. Shapes: (vertices, n) for weights and for
-/// indices into `joints`, which are nodes.
+/// Sets the skin of a mesh. The current transforms of the joints are the rest pose, which leaves the mesh as it is. joints:
+/// nodes. indices: (vertices, n) indices into `joints`. weights: (vertices, n).
 void set_skin(Scene& scene, int shape, const std::vector<int>& joints, const Array<std::uint32_t>& indices,
               const Array<float>& weights) {
   Mesh& mesh = mesh_of(scene, shape);

@@ -1,4 +1,4 @@
-// Translates lippmann::Error to lippmann.Error with the same parts: where, problem, accepted.
+// Translates the C++ exception lippmann::Error to the Python exception lippmann.Error.
 #include "bindings.hpp"
 #include "lippmann/core/error.hpp"
 

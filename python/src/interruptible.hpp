@@ -1,9 +1,9 @@
 // Runs long work of the library while Python stays responsive: other Python threads run, Ctrl-C stops the work, and callbacks
 // are called on the calling thread.
 //
-// The work runs in a separate thread without the interpreter's lock. The calling thread waits, and takes the lock every 50 ms
-// to pass on reports and to check for signals. If a callback or a signal handler raises an exception (KeyboardInterrupt),
-// Context::cancelled is set, and the exception is raised once the work has stopped.
+// The work runs in a separate thread without the interpreter's lock. The calling thread waits. Every 50 ms it takes the lock,
+// calls the callbacks and checks for signals. If a callback or a signal handler raises an exception, such as KeyboardInterrupt,
+// Context::cancelled is set. The exception is raised when the work has stopped.
 #pragma once
 
 #include <atomic>
@@ -22,9 +22,8 @@ class Interruptible {
   /// threads: number of threads; 0: one per processor.
   explicit Interruptible(int threads);
 
-  /// Calls work(context()) and raises its exception, if it throws one. progress: None, or a function that is called with the
-  /// share of a frame that is done. Throws Error if work of another thread is in progress. The caller must hold the
-  /// interpreter's lock.
+  /// Calls work(context()) and passes on its exception. progress: None, or a function that is called with the rendered share of
+  /// the current frame. Throws Error if another thread is in this function. The caller must hold the interpreter's lock.
   void run(const py::object& progress, const std::function<void(const Context&)>& work);
 
   const Context& context() const { return context_; }

@@ -1,4 +1,4 @@
-// Binds light fields: views as arrays without copies, what eyes see of them, and files.
+// Binds light fields: their views as arrays without copies, the pictures that eyes see, and files.
 #include <algorithm>
 #include <utility>
 
@@ -25,7 +25,7 @@ namespace {
 
 using SharedField = std::shared_ptr<LightField>;
 using SharedPanel = std::shared_ptr<RenderedPanel>;
-using Pair = std::array<int, 2>;  ///< (rows, columns) or (height, width)
+using Pair = std::array<int, 2>;  ///< (rows, columns) of a grid, or (height, width) of a picture
 
 std::vector<py::ssize_t> shape_of(const LightField& field) {
   return {field.grid.rows, field.grid.columns, field.view_size.y, field.view_size.x};
@@ -45,7 +45,8 @@ py::object depth_of_views(const SharedField& field) {
   return view_of(field->depth->data.data(), shape_of(*field), field);
 }
 
-/// Returns the cameras as distance_mm, the (height, width) of a pixel, and eyes (rows, columns, 2); None if they are unknown.
+/// Returns a tuple of the cameras' distance in mm, the (height, width) of a pixel in mm, and the eyes (rows, columns, 2).
+/// Returns None if the cameras are unknown.
 py::object cameras_of(const LightField& field) {
   if (!field.cameras) return py::none();
   std::vector<double> eyes;
@@ -55,8 +56,8 @@ py::object cameras_of(const LightField& field) {
                         moved(std::move(eyes), {field.grid.rows, field.grid.columns, 2}));
 }
 
-/// Returns two arrays: (rows, columns, 4, 4) with the transforms from each camera's frame to world space, and (rows, columns,
-/// 4) with focal lengths and principal points. None if the poses are unknown.
+/// Returns two arrays. (rows, columns, 4, 4) holds the transforms from each camera's frame to world space. (rows, columns, 4)
+/// holds focal lengths and principal points. Returns None if the poses are unknown.
 py::object poses_of(const LightField& field) {
   if (!field.cameras && !field.poses) return py::none();
   std::vector<double> matrices, intrinsics;
@@ -94,8 +95,8 @@ Picture stack_of(const py::array& views, Vec2i size) {
   return image;
 }
 
-/// Makes a light field of arrays that lippmann.LightField has checked: views (rows, columns, y, x, 3), and depth without the
-/// last axis.
+/// Makes a light field of arrays that lippmann.LightField has checked. views: (rows, columns, y, x, 3). depth: (rows, columns,
+/// y, x).
 SharedField field_of(const py::array& views, const std::optional<Array<float>>& depth) {
   require_shape(views, {-1, -1, -1, -1, 3}, "views");
   auto field = std::make_shared<LightField>();
@@ -162,7 +163,8 @@ py::tuple open(const std::filesystem::path& path, const std::string& format, con
   return py::make_tuple(std::make_shared<LightField>(std::move(opened.field)), opened.optics, std::string(opened.format));
 }
 
-/// Returns a panel that shows the views: with the given optics, or those of the views' cameras, or assumed ones.
+/// Returns a panel that shows the views. If no optics are given, they follow from the cameras of the views. If the cameras are
+/// unknown, optics are assumed.
 SharedPanel panel_of_field(const LightField& field, const std::optional<Optics>& optics,
                            const std::optional<double>& view_angle_deg) {
   const py::gil_scoped_release release;
@@ -172,7 +174,7 @@ SharedPanel panel_of_field(const LightField& field, const std::optional<Optics>&
   return std::make_shared<RenderedPanel>(panel_of(field, shown, "views"));
 }
 
-// ---- What eyes see ----------------------------------------------------------------------------------------------------
+// ---- Pictures that eyes see -------------------------------------------------------------------------------------------
 
 Vec2i size_of(const std::optional<Pair>& size) { return size ? Vec2i((*size)[1], (*size)[0]) : Vec2i(0, 0); }
 

@@ -26,7 +26,7 @@ Optics checked(Panel panel, OpticsModel model) {
   return optics;
 }
 
-/// Makes optics of views, with eyes on a grid (baseline > 0) or in a cone.
+/// Makes optics of views. If baseline_mm > 0, the eyes are a grid with this distance; otherwise cone_deg spreads them.
 Optics views(Vec2i grid, Vec2i view, float pixel_mm, float cone_deg, float distance_mm, float baseline_mm) {
   MultiView model;
   model.columns = grid.x, model.rows = grid.y;
@@ -58,7 +58,7 @@ Optics single_view(Vec2i size, float pixel_mm, float distance_mm) {
   return checked({size.x, size.y, pixel_mm}, SingleView{distance_mm, {}});
 }
 
-/// Makes optics from a table with samples_per_side squared rays per pixel. Origins are in mm.
+/// Makes optics from a table of rays, with samples_per_side squared rays per pixel. Origins are in mm.
 Optics ray_table(Vec2i size, float pixel_mm, int samples_per_side, float spread, const Array<float>& origins,
                  const Array<float>& directions) {
   const std::vector<Vec3f> from = vectors_of<Vec3f>(origins, "origins"), to = vectors_of<Vec3f>(directions, "directions");
@@ -68,10 +68,10 @@ Optics ray_table(Vec2i size, float pixel_mm, int samples_per_side, float spread,
   return checked({size.x, size.y, pixel_mm}, RayTable{std::move(rays), samples_per_side, spread});
 }
 
-using Pair = std::array<int, 2>;  ///< (rows, columns) or (height, width), in the order of array shapes
+using Pair = std::array<int, 2>;  ///< (rows, columns) of a grid, or (height, width) of a picture
 Vec2i xy(const Pair& pair) { return {pair[1], pair[0]}; }
 
-/// Returns the rays of points on the panel: origins (mm) and directions.
+/// Returns the rays of points on the panel, as two arrays: origins in mm, and directions.
 py::tuple rays_of(const Optics& optics, const Array<float>& pixels) {
   const std::vector<Vec2f> points = vectors_of<Vec2f>(pixels, "pixels");
   std::vector<float> origins, directions;

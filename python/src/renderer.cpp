@@ -1,4 +1,4 @@
-// Binds rendering: the frames of a scene, one at a time, as films that are shared with arrays without copies.
+// Binds rendering. Frames of a scene are rendered one at a time. Arrays of Python share the memory of a frame.
 #include "lippmann/frames/renderer.hpp"
 
 #include <algorithm>
@@ -35,14 +35,14 @@ std::optional<Aov> layer_named(const std::string& name) {
   return found == kAovNames.end() ? std::nullopt : std::optional(static_cast<Aov>(found - kAovNames.begin()));
 }
 
-/// Returns the picture as (y, x, 3). Makes no copy, except for slanted panels, whose pixels are gathered from the film.
+/// Returns the picture as (y, x, 3). Makes no copy, except for slanted panels, whose sub-pixels are joined to pixels.
 py::array picture_of(const SharedFilm& film) {
   const Image& image = film->frame.pictures.film;
   if (sub_pixels_per_pixel(film->optics) > 1) return moved(picture_of_film(image, film->optics));
   return view_of(image.data.data(), {image.height, image.width, image.channels}, film);
 }
 
-/// Calls `use` with the panel's picture. Makes no copy if the picture is the film itself.
+/// Calls `use` with the panel's picture and returns the result.
 template <class Use>
 auto with_picture(const Film& film, Use use) {
   const Image& image = film.frame.pictures.film;
@@ -51,7 +51,7 @@ auto with_picture(const Film& film, Use use) {
 
 bool is_transparent(const Film& film) { return film.frame.pictures.aovs.wants(Aov::kAlpha); }
 
-/// Returns colours that are not multiplied by alpha, and alpha, as `render` writes them.
+/// Returns codes with straight alpha (colours not multiplied by alpha), as `lippmann render` writes them.
 Image8 transparent_codes(const Film& film) {
   Image picture = picture_of_film(film.frame.pictures.film, film.optics);
   const Image alpha = picture_of_layer(film.frame.pictures.aovs[Aov::kAlpha], film.optics);
@@ -84,7 +84,7 @@ py::array codes_of_film(const Film& film) {
   return moved(std::move(codes.rgb), {codes.height, codes.width, 3});
 }
 
-/// Writes the picture as `render` does: as codes to .png, or as floats to .exr.
+/// Writes the picture as `lippmann render` does: linear floats to .exr, otherwise sRGB codes.
 void write(const Film& film, const std::filesystem::path& path) {
   const py::gil_scoped_release release;
   if (path.extension() != ".exr") return write_picture(path, film_codes(film));
@@ -122,7 +122,8 @@ std::shared_ptr<LightField> views_of_film(const Film& film) {
   return std::make_shared<LightField>(light_field_of(pictures.film, film.optics, depth.width > 0 ? &depth : nullptr));
 }
 
-/// Returns the display for the eyes, whatever part of the depth its views were rendered with.
+/// Returns the picture and the optics for simulated eyes. The optics have full parallax, even if the frame was rendered with
+/// less parallax (`fit_depth`).
 std::shared_ptr<RenderedPanel> panel_of_film(const Film& film) {
   const py::gil_scoped_release release;
   return std::make_shared<RenderedPanel>(
@@ -150,7 +151,7 @@ Reuse reuse_named(const std::string& name, const std::optional<int>& keyframes, 
   return AutoReuse{};
 }
 
-/// Returns the sampling. integrator: a name of integrators(); empty: the scene's default.
+/// Returns the sampling with all defaults filled in. integrator: a name of integrators(), or empty for the scene's default.
 Sampling sampling_of(const Scene& scene, const std::string& integrator, bool interpolates) {
   Sampling sampling;
   for (const Integrator known : integrators())
@@ -173,7 +174,7 @@ void want_layers(Sampling& sampling, const std::vector<std::string>& names) {
     if (const std::optional<Aov> aov = layer_named(name)) sampling.aov.push_back(*aov);
 }
 
-/// The frames of one animation. The members that the renderer uses are declared before it, and the context is declared first.
+/// The frames of one animation. renderer_ is the last member, because it uses the other members.
 class Frames {
  public:
   Frames(Scene& scene, Placement placement, const FrameParams& params, int threads) : work_(threads), placement_(placement) {
@@ -187,7 +188,8 @@ class Frames {
     try {
       work_.run(progress, [&](const Context&) { made = renderer_->frame(index); });
     } catch (...) {
-      if (work_.context().cancelled) renderer_.reset();  // the frames share work, which may have stopped half way
+      // An interrupted frame may leave the data that frames share incomplete.
+      if (work_.context().cancelled) renderer_.reset();
       throw;
     }
     if (!made) throw_stopped();
@@ -214,12 +216,13 @@ class Frames {
   std::optional<Renderer> renderer_;
 };
 
-/// How frames share work. This is a class of its own, because Python sees the alternatives of a variant as unrelated types.
+/// The choice of reuse between frames. Wrapped in a class, because pybind11 would convert a variant to one of several Python
+/// types.
 struct ChosenReuse {
   Reuse reuse;
 };
 
-/// Makes the frames. Moves the scene into the result and leaves `scene` empty.
+/// Moves `scene` into the result and leaves it empty.
 std::shared_ptr<Frames> frames_of(Scene& scene, const Placement& placement, const Sampling& sampling, const ChosenReuse& reuse,
                                   int threads) {
   return std::make_shared<Frames>(scene, placement, FrameParams{sampling, reuse.reuse}, threads);

@@ -1,4 +1,4 @@
-// Binds scenes, which are read from files or built element by element. Elements are addressed by indices; lippmann.Scene adds
+// Binds scenes, which are read from files or built element by element. Here, indices identify the elements. lippmann.Scene adds
 // names.
 #include <algorithm>
 #include <utility>
@@ -86,7 +86,6 @@ int add_texture(Scene& scene, const Array<std::uint8_t>& rgba, bool srgb) {
   return add(scene.textures, std::move(texture));
 }
 
-/// Binds surfaces. Colours are set as sequences of numbers.
 void bind_surface(py::module_& module) {
   py::class_<MetallicRoughness>(module, "Surface")
       .def(py::init())
@@ -137,7 +136,7 @@ int add_camera(Scene& scene, std::string name, int node, float vertical_fov, flo
   return add(scene.cameras, std::move(camera));
 }
 
-/// Returns the animation of a node, which has at most one.
+/// Returns the animation of a node. Adds an empty animation if the node has none.
 NodeAnimation& animation_of(Scene& scene, int node) {
   for (NodeAnimation& animation : scene.timeline.animations)
     if (animation.node == node) return animation;
@@ -187,7 +186,7 @@ void surround_with_file(Scene& scene, const std::filesystem::path& path, float s
   });
 }
 
-/// Returns the bounds as (2, 3), the lowest and the highest coordinates of all finite shapes; None if there are none.
+/// Returns (2, 3): the lowest and the highest coordinates of all finite shapes. Returns None if there are no finite shapes.
 py::object bounds_of(const Scene& scene, int frame) {
   const Bounds3f bounds = finite_bounds(scene, evaluate(scene, scene.timeline.time(frame)));
   if (bounds.empty()) return py::none();
