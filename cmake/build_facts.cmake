@@ -1,10 +1,10 @@
-# LIPPMANN_BUILD_FACTS holds the lines of `lippmann --version` as definitions for one source file, so that a new commit
-# recompiles only that file and relinks the tool. It contains no time and no path, so that the same sources give the same bytes.
+# LIPPMANN_BUILD_FACTS holds preprocessor definitions with the facts that `lippmann --version` prints. Only one source file is compiled
+# with them, so that a new commit recompiles only this file. No fact is a time or a path, so that equal sources give equal bytes.
 
-# A tarball has no repository, so its packager can set -DLIPPMANN_COMMIT=...
+# Packagers who build from a tarball, which has no repository, can set -DLIPPMANN_COMMIT=...
 set(LIPPMANN_COMMIT "" CACHE STRING "The commit that lippmann --version prints; default: the repository's, if there is one")
 
-# Sets OUT to the checked-out commit, and makes CMake run again when it changes.
+# Sets the variable named by `out` to the checked-out commit. CMake runs again when another commit is checked out.
 function(lippmann_find_commit out)
   set(${out} "not known" PARENT_SCOPE)
   find_program(GIT_EXECUTABLE git)

@@ -30,7 +30,7 @@ pkg_check_modules(HDF5 IMPORTED_TARGET hdf5)  # optional, for HCI light fields i
 pkg_check_modules(FFmpeg REQUIRED IMPORTED_TARGET libavcodec libavformat libavutil libswscale)
 pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET tomlplusplus)
 
-# Prefer the static library, because Debian's shared libdraco brings in image and glTF readers, whose symbols clash with others.
+# Prefer the static library, because Debian's shared libdraco exports copies of image and glTF readers, whose symbols clash with ours.
 # Fedora and Arch package only the shared library.
 find_library(DRACO_LIBRARY NAMES libdraco.a draco REQUIRED)
 find_path(DRACO_INCLUDE_DIR draco/draco_features.h REQUIRED)
@@ -39,8 +39,8 @@ set_target_properties(draco::library PROPERTIES
   IMPORTED_LOCATION ${DRACO_LIBRARY}
   INTERFACE_INCLUDE_DIRECTORIES ${DRACO_INCLUDE_DIR})
 
-# OpenCV is optional, for aligning pictures. Debian's small packages of OpenCV have no CMake files; libopencv-dev has them, but
-# brings in VTK.
+# OpenCV is optional, for aligning pictures. It is searched without its CMake files, because only libopencv-dev contains them, and this
+# package installs VTK, too.
 find_path(OPENCV_INCLUDE_DIR opencv2/calib3d.hpp PATH_SUFFIXES opencv4)
 set(OPENCV_LIBRARIES "")
 foreach(component core features2d calib3d)

@@ -1,4 +1,4 @@
-# The library for other programs: all parts in one shared object, the headers of include/lippmann, and the files that find them:
+# The library for other programs: all parts in one shared object, and the headers of include/lippmann. Programs find it by:
 #   find_package(lippmann)            target lippmann::lippmann of an installed library
 #   add_subdirectory(lippmann)        the same target, built with the program
 #   pkg-config --cflags --libs lippmann
@@ -22,10 +22,10 @@ foreach(part ${parts})
   target_sources(lippmann_library PRIVATE $<TARGET_OBJECTS:lippmann_${part}>)
   target_link_libraries(lippmann_library PRIVATE lippmann_${part})
 endforeach()
-# Hides the symbols of other projects (stb, Draco), since programs may have their own copies.
+# The version script hides the symbols of stb and Draco, because programs may contain their own copies.
 set(complete COMPLETE)
 if(LIPPMANN_SANITIZE)
-  set(complete "")  # the program provides the sanitizer's run-time
+  set(complete "")  # the sanitizer's symbols stay undefined until the program is linked
 endif()
 lippmann_link(lippmann_library EXPORTS ${PROJECT_SOURCE_DIR}/cmake/exported_symbols.map ${complete})
 

@@ -5,24 +5,24 @@ target_include_directories(lippmann_options INTERFACE ${PROJECT_SOURCE_DIR}/incl
 target_compile_options(lippmann_options INTERFACE -Wall -Wextra -Wshadow -Wno-unknown-pragmas)
 # Allow designated initialisers that leave other members at their defaults.
 target_compile_options(lippmann_options INTERFACE -Wno-missing-field-initializers)
-# Do not warn that packets passed by value have a different ABI for each instruction set: none crosses the library's boundary.
+# Do not warn that the ABI of vectors passed by value depends on the instruction set. No such vector is in the library's interface.
 target_compile_options(lippmann_options INTERFACE -Wno-psabi)
-# GCC 13 warns wrongly, because it assumes that a returned reference refers to a temporary argument.
+# This warning of GCC 13 is wrong for functions that take a temporary and return a reference to something else.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 13 AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 14)
   target_compile_options(lippmann_options INTERFACE -Wno-dangling-reference)
 endif()
-# Allow & and | between comparisons: they vectorise in loops over lanes, while && and || would branch.
+# Allow & and | between comparisons. In loops over lanes, && and || would branch and prevent vectorisation.
 target_compile_options(lippmann_options INTERFACE $<$<CXX_COMPILER_ID:Clang>:-Wno-bitwise-instead-of-logical>)
 
 # Clang 19 and later omit constructors that only function versions (core/multiversion.hpp) call, unless this is set.
 target_compile_options(lippmann_options INTERFACE
   $<$<AND:$<COMPILE_LANG_AND_ID:CXX,Clang>,$<VERSION_GREATER_EQUAL:$<CXX_COMPILER_VERSION>,19>>:SHELL:-Xclang -mno-constructor-aliases>)
 
-# FMA contraction is off, so that all versions of a kernel (core/multiversion.hpp) give the same bits. Code uses neither errno
-# nor traps, which lets the compiler vectorise floor, sqrt and selects.
+# FMA contraction is off, so that all versions of a function (core/multiversion.hpp) give the same bits. The code uses neither errno
+# nor floating-point traps. Saying so lets the compiler vectorise floor, sqrt and selects.
 target_compile_options(lippmann_options INTERFACE -ffp-contract=off -fno-math-errno -fno-trapping-math)
 
-# Parts are also joined in a shared library (library.cmake), within which functions still call each other directly.
+# Parts are also linked into a shared library (library.cmake), so they need -fPIC. Functions still call each other directly.
 target_compile_options(lippmann_options INTERFACE -fPIC $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>)
 
 if(LIPPMANN_WERROR)
@@ -34,23 +34,23 @@ endif()
 if(LIPPMANN_SANITIZE)
   target_compile_options(lippmann_options INTERFACE -fsanitize=${LIPPMANN_SANITIZE} -fno-omit-frame-pointer)
   target_link_options(lippmann_options INTERFACE -fsanitize=${LIPPMANN_SANITIZE})
-  # Resolvers of function versions run before a sanitizer's run-time has started.
+  # Sanitizers cannot be combined with function versions: their resolvers run before the sanitizer's run-time has started.
   target_compile_definitions(lippmann_options INTERFACE LIPPMANN_NO_MULTIVERSION)
 endif()
 
-# lippmann_may_join(TARGET): with LIPPMANN_UNITY, compiles the sources of TARGET twelve at a time, so that each header is read
-# once for all twelve. Larger groups would let the last file hold up the others.
+# lippmann_may_join(TARGET): with LIPPMANN_UNITY, joins every twelve sources of TARGET in one file, so that each header is compiled once
+# for twelve sources. Larger groups would leave processors idle while the last group is compiled.
 function(lippmann_may_join target)
   if(LIPPMANN_UNITY)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-      # GCC treats joined files as headers, in which members with types of unnamed namespaces would be an error.
+      # GCC warns of members with types of unnamed namespaces in included files, and takes joined sources for included files.
       target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
     endif()
   endif()
 endfunction()
 
-# lippmann_part(NAME SOURCES ... DEPENDS ... PRIVATE_DEPENDS ...): declares the static library lippmann_NAME, alias
+# lippmann_part(NAME SOURCES ... DEPENDS ... PRIVATE_DEPENDS ...): declares the static library lippmann_NAME and its alias
 # lippmann::NAME.
 function(lippmann_part name)
   cmake_parse_arguments(PART "" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
@@ -59,8 +59,8 @@ function(lippmann_part name)
   set_property(GLOBAL APPEND PROPERTY LIPPMANN_PARTS ${name})
   target_link_libraries(lippmann_${name} PUBLIC lippmann_options ${PART_DEPENDS} PRIVATE ${PART_PRIVATE_DEPENDS})
   lippmann_use_precompiled(lippmann_${name} lippmann_common_headers)
-  # Clang cannot make versions of a function (core/multiversion.hpp) that an earlier source of the joined file calls. Builds
-  # with sanitizers or with Clang before 19 have no versions.
+  # Clang cannot compile several versions of a function (core/multiversion.hpp) if an earlier source of a joined file calls it. Builds
+  # with sanitizers and builds with Clang before 19 have no function versions, so their sources may be joined.
   if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang" OR CMAKE_CXX_COMPILER_VERSION VERSION_LESS 19 OR LIPPMANN_SANITIZE)
     lippmann_may_join(lippmann_${name})
   endif()
@@ -71,18 +71,18 @@ if(LIPPMANN_SANITIZE)
   set(LIPPMANN_TEST_TIMEOUT 3000)
 endif()
 
-# lippmann_optimise_tests(TARGET [COMPUTES]): compiles tests with little optimisation, because most of their code runs once and
-# compile time dominates. COMPUTES: the test's own code is slow. The tested code is compiled as usual.
+# lippmann_optimise_tests(TARGET [COMPUTES]): compiles the code of tests without optimisation, because most of it runs only once. With
+# COMPUTES, some optimisation is enabled, for tests whose own code takes time. The tested library is optimised as usual.
 function(lippmann_optimise_tests target)
   cmake_parse_arguments(TEST "COMPUTES" "" "" ${ARGN})
   target_compile_options(${target} PRIVATE $<$<NOT:$<CONFIG:Debug>>:$<IF:$<BOOL:${TEST_COMPUTES}>,-O1,-O0>>)
 endfunction()
 
-# lippmann_test(NAME [QUICK] [COMPUTES] [SOURCES ...] DEPENDS ...): declares a GoogleTest program of all *_test.cpp in the folder, or of
-# SOURCES.
-# QUICK: all tests of the program together take a few seconds. ctest runs the program once, under its name and the label quick; for other
-# programs, ctest runs each test under its own name.
-# COMPUTES: the program's own code takes time, such as comparing many pixels.
+# lippmann_test(NAME [QUICK] [COMPUTES] [SOURCES ...] DEPENDS ...): declares a GoogleTest program of SOURCES. Default: all *_test.cpp in
+# the folder.
+# QUICK: all tests of the program together take a few seconds. ctest runs the program once, under its name and the label quick. Without
+# QUICK, ctest runs each test of the program separately.
+# COMPUTES: see lippmann_optimise_tests().
 function(lippmann_test name)
   cmake_parse_arguments(TEST "QUICK;COMPUTES" "" "SOURCES;DEPENDS" ${ARGN})
   if(NOT TEST_SOURCES)
@@ -102,8 +102,8 @@ function(lippmann_test name)
     add_test(NAME ${name} COMMAND ${name})
     set_tests_properties(${name} PROPERTIES LABELS quick TIMEOUT ${LIPPMANN_TEST_TIMEOUT})
   else()
-    # A loaded machine may need far longer than CMake's default of 5 s to list the tests of a program. Parameter values stay out
-    # of the names: structs would be printed as bytes, including pointers.
+    # DISCOVERY_TIMEOUT: on a loaded machine, listing the tests of a program may take far longer than CMake's default of 5 s.
+    # NO_PRETTY_VALUES: test names do not contain parameter values, because structs are printed as bytes and would include pointers.
     gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 120 NO_PRETTY_VALUES
       PROPERTIES TIMEOUT ${LIPPMANN_TEST_TIMEOUT})
   endif()

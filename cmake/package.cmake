@@ -1,5 +1,5 @@
-# Debian packages, made by `cpack -G DEB` in the build folder: the tool; the modules for videos, HEIC pictures, HDF5 files
-# and alignment; the library for other programs; the Python package, which contains the parts of the library that it uses.
+# Debian packages, made by `cpack -G DEB` in the build folder: the tool, its modules for videos, HEIC pictures, HDF5 files and
+# alignment, the library for other programs, and the Python package, which contains the parts of the library that it uses.
 
 set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)  # packages do not need tests and benchmarks
 set(CPACK_PACKAGE_NAME lippmann)
@@ -22,7 +22,7 @@ endif()
 if(TARGET lippmann_mpi_module)
   list(APPEND CPACK_COMPONENTS_ALL mpi)
 endif()
-# The Python module is optional: if it was not built, as by scripts/demo, cpack leaves its package out.
+# cpack leaves out the Python package if the module was not built.
 if(TARGET lippmann_python)
   list(APPEND CPACK_COMPONENTS_ALL python3)
   set(CPACK_PROJECT_CONFIG_FILE ${PROJECT_BINARY_DIR}/built_components.cmake)
@@ -53,7 +53,7 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS lippmann-video)
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "Lippmann as a library: headers, shared object, CMake and pkg-config files")
 set(CPACK_DEBIAN_PYTHON3_PACKAGE_NAME python3-lippmann)
 set(CPACK_DEBIAN_PYTHON3_PACKAGE_SECTION python)
-# The module works with one minor version of Python only. It imports NumPy by name, which shlibdeps does not detect.
+# The module works with one minor version of Python only. NumPy is listed, because shlibdeps finds only libraries, not imports.
 set(CPACK_DEBIAN_PYTHON3_PACKAGE_DEPENDS
   "python3 (>= ${LIPPMANN_PYTHON_VERSION}), python3 (<< ${LIPPMANN_PYTHON_NEXT_VERSION}), python3-numpy")
 set(CPACK_DEBIAN_PYTHON3_PACKAGE_SUGGESTS python3-xarray)

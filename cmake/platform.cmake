@@ -1,12 +1,13 @@
-# Linker flags of each system. ELF linkers (GNU ld, gold, lld, mold) get the flags below; others get none, so their modules
-# export and link more than necessary.
+# Linker flags. ELF linkers (GNU ld, gold, lld, mold) get the flags below. Other linkers get none, so that their binaries export and
+# link more than necessary.
 
 set(LIPPMANN_ELF_LINKER OFF)
 if(UNIX AND NOT APPLE)
   set(LIPPMANN_ELF_LINKER ON)
 endif()
 
-# lippmann_link(TARGET [EXPORTS FILE] [HIDE_ARCHIVES] [COMPLETE] [SMALL]): links only those libraries that TARGET uses.
+# lippmann_link(TARGET [EXPORTS FILE] [HIDE_ARCHIVES] [COMPLETE] [SMALL]): sets linker flags, so that TARGET depends only on shared
+# libraries that it uses.
 # EXPORTS: a version script of the exported symbols.
 # HIDE_ARCHIVES: hides symbols of static libraries.
 # COMPLETE: reports undefined symbols when linking instead of when loading.

@@ -1,6 +1,6 @@
-# Precompiles headers of standard and third-party libraries that many files include. This saves a quarter of a first build, but
-# defeats a compiler cache, because each object depends on all of them; the default is ON only without a compiler launcher.
-# Every file still includes all that it uses, and compiles without precompiled headers.
+# Precompiles headers of standard and third-party libraries that many files include. This saves a quarter of the time of a first build.
+# It makes a compiler cache useless, because then each object depends on all these headers. Therefore the default is OFF with a
+# compiler launcher. Every file still includes all that it uses, and compiles without precompiled headers.
 
 set(precompile ON)
 if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU" OR CMAKE_CXX_COMPILER_LAUNCHER OR LIPPMANN_SANITIZE)
@@ -8,8 +8,8 @@ if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU" OR CMAKE_CXX_COMPILER_LAUNCHER OR LI
 endif()
 option(LIPPMANN_PCH "Precompile headers; default: only without a compiler launcher" ${precompile})
 
-# lippmann_precompiled_headers(NAME HEADERS ... DEPENDS ...): precompiles headers for targets with the compile options of
-# DEPENDS.
+# lippmann_precompiled_headers(NAME HEADERS ... DEPENDS ...): declares the target NAME, which precompiles HEADERS with the compile
+# options of DEPENDS.
 function(lippmann_precompiled_headers name)
   cmake_parse_arguments(PCH "" "" "HEADERS;DEPENDS" ${ARGN})
   if(NOT LIPPMANN_PCH)
@@ -23,7 +23,7 @@ function(lippmann_precompiled_headers name)
   target_precompile_headers(${name} PRIVATE ${PCH_HEADERS})
 endfunction()
 
-# lippmann_use_precompiled(TARGET NAME): compiles TARGET with the precompiled headers, if these are enabled.
+# lippmann_use_precompiled(TARGET NAME): compiles TARGET with the precompiled headers NAME, if precompiled headers are enabled.
 function(lippmann_use_precompiled target name)
   if(LIPPMANN_PCH)
     target_precompile_headers(${target} REUSE_FROM ${name})

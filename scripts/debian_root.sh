@@ -1,7 +1,7 @@
-# Functions for Debian and Ubuntu systems in folders. scripts/try_on and scripts/package_test source this file. Needs root and
-# debootstrap.
+# Functions that install Debian and Ubuntu systems into folders and run commands in them (chroot). scripts/try_on and
+# scripts/package_test source this file. Needs root and debootstrap.
 
-# Prints this machine's mirror of Debian; $MIRROR overrides it.
+# Prints the mirror of Debian: $MIRROR, or else the mirror that this machine uses.
 debian_mirror() {
   local found
   found=$(cat /etc/apt/sources.list /etc/apt/sources.list.d/*.{list,sources} 2>/dev/null |
@@ -14,12 +14,12 @@ require_debian_root() {
   [[ $(id -u) -eq 0 ]] || { echo "$0 must run as root: it installs Debian into a folder" >&2; exit 2; }
 }
 
-# Installs the minimal system of a suite (bookworm, trixie, sid; Ubuntu: noble) into a folder: make_debian_root SUITE FOLDER.
-# Copies this machine's name server, apt settings and certificate authorities.
+# make_debian_root SUITE FOLDER: installs a minimal system into a folder. SUITE: bookworm, trixie, sid (Debian) or noble (Ubuntu). Copies
+# this machine's name server, apt settings and certificate authorities.
 make_debian_root() {
   local suite=$1 root=$2
   case $suite in
-    # Debian 12's debootstrap has no script for noble; the script of gutsy fits all of Ubuntu's suites.
+    # Debian 12's debootstrap has no script for noble. The script for gutsy fits every suite of Ubuntu.
     noble) debootstrap --variant=minbase --components=main,universe noble "$root" "${UBUNTU_MIRROR:-http://archive.ubuntu.com/ubuntu}" gutsy ;;
     *) debootstrap --variant=minbase "$suite" "$root" "$(debian_mirror)" ;;
   esac || return
@@ -30,7 +30,7 @@ make_debian_root() {
   in_debian_root "$root" apt-get update -qq
 }
 
-# Runs a command in the system: in_debian_root FOLDER COMMAND... Unmounts everything when the command ends.
+# in_debian_root FOLDER COMMAND...: runs a command in the system in FOLDER. Unmounts everything when the command ends.
 in_debian_root() {
   local root=$1
   shift

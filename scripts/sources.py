@@ -1,4 +1,4 @@
-"""Finds the sources that checks compile alone: the compile command of each, and which of them changed recently."""
+"""Finds the sources that scripts/check_includes and scripts/check_tidy check: their compile commands, and which of them changed."""
 
 import json
 import os
@@ -16,8 +16,8 @@ def output(*command):
 
 
 def compile_commands(build, joined):
-    """Returns the entry of the compilation database for each source, or for each file that joins sources of a part, by relative path.
-    `build` is the folder of the database."""
+    """Configures a build in the folder `build`. Returns a dict from relative paths of sources to entries of the compilation database.
+    joined: "ON" joins sources. Then the paths are those of the joined files."""
     configure = ["cmake", "-S", ".", "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", f"-DLIPPMANN_UNITY={joined}"]
     configure += ["-DLIPPMANN_PCH=OFF", "-DLIPPMANN_TESTS=OFF", "-DLIPPMANN_BENCH=ON", "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON"]
     subprocess.run(configure, check=True, stdout=subprocess.DEVNULL)
@@ -37,13 +37,13 @@ def default_start():
 
 
 def changed_files(base):
-    """Returns the files that changed since the commit `base`, or since six hours before HEAD if it is None."""
+    """Returns the files that changed since the commit `base`. If `base` is None: since default_start()."""
     base = base or default_start()
     return set(output("git", "diff", "--name-only", "--diff-filter=d", base).split())
 
 
 def by_last_change():
-    """Returns each file's rank by last change: 0 for the most recent."""
+    """Returns a dict from each file to a rank. Files that changed later have lower ranks."""
     names = output("git", "log", "--format=", "--name-only").splitlines()
     return {name: place for place, name in reversed(list(enumerate(filter(None, names))))}
 
