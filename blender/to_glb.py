@@ -1,8 +1,9 @@
-"""Makes a .glb, which the tool renders, of a scene in another format: USD, Alembic, FBX, Collada, STL, by Blender's own importers.
+"""Converts a scene from USD, Alembic, FBX, Collada or STL to .glb, which the tool can render, by Blender's importers and its glTF exporter.
 
   blender -b --factory-startup --python to_glb.py -- SCENE.usdz SCENE.glb
 
-Meshes, materials, lamps, cameras, armatures, shape keys and animations come as Blender imports and its glTF exporter writes them. An error is one line, and exit code 1.
+Converts meshes, materials, lamps, cameras, armatures, shape keys and animations, as far as Blender imports and exports them. On failure, prints one line and exits
+with code 1.
 """
 
 import os
@@ -11,7 +12,7 @@ import sys
 
 import bpy
 
-# By ending: Blender's operators, of which the first that this version has is taken.
+# Maps endings of files to Blender's import operators (module, name). The first operator that this version of Blender has is used.
 USD, STL = [("wm", "usd_import")], [("wm", "stl_import"), ("import_mesh", "stl")]
 IMPORTERS = {".usd": USD, ".usda": USD, ".usdc": USD, ".usdz": USD, ".abc": [("wm", "alembic_import")], ".fbx": [("import_scene", "fbx")], ".dae": [("wm", "collada_import")], ".stl": STL}
 
@@ -23,7 +24,7 @@ def fail(words):
 
 
 def operator_of(names):
-    """The first operator that there is, or None."""
+    """Returns the first operator that this version of Blender has, or None."""
     for group, name in names:
         operator = getattr(getattr(bpy.ops, group), name)
         try:
@@ -54,14 +55,14 @@ def read_into_blender(source):
 
 
 def cover_animations(scene):
-    """Some importers leave the scene's frames as they were."""
+    """Sets the scene's frame range to the range of all animations, because some importers do not set it."""
     ranges = [action.frame_range for action in bpy.data.actions]
     if ranges:
         scene.frame_start, scene.frame_end = int(min(r[0] for r in ranges)), int(-(-max(r[1] for r in ranges) // 1))
 
 
 def write_glb(target):
-    """Whole, or not at all."""
+    """Exports the scene. Writes a temporary file and renames it, so that a failure leaves no incomplete file."""
     part = target.with_name(f"{target.stem}.part.glb")
     has_shape_keys = any(mesh.shape_keys for mesh in bpy.data.meshes)
     try:

@@ -1,4 +1,4 @@
-"""Blender's add-on of Lippmann: a render engine for light-field displays, through the tool lippmann in a child process (docs/guide/blender.md)."""
+"""Add-on for Blender: a render engine for light-field displays, which runs the tool lippmann as a child process (docs/guide/blender.md)."""
 
 bl_info = {
     "name": "Lippmann",

@@ -1,6 +1,7 @@
-"""Colours, roughness and bumps that nodes compute, as pictures: glTF knows image textures alone (losses.py).
+"""Bakes colours, roughness and bumps that shader nodes compute to pictures, because glTF supports only image textures.
 
-Cycles bakes them, once for each mesh of the stage, into a layout of its own that no two faces share. The mesh gets materials of its own with these pictures.
+Cycles bakes each mesh of the stage (the scene to be exported) once, into a new UV layer in which faces do not overlap. The mesh gets copies of its
+materials that show these pictures.
 """
 
 import hashlib
@@ -12,31 +13,31 @@ import numpy as np
 from . import losses, nodes
 from . import materials as of_nodes
 
-LAYER = "lippmann"       # the layout of what is baked
-MOST_FACES = 300_000     # unwrapping takes longer than rendering where there are more
-MOST_LAYERS = 8          # that Blender's meshes have
-MANY, MOST = 24, 256     # pictures: beyond the first they are a quarter as wide, beyond the second there are none
+LAYER = "lippmann"       # name of the UV layer of baked pictures
+MOST_FACES = 300_000     # unwrapping larger meshes takes longer than rendering
+MOST_LAYERS = 8          # Blender's limit of UV layers per mesh
+MANY, MOST = 24, 256     # numbers of pictures: above MANY, all pictures are a quarter as wide; above MOST, none are baked
 SAMPLES = 4
 
 
 @dataclass
 class Job:
-    """What is to be baked of a mesh."""
+    """The inputs of a mesh's materials that are to be baked."""
 
-    thing: object
-    slots: dict  # index of a material -> {input: what it is made of, in words}
+    thing: object  # the first object of the stage that shows the mesh
+    slots: dict  # index of a material slot -> {name of an input: descriptions of the nodes that compute it}
 
     def inputs(self):
         return sorted({name for inputs in self.slots.values() for name in inputs})
 
 
 def kinds():
-    """Inputs that are baked, and whether they are colours."""
+    """Returns {name of an input of the Principled BSDF: whether it is a colour} for the inputs that are baked."""
     return {"Base Color": True, "Emission": True, "Roughness": False, "Metallic": False, "Normal": False}
 
 
 def lost_by_input(material):
-    """{input: words} of a material whose nodes below the shader the exporter does not know."""
+    """Returns {name of an input: descriptions of nodes} for the inputs of a material that nodes unknown to the glTF exporter compute."""
     output = material.node_tree.get_output_node("ALL") if material and material.use_nodes and material.node_tree else None
     shader = nodes.source(output.inputs["Surface"]) if output else None
     if shader is None or shader.type != "BSDF_PRINCIPLED":
@@ -52,7 +53,7 @@ def lost_by_input(material):
 
 
 def jobs_of(stage):
-    """Of the first object that shows each mesh."""
+    """Returns a Job for each mesh that has something to bake."""
     jobs, seen = [], set()
     for thing in stage.objects:
         if thing.type != "MESH" or thing.data in seen or not thing.data.polygons:
@@ -84,7 +85,7 @@ def unwrap(thing):
 
 
 def target(tree, image):
-    """The node that the bake writes to."""
+    """Adds a texture node with the image, and selects it, so that Cycles bakes into the image."""
     node = tree.nodes.new("ShaderNodeTexImage")
     node.image = image
     for other in tree.nodes:
@@ -93,7 +94,8 @@ def target(tree, image):
 
 
 def shining(material, name, image):
-    """A material that shines with what an input is fed with; for "Normal", the material itself."""
+    """Returns a copy of the material that emits the value of an input, so that baking emission bakes the input. For "Normal", which Cycles bakes directly,
+    the copy keeps its shader."""
     copy = material.copy()
     tree = copy.node_tree
     if name != "Normal":
@@ -117,7 +119,7 @@ def arrays_of(mesh):
     """Yields the arrays that define a mesh and its UV and colour layers."""
     yield from ((mesh.vertices, "co", 3, np.float32), (mesh.loops, "vertex_index", 1, np.int32), (mesh.polygons, "loop_total", 1, np.int32),
                 (mesh.polygons, "material_index", 1, np.int32))
-    if hasattr(mesh, "corner_normals"):  # from Blender 4.1 on
+    if hasattr(mesh, "corner_normals"):  # Blender 4.1 and later
         yield mesh.corner_normals, "vector", 3, np.float32
     else:
         mesh.calc_normals_split()
@@ -127,13 +129,14 @@ def arrays_of(mesh):
 
 
 class Kept:
-    """Baked pictures of earlier exports, as <hash of their inputs>.png in a folder. materials: {name: hash} of the file's materials."""
+    """Baked pictures of earlier exports. The files are <hash>.png, where the hash covers everything that the picture depends on. materials: {name: hash} of the
+    materials in the .blend file."""
 
     def __init__(self, folder, materials):
         self._folder, self._materials, self._used = folder, materials, set()
 
     def _key(self, job, name, size):
-        """Returns the hash of a picture's inputs; None if a material has no hash."""
+        """Returns the hash of everything that a picture depends on, or None if a material has no hash."""
         own = [slot.material.name if slot.material else "" for slot in job.thing.material_slots]
         if any(material and material not in self._materials for material in own):
             return None
@@ -147,7 +150,7 @@ class Kept:
         return found.hexdigest()
 
     def picture(self, job, name, size):
-        """Returns the picture of one input, from the folder if it is there, else baked."""
+        """Returns the picture of one input. Reads the file of an earlier export if there is one, else bakes the picture."""
         image = bpy.data.images.new(f"{job.thing.data.name} {name}", size, size, alpha=False, is_data=not kinds()[name])
         key = self._key(job, name, size)
         file = self._folder / f"{key}.png"
@@ -159,7 +162,7 @@ class Kept:
         else:
             fill(image, job, name)
             self._pack(image, file if key else None)
-        image.filepath_raw = ""  # the exporter writes it otherwise
+        image.filepath_raw = ""  # otherwise the exporter writes the path
         return image
 
     def _pack(self, image, file):
@@ -174,14 +177,14 @@ class Kept:
         unfinished.replace(file)
 
     def remove_others(self):
-        """Deletes the pictures that this export did not use."""
+        """Deletes the files that this export did not use."""
         for file in self._folder.glob("*.png"):
             if file.name not in self._used:
                 file.unlink()
 
 
 def fill(image, job, name):
-    """Bakes one input of all materials of the mesh."""
+    """Bakes one input of all materials of a mesh into `image`."""
     own = [slot.material for slot in job.thing.material_slots]
     for index, slot in enumerate(job.thing.material_slots):
         slot.material = shining(own[index], name, image) if name in job.slots.get(index, {}) else blank(image)
@@ -192,7 +195,7 @@ def fill(image, job, name):
 
 
 def show_picture(tree, shader, name, image, layer):
-    """Feeds an input with a picture in the form that the exporter knows."""
+    """Links an input of a shader to a picture, by nodes that the glTF exporter supports. layer: name of the UV layer."""
     picture, place = tree.nodes.new("ShaderNodeTexImage"), tree.nodes.new("ShaderNodeUVMap")
     picture.image, place.uv_map = image, layer
     tree.links.new(place.outputs[0], picture.inputs["Vector"])
@@ -229,8 +232,8 @@ def bake_job(job, stage, size, kept):
 
 
 def bake(stage, size, report, kept, begin):
-    """Gives meshes of the stage pictures of size x size pixels in place of nodes. kept: pictures of earlier exports. begin: receives a step in words and its
-    finished share. Returns {material: words} of the nodes that became pictures."""
+    """Replaces nodes of the stage's materials by pictures of size x size pixels. kept: pictures of earlier exports. begin: is called with a description of the
+    current step and the share of the work that is done. Returns {material: descriptions of the replaced nodes}."""
     jobs = jobs_of(stage)
     for job in jobs:
         if not is_small_enough(job):

@@ -1,7 +1,8 @@
 """Hashes the contents of a .blend file, per datablock (object, mesh, material ...), so that an unchanged scene is not exported again.
 
-A file is a list of blocks: a datablock's own, then those that it alone uses. Their bytes hold addresses, which differ from one Blender to the next, and state of
-the window such as selections. Both are left out, by the description of all structs (SDNA) that every file carries.
+A .blend file is a list of blocks. The block of a datablock is followed by the blocks that only this datablock uses. Blocks are dumps of C structs. They contain
+addresses, which differ between two runs of Blender, and the state of the user interface, such as selections. The hash leaves both out. Every file describes its
+structs (SDNA), which tells where these members are.
 """
 
 import hashlib
@@ -17,16 +18,16 @@ STATE = {"ID": {"us", "icon_id", "recalc", "recalc_up_to_undo_push", "recalc_aft
          "Base": {"flag", "flag_legacy", "flag_from_collection", "local_view_bits"}, "LayerCollection": {"runtime_flag"}, "bNode": {"need_exec", "locx", "locy"}, "bNodeTree": {"cur_index", "update"},
          "IDProperty": {"len", "totallen", "saved", "next", "prev"}, "IDPropertyData": {"group"},
          "RenderData": {"pic", "xsch", "ysch", "size", "cfra", "engine", "im_format"}, "Scene": {"view_settings", "display_settings", "cursor", "flag", "customdata_mask"}}
-SKIPPED = {b"TEST", b"REND", b"GLOB", b"USER", b"DNA1", b"ENDB"}  # thumbnails, the window's scene, folders: none of them is rendered
+SKIPPED = {b"TEST", b"REND", b"GLOB", b"USER", b"DNA1", b"ENDB"}  # codes of blocks that do not affect renders, such as thumbnails and folders
 
 
 @dataclass
 class Struct:
-    """Size of a struct, offsets of its addresses, and (offset, length) of the members that are not compared."""
+    """Layout of a C struct, in bytes."""
 
     size: int
-    pointers: list = field(default_factory=list)
-    state: list = field(default_factory=list)
+    pointers: list = field(default_factory=list)  # offsets of members that are addresses
+    state: list = field(default_factory=list)     # (offset, length) of members that the hash leaves out
 
 
 @dataclass
@@ -40,7 +41,7 @@ class Block:
 
 
 def read_blocks(data):
-    """Returns the blocks of an uncompressed file and the size of its addresses. Blender 5 has another header."""
+    """Returns the blocks of an uncompressed file, and the size of an address in bytes. Raises ValueError for other files."""
     if bytes(data[:7]) != b"BLENDER":
         raise ValueError("no uncompressed .blend file")
     if bytes(data[7:9]).isdigit():
@@ -72,7 +73,7 @@ def texts(data, at, mark):
 
 
 class Sdna:
-    """A file's description of its structs."""
+    """The description of the structs in a file."""
 
     def __init__(self, data, address_size):
         self.address_size = address_size
@@ -95,7 +96,7 @@ class Sdna:
             self._describe(index)
 
     def _members(self, index):
-        """Yields (name, type, offset, size of one, how many, whether they are addresses) for each member."""
+        """Yields (name, type, offset, size of an element in bytes, number of elements, whether they are addresses) for each member of a struct."""
         offset = 0
         for kind, name in self._layouts[index][1]:
             text, times = self._names[name], 1
@@ -124,15 +125,15 @@ class Sdna:
         return known
 
     def place(self, type_name, member):
-        """Returns offset and length of a struct's member."""
+        """Returns the offset and the length, in bytes, of a member of a struct."""
         return next((offset, size * times) for name, _, offset, size, times, _ in self._members(self.types.index(type_name)) if name == member)
 
 
 class Contents:
-    """Hashes of the datablocks of a file: `by_name` maps names such as "OBCube" to hashes; `all` is the hash of the whole."""
+    """Hashes of the datablocks in a file. `by_name` maps names such as "OBCube" to hashes. `all` is the hash of all datablocks."""
 
     def __init__(self, path, ignored_properties=()):
-        """ignored_properties: names of custom properties that are left out. Raises ValueError for a file in an unknown form."""
+        """ignored_properties: names of custom properties that the hashes leave out. Raises ValueError if the file has an unknown format."""
         data = memoryview(pathlib.Path(path).read_bytes())
         blocks, address_size = read_blocks(data)
         described = next(block for block in blocks if block.code == b"DNA1")
@@ -146,7 +147,7 @@ class Contents:
         self.all = hashlib.blake2b(repr(sorted(self.by_name.items())).encode(), digest_size=16).hexdigest()
 
     def with_references(self, name):
-        """Returns the hash of a datablock together with everything that it refers to, such as a material's images and node groups."""
+        """Returns the hash of a datablock and of all datablocks to which it refers, directly or indirectly, such as the images of a material."""
         found, todo = set(), [name]
         while todo:
             one = todo.pop()
@@ -156,7 +157,7 @@ class Contents:
         return hashlib.blake2b(repr(sorted((one, self.by_name[one]) for one in found)).encode(), digest_size=16).hexdigest()
 
     def _owned(self, blocks):
-        """Returns {name: blocks} of each datablock, without ignored properties and without the brushes in use (from Blender 4.3 on). The data of both
+        """Returns {name: blocks} of each datablock. Leaves out ignored properties and (in Blender 4.3 and later) the active brushes, and the data blocks that
         follow them in the file."""
         owned, own, ignored = {}, None, set()
         for block in blocks:
@@ -197,7 +198,7 @@ class Contents:
         return self._text(block, name, length), struct.unpack_from("<Q" if self._sdna.address_size == 8 else "<I", self._bytes(block), data)[0]
 
     def _label(self, owned):
-        """Gives every address a label that does not change between sessions: its datablock's name and its block's index there."""
+        """Gives every address a label that is the same in every session: the name of the datablock, and the index of the block in the datablock."""
         labels, self._datablocks = {}, {}
         for name, own in owned.items():
             self._datablocks[own[0].address] = name
@@ -209,7 +210,7 @@ class Contents:
         self._labels = np.array([labels[address] for address in sorted(labels)], kind)
 
     def _named(self, addresses, otherwise):
-        """Returns labels in place of addresses, and `otherwise` for addresses that are not in the file."""
+        """Replaces addresses by their labels. Addresses that are not in the file become `otherwise`."""
         at = np.minimum(np.searchsorted(self._addresses, addresses), len(self._addresses) - 1)
         return np.where(self._addresses[at] == addresses, self._labels[at], otherwise)
 

@@ -1,4 +1,4 @@
-"""The displays that the tool knows, asked for once, and what the add-on needs of the chosen one."""
+"""The displays that the tool lists (`lippmann displays`), and properties of the display that the user has chosen."""
 
 import os
 import zlib
@@ -8,9 +8,9 @@ import bpy
 from . import tool
 
 DEFAULT = "looking-glass-portrait"
-_known = None      # of all presets, as `lippmann displays --json` tells them
-_files = {}        # (path, time of change) -> display
-_choices = []      # Blender needs the strings of dynamic lists to stay alive
+_known = None      # the presets, as `lippmann displays --json` prints them; None: not read yet
+_files = {}        # (path of a calibration, modification time) -> display
+_choices = []      # items of the list of displays; kept, because Blender does not keep the strings of dynamic lists alive
 
 
 def preferred_tool():
@@ -19,7 +19,7 @@ def preferred_tool():
 
 
 def forget():
-    """After the tool's path has changed."""
+    """Clears the cached presets. Called when the path of the tool has changed."""
     global _known
     _known = None
     _choices.clear()
@@ -33,7 +33,8 @@ def known():
 
 
 def number(name):
-    """What files store for a display: it must not change when the tool knows others. 0 is what Blender takes without a choice."""
+    """Returns the number that .blend files store for a display. It depends only on the name, so that it does not change when presets are added. The default
+    display has 0, because Blender selects 0 until the user chooses."""
     return 0 if name == DEFAULT else zlib.crc32(name.encode()) & 0x7FFFFFFF
 
 
@@ -49,13 +50,13 @@ def choices(_self, _context):
 
 
 def argument(scene):
-    """What --display takes."""
+    """Returns the value for --display."""
     settings = scene.lippmann
     return bpy.path.abspath(settings.calibration) if settings.calibration else settings.display
 
 
 def chosen(scene):
-    """The display as the tool describes it. Raises ToolError."""
+    """Returns the JSON of the chosen display, as `lippmann displays` prints it. Raises ToolError."""
     path = argument(scene)
     if not scene.lippmann.calibration:
         known()
@@ -72,13 +73,13 @@ def chosen(scene):
 
 
 def aspect(display):
-    """Width over height of what is seen."""
+    """Returns the width of a view divided by its height."""
     width, height = display["size_mm"]
     return display.get("quilt", {}).get("aspect") or width / height
 
 
 def picture_size(display, output):
-    """Pixels of one frame's picture; of a folder of views, those of one view."""
+    """Returns the (width, height) in pixels of the picture of a frame. If the output is a folder of views, returns that of one view."""
     quilt = display.get("quilt")
     if output == "quilt" and quilt:
         return tuple(quilt["size"])
@@ -89,7 +90,7 @@ def picture_size(display, output):
 
 
 def refused_size(scene, size):
-    """Returns why pictures cannot have this size, or None. A quilt whose size or views the user's own flags set is not checked."""
+    """Returns a message if pictures cannot have this size, else None. Does not check quilts if the user's extra flags set the size or the views."""
     output, display = scene.lippmann.output, chosen(scene)
     if output == "native" and size != tuple(display["pixels"]):
         return f"A native frame has the panel's {display['pixels'][0]} x {display['pixels'][1]} pixels. Press Match Resolution, and set 100 %."
@@ -102,7 +103,7 @@ def refused_size(scene, size):
 
 
 def fit_resolution(scene):
-    """Blender's resolution becomes that of the picture. Nothing changes where the display cannot be read: its panel says why."""
+    """Sets Blender's resolution to the size of the picture. Does nothing if the display cannot be read. The panel shows that error."""
     try:
         size = picture_size(chosen(scene), scene.lippmann.output)
     except tool.ToolError:

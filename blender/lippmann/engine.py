@@ -1,4 +1,4 @@
-"""The render engine: F12 is one frame of the tool, Ctrl-F12 one run of it whose frames are shown as they are finished."""
+"""The render engine. F12 renders one frame with the tool. Ctrl-F12 renders an animation by one run of the tool, and shows each frame when it is finished."""
 
 import sys
 
@@ -8,13 +8,13 @@ import imbuf
 from . import job as jobs
 from . import look, progress, saving, tool
 
-_animation = None        # the Job whose frames Blender asks for one by one
+_animation = None        # the Job of the current animation; Blender requests its frames one by one
 _terminal = progress.Terminal()
-last_warnings = []       # of the last render, for the panel
-last_folder = ""         # where its pictures lie
+last_warnings = []       # warnings of the last render, shown in the panel
+last_folder = ""         # folder of the pictures of the last render
 
 
-@bpy.app.handlers.persistent  # other files are loaded while the add-on is on
+@bpy.app.handlers.persistent  # keeps the handler when another file is opened
 def end_animation(*_):
     global _animation
     if _animation:
@@ -23,7 +23,8 @@ def end_animation(*_):
 
 
 def size_of(picture):
-    """Width and height of a picture file. A render must not change bpy.data: Blender 5 ends at the next frame if it does."""
+    """Returns the (width, height) of a picture file. Does not load the picture into bpy.data, because Blender 5 crashes at the next frame if a render changes
+    bpy.data."""
     image = imbuf.load(str(picture))
     size = tuple(image.size)
     image.free()
@@ -85,7 +86,7 @@ class Engine(bpy.types.RenderEngine):
         return found
 
     def _show(self, scene, pictures):
-        """The picture as Blender's result; of several views the middle one. The files hold the codes for the display."""
+        """Makes the picture Blender's render result. If there are several views, shows the middle one. The files keep the codes for the display."""
         picture = pictures[len(pictures) // 2]
         saving.remember(picture, self.is_animation)
         width, height = jobs.resolution(scene)
@@ -99,7 +100,7 @@ class Engine(bpy.types.RenderEngine):
 
 
 def panels():
-    """Blender's own panels that make sense with this engine: those that its built-in renderer has, but for its settings of rendering."""
+    """Yields the panels of Blender that are useful with this engine: the panels of Blender's built-in renderer, except those with render settings."""
     left_out = {"VIEWLAYER_PT_filter", "VIEWLAYER_PT_layer_passes", "RENDER_PT_simplify", "RENDER_PT_freestyle"}
     for panel in bpy.types.Panel.__subclasses__():
         if "BLENDER_RENDER" in getattr(panel, "COMPAT_ENGINES", ()) and panel.__name__ not in left_out:

@@ -1,8 +1,8 @@
-"""Blender's Film > Transparent, as `--transparent` of the tool (docs/reference/formats.md): pictures with alpha, whose surroundings light the scene and are not seen."""
+"""Blender's setting Film > Transparent, which becomes the flag --transparent: pictures with alpha, in which the world lights the scene but is not visible."""
 
 
 def lost_of_transparency(scene, still):
-    """Why it is left out; None where it is not, or was not asked for."""
+    """Returns a message if the setting is on but cannot be applied, else None."""
     if not scene.render.film_transparent:
         return None
     if scene.lippmann.output == "native":

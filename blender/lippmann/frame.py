@@ -1,8 +1,10 @@
-"""The light-field frame: an empty whose XY plane is the display's, its +Z towards the viewer. Where it stands, and what is sharp there.
+"""The placement of the display in a Blender scene.
 
-Without one the display stands before the scene's camera: at its focus where it has depth of field, else amid what it sees.
-Depths follow docs/guide/displays.md: a display of height H mm that is h units high in the scene has H / h mm per unit, its viewer at the viewing distance D, and
-resolves depth within the budget b on either side; both are figures of `lippmann displays --json`.
+A light-field frame is an empty whose XY plane is the plane of the display and whose +Z axis points to the viewer. Without a frame, the display stands in front of
+the scene's camera: at the camera's focus distance if it has depth of field, else in the middle of the objects that it sees.
+
+A display of height H mm that is h units high in the scene has H / h mm per unit. The viewing distance D and the depth budget b (docs/guide/displays.md) are figures
+of `lippmann displays --json`. Depth is sharp up to b in front of and behind the plane.
 """
 
 import math
@@ -13,48 +15,48 @@ from mathutils import Matrix, Vector
 
 from . import displays, tool
 
-LINES = 9          # of sight, across and up
-MOST_HIDDEN = 16   # things that a line passes
-CAMERA_WIDTH_MM = 64.0  # width that the tool gives a picture without a display
-UNFOCUSED = 10.0   # units to the plane where a camera sees nothing: Blender's own focus
-_seen = {}         # what was asked last, since the scene has changed
+LINES = 9          # lines of sight per row and per column of the picture
+MOST_HIDDEN = 16   # largest number of objects hidden in renders that a line of sight passes through
+CAMERA_WIDTH_MM = 64.0  # width of a picture that is rendered without a display, as in the tool
+UNFOCUSED = 10.0   # distance of the plane, in scene units, from a camera that sees nothing; Blender's default focus distance
+_seen = {}         # cache of plane_distance() with at most one entry; cleared when the scene changes
 
 
 @dataclass
 class Zone:
-    """Where a display stands: a rigid transform to world space, and lengths in the scene's units."""
+    """The placement of a display in the scene. Lengths are in scene units."""
 
-    world_from_frame: Matrix
+    world_from_frame: Matrix  # rigid transform
     width: float
     height: float
-    distance: float    # from the plane to the viewer
-    budget: float      # sharp this far in front and behind
-    cone: float        # full angle of the viewing zone
-    per_mm: float      # of a millimetre of the display
-    near: float = 0.0  # from the viewer to the camera's near clipping plane; walls before it are cut; 0: none
-    shift: tuple = (0.0, 0.0)  # of the picture, to the right and up, in heights of it
-    is_beam: bool = False      # the viewer is an orthographic camera
+    distance: float    # distance from the plane to the viewer
+    budget: float      # depth that is sharp, in front of the plane and as much behind it
+    cone: float        # full angle of the viewing zone, in radians
+    per_mm: float      # length of a millimetre of the display
+    near: float = 0.0  # distance from the viewer within which walls are cut, up to the camera's near clipping plane; 0: none are cut
+    shift: tuple = (0.0, 0.0)  # shift of the picture to the right and up, divided by its height
+    is_beam: bool = False      # whether the viewer is an orthographic camera
 
 
 def rigid(matrix):
-    """The transform without its scale, and how much it scales heights by."""
+    """Returns the transform without its scale, and the scale of its y axis."""
     place, turn, scale = matrix.decompose()
     return Matrix.Translation(place) @ turn.to_matrix().to_4x4(), abs(scale.y)
 
 
 def placed(scene):
-    """The scene's frame; None: there is none, or it has been taken out of the scene."""
+    """Returns the scene's light-field frame, or None if there is none or it was removed from the scene."""
     thing = scene.lippmann.frame
     return thing if thing and scene in thing.users_scene else None
 
 
 def is_focused(camera):
-    """Whether its focus is something that somebody chose: without depth of field it is what Blender's version began with, 0 or 10 units."""
+    """Returns whether the user has set the camera's focus. If not, the focus distance is Blender's default, which depends on the version."""
     return camera.data.dof.use_dof or camera.data.dof.focus_object is not None
 
 
 def focus_distance(camera):
-    """From the camera to what it is focused on, along its view."""
+    """Returns the distance along the camera's axis at which the camera is focused."""
     focused = camera.data.dof
     if focused.focus_object:
         towards = camera.matrix_world.inverted() @ focused.focus_object.matrix_world.translation
@@ -63,7 +65,8 @@ def focus_distance(camera):
 
 
 def fitted_side(camera, distance):
-    """How long the side that the camera's sensor is fitted to is in what it frames at a distance. Other cameras than perspective ones: at any."""
+    """Returns the length, at a distance from the camera, of the side of the picture to which the sensor is fitted. The distance matters only for perspective
+    cameras."""
     data = camera.data
     if data.type != "PERSP":
         return data.ortho_scale
@@ -71,8 +74,8 @@ def fitted_side(camera, distance):
 
 
 def framed(camera, aspect, distance):
-    """The transform and the height of what the camera frames at a distance, in pictures of this aspect (width over height). A shift moves the
-    frame aside: the display's viewer stands before its middle, not where the camera is."""
+    """Returns the transform and the height of the rectangle that fills the camera's picture at a distance. aspect: width / height of the picture. A lens shift
+    moves the rectangle aside. The viewer of a display stands in front of the middle of the rectangle, and so not at the camera if there is a shift."""
     data = camera.data
     side = fitted_side(camera, distance)
     is_height = data.sensor_fit == "VERTICAL" or (data.sensor_fit == "AUTO" and aspect < 1.0)
@@ -81,7 +84,8 @@ def framed(camera, aspect, distance):
 
 
 def camera_zone(scene, aspect, distance):
-    """Returns the zone whose viewer is the scene's camera itself. aspect: of the picture. distance: from the camera to the plane. Raises ToolError."""
+    """Returns the zone of a picture that the scene's camera itself sees. aspect: width / height of the picture. distance: from the camera to the plane. Raises
+    ToolError."""
     camera = scene.camera
     if not camera or camera.type != "CAMERA":
         raise tool.ToolError("The scene has no camera. Add one, or choose another output.")
@@ -94,8 +98,8 @@ def camera_zone(scene, aspect, distance):
 
 
 def near_of_viewer(camera, world_from_frame, distance):
-    """Returns the distance from a display's viewer to the camera's near clipping plane, if the camera stands between the viewer and the display and looks
-    at the display; else 0. Walls within this distance are cut if they hide the scene."""
+    """Returns the distance from a display's viewer to the camera's near clipping plane. Walls within this distance are cut if they hide the scene. Returns 0 unless
+    the camera stands between the viewer and the display and looks at the display."""
     if not camera or camera.type != "CAMERA":
         return 0.0
     to_frame = world_from_frame.inverted() @ rigid(camera.matrix_world)[0]
@@ -106,7 +110,8 @@ def near_of_viewer(camera, world_from_frame, distance):
 
 
 def sight_lines(camera, aspect):
-    """Rays through what the camera frames, evenly spread: start and direction in world space, and how near to the middle, 1 to 0."""
+    """Yields evenly spread rays through the camera's picture: start and direction in world space, and a weight, from 1 in the middle of the picture to 0 at its
+    border."""
     middle, height = framed(camera, aspect, 1.0)
     away = middle.to_3x3() @ Vector((0.0, 0.0, -1.0))
     steps = [(i + 0.5) / LINES - 0.5 for i in range(LINES)]
@@ -118,7 +123,7 @@ def sight_lines(camera, aspect):
 
 
 def median(weighted):
-    """The value that half of the weight lies below; of pairs of a value and its weight."""
+    """Returns the weighted median. weighted: pairs of a value and its weight."""
     weighted = sorted(weighted)
     left = 0.5 * sum(weight for _, weight in weighted)
     for value, weight in weighted:
@@ -128,7 +133,7 @@ def median(weighted):
 
 
 def first_met(scene, depsgraph, start, direction):
-    """Where a ray meets something that renders show; None where it meets nothing, or passes many things that they do not."""
+    """Returns the point at which a ray hits an object that renders show. Returns None if there is no hit within the first MOST_HIDDEN objects."""
     for _ in range(MOST_HIDDEN):
         is_met, place, _, _, thing, _ = scene.ray_cast(depsgraph, start, direction)
         if not is_met or not thing.hide_render:
@@ -138,7 +143,8 @@ def first_met(scene, depsgraph, start, direction):
 
 
 def seen_distance(scene, aspect):
-    """From the camera to what it sees, along its view: of half of it, the middle of the picture counting most. Where nothing is seen, its focus."""
+    """Returns the median distance, along the camera's axis, of the points that the camera sees. Points in the middle of the picture count most. If the camera
+    sees nothing, returns its focus distance."""
     camera, depsgraph = scene.camera, bpy.context.evaluated_depsgraph_get()
     to_camera = rigid(camera.matrix_world)[0].inverted()
     seen = []
@@ -170,7 +176,8 @@ def unregister():
 
 
 def plane_distance(scene):
-    """From the camera to the display's plane where no frame is set: its focus, or what it sees now. Raises ToolError."""
+    """Returns the distance from the camera to the display's plane for scenes without a light-field frame. It is the focus distance if the user has set the focus,
+    else seen_distance(). Raises ToolError."""
     camera = scene.camera
     if is_focused(camera):
         return focus_distance(camera)
@@ -183,8 +190,11 @@ def plane_distance(scene):
 
 
 def zone(scene, distance=None):
-    """The zone of the scene's frame or, without one, of a plane before its camera. distance: from the camera to that plane, where it has no focus of its
-    own; None: what it sees there now decides, which takes rays and so no render's thread. Raises ToolError."""
+    """Returns the zone of the scene's light-field frame or, without a frame, of a plane in front of its camera. Raises ToolError.
+
+    distance: from the camera to the plane, unless the user has set the camera's focus. None: plane_distance(), which casts rays into the scene and must not be
+    called from the thread of a render.
+    """
     display = displays.chosen(scene)
     aspect = displays.aspect(display)
     thing = placed(scene)
@@ -204,7 +214,7 @@ def zone(scene, distance=None):
 
 
 def add(context):
-    """A new frame in the scene, which becomes the scene's."""
+    """Adds an empty to the scene, and makes it the scene's light-field frame."""
     empty = bpy.data.objects.new("Light-field frame", None)
     empty.empty_display_type = "ARROWS"
     empty.empty_display_size = 0.1
@@ -221,7 +231,7 @@ def place(empty, matrix, height):
 
 
 def around(objects):
-    """The middle and the largest extent of objects, in world space."""
+    """Returns the centre and the largest side of the objects' bounding box, in world space."""
     corners = [thing.matrix_world @ Vector(corner) for thing in objects for corner in (thing.bound_box if thing.type != "EMPTY" else [(0, 0, 0)])]
     lower = Vector(min(corner[axis] for corner in corners) for axis in range(3))
     upper = Vector(max(corner[axis] for corner in corners) for axis in range(3))
@@ -229,7 +239,8 @@ def around(objects):
 
 
 def place_at_objects(empty, objects, camera):
-    """Through the middle of the objects, facing the camera where there is one, else along -Y; as high as they are large, with a margin."""
+    """Places the light-field frame in the centre of the objects. It faces the camera or, without a camera, -Y. Its height is 1.2 times the largest extent of the
+    objects."""
     middle, extent = around(objects)
     turn = camera.matrix_world.to_quaternion() if camera else Matrix.Rotation(math.pi / 2, 4, "X").to_quaternion()
     place(empty, Matrix.Translation(middle) @ turn.to_matrix().to_4x4(), max(1.2 * extent, 1e-3))

@@ -1,14 +1,14 @@
-"""A .glb file after Blender's exporter has written it: its JSON, changed where the exporter cannot say something."""
+"""Changes the JSON of a .glb file that Blender's exporter has written, for properties that the exporter cannot write."""
 
 import json
 import pathlib
 import struct
 
-JSON_CHUNK = 0x4E4F534A  # "JSON" in the order of bytes that files have
+JSON_CHUNK = 0x4E4F534A  # the text "JSON" as a little-endian integer
 
 
 def rewrite(path, changes):
-    """changes: functions of the document that tell whether they have changed it. The file stays as it is where none has."""
+    """Applies changes to the JSON of a .glb file. changes: functions that change the JSON document, and return whether they did. Writes the file only if one did."""
     file = pathlib.Path(path)
     data = file.read_bytes()
     length = struct.unpack_from("<I", data, 12)[0]

@@ -1,9 +1,12 @@
-"""Point lamps whose IES texture has a file: Blender's exporter drops it, and glTF's EXT_lights_ies carries it (docs/reference/gltf.md).
+"""Exports IES profiles of point lamps by the glTF extension EXT_lights_ies (docs/reference/gltf.md), because Blender's exporter drops them.
 
-Taken are lamps as Blender's users make them: an IES Texture, with no rotation of its own, as the strength of the lamp's Emission. Cycles makes
-4 pi / 177.83 of a candela and spreads a lamp's power over 4 pi, so that a lamp of P watts has P / 177.83 of the file's candelas. Its azimuths run from
--Y clockwise, seen from above; those of EXT_lights_ies from +X the other way: a quarter turn makes them the same for profiles whose halves mirror each
-other, which have no angles above 180 degrees. Others arrive mirrored.
+A profile is exported if an IES Texture without a rotation is the strength of the lamp's Emission.
+
+Power: Cycles multiplies the candelas of the file by 4 pi / 177.83, and spreads a lamp's power over 4 pi. A lamp of P watts therefore has P / 177.83 times the
+candelas of the file.
+
+Azimuth: Cycles counts azimuths from -Y, clockwise seen from above. EXT_lights_ies counts them from +X in the other direction. A quarter turn makes both equal for
+profiles with mirror symmetry, whose azimuths end at 180 degrees. Other profiles arrive mirrored.
 """
 
 import base64
@@ -14,13 +17,13 @@ import bpy
 
 from .nodes import source
 
-LUMENS_PER_WATT = 177.83  # as Cycles has it, of white light
-MISSING = object()        # a lamp whose file is not there
-QUARTER_TURN = [0.0, 0.0, -math.sqrt(0.5), math.sqrt(0.5)]  # about the lamp's axis
+LUMENS_PER_WATT = 177.83  # of white light, as in Cycles
+MISSING = object()        # the text of a profile whose file is missing
+QUARTER_TURN = [0.0, 0.0, -math.sqrt(0.5), math.sqrt(0.5)]  # quaternion x, y, z, w: -90 degrees about the lamp's axis
 
 
 def text_of(node, light):
-    """What the node's file says; MISSING where there is none."""
+    """Returns the text of the node's IES file, or MISSING if there is no file."""
     if node.mode == "INTERNAL":
         return node.ies.as_string() if node.ies else MISSING
     path = pathlib.Path(bpy.path.abspath(node.filepath, library=light.library))
@@ -28,7 +31,7 @@ def text_of(node, light):
 
 
 def profile_of(light):
-    """(text or MISSING, multiplier, colour) of a point lamp with an IES texture and nothing else; None for others."""
+    """Returns (text or MISSING, multiplier, colour) of a point lamp with an IES texture. Returns None if there is none, or if the lamp has other nodes."""
     if light.type != "POINT" or not light.use_nodes or not light.node_tree:
         return None
     output = light.node_tree.get_output_node("ALL")
@@ -43,14 +46,14 @@ def profile_of(light):
 
 
 def mark(light):
-    """Writes the profile into custom properties, which the exporter passes on, for `move_profiles` to find them."""
+    """Stores a lamp's profile in custom properties. The exporter writes these as extras, where move_profiles() finds them."""
     profile = profile_of(light)
     if profile and profile[0] is not MISSING:
         light["ies"], light["ies_multiplier"], light["ies_color"] = profile
 
 
 def move_profiles(document):
-    """Whether any profiles were moved from the extras of a document's lights to their nodes, in place of the lights."""
+    """Replaces the lights of a glTF document whose extras hold a profile by lights of EXT_lights_ies. Returns whether there were any."""
     lights = document.get("extensions", {}).get("KHR_lights_punctual", {}).get("lights", [])
     profiles, turned = [], []
     nodes = document.get("nodes", [])

@@ -1,6 +1,7 @@
-"""One render through the tool: the scene exported by a Blender of its own, then `lippmann render` on it, both child processes.
+"""A render by the tool, in two child processes: a second Blender exports the scene, then `lippmann render` renders it.
 
-Below the output folder: scene.glb and world.exr (what is rendered), scene.json (what they were made of), still/ or animation/ (the tool's folders, docs/reference/formats.md), lippmann.log.
+The output folder contains scene.glb and world.exr (the exported scene), scene.json (hashes of the scene from which they were exported), still/ or animation/ (the
+tool's folder, docs/reference/formats.md) and lippmann.log.
 """
 
 import hashlib
@@ -19,13 +20,13 @@ from . import contents, displays, film, frame as frames_of_displays, look, tool
 HERE = pathlib.Path(__file__).resolve().parent
 
 
-NOT_EXPORTED = ("samples", "denoise", "full_depth", "resume", "bake", "bake_size", "folder", "show_overlay", "extra", "tone", "exposure")  # settings that the exported scene does not depend on
+NOT_EXPORTED = ("samples", "denoise", "full_depth", "resume", "bake", "bake_size", "folder", "show_overlay", "extra", "tone", "exposure")  # settings that do not affect the exported scene
 
-_of_session = None  # output folder of .blend files that have not been saved
+_of_session = None  # output folder of .blend files that have not been saved; temporary
 
 
 class Cancelled(Exception):
-    """The user pressed Esc. What was finished stays."""
+    """Raised when the user has pressed Esc. Finished pictures are kept."""
 
 
 def output_folder(scene):
@@ -45,7 +46,7 @@ def resolution(scene):
 
 
 def check(scene, still):
-    """All that can be said before anything is started. Raises ToolError."""
+    """Checks the scene and its settings before a process is started. Raises ToolError."""
     try:
         _ = scene.name
     except UnicodeDecodeError:
@@ -62,12 +63,12 @@ def check(scene, still):
 
 
 def scripts_are_allowed():
-    """Whether the user lets files run Python, which drivers may have: the exporting Blender must show what this one shows, and trust no more."""
+    """Returns whether the user allows Python in .blend files (drivers). The exporting Blender gets the same permission, so that it evaluates the same scene."""
     return bpy.context.preferences.filepaths.use_scripts_auto_execute or bool({"-y", "--enable-autoexec"} & set(sys.argv))
 
 
 def render_flags(scene, still):
-    """Flags of lippmann render that follow from the settings alone."""
+    """Returns the flags of `lippmann render` that depend only on the settings, not on the exported scene."""
     settings = scene.lippmann
     width, height = resolution(scene)
     size = ["--size", f"{width}x{height}"]
@@ -77,7 +78,7 @@ def render_flags(scene, still):
     optics = {"quilt": ["--layout", "quilt", *(size if display.get("quilt") else [])], "native": ["--layout", "native"], "views": ["--layout", "views"],
               "single": ["--optics", "single", *size]}[settings.output]
     if settings.output == "native" and display["kind"] != "slanted-panel":
-        optics = []  # a lens array's own frame is its integral image
+        optics = []  # the tool renders an integral image, which is the native frame of a lens array
     depth = ["--full-depth"] if settings.full_depth and settings.output != "single" else []
     return ["--display", displays.argument(scene), *optics, *flags_of_sampling(scene), *depth, *more_flags(scene, still)]
 
@@ -96,7 +97,7 @@ def more_flags(scene, still):
 
 
 def stamp(path):
-    """Returns size and time of a file, or None if there is no such file."""
+    """Returns the size and the modification time of a file, or None if there is no such file."""
     try:
         state = os.stat(path)
     except OSError:
@@ -105,7 +106,7 @@ def stamp(path):
 
 
 def files_beside(scene):
-    """Returns stamps of the files that the scene refers to, and of its simulation caches."""
+    """Returns the stamp() of each file to which the scene refers, and of each file in its simulation caches."""
     caches = []
     if bpy.data.filepath:
         blend = pathlib.Path(bpy.data.filepath)
@@ -138,7 +139,7 @@ def hash_of(scene, results):
 
 
 class Export:
-    """The exported scene in the output folder. It is used again as long as its inputs stay the same."""
+    """The exported scene in the output folder. Later renders use it again until the Blender scene changes."""
 
     def __init__(self, folder):
         self.glb, self.world, self._record = folder / "scene.glb", folder / "world.exr", folder / "scene.json"
@@ -147,7 +148,7 @@ class Export:
         return {path.name: stamp(path) for path in (self.glb, self.world)}
 
     def kept(self, key):
-        """Returns the report of the exporting Blender if the scene was exported with this key and its files are unchanged, else None."""
+        """Returns the report of the earlier export if that had the same key and its files are unchanged, else None. key: hash of the scene and its settings."""
         try:
             record = json.loads(self._record.read_text())
         except (OSError, ValueError):
@@ -162,7 +163,7 @@ class Export:
 
 
 class Job:
-    """A still, or an animation whose frames are handed out as they are finished."""
+    """A render of a still or an animation. Frames of an animation are available as soon as they are finished."""
 
     def __init__(self, scene, still):
         check(scene, still)
@@ -177,7 +178,7 @@ class Job:
         self._prepare(scene)
 
     def _prepare(self, scene):
-        """Writes what the exporting Blender reads, while the scene is at hand."""
+        """Writes the files that the exporting Blender reads: a copy of the scene, and its settings."""
         try:
             self.folder.mkdir(parents=True, exist_ok=True)
         except OSError as error:
@@ -225,7 +226,7 @@ class Job:
         return [str(word) for word in words + (["--resume"] if resumes else ["--force"])]
 
     def _run(self, step, until, tell, stopped):
-        """Waits until the child is done, or `until` holds."""
+        """Waits until the child process has ended, or until() returns True. Raises Cancelled if stopped() returns True."""
         while self._child.running() and not until():
             if stopped():
                 self.stop()
@@ -245,14 +246,17 @@ class Job:
         return told
 
     def frame(self, number, tell=lambda *_: None, stopped=lambda: False):
-        """Waits for a frame and returns its pictures. tell: receives a step in words, its finished share, and the seconds left or None. Raises ToolError,
-        Cancelled."""
+        """Waits for a frame and returns the paths of its pictures. Raises ToolError or Cancelled.
+
+        tell: is called with a description of the current step, the share of the step that is done, and the remaining seconds or None.
+        stopped: returns whether the user has pressed Esc.
+        """
         if not self._started:
             self._exported = self._export.kept(self._key) or self._export_now(tell, stopped)
             self._child = tool.Child(self._render_words(), self._log)
             self._started = True
         index = 0 if self.still else number
-        last = number == self.last  # the last frame is done when the video and the report are, too
+        last = number == self.last  # the last frame is returned after the tool has also written the video and the report
         self._run(f"rendering frame {number}", lambda: not last and index in self._child.finished_frames, tell, stopped)
         found = tool.pictures(self.pictures_folder, index)
         if not found:
@@ -261,7 +265,7 @@ class Job:
         return found
 
     def _warn_of_cut(self):
-        """Adds the walls that were cut, which the tool's report names from the first frame on."""
+        """Adds a warning that names the walls that the tool has cut. The tool's report contains it after the first frame."""
         cut = json.loads((self.pictures_folder / "report.json").read_text()).get("cut")
         if cut and cut not in self.warnings:
             self.warnings.append(cut)

@@ -1,28 +1,29 @@
-"""The look of pictures: how light becomes codes. The add-on's settings decide it, in the tool; Blender's view transform must then show codes as they are."""
+"""The tone curve and the exposure of pictures. The tool applies them, by the add-on's settings. Blender's view transform must then be Standard, or Blender's
+window would change the pictures a second time."""
 
-CURVES = {"AgX": "agx", "Filmic": "agx", "Filmic Log": "agx", "Khronos PBR Neutral": "neutral"}  # Blender's view transform -> the nearest curve of the tool
+CURVES = {"AgX": "agx", "Filmic": "agx", "Filmic Log": "agx", "Khronos PBR Neutral": "neutral"}  # Blender's view transform -> the most similar --tone
 
 
 def is_plain(view):
-    """Whether Blender shows a picture's codes as they are."""
+    """Returns whether Blender's view settings show pictures unchanged."""
     return (view.view_transform, view.look, view.exposure, view.gamma) == ("Standard", "None", 0.0, 1.0) and not view.use_curve_mapping
 
 
 def lost(view):
-    """Returns a sentence if Blender's render window shows other codes than the files hold, else None."""
+    """Returns a message if Blender's render window shows other colours than the files contain, else None."""
     if is_plain(view):
         return None
     return f"Blender's window shows pictures through {view.view_transform}, too; their files are as the settings say. Take Over View Transform makes both alike."
 
 
 def flags(settings, more):
-    """Returns flags of lippmann render. more: the user's own flags, which replace them."""
+    """Returns flags of `lippmann render`. more: the user's extra flags, which take precedence."""
     tone = ["--tone", settings.tone] if settings.tone != "none" and "--tone" not in more else []
     return tone + (["--exposure", f"{settings.exposure:.6g}"] if settings.exposure != 0.0 and "--exposure" not in more else [])
 
 
 def take_over(settings, view):
-    """Moves Blender's view transform and exposure into the add-on's settings, and sets Blender's own to Standard."""
+    """Copies Blender's view transform and exposure to the add-on's settings, and resets Blender's to Standard."""
     settings.tone = CURVES.get(view.view_transform, "none")
     settings.exposure += view.exposure
     view.view_transform, view.look, view.exposure, view.gamma, view.use_curve_mapping = "Standard", "None", 0.0, 1.0, False

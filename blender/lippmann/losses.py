@@ -1,6 +1,7 @@
-"""What of a Blender scene glTF cannot carry, one sentence each, so that the panel can say what a picture lacks.
+"""Finds the parts of a Blender scene that the export as glTF loses. Each becomes a warning in the panel.
 
-Blender's exporter reads one Principled BSDF or Emission right at the material's output, with image textures; nodes that compute colours are not evaluated.
+Blender's exporter supports only a Principled BSDF or an Emission that is linked to the material's output, with image textures. It does not evaluate nodes that
+compute colours.
 """
 
 from . import exposure, film, frame, ies
@@ -13,12 +14,12 @@ MOVING = {"MOVIE", "SEQUENCE", "TILED"}
 
 
 def multiplies(node):
-    """Whether a node mixes by multiplication, which the exporter makes a factor of."""
+    """Returns whether a node multiplies two colours. The exporter supports this, as a factor of a texture."""
     return node.type in ("MIX", "MIX_RGB") and node.blend_type == "MULTIPLY"
 
 
 def lost_of_node(node):
-    """What is lost of a node below a shader, in words; None where nothing is."""
+    """Returns a description of what the export loses of a node whose output a shader uses. Returns None if it loses nothing."""
     if node.type == "TEX_COORD":
         others = [output.name for output in node.outputs if output.is_linked and output.name != "UV"]
         return f"coordinates {', '.join(others)}" if others else None
@@ -28,7 +29,7 @@ def lost_of_node(node):
 
 
 def lost_of_material(material):
-    """What is lost of a material, each thing once."""
+    """Returns descriptions of what the export loses of a material, without repetitions."""
     output = material.node_tree.get_output_node("ALL") if material.use_nodes and material.node_tree else None
     if output is None:
         return []
@@ -42,7 +43,7 @@ def lost_of_material(material):
 
 
 def is_animated(thing):
-    """Whether keys or drivers change a datablock or its nodes."""
+    """Returns whether keys or drivers animate a datablock or its nodes."""
     motions = [getattr(owner, "animation_data", None) for owner in (thing, getattr(thing, "node_tree", None)) if owner]
     return any(motion and (motion.action or len(motion.drivers)) for motion in motions)
 
@@ -57,7 +58,7 @@ def say_of_materials(materials, still, baked, report):
 
 
 def has_nodes_of_its_own(light):
-    """Whether a light's nodes say more than its own colour and power."""
+    """Returns whether the nodes of a light define more than its colour and its power."""
     if not light.use_nodes or not light.node_tree:
         return False
     output = light.node_tree.get_output_node("ALL")
@@ -89,14 +90,14 @@ def say_of_objects(things, report):
 
 
 def composites(scene):
-    """Whether Blender's compositor has nodes: from version 5.0 on in a group of the scene."""
+    """Returns whether the scene uses Blender's compositor. Since Blender 5.0, the compositor's nodes are a node group of the scene."""
     if hasattr(scene, "compositing_node_group"):
         return scene.compositing_node_group is not None
     return scene.use_nodes
 
 
 def is_panoramic(scene):
-    """Whether the display stands before a panoramic camera."""
+    """Returns whether a panoramic camera places the display."""
     camera = scene.camera
     is_shown = scene.lippmann.output == "camera" or not frame.placed(scene)
     return bool(camera and camera.type == "CAMERA" and camera.data.type == "PANO" and is_shown)
@@ -117,7 +118,8 @@ def say_of_scene(scene, still, report):
 
 
 def say(scene, still, baked, report):
-    """All that is lost of what the scene's visible objects are made of. Call it after missing textures are gone. baked: {material: words} of what is not."""
+    """Adds warnings about everything that the export loses to the report. Call after missing textures were removed. baked: {material: descriptions of nodes} that
+    baking.bake() has replaced, which are not lost."""
     things = [thing for thing in scene.objects if not thing.hide_render]
     shown = {thing.instance_collection for thing in things if thing.instance_collection}
     things += [thing for collection in sorted(shown, key=lambda c: c.name) for thing in collection.all_objects]

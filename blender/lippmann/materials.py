@@ -1,13 +1,13 @@
-"""Materials as Blender's glTF exporter reads them: one Principled BSDF at the output, with constants and image textures.
+"""Simplifies materials to what Blender's glTF exporter supports: one Principled BSDF at the output, with constants and image textures.
 
-Makers' materials are more: other shaders, mixtures of them, groups of nodes, colours that nodes compute of constants. What has an equal, or something near it, as a
-Principled BSDF becomes one, in the copy of the file that is exported; what has none stays, and losses.py says so.
+Users' materials have other shaders, mixtures of shaders, groups of nodes, and colours that nodes compute from constants. If a material equals or resembles a
+Principled BSDF, it is replaced in the exported copy of the file. Other materials stay as they are, and losses.py warns about them.
 """
 
 import math
 from dataclasses import dataclass, field
 
-NAMES = {  # of inputs that have had others
+NAMES = {  # inputs of the Principled BSDF whose names depend on the version of Blender
     "Specular": ("Specular", "Specular IOR Level"), "Transmission": ("Transmission", "Transmission Weight"), "Emission": ("Emission", "Emission Color"),
 }
 PLAIN_F0 = 0.08  # normal reflectance of Specular 1
@@ -18,12 +18,12 @@ PARTS_OF_NODES = ("image_user", "texture_mapping", "color_mapping")
 
 
 def name_among(inputs, name):
-    """What this version calls a Principled BSDF's input; None: it has none."""
+    """Returns the name of a Principled BSDF's input in this version of Blender, or None if this version does not have the input."""
     return next((one for one in NAMES.get(name, (name,)) if one in inputs), None)
 
 
 def input_of(shader, name):
-    """A Principled BSDF's input, whatever this version calls it; None: it has none."""
+    """Returns an input of a Principled BSDF, or None if this version of Blender does not have the input. name: as in Blender 3."""
     found = name_among(shader.inputs, name)
     return shader.inputs[found] if found else None
 
@@ -33,7 +33,7 @@ def luminance(colour):
 
 
 def link_of(socket):
-    """The output that a socket is fed from, past reroutes; None: it is not linked."""
+    """Returns the output to which an input socket is linked, or None. Skips reroute nodes."""
     while socket.is_linked and socket.links:
         output = socket.links[0].from_socket
         if output.node.type != "REROUTE":
@@ -61,7 +61,7 @@ def as_colour(value):
 
 
 def mix_inputs(node):
-    """Factor and both sides of a node that mixes colours; None for one that mixes something else."""
+    """Returns the input sockets (factor, first colour, second colour) of a node that mixes colours. Returns None if it mixes something else."""
     if node.type == "MIX_RGB":
         return node.inputs[0], node.inputs[1], node.inputs[2]
     if node.data_type != "RGBA":
@@ -105,7 +105,7 @@ CONSTANTS = {"RGB": lambda node: tuple(node.outputs[0].default_value), "VALUE": 
 
 
 def constant(socket):
-    """The value that arrives at a socket, in the socket's own type; None where it is not the same everywhere."""
+    """Returns the value of an input socket, in the socket's type, if it is the same on the whole surface. Returns None if it varies or is unknown."""
     output = link_of(socket)
     if output is None:
         return plain(socket.default_value) if hasattr(socket, "default_value") else None
@@ -123,7 +123,7 @@ def is_white(socket):
 
 
 def kept_side(node):
-    """The side of a mixture of colours that comes out as it is; None: neither does."""
+    """Returns the colour socket of a mix node that equals the node's output, for example the first one if the factor is 0. Returns None if none does."""
     share, a, b = mix_inputs(node)
     weight, multiplies = constant(share), node.blend_type == "MULTIPLY"
     if weight == 0.0 or (multiplies and is_white(b)):
@@ -132,7 +132,7 @@ def kept_side(node):
 
 
 def value_of(socket):
-    """A constant, or the output that a socket is fed from, past mixtures that keep one of their sides as it is."""
+    """Returns the constant value of an input socket, or else the output to which it is linked. Skips mix nodes whose output equals one of their colours."""
     found = constant(socket)
     if found is not None:
         return found
@@ -149,11 +149,11 @@ def is_constant(value):
 
 @dataclass
 class Surface:
-    """Inputs of a Principled BSDF: constants, or outputs that feed them. own: the node that has all others; None: those of a new one."""
+    """A surface that a Principled BSDF can show."""
 
-    values: dict = field(default_factory=dict)
-    own: object = None
-    near: list = field(default_factory=list)  # what is nearly, not exactly, the same
+    values: dict = field(default_factory=dict)  # name of an input -> constant, or output socket to link
+    own: object = None  # an existing Principled BSDF, whose other inputs are kept; None: a new node with the default inputs
+    near: list = field(default_factory=list)  # descriptions of properties that are only approximated
 
     def get(self, name, default):
         if name in self.values:
@@ -173,7 +173,7 @@ def of_values(node, near=(), **values):
 
 
 def scaled(colour, by):
-    """A constant, or an output, times a number."""
+    """Returns a colour multiplied by a number. colour: a constant, or an output socket, for which it adds a node."""
     if is_constant(colour):
         return (*(by * channel for channel in colour[:3]), 1.0)
     product = colour.id_data.nodes.new("ShaderNodeMixRGB")
@@ -184,7 +184,8 @@ def scaled(colour, by):
 
 
 def diffuse(node, near=()):
-    """Rough ones, which are Oren-Nayar's in Cycles, are as bright as these on average: 1 / (1 + 0.2 roughness) of Lambert's, by integrating them."""
+    """Returns the surface of a diffuse shader. Cycles uses the Oren-Nayar model for rough ones. Their mean brightness, by integration, is 1 / (1 + 0.2 roughness)
+    times that of Lambert's model, so the colour is multiplied by this factor."""
     roughness = constant(node.inputs["Roughness"]) if "Roughness" in node.inputs else 0.0
     colour = value_of(node.inputs["Color"])
     if roughness:
@@ -219,7 +220,7 @@ BY_KIND = {
 
 
 def normal_reflectance(socket):
-    """Of a factor that is Fresnel's or a layer weight's; None of any other."""
+    """Returns the reflectance at normal incidence if the factor of a mixture is a Fresnel or Layer Weight node, else None."""
     output = link_of(socket)
     if output is None or output.node.type not in ("FRESNEL", "LAYER_WEIGHT") or (output.node.type == "LAYER_WEIGHT" and output.name != "Fresnel"):
         return None
@@ -235,13 +236,13 @@ def is_new(surface, **wanted):
 
 
 def coated(base, coat, reflectance):
-    """A diffuse surface below a clear one that reflects so much at normal incidence."""
+    """Returns a diffuse surface below a clear coat. reflectance: that of the coat at normal incidence."""
     values = {**base.values, "Specular": min(reflectance / PLAIN_F0, 1.0), "Roughness": coat.values["Roughness"]}
     return Surface(values, near=[*base.near, *coat.near])
 
 
 def blended_value(a, b, share):
-    """None: it cannot be told."""
+    """Interpolates between two constants. Returns None if one of the values varies or the types differ."""
     if not is_constant(a) or not is_constant(b):
         return None
     if isinstance(a, tuple) != isinstance(b, tuple):
@@ -250,7 +251,7 @@ def blended_value(a, b, share):
 
 
 def with_alpha(surface, alpha):
-    """The surface where alpha is 1, nothing where it is 0. alpha: a constant, or an output."""
+    """Returns the surface with its coverage multiplied by alpha. alpha: a constant, or an output socket."""
     before = surface.get("Alpha", 1.0)
     if is_constant(alpha) and is_constant(before):
         alpha = alpha * before
@@ -260,7 +261,7 @@ def with_alpha(surface, alpha):
 
 
 def lit(surface, light, share=1.0):
-    """A surface that shines, too."""
+    """Returns a surface that also emits the light of another one, multiplied by `share`."""
     strength = light.values["Emission Strength"]
     strength = strength * share if is_constant(strength) else strength
     return Surface({**surface.values, "Emission": light.values["Emission"], "Emission Strength": strength}, surface.own, [*surface.near, *light.near])
@@ -304,12 +305,12 @@ def constant_mixture(first, second, share):
         if blended is not None:
             values[name] = blended
     if is_new(first, Metallic=0.0, Specular=0.0) and is_new(second, Metallic=1.0):
-        values["Roughness"] = second.values["Roughness"]  # the only one that shows
+        values["Roughness"] = second.values["Roughness"]  # the roughness of `first` is invisible, because it has no reflection
     return Surface(values, None, [*near, "a mixture of shaders"])
 
 
 def darkened(surface, share):
-    """Of a surface that only so much of is there, the rest being a light."""
+    """Returns the surface with its colour multiplied by `share`, for mixtures of a surface and a light."""
     colour = surface.get("Base Color", WHITE)
     return Surface({**surface.values, "Base Color": scaled(colour, share)}, surface.own, surface.near)
 
@@ -328,7 +329,7 @@ def of_sum(node):
 
 
 def surface_of(socket):
-    """What a shader's socket is fed with; None of what no Principled BSDF is like."""
+    """Returns the surface of the shader that is linked to a socket. Returns None if no Principled BSDF resembles it."""
     output = link_of(socket)
     if output is None:
         return None
@@ -384,13 +385,13 @@ def copy_node(node, tree):
 
 
 def take_apart(group, tree):
-    """The nodes of a group in place of it."""
+    """Replaces a group node by copies of the nodes in the group."""
     inner = group.node_tree
     copies = {node.name: copy_node(node, tree) for node in inner.nodes if node.type not in ("GROUP_INPUT", "GROUP_OUTPUT", "FRAME")}
     ends = [node for node in inner.nodes if node.type == "GROUP_OUTPUT" and node.is_active_output]
 
     def feed(source, target):
-        """What a socket within the group is fed from, to a socket of the tree."""
+        """Links what feeds an input in the group to the input `target` of the tree. source: an output socket in the group."""
         if source.node.type == "GROUP_INPUT":
             index = list(source.node.outputs).index(source)
             given = group.inputs[index]
@@ -416,7 +417,7 @@ def take_apart(group, tree):
 
 
 def take_groups_apart(tree):
-    """Groups within groups, too, but not without end."""
+    """Replaces up to 64 groups of a tree by their nodes, including groups in groups."""
     for _ in range(64):
         group = next((node for node in tree.nodes if node.type == "GROUP" and node.node_tree), None)
         if group is None:
@@ -427,7 +428,7 @@ def take_groups_apart(tree):
 # ---- Materials ---------------------------------------------------------------------------------------------------------------------
 
 def set_value(socket, value):
-    """A constant of whatever type, to a socket of whatever type."""
+    """Sets the constant value of a socket. Converts between numbers and colours."""
     if socket.type in ("RGBA", "VECTOR"):
         colour = as_colour(value)
         socket.default_value = colour[:len(socket.default_value)] if len(colour) >= len(socket.default_value) else (*colour, 1.0)
@@ -446,14 +447,14 @@ def put(value, socket, tree):
 
 
 def fold(shader, tree):
-    """Inputs that are fed with constants by nodes, or with one side of a mixture."""
+    """Simplifies the inputs of a shader by value_of()."""
     for socket in shader.inputs:
         if socket.is_linked and socket.type in ("RGBA", "VALUE"):
             put(value_of(socket), socket, tree)
 
 
 def settle(material, tree, output, surface):
-    """One Principled BSDF at the output."""
+    """Makes the surface the material's only shader, as a Principled BSDF at the output."""
     shader = surface.own
     if shader is None:
         shader = tree.nodes.new("ShaderNodeBsdfPrincipled")
@@ -466,7 +467,7 @@ def settle(material, tree, output, surface):
     fold(shader, tree)
     alpha = input_of(shader, "Alpha")
     if (alpha.is_linked or alpha.default_value < 1.0) and material.blend_method == "OPAQUE":
-        material.blend_method = "BLEND"  # what the exporter looks at, and Cycles does not
+        material.blend_method = "BLEND"  # the exporter reads this setting; Cycles ignores it
 
 
 def is_ready(shader):
@@ -494,12 +495,13 @@ def simplify_all(materials, report):
     for material in materials:
         try:
             simplify(material, report)
-        except (AttributeError, RuntimeError, TypeError) as error:  # nodes of add-ons that are not there, or of versions to come
+        except (AttributeError, RuntimeError, TypeError) as error:  # nodes of missing add-ons, or of later versions of Blender
             report.warn(f"The material {material.name} could not be read: {error}.")
 
 
 def take_gloss_away(document):
-    """Whether there were materials that the exporter leaves a reflection at grazing angles, where Specular is 0 and Blender shows none."""
+    """Removes the reflection at grazing angles that the exporter gives to materials whose Specular is 0, because Blender shows none. Returns whether a material
+    was changed."""
     changed = False
     for material in document.get("materials", []):
         gloss = material.get("extensions", {}).get("KHR_materials_specular", {})

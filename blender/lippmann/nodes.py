@@ -1,8 +1,8 @@
-"""Where the inputs of shader nodes come from."""
+"""Follows the links of shader nodes."""
 
 
 def upstream(node):
-    """The nodes that a node's inputs come from, however far away."""
+    """Returns all nodes on which the inputs of a node depend, directly or indirectly."""
     found, todo = [], [node]
     while todo:
         for socket in todo.pop().inputs:
@@ -14,7 +14,7 @@ def upstream(node):
 
 
 def source(socket):
-    """The node that a socket is linked to, past reroutes; None without one."""
+    """Returns the node whose output is linked to an input socket. Skips reroute nodes. Returns None if the socket is not linked."""
     while socket.links and socket.links[0].from_node.type == "REROUTE":
         socket = socket.links[0].from_node.inputs[0]
     return socket.links[0].from_node if socket.links else None

@@ -1,4 +1,4 @@
-"""What the viewport shows of the display: its plane, the depth that is sharp, and the viewing zone."""
+"""Draws the display into the viewport: its plane, the depth that is sharp, and the viewing zone."""
 
 import math
 
@@ -17,7 +17,7 @@ _handle = None
 
 
 def rectangle(zone, z):
-    """Corners of what the viewer sees of the plane at z, through the display's edges."""
+    """Returns the corners of the rectangle at the depth z that the viewer sees through the display."""
     grow = 1.0 - z / zone.distance
     return [(sx * 0.5 * zone.width * grow, sy * 0.5 * zone.height * grow, z) for sx, sy in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
 
@@ -27,7 +27,7 @@ def loop(corners):
 
 
 def figures(zone):
-    """(kind, corners in the frame's space, colour) of all that is drawn."""
+    """Returns the figures to draw: (kind of primitive, corners in the frame's space, colour)."""
     front, back = min(zone.budget, 0.9 * zone.distance), -zone.budget
     near, far = rectangle(zone, front), rectangle(zone, back)
     eye = (0.0, 0.0, zone.distance)
@@ -41,7 +41,7 @@ def figures(zone):
 
 
 def plain_shader():
-    """Blender's shader of one colour, whose name lost its "3D_" in version 4.0."""
+    """Returns Blender's shader for a uniform colour. Its name began with "3D_" before Blender 4.0."""
     try:
         return gpu.shader.from_builtin("UNIFORM_COLOR")
     except ValueError:
@@ -55,7 +55,7 @@ def draw():
     try:
         zone = frame.zone(scene)
     except tool.ToolError:
-        return  # the panel says why
+        return  # the panel shows the error
     shader = plain_shader()
     gpu.state.blend_set("ALPHA")
     with gpu.matrix.push_pop():

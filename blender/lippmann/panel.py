@@ -9,7 +9,7 @@ from . import displays, engine, frame, job, look, render_views, tool
 
 
 class Operator(bpy.types.Operator):
-    """An operator whose ToolErrors are shown to the user."""
+    """An operator that shows ToolErrors to the user."""
 
     bl_options = {"REGISTER", "UNDO"}
 
@@ -171,7 +171,7 @@ class LIPPMANN_PT_light_field(bpy.types.Panel):
             layout.operator("lippmann.take_over_view_transform")
 
     def _refusal(self, context, layout):
-        """Shows why F12 would refuse the picture's size."""
+        """Shows a message if the size of the picture is invalid."""
         try:
             refusal = displays.refused_size(context.scene, job.resolution(context.scene))
         except tool.ToolError:

@@ -1,13 +1,13 @@
-"""Progress in words, for Blender's status bar and, without a window, for the terminal."""
+"""Formats progress as text, for Blender's status bar and for the terminal of a Blender without a window."""
 
 import sys
 import time
 
-EVERY = 5.0  # seconds between lines of the same step in the terminal, at least
+EVERY = 5.0  # minimum time between two lines about the same step in the terminal, in seconds
 
 
 def clock(seconds):
-    """Returns text such as 7 s, 2:05, 1:00:30."""
+    """Formats a duration, as 7 s, 2:05 or 1:00:30."""
     whole = max(0, round(seconds))
     if whole < 60:
         return f"{whole} s"
@@ -23,7 +23,7 @@ def sentence(step, share, seconds_left):
 
 
 class Terminal:
-    """Prints a line when a step begins, and then one every few seconds if it has changed."""
+    """Prints a line when a step begins. During the step, prints a changed line at most every EVERY seconds."""
 
     def __init__(self, now=time.monotonic, file=None):
         self._now, self._file = now, file or sys.stderr

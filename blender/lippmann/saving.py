@@ -1,6 +1,7 @@
-"""Replaces the files that Blender saves with the tool's own pictures, under names that players of light fields understand.
+"""Replaces files that Blender saves by the tool's pictures.
 
-Blender would put its view transform on the codes that the tool has written for the display, and save a quilt under a name without its tiles.
+Blender would apply its view transform to pictures that the tool has already prepared for the display. It would also save quilts under names without the number of
+tiles, which players of quilts need.
 """
 
 import pathlib
@@ -13,7 +14,7 @@ from . import losses
 
 QUILT = re.compile(r"_qs\d+x\d+a[0-9.]+(?=\.[a-z]+$)")  # docs/reference/formats.md
 
-_shown = None  # the tool's picture that Blender was given last, and whether it is one of an animation
+_shown = None  # (path, is_animation): the tool's picture that Blender showed last, and whether it is a frame of an animation
 
 
 def remember(picture, is_animation):
@@ -22,13 +23,13 @@ def remember(picture, is_animation):
 
 
 def quilt_suffix(picture):
-    """Returns the tiles in a quilt's name, such as _qs8x6a0.75; empty for other pictures."""
+    """Returns the end of a quilt's name that states its tiles, such as _qs8x6a0.75. Returns an empty string for other pictures."""
     found = QUILT.search(pathlib.Path(picture).name)
     return found.group() if found else ""
 
 
 def written_path(scene, is_animation):
-    """Returns the path that Blender saves a picture to."""
+    """Returns the path to which Blender saves the current frame."""
     render = scene.render
     if is_animation:
         return pathlib.Path(render.frame_path(frame=scene.frame_current))
@@ -38,13 +39,13 @@ def written_path(scene, is_animation):
 
 
 def has_strips(scene):
-    """Returns whether the sequencer has strips, which have another name up to Blender 4.3."""
+    """Returns whether Blender's video sequencer has strips. Up to Blender 4.3, their list has another name."""
     editor = scene.sequence_editor
     return bool(editor and len(editor.strips_all if hasattr(editor, "strips_all") else editor.sequences_all))
 
 
 def is_ours(scene):
-    """Returns whether Blender's file is replaced: a PNG file of this engine to which Blender adds nothing."""
+    """Returns whether the file that Blender saves is replaced. It must be a PNG of this engine that neither the compositor nor the sequencer changes."""
     render = scene.render
     if render.engine != "LIPPMANN" or render.image_settings.file_format != "PNG" or not _shown or _shown[0].suffix != ".png":
         return False
@@ -60,7 +61,7 @@ def replace(scene, *_):
     if not written.is_file() or not picture.is_file():
         return
     shutil.copyfile(picture, written)
-    keeps_name = is_animation and (not scene.render.use_overwrite or scene.render.use_placeholder)  # Blender knows finished frames by their names
+    keeps_name = is_animation and (not scene.render.use_overwrite or scene.render.use_placeholder)  # Blender detects finished frames by their names
     suffix = quilt_suffix(picture)
     if suffix and not keeps_name and not written.stem.endswith(suffix):
         written.replace(written.with_name(written.stem + suffix + written.suffix))

@@ -1,13 +1,13 @@
-"""Writes a scene as glTF, with the eye that looks at its light-field frame. It runs in a Blender of its own, in the background:
+"""Exports a scene as glTF, with a camera at the position of the viewer of the display. Runs in a second Blender, in the background:
 
   blender -b --factory-startup -P scene_export.py -- REQUEST.json
 
-so that it may change the scene as it likes, and is stopped by ending the process. REQUEST.json: library (a .blend with the scene), scene, display
-and calibration, frames [first, last], still (one picture), glb, world (the panorama to write), report (what was done, as JSON).
+The second Blender can change the scene freely, and can be stopped by ending its process. REQUEST.json contains: library (a .blend file with the scene), scene (its
+name), display, calibration, frames (first and last), still (whether to export one picture), and the files to write: glb, world (a panorama) and report (JSON).
 
-Everything that Blender's instances show (modifiers, collections, particles, text, curves) becomes a mesh placed by keys at each frame, since glTF's exporter
-drops what is moved by constraints, drivers, parents or simulations. In animations, meshes that armatures or shape keys deform stay as they
-are, for the exporter to write them as skins and morph targets.
+Every object that Blender shows (by modifiers, collections, particles, text, curves) becomes a mesh with keys at each frame, because Blender's glTF exporter ignores
+motion by constraints, drivers, parents and simulations. In animations, meshes that armatures or shape keys deform are exported as they are, so that the
+exporter writes skins and morph targets.
 """
 
 import importlib
@@ -25,11 +25,11 @@ HERE = pathlib.Path(__file__).resolve().parent
 SOLID = {"MESH", "CURVE", "SURFACE", "META", "FONT"}
 LOST = {"VOLUME": "volumes", "CURVES": "hair curves", "POINTCLOUD": "point clouds", "GPENCIL": "grease pencil", "GREASEPENCIL": "grease pencil", "LIGHT_PROBE": None, "SPEAKER": None}
 EYE = "lippmann-eye"
-PARALLEL = 1e4  # viewing distance of an orthographic camera's picture, in heights of it: lines of sight spread by less than a pixel
+PARALLEL = 1e4  # viewing distance for an orthographic camera, divided by the height of its picture; rays diverge by less than a pixel
 
 
 class Report:
-    """What the user should know, each thing once."""
+    """The warnings for the user, without repetitions."""
 
     def __init__(self):
         self.warnings = []
@@ -45,7 +45,7 @@ def begin(step, share=0.0):
 
 
 def load(request):
-    """Opens what the user's Blender wrote. It is opened, not read as a library: Blender lists a library's names, and fails at those that are no UTF-8."""
+    """Opens the .blend file that the user's Blender wrote, and returns the scene. Linking the scene as a library would fail if a name in it is not UTF-8."""
     bpy.ops.wm.open_mainfile(filepath=request["library"], load_ui=False)
     scene = bpy.data.scenes[request["scene"]]
     bpy.context.window.scene = scene
@@ -62,7 +62,7 @@ def readable(thing):
 
 
 def named_lists():
-    """Everything that has names: bones before the vertex groups, which Blender renames with them."""
+    """Yields all lists of things that have names. Bones come before vertex groups, because renaming a bone renames its vertex groups."""
     yield from (armature.bones for armature in bpy.data.armatures)
     yield from (thing.vertex_groups for thing in bpy.data.objects)
     yield from (layers for mesh in bpy.data.meshes for layers in (mesh.uv_layers, mesh.color_attributes))
@@ -72,7 +72,7 @@ def named_lists():
 
 
 def name_everything(report):
-    """Names that are no UTF-8, which Python cannot read, get others."""
+    """Replaces names that are not UTF-8, because Python cannot read them."""
     for things in named_lists():
         for index, thing in enumerate(things):
             if not readable(thing):
@@ -96,7 +96,7 @@ def leave_out_missing_files(report):
 
 
 def show_as_rendered(scene):
-    """The viewport's evaluation shows what renders show."""
+    """Gives the viewport the visibility and the level of detail of renders, because the export reads what the viewport shows."""
     def show(layer):
         layer.hide_viewport = False
         layer.collection.hide_viewport = layer.collection.hide_render
@@ -120,14 +120,14 @@ def show_as_rendered(scene):
 
 
 def deforms(thing):
-    """Whether glTF can show how this object changes its shape: by an armature or by shape keys."""
+    """Returns whether an armature or shape keys, which glTF supports, can deform an object."""
     keys = getattr(thing.data, "shape_keys", None)
     armature = any(modifier.type == "ARMATURE" and modifier.object for modifier in thing.modifiers)
     return thing.type == "MESH" and (armature or bool(keys and (keys.animation_data or keys.key_blocks)))
 
 
 def take_out_nowhere(mesh, name, report):
-    """Removes vertices whose coordinates are no numbers, and the faces at them, which would reach anywhere."""
+    """Removes vertices with coordinates that are not finite, and the faces at them."""
     points = np.empty(3 * len(mesh.vertices), np.float32)
     mesh.vertices.foreach_get("co", points)
     nowhere = np.flatnonzero(~np.isfinite(points.reshape(-1, 3)).all(axis=1))
@@ -143,19 +143,19 @@ def take_out_nowhere(mesh, name, report):
 
 
 def mend_figures(scene, report):
-    """Does that to the meshes that arrive as they are, before anything is evaluated."""
+    """Calls take_out_nowhere() for the meshes that are exported as they are. Call before evaluating the scene."""
     for thing in scene.objects:
         if not thing.hide_render and deforms(thing):
             take_out_nowhere(thing.data, thing.name, report)
 
 
 def mesh_of(instance, depsgraph, report):
-    """A mesh of what the instance shows, with the materials that its object gives it; None where it has no faces."""
+    """Returns a new mesh of what an instance shows, with the materials of its object. Returns None if there are no faces."""
     shown = instance.object
     evaluated = shown.original.evaluated_get(depsgraph)
     if shown.data.as_pointer() == evaluated.data.as_pointer():
         mesh = bpy.data.meshes.new_from_object(shown, preserve_all_data_layers=True, depsgraph=depsgraph)
-    else:  # what a curve or geometry nodes have made lies beside their object, which Blender must not be asked for again
+    else:  # a curve or geometry nodes made this mesh; with `depsgraph`, Blender would evaluate their object again
         mesh = bpy.data.meshes.new_from_object(shown)
     take_out_nowhere(mesh, shown.original.name, report)
     if not mesh.polygons:
@@ -170,7 +170,7 @@ def mesh_of(instance, depsgraph, report):
 
 
 def shining_area(light, report):
-    """A mesh in place of an area light, with its radiance. The light's own blend of colour is kept; it shines along -Z alone, as Blender's does."""
+    """Returns an emissive mesh with the shape, the colour and the radiance of an area light. It emits only towards -Z, as the light does."""
     across = light.size
     up = light.size_y if light.shape in ("RECTANGLE", "ELLIPSE") else across
     if light.shape in ("SQUARE", "RECTANGLE"):
@@ -186,13 +186,14 @@ def shining_area(light, report):
     shader = next(node for node in material.node_tree.nodes if node.type == "BSDF_PRINCIPLED")
     shader.inputs["Base Color"].default_value = (0.0, 0.0, 0.0, 1.0)
     importlib.import_module(f"{HERE.name}.materials").input_of(shader, "Emission").default_value = (*light.color, 1.0)
-    shader.inputs["Emission Strength"].default_value = light.energy / (4.0 * area)  # as Cycles has it, not pi
+    shader.inputs["Emission Strength"].default_value = light.energy / (4.0 * area)  # as in Cycles, which divides by 4, not by pi
     mesh.materials.append(material)
     return mesh
 
 
 def sized(light):
-    """The light with its size as custom properties, which glTF's exporter writes as extras: it has no other place for them (docs/reference/gltf.md)."""
+    """Returns a copy of a light with its size as custom properties. The exporter writes them as extras, because glTF has no such property
+    (docs/reference/gltf.md)."""
     light = light.copy()
     if light.type == "SUN":
         light["angle"] = light.angle
@@ -205,12 +206,13 @@ def sized(light):
 
 
 def unmet_by(instance):
-    """What rays do not meet, as custom properties, which glTF's exporter writes as extras (docs/reference/gltf.md). Area lights are in no light's way."""
+    """Returns custom properties that hide an instance from the camera or from shadow rays. The exporter writes them as extras (docs/reference/gltf.md). The meshes
+    of area lights cast no shadows."""
     things = [instance.object.original] + ([instance.parent.original] if instance.is_instance and instance.parent else [])
     is_area = things[0].type == "LIGHT" and things[0].data.type == "AREA"
     unmet = {}
     if things[0].type == "LIGHT" and not is_area:
-        return unmet  # it is no mesh
+        return unmet  # only meshes can be hidden
     if not all(thing.visible_camera for thing in things):
         unmet["visible_to_camera"] = 0
     if not all(thing.visible_shadow for thing in things) or is_area:
@@ -219,7 +221,7 @@ def unmet_by(instance):
 
 
 def shape_of(instance, depsgraph, report):
-    """What an object that stands for the instance has as its data: a mesh, a light, or None."""
+    """Returns the data (a mesh or a light) of the object that is exported for an instance, or None if nothing is exported."""
     shown = instance.object
     if shown.type == "LIGHT":
         light = shown.data.original
@@ -234,7 +236,7 @@ def shape_of(instance, depsgraph, report):
 
 
 class Tracks:
-    """Where everything stands at each frame, and what it looks like when it is first seen."""
+    """The transforms of all exported instances at each frame, and their shapes at the first frame in which they are visible."""
 
     def __init__(self, still, report):
         self.still, self.report = still, report
@@ -249,7 +251,7 @@ class Tracks:
             if shown.hide_render or not instance.show_self or shown.type in ("EMPTY", "CAMERA", "ARMATURE", "LATTICE"):
                 continue
             if shown.type in SOLID and shown.type != "MESH":
-                continue  # a mesh of it follows
+                continue  # Blender lists its mesh as another instance
             if not self.still and not instance.is_instance and deforms(original):
                 self.kept[original.name_full] = original
                 mark(original, unmet_by(instance))
@@ -267,7 +269,7 @@ class Tracks:
                 self.watch(key, shown)
 
     def watch(self, key, shown):
-        """Says so where a shape changes in a way that glTF has no word for."""
+        """Warns if a shape changes in a way that glTF cannot describe."""
         if self.still or shown.type != "MESH":
             return
         points = np.empty(3 * len(shown.data.vertices), np.float32)
@@ -283,14 +285,14 @@ def mark(thing, properties):
 
 
 def set_keys(thing, matrix, frame):
-    thing.matrix_world = matrix  # which also sets location, rotation and scale
+    thing.matrix_world = matrix  # also sets location, rotation and scale
     if frame is not None:
         for channel in ("location", "rotation_quaternion", "scale"):
             thing.keyframe_insert(channel, frame=frame)
 
 
 def curves_of(motion):
-    """The curves of an object's keys. Actions have layers from Blender 4.4 on, and from 5.0 on no curves of their own."""
+    """Returns the animation curves of an object. Since Blender 5.0, the curves belong to layers of an action, not to the action."""
     if hasattr(motion.action, "fcurves"):
         return list(motion.action.fcurves)
     bags = [strip.channelbag(motion.action_slot) for layer in motion.action.layers for strip in layer.strips]
@@ -298,7 +300,8 @@ def curves_of(motion):
 
 
 def key_places(thing, places, frames, always=False):
-    """Places the object, with keys at all frames where it moves or is not always there, or always."""
+    """Places an object. Adds keys at all frames if the object moves, if it is not visible in all frames, or if `always`. places: {frame: matrix}. In frames without a
+    matrix, it is scaled to almost nothing."""
     thing.rotation_mode = "QUATERNION"
     first = next(iter(places.values()))
     if not always and len(places) == len(frames) and all(place == first for place in places.values()):
@@ -331,7 +334,7 @@ def eye_of(zone, name):
 
 
 def simulates(scene):
-    """Whether a frame depends on those before it."""
+    """Returns whether the scene has a simulation, so that a frame depends on earlier frames."""
     def moves(modifier):
         grows = modifier.type == "PARTICLE_SYSTEM" and modifier.particle_system.settings.type == "EMITTER"
         return grows or modifier.type in ("CLOTH", "SOFT_BODY", "FLUID", "DYNAMIC_PAINT")
@@ -340,7 +343,7 @@ def simulates(scene):
 
 
 def play_up_to(scene, frame):
-    """Simulations that are not baked go frame by frame, from the scene's first one, as Blender plays them: a still would show their beginning."""
+    """Runs simulations from the scene's first frame to `frame`. Otherwise a still would show the begin of simulations that are not baked."""
     if simulates(scene):
         for number in range(min(scene.frame_start, frame), frame):
             scene.frame_set(number)
@@ -352,7 +355,8 @@ def show(scene, frame):
 
 
 def frames_of(request, is_blurred):
-    """Those that have keys: glTF leaves out the frame at the very end, and the shutter opens before the first one."""
+    """Returns the frames that get keys. There is one frame more at the end, because the glTF exporter leaves out the last. With motion blur there is one more at the
+    begin, because the shutter opens before the first frame."""
     first, last = request["frames"]
     if request["still"]:
         return list(range(first, last + 1))
@@ -360,7 +364,7 @@ def frames_of(request, is_blurred):
 
 
 def build_stage(scene, request, report):
-    """A scene of what is to be exported, the zone of its first frame, and what the camera blurs as flags of the tool."""
+    """Builds the scene to export. Returns it, the zone (frame.Zone) of its first frame, whether a mesh has shape keys, and the tool's flags for lens and shutter."""
     frame_module, exposure = (importlib.import_module(f"{HERE.name}.{name}") for name in ("frame", "exposure"))
     shutter = exposure.shutter_flags(scene, request["still"], report)
     frames = frames_of(request, bool(shutter))
@@ -372,7 +376,7 @@ def build_stage(scene, request, report):
     show(scene, first)
     distance, is_camera_s = None, scene.lippmann.output == "camera"
     if (is_camera_s or not frame_module.placed(scene)) and scene.camera and scene.camera.type == "CAMERA":
-        distance = frame_module.plane_distance(scene)  # an animation keeps it, as a lens keeps its focus
+        distance = frame_module.plane_distance(scene)  # the same for all frames of an animation
 
     def zone_now():
         return frame_module.camera_zone(scene, request["aspect"], distance) if is_camera_s else frame_module.zone(scene, distance)
@@ -400,7 +404,7 @@ def build_stage(scene, request, report):
         key_places(thing, places, frames)
     eye = eye_of(zone, EYE)
     stage.collection.objects.link(eye)
-    key_places(eye, eyes, frames, always=not request["still"])  # so that animations in which nothing moves have their length, too
+    key_places(eye, eyes, frames, always=not request["still"])  # otherwise an animation without motion would have no length
     keep_deforming(stage, tracks.kept.values())
     if not tracks.places and not tracks.kept:
         raise RuntimeError("The scene shows nothing that could be rendered: it has no visible mesh, curve, text or light.")
@@ -409,7 +413,7 @@ def build_stage(scene, request, report):
 
 
 def lose_shape(thing):
-    """Leaves of a parent only its place: what it looks like is on the stage already, or not to be seen."""
+    """Removes the shape of a parent, which is needed only for its transform. If the parent is visible, the stage already has a mesh of it."""
     if thing.type == "MESH":
         thing.data = bpy.data.meshes.new("place")
         return
@@ -421,7 +425,7 @@ def lose_shape(thing):
 
 
 def keep_deforming(stage, things):
-    """Links objects that deform, and all that they hang on, to the stage."""
+    """Links objects that deform to the stage, with their armatures and all parents."""
     def link(thing):
         if thing.name not in stage.collection.objects:
             stage.collection.objects.link(thing)
@@ -440,7 +444,7 @@ def keep_deforming(stage, things):
 
 
 def gltf_options(still, has_shape_keys, known):
-    """What the exporter is asked for, of the options that this version knows: strips of actions, for one, have had three names."""
+    """Returns the options of the glTF exporter. Leaves out options that this version of the exporter does not know. known: their names."""
     options = {"export_format": "GLB", "export_cameras": True, "export_lights": True, "export_apply": not has_shape_keys, "export_yup": True,
                "export_animations": not still, "export_frame_range": True, "export_force_sampling": True, "export_nla_strips": False,
                "export_animation_mode": "ACTIVE_ACTIONS", "export_anim_slide_to_zero": False, "export_morph": True, "export_skins": True,
@@ -449,16 +453,16 @@ def gltf_options(still, has_shape_keys, known):
 
 
 def export_gltf(stage, path, still, has_shape_keys):
-    """Blender's own exporter."""
+    """Runs Blender's glTF exporter."""
     bpy.context.window.scene = stage
     stage.frame_set(stage.frame_start)
-    bpy.context.view_layer.update()  # otherwise objects that are new stand at the origin
+    bpy.context.view_layer.update()  # otherwise new objects are at the origin
     known = bpy.ops.export_scene.gltf.get_rna_type().properties.keys()
     bpy.ops.export_scene.gltf(filepath=path, **gltf_options(still, has_shape_keys, known))
 
 
 def plain_world(world):
-    """The world's linear colour where that is all there is to it, else None."""
+    """Returns the world's linear colour if it is uniform, else None."""
     if world is None:
         return (0.0, 0.0, 0.0)
     if not world.use_nodes:
@@ -473,7 +477,7 @@ def plain_world(world):
 
 
 def write_panorama(world, path):
-    """What the world looks like all around, rendered by Cycles: so that skies, panoramas and any other nodes arrive alike."""
+    """Renders the world as a panorama by Cycles, which supports all nodes of a world."""
     sky = bpy.data.scenes.new("sky")
     sky.world = world
     sky.render.engine = "CYCLES"
@@ -487,7 +491,7 @@ def write_panorama(world, path):
     camera.type = "PANO"
     holder = camera if hasattr(camera, "panorama_type") else camera.cycles
     holder.panorama_type = "EQUIRECTANGULAR"
-    # The camera looks along +X, and the picture's middle is that of glTF's panoramas.
+    # The camera looks along +X, which is the middle of panoramas in glTF.
     eye = bpy.data.objects.new("sky", camera)
     eye.rotation_euler = (math.pi / 2, 0.0, -math.pi / 2)
     sky.collection.objects.link(eye)
@@ -533,6 +537,6 @@ def main():
 if __name__ == "__main__":
     try:
         main()
-    except Exception as error:  # the parent shows this line; the traceback is in its log
+    except Exception as error:  # the user's Blender shows this line and logs the traceback
         print(f"error: {error}", file=sys.stderr)
         raise

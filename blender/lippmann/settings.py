@@ -1,4 +1,4 @@
-"""What the user chooses, stored in the scene and in the frame's object. Lengths are in Blender's units unless a name says mm."""
+"""The settings of the add-on, which Blender stores in the scene and in the light-field frame. Lengths are in scene units unless a name ends in mm."""
 
 import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, PointerProperty, StringProperty

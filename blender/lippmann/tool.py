@@ -1,6 +1,6 @@
-"""The program lippmann: where it is, what it says, and a render of it as a child process that can be stopped.
+"""Finds the program lippmann, and runs it as a child process that can be stopped.
 
-Nothing here knows Blender, so that every failure is a ToolError with one sentence that can be shown to the user.
+This module does not use Blender. Every failure is a ToolError, with a sentence to show to the user.
 """
 
 import json
@@ -12,15 +12,15 @@ import signal
 import subprocess
 import threading
 
-STOP_SECONDS = 20.0  # the tool finishes the tiles under way and writes its report; then it is killed
+STOP_SECONDS = 20.0  # time to stop by itself, before the child process is killed
 
 
 class ToolError(Exception):
-    """One sentence for the user."""
+    """An error whose message is shown to the user."""
 
 
 def find(preferred=""):
-    """The path of the tool: the preferred one, else LIPPMANN_TOOL of the environment, else that of PATH."""
+    """Returns the path of the tool: `preferred`, else the environment variable LIPPMANN_TOOL, else `lippmann` in PATH. Raises ToolError."""
     for wanted in (preferred, os.environ.get("LIPPMANN_TOOL", "")):
         if wanted:
             found = shutil.which(os.path.expanduser(wanted))
@@ -34,7 +34,7 @@ def find(preferred=""):
 
 
 def ask(tool, *words):
-    """The JSON that a command prints."""
+    """Runs a command with --json, and returns the JSON that it prints. Raises ToolError."""
     try:
         done = subprocess.run([tool, *words, "--json"], capture_output=True, timeout=60)
     except (OSError, subprocess.TimeoutExpired) as error:
@@ -45,19 +45,19 @@ def ask(tool, *words):
 
 
 def last_message(text, silent="The tool lippmann failed without a word."):
-    """The error among what a program wrote, without its prefix; `silent` where it wrote nothing."""
+    """Returns the last error message in the output of a program, without its prefix. Returns `silent` if the program wrote nothing."""
     lines = [line.strip() for line in text.splitlines() if line.strip() and not line.startswith("{")]
     errors = [line for line in lines if re.match(r"(lippmann: )?error", line)]
     return re.sub(r"^(lippmann: )?(error: )?", "", (errors or lines or [silent])[-1])
 
 
 class Child:
-    """A running command. Its JSON lines of progress and all other lines of stderr are gathered by a thread."""
+    """A child process. A thread reads its stderr: lines of JSON, which report progress, and other lines."""
 
     def __init__(self, words, log, environment=None):
         self.finished_frames = set()
         self.share, self.seconds_left = 0.0, None
-        self.step = ""  # the current step in words
+        self.step = ""  # description of the current step
         self.lines = []
         self._log = open(log, "ab")
         self._words = words
@@ -97,7 +97,7 @@ class Child:
             pass
 
     def stop(self):
-        """Asks the child to stop as Ctrl-C does, so that what is finished stays; kills it where it does not."""
+        """Interrupts the child as Ctrl-C does, so that it keeps finished frames. Kills it if it has not ended after STOP_SECONDS."""
         if self.running():
             self._process.send_signal(signal.SIGINT if os.name != "nt" else signal.SIGTERM)
             self.wait(STOP_SECONDS)
@@ -112,14 +112,14 @@ class Child:
         self._log.close()
 
     def check(self):
-        """Raises what went wrong; to be called once it no longer runs."""
+        """Raises ToolError if the child has failed. Call after the child has ended."""
         self._close()
         if self._process.returncode:
             raise ToolError(last_message("\n".join(self.lines), f"{pathlib.Path(self._words[0]).name} ended with code {self._process.returncode} and without a word; see {self._log.name}."))
 
 
 def pictures(folder, frame):
-    """The finished pictures of a frame: one, or those of a folder of views. Names are those of docs/reference/formats.md."""
+    """Returns the paths of the finished pictures of a frame: one picture, or the views in the frame's folder (docs/reference/formats.md)."""
     folder = pathlib.Path(folder)
     stem = f"frame_{frame:04d}"
     found = sorted(path for path in folder.glob(stem + "*") if path.suffix in (".png", ".exr", ".tif", ".tiff"))

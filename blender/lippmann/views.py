@@ -1,8 +1,8 @@
-"""Light fields from Blender's own engines: for materials that the tool does not have, Cycles or Eevee renders a picture for each view, through cameras where the
-display's viewer has his eyes, and the tool lays them out.
+"""Renders light fields with Blender's own engines, for materials that the tool does not support. Cycles or Eevee renders a picture for each view. Then the tool
+arranges the pictures in a quilt.
 
-The eyes are those of the tool's quilts (src/optics/multi_view.hpp): view v of N stands D tan(cone ((v + 1/2) / N - 1/2)) to the right of the middle, at the
-viewing distance D, and looks through the frame of the display: its camera is shifted, not turned.
+The cameras are those of the tool's quilts (src/optics/multi_view.hpp). The camera of view v of N is at the viewing distance D from the display, and
+D tan(cone ((v + 1/2) / N - 1/2)) to the right of the middle. Its picture is shifted, not turned, so that it shows the display's frame.
 """
 
 import contextlib
@@ -30,7 +30,7 @@ WALL_SHARE = 0.25  # of the lines that walls must hide to be cut, as in the tool
 
 
 def engines(_self=None, _context=None):
-    """Returns Blender's other engines as items of a property."""
+    """Returns Blender's other render engines, as items of an EnumProperty."""
     named = {engine.bl_idname: engine.bl_label for engine in bpy.types.RenderEngine.__subclasses__() if hasattr(engine, "bl_idname")}
     named = {"BLENDER_EEVEE_NEXT" if (4, 2) <= bpy.app.version < (5, 0) else "BLENDER_EEVEE": "Eevee", "BLENDER_WORKBENCH": "Workbench", **named}
     named.pop("LIPPMANN", None)
@@ -39,12 +39,12 @@ def engines(_self=None, _context=None):
 
 
 def eye_offset(view, count, cone, distance):
-    """Returns how far to the right of the middle a view's eye stands."""
+    """Returns the distance of a view's camera from the middle, to the right. cone: in radians."""
     return distance * math.tan(cone * ((view + 0.5) / count - 0.5))
 
 
 def place_camera(camera, zone, right):
-    """Puts the camera that far to the right of the middle, looking through the display's frame."""
+    """Moves the camera to the viewing distance and by `right` to the right of the middle. Shifts its lens so that its picture shows the display's frame."""
     camera.matrix_world = zone.world_from_frame @ Matrix.Translation((right, 0.0, zone.distance))
     data = camera.data
     data.sensor_fit, data.sensor_width = "HORIZONTAL", 36.0
@@ -69,10 +69,10 @@ def hides_scene(scene, depsgraph, zone):
 
 
 def tile_of(scene, display):
-    """Returns (width, height) of a view's picture, and the aspect of its pixels on the display."""
+    """Returns the (width, height) of a view's picture, and the width / height of its pixels on the display."""
     columns, rows = display["quilt"]["tiles"]
     output = scene.lippmann.output
-    width, height = display["quilt"]["size"] if output == "native" else jobs.resolution(scene)  # the size of one view for other outputs
+    width, height = display["quilt"]["size"] if output == "native" else jobs.resolution(scene)  # for other outputs, the resolution is that of one view
     size = (width // columns, height // rows) if output in ("quilt", "native") else (width, height)
     return size, display["quilt"]["aspect"] * size[1] / size[0]
 
@@ -86,7 +86,7 @@ def refused(scene, display):
 
 @contextlib.contextmanager
 def lent(*owners):
-    """Sets members of owners, each (owner, {name: value}), and restores them afterwards."""
+    """A context manager that sets attributes, and restores them at its end. owners: pairs (object, {name of an attribute: value})."""
     before = [(owner, {name: getattr(owner, name) for name in values}) for owner, values in owners]
     try:
         for owner, values in owners:
@@ -100,7 +100,7 @@ def lent(*owners):
 
 
 def settings_for(scene, engine, camera, size, pixel_aspect):
-    """Returns the settings that differ while views are rendered, for lent()."""
+    """Returns the settings to change while views are rendered, for lent()."""
     render = scene.render
     wide = pixel_aspect >= 1.0
     values = {"engine": engine, "resolution_x": size[0], "resolution_y": size[1], "resolution_percentage": 100, "pixel_aspect_x": pixel_aspect if wide else 1.0,
@@ -153,7 +153,7 @@ class Views:
         self._distance = None
 
     def _zone(self):
-        """Returns the zone of the current frame. An animation keeps the plane's distance of its first frame."""
+        """Returns the zone of the current frame. All frames of an animation use the plane's distance in the first frame."""
         if self._distance is None and not frame.placed(self.scene) and self.scene.camera and self.scene.camera.type == "CAMERA":
             self._distance = frame.plane_distance(self.scene)
         return frame.zone(self.scene, self._distance)

@@ -1,4 +1,4 @@
-"""The add-on inside Blender, which runs this file: blender -b --factory-startup --python addon_test.py"""
+"""Tests of the add-on. Blender runs this file: blender -b --factory-startup --python addon_test.py"""
 
 import ast
 import json
@@ -30,7 +30,7 @@ WHITE = (1.0, 1.0, 1.0, 1.0)
 
 
 def new_scene(folder, output, samples=16, size=(60, 80)):
-    """Blender's own first scene: a cube, a lamp, a camera."""
+    """Returns Blender's default scene (a cube, a lamp, a camera), set up for the add-on."""
     bpy.ops.wm.read_factory_settings()
     scene = bpy.context.scene
     scene.render.engine = "LIPPMANN"
@@ -48,7 +48,7 @@ def gltf(folder):
 
 
 def positions(folder, channel):
-    """The translations of a channel of the exported scene's first animation, one a row."""
+    """Returns the translations of a channel of the first animation in scene.glb, as an array (keys, 3)."""
     data, document = (pathlib.Path(folder) / "scene.glb").read_bytes(), gltf(folder)
     sampler = document["animations"][0]["samplers"][channel["sampler"]]
     accessor = document["accessors"][sampler["output"]]
@@ -58,7 +58,7 @@ def positions(folder, channel):
 
 
 def contrast(picture):
-    """The standard deviation of a picture's codes, from 0 to 1."""
+    """Returns the standard deviation of a picture's codes, which are from 0 to 1."""
     image = bpy.data.images.load(str(picture))
     values = np.empty(len(image.pixels), np.float32)
     image.pixels.foreach_get(values)
@@ -66,7 +66,7 @@ def contrast(picture):
 
 
 def add_figure(scene):
-    """A plane that a bone turns and a shape key raises, from frame 5 to 6."""
+    """Adds a plane that a bone turns and a shape key raises, from frame 5 to frame 6."""
     bpy.ops.object.armature_add()
     skeleton = bpy.context.object
     bone = skeleton.pose.bones[0]
@@ -86,7 +86,7 @@ def add_figure(scene):
 
 
 def add_missing_library(scene, folder):
-    """An object that is linked from a file which is there no more when the scene is opened again."""
+    """Links an object from a file, then deletes the file."""
     thing = bpy.data.objects.new("guest", bpy.data.meshes["Cube"])
     bpy.data.libraries.write(str(folder / "guests.blend"), {thing})
     bpy.data.objects.remove(thing)
@@ -97,7 +97,7 @@ def add_missing_library(scene, folder):
 
 
 def open_with_names_replaced(file, names):
-    """Saves the scene with other bytes for names, which must be as long, and opens it: Blender itself takes no name that is no UTF-8."""
+    """Saves the scene, replaces bytes in the file, and opens it, because Blender itself cannot set names that are not UTF-8. names: {old: new} of equal lengths."""
     bpy.ops.wm.save_as_mainfile(filepath=str(file), compress=False)
     data = file.read_bytes()
     for old, new in names.items():
@@ -116,7 +116,7 @@ def failure(operator, **arguments):
 
 
 def new_group(name, kind, inputs, outputs):
-    """A tree of nodes with sockets: {name: type}. Blender 4.0 has another place for them."""
+    """Makes a node group. inputs, outputs: sockets as {name: type}. Since Blender 4.0, they belong to the group's interface."""
     group = bpy.data.node_groups.new(name, kind)
     for sockets, side in ((inputs, "INPUT"), (outputs, "OUTPUT")):
         for socket, of_type in sockets.items():
@@ -128,7 +128,7 @@ def new_group(name, kind, inputs, outputs):
 
 
 class Material:
-    """A material that a test makes of nodes, and what of it arrives in glTF."""
+    """Builds a material from nodes, and finds it in the exported glTF."""
 
     def __init__(self, name):
         self.material = bpy.data.materials.new(name)
@@ -153,7 +153,7 @@ class Material:
 
 
 def arrived(scene, folder, materials):
-    """{name: material in glTF} of a scene in which a small plane has each."""
+    """Exports a scene with a small plane for each material. Returns {name: material in glTF}."""
     for index, material in enumerate(materials):
         bpy.ops.mesh.primitive_plane_add(size=0.1, location=(0.2 * index, 0.0, 0.0))
         bpy.context.object.data.materials.append(material)
@@ -178,7 +178,7 @@ class AddOn(unittest.TestCase):
         self.assertEqual((len(preview), len(views)), (1, 3))
         told = subprocess.run([os.environ["LIPPMANN_TOOL"], "compare", preview[0], views[1], "--json"], capture_output=True, check=True)
         self.assertGreater(json.loads(told.stdout)["mean"]["ssim"], 0.99)
-        self.assertGreater(contrast(preview[0]), 0.05)  # two blank pictures would be alike, too
+        self.assertGreater(contrast(preview[0]), 0.05)  # the picture is not blank
 
     def test_an_animation_has_its_frames_moves_by_constraints_and_resumes(self):
         scene = new_scene(self.folder, "quilt", samples=1, size=(80, 60))
@@ -192,7 +192,7 @@ class AddOn(unittest.TestCase):
         follower.constraints.new("COPY_LOCATION").target = cube
         interrupted = jobs.Job(scene, False)
         interrupted.frame(3)
-        interrupted.stop()  # as Esc does
+        interrupted.stop()  # as if the user pressed Esc
         before = [path.stat().st_mtime_ns for path in tool.pictures(self.folder / "animation", 3)]
         bpy.ops.render.render(animation=True)
         self.assertEqual(before, [path.stat().st_mtime_ns for path in tool.pictures(self.folder / "animation", 3)])
@@ -221,7 +221,7 @@ class AddOn(unittest.TestCase):
             bpy.context.view_layer.update()
             return -(camera.matrix_world.inverted() @ frame.zone(scene).world_from_frame.translation).z
 
-        camera.data.dof.focus_distance = 0.0  # as in files of old versions
+        camera.data.dof.focus_distance = 0.0  # as in files of old versions of Blender
         self.assertAlmostEqual(plane(), (camera.location - cube.location).length, delta=1.8)  # somewhere on the cube
         camera.location = 3.0 * camera.location
         self.assertAlmostEqual(plane(), (camera.location - cube.location).length, delta=1.8)
@@ -234,7 +234,7 @@ class AddOn(unittest.TestCase):
         self.assertAlmostEqual(plane(), 5.0, places=4)
         camera.data.dof.use_dof = False
         bpy.data.objects.remove(cube)
-        self.assertAlmostEqual(plane(), 5.0, places=4)  # nothing is seen
+        self.assertAlmostEqual(plane(), 5.0, places=4)  # the camera sees nothing, so its focus distance applies
         camera.data.dof.focus_distance = 0.0
         self.assertAlmostEqual(plane(), frame.UNFOCUSED, places=4)
 
@@ -308,11 +308,11 @@ class AddOn(unittest.TestCase):
         self.assertTrue(panel.figures(scene, display, zone)[1].endswith("at 31.1"), panel.figures(scene, display, zone))
 
     def test_rendering_leaves_the_data_of_blender_alone(self):
-        # Blender 5 ends at the second frame of an animation where the first one has loaded and removed an image.
+        # Blender 5 crashes at the second frame of an animation if the first frame has loaded and removed an image.
         makes = {"append", "load", "new", "new_from_object", "remove"}
-        for module in (engine, jobs, contents, displays, exposure, film, frame, look, progress, tool):  # all that Engine.render() calls
+        for module in (engine, jobs, contents, displays, exposure, film, frame, look, progress, tool):  # the modules that Engine.render() calls
             for function in ast.walk(ast.parse(pathlib.Path(module.__file__).read_text())):
-                if not isinstance(function, ast.FunctionDef) or (module is frame and function.name == "add"):  # an operator's
+                if not isinstance(function, ast.FunctionDef) or (module is frame and function.name == "add"):  # called only by an operator
                     continue
                 called = [ast.unparse(call.func) for call in ast.walk(function) if isinstance(call, ast.Call)]
                 changed = [name for name in called if name.startswith("bpy.data.") and name.rpartition(".")[2] in makes]
@@ -375,7 +375,7 @@ class AddOn(unittest.TestCase):
         self.assertTrue(any(target["path"] == "rotation" and target["node"] in joints for target in targets))
         self.assertTrue(any(target["path"] == "weights" for target in targets))
         said = " ".join(engine.last_warnings)
-        # Later versions repair such names when they open the file.
+        # Blender 4 and later repair names that are not UTF-8 when they open the file.
         for words in (*(["no UTF-8"] if bpy.app.version < (4, 0, 0) else []), "guests.blend is missing", "Checker Texture", "display's lenses blur with depth"):
             self.assertIn(words, said)
 
@@ -416,13 +416,13 @@ class AddOn(unittest.TestCase):
         bpy.ops.render.render(animation=True)
         document = gltf(self.folder)
         moved = next(c for c in document["animations"][0]["channels"] if document["nodes"][c["target"]["node"]]["name"].startswith("Cube") and c["target"]["path"] == "translation")
-        np.testing.assert_allclose(positions(self.folder, moved)[[0, -1], 0], (0.0, 3.0), atol=1e-5)  # the shutter is open before the first frame and after the last
+        np.testing.assert_allclose(positions(self.folder, moved)[[0, -1], 0], (0.0, 3.0), atol=1e-5)  # x of the cube: keys cover the open shutter before the first frame and after the last
         self.assertEqual([words for words in engine.last_warnings if "blur" in words.lower() or "depth of field" in words.lower()], [])
         job = tomllib.loads((self.folder / "animation" / "job.toml").read_text())
         portrait = next(one for one in displays.known() if one["name"] == "looking-glass-portrait")
         per_unit = portrait["size_mm"][1] / 2.0
-        self.assertAlmostEqual(job["focal-plane"], 2.0 * per_unit, delta=1e-3 * per_unit)  # the camera focuses 8 units away, 2 before the plane
-        self.assertAlmostEqual(job["aperture"], 0.04 / 0.5 * portrait["viewing_distance_mm"] / 10.0, delta=1e-3)  # the viewer's share of the plane's 10 units
+        self.assertAlmostEqual(job["focal-plane"], 2.0 * per_unit, delta=1e-3 * per_unit)  # the camera is focused at 8 units, 2 units in front of the plane at 10
+        self.assertAlmostEqual(job["aperture"], 0.04 / 0.5 * portrait["viewing_distance_mm"] / 10.0, delta=1e-3)  # aperture of the camera, f / N = 40 mm / 0.5, times viewing distance / 10 units
         self.assertEqual(job["shutter"], 0.25)
         scene.render.motion_blur_shutter, scene.lippmann.resume = 1.5, False
         bpy.ops.render.render(animation=True)
@@ -466,7 +466,7 @@ class AddOn(unittest.TestCase):
         made.append(m.shows(m.node("ShaderNodeBsdfGlossy", Color=blue, Roughness=0.3)))
         m = Material("glass")
         made.append(m.shows(m.node("ShaderNodeBsdfGlass", Color=WHITE, Roughness=0.0, IOR=1.33)))
-        m = Material("veil")  # a quarter of it is there
+        m = Material("veil")  # with a coverage of 0.25
         mixture = m.node("ShaderNodeMixShader", Fac=0.25)
         m.tree.links.new(m.node("ShaderNodeBsdfTransparent").outputs[0], mixture.inputs[1])
         m.tree.links.new(m.node("ShaderNodeBsdfDiffuse", Color=red).outputs[0], mixture.inputs[2])
@@ -481,7 +481,7 @@ class AddOn(unittest.TestCase):
         m.tree.links.new(m.node("ShaderNodeBsdfDiffuse", Color=red).outputs[0], coat.inputs[1])
         m.tree.links.new(m.node("ShaderNodeBsdfGlossy", Color=WHITE, Roughness=0.1).outputs[0], coat.inputs[2])
         made.append(m.shows(coat))
-        m = Material("computed")  # of constants
+        m = Material("computed")  # its colour is computed from constants
         half = m.node("ShaderNodeMixRGB", Fac=0.5, Color1=red, Color2=blue)
         made.append(m.shows(m.feed(half, m.node("ShaderNodeBsdfPrincipled", Roughness=0.7), "Base Color")))
         arrive = arrived(scene, self.folder, made)
@@ -507,7 +507,7 @@ class AddOn(unittest.TestCase):
         self.assertLess(np.abs(shines - 2.0 * np.array(blue[:3])).max(), 1e-5)
         assert_colour("lacquer", red)
         self.assertAlmostEqual(factors("lacquer")["roughnessFactor"], 0.1, places=5)
-        self.assertNotIn("KHR_materials_specular", arrive["lacquer"].get("extensions", {}))  # 0.04, as by default
+        self.assertNotIn("KHR_materials_specular", arrive["lacquer"].get("extensions", {}))  # glTF's default reflectance, 0.04
         assert_colour("computed", 0.5 * (np.array(red) + blue))
         self.assertEqual(engine.last_warnings, [])
 
@@ -558,11 +558,11 @@ class AddOn(unittest.TestCase):
         bpy.ops.render.render()
         first = (self.folder / "scene.glb").read_bytes()
         for file in ((self.folder / "scene.json"), *(self.folder / "baked").iterdir()):
-            file.unlink()  # so that all of it is made again
+            file.unlink()  # so that the next render exports and bakes again
         wood = next(one for one in gltf(self.folder)["materials"] if one["name"].startswith("wood"))
         places = {wood["pbrMetallicRoughness"]["baseColorTexture"].get("texCoord", 0), wood["pbrMetallicRoughness"]["metallicRoughnessTexture"].get("texCoord", 0),
                   wood["normalTexture"].get("texCoord", 0)}
-        self.assertEqual(places, {1})  # the cube's own coordinates come first
+        self.assertEqual(places, {1})  # UV layer 0 is the cube's own
         self.assertEqual([words for words in engine.last_warnings if "wood" in words],
                          ["The material wood arrives with pictures of 128 x 128 pixels in place of: Checker Texture, Noise Texture, Bump."])
         image = bpy.data.images.load(str(tool.pictures(self.folder / "still", 0)[0]))
@@ -622,7 +622,7 @@ class AddOn(unittest.TestCase):
                 faces = sum(document["accessors"][part["indices"]]["count"] // 3 for part in mesh["primitives"])
                 shapes.setdefault(faces, []).append({document["materials"][part["material"]]["name"] for part in mesh["primitives"] if "material" in part})
         counts = sorted(len(alike) for alike in shapes.values())
-        self.assertEqual(counts, [1, 1, 1, 1, 4], shapes)  # on each corner of the plane an icosahedron, and nothing of the plane itself
+        self.assertEqual(counts, [1, 1, 1, 1, 4], shapes)  # an icosahedron at each of the 4 corners of the plane; the plane itself is not exported
         self.assertEqual(len(shapes[20]), 4)
         self.assertEqual(sum(names == [{"paint"}] for names in shapes.values()), 4)
         self.assertEqual(engine.last_warnings, [])
@@ -652,7 +652,7 @@ class AddOn(unittest.TestCase):
             document = gltf(self.folder)
             shown = [node for node in document["nodes"] if "mesh" in node]
             self.assertEqual(sum("skin" in node for node in shown), 1)
-            self.assertEqual(len(shown), 1 if hidden else 3, [node["name"] for node in shown])  # the figure; with it the cube and the word, once each
+            self.assertEqual(len(shown), 1 if hidden else 3, [node["name"] for node in shown])  # the plane of add_figure(), and if not hidden, the cube and the text
             self.assertEqual(engine.last_warnings, [])
 
     def test_simulations_play_up_to_the_frame_of_a_still(self):
@@ -703,7 +703,7 @@ class AddOn(unittest.TestCase):
         bent = next(mesh for mesh in document["meshes"] if mesh["name"].startswith("Suzanne"))
         bounds = document["accessors"][bent["primitives"][0]["attributes"]["POSITION"]]
         straight = [max(v.co[axis] for v in monkey.data.vertices) for axis in range(3)]
-        self.assertAlmostEqual(bounds["max"][0], straight[0], places=3)  # it bends about x
+        self.assertAlmostEqual(bounds["max"][0], straight[0], places=3)  # the monkey bends about x, so its x does not change
         self.assertGreater(abs(bounds["max"][2] + min(v.co.y for v in monkey.data.vertices)), 0.1)  # glTF's z is Blender's -y
 
     def test_ray_visibility_arrives_and_what_of_it_is_lost_is_said(self):
@@ -718,7 +718,7 @@ class AddOn(unittest.TestCase):
         self.assertEqual(extras["Suzanne"], {"casts_shadow": 0}, extras)
         self.assertEqual(extras["Cube"], {"visible_to_camera": 0}, extras)
         self.assertEqual([w for w in engine.last_warnings if "rays that surfaces scatter" in w], [f"{monkey.name} is hidden from some of the rays that surfaces scatter; they meet it all the same."])
-        self.assertNotIn("casts_shadow", monkey.keys())  # which is the user's own
+        self.assertNotIn("casts_shadow", monkey.keys())  # the user's scene is unchanged
 
     def test_meshes_with_vertices_that_are_nowhere_lose_the_faces_at_them_which_is_said(self):
         scene = new_scene(self.folder, "single", samples=1)
@@ -738,7 +738,7 @@ class AddOn(unittest.TestCase):
         cube.vertices[0].co.x = cube.vertices[1].co.y = np.nan
         bpy.ops.render.render()
         self.assertEqual((engine.last_warnings, faces()), ([said.format("Cube")], {"Cube": 4, "Plane": 2, "Icosphere": 80}))
-        self.assertEqual(len(cube.vertices), 8)  # the user's own
+        self.assertEqual(len(cube.vertices), 8)  # the user's scene is unchanged
         bpy.ops.object.select_all(action="DESELECT")
         figure.vertices[0].co.z = np.nan
         bpy.ops.render.render(animation=True)
@@ -793,7 +793,7 @@ class AddOn(unittest.TestCase):
         self.assertEqual(lights["SPOT"]["extras"], {"radius": 0.25, "blend": 0.75})
         self.assertEqual(lights["SUN"]["extras"], {"angle": 0.125})
         self.assertFalse(any("size" in warning for warning in engine.last_warnings), engine.last_warnings)
-        self.assertNotIn("radius", bpy.data.lights["POINT of mine"])  # which are the user's own
+        self.assertNotIn("radius", bpy.data.lights["POINT of mine"])  # the user's scene is unchanged
 
     def test_a_lamp_s_light_profile_arrives_and_one_that_is_missing_is_said(self):
         scene = new_scene(self.folder, "single", samples=1)
@@ -837,7 +837,7 @@ class AddOn(unittest.TestCase):
 
 
 class Fake:
-    """An object with the attributes that a later Blender's has, for what Blender 3.4 cannot show."""
+    """A stand-in for an object of a later Blender, with the given attributes, for tests that run in Blender 3.4."""
 
     def __init__(self, **attributes):
         self.__dict__.update(attributes)
@@ -879,7 +879,7 @@ class LaterVersions(unittest.TestCase):
         manifest = tomllib.loads((pathlib.Path(lippmann.__file__).parent / "blender_manifest.toml").read_text())
         self.assertEqual(manifest["version"], ".".join(map(str, lippmann.bl_info["version"])))
         self.assertEqual((manifest["id"], manifest["name"], manifest["type"]), ("lippmann", lippmann.bl_info["name"], "add-on"))
-        for text in (manifest["tagline"], *manifest["permissions"].values()):  # Blender refuses longer ones, and full stops
+        for text in (manifest["tagline"], *manifest["permissions"].values()):  # Blender refuses texts above 64 characters, and full stops
             self.assertLessEqual(len(text), 64)
             self.assertFalse(text.endswith("."))
 

@@ -19,24 +19,24 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "blender"))
 import lippmann  # noqa: E402
 from lippmann import displays, engine, frame, overlay, panel  # noqa: E402
 
-SAMPLES = 60  # of each line
-NEAR_PX, NEAR_COLOUR = 2, 0.25  # lines are 2 pixels wide, and partly transparent
+SAMPLES = 60  # tested points per line
+NEAR_PX, NEAR_COLOUR = 2, 0.25  # tolerances of position and colour, since lines are 2 pixels wide and partly transparent
 
 lippmann.register()
 bpy.context.preferences.view.show_splash = False
 
 
 def place_frame(scene):
-    """A frame around Blender's own first cube."""
+    """Places the display at the cube of Blender's default scene. Returns its zone."""
     scene.render.engine, scene.lippmann.display = "LIPPMANN", "looking-glass-portrait"
     bpy.ops.lippmann.place_at_selected()
-    bpy.ops.object.select_all(action="DESELECT")  # whose outline is as orange as the zone
+    bpy.ops.object.select_all(action="DESELECT")  # the outline of selected objects has the colour of the zone
     bpy.context.view_layer.update()
     return frame.zone(scene)
 
 
 def look_at(view, zone):
-    """Turns the viewport such that the whole zone is in its middle, seen from the side and above."""
+    """Turns the viewport so that the whole zone is visible, from the side and from above."""
     view.view_perspective = "PERSP"
     view.view_rotation = zone.world_from_frame.to_quaternion() @ mathutils.Euler((-0.5, 1.0, 0.0)).to_quaternion()
     view.view_location = zone.world_from_frame @ mathutils.Vector((0.0, 0.0, 0.5 * zone.distance))
@@ -48,14 +48,14 @@ class Overlay(unittest.TestCase):
         self.folder = pathlib.Path(os.environ["SCREENSHOTS"]) if "SCREENSHOTS" in os.environ else None
 
     def read_view(self):
-        """Reads the frame buffer that the 3D view was drawn into. The front buffer, which screenshots show, is black in Xvfb's newer versions."""
+        """Reads the frame buffer into which the 3D view was drawn. Screenshots would read the front buffer, which is black in newer versions of Xvfb."""
         width, height = self.region.width, self.region.height
         pixels = gpu.state.active_framebuffer_get().read_color(0, 0, width, height, 4, 0, "FLOAT")
         pixels.dimensions = width * height * 4
         self.pixels = np.array(pixels, np.float32).reshape(height, width, 4)
 
     def screenshot(self, name):
-        """What the 3D view shows, (y, x, 3), the bottom row first."""
+        """Returns the picture of the 3D view as an array (y, x, 3), with the bottom row first."""
         handler = bpy.types.SpaceView3D.draw_handler_add(self.read_view, (), "WINDOW", "POST_PIXEL")
         bpy.ops.wm.redraw_timer(type="DRAW_WIN", iterations=2)
         bpy.types.SpaceView3D.draw_handler_remove(handler, "WINDOW")
@@ -67,7 +67,7 @@ class Overlay(unittest.TestCase):
         return self.pixels[..., :3]
 
     def share_drawn(self, picture, corners, colour):
-        """The share of points along lines (pairs of corners, in the frame's space) at which the picture has their colour."""
+        """Returns the share of points along lines at which the picture has the colour of the lines. corners: pairs of ends, in the frame's space."""
         found = []
         for start, end in zip(corners[::2], corners[1::2]):
             for share in np.linspace(0.0, 1.0, SAMPLES):
@@ -126,10 +126,10 @@ class Overlay(unittest.TestCase):
 
 
 def run():
-    tests = unittest.defaultTestLoader.loadTestsFromTestCase(Overlay)  # to timers, this file is no longer __main__
+    tests = unittest.defaultTestLoader.loadTestsFromTestCase(Overlay)  # timers run after this file has ended, so unittest.main() would not find its tests
     result = unittest.TextTestRunner(verbosity=2).run(tests)
     sys.stdout.flush(), sys.stderr.flush()
-    os._exit(0 if result.testsRun and result.wasSuccessful() else 1)  # sys.exit() would end the timer alone
+    os._exit(0 if result.testsRun and result.wasSuccessful() else 1)  # sys.exit() would end only the timer
 
 
-bpy.app.timers.register(run, first_interval=0.5)  # once the window is there
+bpy.app.timers.register(run, first_interval=0.5)  # after the window has opened

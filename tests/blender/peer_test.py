@@ -1,4 +1,5 @@
-"""What bench/gltf_fidelity.py gives Cycles, inside Blender, which runs this file: blender -b --factory-startup --python peer_test.py"""
+"""Tests of bench/cycles/gltf_in_blender.py, which imports glTF for the reference renders of bench/gltf_fidelity.py. Blender runs this file:
+blender -b --factory-startup --python peer_test.py"""
 
 import math
 import pathlib
@@ -15,7 +16,7 @@ import gltf_in_blender  # noqa: E402
 
 
 def scene():
-    """Three quads in two materials: textures whose pictures are named against their order, one of them with vertex colours."""
+    """Three quads with two materials. One quad has vertex colours. The names of the two textures' pictures are in reverse alphabetical order."""
     g = fixtures.Gltf()
     red, blue = (g.texture(2, lambda x, y, c=c: (*c, 255)) for c in ((255, 0, 0), (0, 0, 255)))
     g.doc["images"][0]["name"], g.doc["images"][1]["name"] = "z", "a"
@@ -33,7 +34,7 @@ def surface_of(thing):
 
 
 def reaches(node, kind):
-    """Nodes of a kind that something of the node comes from."""
+    """Returns the nodes of a kind on which the inputs of a node depend, directly or indirectly."""
     found, todo = set(), [node]
     while todo:
         at = todo.pop()
@@ -95,7 +96,7 @@ class Peer(unittest.TestCase):
         g.doc["materials"][0].update(alphaMode="MASK", alphaCutoff=0.3)
         self.load(g)
         cuts = [n for n in reaches(self.output(self.meshes()[0]), "MATH") if n.operation == "LESS_THAN"]
-        self.assertEqual({round(n.inputs[1].default_value, 6) for n in cuts}, {0.3})  # from Blender 4 on the importer cuts, too
+        self.assertEqual({round(n.inputs[1].default_value, 6) for n in cuts}, {0.3})  # since Blender 4, the importer adds such a node, too
 
 
 done = unittest.main(argv=["peer_test"], exit=False, verbosity=2)

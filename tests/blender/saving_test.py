@@ -1,4 +1,4 @@
-"""Tests of the files that are written, and of when a scene is exported again. Blender runs this file."""
+"""Tests of the files that the add-on writes, and of the changes after which it exports a scene again. Blender runs this file."""
 
 import io
 import pathlib
@@ -18,7 +18,7 @@ exporter.serve(job)
 
 
 def new_scene(folder, output, size=(60, 80)):
-    """Makes Blender's own first scene: a cube, a lamp, a camera."""
+    """Returns Blender's default scene (a cube, a lamp, a camera), set up for the add-on."""
     bpy.ops.wm.read_factory_settings()
     scene = bpy.context.scene
     scene.render.engine = "LIPPMANN"
@@ -31,7 +31,7 @@ def new_scene(folder, output, size=(60, 80)):
 
 
 def add_noise(material):
-    """Adds a node that is baked to the material's colour."""
+    """Links a noise node, which must be baked, to the material's colour."""
     tree = material.node_tree
     tree.links.new(tree.nodes.new("ShaderNodeTexNoise").outputs["Color"], tree.nodes["Principled BSDF"].inputs["Base Color"])
 
@@ -98,7 +98,7 @@ class Saving(InFolder):
         self.addCleanup(folder.parent.rmdir)
         self.assertEqual(folder, job.output_folder(scene))
         self.assertTrue(folder.parent.is_dir())
-        before, job._of_session = job._of_session, None  # as in another Blender
+        before, job._of_session = job._of_session, None  # as if Blender were started again
         other = job.output_folder(scene)
         self.addCleanup(other.parent.rmdir)
         self.assertNotEqual(folder, other)

@@ -1,4 +1,4 @@
-"""Tests of light fields from Blender's own engines: their cameras and their layout. Blender runs this file."""
+"""Tests of light fields that Blender's own engines render: their cameras and their layout. Blender runs this file."""
 
 import json
 import math
