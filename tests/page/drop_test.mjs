@@ -1,4 +1,4 @@
-// Pictures that are dropped on the page or chosen become the views of a light field, in natural order of their names.
+// Pictures that are dropped on the page, or chosen in a dialog, become the views of a light field, in natural order of their names.
 import assert from "node:assert/strict";
 import { copyFileSync, mkdirSync, readFileSync } from "node:fs";
 import { test } from "node:test";
@@ -8,7 +8,7 @@ closeAfterEach();
 
 lippmann("render", "room", "--optics", "multiview", "--views", "7x1", "--size", "1120x120", "--frames", "0", "--layout", "views", "-o", "seven", "-q");
 
-/** Copies pictures of `seven` under other names. */
+/** Returns files for drop(): pictures of the light field `seven` with other names. */
 const dropped = (names) => names.map((name, i) => ({ name, base64: readFileSync(inFolder(`seven/frame_0000/view_00${i}.png`)).toString("base64") }));
 
 const drop = (page, files) =>

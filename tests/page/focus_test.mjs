@@ -20,7 +20,7 @@ const sharpness = (left, top) =>
     [left, top],
   );
 
-/** Objects of the room: the globe in front of the display's plane, and the clock face behind it. */
+/** Positions in the picture, as shares (x, y) from the top left: the globe in front of the display's plane, and the clock behind it. */
 const places = { globe: [0.142, 0.66], clock: [0.777, 0.343] };
 
 test("planes in focus match replay", async () => {
@@ -45,7 +45,7 @@ test("a click focuses, with and without depth", async () => {
     }
     console.log(`${name}: at ${depth.toFixed(1)} mm`);
   }
-  // Without depth it follows from the views.
+  // Without depth, the page finds the depth of a click by comparing views.
   const { lippmann, inFolder } = await import("./support.mjs");
   const { rmSync } = await import("node:fs");
   await page.evaluate((place) => window.lippmann.focusAt(...place), places.clock);
@@ -63,7 +63,7 @@ test("a click focuses, with and without depth", async () => {
   assert.ok(Math.abs(found - known) < 0.25 * Math.abs(known) + 5, `${found} mm, in truth ${known} mm`);
 });
 
-// A lens array shows depth that is fitted to its budget: a click finds the depth at which the point appears.
+// By default, a lens array compresses depth to its depth budget. A click finds the compressed depth, at which the point appears.
 test("a click finds the fitted depth", async () => {
   const { lippmann } = await import("./support.mjs");
   const depths = [];

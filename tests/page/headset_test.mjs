@@ -9,14 +9,15 @@ sheet();
 const address = await view("sheet");
 const button = (page, name = "Enter VR") => page.getByRole("button", { name });
 
-/** Code for the page: a headset with two eyes whose views exactly contain the display's window, so that their pixels match the picture. */
+/** Runs in the page: installs a headset with two eyes. Each eye's picture exactly covers the display's window, so that its pixels are
+ *  those of the page's picture. */
 function mock(refusal) {
   const side = 256;
   const separation = 12; // mm
   const window_mm = () => window.lippmann.fields[0].window_mm;
   const home = () => window.lippmann.fields[0].eye_mm;
   const scale = () => Math.max(1, 600 / home()[2]) / 1000;
-  /** Projection of an eye (in the headset's space): a frustum through the window's edges, by columns. */
+  /** Returns the projection matrix of an eye, by columns: a frustum through the window's edges. eye: position in the headset's space. */
   const frustum = (eye) => {
     const { centre, size } = window_mm();
     const [x, y, z] = [0, 1, 2].map((i) => (home()[i] * scale()) + eye[i]); // from the display, metres
@@ -69,7 +70,7 @@ function mock(refusal) {
   };
   Object.defineProperty(navigator, "xr", { value: system, configurable: true });
   WebGL2RenderingContext.prototype.makeXRCompatible = async () => {};
-  /** Returns the codes of an eye, RGBA from the top. */
+  /** Returns the codes of an eye's picture, RGBA, with the top row first. */
   window.mockCodes = (eye) => {
     const gl = window.mockGl;
     const codes = new Uint8Array(4 * side * side);

@@ -1,4 +1,4 @@
-// Quilts larger than the GPU's texture size are stored in layers of whole tiles: the page shows the same.
+// Quilts that exceed the GPU's texture size are stored in layers of whole tiles. The page shows the same pictures.
 import assert from "node:assert/strict";
 import { readdirSync, writeFileSync } from "node:fs";
 import { test } from "node:test";
@@ -6,7 +6,7 @@ import { closeAfterEach, eyeCodes, eyeOfView, inFolder, lippmann, open, panelCod
 
 closeAfterEach();
 
-/** Simulates a GPU with this texture size. The quilt of 4x3 tiles has 384x384 pixels. */
+/** Returns a script that simulates a GPU with this maximum texture size. The quilt of 4x3 tiles has 384x384 pixels. */
 const limitedTo = (side) => `{
   const original = WebGL2RenderingContext.prototype.getParameter;
   WebGL2RenderingContext.prototype.getParameter = function (name) {
@@ -20,7 +20,7 @@ const limitedTo = (side) => `{
   };
 }`;
 
-/** GPUs place samples between texels to 1/256 of a texel, relative to a different origin in a layer than in the whole quilt. */
+/** Tolerance. GPUs round positions between texels to 1/256 of a texel, which depends on the origin: that of a layer, or of the quilt. */
 const kLeastDb = 50;
 const psnr = (a, b) => -10 * Math.log10(a.reduce((sum, x, i) => sum + ((x - b[i]) / 255) ** 2, 0) / a.length);
 const most = (a, b) => a.reduce((greatest, x, i) => Math.max(greatest, Math.abs(x - b[i])), 0);
@@ -41,7 +41,7 @@ test("layers look like one texture", async () => {
     }
   for (const page of [whole, layered]) await set(page, { show: "panel", aperture: 0 });
   assert.equal(most(await panelCodes(whole), await panelCodes(layered)), 0, "what the panel shows");
-  // Tiles of 96x128: two across and one down.
+  // Tiles have 96x128 pixels, and a layer has 2x1 tiles, so 4x3 tiles need 6 layers of 192x128 pixels.
   const layers = await layered.evaluate(() => window.layers);
   assert.deepEqual([...new Set(layers.map(String))], ["192,128,6"]);
   assert.equal(layers.length % 2, 0, "colours and depth alike");

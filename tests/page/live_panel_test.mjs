@@ -1,5 +1,5 @@
-// Setting up a scene while a calibrated panel shows it: at rest the panel gets what `lippmann convert --to native` makes of the
-// saved job's quilt, or what the job renders for the panel itself.
+// Setting up a scene while a calibrated panel shows it. When the final picture is rendered, the panel's frame equals `lippmann convert
+// --to native` of the saved job's quilt, or the native frame that the job renders.
 import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";
 import { test } from "node:test";
@@ -87,7 +87,7 @@ test("another window changes the panel's scene and frame", async () => {
   await second.close();
 });
 
-/** Returns the file of a second Save: the first file, if nobody has changed it. */
+/** Returns the name of the job file that was saved last. */
 const savedNext = async (page) => (await scene(page)).saved;
 
 test("the page renders the panel's frame", async () => {

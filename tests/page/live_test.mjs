@@ -1,5 +1,5 @@
-// Setting up a scene in the page: dragging the plane renders it again, the saved job renders the same picture, a render starts
-// and is cancelled, and the keyboard reaches all controls.
+// Setting up a scene in the page: dragging the plane renders the scene again, the saved job renders the same picture, a render can be
+// started and cancelled, and the keyboard reaches all controls.
 import assert from "node:assert/strict";
 import { existsSync, writeFileSync } from "node:fs";
 import { test } from "node:test";
@@ -12,7 +12,7 @@ const scene = () => page.evaluate(() => window.lippmann.scene);
 const codes = (one) => eyeCodes(one, 64);
 const notice = (pattern) => page.waitForFunction((pattern) => new RegExp(pattern).test(document.querySelector("#notice").textContent), pattern);
 
-/** Waits until changed settings are rendered. */
+/** Waits until the settings are newer than `version` and are rendered. */
 async function renderedAfter(version) {
   await page.waitForFunction((version) => window.lippmann.scene.version > version, version);
   await atRest();
@@ -122,7 +122,7 @@ test("a render shows progress and can be cancelled", async () => {
   await atRest();
 });
 
-// Within a narrow cone the whole room is sharp, within a wide one hardly anything.
+// With a view cone of 2 degrees the whole room is sharp and tinted green. With 90 degrees most of it is blurred and tinted red.
 test("the depth budget tints the picture", async () => {
   const excess = () => page.evaluate(async () => (await window.lippmann.picture(64, 64)).reduce((sum, code, i) => sum + (i % 4 === 1 ? 2 * code : i % 4 === 3 ? 0 : -code), 0));
   for (const [angle, sign] of [["2", 1], ["90", -1]]) {
@@ -159,8 +159,8 @@ test("the keyboard reaches controls and moves the plane", async () => {
   // The browser also logs refused settings (422) and closed idle connections to its console.
 });
 
-// A sheet in front of an infinitely distant background, seen from between two views and from others: each row of the picture
-// has one connected foreground part.
+// The scene is a tilted square in front of an infinitely distant background. From eyes at views and between views, each row of the
+// picture shows the square as one connected part.
 test("edges before a far background stay in place", async () => {
   writeFileSync(inFolder("sheet.obj"), "v 0 1 0\nv 1 0.1 0\nv 0 -1 0\nv -1 -0.1 0\nf 1 4 3 2\n");
   const page = await open(await view("sheet.obj", "--spp", "8", "--environment", "#ffffff", "--size", "512x128"));

@@ -9,10 +9,10 @@ closeAfterEach();
 lippmann("render", "room", "--optics", "multiview", "--views", "4x2", "--size", "1440x1440", "--frames", "0", "--layout", "quilt", "-o", "large", "-q");
 sheet();
 
-/** Opens a page of the test's own, whose requests can be delayed. */
+/** Opens an empty page that is not reused, so that its requests can be delayed. */
 const blank = () => open("about:blank", { ready: false, script: "0" });
 
-/** Delays requests below these paths until they are released. */
+/** Delays requests whose addresses match a pattern. Returns the function that releases them. */
 async function held(page, pattern) {
   let release;
   const released = new Promise((resolve) => (release = resolve));
@@ -34,7 +34,7 @@ test("a preview precedes the full picture", async () => {
   await page.evaluate(() => window.lippmann.set({ eye: [20, 0, window.lippmann.fields[0].eye_mm[2]] }));
   await page.waitForFunction((small) => document.querySelector("canvas").toDataURL() !== small, small);
   assert.equal(await page.getAttribute("#stage", "data-drawn"), "false");
-  // Requests it again, because the browser may have dropped the body of the picture.
+  // Requests the preview again, because the browser may no longer have the body of its response.
   const bytes = (await (await page.request.get((await preview).url())).body()).length;
   assert.ok(bytes > 1000 && bytes < 64e3, `${bytes} bytes`);
   release();

@@ -1,4 +1,4 @@
-// With slow graphics, moving pictures are drawn coarsely, and finely again at rest.
+// With slow graphics, pictures have fewer pixels while the view moves, and full resolution when it rests.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { closeAfterEach, open, quilt, set, view } from "./support.mjs";
@@ -7,12 +7,12 @@ closeAfterEach();
 quilt();
 const address = await view("quilt");
 
-/** Makes every frame of the screen appear to take this many times as long. */
+/** Returns a script that makes every frame of the screen appear to take `times` as long. */
 const slowed = (times) => `
   const inTime = window.requestAnimationFrame.bind(window);
   window.requestAnimationFrame = (then) => inTime((now) => then(${times} * now));`;
 
-/** Moves the eye from one side to the other and returns the divisors of the pictures' sides. */
+/** Moves the eye from one side to the other. Returns the factor by which each picture's sides were divided. */
 const move = (page, pictures) =>
   page.evaluate(async (pictures) => {
     const [x, y, z] = window.lippmann.fields[0].eye_mm, divisors = [];
@@ -50,14 +50,14 @@ test("a coarse picture shows the same scene", async () => {
       return context.getImageData(0, 0, width, height).data;
     };
   });
-  // Without a pause, which would draw a fine picture.
+  // Moves the eye without a pause, because a pause would draw a picture at full resolution.
   const divisor = await page.evaluate(async () => {
     const [x, y, z] = window.lippmann.fields[0].eye_mm;
     for (let i = 1; i <= 30; i++) {
       window.lippmann.set({ eye: [x + (20 * i) / 30, y, z] });
       await new Promise(requestAnimationFrame);
     }
-    window.away = window.codes();  // as coarse, from the side
+    window.away = window.codes();  // another picture with the same divisor, from the side
     window.lippmann.set({ eye: [x, y, z] });
     await new Promise(requestAnimationFrame);
     window.coarse = window.codes();

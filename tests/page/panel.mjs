@@ -1,7 +1,8 @@
-// Shared helpers for panels that are played on: compare the codes of the page's panel with a file, and drop calibrations.
+// Shared helpers for tests of calibrated panels: compare the page's panel with a picture file, and drop files on the page.
 import { codesOf, inFolder } from "./support.mjs";
 
-/** Returns the greatest channel difference between the page's panel and a file, and the share of channels that differ. */
+/** Compares the page's panel with a picture file. Returns the greatest difference of a channel in codes, and the share of channels that
+ *  differ. */
 export async function differenceFrom(page, file) {
   return page.evaluate(({ width, height, data: wanted }) => {
     const shown = window.lippmann.panel();

@@ -12,7 +12,7 @@ grid();
 lippmann("render", "room", "--optics", "multiview", "--views", "8x6", "--size", "384x288", "--frames", "0-3", "--to", "quilt", "-o", "room", "-q");
 const quilts = readdirSync(inFolder("room")).filter((name) => /_qs8x6a.*\.png$/.test(name)).map((name) => `room/${name}`);
 
-/** Calibrations by name. */
+/** Writes a calibration file, in which `values` replace defaults. Returns its name. */
 const calibration = (name, values) => {
   writeFileSync(inFolder(`${name}.json`), JSON.stringify({ pitch: 52.3, slope: -7.2, center: 0.37, DPI: 324, screenW: 203, screenH: 151, viewCone: 40, ...values }));
   return `${name}.json`;
@@ -41,7 +41,7 @@ test("filtered views", async () => {
   await compare("gaussian", quilts[0], display, ["--filter", "gaussian", "--sigma", "0.8"]);
 });
 
-// The last of hundreds of lenses must be as exact as the first: with floats, hundreds of sub-pixels would show another view.
+// The phase of lenses must be exact across the whole panel. In single precision, hundreds of sub-pixels would show a wrong view.
 test("a preset at full size", () => compare("portrait", quilts[0], "portrait"));
 
 test("a render behind a lenticular sheet", async () => {
@@ -87,7 +87,7 @@ test("frames play in a loop, loaded once", async () => {
   });
   assert.ok(!shown.includes("none"), `nothing is shown between ${shown}`);
   assert.equal(pictures().length, 4, "frames are loaded again");
-  // Each played frame equals the one that convert makes.
+  // Each played frame equals the frame that `lippmann convert` makes.
   lippmann("convert", quilts[2], "loop.png", "--to", "native", "--display", "loop-panel.json");
   await page.evaluate(() => window.lippmann.pause());
   await set(page, { frame: 2 });

@@ -13,7 +13,7 @@ const address = await view("gears");
 
 const legend = (page) => page.locator("#legend li").allTextContents();
 const picture = (page) => eyeCodes(page, 64);
-/** Returns the codes of all views of a frame, as sent to the page: a row of 4 tiles or another arrangement, RGBA. */
+/** Returns the provenance code of each pixel of a view, from the picture that the server sends for a frame. */
 const codesOfView = (page, frame, view) => page.evaluate(async ([frame, view]) => {
   const bitmap = await createImageBitmap(await (await fetch(`0/provenance/${frame}`)).blob(), { colorSpaceConversion: "none" });
   const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext("2d");
@@ -58,11 +58,11 @@ test("the legend has the frame's shares", async () => {
   await set(page, { overlay: "provenance" });
   assert.deepEqual(await legend(page), ["traced 100.0\u2009%"]);
   await page.getByLabel("Overlay").selectOption("none");
-  // Changes of a select box are drawn with the next frame; only set() waits for it.
+  // Changes of a select box are drawn with the next frame of the screen, for which only set() waits.
   await page.locator("#legend").waitFor({ state: "hidden" });
 });
 
-/** Returns a picture of codes of which only a few pixels differ, in the format that the server sends. */
+/** Returns a provenance picture as the server sends it, a PNG file, in base64. The first `pixels` pixels have `code`, the others 0. */
 const codesWith = (page, code, pixels) => page.evaluate(async ([code, pixels]) => {
   const { tiles, view_size: size } = window.lippmann.fields[0];
   const canvas = new OffscreenCanvas(tiles[0] * size[0], tiles[1] * size[1]);

@@ -1,5 +1,5 @@
-// A running render: finished frames appear in the page, it is stopped and resumed from there with the same bytes as an
-// undisturbed render, and a killed render is not reported as running.
+// The page of a running render: finished frames appear, the page stops and resumes the render, the resumed render writes the same bytes
+// as an undisturbed one, and a killed render is not reported as running.
 import assert from "node:assert/strict";
 import { once } from "node:events";
 import { existsSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
@@ -16,7 +16,7 @@ async function until(holds) {
   while (!holds()) await new Promise((resolve) => setTimeout(resolve, 50));
 }
 
-/** Halts a render after this many frames, so that the page's state stays the same. */
+/** Halts the process of a render after `count` frames, so that the page's state does not change during a test. */
 async function haltedAfter(count, process, folder) {
   process.kill("SIGCONT");
   await until(() => existsSync(inFolder(folder)) && pictures(folder).length >= count);

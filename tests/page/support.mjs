@@ -49,7 +49,7 @@ const kUsual = /SOCKET_NOT_CONNECTED/;
 const complaints = [];
 let expected = [];
 
-/** Errors that the running test provokes. */
+/** Declares patterns of errors that the running test provokes. They do not fail the test. */
 export const expectComplaints = (...patterns) => expected.push(...patterns);
 
 function takeComplaints() {
@@ -64,7 +64,7 @@ function watch(page) {
   page.on("pageerror", (error) => complaints.push(error.stack || String(error)));
 }
 
-/** Open pages slow down others. Pages shared by a whole file are opened outside its tests. */
+/** Closes all pages after each test of a file, because open pages slow down others. Files whose tests share a page do not call this. */
 export const closeAfterEach = () => afterEach(() => Promise.all(opened.splice(0).map(release)));
 
 /** Reusing a page takes a third of the CPU time of opening a new one. */
@@ -75,7 +75,7 @@ async function release(page) {
   idle.push(page);
 }
 
-/** Disables the sway, unless a test is about it. */
+/** Opens a new page. sways: whether the page may sway, which is disabled for most tests. */
 async function newPage({ width, height, script, hasTouch, sways }) {
   const context = await browser.newContext({ viewport: { width, height }, hasTouch, reducedMotion: sways ? "no-preference" : "reduce" });
   context.on("page", watch);
@@ -89,7 +89,7 @@ async function newPage({ width, height, script, hasTouch, sways }) {
 /** Runs the tool in the tests' folder. */
 export const lippmann = (...words) => execFileSync(tool, words, { cwd: folder, encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] });
 
-/** Starts the tool beside the tests, such as a render. */
+/** Starts the tool as a process that runs beside the tests, such as a render. */
 export function begin(...words) {
   const process = spawn(tool, words, { cwd: folder, stdio: "ignore" });
   servers.push(process);
@@ -105,9 +105,9 @@ export function only(name, pattern) {
   return found[0];
 }
 
-/** Serves light fields and returns the address. */
+/** Starts `lippmann view` and returns the address of its page. */
 export const view = (...words) => serve("view", ...words);
-/** Serves a light field to be played on a panel. */
+/** Starts `lippmann play` and returns the address of its page. */
 export const play = (...words) => serve("play", ...words);
 
 async function serve(...words) {
@@ -117,13 +117,13 @@ async function serve(...words) {
   server.stderr.on("data", (text) => (errors += text));
   return new Promise((resolve, reject) => {
     server.stdout.once("data", (text) => resolve(String(text).trim()));
-    // "close" instead of "exit", after which output may still arrive.
+    // Waits for "close", because output may still arrive after "exit".
     server.once("close", () => reject(new Error(errors)));
   });
 }
 
-/** On a busy machine the server may close a connection that the browser opened in advance; the resulting error page may appear during
- *  the next attempt and end it. */
+/** Loads a page, and retries if a connection fails. On a busy machine, the server may close a connection that the browser opened in
+ *  advance. The browser's error page may then interrupt the next attempt. */
 async function load(page, address, attempts = 4) {
   await page.goto(address).catch(async (error) => {
     const isLate = error.message.includes("ERR_SOCKET_NOT_CONNECTED") || error.message.includes("chrome-error:");
@@ -136,7 +136,7 @@ async function load(page, address, attempts = 4) {
 /** Opens all folded groups, so that all controls can be used. */
 export const unfold = (page) => page.evaluate(() => document.querySelectorAll("details").forEach((one) => (one.open = true)));
 
-/** `ready` waits until the page shows a picture, and opens the groups of its controls. */
+/** Opens a page. ready: waits until the page shows a picture, and opens the groups of its controls. */
 export async function open(address, { width = 820, height = 420, ready = true, onRequest = () => {}, script = "", hasTouch = false, sways = false } = {}) {
   const used = script || hasTouch || sways ? undefined : idle.pop();
   const page = used ?? (await newPage({ width, height, script, hasTouch, sways }));
@@ -164,7 +164,7 @@ export const eyeCodes = (page, side) => bytesOf(page, side);
 /** Returns RGBA codes of the panel on the page. */
 export const panelCodes = (page) => bytesOf(page);
 
-/** Transfers one string, because an array takes the browser ten microseconds per number. */
+/** Returns the bytes of a picture in the page. They are transferred as a string, because an array would take 10 us per number. */
 async function bytesOf(page, side) {
   const text = await page.evaluate(async (side) => {
     const codes = side ? await window.lippmann.picture(side, side) : window.lippmann.panel();
@@ -198,14 +198,14 @@ export async function psnrBeside(page, file) {
   }, await codesOf(page, file));
 }
 
-/** Runs `lippmann replay` and returns the file. */
+/** Runs `lippmann replay` and returns the path of the picture. */
 export function replay(input, name, ...flags) {
   lippmann("replay", input, "-o", `replayed-${name}`, ...flags);
   const [file] = readdirSync(inFolder(`replayed-${name}`)).sort();
   return join(inFolder(`replayed-${name}`), file);
 }
 
-/** Returns the eye of a view's number (fractions are between views) at the display's intended distance. */
+/** Returns the position of the eye that sees view (across, up), at the display's intended distance. Fractions are between views. */
 export const eyeOfView = (page, across, up) =>
   page.evaluate(
     ([across, up]) => {

@@ -12,7 +12,7 @@ const kDegree = Math.PI / 180;
 /** Sets the device's orientation. */
 const hold = (page, alpha, beta, gamma) => page.evaluate(([alpha, beta, gamma]) => window.dispatchEvent(new DeviceOrientationEvent("deviceorientation", { alpha, beta, gamma })), [alpha, beta, gamma]);
 const button = (page) => page.getByRole("button", { name: "Tilt moves the eye" });
-/** The browser may ask for permission, which takes a moment. */
+/** Presses the button and waits until the motion is on, because the browser may first ask for permission. */
 async function press(page) {
   await button(page).click();
   await page.waitForSelector('button[aria-pressed="true"]:not(.icon)');
@@ -39,7 +39,7 @@ test("the eye stays fixed while the device turns", async () => {
   // The right edge moves away from the eye, which is then on the left.
   await hold(page, 10, 40, 5);
   near(await slopes(page), [-Math.tan(5 * kDegree), 0]);
-  // The upper edge moves towards it.
+  // The upper edge moves towards the eye, which is then above the middle.
   await hold(page, 10, 46, 0);
   near(await slopes(page), [0, Math.tan(6 * kDegree)]);
   await hold(page, 10, 40, 0);
@@ -80,7 +80,7 @@ for (const [answer, isOn] of [["granted", "true"], ["denied", "false"]])
     if (answer === "denied") await page.waitForFunction(() => /does not let this page read the device's orientation/.test(document.querySelector("#notice").textContent));
     else await page.waitForSelector(`button[aria-pressed="true"]:not(.icon)`);
     assert.equal(await button(page).getAttribute("aria-pressed"), isOn);
-    // Permission was granted, but no sensor reports anything.
+    // If permission was granted, the page waits for the sensor, which reports nothing in this test.
     if (answer === "granted") await page.waitForFunction(() => /does not report its orientation/.test(document.querySelector("#notice").textContent));
     if (answer === "granted") assert.equal(await button(page).isVisible(), false);
   });

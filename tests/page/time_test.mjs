@@ -43,7 +43,7 @@ test("buttons and keys step and play", async () => {
   await page.getByRole("button", { name: "Pause" }).click();
 });
 
-// The first frame of the screen after a click may have begun before it.
+// The time stamp of the first frame of the screen after a click may be before the click.
 test("a lagging clock plays from the shown frame", async () => {
   const ahead = "const now = performance.now.bind(performance); performance.now = () => now() + 200;";
   const page = await open(address, { script: ahead });

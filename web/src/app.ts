@@ -1,4 +1,4 @@
-// The page of a light field: redraws whenever the state changes.
+// The page of a light field: connects its parts, and redraws the picture when the state changes.
 import { makeControls } from "./controls";
 import type { PanelDisplay } from "./display";
 import { depthOfDisparity, naturalSize, Refusal, shareOfZone, shareOutOfZone, slopeInZone, type Field } from "./field";
@@ -26,7 +26,7 @@ import { Headset, type HeadsetView } from "./xr";
 
 const byId = <Kind extends HTMLElement = HTMLElement>(id: string): Kind => document.getElementById(id) as Kind;
 
-/** Returns the bytes of frames to keep on the GPU: fewer on phones and small machines, whose GPU shares the main memory. */
+/** Returns how many bytes of frames to keep on the GPU. There are fewer on phones and small machines, whose GPU shares the main memory. */
 function frameBudget(): number {
   const gigabytes = (navigator as { deviceMemory?: number }).deviceMemory ?? 4;
   return Math.min(Math.max(gigabytes * 64, 128), 512) * 1024 * 1024;
@@ -92,7 +92,7 @@ export class App {
     this.player = new Player(gl, this.store, this.frames, byId("stage"), (about, text) => this.notify(about, text), (dropped) => void this.takePictures(dropped, drops));
     if (display) this.beginPlaying(display);
     this.motion = new Motion(() => this.shares(), () => this.motionChanged());
-    // An address that states the eye's position is shown from exactly there.
+    // If the address states what to show, the eye does not sway.
     if (/[#&](eye|frame|line|aperture)=/.test(location.hash)) this.motion.end();
     this.tilt = new Tilt(
       () => [0, 1].map((axis) => this.store.state.eye[axis] / this.store.state.eye[2]) as [number, number],
@@ -181,8 +181,8 @@ export class App {
     this.updateControls();
   }
 
-  /** Follows the settings and the frame of another page on the same scene. The server chooses the initial frame unless the address
-   *  states one. */
+  /** Adopts the frame and the panel that another page has chosen for the same scene. The server chooses the initial frame, unless the
+   *  address states one. */
   private followOthers(): void {
     const frame = this.live?.othersFrame ?? null;
     if (this.live?.isNew && this.store.state.frame > 0) this.live.setFrame(this.store.state.frame);
@@ -190,14 +190,14 @@ export class App {
     if (this.live?.state) this.player.follow(this.live.state.display);
   }
 
-  /** Starts with a frame that is finished. */
+  /** Selects a finished frame if the selected frame of a running render is not finished. */
   private beginRun(): void {
     const { frames } = this.fields[0];
     if (frames[this.store.state.frame].pending) this.store.set({ frame: Math.max(frames.findIndex((frame) => !frame.pending), 0) });
     this.runChanged();
   }
 
-  /** Updates the page after frames were finished, or the render was stopped or resumed. */
+  /** Updates the page. Called when frames are finished, and when the render is stopped or resumed. */
   private runChanged(): void {
     const isOver = this.run?.state.state === "finished";
     byId("facts").textContent = isOver ? describe(this.fields[0]) : (this.run?.describe() ?? "");
@@ -207,7 +207,7 @@ export class App {
     this.redraw();
   }
 
-  /** Replaces facts of the light field. The eye keeps its share of the viewing zone. */
+  /** Replaces properties of the light field. The eye keeps its relative position in the viewing zone. */
   private takeFacts(facts: Partial<Field>): void {
     const [field] = this.fields;
     const [across, up] = this.shares();
@@ -216,7 +216,7 @@ export class App {
     this.store.set({ eye: [slopeInZone(field.across, across) * z, field.up.views > 1 ? slopeInZone(field.up, up) * z : y, z] });
   }
 
-  /** Updates the page while a print is made, and when the print replaces the views. */
+  /** Updates the page. Called while a print is made, and when the print replaces the views. */
   private printChanged(picture: boolean): void {
     const stage = byId("stage");
     stage.dataset.print = this.print?.isBusy ? "making" : this.print?.isSeen ? "shown" : "";
@@ -235,7 +235,7 @@ export class App {
     return this.live?.isOutdated ? ", with the previous settings" : "";
   }
 
-  /** Returns the progress of the scene's picture, or null. */
+  /** Returns the progress of rendering the scene that is set up, or null. */
   private workOnScene(): Work | null {
     const state = this.live?.state;
     if (!state || this.live?.isAtRest || state.error) return null;
@@ -253,13 +253,13 @@ export class App {
     this.noticeOfAssumption();
   }
 
-  /** Prints have known lenses, so nothing is assumed. */
+  /** Shows a notice if the positions of the cameras are assumed. Prints need none, because their lenses are known. */
   private noticeOfAssumption(): void {
     const isAssumed = this.fields.some((field) => field.assumption) && !this.print?.isSeen;
     this.notify("assumption", isAssumed ? "The positions of the cameras are unknown: angles and depths are assumed." : "");
   }
 
-  /** Two light fields are aligned by the windows of their displays, even if these differ in size. */
+  /** Shows a notice if two compared light fields have displays of different aspects, because the second picture is then distorted. */
   private noticeOfShapes(): void {
     const [first, second] = this.fields.map((field) => field.window_mm.size[0] / field.window_mm.size[1]);
     if (second !== undefined && Math.abs(first / second - 1) > 0.02)
@@ -301,7 +301,7 @@ export class App {
     this.draw(this.store.state.show === "eye" ? divisor : 1);
   }
 
-  /** Returns whether the eye may sway: there is parallax, and nothing else moves. */
+  /** Returns whether the eye may sway. It may if the light field has parallax and nothing else moves. */
   private maySway(): boolean {
     const [field] = this.fields;
     const isThere = byId("stage").dataset.drawn === "true" && (!this.live || this.live.isAtRest);
@@ -317,7 +317,7 @@ export class App {
     this.redraw();
   }
 
-  /** Draws for a headset, which has its own clock and picture. The page does not draw meanwhile. */
+  /** Draws for a headset, at the headset's frame rate. While the headset is on, the page's own picture is not drawn. */
   private drawHeadset(now: number, framebuffer: WebGLFramebuffer | null, views: HeadsetView[]): void {
     this.timeline.tick(now);
     const { state } = this.store;
@@ -355,7 +355,7 @@ export class App {
     return before !== width || above !== height;
   }
 
-  /** Draws with 1 / `divisor` of the screen's pixels in each row and column. */
+  /** Draws a picture whose width and height are those of the screen divided by `divisor`. */
   private draw(divisor = 1): void {
     const state = this.seen;
     document.documentElement.dataset.theme = state.theme;
@@ -403,7 +403,7 @@ export class App {
     return !this.shown().every(isThere);
   }
 
-  /** Shows one line for all long work: the work that began first. */
+  /** Shows progress. If there is more than one kind of work, the line shows the work that began first. about: identifies the work. */
   private showProgress(about: string, now: Work | null): void {
     this.progressLine.show(about, now);
   }
@@ -420,7 +420,7 @@ export class App {
     return `${state.show === "panel" ? "what the panel shows" : `seen from ${eye} millimetres`}. Arrow keys move the eye, space plays.`;
   }
 
-  /** Loads the next frames, one at a time, while there is room for them. */
+  /** Loads the next frames, one at a time, until the memory for frames is full. */
   private async prefetch(): Promise<void> {
     if (this.prefetching || this.live) return;
     this.prefetching = true;
@@ -502,7 +502,7 @@ export class App {
     showLegend(byId("legend"), this.fields[this.shown()[0]], overlay, overlay === "none" ? null : this.renderer.originShares(state));
   }
 
-  /** Returns the PSNR of the second picture as displayed, computed on 8-bit codes. */
+  /** Returns the PSNR in dB of the second light field's picture against the first, computed on the displayed 8-bit codes. */
   private difference(): number {
     const [first, second] = [0, 1].map((field) => this.renderer.picture({ ...this.store.state, overlay: "none" }, field, naturalSize(this.fields[0])));
     if (!first || !second) return NaN;
@@ -558,7 +558,7 @@ export class App {
     return [shareOfZone(field.across, eye[0] / eye[2]), shareOfZone(field.up, eye[1] / eye[2])];
   }
 
-  /** Returns the eye at these shares of the viewing zone, limited to the zone. */
+  /** Returns the position of the eye at these shares of the viewing zone, clamped to the zone. */
   private eyeAt(across: number, up: number): State["eye"] {
     const { eye } = this.store.state;
     const field = this.fields[0];
@@ -572,38 +572,38 @@ export class App {
     this.store.set({ eye: this.eyeAt(across, up) });
   }
 
-  /** Returns the state with the eye that is drawn, which may sway or follow the mouse. */
+  /** Returns the state to draw. Its eye sways or follows the mouse. */
   get seen(): State {
     const state = { ...this.store.state, ...this.print?.preview };
     return this.motion.isAway ? { ...state, eye: this.eyeAt(...this.motion.shares()) } : state;
   }
 
-  /** Ends the automatic motion. The eye stays where it was drawn, or returns to the state's position. */
+  /** Ends the automatic motion. stays: the eye stays where it was drawn; otherwise it returns to the position in the state. */
   touched(stays: boolean): void {
     if (stays && this.motion.isAway) this.moveEye(...this.motion.settle());
     this.motion.end();
   }
 
-  /** Moves the display plane from distance `from` by a share of its range; positive shares move it away from the viewer. */
+  /** Moves the display's plane from the distance `from` by a share of its range. Positive shares move it away from the viewer. */
   movePlane(from: number, share: number): void {
     if (!this.live?.state?.plane) return;
     const [nearest, farthest] = planeRange(this.live);
     setPlaneDistance(this.live, Math.min(Math.max(from + share * (farthest - nearest), nearest), farthest));
   }
 
-  /** Moves the display's plane to the point at this share of the picture. */
+  /** Moves the display's plane to the depth of the point at `share` of the picture. */
   putPlaneAt(share: [number, number]): void {
     const depth = this.renderer.depthAt(this.seen, share);
     if (depth !== null && Number.isFinite(depth)) this.live?.setPlane(depth);
   }
 
-  /** Moves the zero plane of the print to the point at this share of the picture. */
+  /** Moves the zero plane of the print to the depth of the point at `share` of the picture. */
   putZeroPlaneAt(share: [number, number]): void {
     const depth = this.renderer.depthAt(this.seen, share);
     if (depth !== null && Number.isFinite(depth)) this.print?.setPlane(depth);
   }
 
-  /** Focuses on the point at this share of the picture. Opens the aperture if it is closed. */
+  /** Focuses on the point at `share` of the picture. Opens the aperture if it is closed. */
   focusAt(share: [number, number]): void {
     const { state } = this.store;
     const depth = this.renderer.depthAt(this.seen, share);
@@ -630,7 +630,7 @@ export class App {
 
   // ---- Saving and sharing -----------------------------------------------------------------------------------------------
 
-  /** Returns the codes (RGBA, rows from the top) of the eye's view of a light field, at this size. */
+  /** Returns the codes (RGBA, rows from the top) of a light field's picture for the eye. size: width and height in pixels. */
   async picture(size: [number, number], field = 0): Promise<Uint8ClampedArray> {
     const { state } = this.store;
     const frame = await this.frames.load(field, this.renderer.frameOf(field, state.frame), useOf({ ...state, show: "eye" }));
@@ -640,7 +640,7 @@ export class App {
     return codes;
   }
 
-  /** Returns the codes (RGBA, rows from the top) that the panel shows, from the canvas, which has the panel's pixels. */
+  /** Returns the codes (RGBA, rows from the top) that the panel shows. Reads the canvas, which has the size of the panel. */
   panelCodes(): Uint8ClampedArray {
     this.fitCanvas();
     this.draw();
@@ -655,7 +655,7 @@ export class App {
     });
   }
 
-  /** Saves one file with all pictures, made by the server. */
+  /** Saves the page with all its pictures as one file, which the server makes. */
   private async savePage(): Promise<void> {
     this.notify("page", "");
     try {

@@ -23,7 +23,7 @@ function choice<Key extends keyof State>(label: string, key: Key, options: [stri
 export interface Actions {
   savePicture: () => void;
   copyLink: () => void;
-  /** Saves the page as one file; null: this page is such a file, or cannot be saved. */
+  /** Saves the page as one file. Null if this page is a saved page, or cannot be saved. */
   savePage: (() => void) | null;
   focusRange: () => [number, number];
   zoom: { fit: () => void; trueSize: () => void };
@@ -196,13 +196,14 @@ function pictureGroup(store: Store, field: Field, actions: Actions, shown: Shown
   );
 }
 
-/** Shows a row only if it applies: controls of the eye have no effect on a panel, which shows the same picture to all eyes. */
+/** Hides a row while applies() is false. For example, controls of the eye have no effect on a panel, whose picture is the same for all
+ *  eyes. */
 function onlyIf(applies: () => boolean, made: HTMLElement, shown: Shown[]): HTMLElement {
   shown.push({ update: () => (made.hidden = !applies()) });
   return made;
 }
 
-/** Makes the choice of what to show. It appears once a panel was dropped on the page, or if there are views. */
+/** Makes the choice of what to show. It is visible if there are views, or if a calibration was dropped on the page. */
 function showChoice(store: Store, hasViews: () => boolean, shown: Shown[]): HTMLElement {
   const row = choice("Show", "show", [["eye", "What an eye sees"], ["panel", "Panel without lenses"], ["display", "On a calibrated panel"]], store, shown, () => hasViews() || store.plays);
   const played = row.querySelector<HTMLOptionElement>('option[value="display"]') as HTMLOptionElement;

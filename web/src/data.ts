@@ -1,5 +1,5 @@
-// Reads the page's data from a server, from scripts beside the page (which pages opened from a disk can load), or from the page
-// itself.
+// Reads the page's data. They are on a server, in scripts beside the page, or in the page itself. Pages that were opened from a disk
+// cannot use requests, so they load scripts.
 import { Refusal, type Field } from "./field";
 
 interface Waiting {
@@ -20,7 +20,7 @@ type Source = "server" | "scripts" | "within";
 const source = (): Source => (document.querySelector('meta[name="lippmann-data"]')?.getAttribute("content") ?? "server") as Source;
 const isSaved = (): boolean => source() !== "server";
 
-/** Returns whether there is a server, which makes one file of the page. */
+/** Returns whether the page can be saved as one file, which the server makes. */
 export const canSavePage = (): boolean => !isSaved();
 
 /** Progress of a download; `of` is null if its size is unknown. */
@@ -39,7 +39,8 @@ function runScript(path: string): Promise<void> {
   });
 }
 
-/** Fetches, and retries once, because a request on a connection that the server has just closed fails. A render must not start twice. */
+/** Fetches a path. Retries once, because a request fails if the server has just closed the connection. A request that starts a render is
+ *  not retried, so that it cannot start twice. */
 async function fetched(path: string, settings: RequestInit): Promise<Response> {
   try {
     return await fetch(path, settings);
@@ -62,12 +63,12 @@ async function answerOf(path: string, settings: RequestInit = {}): Promise<Respo
   try {
     reason = (JSON.parse(text) as { error: string }).error;
   } catch {
-    // The error is plain text.
+    // The error is plain text instead of JSON.
   }
   throw new Refusal(reason || `${path}: the server answers ${response.status}.`);
 }
 
-/** Sends a piece of a file. */
+/** Sends bytes to the server. */
 export async function postBytes(path: string, body: Blob): Promise<void> {
   await answerOf(path, { method: "POST", body, headers: { "Content-Type": "application/octet-stream" } });
 }
@@ -78,11 +79,11 @@ export async function postText(path: string, body: string): Promise<string> {
   return (await answerOf(path, { method: "POST", body, headers: { "Content-Type": "text/plain" } })).text();
 }
 
-/** Returns whether the server computes what eyes see through crosstalk: there is a server, and the eyes' views are not pixels of the
+/** Returns whether the server computes views with crosstalk. It does if there is a server and views are not made of whole pixels of the
  *  panel. */
 export const asksForCrosstalk = (field: Field): boolean => !isSaved() && field.panel.is === "own" && field.across.views * field.up.views > 1;
 
-/** Returns the server's state of a scene that is set up, or of a render. */
+/** Returns the JSON with which the server describes the scene that is set up, or a render. */
 export const readState = async (path: string): Promise<unknown> => (await answerOf(path)).json();
 
 export async function loadFields(): Promise<unknown> {
@@ -131,7 +132,7 @@ function fromScript(name: string): Promise<Blob> {
   });
 }
 
-/** Returns the text stored in the document under a name. */
+/** Returns the text that a page saved as one file stores under a name. */
 function textWithin(name: string): string {
   const text = document.getElementById(`data:${name}`)?.textContent;
   if (!text) throw new Refusal(`The page is damaged: it lacks ${name}.`);
@@ -147,7 +148,7 @@ function pictureWithin(name: string): Blob {
   }
 }
 
-/** Returns the body of an answer, reporting each piece that arrives. */
+/** Loads a path and returns the bytes. Calls `progress` for each piece that arrives. */
 export async function loadBytes(path: string, progress: (now: Progress) => void): Promise<Blob> {
   progress({ bytes: 0, of: null });
   const response = await answerOf(path);

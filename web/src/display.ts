@@ -1,5 +1,5 @@
-// The panel that light fields are played on. Checks the numbers that the server has read from its calibration
-// (web/README.md lists the keys). The server also reads dropped calibration files.
+// The calibrated panel on which light fields are played. The server reads calibration files, also those that are dropped on the page.
+// This file checks the numbers that the server returns (web/README.md lists the keys).
 import { postText } from "./data";
 import { Refusal, type SlantedPanel } from "./field";
 

@@ -1,10 +1,10 @@
-// Takes pictures that are dropped on the page or chosen, sends them to the server in pieces, and shows them as the views of a
-// light field. The server sorts them by name in natural order.
+// Sends pictures that were dropped on the page, or chosen in a dialog, to the server, which makes a light field of them. The server
+// sorts them by name in natural order.
 import { postBytes, postText } from "./data";
 import { element, button } from "./elements";
 import { Refusal } from "./field";
 
-/** The server accepts bodies up to 1 MB. */
+/** Pictures are sent in pieces of at most 1 MB, the largest request that the server accepts. */
 const kPiece = 1 << 20;
 
 interface Dropped {
@@ -28,18 +28,19 @@ function entriesOf(folder: FileSystemDirectoryEntry): Promise<FileSystemEntry[]>
 
 const fileOf = (entry: FileSystemFileEntry): Promise<File> => new Promise((resolve, reject) => entry.file(resolve, reject));
 
-/** Returns whether a file is hidden, or left behind by file managers and cameras. */
+/** Returns whether to ignore a file: a hidden file, or one that file managers and cameras write beside pictures. */
 const isLeft = (name: string): boolean => name.startsWith(".") || /^(thumbs\.db|desktop\.ini)$/i.test(name) || /\.(txt|md|pdf|xmp)$/i.test(name);
 
 const inFolder = (files: File[]): File[] => files.filter((file) => !isLeft(file.name));
 
-/** Returns whether a drop holds pictures: several files, a folder, or one picture. Otherwise it may be a calibration. */
+/** Returns whether dropped data are pictures: several files, a folder, or one picture. Other data may be a calibration. */
 export function isOfPictures(data: DataTransfer): boolean {
   const entries = [...data.items].map((item) => item.webkitGetAsEntry());
   return entries.length > 1 || entries.some((entry) => entry?.isDirectory) || [...data.files].some((file) => file.type.startsWith("image/"));
 }
 
-/** Returns the dropped files, or those of one folder. Call it while the event is handled. */
+/** Returns the dropped files, or the files in the dropped folder. Call it from the event handler, because the data are not available
+ *  later. */
 export async function pictures(data: DataTransfer): Promise<Dropped> {
   const entries = [...data.items].map((item) => item.webkitGetAsEntry());
   const files = [...data.files];
@@ -50,7 +51,7 @@ export async function pictures(data: DataTransfer): Promise<Dropped> {
   return { title: folder.name, files: inFolder(inside) };
 }
 
-/** Sends pictures one piece at a time, and shows them. */
+/** Sends pictures in pieces, one at a time, and then shows the light field. progress: is called with the share that was sent. */
 export async function send({ title, files }: Dropped, progress: (share: number) => void): Promise<void> {
   await postText("drop/begin", JSON.stringify({ title, names: files.map((file) => file.name) }));
   const all = files.reduce((sum, file) => sum + file.size, 0);
@@ -67,7 +68,7 @@ export async function send({ title, files }: Dropped, progress: (share: number) 
   location.reload();
 }
 
-/** The page before anything is shown. */
+/** The page while it has no light field, where pictures can be dropped. */
 export class DropPage {
   private readonly status = element("p", { role: "status" });
   private isBusy = false;

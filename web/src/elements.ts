@@ -1,4 +1,4 @@
-// The parts of controls: rows of a label and a native element, groups of rows, and buttons.
+// Makes controls: rows of a label and a native element, groups of rows, and buttons.
 
 export interface Shown {
   update: () => void;
@@ -23,7 +23,7 @@ interface SliderSettings {
   text?: (value: number) => string;
   set: (value: number) => void;
   reset?: () => void;
-  /** Sets the value only on release, because the server must compute the result. */
+  /** If true, the value is set only when the slider is released, because the server must compute the result. */
   late?: () => boolean;
   applies?: () => boolean;
 }
@@ -54,7 +54,7 @@ export function slider(settings: SliderSettings, shown: Shown[]): HTMLElement {
   return row;
 }
 
-/** A choice of one of several words. */
+/** Makes a row with a choice of several words. */
 export function chooser(label: string, options: () => [string, string][], value: () => string, set: (value: string) => void, shown: Shown[], applies = () => true): HTMLElement {
   const id = `control-${nextId++}`;
   const select = element("select", { id });
@@ -83,7 +83,7 @@ interface EntrySettings {
   choices?: string[];
 }
 
-/** A short text, read when editing ends. */
+/** Makes a row with a short text. The value is set when editing ends. */
 export function entry(settings: EntrySettings, shown: Shown[]): HTMLElement {
   const id = `control-${nextId++}`;
   const input = element("input", { type: "text", id, inputMode: settings.numeric ? "decimal" : "text", autocomplete: "off", spellcheck: false });
@@ -130,7 +130,7 @@ export function tip<Row extends HTMLElement | null>(text: string, row: Row): Row
   return row;
 }
 
-/** Makes groups that stay closed until the user opens them. */
+/** Makes a foldable section of groups, which is closed at first. */
 export function folded(title: string, ...groups: (HTMLElement | null)[]): HTMLElement {
   return element("details", {}, element("summary", {}, title), ...groups.filter((one): one is HTMLElement => one !== null));
 }

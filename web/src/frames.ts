@@ -1,4 +1,5 @@
-// Keeps frames on the GPU. Loads them when they are needed or soon will be, and frees the least recently used beyond a bound.
+// Keeps frames on the GPU. Loads frames when they are needed or will be needed soon. Frees the least recently used frames if all exceed
+// a bound of memory.
 import { asksForCrosstalk, canSavePage, loadPicture, type Progress } from "./data";
 import { Refusal, type Field } from "./field";
 import { samePanel } from "./display";
@@ -7,8 +8,8 @@ import type { Interlacer } from "./interlace";
 import { sharesOf, type Provenance } from "./provenance";
 import { layerTiles, quiltTexture, type LayerTiles } from "./quilt";
 
-/** The use of a frame: "eye" needs its views, "panel" also its panel's picture, "display" an interlaced picture. "eye/N" has crosstalk
- *  computed by the server, with a sigma of N / 100 pixels. */
+/** The use of a frame. "eye" needs its views. "panel" needs the panel's picture, too. "display" needs a picture that is interlaced for a
+ *  calibrated panel. "eye/N" needs views with crosstalk that the server computes, with a standard deviation of N / 100 pixels. */
 export type Use = "eye" | "panel" | "display" | `eye/${number}`;
 
 export interface LoadedFrame {
@@ -64,10 +65,10 @@ interface LivePictures {
   panel: Blob | null;
 }
 
-/** Returns the suffix of the views' name. */
+/** Returns the suffix that the use adds to the address of the views. */
 const crosstalkOf = (use: Use): string => (use.startsWith("eye/") ? use.slice(3) : "");
 
-/** Tiles of a single picture. */
+/** The tiles of a picture that is not a quilt. */
 const kWhole: [number, number] = [1, 1];
 
 /** A failed request is repeated after this time, because the frame may have been rendered meanwhile. */
@@ -81,15 +82,15 @@ export class Frames {
   private asked = 0;
   private pinned: string[] = [];
   private interlacer: Interlacer | null = null;
-  /** Set for a scene that is set up: the newest picture is shown for every frame. */
+  /** Whether a scene is set up. Then the newest picture of the scene is shown for every frame. */
   isLive = false;
   private live: LoadedFrame | null = null;
-  /** The newest picture, interlaced for the panel that is played on; null while another view is shown. */
+  /** The newest picture of the scene that is set up, interlaced for the calibrated panel. Null while the panel is not shown. */
   private livePlayed: LoadedFrame | null = null;
   private livePictures: { facts: Field; pictures: LivePictures } | null = null;
   private isPlayed = false;
   private isRemaking = false;
-  /** Small previews of the first frame shown of each field, until the full picture has loaded. */
+  /** Maps a field to a small preview of the first frame that is shown. The preview is used until the full picture has loaded. */
   private readonly previews = new Map<number, { frame: number; made: LoadedFrame }>();
   private readonly progresses = new Map<string, Progress>();
 
@@ -106,12 +107,13 @@ export class Frames {
     return `${field}/${frame}/${this.useFor(field, use)}`;
   }
 
-  /** Returns the use without crosstalk unless the field has its own kind of panel, for which the server computes it. */
+  /** Returns the use of a frame. Removes crosstalk from the use unless the server computes it. */
   private useFor(field: number, use: Use): Use {
     return use.startsWith("eye/") && !asksForCrosstalk(this.fields[field]) ? "eye" : use;
   }
 
-  /** Returns the frame, or null after starting to load it; `changed` is called when it has loaded. Throws the error of a failed load. */
+  /** Returns the frame if it is loaded. Otherwise starts to load the frame and returns null; `changed` is called when it has loaded.
+   *  Throws the error if loading failed recently. */
   get(field: number, frame: number, use: Use): LoadedFrame | null {
     if (this.isLive) return this.getLive(use);
     const { label, pending } = this.fields[field].frames[frame];
@@ -163,7 +165,8 @@ export class Frames {
     if (preview) this.deleteTextures(preview.made);
   }
 
-  /** Returns whether to load a preview: only before the first picture, and in saved pages only for the first frame, which alone has one. */
+  /** Returns whether to load a preview of the frame. It is loaded only before the first picture. Saved pages have a preview of the first
+   *  frame only. */
   private wantsPreview(field: number, frame: number, use: Use): boolean {
     const isFirst = ![...this.loaded.keys()].some((key) => key.startsWith(`${field}/`)) && !this.previews.has(field);
     return isFirst && use === "eye" && this.fields[field].preview !== null && (frame === 0 || canSavePage());
@@ -184,7 +187,7 @@ export class Frames {
     return this.livePlayed;
   }
 
-  /** Processes the newest pictures again after a switch to the panel. */
+  /** Processes the newest pictures of the scene again, because the page now shows the calibrated panel. */
   private async remakeLive(): Promise<void> {
     if (this.isRemaking || !this.livePictures) return;
     this.isRemaking = true;
@@ -193,7 +196,8 @@ export class Frames {
     this.changed();
   }
 
-  /** Returns the panel's frame: interlaced from views, or the panel's own picture once the frame is fully rendered. */
+  /** Returns the frame for the calibrated panel, interlaced from views. If the scene was rendered for this panel and its native picture is
+   *  finished, returns that picture. */
   private playedLive(facts: Field, views: ImageBitmap, panel: ImageBitmap | null): LoadedFrame | null {
     if (!this.isPlayed || !this.interlacer || facts.up.views > 1) return null;
     return this.played(facts, panel && this.isOwnPicture(facts) ? null : views, panel);
@@ -224,14 +228,14 @@ export class Frames {
     before.forEach((one) => one && this.deleteTextures(one));
   }
 
-  /** Returns to the frames of files. */
+  /** Shows frames of files again, instead of a scene that is set up. */
   endLive(): void {
     this.isLive = false;
     for (const one of [this.live, this.livePlayed]) if (one) this.deleteTextures(one);
     this.live = this.livePlayed = this.livePictures = null;
   }
 
-  /** Protects these frames from being freed, whatever the bound. */
+  /** Protects a frame of these fields from being freed. */
   pin(fields: number[], frame: number): void {
     this.pinned = fields.map((field) => `${field}/${frame}/`);
   }
@@ -240,7 +244,7 @@ export class Frames {
     return this.loading.size > 0;
   }
 
-  /** Returns whether data of an overlay are loading. */
+  /** Whether data of an overlay are loading. */
   get isAsking(): boolean {
     return this.asked > 0;
   }
@@ -250,7 +254,7 @@ export class Frames {
     return this.isLive ? this.live : (this.loaded.get(this.key(field, frame, use)) ?? null);
   }
 
-  /** Sets the interlacer for frames that a display plays. */
+  /** Sets the interlacer of the calibrated panel. budget: bytes of frames to keep. */
   playOn(interlacer: Interlacer, budget: number): void {
     this.budget = budget;
     for (const [key, frame] of [...this.loaded]) if (key.endsWith("/display")) this.giveUp(key, frame);
@@ -312,13 +316,13 @@ export class Frames {
     for (const texture of new Set([frame.views, frame.depth, frame.panel, frame.provenance?.texture ?? null])) if (texture) this.gl.deleteTexture(texture);
   }
 
-  /** Returns whether the panel that is played on is the panel of the light field. */
+  /** Returns whether the light field was rendered for the calibrated panel. */
   private isOwnPicture(facts: Field): boolean {
     const display = this.interlacer?.display;
     return !!display && samePanel(facts.panel.panel, display.panel) && facts.panel.size.join() === display.pixels.join();
   }
 
-  /** Interlaces a frame as soon as it has loaded: it then takes less memory than its views, and no time to play. */
+  /** Loads a frame and interlaces it at once, so that it takes less memory than its views and no time while it is played. */
   private async makePlayed(field: number, frame: number): Promise<LoadedFrame> {
     const facts = this.fields[field];
     const label = facts.frames[frame].label;
@@ -331,7 +335,7 @@ export class Frames {
     return made;
   }
 
-  /** Returns a frame for the panel that is played on: interlaced from views, or its own picture if there are no views. */
+  /** Returns a frame for the calibrated panel, interlaced from `views`. If `views` is null, uses `own`, a native picture of the panel. */
   private played(facts: Field, views: ImageBitmap | null, own: ImageBitmap | null): LoadedFrame {
     const interlacer = this.interlacer as Interlacer;
     const picture = (views ?? own) as ImageBitmap;
@@ -361,7 +365,7 @@ export class Frames {
       panel: panel ? pictureTexture(this.gl, panel, "srgb") : null,
       viewSize: [views.width / facts.tiles[0], views.height / facts.tiles[1]],
       disparities: this.guessedRange(facts),
-      // Includes the depth and provenance that load later.
+      // Includes the depth and the provenance, which are loaded later.
       bytes: (facts.provenance ? views.width * views.height : 0) + 4 * (views.width * views.height * (facts.depth ? 2 : 1) + (panel ? panel.width * panel.height : 0)),
       whole: Promise.resolve(),
     };
@@ -371,7 +375,7 @@ export class Frames {
     return made;
   }
 
-  /** Loads the depth. Views are blended until then. */
+  /** Loads the depth. Views are blended until the depth has loaded. */
   private async addDepth(made: LoadedFrame, field: number, frame: number): Promise<void> {
     const facts = this.fields[field];
     try {
@@ -386,7 +390,7 @@ export class Frames {
     }
   }
 
-  /** Requests the provenance of the frame's pixels once. */
+  /** Requests the provenance of the frame's pixels, unless it was requested before. */
   wantProvenance(made: LoadedFrame, field: number, frame: number): void {
     if (made.provenance !== undefined) return;
     made.provenance = null;
@@ -434,7 +438,7 @@ export class Frames {
     return this.fitted(picture, options, tiles);
   }
 
-  /** Scales views and panels that exceed the GPU's texture size down by an integer factor. Quilts of several views may exceed it. */
+  /** Reduces a picture by an integer factor if a view (or a panel) exceeds the GPU's texture size. A whole quilt may exceed the size. */
   private async fitted(picture: ImageBitmap, options: ImageBitmapOptions, tiles: readonly [number, number]): Promise<ImageBitmap> {
     const most = this.gl.getParameter(this.gl.MAX_TEXTURE_SIZE) as number;
     const views = [picture.width / tiles[0], picture.height / tiles[1]];

@@ -1,4 +1,4 @@
-// Small helpers for WebGL 2: programs, textures and render targets.
+// Helpers for WebGL 2: programs, textures and render targets.
 import { Refusal } from "./field";
 
 export type Gl = WebGL2RenderingContext;
@@ -31,7 +31,7 @@ const kCovering = `#version 300 es
     gl_Position = vec4(corner, 0.0, 1.0);
   }`;
 
-/** A program that runs a fragment shader for every pixel of a rectangle, or of the corners (3 or more) of a vertex shader. */
+/** A program that runs a fragment shader for every pixel of the target, or of the polygon whose corners a vertex shader returns. */
 export class Program {
   private readonly program: WebGLProgram;
   private readonly places = new Map<string, WebGLUniformLocation | null>();
@@ -104,7 +104,7 @@ export function wordTexture(gl: Gl, width: number, height: number, words: Uint32
   return texture;
 }
 
-/** A render target of codes; its first row is the bottom row. */
+/** A render target of 8-bit codes. Its first row is the bottom row. */
 export class CodeTarget {
   private readonly texture: WebGLTexture;
   private readonly framebuffer: WebGLFramebuffer;
@@ -132,7 +132,7 @@ export class CodeTarget {
   }
 }
 
-/** A render target in linear light, if the device supports it; its first row is the bottom row. */
+/** A render target in linear light, if the device supports it. Its first row is the bottom row. */
 export class Target {
   readonly texture: WebGLTexture;
   readonly framebuffer: WebGLFramebuffer;

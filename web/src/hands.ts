@@ -1,7 +1,7 @@
 // Handles the mouse, touches on the picture, and the keyboard.
 //
-// A drag moves the eye (or, for a scene that is set up, what the user has chosen), the wheel and two fingers zoom, the right
-// button pans, and a double click focuses. Keys work wherever the focus is, except keys that the focused control uses.
+// A drag moves the eye. In a scene that is set up, it moves what the user has chosen. The wheel and two fingers zoom, the right button
+// pans, and a double click focuses. Keys apply to the picture, except keys that the focused control uses.
 import { toggleKeyList } from "./keys";
 import type { Live } from "./live";
 import { orbitOf, planeDistance, setOrbit, setZoom } from "./live_controls";
@@ -12,7 +12,7 @@ import type { Renderer } from "./renderer";
 import type { Store } from "./state";
 import type { Timeline } from "./timeline";
 
-/** The actions on the page. */
+/** The parts and actions of the page that this file uses. */
 interface Page {
   readonly canvas: HTMLCanvasElement;
   readonly renderer: Renderer;
@@ -25,7 +25,7 @@ interface Page {
   /** Returns the indices of the light fields shown. */
   shown(): number[];
   redraw(): void;
-  /** Ends the automatic motion; `stays`: the eye stays where it was drawn. */
+  /** Ends the automatic motion. stays: the eye stays where it was drawn. */
   touched(stays: boolean): void;
   /** Returns the eye's position as shares of its zone. */
   shares(): [number, number];
@@ -53,7 +53,7 @@ interface Drag extends Place {
   shift: number;
 }
 
-/** Two fingers, and the state at their start. */
+/** Two fingers: the distance between them and the point midway, as of the last event. */
 interface Pinch {
   apart: number;
   middle: Place;
@@ -71,7 +71,7 @@ function isOfControl({ target, key }: KeyboardEvent): boolean {
 }
 
 export class Hands {
-  /** Position of the mouse or finger, or of the loupe that arrow keys move. */
+  /** Position of the mouse, of a finger, or of the loupe that arrow keys move. */
   pointer: Place | null = null;
   private drag: Drag | null = null;
   private readonly fingers = new Map<number, Place>();
@@ -165,7 +165,7 @@ export class Hands {
     this.app.motion.hover([within((at.x - left) / width), within(1 - (at.y - top) / height)]);
   }
 
-  /** Undoes what the first finger moved before the second finger touched. */
+  /** Undoes the drag of the first finger, because a second finger has touched. */
   private giveUpDrag(): void {
     if (this.drag?.moved) this.dragTo(this.drag, this.drag);
     this.drag = null;
@@ -266,7 +266,7 @@ export class Hands {
     this.app.store.set({ pan: [x, y].map((share) => Math.min(Math.max(share, -most), most)) });
   }
 
-  /** Touchpads send pinches as wheel events with Ctrl. */
+  /** Handles the wheel. Browsers send pinches on touchpads as wheel events with Ctrl. */
   private wheel(event: WheelEvent): void {
     const { app } = this;
     event.preventDefault();
@@ -317,7 +317,8 @@ export class Hands {
     return actions[key.length === 1 ? key.toLowerCase() : key];
   }
 
-  /** Moves the eye or, over the panel's picture, the loupe; in a scene that is set up, moves what dragging moves. */
+  /** Handles an arrow key. It moves the eye. If the panel is shown, it moves the loupe. In a scene that is set up, it moves what dragging
+   *  moves. */
   private arrow(x: number, y: number, by: number): void {
     const { app } = this;
     const { live } = app;

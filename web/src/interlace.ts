@@ -1,9 +1,9 @@
-// Interlaces views for a panel, as `lippmann convert --to native` does: each sub-pixel takes its colour from the view at its
-// place below the lens. Codes are mixed without conversion to linear light (src/layout/interlace.cpp).
+// Interlaces views for a panel, as `lippmann convert --to native` does. The position of a sub-pixel below its lens (its phase)
+// determines the view from which it takes its colour. Codes are mixed without conversion to linear light (src/layout/interlace.cpp).
 //
-// The phase of a sub-pixel is the sum of one term for its row and one for its column, of which only the fraction counts. Floats
-// are too coarse to tell views apart below the last of hundreds of lenses, so both terms are tables of 64-bit fractions, whose
-// sums wrap around.
+// The phase is the sum of one term for the row and one term for the column. Only the fraction of the sum counts. In single precision,
+// the phase would be too coarse at a panel with hundreds of lenses. Therefore, both terms are tables of 64-bit fractions, whose sum wraps
+// around.
 import type { PanelDisplay } from "./display";
 import { Refusal, type Field } from "./field";
 import { bind, CodeTarget, Program, wordTexture, type Gl, type Uniform } from "./gl";
@@ -110,7 +110,7 @@ void main() {
 }
 `;
 
-/** Splits fractions into upper and lower words. */
+/** Returns the fraction of each value as 64 bits: the upper and the lower 32-bit word. */
 function fractionsOf(values: number[]): Uint32Array {
   const words = new Uint32Array(2 * values.length);
   values.forEach((value, i) => {
@@ -121,7 +121,7 @@ function fractionsOf(values: number[]): Uint32Array {
   return words;
 }
 
-/** Returns the phase at the left end of every row, from the bottom, as in src/layout/sub_pixel_views.hpp. */
+/** Returns the phase at the left end of every row, for each sub-pixel, from the bottom row (src/layout/sub_pixel_views.hpp). */
 export function rowPhases({ pixels, panel }: PanelDisplay): number[] {
   const phases: number[] = [];
   for (let up = 0; up < pixels[1]; up++)
@@ -134,7 +134,7 @@ export function rowPhases({ pixels, panel }: PanelDisplay): number[] {
   return phases;
 }
 
-/** Makes the frames of one panel. */
+/** Makes frames for a panel. */
 export class Interlacer {
   private readonly programs = new Map<string, Program>();
   private readonly rows: WebGLTexture;
@@ -153,7 +153,7 @@ export class Interlacer {
     this.columns = wordTexture(gl, pixels[0], 1, fractionsOf([...Array(pixels[0]).keys()].map((i) => i * perPixel)));
   }
 
-  /** Returns the frame of a light field's views: codes, whose first row is the bottom row. */
+  /** Interlaces the views of a light field. Returns codes, whose first row is the bottom row. */
   fromViews(field: Field, views: WebGLTexture, viewSize: [number, number], layer: LayerTiles): WebGLTexture {
     return this.draw(this.display.filter, views, layer, {
       u_layer_tiles: { integers: layer ?? field.tiles },
@@ -165,7 +165,7 @@ export class Interlacer {
     });
   }
 
-  /** Returns the frame of a picture made for this panel. */
+  /** Returns the frame of a picture that was made for this panel, which needs no interlacing. */
   fromOwn(picture: WebGLTexture): WebGLTexture {
     return this.draw("as they are", picture, null, {});
   }

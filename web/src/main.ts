@@ -1,4 +1,4 @@
-// Loads the description and starts the page.
+// Loads the description of the light fields and starts the page.
 import { App, fail } from "./app";
 import { expectPicture, loadFields } from "./data";
 import { readDisplay } from "./display";

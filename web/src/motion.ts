@@ -1,12 +1,12 @@
-// Moves the eye until the user touches the page, so that a light field looks three-dimensional at once: the eye sways slowly
-// and follows the mouse over the picture. Users who prefer reduced motion see neither.
+// Moves the eye until the user touches the page, so that a light field looks three-dimensional at once. The eye sways slowly, and
+// follows the mouse over the picture. It does neither for users who prefer reduced motion.
 
-/** Shares of the viewing zone: across, up. */
+/** A position in the viewing zone: shares (across, up), from 0 to 1. */
 type Shares = [number, number];
 
 const kSwing: Shares = [0.34, 0.22];
 const kPeriodsMs: Shares = [7000, 9500];
-/** The picture stays still for a moment before the sway begins softly. */
+/** Time without motion before the sway begins, and time in which the sway grows to its full width. */
 const kWaitMs = 900;
 const kRampMs = 1500;
 /** Time constant of the eye's motion towards its target. */
@@ -21,7 +21,7 @@ export class Motion {
   private last = 0;
   private offset: Shares = [0, 0];
 
-  /** home: returns the eye's position in the zone without the sway. */
+  /** home: returns the eye's position without the motion. changed: is called when the motion ends. */
   constructor(
     private readonly home: () => Shares,
     private readonly changed: () => void,
@@ -54,20 +54,20 @@ export class Motion {
     this.changed();
   }
 
-  /** Sets the share of the picture, from its bottom left, that the mouse is over; null: it is not over the picture. */
+  /** Sets the position of the mouse as shares of the picture, from the bottom left. Null if the mouse is not over the picture. */
   hover(at: Shares | null): void {
     if (this.pointer && !at) this.began = 0;
     this.pointer = at;
   }
 
-  /** Makes the present position the new home and returns it. */
+  /** Sets the offset from home to 0, and returns the position at which the eye was. */
   settle(): Shares {
     const shares = this.shares();
     this.offset = [0, 0];
     return shares;
   }
 
-  /** Returns the eye's present position as shares of the zone. */
+  /** Returns the current position of the eye. */
   shares(): Shares {
     const home = this.home();
     return [0, 1].map((i) => Math.min(Math.max(home[i] + this.offset[i], Math.min(home[i], kMargin)), Math.max(home[i], 1 - kMargin))) as Shares;
@@ -77,7 +77,7 @@ export class Motion {
     return this.offset[0] !== 0 || this.offset[1] !== 0;
   }
 
-  /** Advances by one frame of the screen and returns whether the eye has moved. may: whether the picture has parallax to show. */
+  /** Advances by one frame of the screen, and returns whether the eye has moved. may: whether the eye may move now. */
   step(now: number, may: boolean): boolean {
     const past = Math.min(now - this.last, 100);
     this.last = now;

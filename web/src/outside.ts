@@ -15,16 +15,16 @@ interface Handle {
   set(changes: Record<string, unknown>): void;
   focusAt(x: number, y: number): void;
   picture(width: number, height: number, field?: number): Promise<Uint8ClampedArray>;
-  /** Share of the display at which the eye sees views meant for another zone. */
+  /** Share of the display at which the eye sees views that are meant for another viewing zone. */
   readonly outOfZone: number;
   readonly isPlaying: boolean;
   pause(): void;
   panel(): Uint8ClampedArray;
   valueAt(x: number, y: number): number[];
-  /** The server's state of a scene that is set up, with settings by the names of flags. */
+  /** The server's state of the scene that is set up. Its settings have the names of flags. */
   readonly scene: LiveState | null;
   setUp(settings: Record<string, string | null>): void;
-  /** The server's latest description of the print; null: there is no print. */
+  /** The server's latest description of the print, or null if there is no print. */
   readonly print: Print["made"];
   /** The server's state of a render that is running or was stopped. */
   readonly run: RunState | null;

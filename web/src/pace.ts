@@ -1,34 +1,35 @@
-// Chooses the resolution of pictures. Software graphics take a tenth of a second to draw an eye's view with depth, so pictures
-// are coarser while the view moves, and fine again once it rests.
+// Chooses the resolution of pictures. Without a GPU, drawing an eye's view with depth takes a tenth of a second. Therefore, pictures have
+// fewer pixels while the view moves, and full resolution when it rests.
 
-/** Milliseconds between pictures: the goal, too slow (below 24 pictures a second), and fast enough to try a finer resolution. */
+/** Times between two pictures, in ms: the goal; the limit above which motion is too slow (22 pictures per second); and the limit below
+ *  which a finer resolution is tried. */
 const kGoal = 33;
 const kSlow = 45;
 const kFast = 20;
 const kCoarsest = 4;
-/** Frames of the screen without motion after which the view rests. A video has a few between its own frames. */
+/** Number of frames of the screen without motion after which the view rests. A video also has a few between its own frames. */
 const kRest = 8;
 /** Number of fast pictures after which a finer resolution is tried. */
 const kProof = 20;
 
 export class Pace {
-  /** Divisor of the width and height of the last picture. */
+  /** The number by which the width and the height of the last picture were divided. */
   divisor = 1;
   private needed = 1;
-  /** The smallest divisor known to be too slow in this movement. */
+  /** The largest divisor at which pictures were too slow in the current movement. */
   private tooFine = 0;
   private quiet = kRest;
   private at = 0;
   private intervals: number[] = [];
 
-  /** Counts a frame of the screen without a picture. Returns whether the view has rested and a coarse picture must be redrawn. */
+  /** Counts a frame of the screen without a picture. Returns whether a coarse picture must be redrawn because the view rests. */
   rests(): boolean {
     this.quiet = Math.min(this.quiet + 1, kRest);
     return this.quiet === kRest && this.divisor > 1;
   }
 
-  /** Returns the divisor for a picture drawn at `now` (ms); `moves`: the view is moving. The first picture of a movement has full
-   *  resolution. */
+  /** Returns the divisor for the next picture. now: time in ms. moves: whether the view is moving. The first picture of a movement has
+   *  full resolution. */
   draws(now: number, moves: boolean): number {
     const isFirst = this.quiet === kRest;
     if (!moves) {
@@ -51,7 +52,7 @@ export class Pace {
     else if (this.intervals.length >= kProof) this.finer();
   }
 
-  /** Chooses a coarser divisor, assuming that time is proportional to the picture's area. */
+  /** Chooses a larger divisor. Assumes that the drawing time is proportional to the area of the picture. */
   private coarser(interval: number): void {
     this.tooFine = Math.max(this.tooFine, this.needed);
     this.needed = Math.min(Math.ceil(this.needed * Math.sqrt(interval / kGoal)), kCoarsest);

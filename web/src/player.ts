@@ -1,4 +1,5 @@
-// Plays on a panel: which panel, full screen, and one pixel of the panel per pixel of the screen.
+// Plays a light field on a calibrated panel: selects the panel, controls full screen, and gives each pixel of the panel one pixel of the
+// screen.
 import { readCalibration, readDisplay, type PanelDisplay } from "./display";
 import { isOfPictures, pictures } from "./drop";
 import { Refusal } from "./field";
@@ -7,20 +8,20 @@ import type { Gl } from "./gl";
 import { Interlacer } from "./interlace";
 import type { Store } from "./state";
 
-/** Returns the bytes for frames of a panel, on devices built to play them. */
+/** Returns how many bytes of interlaced frames to keep on the GPU. */
 function playedBudget(): number {
   const gigabytes = (navigator as { deviceMemory?: number }).deviceMemory ?? 4;
   return Math.min(Math.max(gigabytes * 256, 512), 2048) * 1024 * 1024;
 }
 
-/** Calibration files are small. */
+/** Larger files are refused, because calibration files are small. */
 const kMostCalibrationBytes = 1 << 20;
 
 const sizeText = ([width, height]: readonly number[]): string => `${width}\u00d7${height}`;
 
 export class Player {
   display: PanelDisplay | null = null;
-  /** The panel that the server named last, as JSON. */
+  /** The last panel in the server's state of the scene, as JSON. */
   private named = "";
   private isDropped = false;
 
@@ -42,7 +43,7 @@ export class Player {
     });
   }
 
-  /** Throws a Refusal if this device cannot draw the panel, or if a panel cannot show these views. */
+  /** Starts playing on a panel. Throws a Refusal if this device cannot draw the panel, or if a panel cannot show the views. */
   playOn(display: PanelDisplay): void {
     const { up, title } = this.store.fields[0];
     if (up.views > 1 && !this.frames.isLive) throw new Refusal(`${title} has ${up.views} rows of views, but a panel shows only one: \`lippmann convert --keep\` selects one row.`);
@@ -57,7 +58,7 @@ export class Player {
     this.store.plays = true;
   }
 
-  /** Plays on the panel of a scene that is set up; null: there is none. A calibration dropped on the page takes precedence. */
+  /** Plays on the panel for which a scene is set up, if it is not null. A calibration that was dropped on the page takes precedence. */
   follow(display: PanelDisplay | null): void {
     const named = JSON.stringify(display);
     if (named === this.named || this.isDropped) return;
@@ -73,7 +74,7 @@ export class Player {
     this.store.plays = false;
   }
 
-  /** Reads a calibration file that was dropped on the page or chosen. */
+  /** Reads a calibration file, which was dropped on the page or chosen in a dialog. */
   async take(file: File): Promise<void> {
     this.notify("calibration", "");
     try {
@@ -109,7 +110,7 @@ export class Player {
     }
   }
 
-  /** Opens the scene in a second window as eyes see it, while this page stays on the panel. */
+  /** Opens a second window to set up the scene, which shows the view of an eye. This window still shows the panel's picture. */
   openSetUp(): void {
     window.open(`${location.href.split("#")[0]}#show=eye`, "_blank", "popup,width=1200,height=800");
   }
@@ -118,7 +119,8 @@ export class Player {
     return this.display ? `${this.display.name}, ${sizeText(this.display.pixels)}` : "none";
   }
 
-  /** Gives the canvas the panel's pixels; in full screen, each is one pixel of the screen. Returns whether its size changed. */
+  /** Gives the canvas the size of the panel. In full screen, a pixel of the panel is a pixel of the screen. Returns whether the size of
+   *  the canvas has changed. */
   fit(canvas: HTMLCanvasElement): boolean {
     const [width, height] = (this.display as PanelDisplay).pixels;
     const changed = canvas.width !== width || canvas.height !== height;
@@ -131,7 +133,7 @@ export class Player {
     return changed;
   }
 
-  /** Returns a notice if the screen does not have the panel's pixels. */
+  /** Returns a notice if the screen does not have the size of the panel. */
   private screenNotice(fills: boolean, ratio: number): string {
     const { pixels } = this.display as PanelDisplay;
     const { gl } = this;

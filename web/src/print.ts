@@ -1,5 +1,5 @@
-// The print of the light field: sends requests to the server, one at a time, and shows what eyes see through the lenses of the
-// result (web/README.md lists the keys).
+// Prints of the light field for lens sheets. Sends requests to the server, one at a time. Shows the print as eyes see it through the
+// lenses (web/README.md lists the keys).
 import { download, loadPicture, postText } from "./data";
 import { depthOfDisparity, disparityOfDepth, Refusal, slopeInZone, type Field } from "./field";
 import type { Frames } from "./frames";
@@ -16,9 +16,9 @@ interface Made {
   field: Field;
 }
 
-/** A lens sheet on paper, whose values the page can set. */
+/** Choice of display: a lens sheet on paper, which the page's controls describe. */
 export const kSheet = "sheet";
-/** A display from a chosen file. */
+/** Choice of display: a file that the user has chosen. */
 export const kFile = "file";
 
 export interface PrintSettings {
@@ -42,7 +42,7 @@ export class Print {
   isSeen = false;
   /** Whether the next click on the picture sets the zero plane. */
   awaitsClick = false;
-  /** How views are shown while the zero plane is dragged. */
+  /** Focus and aperture of the views while the zero plane is dragged, otherwise null. */
   preview: { aperture: number; focus: number } | null = null;
   private madeOf = "";
   private shownId = 0;
@@ -69,7 +69,7 @@ export class Print {
     return this.pending > 0;
   }
 
-  /** Returns the range of the shift per view, which moves the outermost views by a seventh of their width. */
+  /** The range of the shift per view, in pixels. At its ends, the outermost views are shifted by 15 % of their width. */
   get shiftRange(): [number, number] {
     const { across, view_size: size } = this.own;
     const most = (0.3 * size[0]) / Math.max(across.views - 1, 1);
@@ -83,13 +83,13 @@ export class Print {
     this.changed(false);
   }
 
-  /** Sets the shift and shows the sheet, since the zero plane is visible only through it. */
+  /** Sets the shift per view. Shows the view through the sheet, because the zero plane is visible only there. */
   setShift(shift: number): void {
     this.isWanted = true;
     this.set({ shift });
   }
 
-  /** Motion of a point from view to view in pixels of the first view, per mm of its disparity. */
+  /** Motion of a point from view to view, in pixels, per mm of its disparity. */
   private get pixelsPerDisparity(): number {
     const { across, view_size: size, window_mm: window } = this.own;
     const last = slopeInZone(across, 1 - 0.5 / across.views);
@@ -108,7 +108,8 @@ export class Print {
     this.setShift(this.within(-disparityOfDepth(this.own, depth) * this.pixelsPerDisparity));
   }
 
-  /** Drags the zero plane from shift `from` by a share of the picture to the right, and previews it by focusing on it. */
+  /** Drags the zero plane. from: shift at the start of the drag. across: motion to the right, as a share of the picture. Shows the new
+   *  plane by focusing on it. */
   dragPlane(from: number, across: number): void {
     const [least, most] = this.shiftRange;
     this.settings.shift = this.within(from + across * (most - least));
@@ -116,7 +117,7 @@ export class Print {
     this.changed(false);
   }
 
-  /** Accepts the dragged zero plane. */
+  /** Ends the drag and makes the print with the new zero plane. */
   dropPlane(): void {
     this.preview = null;
     this.awaitsClick = false;
@@ -130,7 +131,7 @@ export class Print {
     this.enqueue(() => this.show());
   }
 
-  /** Waits for a click, and shows the views without the sheet meanwhile. */
+  /** Starts or ends waiting for a click that sets the zero plane. Shows the views without the sheet meanwhile. */
   awaitClick(on: boolean): void {
     this.see(false);
     this.awaitsClick = on;
@@ -143,14 +144,14 @@ export class Print {
     this.set({ display: kFile });
   }
 
-  /** Makes the print again if the page's frame or the choice of what to show has changed. */
+  /** Called when the state changes. Makes the print again if it is shown and no longer fits the state. */
   follow(): void {
     if (!this.isWanted || this.isBusy) return;
     if (this.state().show === "display") this.see(false);
     else if (!this.isCurrent()) this.enqueue(() => this.show());
   }
 
-  /** Returns whether the print of the present settings is shown, with the panel's picture if that is selected. */
+  /** Returns whether the print of the current settings is shown, including the panel's picture if the page shows the panel. */
   private isCurrent(): boolean {
     const isThere = this.isSeen && this.shownId === this.made?.id && this.madeOf === this.request();
     return isThere && (this.hasPanel || !this.needsPanel(this.made as Made));

@@ -1,4 +1,4 @@
-// Origins of a frame's pixels: colour and share of each origin, and the legend.
+// The overlay that tints pixels by their origin (how they were made): the colour and the share of each origin, and the legend.
 import type { Field, Origin } from "./field";
 import { linearFromCode } from "./gl";
 import type { State } from "./state";
@@ -9,20 +9,20 @@ export interface Provenance {
   shares: number[];
 }
 
-/** Colours by code, distinguishable without red or green vision (Okabe and Ito, Color Universal Design). */
+/** The colour of each code of provenance. Colour-blind users can distinguish them (Okabe and Ito, Color Universal Design). */
 const kColours = ["#d55e00", "#0072b2", "#009e73", "#f0e442", "#cc79a7", "#ffffff", "#56b4e9", "#4a3aa8"];
-/** Strength of the tint of all origins, and of missed pixels alone, which are few and small. */
+/** Opacity of the tint for each overlay. It is higher if only missed pixels are tinted, because there are few. */
 const kStrength = { provenance: 0.65, missed: 0.95, none: 0 };
 
 const linearColour = (colour: string): number[] => [1, 3, 5].map((at) => linearFromCode(parseInt(colour.slice(at, at + 2), 16)));
 
 const isShown = (origin: Origin | undefined, overlay: State["overlay"]): boolean => origin !== undefined && (overlay === "provenance" || origin.missed);
 
-/** Returns red, green, blue and strength for each of 8 codes. */
+/** Returns linear red, green and blue, and the opacity, of each of 8 codes. */
 export const tints = (field: Field, overlay: State["overlay"]): number[] =>
   kColours.flatMap((colour, code) => [...linearColour(colour), isShown(field.provenance?.[code], overlay) ? kStrength[overlay] : 0]);
 
-/** Returns the share of pixels with each code. Reads a few rows at a time, because quilts are large. */
+/** Returns the share of pixels with each code. Reads a few rows at a time, to limit memory. */
 export function sharesOf(picture: ImageBitmap, origins: number): number[] {
   const rows = Math.max(1, Math.min(picture.height, Math.floor((1 << 20) / picture.width)));
   const context = new OffscreenCanvas(picture.width, rows).getContext("2d", { willReadFrequently: true }) as OffscreenCanvasRenderingContext2D;

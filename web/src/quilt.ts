@@ -1,7 +1,7 @@
 // Quilts on the GPU: one texture, or layers of whole tiles if the quilt exceeds the GPU's texture size.
 import { bind, setFilter, type Gl } from "./gl";
 
-/** Tiles of a layer, across and down; null: the quilt is one texture. */
+/** Number of tiles of a layer, (across, down). Null if the quilt is a single texture. */
 export type LayerTiles = [number, number] | null;
 
 export type Holds = "srgb" | "codes" | "indices";
@@ -17,7 +17,7 @@ interface Size {
   height: number;
 }
 
-/** A single view always fits into a texture; see Frames.fitted. */
+/** Returns the largest layer that fits into a texture. A single view always fits; see Frames.fitted. */
 export function layerTiles(gl: Gl, { width, height }: Size, tiles: readonly [number, number]): LayerTiles {
   const most = gl.getParameter(gl.MAX_TEXTURE_SIZE) as number;
   if (Math.max(width, height) <= most) return null;
@@ -37,7 +37,7 @@ export function quiltTexture(gl: Gl, picture: ImageBitmap, tiles: readonly [numb
   return texture;
 }
 
-/** Uploads layers row by row from the top left. The last ones of a row or column may be partly filled. */
+/** Uploads the layers of a quilt, row by row from the top left. The last layer of a row or column may be partly filled. */
 function sendLayers(gl: Gl, picture: ImageBitmap, tiles: readonly [number, number], layer: [number, number], [stored, sent]: number[]): void {
   const view = [picture.width / tiles[0], picture.height / tiles[1]];
   const [width, height] = [view[0] * layer[0], view[1] * layer[1]];

@@ -1,4 +1,4 @@
-// Draws the state: renders each eye's picture to a target in linear light, then composes the canvas.
+// Draws the page's picture: renders each eye's picture to a target in linear light, then composes the canvas from them.
 import { disparityOfDepth, hasCrosstalk, naturalSize, type Axis, type Field } from "./field";
 import type { Frames, LoadedFrame, Use } from "./frames";
 import { bind, codeFromLinear, Program, Target, type Gl, type Uniform } from "./gl";
@@ -26,7 +26,7 @@ const kLeastLongSide = 800;
 /** Upper bound of the longer side of a magnified picture, in pixels. */
 const kMostPlace = 8192;
 
-/** Crosstalk applies only to the view of an eye with a closed aperture. */
+/** Returns the use of frames for a state. Crosstalk applies only to the view of an eye with a closed aperture. */
 export const useOf = (state: State): Use => (state.show === "eye" && state.crosstalk > 0 && state.aperture === 0 ? `eye/${Math.round(100 * state.crosstalk)}` : state.show);
 
 /** Returns the rectangle of a picture that is magnified and moved. */
@@ -53,7 +53,7 @@ export class Renderer {
   pair: Pair | null = null;
   /** Rectangle of the picture on the canvas, from the top left; may exceed the canvas if magnified. */
   place: Rectangle = { left: 0, top: 0, width: 1, height: 1 };
-  /** The same rectangle at the present resolution of the canvas. */
+  /** `place`, in pixels of the canvas at its current resolution. */
   private drawn: Rectangle = this.place;
   loupe: Loupe | null = null;
   private readonly eyePrograms = new Map<string, Program>();
@@ -61,7 +61,7 @@ export class Renderer {
   private frameProgram: Program | null = null;
   private windowProgram: Program | null = null;
   private readonly screenPrograms = new Map<ScreenMode, Program>();
-  /** Draws straight to the canvas if one picture needs no second pass; halves the time of software graphics. */
+  /** Whether the picture is drawn directly to the canvas, without a second pass. Without a GPU, this halves the time. */
   private direct = false;
   /** Rectangle of the panel shown in the last picture. */
   private panelPart: Rectangle = this.place;
@@ -80,8 +80,8 @@ export class Renderer {
     this.beside = new Target(gl);
   }
 
-  /** Returns the frame of another light field to show with frame `frame` of the first: the one with the same label, or else the same
-   *  index. */
+  /** Returns the frame of a light field to compare with frame `frame` of the first one: the frame with the same label, or else the frame
+   *  with the same index. */
   frameOf(field: number, frame: number): number {
     if (field === 0) return frame;
     const frames = this.fields[field].frames;
@@ -95,8 +95,8 @@ export class Renderer {
     return state.compare === "second" ? [1] : [0, 1];
   }
 
-  /** Draws, and returns whether all pictures (or previews) were loaded; otherwise leaves the canvas unchanged. The canvas has 1 /
-   *  `divisor` of the screen's pixels in each row and column. */
+  /** Draws, if all pictures (or their previews) are loaded. Returns whether they are; if not, the canvas is unchanged. divisor: the size of
+   *  the canvas is the size of the screen divided by it. */
   draw(state: State, ground: number[], divisor = 1): boolean {
     const shown = this.shownFields(state);
     const loaded = shown.map((field) => this.loaded(field, state) ?? this.frames.getPreview(field, this.frameOf(field, state.frame), useOf(state)));
@@ -130,7 +130,7 @@ export class Renderer {
     return true;
   }
 
-  /** Returns whether pixels are tinted by their origin, and requests the data. */
+  /** Requests the provenance of a frame if the state tints pixels by their origin. */
   private wantOverlay(field: number, frame: LoadedFrame, state: State): void {
     if (state.overlay !== "none" && state.show !== "display" && this.fields[field].provenance) this.frames.wantProvenance(frame, field, this.frameOf(field, state.frame));
   }
@@ -143,7 +143,7 @@ export class Renderer {
     return state.overlay !== "none" && !this.showsDifference(state) && !!frame.provenance;
   }
 
-  /** Returns the shares of origins in the first light field shown, or null if they are not loaded. */
+  /** Returns the share of each origin in the first light field that is shown, or null if the provenance is not loaded. */
   originShares(state: State): number[] | null {
     const field = this.shownFields(state)[0];
     return this.frames.peek(field, this.frameOf(field, state.frame), useOf(state))?.provenance?.shares ?? null;
@@ -157,7 +157,7 @@ export class Renderer {
     return this.frames.get(field, this.frameOf(field, state.frame), useOf(state));
   }
 
-  /** Draws the display's own frame pixel for pixel. The canvas has the frame's size. */
+  /** Draws the frame of a calibrated panel, pixel for pixel. The canvas has the size of the frame. */
   private drawFrame(frame: LoadedFrame): true {
     const gl = this.gl;
     const { width, height } = gl.canvas;
@@ -171,7 +171,8 @@ export class Renderer {
     return true;
   }
 
-  /** Draws the eyes of a headset. Only the background appears from behind the display, and before the frame has loaded. */
+  /** Draws the pictures for the eyes of a headset. Draws only the background for eyes behind the display, and before the frame has
+   *  loaded. */
   drawHeadset(state: State, framebuffer: WebGLFramebuffer | null, views: HeadsetView[], ground: number[]): void {
     const gl = this.gl;
     gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
@@ -195,7 +196,7 @@ export class Renderer {
     this.windowProgram.draw({ ...uniforms, u_first: bind(gl, 0, target.texture), u_exposure: 2 ** state.exposure }, 4);
   }
 
-  /** Returns the resolution of the views, limited to what the headset can show. */
+  /** Returns the size of an eye's picture: the resolution of the views, limited to what the headset can show. */
   private windowSize(field: Field, shown: number): [number, number] {
     const [width, height] = field.window_mm.size;
     const scale = Math.min(shown, Math.max(...naturalSize(field), kLeastLongSide)) / Math.max(width, height);
@@ -224,7 +225,7 @@ export class Renderer {
     });
   }
 
-  /** Resizes the canvas, which the page stretches over the same rectangle. */
+  /** Divides the size of the canvas. The page stretches the canvas over the same rectangle of the screen. */
   private resize(divisor: number): void {
     const { canvas } = this.gl, scaled = (length: number) => Math.round(length / divisor);
     const [width, height] = this.screen.map((side) => Math.max(1, scaled(side)));
@@ -233,7 +234,7 @@ export class Renderer {
     this.drawn = { left: scaled(left), top: scaled(top), width: Math.max(1, scaled(this.place.width)), height: Math.max(1, scaled(this.place.height)) };
   }
 
-  /** Fits one or two pictures onto the screen, with the epipolar-plane image below. */
+  /** Computes the rectangles of one or two pictures on the screen, and of the epipolar-plane image below. */
   private layOut(field: Field, state: State, stereo: boolean, compared: boolean): void {
     const [width, height] = this.screen;
     const room = height * (state.line >= 0 && state.show === "eye" ? 0.8 : 1);
@@ -259,7 +260,7 @@ export class Renderer {
     return this.screen[0] / Math.max(1, (this.gl.canvas as HTMLCanvasElement).clientWidth);
   }
 
-  /** Magnification at which a picture reaches the GPU's size limit. */
+  /** The largest magnification, at which the longer side of the picture has kMostPlace pixels. */
   get mostMagnified(): number {
     return Math.max(1, kMostPlace / Math.max(this.fitted.width, this.fitted.height));
   }
@@ -301,7 +302,7 @@ export class Renderer {
     };
   }
 
-  /** Returns the program, compiled on first use. */
+  /** Returns a program for a task. Compiles the program when it is first used. */
   private eyeProgram(field: Field, frame: LoadedFrame, task: Variant["task"], through: Partial<Variant> = {}): Program {
     const byAngle = field.across.by === "angle" || field.up.by === "angle";
     const variant: Variant = { byAngle, rows: field.up.views > 1, depth: false, task, layered: frame.layer !== null, screen: false, snap: false, crosstalk: false, budget: false, overlay: false, ...through };
@@ -462,7 +463,7 @@ export class Renderer {
     this.clip(null);
   }
 
-  /** Draws the epipolar-plane image of the line below the picture. */
+  /** Draws the epipolar-plane image of the selected line, below the picture. */
   private drawLine(field: Field, frame: LoadedFrame, state: State): void {
     const gl = this.gl;
     const { width, height } = gl.canvas;
@@ -481,7 +482,7 @@ export class Renderer {
     gl.viewport(0, 0, width, height);
   }
 
-  /** Returns the share of the display, from its top left, of a point on the canvas, or null beside the picture. */
+  /** Returns the point of the display at a point of the canvas, as shares from the top left. Returns null beside the picture. */
   shareAt(state: State, x: number, y: number): [number, number] | null {
     const room = this.pair?.eye.room;
     if (room && (x < room.left || y < room.top || x > room.left + room.width || y > room.top + room.height)) return null;
@@ -494,7 +495,7 @@ export class Renderer {
     return share;
   }
 
-  /** Returns the linear light of the last picture of one light field or eye. */
+  /** Returns the linear light at a point of the last picture. which: the light field or the eye. share: shares from the top left. */
   valueAt(which: 0 | 1, share: [number, number]): number[] {
     if (this.last && (this.direct || (this.overlays(this.last.frame, this.last.state) && this.last.state.show === "eye"))) return this.valueOfEye(share);
     const target = this.targets[which];
@@ -523,7 +524,7 @@ export class Renderer {
     return [...target.read(0, 0, 1, 1)].slice(0, 3);
   }
 
-  /** Returns the depth at a share of the display: the known depth, or the depth at which the views agree best. */
+  /** Returns the depth in mm at a point of the display. If the depth is unknown, returns the depth at which the views agree best. */
   depthAt(state: State, share: [number, number]): number | null {
     const field = this.fields[this.shownFields(state)[0]];
     const frame = this.loaded(this.shownFields(state)[0], state);
@@ -546,7 +547,7 @@ export class Renderer {
     return disparity / (1 + disparity * field.vergence_per_mm);
   }
 
-  /** Returns the codes (RGBA, rows from the top) of the eye's view of a light field, or null while it loads. */
+  /** Returns the codes (RGBA, rows from the top) of a light field's picture for the eye, or null while the light field loads. */
   picture(state: State, field: number, size: [number, number]): Uint8ClampedArray | null {
     const frame = this.loaded(field, { ...state, show: "eye" });
     if (!frame) return null;

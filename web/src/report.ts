@@ -1,7 +1,7 @@
 // Draws the charts of `lippmann report`: lines or stacked bars over the frame numbers.
 //
-// Each `figure.chart` of the page holds its data as JSON (src/report/chart.hpp). uPlot draws on a canvas, so the charts are
-// redrawn when the page's width or colours change, and before printing.
+// Each `figure.chart` of the page contains its data as JSON (src/report/chart.hpp). uPlot draws on a canvas of a fixed size. Therefore,
+// the charts are redrawn when the page's width or colours change, and before printing.
 /// <reference types="vite/client" />
 import uPlot from "uplot";
 import uplotStyle from "uplot/dist/uPlot.min.css?inline";
@@ -27,21 +27,21 @@ interface Chart {
 
 const kHeight = 230;
 const kFont = '12px system-ui, -apple-system, "Segoe UI", "DejaVu Sans", sans-serif';
-/** Candidate steps between labels of an axis. */
+/** Possible steps between labels of an axis: 1, 2 and 5 times powers of 10. */
 const kSteps = [...Array(19).keys()].flatMap((power) => [1, 2, 5].map((factor) => Number(`${factor}e${power - 9}`)));
 
-/** Returns a colour of the page's style. */
+/** Returns a function that returns the current value of a CSS variable, a colour. */
 const color = (name: string) => () => getComputedStyle(document.documentElement).getPropertyValue(name);
 
 const numberText = (value: number | null | undefined) => (value == null ? "–" : String(Number(value.toPrecision(4))));
 
-/** Returns the tops of stacked bars for each series. */
+/** Returns the tops of stacked bars: for each series, the sum of its values and those of the series before it. */
 function stackedTops(series: Series[]): Values[] {
   const sums: number[] = [];
   return series.map(({ values }) => values.map((value, i) => (sums[i] = (sums[i] ?? 0) + Math.max(value ?? 0, 0))));
 }
 
-/** Returns the values without neighbours, which a line would not show. */
+/** Returns the indices of values without neighbours. They are drawn as points, because a line would not show them. */
 function lonePoints(u: uPlot, index: number): number[] {
   const values = u.data[index];
   return [...values.keys()].filter((i) => values[i] != null && values[i - 1] == null && values[i + 1] == null);
@@ -54,7 +54,7 @@ function seriesOptions(chart: Chart, { name, color: index, values }: Series): uP
   return { ...common, fill: stroke, width: 0, paths: uPlot.paths.bars!({ size: [chart.frames.length > 120 ? 1 : 0.8, Infinity, 1] }), points: { show: false } };
 }
 
-/** Extends the range so that the bars of all frames fit; leaves a zoomed range unchanged. */
+/** Extends the range of frames by half a frame on both sides, so that whole bars are visible. A zoomed range stays unchanged. */
 function frameRange({ frames }: Chart): uPlot.Range.Function {
   return (_, low, high) => (low === frames[0] && high === frames[frames.length - 1] ? [low - 0.5, high + 0.5] : [low, high]);
 }
@@ -88,7 +88,7 @@ function markerColor(chart: Chart, index: number): string {
   return `var(--c${chart.series[chart.stacked ? count - index : index - 1].color})`;
 }
 
-/** Paints bars from the highest sum down, so that each series shows only its own part. */
+/** Returns the data in the order of drawing. Stacked bars are drawn from the highest sum down, so that lower ones cover the higher. */
 function dataOf(chart: Chart): uPlot.AlignedData {
   const values = chart.stacked ? stackedTops(chart.series).reverse() : chart.series.map((series) => series.values);
   return [chart.frames, ...values, ...chart.levels.map(({ value }) => chart.frames.map(() => value))];

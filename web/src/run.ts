@@ -1,6 +1,6 @@
-// A render whose folder is shown while it runs or after it was stopped: reads the server's state of it (web/README.md
-// lists the keys), stops it and resumes it. Its frames are on the time line from the start, and `pending` until they are
-// finished.
+// A render whose folder is shown while the render runs, or after it was stopped. Reads the state of the render from the server
+// (web/README.md lists the keys), and stops and resumes the render. All frames are on the time line from the start. They are `pending`
+// until they are finished.
 import { postText, readState } from "./data";
 import type { Field } from "./field";
 import { pause } from "./pause";
@@ -73,7 +73,7 @@ export class Run {
     for (const { index, kind, psnr_db } of finished) Object.assign(this.field.frames[index], { pending: false, kind, psnr_db });
   }
 
-  /** Sends one request at a time, so that each change is reported once. */
+  /** Requests the state. Only one request is sent at a time, so that each change is reported once. */
   private ask(): Promise<void> {
     this.asking ??= this.answer().finally(() => (this.asking = null));
     return this.asking;

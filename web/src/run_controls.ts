@@ -4,10 +4,10 @@ import type { Run } from "./run";
 
 const kOrders: Record<string, string> = { running: "Stop", starting: "Stop", stopping: "Stopping\u2026", stopped: "Resume" };
 
-/** One button with two labels keeps the keyboard focus. */
+/** Makes the controls. Stop and Resume are one button with a changing label, so that the keyboard focus stays. */
 export function runGroup(run: Run, shown: Shown[]): HTMLElement {
   const status = element("output", { className: "value job" });
-  status.setAttribute("aria-live", "off");  // it counts seconds
+  status.setAttribute("aria-live", "off");  // screen readers must not read the text, which changes every second
   const bar = element("progress", {});
   bar.setAttribute("aria-label", "Render");
   const order = button("", () => void run.toggle());

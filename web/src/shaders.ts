@@ -1,9 +1,10 @@
 // The shaders.
 //
-// Eyes are slopes at the middle of the display. An eye E sees a point s of the display's plane under the slope
-//   S(s) = E.xy / E.z - s (1 / E.z - vergence)
-// in the views' own frame, in which view v has one slope S_v for all points. View v sees a point on that line of disparity w (a
-// length; see src/view/disparity_codes.hpp) at s + (S - S_v) w. This holds for eyes at any distance.
+// An eye is described by its slope at the middle of the display. All points of the display see view v under the same slope S_v. An eye E
+// sees the point s of the display's plane under the slope
+//   S(s) = E.xy / E.z - s (1 / E.z - vergence).
+// A scene point on this line of sight with the disparity w (a length; see src/view/disparity_codes.hpp) is at s + (S - S_v) w in view v.
+// The formula holds for eyes at any distance.
 
 import { kQuiltPlaces } from "./quilt";
 
@@ -92,17 +93,17 @@ float disparity_in_tile(vec3 tile, vec2 pixel) {
 float disparity_in_view(ivec2 view, vec2 pixel) { return disparity_in_tile(tile_of(view), pixel); }
 `;
 
-/** Features compiled into a program, so that it does no unneeded work: software graphics run every branch. */
+/** Features of a program. They are compiled in, because without a GPU every branch of a shader takes time. */
 export interface Variant {
   byAngle: boolean;
   rows: boolean;
   depth: boolean;
   task: "eye" | "refocus" | "line" | "find";
-  /** Writes codes with the exposure straight to the screen; otherwise linear light. */
+  /** Writes codes to the screen and applies the exposure. Otherwise writes linear light to a target. */
   screen: boolean;
-  /** Snaps positions to the centres of lenses. */
+  /** Rounds positions to the centres of lenses. */
   snap: boolean;
-  /** Lenses also image neighbouring pixels. */
+  /** Adds crosstalk: light of neighbouring pixels. */
   crosstalk: boolean;
   /** Tints depths that the display shows sharply green, and depths that it blurs red. */
   budget: boolean;
@@ -459,7 +460,7 @@ void main() {
 }
 `;
 
-/** Copies the codes of a display's own frame. */
+/** Copies the codes of a frame that was interlaced for a calibrated panel. */
 export const kFrameShader = `#version 300 es
 precision highp float;
 precision highp sampler2D;
@@ -468,7 +469,7 @@ out vec4 color;
 void main() { color = texelFetch(u_frame, ivec2(gl_FragCoord.xy), 0); }
 `;
 
-/** The corners of the display's window in a headset's picture: left, right, bottom, top. */
+/** Vertex shader that places the display's window in a headset's picture. */
 export const kWindowVertices = `#version 300 es
 uniform mat4 u_clip_from_display;
 uniform vec2 u_window_centre, u_window_size;  // mm
@@ -478,7 +479,7 @@ void main() {
   gl_Position = u_clip_from_display * vec4(u_window_centre + (share - 0.5) * u_window_size, 0.0, 1.0);
 }
 `;
-/** Renders what an eye sees in the window. */
+/** Fragment shader that shows an eye's picture in the display's window. */
 export const kWindowShader = `#version 300 es
 precision highp float;
 precision highp sampler2D;
@@ -490,7 +491,7 @@ ${kSrgb}
 void main() { color = vec4(srgb(u_exposure * texture(u_first, share).rgb), 1.0); }
 `;
 
-/** Converts linear light to the screen: exposure, two eyes, two light fields, the epipolar-plane image. */
+/** Ways to compose the canvas from one or two pictures. screenShader() also applies the exposure. */
 export const kScreenModes = ["first", "anaglyph", "wipe", "difference", "beside", "above"] as const;
 export type ScreenMode = (typeof kScreenModes)[number];
 

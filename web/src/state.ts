@@ -1,4 +1,4 @@
-// The choices of the user. They are stored in the address, and can be set by a script or by an embedding page.
+// The choices of the user. They are stored in the page's address. A script or an embedding page can set them.
 import type { Field } from "./field";
 
 export interface State {
@@ -17,7 +17,7 @@ export interface State {
   /** Magnification relative to the fitted picture, and the offset of its centre as a share of the magnified size. */
   magnify: number;
   pan: [number, number];
-  /** Overlay: the origins of pixels, or only the missed pixels. */
+  /** Tint: the origins of all pixels, or only of the missed pixels. */
   overlay: "none" | "provenance" | "missed";
   compare: "first" | "second" | "wipe" | "side-by-side" | "difference";
   wipe: number;
@@ -81,7 +81,7 @@ export function defaultState(fields: Field[], plays: boolean, isSetUp = false): 
   };
 }
 
-/** Returns the distance of a person's eyes, or an eighth of the zone if that is smaller, which is comfortable to look at. */
+/** Returns the distance of the two eyes of a viewer in mm: 63 mm, or an eighth of the viewing zone's width if that is less. */
 function defaultSeparation(field: Field): number {
   const zone = Math.abs(field.across.step) * field.across.views * field.eye_mm[2];
   return Math.min(63, Math.round(zone * 1.25) / 10);
@@ -114,8 +114,8 @@ export class Store {
   private readonly listeners: (() => void)[] = [];
   private addressTimer = 0;
 
-  /** plays: there is a display to play on; beginsPlaying: the page begins by playing on it; isSetUp: the page shows a scene that is set
-   *  up. */
+  /** plays: whether there is a calibrated panel. beginsPlaying: whether the page first shows its picture. isSetUp: whether the page shows
+   *  a scene that is set up. */
   constructor(
     readonly fields: Field[],
     public plays = false,
@@ -131,7 +131,7 @@ export class Store {
     this.listeners.push(listener);
   }
 
-  /** Notifies listeners of changes outside the state. */
+  /** Notifies the listeners although the state has not changed, because something else that they show has. */
   touch(): void {
     this.listeners.forEach((listener) => listener());
   }
@@ -161,7 +161,7 @@ export class Store {
     this.set(Object.fromEntries(new URLSearchParams(location.hash.slice(1))));
   }
 
-  /** Returns the address part with all values that differ from the defaults. */
+  /** Returns the part of the address after #, with all values that differ from the defaults. */
   address(): string {
     const parameters = new URLSearchParams();
     for (const key of Object.keys(this.state) as (keyof State)[]) {
@@ -177,7 +177,7 @@ export class Store {
     try {
       history.replaceState(null, "", this.address());
     } catch {
-      // Some browsers forbid this for pages opened from a disk.
+      // Some browsers do not allow pages opened from a disk to change the address.
     }
   }
 }

@@ -1,4 +1,4 @@
-// The time line: start, pause, step and scrub; marks key frames, and plots the PSNR of each frame as a curve to click on.
+// The time line: plays, pauses, steps and scrubs. Marks key frames, and plots the PSNR of each frame as a curve that can be clicked.
 import type { Frame } from "./field";
 import type { Store } from "./state";
 
@@ -36,7 +36,7 @@ function setIcon(button: HTMLButtonElement, label: string, icon: keyof typeof kI
   button.replaceChildren(picture);
 }
 
-/** Returns the first and last frame of each run of unfinished frames. */
+/** Returns the first and the last index of each range of unfinished frames. */
 function pendingRanges(frames: Frame[]): [number, number][] {
   const ranges: [number, number][] = [];
   frames.forEach((frame, i) => {
@@ -120,7 +120,7 @@ export class Timeline {
     this.update();
   }
 
-  /** Returns the frame if it is finished, else the next finished one in this direction, else the frame itself. */
+  /** Returns the nearest finished frame, starting with `frame` and going in steps of `by`. Returns `frame` if no frame is finished. */
   private finishedFrom(frame: number, by: number): number {
     const { frames } = this.store.fields[0];
     const at = (steps: number) => (((frame + steps * by) % frames.length) + frames.length) % frames.length;
@@ -128,7 +128,7 @@ export class Timeline {
     return found < 0 ? frame : at(found);
   }
 
-  /** Updates the time line when frames have been finished or found missing. */
+  /** Updates the time line. Called when frames were finished or are found to be missing. */
   takeFrames(): void {
     this.store.fields[0].frames.forEach((frame, i) => (this.psnr[i] = frame.psnr_db));
     if (this.psnr.length > 1) this.update();
@@ -144,8 +144,8 @@ export class Timeline {
     this.startFrame = this.store.state.frame;
   }
 
-  /** Advances to the frame of this moment, waiting for frames that are not loaded. `now`: start of the screen's frame, which may be
-   *  before the button was pressed. */
+  /** Advances to the frame that is due at the time `now`, but not beyond frames that are not loaded. now: time stamp of the screen's
+   *  frame, which may be before the time at which the button was pressed. */
   tick(now: number): void {
     if (!this.playing) return;
     const { state, fields } = this.store;
