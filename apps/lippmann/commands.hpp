@@ -24,8 +24,8 @@
 
 namespace lippmann::app {
 
-class Command;      // command_line.hpp
-class CommandLine;  // command_line.hpp
+class Command;      // declared in command_line.hpp
+class CommandLine;  // declared in command_line.hpp
 
 /// The function that the chosen command runs. Returns the exit code of the process.
 using Action = std::function<int(Context& context)>;

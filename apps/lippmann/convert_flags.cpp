@@ -48,7 +48,7 @@ bool is_for_display(const ConvertOptions&, const Conversion& c) { return c.kind 
 bool is_rearranged(const ConvertOptions& o, const Conversion& c) {
   return c.kind == ConvertKind::kRearrange || is_for_display(o, c);
 }
-/// Returns whether the output is the picture behind a display's lenses, which may be printed.
+/// Returns whether the output is an integral image for a display. Only integral images can be printed behind lenses.
 bool is_print(const ConvertOptions& o, const Conversion& c) { return is_for_display(o, c) && c.to->name == "integral"; }
 bool is_flip(const ConvertOptions& o, const Conversion& c) { return is_print(o, c) && o.picture.flip; }
 bool is_spoc(const ConvertOptions&, const Conversion& c) { return c.kind == ConvertKind::kSpoc; }

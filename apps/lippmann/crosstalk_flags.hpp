@@ -7,8 +7,8 @@
 
 namespace lippmann::app {
 
-class Command;       // command_line.hpp
-struct ResultFlags;  // result_flags.hpp
+class Command;       // declared in command_line.hpp
+struct ResultFlags;  // declared in result_flags.hpp
 
 struct CrosstalkFlags {
   bool precompensate = false;

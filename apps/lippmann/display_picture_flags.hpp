@@ -8,7 +8,7 @@
 
 namespace lippmann::app {
 
-class Command;  // command_line.hpp
+class Command;  // declared in command_line.hpp
 
 struct DisplayPictureFlags {
   std::string fit, shares, icc;

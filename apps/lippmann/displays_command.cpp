@@ -69,7 +69,7 @@ void print_details(const Display& d) {
                d.video.quilts ? "" : "; quilts as pictures only");
 }
 
-/// Returns the calibration in a file found on a device, or the error that the file has.
+/// Returns the calibration in a file that was found on a device. If the file cannot be read, returns the error instead.
 nlohmann::ordered_json found_json(const std::string& file) try {
   nlohmann::ordered_json json{{"file", file}};
   json.update(display_json(load_display(file)));

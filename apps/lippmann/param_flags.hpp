@@ -12,7 +12,7 @@
 
 namespace lippmann::app {
 
-class Command;  // command_line.hpp
+class Command;  // declared in command_line.hpp
 
 /// The flags of a command. This object must live as long as the command, because parsing the command line writes the values.
 struct ParamFlags {

@@ -9,7 +9,7 @@
 
 namespace lippmann::app {
 
-class Command;  // command_line.hpp
+class Command;  // declared in command_line.hpp
 
 struct PlenopticFlags {
   std::string white, offset, arrangement, sampling;

@@ -52,7 +52,7 @@ std::string part_flag(const RenderOptions& options) {
   return options.unit.empty() ? " --only-frames " + options.only_frames : " --unit " + options.unit;
 }
 
-/// The data of the plan that the summary prints. The data are copied, because the plan does not exist any more then.
+/// A copy of the data of the RenderPlan that the summary prints after the plan was destroyed.
 struct Planned {
   fs::path folder;
   FrameNames names;

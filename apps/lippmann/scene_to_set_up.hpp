@@ -13,15 +13,15 @@
 
 namespace lippmann::app {
 
-class Command;  // command_line.hpp
+class Command;  // declared in command_line.hpp
 
 struct SceneToSetUpFlags {
   ParamFlags params;
   std::string job_file;
 };
 
-/// Declares all parameters of renders except `unwanted`, which the command declares itself, and the flag that names the job
-/// file to save.
+/// Declares --save-job and all parameters of renders except `unwanted`. The command declares the parameters in `unwanted`
+/// itself.
 void add_scene_to_set_up_flags(const Command& command, SceneToSetUpFlags& flags,
                                std::initializer_list<std::string_view> unwanted);
 

@@ -7,7 +7,7 @@
 
 namespace lippmann::app {
 
-class Command;  // command_line.hpp
+class Command;  // declared in command_line.hpp
 
 struct ViewFilterFlags {
   std::string filter;

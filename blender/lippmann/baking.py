@@ -37,7 +37,8 @@ def kinds():
 
 
 def lost_by_input(material):
-    """Returns {name of an input: descriptions of nodes} for the inputs of a material that nodes unknown to the glTF exporter compute."""
+    """Finds the inputs of a material's Principled BSDF that must be baked, because they depend on nodes that the glTF exporter does not support. Returns {name of
+    the input: descriptions of these nodes}."""
     output = material.node_tree.get_output_node("ALL") if material and material.use_nodes and material.node_tree else None
     shader = nodes.source(output.inputs["Surface"]) if output else None
     if shader is None or shader.type != "BSDF_PRINCIPLED":
@@ -116,7 +117,7 @@ def blank(image):
 
 
 def arrays_of(mesh):
-    """Yields the arrays that define a mesh and its UV and colour layers."""
+    """Yields (collection, attribute, numbers per element, type) for each array that defines a mesh, its UV layers and its colour layers."""
     yield from ((mesh.vertices, "co", 3, np.float32), (mesh.loops, "vertex_index", 1, np.int32), (mesh.polygons, "loop_total", 1, np.int32),
                 (mesh.polygons, "material_index", 1, np.int32))
     if hasattr(mesh, "corner_normals"):  # Blender 4.1 and later

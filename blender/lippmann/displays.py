@@ -79,7 +79,7 @@ def aspect(display):
 
 
 def picture_size(display, output):
-    """Returns the (width, height) in pixels of the picture of a frame. If the output is a folder of views, returns that of one view."""
+    """Returns the (width, height) in pixels of the picture of a frame. If the output is a folder of views, returns the size of one view."""
     quilt = display.get("quilt")
     if output == "quilt" and quilt:
         return tuple(quilt["size"])

@@ -2,7 +2,7 @@
 
 
 def lost_of_transparency(scene, still):
-    """Returns a message if the setting is on but cannot be applied, else None."""
+    """Returns a message if Film > Transparent is on but cannot be applied, else None."""
     if not scene.render.film_transparent:
         return None
     if scene.lippmann.output == "native":

@@ -84,8 +84,8 @@ def framed(camera, aspect, distance):
 
 
 def camera_zone(scene, aspect, distance):
-    """Returns the zone of a picture that the scene's camera itself sees. aspect: width / height of the picture. distance: from the camera to the plane. Raises
-    ToolError."""
+    """Returns the Zone of a display whose viewer is the scene's camera. aspect: width / height of the picture. distance: from the camera to the display's plane.
+    Raises ToolError."""
     camera = scene.camera
     if not camera or camera.type != "CAMERA":
         raise tool.ToolError("The scene has no camera. Add one, or choose another output.")
@@ -190,10 +190,10 @@ def plane_distance(scene):
 
 
 def zone(scene, distance=None):
-    """Returns the zone of the scene's light-field frame or, without a frame, of a plane in front of its camera. Raises ToolError.
+    """Returns the Zone of the display: at the scene's light-field frame or, without a frame, at a plane in front of the camera. Raises ToolError.
 
-    distance: from the camera to the plane, unless the user has set the camera's focus. None: plane_distance(), which casts rays into the scene and must not be
-    called from the thread of a render.
+    distance: from the camera to the plane. Ignored if there is a frame, or if the user has set the camera's focus. None: plane_distance(), which casts rays into
+    the scene and must not be called from the thread of a render.
     """
     display = displays.chosen(scene)
     aspect = displays.aspect(display)

@@ -8,7 +8,8 @@ JSON_CHUNK = 0x4E4F534A  # the text "JSON" as a little-endian integer
 
 
 def rewrite(path, changes):
-    """Applies changes to the JSON of a .glb file. changes: functions that change the JSON document, and return whether they did. Writes the file only if one did."""
+    """Applies changes to the JSON of a .glb file. changes: functions that take the JSON document, and return whether they have changed it. The file is written only
+    if the document was changed."""
     file = pathlib.Path(path)
     data = file.read_bytes()
     length = struct.unpack_from("<I", data, 12)[0]

@@ -148,7 +148,7 @@ class Export:
         return {path.name: stamp(path) for path in (self.glb, self.world)}
 
     def kept(self, key):
-        """Returns the report of the earlier export if that had the same key and its files are unchanged, else None. key: hash of the scene and its settings."""
+        """Returns the report of the earlier export if the export had the same key and its files are unchanged, else None. key: hash of the scene and its settings."""
         try:
             record = json.loads(self._record.read_text())
         except (OSError, ValueError):

@@ -123,7 +123,8 @@ def is_white(socket):
 
 
 def kept_side(node):
-    """Returns the colour socket of a mix node that equals the node's output, for example the first one if the factor is 0. Returns None if none does."""
+    """Returns the input socket of a mix node whose colour is the node's output, for example the first colour if the factor is 0. Returns None if the output is
+    mixed."""
     share, a, b = mix_inputs(node)
     weight, multiplies = constant(share), node.blend_type == "MULTIPLY"
     if weight == 0.0 or (multiplies and is_white(b)):
@@ -184,8 +185,8 @@ def scaled(colour, by):
 
 
 def diffuse(node, near=()):
-    """Returns the surface of a diffuse shader. Cycles uses the Oren-Nayar model for rough ones. Their mean brightness, by integration, is 1 / (1 + 0.2 roughness)
-    times that of Lambert's model, so the colour is multiplied by this factor."""
+    """Returns the surface of a diffuse shader. Cycles uses the Oren-Nayar model if the roughness is not 0. The mean brightness of that model, by integration, is
+    1 / (1 + 0.2 roughness) times that of Lambert's model. The colour is multiplied by this factor."""
     roughness = constant(node.inputs["Roughness"]) if "Roughness" in node.inputs else 0.0
     colour = value_of(node.inputs["Color"])
     if roughness:
@@ -236,7 +237,7 @@ def is_new(surface, **wanted):
 
 
 def coated(base, coat, reflectance):
-    """Returns a diffuse surface below a clear coat. reflectance: that of the coat at normal incidence."""
+    """Returns a diffuse surface below a clear coat. reflectance: reflectance of the coat at normal incidence."""
     values = {**base.values, "Specular": min(reflectance / PLAIN_F0, 1.0), "Roughness": coat.values["Roughness"]}
     return Surface(values, near=[*base.near, *coat.near])
 
@@ -391,7 +392,8 @@ def take_apart(group, tree):
     ends = [node for node in inner.nodes if node.type == "GROUP_OUTPUT" and node.is_active_output]
 
     def feed(source, target):
-        """Links what feeds an input in the group to the input `target` of the tree. source: an output socket in the group."""
+        """Links `source`, an output socket in the group, to `target`, an input socket of the tree. If `source` is an input of the group, uses what is linked to that
+        input, or its constant."""
         if source.node.type == "GROUP_INPUT":
             index = list(source.node.outputs).index(source)
             given = group.inputs[index]

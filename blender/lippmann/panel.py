@@ -1,4 +1,4 @@
-"""The panel in the render properties, and what its buttons do."""
+"""The add-on's panel in the render properties, and the operators of its buttons."""
 
 import subprocess
 import textwrap

@@ -143,7 +143,7 @@ def take_out_nowhere(mesh, name, report):
 
 
 def mend_figures(scene, report):
-    """Calls take_out_nowhere() for the meshes that are exported as they are. Call before evaluating the scene."""
+    """Calls take_out_nowhere() for the meshes that deform, which are exported as they are. Call before evaluating the scene."""
     for thing in scene.objects:
         if not thing.hide_render and deforms(thing):
             take_out_nowhere(thing.data, thing.name, report)
@@ -364,7 +364,8 @@ def frames_of(request, is_blurred):
 
 
 def build_stage(scene, request, report):
-    """Builds the scene to export. Returns it, the zone (frame.Zone) of its first frame, whether a mesh has shape keys, and the tool's flags for lens and shutter."""
+    """Builds the scene to export. Returns the new scene, the frame.Zone of the first frame, whether a mesh has shape keys, and the tool's flags for lens and
+    shutter."""
     frame_module, exposure = (importlib.import_module(f"{HERE.name}.{name}") for name in ("frame", "exposure"))
     shutter = exposure.shutter_flags(scene, request["still"], report)
     frames = frames_of(request, bool(shutter))

@@ -118,7 +118,7 @@ class Saving(InFolder):
 
 class Exporting(InFolder):
     def render(self, **settings):
-        """Renders with these settings. Returns whether the scene was exported again."""
+        """Renders with the given settings of the add-on. Returns whether the scene was exported again."""
         scene = bpy.context.scene
         for name, value in settings.items():
             setattr(scene.lippmann, name, value)

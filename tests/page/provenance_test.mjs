@@ -1,4 +1,5 @@
-// The origins of pixels as an overlay: exactly the pixels that the render reports are tinted, and the legend has their shares.
+// The overlay that tints pixels by their origin (how they were made). Exactly the pixels that the render reports are tinted, and the
+// legend shows their shares.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
