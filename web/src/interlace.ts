@@ -21,8 +21,8 @@ precision highp sampler2D;
 precision highp usampler2D;
 ${kQuiltPlaces}
 uniform QUILT u_views;            // codes: the quilt, or the panel's own picture
-uniform usampler2D u_rows;        // red, green, blue of even pixels, then of odd pixels: upper and lower words; rows from the
-                                  // bottom
+// Terms of the phase as 64-bit fractions. A row (from the bottom) has six: red, green, blue of even pixels, then of odd pixels.
+uniform usampler2D u_rows;
 uniform usampler2D u_columns;
 uniform ivec2 u_view_size, u_tiles, u_panel_size;
 uniform int u_count;
@@ -30,7 +30,7 @@ uniform bool u_inverted;
 uniform float u_sigma;
 out vec4 color;
 
-// Returns the fraction times the number of views: the integer part and the 32-bit fraction.
+// Returns a 64-bit fraction multiplied by the number of views, as its integer part and its 32-bit fraction.
 uvec2 view_place(uvec2 fraction) {
   uint count = uint(u_count);
   uint lower = ((fraction.y >> 16u) * count + (((fraction.y & 0xffffu) * count) >> 16u)) >> 16u;
@@ -39,7 +39,8 @@ uvec2 view_place(uvec2 fraction) {
   return uvec2(upper >> 16u, (upper << 16u) | (middle & 0xffffu));
 }
 
-// Returns v = fract(z) or 1 - fract(z) times the number of views, where 1 belongs to the last view.
+// Returns v N for a sub-pixel, as its integer part and its fraction. v is the fraction of the phase, or 1 minus the fraction on inverted
+// panels. N is the number of views. v = 1 belongs to the last view.
 uvec2 view_of(ivec2 pixel, int channel) {
   uvec2 row = texelFetch(u_rows, ivec2(3 * (pixel.x & 1) + channel, pixel.y), 0).xy;
   uvec2 column = texelFetch(u_columns, ivec2(pixel.x, 0), 0).xy;
@@ -72,7 +73,7 @@ float bilinear(int view, ivec2 pixel, int channel) {
 }
 
 float between(uvec2 place, ivec2 pixel, int channel) {
-  // View n covers v = n / N to (n + 1) / N, with its centre at (n + 1/2) / N.
+  // View n covers v from n / N to (n + 1) / N. Its centre is at (n + 1/2) / N.
   int view = int(place.x) - (place.y < 0x80000000u ? 1 : 0);
   float share = float(place.y ^ 0x80000000u) / 4294967296.0;
   if (view < 0) view = 0, share = 0.0;

@@ -69,8 +69,8 @@ uniform ivec2 u_layer_tiles;
 #else
 #define QUILT sampler2D
 #endif
-// Returns the position in pixels and the layer of a tile, counted from the top left. Uses floats because software graphics are
-// slow at integer division.
+// Returns the position (x, y) of a tile in pixels, from the top left, and its layer. Uses floats, because integer division is slow without
+// a GPU.
 vec3 place_of_tile(vec2 tile, vec2 view_size, vec2 tiles) {
 #if LAYERED
   vec2 size = vec2(u_layer_tiles), layer = floor((tile + 0.5) / size);

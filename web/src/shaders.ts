@@ -19,17 +19,19 @@ uniform QUILT u_depth;        // codes of disparity, laid out like the quilt
 uniform vec2 u_view_size;     // pixels
 uniform ivec2 u_tiles, u_grid;
 uniform vec2 u_window_centre, u_window_size;  // mm
-uniform vec4 u_across, u_up;  // first, step, 1: by angle, beyond the zone: 0 stays / 1 repeats / 2 next lens
+// Axes of views. x: slope or angle of view 0; y: step between views; z: 1 if both are angles; w: what an eye sees beyond the zone
+// (0: the outermost view, 1: the views again, 2: the pixels of the next lens).
+uniform vec4 u_across, u_up;
 uniform float u_vergence, u_disparity_scale;
 uniform vec3 u_eye;           // mm
 #if OVERLAY
-uniform QUILT u_provenance;      // codes, laid out like the quilt
-uniform vec4 u_tints[8];         // by code: a colour and its strength
+uniform QUILT u_provenance;      // codes of provenance, laid out like the quilt
+uniform vec4 u_tints[8];         // colour and opacity for each code
 #endif
 
 vec2 slope_at(vec2 s) { return u_eye.xy / u_eye.z - s * (1.0 / u_eye.z - u_vergence); }
 
-// Only rows of views are evenly spaced in angle.
+// Returns the position of a slope among the views of an axis. View v is at v.
 float view_place(vec4 axis, float slope) {
 #if BY_ANGLE
   if (axis.z > 0.5) slope = atan(slope);
@@ -47,7 +49,7 @@ float view_slope(vec4 axis, float view) {
 }
 vec2 view_slopes(ivec2 view) { return vec2(view_slope(u_across, float(view.x)), view_slope(u_up, float(view.y))); }
 
-// Returns a position in pixels of a view, from its top left corner.
+// Converts a point of the display from mm to pixels of a view, from the top left.
 vec2 pixel_of(vec2 s) {
   vec2 share = (s - u_window_centre) / u_window_size;
   return vec2(share.x + 0.5, 0.5 - share.y) * u_view_size;
@@ -62,7 +64,7 @@ vec3 tile_of(ivec2 view) {
   return place_of_tile(vec2(index - row * columns, float(u_tiles.y) - 1.0 - row), u_view_size, vec2(u_tiles));
 }
 #if OVERLAY
-// Tints a colour by the pixel's origin and keeps its brightness readable.
+// Tints a colour by the origin of its pixel. The tint has nearly the luminance of the colour, so that the picture stays readable.
 vec3 with_origin(vec3 seen, vec3 tile, vec2 pixel) {
   vec4 tint = u_tints[int(texel_of(u_provenance, tile, pixel).r * 255.0 + 0.5) & 7];
   return mix(seen, tint.rgb * (0.2 + 0.8 * dot(seen, vec3(0.2126, 0.7152, 0.0722))), tint.a);
@@ -81,7 +83,7 @@ vec3 in_view(ivec2 view, vec2 pixel) {
 #endif
   return seen;
 }
-// Returns -1e30 where there is no surface.
+// Returns the disparity of a pixel, or -1e30 where there is no surface.
 float disparity_in_tile(vec3 tile, vec2 pixel) {
   vec2 at = clamp(floor(pixel), vec2(0.0), u_view_size - 1.0);
   vec2 bytes = floor(texel_of(u_depth, tile, at).rg * 255.0 + 0.5);
@@ -137,7 +139,7 @@ vec3 srgb(vec3 linear) {
 
 /** Renders what an eye sees. */
 export const eyeShader = (variant: Variant): string => `${preamble(variant)}${kCommon}${kSrgb}
-uniform vec2 u_output_size, u_offset;  // the picture's size, and its offset in the target, pixels
+uniform vec2 u_output_size, u_offset;  // size of the picture, and its offset in the target, in pixels
 uniform float u_exposure;
 uniform bvec2 u_snap;           // snap to the centres of lenses
 uniform vec2 u_disparities;     // lowest and highest
@@ -148,10 +150,12 @@ uniform float u_sigma;          // sigma of the crosstalk, views
 uniform float u_budget;         // depth budget on either side of the plane, mm
 out vec4 color;
 
-// Returns the first disparity, front to back along the line of sight, at which the view has a surface; .y: whether the view
-// sees it. A line that passes behind nearer surfaces of the view may come out on the other side; if not, the hidden point takes
-// the disparity just before it went behind. All that does not depend on the step is computed before the loop, which takes most
-// of the time.
+// Follows a line of sight from front to back through the depth of a view. s: point of the line on the display. apart: slope of the line
+// minus slope of the view. Returns the disparity of the first surface on the line, and 1 if the view sees that point, else 0.
+//
+// The line may pass behind a nearer surface of the view and come out on the other side. If it does not come out, the view does not see
+// the point. Its disparity is then that just before the line went behind the surface. The loop takes most of the time of a picture, so
+// everything that is the same for all steps is computed before it.
 vec2 meet(ivec2 view, vec2 s, vec2 apart) {
   vec3 tile = tile_of(view);
   vec2 start = pixel_of(s), per_disparity = apart * vec2(1.0, -1.0) * u_view_size / u_window_size;
@@ -169,7 +173,7 @@ vec2 meet(ivec2 view, vec2 s, vec2 apart) {
       w -= step_w;
     }
     if (i > steps) break;
-    // The line has passed behind a surface: bisect between the last two steps.
+    // The line has passed behind a surface between the last two steps. Finds the crossing by bisection.
     float near = i == 0 ? w : w + step_w, far = w;
     for (int j = 0; j < 3; ++j) {
       float middle = 0.5 * (near + far);
@@ -187,8 +191,8 @@ vec2 meet(ivec2 view, vec2 s, vec2 apart) {
 }
 
 #if BUDGET
-// Green up to half the budget, yellow at its end, red at twice the budget, where a display shows half the detail. Pixels
-// without a surface have no depth and stay untinted.
+// Returns a pixel, tinted by its depth. The tint is green up to half the depth budget, yellow at the budget, and red from twice the
+// budget, where the display shows half the detail. Pixels without a surface have no depth and are not tinted.
 vec3 tinted(ivec2 view, vec2 pixel, float disparity) {
   vec3 seen = in_view(view, pixel);
   if (disparity_in_view(view, pixel) < -1e29) return seen;
@@ -200,8 +204,9 @@ vec3 tinted(ivec2 view, vec2 pixel, float disparity) {
 #endif
 
 #if DEPTH
-// As in_view, but fades out neighbouring texels that are nearer and move away from the sample: completely once they move by
-// three quarters of a pixel.
+// Interpolates a view as in_view does, but reduces the weights of texels that are nearer than the sample, because they belong to another
+// surface. per_disparity: motion in pixels per unit of disparity. A texel has no weight if its disparity moves it by 3/4 pixel or more,
+// relative to the sample's.
 vec3 in_view_behind(ivec2 view, vec2 pixel, vec2 per_disparity) {
   vec3 tile = tile_of(view);
   vec2 last = u_view_size - 1.0, at = clamp(pixel, vec2(0.5), u_view_size - 0.5) - 0.5, first = floor(at), share = at - first;
@@ -209,8 +214,8 @@ vec3 in_view_behind(ivec2 view, vec2 pixel, vec2 per_disparity) {
   vec4 disparities = vec4(disparity_in_tile(tile, first), disparity_in_tile(tile, vec2(next.x, first.y)), disparity_in_tile(tile, vec2(first.x, next.y)), disparity_in_tile(tile, next));
   vec2 row = share.y < 0.5 ? disparities.xy : disparities.zw;
   float own = share.x < 0.5 ? row.x : row.y;
-  vec4 moved = max(abs(per_disparity.x), abs(per_disparity.y)) * (disparities - own);  // infinite beside pixels without a
-                                                                                       // surface
+  // Very large where the sample's own texel has no surface and a neighbour has one.
+  vec4 moved = max(abs(per_disparity.x), abs(per_disparity.y)) * (disparities - own);
   if (all(lessThan(moved, vec4(0.25)))) return in_view(view, pixel);
   vec2 rest = 1.0 - share;
   vec4 weights = vec4(rest.x * rest.y, share.x * rest.y, rest.x * share.y, share.x * share.y) * (1.0 - smoothstep(0.25, 0.75, moved));
@@ -259,25 +264,27 @@ vec3 between_views(vec2 s, vec2 slope, vec2 place) {
 #endif
 }
 
-// Wraps a place beyond the zone into the cone (or lens) that is seen instead. turns: number of cones away.
+// Returns the position among the views that an eye beyond the zone sees instead. count: number of views. turns: number of zones that
+// the eye is away.
 float wrapped(float place, float count, float beyond, out float turns) {
   turns = beyond > 0.5 ? floor((place + 0.5) / count) : 0.0;
   return place - turns * count;
 }
 
 #if CROSSTALK
-// Abramowitz and Stegun, 7.1.26; error below 1.5e-7.
+// Returns the error function, by Abramowitz and Stegun, 7.1.26, with an error below 1.5e-7.
 float erf(float x) {
   float t = 1.0 / (1.0 + 0.3275911 * abs(x));
   float series = t * (0.254829592 + t * (-0.284496736 + t * (1.421413741 + t * (-1.453152027 + t * 1.061405429))));
   return sign(x) * (1.0 - series * exp(-x * x));
 }
-// Share of view i in a Gaussian at a place, as in src/optics/crosstalk.cpp; pixel i covers i ... i + 1.
+// Returns the weight of view i in a Gaussian with its centre at place, as in src/optics/crosstalk.cpp. View i covers i ... i + 1.
 float share_of(float i, float place) {
   float scale = 0.70710678 / u_sigma;
   return 0.5 * (erf((i + 1.0 - place) * scale) - erf((i - place) * scale));
 }
-// A lens blurs the pixels around the intended one; beyond the edge of its cell these belong to the neighbouring lens.
+// Returns the colour that a blurry lens shows: the weighted mean of pixels around the intended one. Pixels beyond the edge of the lens's
+// cell belong to the cell of the neighbouring lens.
 vec3 through_lens(vec2 s, vec2 place) {
   vec2 count = vec2(u_grid), pitch = u_window_size / u_view_size, reach = vec2(4.0 * u_sigma);
 #if !ROWS
@@ -314,7 +321,7 @@ vec3 seen(vec2 s) {
 #endif
   vec2 slope = slope_at(s), place = view_places(slope), turns;
   place = vec2(wrapped(place.x, float(u_grid.x), u_across.w, turns.x), wrapped(place.y, float(u_grid.y), u_up.w, turns.y));
-  // Right of its zone, a lens shows the pixels of its left neighbour.
+  // If the eye is to the right of a lens's zone, the lens shows pixels of its left neighbour.
   vec2 pitch = u_window_size / u_view_size;
   s -= pitch * vec2(u_across.w > 1.5 ? turns.x : 0.0, u_up.w > 1.5 ? turns.y : 0.0);
   if (!inside(pixel_of(s))) return vec3(0.0);
@@ -328,8 +335,8 @@ vec3 seen(vec2 s) {
   return between_views(s, slope, place);
 }
 
-// Averages shifted views over an aperture around the eye, focused at one disparity. The aperture's width is a share of the
-// zone.
+// Refocuses by shift-and-sum: averages the views within the aperture around the eye, shifted by the disparity u_focus. u_aperture is the
+// width of the aperture as a share of the zone.
 vec3 refocused(vec2 s) {
   vec2 slope = slope_at(s), place = view_places(slope), half_width = 0.5 * u_aperture * vec2(u_grid);
   vec3 sum = vec3(0.0);
@@ -348,7 +355,8 @@ vec3 refocused(vec2 s) {
   return weights > 0.0 ? sum / weights : vec3(0.0);
 }
 
-// Returns how much the views differ at u_point if its surface had the disparity of this pixel (0 ... 1 across).
+// Returns the variance of the views around u_point, if the surface there had a certain disparity. share: 0 is the lowest disparity, 1 the
+// highest. The disparity with the lowest variance is that of the surface.
 float disagreement(float share) {
   float w = mix(u_disparities.x, u_disparities.y, share);
   float sum = 0.0;
@@ -378,7 +386,8 @@ void main() {
 #elif TASK == 1
   color = vec4(refocused(s), 1.0);
 #elif TASK == 2
-  // Rows are eyes across the zone, leftmost on top. If there are as many rows as views, they are the views themselves.
+  // Epipolar-plane image. Its rows are eyes, evenly spread over the zone, with the leftmost at the top. If there are as many rows as
+  // views, the rows are the views.
   s.y = u_window_centre.y + (0.5 - u_line) * u_window_size.y;
   float place = clamp((1.0 - share.y) * float(u_grid.x) - 0.5, 0.0, float(u_grid.x - 1));
   float up = clamp(view_places(slope_at(s)).y, 0.0, float(u_grid.y - 1));
@@ -404,7 +413,7 @@ export const panelShader = ({ overlay, layered }: Pick<Variant, "overlay" | "lay
 ${kCommon}
 uniform sampler2D u_panel;  // the panel's own picture
 uniform vec2 u_output_size, u_panel_size;
-uniform int u_kind;         // 0 integral, 1 quilt, 2 own
+uniform int u_kind;         // 0: integral image, 1: quilt, 2: the panel's own picture
 uniform vec4 u_part;        // shown part of the panel: left, top, width, height, in pixels
 uniform vec4 u_loupe;       // x, y, radius in pixels of the output from its top left; magnification
 uniform vec2 u_loupe_at;    // the panel pixel in the middle of the loupe
@@ -414,7 +423,7 @@ vec3 panel_pixel(ivec2 p) {
   if (any(lessThan(p, ivec2(0))) || any(greaterThanEqual(p, ivec2(u_panel_size)))) return vec3(0.0);
   if (u_kind == 2) return texelFetch(u_panel, p, 0).rgb;
   if (u_kind == 1) {
-    // The padding of a quilt at the top and right is not sent.
+    // A quilt may have padding at the top and right. The server does not send it, so it is black.
     ivec2 q = p - ivec2(0, int(u_panel_size.y) - u_tiles.y * int(u_view_size.y));
     if (q.y < 0 || q.x >= u_tiles.x * int(u_view_size.x)) return vec3(0.0);
     vec2 column_row = floor((vec2(q) + 0.5) / u_view_size), pixel = vec2(q) - column_row * u_view_size;
@@ -424,7 +433,7 @@ vec3 panel_pixel(ivec2 p) {
 #endif
     return seen;
   }
-  // Lenses rotate their pixels by 180 degrees: the rightmost is seen from the left, the topmost from below.
+  // A lens turns its cell by 180 degrees: its rightmost pixel is seen from the left, its topmost pixel from below.
   ivec2 cell = p / u_grid, in_cell = p - cell * u_grid;
   ivec2 view = ivec2(u_grid.x - 1 - in_cell.x, in_cell.y);
   if (u_grid.y == 1) view.y = 0;
@@ -449,7 +458,7 @@ void main() {
     color = vec4(reach > u_loupe.z - 1.5 ? vec3(0.6) : c, 1.0);
     return;
   }
-  // A panel shown at reduced size averages a few samples per output pixel.
+  // If an output pixel covers several pixels of the panel, averages up to 4 x 4 of them.
   vec2 size = u_part.zw / u_output_size;
   vec3 sum = vec3(0.0);
   int n = clamp(int(ceil(max(size.x, size.y))), 1, 4);
@@ -511,7 +520,7 @@ vec3 first(vec2 at) { return srgb(u_exposure * texture(u_first, at).rgb); }
 vec3 second(vec2 at) { return srgb(u_exposure * texture(u_second, at).rgb); }
 
 #if MODE == 3
-// From black through blue, red and yellow to white, with linear lightness.
+// Returns a colour for a difference t from 0 to 1: from black through blue, red and yellow to white.
 vec3 heat(float t) {
   vec3 c = mix(vec3(0.01, 0.01, 0.06), vec3(0.16, 0.12, 0.55), smoothstep(0.0, 0.25, t));
   c = mix(c, vec3(0.72, 0.15, 0.42), smoothstep(0.2, 0.5, t));
@@ -528,7 +537,7 @@ void main() {
   }
   vec3 c;
 #if MODE == 1
-    // Red is taken from the left eye's luminance, which strains the eyes less than its red channel.
+    // The red channel shows the luminance of the left eye's picture, which strains the eyes less than its red channel.
     c = vec3(dot(first(at), vec3(0.299, 0.587, 0.114)), second(at).gb);
 #elif MODE == 2
     c = at.x < u_wipe ? first(at) : second(at);
