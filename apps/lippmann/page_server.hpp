@@ -1,4 +1,4 @@
-// The flags and the server of commands that show a page in the browser.
+// Flags and functions for commands that serve a page to a browser.
 #pragma once
 
 #include <memory>

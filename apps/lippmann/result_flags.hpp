@@ -1,4 +1,4 @@
-// The output flags that all commands share whose results are files or an exit code.
+// The flags --json and --quiet, for commands whose results are files or an exit code.
 #pragma once
 
 #include "apps/lippmann/command_line.hpp"
