@@ -119,7 +119,8 @@ def digest(values):
 
 
 def hashes(library, ignored=NOT_EXPORTED):
-    """Returns the hash of the scene in a file, and {name: hash} of its materials with everything that they refer to. ignored: names of properties."""
+    """Returns the hash of the .blend file `library`, and {name: hash} of its materials, which includes everything to which they refer. ignored: names of custom
+    properties that the hashes leave out. If the file has an unknown format, the hash is random, so that the scene is exported again."""
     try:
         held = contents.Contents(library, ignored)
     except (ValueError, LookupError, StopIteration, struct.error) as error:  # a later Blender may write another form
@@ -129,8 +130,8 @@ def hashes(library, ignored=NOT_EXPORTED):
 
 
 def hash_of(scene, results):
-    """Returns a hash of the scene with all of its settings, and of the files that it refers to outside of the folder of results. The size of pictures and the
-    view transform do not count."""
+    """Returns a hash of the scene, its settings, and the files to which it refers, except files in the folder `results`. The hash does not depend on the size of
+    pictures and the view transform."""
     with tempfile.TemporaryDirectory(prefix="lippmann-") as folder:
         library = os.path.join(folder, "scene.blend")
         bpy.data.libraries.write(library, {scene}, path_remap="ABSOLUTE")

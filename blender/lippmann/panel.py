@@ -27,7 +27,7 @@ def selected(context):
 
 
 def is_possible(operator, condition, reason):
-    """Returns whether the condition holds. The tooltip of the greyed button shows the reason otherwise."""
+    """Returns the condition. If it is false, Blender disables the button, and its tooltip shows the reason."""
     if not condition:
         operator.poll_message_set(reason)
     return bool(condition)
@@ -108,7 +108,7 @@ def panel_width(context):
 
 
 def show_sentence(layout, text, width, icon="ERROR"):
-    """A label of as many lines as the text needs: Blender cuts what is wider than the panel. Its letters are about 7 pixels wide."""
+    """Shows a text in as many lines as it needs, because Blender does not wrap labels. width: of the panel, in pixels. A letter is about 7 pixels wide."""
     column = layout.column(align=True)
     for index, line in enumerate(textwrap.wrap(text, max(20, int((width - 60) / 7)))):
         column.label(text=line, icon="BLANK1" if index else icon)
@@ -122,7 +122,7 @@ class LIPPMANN_PT_light_field(bpy.types.Panel):
 
     @classmethod
     def poll(cls, context):
-        return context.engine == "LIPPMANN" or render_views.is_running()  # with another engine for as long
+        return context.engine == "LIPPMANN" or render_views.is_running()  # Render Views sets another engine while it runs
 
     def draw(self, context):
         scene, layout = context.scene, self.layout
@@ -201,13 +201,13 @@ class LIPPMANN_PT_light_field(bpy.types.Panel):
 
 
 def length(scene, value):
-    """Returns a length of the scene as Blender shows it, such as 1.2 m."""
+    """Formats a length in scene units as Blender does, such as 1.2 m."""
     units = scene.unit_settings
     return bpy.utils.units.to_string(units.system, "LENGTH", value * units.scale_length, precision=3).strip()
 
 
 def figures(scene, display, zone):
-    """Returns lines about the display: its own lengths, and those in the scene."""
+    """Returns lines of text about the display: its lengths in mm, and in the scene."""
     return [f"{display['views']} views within {display['view_cone_deg']:.0f}\u00b0",
             f"Viewer at {display['viewing_distance_mm']:.0f} mm; in the scene at {length(scene, zone.distance)}",
             f"Sharp \u00b1 {display['depth_budget_mm']:.1f} mm; in the scene \u00b1 {length(scene, zone.budget)}"]

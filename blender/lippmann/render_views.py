@@ -1,15 +1,17 @@
-"""The operator that renders light fields with Blender's other engines (views.py). With a window it works between Blender's events: Blender stays drawn, the status
-bar shows progress, Esc stops. Without a window, and when a script calls it, it returns when all is done.
+"""The operator that renders light fields with Blender's other engines (views.py).
+
+If the user starts the operator in a window, it works between Blender's events: Blender stays responsive, the status bar shows progress, and Esc stops. If a script
+starts it, or if there is no window, it returns when everything is rendered.
 """
 
 import bpy
 
 from . import displays, engine, progress, tool, views
 
-TICK = 0.1  # seconds
+TICK = 0.1  # seconds between two steps
 CANCELLED = "Stopped. Finished views stay in {}; Render Views continues with them while the scene stays the same."
 
-_running = None  # the Run that a window shows
+_running = None  # the current Run of a window
 
 
 def run_in_window():
@@ -21,12 +23,12 @@ def is_running():
 
 
 def status():
-    """Returns the line of the status bar and of the panel; empty when nothing is running."""
+    """Returns the text for the status bar and the panel. It is empty if nothing is running."""
     return _running.status if _running else ""
 
 
 def show_pictures(pictures):
-    """Loads the first picture, and shows it where an image editor is open."""
+    """Loads the first picture, and shows it in open image editors."""
     engine.last_folder = str(pictures[0].parent)
     image = bpy.data.images.load(str(pictures[0]), check_existing=True)
     image.reload()
@@ -37,7 +39,7 @@ def show_pictures(pictures):
 
 
 def render_picture(scene, how="EXEC_DEFAULT"):
-    """Lets Blender render the scene. Raises ToolError with Blender's own words."""
+    """Renders the scene with Blender. Raises ToolError with Blender's message."""
     try:
         bpy.ops.render.render(how, write_still=True, scene=scene.name)
     except RuntimeError as error:
@@ -45,7 +47,7 @@ def render_picture(scene, how="EXEC_DEFAULT"):
 
 
 class Run:
-    """The steps of rendering views, taken one at a time between Blender's events."""
+    """Renders views in steps, which are taken one at a time between Blender's events."""
 
     def __init__(self, made, numbers):
         self.made, self.status = made, ""
@@ -61,7 +63,7 @@ class Run:
         self._is_cancelled = True
 
     def advance(self):
-        """Takes the next step unless Blender still renders the last one. Returns whether there are more. Raises ToolError."""
+        """Takes the next step, unless Blender still renders the picture of the last one. Returns whether there are more steps. Raises ToolError."""
         if bpy.app.is_job_running("RENDER") or (self._waits and not self._is_cancelled):
             return True
         step = None if self._is_cancelled else next(self._steps, None)
@@ -70,7 +72,7 @@ class Run:
         self.status = f"Lippmann: {progress.sentence(step.words, step.share, step.seconds_left)} (Esc stops)"
         if step.renders:
             self._waits = True
-            with views.lent((bpy.context.preferences.view, {"render_display_type": "NONE"})):  # a window for each view would take the focus
+            with views.lent((bpy.context.preferences.view, {"render_display_type": "NONE"})):  # otherwise Blender opens a window for each view
                 render_picture(self.made.scene, "INVOKE_DEFAULT")
         return True
 
@@ -89,7 +91,7 @@ def frames_of(scene, animation):
 
 
 def refusal(scene):
-    """Returns why views of the scene cannot be rendered, or None."""
+    """Returns a message if views of the scene cannot be rendered, else None."""
     try:
         return views.refused(scene, displays.chosen(scene))
     except tool.ToolError as error:
@@ -162,7 +164,7 @@ class RunViews(bpy.types.Operator):
     def modal(self, context, event):
         if event.type == "ESC":
             _running.cancel()
-            return {"PASS_THROUGH"}  # to Blender's render of the current view
+            return {"PASS_THROUGH"}  # so that Esc also stops Blender's render of the current view
         if event.type != "TIMER":
             return {"PASS_THROUGH"} if event.type.startswith("TIMER") or event.type == "MOUSEMOVE" else {"RUNNING_MODAL"}
         try:
@@ -188,7 +190,7 @@ class RunViews(bpy.types.Operator):
         return {"FINISHED"}
 
     def cancel(self, context):
-        """Blender opens another file or ends."""
+        """Called when Blender opens another file or ends."""
         self._end(context)
 
     def _end(self, context):

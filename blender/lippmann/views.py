@@ -22,11 +22,11 @@ from mathutils import Matrix, Vector
 from . import displays, frame, job as jobs, tool
 
 NAME = "lippmann-view"
-DRAWN = {"BLENDER_EEVEE", "BLENDER_EEVEE_NEXT", "BLENDER_WORKBENCH"}  # engines that need OpenGL
+DRAWN = {"BLENDER_EEVEE", "BLENDER_EEVEE_NEXT", "BLENDER_WORKBENCH"}  # the engines that need OpenGL
 NO_OPENGL = "Eevee and Workbench need OpenGL, and this Blender without a window finds none. Use Cycles, or start it with `xvfb-run -a blender -b`."
-LINES = 8          # of sight to test for walls, across and up
-_items = []        # Blender needs the strings of dynamic lists to stay alive
-WALL_SHARE = 0.25  # of the lines that walls must hide to be cut, as in the tool (src/stage/front_of_rays.hpp)
+LINES = 8          # lines of sight per row and column of the picture, to test for walls
+_items = []        # items of the list of engines; kept, because Blender does not keep the strings of dynamic lists alive
+WALL_SHARE = 0.25  # walls are cut if they hide this share of the lines of sight, as in the tool (src/stage/front_of_rays.hpp)
 
 
 def engines(_self=None, _context=None):
@@ -78,7 +78,7 @@ def tile_of(scene, display):
 
 
 def refused(scene, display):
-    """Returns why views cannot be rendered for this display, or None."""
+    """Returns a message if views cannot be rendered for this display, else None."""
     if not display.get("quilt"):
         return f"The display {display['name']} has no quilt. Choose one that has, such as {displays.DEFAULT}."
     return displays.refused_size(scene, jobs.resolution(scene)) if scene.lippmann.output == "quilt" else None
@@ -105,14 +105,14 @@ def settings_for(scene, engine, camera, size, pixel_aspect):
     wide = pixel_aspect >= 1.0
     values = {"engine": engine, "resolution_x": size[0], "resolution_y": size[1], "resolution_percentage": 100, "pixel_aspect_x": pixel_aspect if wide else 1.0,
               "pixel_aspect_y": 1.0 if wide else 1.0 / pixel_aspect, "use_persistent_data": True, "use_file_extension": True, "use_multiview": False, "use_border": False,
-              "filepath": render.filepath, "use_lock_interface": True}  # no changes between views
+              "filepath": render.filepath, "use_lock_interface": True}  # the user cannot change the scene between views
     picture = {"file_format": "PNG", "color_mode": "RGBA" if render.film_transparent else "RGB", "color_depth": "8"}
     return (scene, {"camera": camera}), (render, values), (render.image_settings, picture)
 
 
 @functools.cache
 def has_opengl():
-    """Returns whether a Blender without a window can draw. A second Blender tries it, since Blender crashes where it cannot."""
+    """Returns whether a Blender without a window can render by OpenGL. Tests it in a second Blender, because Blender crashes if it cannot."""
     with tempfile.TemporaryDirectory(prefix="lippmann-") as folder:
         picture = pathlib.Path(folder) / "drawn.png"
         program = ("import bpy; render = bpy.context.scene.render; render.engine, render.resolution_x, render.resolution_y = 'BLENDER_WORKBENCH', 8, 8; "
@@ -124,12 +124,12 @@ def has_opengl():
 
 @dataclass
 class Step:
-    """A step of rendering views: in words, the finished share of all, the seconds left or None, and whether Blender must render a picture for it."""
+    """A step of rendering views."""
 
-    words: str
-    share: float
-    seconds_left: float | None = None
-    renders: bool = False
+    words: str  # description of the step
+    share: float  # share of all work that is done
+    seconds_left: float | None = None  # None: unknown
+    renders: bool = False  # whether Blender must render a picture before the next step
 
 
 class Views:
@@ -145,10 +145,10 @@ class Views:
         self.scene, self.engine = scene, engine
         self.tool = displays.preferred_tool()
         self.folder = jobs.output_folder(scene) / engine.lower()
-        self.pictures = []  # of the last step, once all are done
+        self.pictures = []  # paths of the results: quilts or native frames
         columns, rows = self.display["quilt"]["tiles"]
         self.tiles, self.count = (columns, rows), columns * rows
-        self._drawn = self.folder / "rendering.png"  # moved when it is complete
+        self._drawn = self.folder / "rendering.png"  # the view that Blender renders; moved when it is complete
         self._record = self.folder / "views.json"
         self._distance = None
 
@@ -162,8 +162,8 @@ class Views:
         return self.folder / "views" / f"frame_{number:04d}" / f"view_{view:03d}.png"
 
     def steps(self, numbers):
-        """Yields Steps until the pictures of these frames are made. If one asks for a picture, the caller lets Blender render the scene with
-        write_still before it takes the next. Closing this generator restores the scene; complete views are used again as long as the scene is the same."""
+        """Renders the frames `numbers`, as a generator that yields Steps. If step.renders is true, the caller must let Blender render the scene with write_still
+        before the next step. Closing the generator restores the scene. Complete views are kept, and used again until the scene changes."""
         now = self.scene.frame_current
         try:
             self.scene.frame_set(numbers[0])
@@ -174,12 +174,12 @@ class Views:
                 yield from self._frames(numbers)
             finally:
                 self.scene.frame_set(numbers[0])
-                self._remember(self._key())  # which differs, since engines add properties of their own to the scene
+                self._remember(self._key())  # the key has changed, because engines add properties to the scene
         finally:
             self.scene.frame_set(now)
 
     def _key(self):
-        """Returns a hash of all that the views depend on."""
+        """Returns a hash of everything on which the views depend."""
         scene = self.scene
         view, render = scene.view_settings, scene.render
         looks = [str(getattr(view, name)) for name in ("view_transform", "look", "exposure", "gamma", "use_curve_mapping")]
@@ -187,13 +187,13 @@ class Views:
         return jobs.digest([jobs.hash_of(scene, self.folder), looks, self.display, self._distance])
 
     def _keep_only(self, key):
-        """Removes the pictures of another scene."""
+        """Removes pictures of earlier renders unless their scene had the hash `key`."""
         if not self.scene.lippmann.resume or key not in self._keys():
             shutil.rmtree(self.folder, ignore_errors=True)
             self._remember(key)
 
     def _keys(self):
-        """Returns the hashes of the scene whose pictures are in the folder."""
+        """Returns the hashes of the scene for which the pictures in the folder were rendered."""
         return json.loads(self._record.read_text()) if self._record.is_file() else []
 
     def _remember(self, key):
@@ -203,7 +203,7 @@ class Views:
             self._record.write_text(json.dumps([*keys, key]))
 
     def _frames(self, numbers):
-        """Yields Steps that render the missing views and lay out each frame as soon as it has all of them."""
+        """Yields Steps that render the missing views. Makes the quilt of a frame as soon as all of its views are rendered."""
         missing = {number: [view for view in range(self.count) if not self._view(number, view).is_file()] for number in numbers}
         total, left = len(missing) * self.count, sum(map(len, missing.values()))
         begin, rendered = time.monotonic(), 0
@@ -231,7 +231,7 @@ class Views:
             bpy.data.cameras.remove(data)
 
     def _keep(self, number, view):
-        """Moves a picture that Blender has rendered to its place."""
+        """Moves the picture that Blender has rendered to the file of a view."""
         if not self._drawn.is_file():
             raise tool.ToolError(f"Blender has written no picture of view {view} of frame {number}.")
         place = self._view(number, view)
@@ -244,7 +244,7 @@ class Views:
         camera.data.clip_end = 1e3 * zone.distance
 
     def _convert(self, step, *words):
-        """Yields Steps while the tool converts files."""
+        """Runs `lippmann convert`, and yields Steps until it has ended."""
         child = tool.Child([self.tool, "convert", *words, "--quiet"], self.folder / "lippmann.log")
         try:
             while child.running():
@@ -255,7 +255,7 @@ class Views:
             child.stop()
 
     def _lay_out(self, number):
-        """Makes a frame's quilt and, if that is the output, the panel's frame."""
+        """Makes the quilt of a frame. If the output is native, also makes the frame of the panel."""
         name, (columns, rows) = f"frame_{number:04d}", self.tiles
         quilts, frames = self.folder / "quilt", self.folder / "native"
         if not tool.pictures(quilts, number):

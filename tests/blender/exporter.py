@@ -1,7 +1,7 @@
-"""One Blender that exports the scenes of a whole test file: starting a Blender takes longer than exporting a small scene.
+"""A server process, a Blender that exports the scenes of all tests in a file, because starting a Blender takes longer than exporting a small scene.
 
-serve() begins it and lets jobs call it, through a small client in place of a new Blender; both run this file. A request that allows scripts still gets a Blender
-of its own, since that is decided when Blender starts.
+serve() starts the server. Jobs then start a small client instead of a new Blender, which sends the request to the server. Server and client run this file. Exports
+that allow scripts still start a new Blender, because scripts can only be allowed when Blender starts.
 """
 
 import atexit
@@ -19,8 +19,8 @@ HERE = pathlib.Path(__file__).resolve()
 
 
 def serve(jobs):
-    """Exports through one Blender from now on. jobs: the module lippmann.job."""
-    import bpy  # the client has none
+    """Starts the server, and makes jobs export by it. jobs: the module lippmann.job."""
+    import bpy  # not at the top, because the client runs without Blender
 
     folder = tempfile.mkdtemp(prefix="lippmann-exporter-")
     address = os.path.join(folder, "socket")
@@ -28,7 +28,7 @@ def serve(jobs):
     listener.bind(address)
     listener.listen()
     words = [bpy.app.binary_path, "-b", "--factory-startup", "-noaudio", "--disable-autoexec", "-P", str(HERE), "--", str(listener.fileno())]
-    # The server also ends when this process crashes, which closes the pipe.
+    # The pipe to stdin ends the server even if this process crashes.
     server = subprocess.Popen(words, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, pass_fds=[listener.fileno()])
     listener.close()
     own = jobs.Job._export_words
@@ -41,12 +41,12 @@ def serve(jobs):
 
 
 def end(server, folder):
-    server.communicate()  # closes its stdin
+    server.communicate()  # closes the pipe to stdin, which ends the server
     shutil.rmtree(folder)
 
 
 def ask(address, request):
-    """The client: hands its request, stdout and stderr to the server. Returns the exit code."""
+    """Sends a request, stdout and stderr of the client to the server. Returns the exit code of the export."""
     with socket.socket(socket.AF_UNIX) as server:
         server.connect(address)
         socket.send_fds(server, [request.encode()], [1, 2])
@@ -63,7 +63,7 @@ def export(main, request):
     sys.argv[sys.argv.index("--") + 1:] = [request]
     try:
         main()
-    except Exception as error:  # as scene_export.py does where it is a program
+    except Exception as error:  # as scene_export.py does when it runs as a program
         print(f"error: {error}", file=sys.stderr)
         traceback.print_exc()
         return 1
@@ -90,7 +90,7 @@ def run_server(listener):
     from lippmann import scene_export
 
     lippmann.register()
-    lippmann.register = lambda: None  # what each export calls
+    lippmann.register = lambda: None  # each export calls it again
     threading.Thread(target=end_with_parent, daemon=True).start()
     while True:
         connection, _ = listener.accept()

@@ -1,6 +1,6 @@
-"""What the add-on draws into the viewport and its panel, in a Blender with windows that runs this file (CMakeLists.txt says how).
+"""Tests of the add-on's drawing in the viewport and in its panel. A Blender with windows runs this file, by the command in CMakeLists.txt.
 
-SCREENSHOTS, where it is set, is a folder that keeps the pictures, for looking.
+If the environment variable SCREENSHOTS names a folder, the pictures are saved there.
 """
 
 import os

@@ -1,4 +1,5 @@
-"""blender/to_glb.py as users call it, in a Blender of its own, and for most cases in this one, which writes the files that it is given. Blender runs this file."""
+"""Tests of blender/to_glb.py. Blender runs this file, and writes the files to convert. One test runs the script in a second Blender, as users do. Most tests run it in
+this Blender, which is faster."""
 
 import contextlib
 import io
@@ -28,7 +29,7 @@ def lines_of(text):
 
 
 def to_glb_here(*words):
-    """Runs the script in this Blender, whose scene it replaces."""
+    """Runs the script in this Blender. Replaces the current scene. Returns the exit code and the lines that the script prints."""
     said, code = io.StringIO(), 0
     argv = ["blender", "--", *(str(word) for word in words)]
     with unittest.mock.patch.object(sys, "argv", argv), contextlib.redirect_stdout(said), contextlib.redirect_stderr(said):
