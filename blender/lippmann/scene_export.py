@@ -343,7 +343,7 @@ def simulates(scene):
 
 
 def play_up_to(scene, frame):
-    """Runs simulations from the scene's first frame to `frame`. Otherwise a still would show the begin of simulations that are not baked."""
+    """Runs simulations from the scene's first frame to `frame`. Otherwise a still would show the beginning of simulations that are not baked."""
     if simulates(scene):
         for number in range(min(scene.frame_start, frame), frame):
             scene.frame_set(number)
@@ -356,7 +356,7 @@ def show(scene, frame):
 
 def frames_of(request, is_blurred):
     """Returns the frames that get keys. There is one frame more at the end, because the glTF exporter leaves out the last. With motion blur there is one more at the
-    begin, because the shutter opens before the first frame."""
+    beginning, because the shutter opens before the first frame."""
     first, last = request["frames"]
     if request["still"]:
         return list(range(first, last + 1))
