@@ -79,7 +79,7 @@ test("crosstalk is stated as each neighbour's share", async () => {
   assert.equal(await page.getByRole("slider", { name: "Crosstalk" }).isVisible(), false);
 });
 
-/** Compares the panel beside the eye's view with its file, pixel by pixel. The caption stands below its middle. */
+/** Compares the panel beside the eye's view with its file, pixel by pixel. Finds the panel by its caption, which is centred below it. */
 const besidePanel = async (page, file) =>
   page.evaluate(({ width, height, data }) => {
     const canvas = document.querySelector("canvas"), seen = window.lippmann.panel();

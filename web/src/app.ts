@@ -448,7 +448,7 @@ export class App {
     line.style.width = `${width * ratio}px`;
   }
 
-  /** Names the two pictures of an integral image with few lenses. */
+  /** Shows captions below the two pictures of an integral image with few lenses. */
   private showCaptions(): void {
     const { pair, screen } = this.renderer;
     const ratio = this.canvas.clientWidth / screen[0];

@@ -167,7 +167,7 @@ export async function loadBytes(path: string, progress: (now: Progress) => void)
 
 const expected = new Map<string, Promise<Blob | null>>();
 
-/** Requests a picture before the page is ready to show it. */
+/** Requests a picture before the page is ready to show it. loadPicture() returns it later. */
 export function expectPicture(name: string): void {
   if (!isSaved()) expected.set(name, loadBytes(name, () => {}).catch(() => null));
 }

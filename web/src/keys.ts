@@ -33,6 +33,6 @@ export function toggleKeyList(isLive: boolean): void {
   document.body.append(dialog);
   shown = dialog;
   dialog.showModal();
-  // The focused button at its end would hide the first lines on low screens.
+  // Scrolls to the top, because the dialog scrolls to its focused button at the end.
   dialog.scrollTop = 0;
 }

@@ -19,7 +19,7 @@ async function start(): Promise<void> {
     const fields = readFields(json);
     const { display, live, run, prints } = json as { display?: unknown; live?: Choices; run?: RunState; prints?: PrintChoices };
     const panel = display ?? live?.display;
-    // The server makes the preview while the graphics start, which takes as long.
+    // Requests the preview early, so that the server makes it while the graphics start.
     if (fields[0].preview && fields.length === 1 && !panel && !run && !/[#&](frame|show|crosstalk)=/.test(location.hash)) expectPicture("0/preview/0");
     const app = new App(fields, panel ? readDisplay(panel) : null, live ?? null, run ?? null, { prints: prints ?? null, drops });
     steerFromOutside(app);

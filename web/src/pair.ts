@@ -11,7 +11,7 @@ export interface Rectangle {
 }
 
 export interface Placed {
-  /** Size and centre without magnification, in pixels of the canvas. */
+  /** Size and centre of the picture without magnification, in pixels of the canvas. */
   width: number;
   height: number;
   centre: Two;
@@ -26,22 +26,22 @@ export interface Pair {
   scale: number;
 }
 
-/** Wider lenses, in pixels of the canvas, look like a picture that was stretched by mistake. */
+/** Width of a lens in pixels of the canvas. An eye's view of wider lenses looks stretched by mistake, so the panel is shown beside it. */
 const kWideLens = 4;
-/** Room between the pictures, and below each for its caption, in CSS pixels. */
+/** Space between the two pictures, and space below a picture for its caption, in CSS pixels. */
 const kGap = 16;
 const kCaption = 24;
 
 const hasWideLenses = (field: Field, scale: number): boolean =>
   field.lens_samples.some((isLens, i) => isLens && scale * field.panel.size[i] > kWideLens * field.view_size[i]);
 
-/** Returns the scale, in pixels of the canvas per pixel of the panel, at which a panel or its wide lenses are shown: a whole number if
- *  it fits. */
+/** Returns the scale in pixels of the canvas per pixel of the panel. It is `scale`, rounded down to an integer for panels and wide lenses,
+ *  so that all pixels have the same size. */
 export const trueScale = (field: Field, scale: number, isPanel: boolean): number =>
   scale >= 1 && (isPanel || (field.panel.is === "integral" && hasWideLenses(field, scale))) ? Math.floor(scale) : scale;
 
-/** Returns the layout on a canvas of this size with `ratio` pixels per CSS pixel. Null: the panel has many lenses, or less than half of
- *  it would be visible. */
+/** Returns the layout on a canvas of this size. ratio: pixels of the canvas per CSS pixel. Returns null if the panel has many lenses, or if
+ *  less than half of it would be visible. */
 export function pairOf(field: Field, [width, height]: Two, ratio: number): Pair | null {
   const [w, h] = field.panel.size;
   const [gap, caption] = [kGap, kCaption].map((length) => Math.round(length * ratio));

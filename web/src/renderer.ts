@@ -49,7 +49,7 @@ export class Renderer {
   screen: [number, number] = [1, 1];
   /** Size and centre of the picture without magnification. */
   fitted = { width: 1, height: 1, centre: [0, 0] as [number, number] };
-  /** Layout of an eye's view and its panel; null: one picture is shown. */
+  /** Layout of the eye's view and the panel beside it, or null if only one picture is shown. */
   pair: Pair | null = null;
   /** Rectangle of the picture on the canvas, from the top left; may exceed the canvas if magnified. */
   place: Rectangle = { left: 0, top: 0, width: 1, height: 1 };
@@ -67,7 +67,7 @@ export class Renderer {
   private panelPart: Rectangle = this.place;
   private last: { state: State; field: Field; frame: LoadedFrame } | null = null;
   private readonly targets: [Target, Target, Target, Target];
-  /** The panel beside the eye's view, kept while the eye moves. */
+  /** Picture of the panel beside the eye's view. It is kept while the eye moves, because it does not change. */
   private readonly beside: Target;
   private besideShows: { frame: LoadedFrame; key: string } | null = null;
 
@@ -244,12 +244,12 @@ export class Renderer {
     const aspect = ((w / h) * (wide ? 2 : 1)) / (high ? 2 : 1);
     const rows = field.panel.size[1] * (high ? 2 : 1);
     const largest = Math.min(width / aspect, room);
-    // The pictures of a scene that is set up begin with few lenses, and would change their size.
+    // A scene that is set up is first rendered with few lenses. By trueScale(), its picture would later change its size.
     const fitted = this.frames.isLive ? largest : rows * trueScale(field, largest / rows, state.show === "panel");
     const isAlone = stereo || compared || state.line >= 0 || state.show !== "eye" || this.frames.isLive;
     this.pair = isAlone ? null : pairOf(field, this.screen, this.ratio);
     this.fitted = this.pair?.eye ?? { width: fitted * aspect, height: fitted, centre: [width / 2, room / 2] };
-    // The epipolar-plane image lies below the unmagnified picture.
+    // The picture is not magnified while the epipolar-plane image is shown below.
     const by = state.line >= 0 && state.show === "eye" ? 1 : Math.min(state.magnify, this.mostMagnified);
     const pan = by === state.magnify ? state.pan : [0, 0];
     this.place = magnified(this.fitted, by, pan);
@@ -346,7 +346,7 @@ export class Renderer {
     this.clip(null);
   }
 
-  /** Draws the panel beside the eye's view. Once both have the same scale, they are magnified together. */
+  /** Draws the panel beside the eye's view. Magnifying first enlarges the eye's view to the scale of the panel, and then both. */
   private drawBeside({ eye, panel }: Pair, field: Field, frame: LoadedFrame, state: State): void {
     const by = this.place.width / eye.width;
     const place = magnified(panel, by > 1 ? Math.max(1, this.place.width / panel.width) : by, state.pan);
@@ -362,7 +362,7 @@ export class Renderer {
     this.clip(null);
   }
 
-  /** Clears the canvas, and limits what follows to the room of the eye's view. */
+  /** Clears the canvas, and limits drawing to the room of the eye's view. */
   private beginCanvas(ground: number[]): void {
     const gl = this.gl;
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
@@ -379,7 +379,7 @@ export class Renderer {
     gl.scissor(...this.onCanvas(room));
   }
 
-  /** Returns left, bottom, width and height at the present resolution of the canvas. */
+  /** Converts a rectangle to (left, bottom, width, height) in pixels of the canvas at its current resolution. */
   private onCanvas({ left, top, width, height }: Rectangle): [number, number, number, number] {
     const { canvas } = this.gl;
     const [x, right] = [left, left + width].map((place) => Math.round((place * canvas.width) / this.screen[0]));
@@ -408,7 +408,8 @@ export class Renderer {
     return made;
   }
 
-  /** Draws a part of the panel, whose whole picture has the rectangle `place`. A magnified panel needs no larger target. */
+  /** Draws a part of the panel. place: rectangle of the whole panel. part: the visible part, so that a magnified panel needs no larger
+   *  target. */
   private drawPanel(target: Target, field: Field, frame: LoadedFrame, state: State, place: Rectangle, part: Rectangle): void {
     const size = [part.width, part.height].map((side) => Math.min(side, kMostPlace / 2)) as [number, number];
     target.begin(...size);
