@@ -36,7 +36,7 @@ precision highp sampler2D;
 precision highp usampler2D;
 ${Vt}
 uniform QUILT u_views;           
-uniform usampler2D u_rows;       
+uniform usampler2D u_rows;
 uniform usampler2D u_columns;
 uniform ivec2 u_view_size, u_tiles, u_panel_size;
 uniform int u_count;
@@ -122,7 +122,7 @@ uniform QUILT u_depth;
 uniform vec2 u_view_size;    
 uniform ivec2 u_tiles, u_grid;
 uniform vec2 u_window_centre, u_window_size; 
-uniform vec4 u_across, u_up; 
+uniform vec4 u_across, u_up;
 uniform float u_vergence, u_disparity_scale;
 uniform vec3 u_eye;          
 #if OVERLAY
@@ -212,6 +212,7 @@ uniform vec2 u_point;
 uniform float u_sigma;         
 uniform float u_budget;        
 out vec4 color;
+//
 vec2 meet(ivec2 view, vec2 s, vec2 apart) {
 vec3 tile = tile_of(view);
 vec2 start = pixel_of(s), per_disparity = apart * vec2(1.0, -1.0) * u_view_size / u_window_size;
@@ -262,7 +263,7 @@ vec2 next = min(first + 1.0, last);
 vec4 disparities = vec4(disparity_in_tile(tile, first), disparity_in_tile(tile, vec2(next.x, first.y)), disparity_in_tile(tile, vec2(first.x, next.y)), disparity_in_tile(tile, next));
 vec2 row = share.y < 0.5 ? disparities.xy : disparities.zw;
 float own = share.x < 0.5 ? row.x : row.y;
-vec4 moved = max(abs(per_disparity.x), abs(per_disparity.y)) * (disparities - own); 
+vec4 moved = max(abs(per_disparity.x), abs(per_disparity.y)) * (disparities - own);
 if (all(lessThan(moved, vec4(0.25)))) return in_view(view, pixel);
 vec2 rest = 1.0 - share;
 vec4 weights = vec4(rest.x * rest.y, share.x * rest.y, rest.x * share.y, share.x * share.y) * (1.0 - smoothstep(0.25, 0.75, moved));
