@@ -28,8 +28,8 @@ Vec2d sum_of_steps(const std::vector<Vec2d>& eyes, ViewGrid grid, bool across) {
   return sum;
 }
 
-/// Returns the positions scaled to mm and centred on the axis. Axes are inverted if needed, so that x is to the right and y up
-/// in the grid of views.
+/// Returns the positions scaled to mm, with their mean at (0, 0). Negates x or y if needed, so that x increases to the right
+/// and y upwards in the grid of views.
 std::vector<Vec2d> scaled_eyes(const std::vector<Vec2d>& positions, ViewGrid grid, double scale) {
   Vec2d middle(0.0);
   for (const Vec2d& position : positions) middle += position / static_cast<double>(positions.size());
@@ -49,7 +49,9 @@ std::optional<RenderedViews> rendered_views(const Optics& optics) {
 }
 
 std::optional<double> common_baseline_mm(const ViewCameras& cameras, ViewGrid grid) {
-  constexpr double kShare = 1e-4;  // relative difference of distances: 1/100 pixel at a disparity of 100 pixels
+  // Largest deviation of an eye from the grid, as a share of the baseline. It causes an error of 1/100 pixel at a disparity of
+  // 100 pixels.
+  constexpr double kShare = 1e-4;
   const auto eye = [&](int column, int row) { return cameras.eyes_mm[static_cast<std::size_t>(row * grid.columns + column)]; };
   const double baseline = grid.columns > 1 ? eye(1, 0).x - eye(0, 0).x : grid.rows > 1 ? eye(0, 1).y - eye(0, 0).y : 0.0;
   for (int row = 0; row < grid.rows; ++row)

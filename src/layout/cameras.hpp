@@ -27,10 +27,10 @@ std::optional<double> common_baseline_mm(const ViewCameras& cameras, ViewGrid gr
 /// eye.
 double mean_step(const std::vector<Vec2d>& eyes, ViewGrid grid);
 
-/// Returns cameras for the views of a light field. If the light field has positions, the eyes are at these positions,
-/// scaled so that their mean step equals the baseline. Otherwise the eyes form a regular grid. In both cases they are
-/// centred on the axis. Throws a usage Error naming the parameter for lengths that are not positive. Throws Error naming
-/// `where` if all positions coincide.
+/// Returns cameras for the views of a light field. If the light field has positions, the eyes are at these positions, scaled so
+/// that their mean step equals the baseline. Otherwise the eyes form a regular grid. In both cases the mean of the eyes is on
+/// the display's axis. Throws a usage Error naming the parameter for lengths that are not positive. Throws Error naming `where`
+/// if all positions coincide.
 ViewCameras cameras_as_stated(const StatedCameras& stated, const LightField& field, const std::string& where);
 
 /// Returns a message that explains why a light field has no cameras.

@@ -23,8 +23,8 @@ constexpr double kMostPlace = 1e9;
 
 struct ColmapModel {
   std::string_view name;
-  /// Numbers of parameters and of focal lengths. The focal lengths and the principal point come first, then distortion
-  /// parameters.
+  /// `params`: number of parameters of the camera. `focals`: how many of them are focal lengths. The focal lengths come first,
+  /// then the principal point, then distortion parameters.
   std::size_t params, focals;
 };
 

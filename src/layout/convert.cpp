@@ -86,8 +86,8 @@ class Conversion {
     result.lacks_depth = to_.uses_cameras && has_cameras && !field.depth;
   }
 
-  /// Converts one light field to the picture for the display. Views in folders may be large photos, so they are fitted as they
-  /// are read.
+  /// Converts one light field to the picture for the display. Views in folders may be large photos, so each view is resized to
+  /// the display right after it is read.
   void convert_for_display(const fs::path& in, const fs::path& out, bool is_frame, Converted& result) const {
     const Display display = with_bleed(*params_.options.display, params_.display_picture->finish.bleed_mm);
     const DisplayTarget target = display_target(display, to_.name);
@@ -119,8 +119,8 @@ class Conversion {
     result.fitted = fitter.description();
   }
 
-  /// Returns the output name of a frame: the name of `frame` without markers of the input format. The format `to_` adds its own
-  /// markers.
+  /// Returns the output name of a frame: the name of `frame` without a suffix of the input format, such as _qs8x6a0.75. The
+  /// writer of the output format adds its own suffix.
   fs::path name_of(const fs::path& frame) const {
     const fs::path bare = without_rgbd_name(without_quad_name(without_stereo_name(without_quilt_name(frame.filename()))));
     return to_.is_folder ? bare.stem() : bare;

@@ -13,15 +13,15 @@ namespace {
 
 constexpr float kNone = std::numeric_limits<float>::infinity();
 
-/// For one row of samples of every view: the nearest sub-pixel found so far for each sample.
+/// Collects one row of samples of every view. Stores the nearest sub-pixel found so far for each sample.
 template <class Sample>
 class SampleRow {
  public:
   SampleRow(int views, int width)
       : width_(width), best_(3 * static_cast<std::size_t>(views) * static_cast<std::size_t>(width), Found{kNone, {}}) {}
 
-  /// Replaces the sub-pixel of a sample if the offered one is nearer. `distance`: squared distance from the centre of the
-  /// sample in x, y and view, in units of samples and views.
+  /// Replaces the sub-pixel of a sample if the offered one is nearer. `distance`: square of the distance between the sub-pixel
+  /// and the centre of the sample; its components are x and y in samples, and the view.
   void offer(int view, int x, int color, float distance, Sample value) {
     Found& best = best_[at(view, x, color)];
     if (distance < best.distance) best = {distance, value};

@@ -37,7 +37,9 @@ Image depth_channels(const fs::path& path) {
 
 /// Returns the first channel. Throws Error for colours; a second or fourth channel is alpha.
 Image grey_channel(const Image& channels, const fs::path& path) {
-  constexpr double kMostColour = 0.05;  // a tolerance for lossy pictures
+  // Largest mean difference of the channels, as a share of the largest value. In lossy pictures, the channels of grey pixels
+  // differ a little.
+  constexpr double kMostColour = 0.05;
   Image grey(channels.width, channels.height, 1);
   double colour = 0.0, range = 0.0;
   for (std::size_t i = 0; i < grey.data.size(); ++i) {

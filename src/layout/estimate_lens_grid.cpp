@@ -96,7 +96,8 @@ class Autocorrelation {
     const auto side = static_cast<std::size_t>(side_);
     std::vector<Complex> values = windowed(white);
     fourier_2d(values, side);
-    constexpr double kSlow = 4.0;  // periods across the crop; the largest supported lenses have six
+    // Variations with fewer periods across the crop are removed. Lenses of the largest supported size have six.
+    constexpr double kSlow = 4.0;
     const double slow = kSlow * side_ / crop_;
     for (int y = 0; y < side_; ++y)
       for (int x = 0; x < side_; ++x) {
@@ -302,7 +303,7 @@ Vec2d settled_centre(const Image& white, Vec2d start, double radius) {
 }
 
 struct FoundLens {
-  double column;  // index in the row, plus 1/2 in shifted rows
+  double column;  // index of the lens in its row, plus 1/2 in shifted rows
   int row;
   Vec2d centre;
 };

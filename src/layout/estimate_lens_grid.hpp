@@ -13,9 +13,9 @@ struct LensGridFit {
   double residual_px = 0.0;  ///< root mean square distance of the lens centres from the grid
 };
 
-/// Estimates the grid from `white` (1 channel). The lens spacing must be between 4 pixels and a sixth of the picture. The
-/// grid may have any rotation. The returned rotation is within 45 degrees for a square grid and within 15 degrees for a
-/// hexagonal one, which may have rows or columns. Throws Error naming `where` if there is no such grid.
+/// Estimates the grid from `white` (1 channel). The lens spacing must be between 4 pixels and a sixth of the picture. The grid
+/// may have any rotation. The returned rotation is within 45 degrees for a square grid and within 15 degrees for a hexagonal
+/// grid (kHexagonal or kHexagonalColumns). Throws Error naming `where` if there is no such grid.
 LensGridFit estimate_lens_grid(const Image& white, const std::string& where);
 
 /// Returns a summary: "lens grid: hexagonal, pitch 10.135 x 8.777 px, rotation 0.12 deg, a lens at (1640.2, 1639.8) px; 125000

@@ -1,4 +1,4 @@
-// Finds how views are laid out in the film that is rendered for given optics.
+// Finds how views are arranged in the film, the image that is rendered for given optics.
 #pragma once
 
 #include "lippmann/layout/view_layout.hpp"
@@ -6,8 +6,8 @@
 
 namespace lippmann {
 
-/// Returns the tiles of a quilt, or the pixels below each lens. Throws a usage Error naming `where` for optics without
-/// views of whole pixels.
+/// Returns the arrangement of views as tiles of a quilt or as pixels below each lens. Throws a usage Error naming `where` for
+/// optics without views of whole pixels.
 ViewLayout film_layout(const Optics& optics, const char* where);
 
 }  // namespace lippmann

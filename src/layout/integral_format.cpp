@@ -1,5 +1,5 @@
-// The format `integral`, the picture behind a lens array, and `eslf`, the plenoptic cameras' variant without inversion below
-// each lens.
+// The formats `integral` and `eslf`. `integral` is the picture behind a lens array. `eslf`, for plenoptic cameras, is the same
+// picture with the pixels below each lens rotated by 180 degrees.
 #include <fmt/format.h>
 
 #include "layout/eslf_side_file.hpp"

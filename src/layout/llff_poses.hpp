@@ -15,7 +15,8 @@
 
 namespace lippmann {
 
-/// Parses a file. The paths of the pictures are not set. Throws Error naming `where` and the row for invalid cameras.
+/// Parses a file. The paths of the pictures are not set. Throws Error naming `where` and the picture's row in the file for
+/// invalid cameras.
 std::vector<PosedPicture> parse_llff_poses(std::span<const std::byte> file, const std::string& where);
 
 /// Encodes cameras. Throws Error naming `where` if pixels are not square or a principal point is not in the middle, which the

@@ -140,7 +140,8 @@ JsonFields first_of(const JsonFields& fields, std::string_view key) {
   return fields.element(key, list.front());
 }
 
-/// Parses the metadata of a frame. `frame` is the whole document, or a part of it for white pictures of the F01.
+/// Makes the picture from packed sensor samples (`codes`) and their metadata. `frame` is the whole metadata document, or a part
+/// of the document for white pictures of the F01.
 LytroRaw lytro_of(std::span<const std::byte> codes, const JsonFields& frame) {
   const JsonFields image = frame.inner("image");
   if (image.has("representation")) image.word("representation", {"rawPacked"});

@@ -30,18 +30,18 @@ std::string miv_cameras_text(const std::vector<MivCamera>& cameras, const std::s
 /// Sorts cameras into view order: row by row upwards, each row from left to right.
 void sort_as_views(std::vector<MivCamera>& cameras);
 
-/// Returns the grid of sorted cameras: `views` if it is given, otherwise one row per camera height. If the heights do not
-/// divide the cameras evenly, returns a single row. Throws a usage Error naming `where` if `views` has a different number
-/// of cameras.
+/// Returns the grid of sorted cameras: `views` if it is given, otherwise one row per camera height. If the number of cameras is
+/// not a multiple of the number of heights, returns a single row. Throws a usage Error naming `where` if `views` has a
+/// different number of cameras.
 ViewGrid grid_of_cameras(const std::vector<MivCamera>& cameras, std::optional<ViewGrid> views, const std::string& where);
 
 /// Returns one MIV camera per view. All eyes are in one plane. The plane with zero disparity is cameras.distance_mm in front of
-/// it.
+/// the eyes.
 std::vector<MivCamera> miv_cameras(const ViewCameras& cameras, Vec2i view_size, const std::vector<std::string>& names,
                                    double near_m, double far_m);
 
-/// Converts cameras in view order to ViewCameras. Returns none if they are not parallel, not in one plane, or do not share a
-/// window.
+/// Converts cameras in view order to ViewCameras. Returns none if the cameras are not parallel, if their eyes are not in one
+/// plane, or if the views do not show the same rectangle of one plane.
 std::optional<ViewCameras> cameras_of_miv(const std::vector<MivCamera>& cameras);
 
 }  // namespace lippmann

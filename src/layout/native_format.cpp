@@ -1,5 +1,5 @@
-// The frame of a calibrated slanted panel for a given display. The writer makes the frame from views, and the reader extracts
-// views from the frame.
+// The format `native`: the picture that is shown on a display's calibrated slanted panel. The writer interlaces views into the
+// picture, and the reader extracts views from it.
 #include <fmt/format.h>
 
 #include <thread>

@@ -11,7 +11,7 @@
 namespace lippmann {
 
 /// Converts posed cameras to cameras that share a plane, in the frame of the first camera. Returns none unless all cameras are
-/// parallel, have their eyes in one plane and share a window. `cameras` must not be empty.
+/// parallel, have their eyes in one plane and show the same rectangle of another plane. `cameras` must not be empty.
 std::optional<ViewCameras> shared_plane(const std::vector<PosedCamera>& cameras);
 
 /// Returns the camera of a single view in the world. Lengths are in thousandths of the world's unit, and `origin` is added to

@@ -27,8 +27,9 @@ namespace {
 constexpr double kExact = 1e-7;  ///< accuracy of the solution in linear light; far below a 16-bit step
 constexpr int kMaxSweeps = 2000;
 
-/// Lines of neighbouring samples. `sample`: offsets of a line's samples from its start, in floats. In each of `rows` rows,
-/// `across` lines start at consecutive floats. `row_stride`: floats from one of these rows to the next.
+/// Parallel lines of samples in a picture. `sample`: offset of each sample of a line from the line's first sample. Each of
+/// `rows` rows contains the first samples of `across` lines, which are consecutive floats. `row_stride`: distance between these
+/// rows. All offsets and distances are in floats.
 struct Lines {
   std::vector<std::size_t> sample;
   std::size_t across = 0, rows = 0, row_stride = 0;

@@ -33,7 +33,7 @@ Number read(const std::string& digits) {
 QuiltName quilt_name_of(const DisplayQuilt& quilt) { return {{quilt.columns, quilt.rows}, quilt.aspect}; }
 
 std::optional<QuiltName> parse_quilt_name(const std::filesystem::path& path) {
-  constexpr double kLeastAspect = 0.1, kMostAspect = 10.0;  // limits for names without the usual underscore
+  constexpr double kLeastAspect = 0.1, kMostAspect = 10.0;  // limits of the aspect ratio if no underscore precedes "qs"
   const std::optional<PatternMatch> found = pattern().search(path.stem().string());
   if (!found) return std::nullopt;
   const auto& group = found->groups;

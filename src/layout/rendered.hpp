@@ -58,8 +58,8 @@ std::optional<Image> rendered_depth(const std::filesystem::path& picture);
 /// of its view; two channels, right and down.
 std::optional<Image> rendered_motion(const std::filesystem::path& picture);
 
-/// Reads the provenance layer, which is stored like the depth layer: the source of each pixel, as values of Provenance
-/// (lippmann/trace/aovs.hpp).
+/// Reads the provenance layer, which is stored like the depth layer. Its values state how each pixel was made, as values of
+/// Provenance (lippmann/trace/aovs.hpp).
 std::optional<Image> rendered_provenance(const std::filesystem::path& picture);
 
 }  // namespace lippmann

@@ -46,7 +46,8 @@ Image read_greys(const Picture& picture, Vec2i view, const std::string& where) {
           }
       },
       picture);
-  constexpr double kMostColour = 0.05;  // a tolerance for lossy pictures
+  // Largest mean difference of the channels. In lossy pictures, the channels of grey pixels differ a little.
+  constexpr double kMostColour = 0.05;
   if (colour > kMostColour * view.x * view.y)
     throw Error(where, "its right half is not depth: it has colours", "colours at the left, depth as grey at the right");
   return greys;

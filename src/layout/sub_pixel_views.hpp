@@ -10,8 +10,7 @@ namespace lippmann {
 
 /// The sub-pixels of one row of the panel. view(i, color) returns the view coordinate v of a sub-pixel of pixel i.
 struct SubPixelRow {
-  std::array<std::array<double, 3>, 2> phase;  ///< phase[i & 1][color]: phase at i = 0, with the sub-pixel offsets of even or
-                                               ///< odd pixels
+  std::array<std::array<double, 3>, 2> phase;  ///< phase[i & 1][color]: phase of pixel 0 with the sub-pixel offsets of pixel i
   double phase_per_pixel;
   bool inverted;
 

@@ -21,8 +21,8 @@ struct RowOfSamples {
   double first, step;
 };
 
-/// Returns the samples for a lenticular sheet. Upright sheets have one sample per strip, at the strip's position. On slanted
-/// sheets the strips cross the columns, so there are two samples per lens.
+/// Returns the samples for a lenticular sheet. If the lenses are vertical, there is one sample per lens, at the strip below the
+/// lens. Slanted lenses cross pixel columns, so there are two samples per lens.
 RowOfSamples samples_of_sheet(const Display& display) {
   const LensStrips strips = lens_strips(display);
   const double width = display.pixels.x;
@@ -83,7 +83,8 @@ Vec2d ViewFitter::window_of(Vec2i view, double aspect) const {
   return {view.x, view.y * excess};
 }
 
-/// Returns window_of(), reduced so that it lies in every view after the shifts. For kPad, it is not reduced.
+/// Returns window_of(), reduced to the part that every view contains after it is shifted by view_shift_px_ per view. For kPad,
+/// it is not reduced.
 Vec2d ViewFitter::window_in_all(Vec2i view, double aspect, ViewGrid grid) const {
   Vec2d window = window_of(view, aspect);
   const Vec2d left = Vec2d(view) - std::abs(view_shift_px_) * Vec2d(grid.columns - 1, grid.rows - 1);

@@ -12,7 +12,7 @@
 
 namespace lippmann {
 
-/// Reads the source of the pixels: values of Provenance (lippmann/trace/aovs.hpp), 1 channel.
+/// Reads how each pixel was made: values of Provenance (lippmann/trace/aovs.hpp), 1 channel.
 std::optional<Image> views_provenance(const std::filesystem::path& path, const LightField& field);
 
 /// Reads the motion of each point since the previous frame, in pixels of its view: 2 channels, right and down.
