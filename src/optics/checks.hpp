@@ -12,7 +12,7 @@
 
 namespace lippmann {
 
-inline constexpr int kMaxSide = 1 << 16;  ///< maximum side of a panel in pixels, where floats still resolve 1/256 pixel
+inline constexpr int kMaxSide = 1 << 16;  ///< maximum side of a panel in pixels; up to this size, floats resolve 1/256 pixel
 /// Limits of lengths in mm. The squares and quotients of lengths within these limits do not overflow floats.
 inline constexpr float kMinLength = 1e-6f, kMaxLength = 1e9f;
 

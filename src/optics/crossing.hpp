@@ -1,5 +1,5 @@
-// Converts a model's lines to world-space rays. A model computes the slope of a line and the point where it crosses the plane z
-// = z_front. Single rays and vectorised loops use the same inline functions, so that both give identical bits.
+// Converts a model's lines to world-space rays. Rays start in the plane z = z_front. A model computes the slope of a line and
+// its point in this plane. Single rays and vectorised loops use the same inline functions, so that both give identical bits.
 #pragma once
 
 #include <algorithm>

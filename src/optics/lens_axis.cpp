@@ -7,12 +7,14 @@ namespace {
 
 constexpr double kAlignmentTolerancePx = 0.01;
 
-/// Makes the cells exactly whole and aligned with the pixels if they are whole and aligned up to rounding.
+/// If cells are a whole number of pixels wide and begin at pixel edges, up to rounding errors, removes the errors and numbers
+/// the cells from pixel 0.
 void snap_to_pixels(LensAxis<double>& axis, int size_px) {
   const double whole = std::round(axis.cell_px);
   if (size_px <= 0 || whole < 1.0) return;
   const double cells_before = std::round(axis.start_px / whole);  // number of cells between pixel 0 and cell 0
-  const double farthest_cell = 0.5 * size_px / whole + 1.0;       // number of cells from cell 0, which is at the panel's centre
+  // Number of cells from cell 0, which is at the panel's centre, to the farthest cell.
+  const double farthest_cell = 0.5 * size_px / whole + 1.0;
   const double misalignment = std::abs(axis.start_px - whole * cells_before) + farthest_cell * std::abs(axis.cell_px - whole);
   if (!(misalignment < kAlignmentTolerancePx)) return;
   axis.cell_px = whole, axis.start_px = 0.0;

@@ -2,10 +2,10 @@
 // has two axes.
 //
 // An axis has a coordinate in mm, which is 0 at the panel's centre. The coordinate is x for columns of lenses, -y for rows
-// (rows count downwards), and xi for slanted sheets. An axis also has a panel coordinate s in pixels. For columns and rows, s
-// is the pixel coordinate, so that edges of pixels and cells agree exactly.
+// (rows count downwards), and for slanted sheets xi, the direction across the lenses. An axis also has a panel coordinate s in
+// pixels. For columns and rows, s is the pixel coordinate, so that edges of pixels and cells agree exactly.
 //
-// With the viewing distance V, the gap g and the pixel pitch m:
+// With the viewing distance V, the gap g, the pixel pitch m, and `eye` the viewer's coordinate on the axis:
 //   Lens k is at l_k = lens0 + k pitch.
 //   Its cell is centred at l_k + (l_k - eye) g / V. The cell is pitch (1 + g/V) wide and begins at pixel start_px + k cell_px.
 //   The ray of a point o pixels from the centre of the cell has the slope -o m / g - (l_k - eye) / V, in mm per mm of z.

@@ -17,7 +17,8 @@ LenticularConstants<double> make_lenticular(const Panel& panel, const Lenticular
   c.eye_y_mm = sheet.eye_height_mm;
   c.row_vergence = 1.0 / (distance + gap);
   c.z_front_mm = z_front_mm;
-  // The y of a row at z_front is y + (z_front + g) dy/dz, rearranged so that all rows meet exactly at the eye's height if
+  // Let g be the gap, V the viewing distance, and y the height of a row on the panel. The row's rays have the height y +
+  // (z_front + g) dy/dz at z_front. The terms are arranged so that the heights of all rows equal the eye's height exactly if
   // z_front = V.
   c.row_scale = std::isinf(distance) ? 1.0 : (distance - z_front_mm) * c.row_vergence;
   c.row_shift_mm = c.eye_y_mm * (z_front_mm + gap) * c.row_vergence;
@@ -57,7 +58,8 @@ void append_row_of_cell(const LenticularConstants<double>& c, int width, double 
 void pixels_seeing(const Panel& panel, const LenticularSheet& sheet, Vec3f point_mm, std::vector<Vec2f>& pixels) {
   const LenticularConstants<double> c = make_lenticular(panel, sheet, 0.0);
   const double x = point_mm.x, y = point_mm.y, z = point_mm.z, xi = x * c.cosine + y * c.sine;
-  // Solves y_panel + (z + g) (y_e - y_panel) / (V + g) = y for y_panel, the y of the panel row that sees the point.
+  // Solve y_panel + (z + g) (y_e - y_panel) / (V + g) = y for y_panel, the y of the panel row that sees the point. Here g is
+  // the gap, V the viewing distance and y_e the height of the eye.
   const double toward_eye = (z + c.gap_mm) * c.row_vergence;
   const double py = c.half_height_px - (y - c.eye_y_mm * toward_eye) / (1.0 - toward_eye) / c.pixel_pitch_mm;
   if (!(py >= 0.0 && py < panel.height)) return;
@@ -113,7 +115,8 @@ OpticsFacts facts_of(const Panel& panel, const LenticularSheet& sheet) {
       {pitch, 0.0, sheet.gap_mm, sheet.viewing_distance_mm, sheet.eye_height_mm, pitch * spread, cosine, sheet.lens_pitch_mm},
       whole > 0 ? Vec2i(whole, 1) : Vec2i(0));
   const double viewer = sheet.viewing_distance_mm;
-  const double to_plane = std::isfinite(viewer) ? viewer / (viewer + sheet.gap_mm) : 1.0;  // because rows converge
+  // Scale from the panel to z = 0, where rows are closer, because their rays converge to the viewer.
+  const double to_plane = std::isfinite(viewer) ? viewer / (viewer + sheet.gap_mm) : 1.0;
   facts.samples = {pitch, panel.pixel_pitch_mm * to_plane};
   facts.crosstalk_pitch = {cosine, 0.0};
   return facts;
@@ -141,7 +144,7 @@ std::optional<ViewCameras> cameras_of(const Panel& panel, const LenticularSheet&
   const int n = make_lenticular(panel, sheet, 0.0).axis.whole_pixels;
   const double v = sheet.viewing_distance_mm, g = sheet.gap_mm, m = panel.pixel_pitch_mm;
   if (n < 1 || !std::isfinite(v)) return std::nullopt;
-  // The eye height shifts the rows in the plane of the lenses, because they converge to the eye.
+  // The rays of the rows converge to the eye. Therefore a raised eye shifts the rows in the plane of the lenses.
   const Vec2d centre(0.5 * panel.width / n, 0.5 * panel.height + g * sheet.eye_height_mm / (v * m));
   return ViewCameras{
       v, {sheet.lens_pitch_mm, m * v / (v + g)}, centre, lens_eyes({n, 1}, sheet.parallax * m * v / g, sheet.eye_height_mm)};

@@ -111,8 +111,8 @@ void append_hexagonal_cell(const Search& s, double x, double down) {
   s.append_centres(s.panel_point(lens.column, lens.row), {0.5 * s.c.columns.cell_px, s.c.rows.cell_px}, belongs);
 }
 
-/// Appends the images of the point in all cells that contain their image. A hexagonal cell extends half a column step to each
-/// side and 2/3 of a row step up and down.
+/// Each lens images the point to a position p on the panel. Appends p if it lies in the lens's own cell. A hexagonal cell
+/// extends half a column step to each side and 2/3 of a row step up and down.
 void append_hexagonal(const Search& s, double x, double down, double z) {
   const double step_x = s.c.columns.cell_px, step_y = s.c.rows.cell_px;
   const LensRange columns = lenses_near(s.c.columns, x, z, 0.5 * step_x, -step_x, s.width + step_x);
@@ -178,7 +178,7 @@ double row_pitch_mm(const MicrolensArray& array) {
   return array.lens_pitch_mm * (array.packing == LensPacking::kHexagonal ? std::sqrt(0.75) : 1.0);
 }
 
-/// Returns the width of a cell on the panel: the lens pitch, magnified from the viewing distance.
+/// Returns the width of a cell on the panel: the lens pitch, projected from the viewer onto the panel.
 double cell_mm(const MicrolensArray& array) {
   return array.lens_pitch_mm * (1.0 + array.gap_mm / static_cast<double>(array.viewing_distance_mm));
 }

@@ -50,8 +50,8 @@ struct OpticsFacts {
   bool repeats_beyond_zone = false;  ///< whether eyes beyond the viewing zone see pixels of neighbouring lenses
   /// Slanted panels only: shift of a lens to the right from one film row to the next, in film columns.
   std::optional<double> lens_columns_per_row = {};
-  /// Sigma of a lens's blur (across the lens) divided by the sigma along x and along y, both in pixels or, for quilts, in
-  /// views. 0 if the lenses have no power along the axis.
+  /// Factors that convert the blur of the lenses to the axes x and y. The sigma along an axis is the sigma across the lenses
+  /// divided by the factor. Sigmas are in pixels or, for quilts, in views. 0: the lenses have no power along the axis.
   Vec2d crosstalk_pitch{0.0};
 };
 
@@ -123,7 +123,8 @@ concept CompleteModel = requires(const Panel& panel, const Model& model, Model& 
   make_rays(panel, model, mm);
   /// Returns sample_footprint_mm() at z = mm.
   { footprint_mm(panel, model, mm) } -> std::same_as<Vec2f>;
-  /// Returns the slope (right, up) of the eye at `share` of the viewing zone, relative to the design viewer.
+  /// Returns the slope (right, up) of the direction to the eye at `share` of the viewing zone, relative to the slope at the
+  /// zone's middle. Both components of `share` are from 0 (left or lower end) to 1.
   { zone_slope(panel, model, share) } -> std::same_as<Vec2d>;
   { step_rule(panel, model, within) } -> std::same_as<StepRule>;
 };

@@ -126,8 +126,8 @@ float views_zone(const MultiView& views) {
   return 2.0f * std::atan(0.5f * eyes * views.baseline_mm / views.distance_mm);
 }
 
-/// Returns the depth in front of the plane at which points move by one pixel between the two middle views. Returns infinity for
-/// a stereo pair, because each eye sees only its own view.
+/// Returns the distance from the plane z = 0, towards the viewer, at which a point moves by one pixel between the two middle
+/// views. Returns infinity for a stereo pair, because each eye sees only its own view.
 float view_budget_mm(const MultiView& views, float pixel_pitch_mm) {
   const int steps = views.columns * views.rows - (views.cone_ends_included ? 1 : 0);
   if (views.columns * views.rows < 2 || (is_grid(views) && views.columns == 2 && views.rows == 1)) return kInfinity;

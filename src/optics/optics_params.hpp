@@ -48,14 +48,15 @@ struct OpticsParams {
   bool cone_ends = false;  ///< multi-view: the outermost eyes are at the ends of the viewing zone
   /// Full angle of the viewing zone, which determines the gap. No value: the angle of the display, or 28 degrees.
   std::optional<float> view_angle_deg{};
-  std::optional<float> viewing_distance_mm{};  ///< no value: distance of the scene's camera; infinity: parallel cells
-  std::optional<EyeHeight> eye_height{};       ///< no value: the eyes are level with the middle of the display
-  std::optional<bool> fit_depth{};             ///< whether to reduce depth to what the display resolves; see fits_depth()
-  float slant_deg = 0.0f;                      ///< angle between the lenses of a lenticular sheet and the vertical
-  std::optional<double> ipd_mm{};              ///< stereo: distance between the eyes; no value: kDefaultIpdMm
-  std::optional<double> screen_width_mm{};     ///< stereo: width of the screen; no value: the display's or kDefaultScreenMm
-  std::optional<double> crosstalk_px{};        ///< sigma of the lens blur (optics/crosstalk.hpp); no value: the display's
-  bool precompensate = false;                  ///< whether to change pictures to counteract the display's crosstalk
+  /// No value: distance of the scene's camera; infinity: a view's rays are parallel.
+  std::optional<float> viewing_distance_mm{};
+  std::optional<EyeHeight> eye_height{};    ///< no value: the eyes are level with the middle of the display
+  std::optional<bool> fit_depth{};          ///< whether to reduce depth to what the display resolves; see fits_depth()
+  float slant_deg = 0.0f;                   ///< angle between the lenses of a lenticular sheet and the vertical
+  std::optional<double> ipd_mm{};           ///< stereo: distance between the eyes; no value: kDefaultIpdMm
+  std::optional<double> screen_width_mm{};  ///< stereo: width of the screen; no value: the display's or kDefaultScreenMm
+  std::optional<double> crosstalk_px{};     ///< sigma of the lens blur (optics/crosstalk.hpp); no value: the display's
+  bool precompensate = false;               ///< whether to change pictures to counteract the display's crosstalk
   /// Lengths of a plenoptic camera. Defaults: the sensor is kSensorWidthMm wide; the main lens has the field of view of the
   /// scene's camera; the gap is such that the images below the lenses touch; the microlenses are focused at infinity.
   std::optional<float> sensor_width_mm{}, focal_length_mm{}, gap_mm{}, lens_focal_length_mm{};

@@ -260,7 +260,8 @@ StepRule step_rule(const Panel& panel, const SlantedPanel& slanted, StepsWithin)
   StepRule rule;
   rule.across.x = static_cast<float>(3.0 / std::abs(c.lenses_per_px));
   rule.down.x =
-      static_cast<float>(3.0 * c.lenses_per_row / c.lenses_per_px);  // keeps the phase: a row down has lenses_per_row less
+      // A row down has lenses_per_row less phase; the step to the right restores it.
+      static_cast<float>(3.0 * c.lenses_per_row / c.lenses_per_px);
   return rule;
 }
 

@@ -1,8 +1,8 @@
 // Computes the rays of a calibrated slanted panel. Each sub-pixel has one ray, in the direction in which the lens above it
 // emits its light. Rendering sub-pixels directly, without intermediate views, gives the panel's full resolution.
 //
-// 1. (x, y) is the position of a sub-pixel, from 0 to 1 across and up the panel. Its phase below the lenses is
-//    (x + y T) P - center.
+// 1. (x, y) is the position of a sub-pixel, from 0 to 1 across and up the panel. Its phase below the lenses is (x + y T) P -
+//    center, with T = SlantedPanel::tilt and P = SlantedPanel::periods.
 // 2. Its position in the view cone is v = 1 - fract(phase), or fract(phase) if the panel is not inverted.
 // 3. Its ray comes from the eye at (parallax distance tan(cone (v - 1/2)), eye_height, distance) and crosses the plane z = 0 at
 //    the position of the sub-pixel.

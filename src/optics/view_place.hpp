@@ -2,8 +2,8 @@
 //
 // A directional view consists of all pixels at the same offset below their lenses, or of a tile of a quilt. Its rays meet in a
 // point of the viewer's plane z = V, or are parallel if V is infinite. Therefore the view is a picture in the plane z = 0, with
-// one sample per lens (lens arrays) or per pixel (views). Let x(z) = l + s z be the line of any ray of the view. The view sees
-// a point P at the position
+// one sample per lens (lens arrays) or per pixel (quilts and single views). Let x(z) = l + s z be the line of any ray of the
+// view. The view sees a point P at the position
 //   (P - (l / V + s) P_z) / (1 - P_z / V)
 // in the plane z = 0, x right and y up. Divided by the sample spacing, with y downwards, this is a position in samples.
 #pragma once

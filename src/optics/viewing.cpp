@@ -8,7 +8,8 @@
 namespace lippmann {
 namespace {
 
-/// Returns the slope (right, up) of the eye at `share` of the viewing zone, relative to the design viewer.
+/// Returns the slope (right, up) of the direction to the eye at `share` of the viewing zone (0 to 1 on each axis), relative to
+/// the slope at the zone's middle.
 Vec2d slope_in_zone(const Optics& optics, Vec2d share) {
   return std::visit([&](const auto& model) { return zone_slope(optics.panel, model, share); }, optics.model);
 }
