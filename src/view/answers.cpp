@@ -66,7 +66,7 @@ std::optional<std::size_t> number_in(std::string_view text) {
   return number;
 }
 
-/// Returns whether the request's origin is acceptable. Pages of other sites may only open the page itself.
+/// Returns whether the request's origin is acceptable. Pages of other sites may only request the page itself (the empty path).
 bool is_allowed_site(const std::string& fetch_site, std::string_view path) {
   return fetch_site.empty() || fetch_site == "same-origin" || fetch_site == "none" || path.empty();
 }
@@ -272,8 +272,8 @@ PageAnswer PageAnswers::run_order(std::string_view order) {
   }
 }
 
-/// Returns an image of a light field. path: FIELD/KIND/FRAME, see page_picture(); or FIELD/views/FRAME/SIGMA for views of eyes
-/// with crosstalk, with SIGMA in hundredths of a pixel.
+/// Returns an image of a light field. path: FIELD/KIND/FRAME, see page_picture(); or FIELD/views/FRAME/SIGMA for the views as
+/// eyes see them with a crosstalk of SIGMA hundredths of a pixel.
 PageAnswer PageAnswers::picture(std::string_view path) {
   const std::optional<std::size_t> field = number_in(cut_part(path));
   const std::string_view kind = cut_part(path);

@@ -65,7 +65,7 @@ class PageAnswers {
   PageAnswers(std::vector<std::unique_ptr<PageField>> fields, PageAccess access, std::optional<PageDisplay> display = {},
               std::size_t cache_bytes = kDefaultCacheBytes);
 
-  /// Answers for a live scene. Requests that change it need the token and must come from the page itself.
+  /// Answers for a live scene. Requests that change the scene need the token and must come from the page itself.
   PageAnswers(std::unique_ptr<LivePage> live, PageAccess access);
 
   /// Answers for a render that is running or was stopped. The page may stop and resume it with these requests, which need the

@@ -74,7 +74,7 @@ void HttpConnection::read_request() {
 void HttpConnection::begin_body(const RequestHead& head) {
   head_ = head;
   if (const std::optional<PageAnswer> refusal = terms_.refusal(head_.page)) {
-    // The body is not read, so no further request can be found after it.
+    // The body is not read, so the beginning of a further request cannot be found.
     if (head_.body_bytes > 0 || head_.body_refusal != 0) head_.keeps_alive = false;
     begin_answer(*refusal);
     return;

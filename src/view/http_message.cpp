@@ -10,7 +10,8 @@
 namespace lippmann {
 namespace {
 
-/// Headers of every answer. Pages load only content of this server, and other pages cannot embed or read them.
+/// Headers of every answer. Pages of this server load only content of this server. Pages of other sites can neither embed nor
+/// read the answers.
 constexpr std::string_view kSafeHeaders =
     "Content-Security-Policy: default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob: data:; "
     "connect-src 'self'; frame-ancestors 'self'; base-uri 'none'; form-action 'none'\r\n"

@@ -37,7 +37,7 @@ struct PageFacts {
   Vec2i view_size{0, 0};
   Window window;  ///< the part of the plane z = 0 that every view shows
   ViewAxes axes;
-  /// Whether one sample of a view covers a whole lens in that direction.
+  /// Whether one sample of a view covers a whole lens horizontally (across) and vertically (up).
   bool lens_samples_across = false, lens_samples_up = false;
   PanelPicture panel = PanelPicture::kOwn;
   Vec2i panel_size{0, 0};            ///< size of the panel's image, in pixels

@@ -48,7 +48,7 @@ FormatOptions options_with_depth(const LightFieldHints& hints) {
   return options;
 }
 
-/// Converts a layer of codes to a grey image.
+/// Converts a layer of whole numbers from 0 to 255 to a grey image.
 Image8 grey(const Image& layer) {
   Image8 codes{layer.width, layer.height, std::vector<unsigned char>(3 * layer.data.size())};
   for (std::size_t i = 0; i < codes.rgb.size(); ++i)

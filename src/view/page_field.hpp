@@ -51,7 +51,7 @@ class PageField {
   /// Returns the views with the samples stored in the files. Needs has_plain_views(). fit: as FormatOptions::fit_view.
   LightField views(std::size_t frame, const std::function<Picture(const Picture&, int view, ViewGrid grid)>& fit) const;
 
-  /// Returns whether the files contain complete pixels of two or more views.
+  /// Returns whether the files contain two or more views, with every pixel of each view.
   bool has_plain_views() const;
   int threads() const { return pool_.threads(); }
 
