@@ -81,7 +81,8 @@ LightFieldFrames as_shown(LightFieldFrames frames) {
   return frames;
 }
 
-/// Fills the other members of `frames` for a finished render in any layout.
+/// Sets the optics, the frame rate and the reader of `frames`, which so far lists only files, for a finished render in any
+/// layout.
 LightFieldFrames of_render(LightFieldFrames frames, const Rendering& rendering, const LightFieldHints& hints) {
   const fs::path& first = frames.files.front();
   if (hints.display && !hints.is_other_display)
@@ -105,7 +106,8 @@ LightFieldFrames of_render(LightFieldFrames frames, const Rendering& rendering, 
   return as_shown(std::move(frames));
 }
 
-/// Fills the other members of `frames` for images of a display's panel that have no report.
+/// Sets the optics and the reader of `frames`, which so far lists only files, for images of a display's panel that have no
+/// report.
 LightFieldFrames of_panel(LightFieldFrames frames, const LightFieldHints& hints) {
   for (const auto& [given, flag] :
        {std::pair(hints.view_angle_deg.has_value(), "view-angle"), std::pair(hints.views.has_value(), "views"),
@@ -169,7 +171,8 @@ std::string assumption_about(const fs::path& file, bool are_turned, const Optics
   return text + ".";
 }
 
-/// Fills the other members of `frames` for a light field without a report.
+/// Sets the optics, the assumptions and the reader of `frames`, which so far lists only files, for a light field without a
+/// report.
 LightFieldFrames of_format(LightFieldFrames frames, const LightFieldSource& source, const LightFieldHints& hints) {
   const fs::path& first = frames.files.front();
   const LightField field = source.format->read(first, source.options);
@@ -240,7 +243,7 @@ MultiView assumed_views(const LightField& field, std::optional<double> view_angl
   const double angle = radians(view_angle_deg.value_or(is_grid ? kGridAngleDeg : kConeDeg));
   MultiView views{field.grid.columns, field.grid.rows};
   views.distance_mm = kDistanceMm;
-  // Views of a quilt and views behind a lens array are stretched to the display.
+  // The views are stretched to the assumed display, so their pixels need not be square.
   views.pixel_height = static_cast<float>(kWindowHeightMm / field.view_size.y / pixel_width_mm(field));
   if (is_grid)
     views.baseline_mm = static_cast<float>(2.0 * kDistanceMm * std::tan(0.5 * angle) / std::max(field.grid.columns - 1, 1));

@@ -186,8 +186,8 @@ class Replay {
     return {view_.eye_mm - half, view_.eye_mm + half};
   }
 
-  /// Warns about eyes outside the viewing zone. Returns the share of the display that shows an eye a neighbouring zone: the
-  /// largest share of all eyes.
+  /// Warns about eyes outside the viewing zone. Returns the largest share of the display, over all eyes, on which an eye sees
+  /// views of a neighbouring viewing zone.
   double warn_of_flips() const {
     double most = 0.0;
     for (const Vec3d& eye : eyes()) {

@@ -56,7 +56,8 @@ struct ReplayParams {
 struct Replayed {
   std::vector<std::filesystem::path> written;
   std::optional<Vec3d> eye_mm = {};  ///< the eye, or the middle of both eyes; none: no image shows an eye's view
-  /// Share of lenses that show an eye a neighbouring zone; for a pair, the larger share of both eyes.
+  /// Share of the lenses through which an eye sees views of a neighbouring viewing zone; for a pair, the larger share of both
+  /// eyes.
   double out_of_zone = 0.0;
 };
 

@@ -55,8 +55,8 @@ void refuse_eye_params(const StereoParams& params) {
   refuse(params.field.cone_ends, "cone-ends");
 }
 
-/// Warns if an eye is outside the viewing zone. Returns the share of the display that shows an eye a neighbouring zone: the
-/// larger share of both eyes.
+/// Warns if an eye is outside the viewing zone. Returns the larger share of the display, over both eyes, on which an eye sees
+/// views of a neighbouring viewing zone.
 double warn_out_of_zone(const Optics& optics, const EyePair& eyes, const Context& context) {
   const double share =
       std::max(share_out_of_zone(optics, viewer_at(eyes.eye(0))), share_out_of_zone(optics, viewer_at(eyes.eye(1))));

@@ -28,7 +28,7 @@ struct StereoParams {
 struct ConvertedStereo {
   std::vector<std::filesystem::path> written;
   Vec2i view_size{0, 0};     ///< size of one view before it is squeezed
-  double out_of_zone = 0.0;  ///< largest share of the display that shows an eye a neighbouring zone (eye_sampler.hpp)
+  double out_of_zone = 0.0;  ///< largest result of share_out_of_zone() (eye_sampler.hpp), over all eyes and frames
 };
 
 /// Converts all frames. A light field of two views keeps its views; giving the distances or the view angle is then an Error.
