@@ -41,7 +41,7 @@ BackgroundQueue::Impl::~Impl() {
   {
     const std::lock_guard lock(mutex);
     stopping = true;
-    waiting.clear();  // safe, because running pieces wait only for earlier pieces
+    waiting.clear();  // safe: running pieces never wait for pieces that have not started
   }
   changed.notify_all();
   for (std::thread& thread : threads) thread.join();
@@ -110,7 +110,7 @@ void BackgroundQueue::submit(std::function<void()> work, std::function<void()> i
   const bool accepted = !impl_->failed;
   if (accepted) {
     impl_->waiting.push_back({impl_->submitted, std::move(work), std::move(in_order)});
-    ++impl_->submitted, ++impl_->existing;  // after push_back(), so that they count the piece only if it did not throw
+    ++impl_->submitted, ++impl_->existing;  // after push_back(), because the piece must not be counted if push_back() throws
   }
   lock.unlock();
   impl_->changed.notify_all();

@@ -34,7 +34,8 @@ double available_memory_bytes(const std::filesystem::path& proc = "/proc",
 /// Returns the peak memory of this process, or 0 if unknown.
 std::uint64_t peak_memory_bytes();
 
-/// Returns the stack limit of the main thread, which other threads use too, or nothing if it is unlimited or unknown.
+/// Returns the largest stack size in bytes of the main thread and of threads started later, or nothing if it is unlimited or
+/// unknown.
 std::optional<std::uint64_t> stack_limit_bytes();
 
 /// Requests huge pages for memory that is reserved and not yet written, to reduce TLB misses. Has no effect if unsupported, or
