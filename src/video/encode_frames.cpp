@@ -113,7 +113,8 @@ std::vector<NumberedFrame> find_frames(const std::string& from, std::vector<int>
   const Series& series = chosen_series(from, all);
   const int begin = series.begin()->first, end = series.rbegin()->first;
   if (wanted.empty()) {
-    // Stops at the first missing number, because the largest number may be huge.
+    // List at most one number more than there are files. If the list has a gap, a missing number is among them, and the loop
+    // ends early although the largest number may be huge.
     for (int number = begin; wanted.size() <= series.size() && number <= end; ++number) wanted.push_back(number);
   }
   std::vector<NumberedFrame> frames;
