@@ -45,8 +45,8 @@ struct DecodedPicture {
 };
 
 /// Read an image of any format, turn it upright and convert it from its colour profile to sRGB. Then header.orientation is
-/// kUpright and header.profile is empty. If the profile cannot be applied, a notice names it. Throw Error that lists all
-/// formats if the file has none of them. The functions for single formats below return the samples as stored.
+/// kUpright and header.profile is empty. If the profile cannot be applied, a notice names it. If the file has no supported
+/// format, throw Error that lists all formats. The functions for single formats below return the samples as stored.
 PictureHeader picture_header(FileBytes file, const std::string& where);
 DecodedPicture decode_picture(FileBytes file, const std::string& where);
 

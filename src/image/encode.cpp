@@ -57,8 +57,8 @@ class SrgbTable {
 
  private:
   static constexpr int kBucketBits = 16;
-  static constexpr float kFirst = 0x1p-13f;        // 1.22e-4, code 0: code 1 begins at 1.52e-4
-  static constexpr float kLast = 1.0f - 0x1p-24f;  // largest float below 1, code 255
+  static constexpr float kFirst = 0x1p-13f;  // start of the table, 1.22e-4; its code is 0, because code 1 begins at 1.52e-4
+  static constexpr float kLast = 1.0f - 0x1p-24f;  // end of the table: the largest float below 1; its code is 255
   static constexpr std::uint32_t kFirstBits = std::bit_cast<std::uint32_t>(kFirst);
   static constexpr std::uint32_t kBuckets = (std::bit_cast<std::uint32_t>(1.0f) - kFirstBits) >> kBucketBits;
   std::array<std::uint32_t, kBuckets> entries_{};

@@ -33,7 +33,8 @@
 namespace lippmann {
 namespace {
 
-/// Returns the maximum ratio of a compression method. DWA may keep only one of 64 coefficients before it applies deflate.
+/// Returns the maximum ratio of uncompressed to compressed bytes of a method. DWA may keep only one of 64 coefficients before
+/// it applies deflate.
 std::uint64_t ratio_of(Imf::Compression compression) {
   switch (compression) {
     case Imf::NO_COMPRESSION:

@@ -4,7 +4,8 @@
 // four bytes: three mantissas and their common exponent. A scan line is stored in one of three ways:
 // 1. pixel by pixel, uncompressed;
 // 2. pixel by pixel with runs: the pixel 1, 1, 1, n means n repetitions of the previous pixel;
-// 3. as 2, 2 and the length of the line, then the four components of the line one after the other, each with runs.
+// 3. by component: the bytes 2, 2 and the length of the line (2 bytes), then all values of each of the four components,
+//    compressed by runs.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -41,7 +41,7 @@ class StbInput {
     const auto wanted = static_cast<std::size_t>(std::max(size, 0)), there = std::min(wanted, input.rest_.size());
     std::memcpy(to, input.rest_.data(), there);
     input.rest_ = input.rest_.subspan(there);
-    // A read of kBuffer bytes fills stb_image's buffer, so that it may return fewer bytes at the end of the file.
+    // stb_image reads kBuffer bytes to fill its buffer. Such a read may return fewer bytes at the end of the file.
     constexpr std::size_t kBuffer = sizeof(stbi__context::buffer_start);
     if (there == wanted || (there > 0 && wanted == kBuffer)) return static_cast<int>(there);
     input.truncated_ = true;
