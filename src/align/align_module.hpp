@@ -32,8 +32,8 @@ class AlignModule {
   /// Returns the strongest features, at most `most`. SIFT: D. Lowe, "Distinctive image features from scale-invariant
   /// keypoints", IJCV 60(2), 2004.
   virtual Features features(const GreyPicture& picture, int most) const = 0;
-  /// Returns pairs of features that are each other's nearest neighbour and clearly nearer than the second nearest one, in the
-  /// order of the first image's features.
+  /// Returns pairs of features with similar descriptors: each is the other's nearest neighbour and clearly nearer than the
+  /// second nearest one. Pairs are in the order of the first image's features.
   virtual std::vector<FeatureMatch> matches(const Features& first, const Features& second) const = 0;
   /// Returns the disparity of each pixel of `first`: its x minus the x of the same point in `second`, in pixels. Searches from
   /// `least` to `most` pixels by semiglobal matching. -inf means unknown. 1 channel.

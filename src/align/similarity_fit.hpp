@@ -3,9 +3,10 @@
 // An ideal row of cameras sees a point at depth z at the same height in all images, at a horizontal position that depends on z.
 // If q in image i and q' in image j show the same point, similarities S_i and S_j that align the images therefore satisfy
 //   S_i(q).y = S_j(q').y + t (q.x - q'.x),
-// where t is the slope of the line of the cameras relative to the rows. Heights alone determine a, b and y of every image,
-// whatever the depths; x remains free. The equations are linear and solved for all images together, by robust least squares
-// with small weights for outliers. Image `fixed` keeps the identity.
+// where t is the slope of the line of the cameras relative to the rows. A similarity maps q to (a q.x - b q.y + x, b q.x + a
+// q.y + y). Heights alone determine its a, b and y for every image, whatever the depths. Its x remains free. The equations are
+// linear and solved for all images together, by robust least squares with small weights for outliers. Image `fixed` keeps the
+// identity.
 #pragma once
 
 #include <cstddef>

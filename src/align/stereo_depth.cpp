@@ -1,7 +1,7 @@
 // Computes the disparities of a stereo pair in four steps:
 //
 // 1. Features visible in both images give the range of disparities.
-// 2. The disparity of each image is matched on its own.
+// 2. Semiglobal matching computes the disparities of the left image, and separately those of the right image.
 // 3. Disparities that the other image contradicts are removed, since points visible in only one image have no match.
 // 4. The holes are filled with the disparity of the farther neighbour in the row.
 //
