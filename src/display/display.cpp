@@ -94,7 +94,8 @@ SlantedPanel slanted_panel(const Display& display, double distance_mm) {
   const Calibration& c = display.calibration;
   SlantedPanel panel;
   panel.periods = periods_of(display), panel.tilt = tilt_of(display);
-  // panel.sub_pixels places stripes at x + (c - 1) s, but the formula of Calibration at x + c s. The center corrects for s.
+  // The sub-pixels of colour c = 0, 1, 2 are s apart. panel.sub_pixels places striped sub-pixels at x + (c - 1) s, with x the
+  // centre of the pixel. The formula of Calibration places them at x + c s. The center corrects this difference of s.
   const double step = c.cells.empty() ? (flips_step(c) ? -1.0 : 1.0) / (3.0 * display.pixels.x) : 0.0;
   const bool flips_center = c.flip_image_x && c.flip == Calibration::Flip::kSlopeStepAndCenter;
   panel.center = c.center + (flips_center ? 0.5 : 0.0) - panel.periods * step;
