@@ -25,7 +25,7 @@ struct Context {
   }
 };
 
-/// Returns context.threads, or the number of processors that this process may use if it is 0.
+/// Returns context.threads. If context.threads is 0, returns the number of processors that this process may use.
 int resolved_threads(const Context& context);
 
 }  // namespace lippmann

@@ -55,8 +55,8 @@ struct DisplayPictureParams {
 /// The kind of picture, named like the formats in layout/formats.hpp.
 enum class DisplayTarget { kIntegral, kQuilt, kNative };
 
-/// Returns the target of a format: integral, quilt or native. Throws a usage Error naming `display` if the display has no such
-/// picture.
+/// Converts the name of a format, which is integral, quilt or native. Throws a usage Error naming `display` if the display has
+/// no picture of this format.
 DisplayTarget display_target(const Display& display, std::string_view format);
 
 /// Returns kStretch for native frames, because players of such panels sample views of any size. Returns kCrop for the other

@@ -54,7 +54,7 @@ Vec2i lens_grid(const Optics& optics);
 /// row.
 Vec2d sample_spacing_mm(const Optics& optics);
 
-/// The directions in which the picture changes as the eye moves.
+/// Whether the picture changes as the eye moves horizontally (across) and vertically (along).
 struct Parallax {
   bool across = true, along = false;
 };

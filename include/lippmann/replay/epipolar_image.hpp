@@ -12,14 +12,15 @@
 
 namespace lippmann {
 
-/// Returns the epipolar-plane image of a row of the lens grid; rows count from the top. Each column of the image is a lens of
-/// the row, each row an eye. The view_counts(optics).x eyes are equally spaced, with the leftmost on top. If every lens covers
-/// a whole number of pixels, the image consists of unchanged panel pixels. Throws a usage Error naming `epi` if the display has
-/// no such row. Returns early, with an unfinished image, if `context` is cancelled.
+/// Returns the epipolar-plane image of row `row` of the lens grid, counted from the top. Each column of the image shows one
+/// lens of this row. Each row of the image shows what one eye sees. The view_counts(optics).x eyes are equally spaced, with the
+/// leftmost on top. If every lens covers a whole number of pixels, the image consists of unchanged panel pixels. Throws a usage
+/// Error naming `epi` if the display has no such row. Returns early, with an unfinished image, if `context` is cancelled.
 Image epipolar_row(const RenderedPanel& rendered, int row, SampleFilter filter, const Context& context = {});
 
-/// Returns the epipolar-plane image of a column of the lens grid. Each row is a lens of the column, each column an eye, the
-/// lowest on the left. Throws a usage Error naming `epi-column` if the display has no such column or no vertical parallax.
+/// Returns the epipolar-plane image of column `column` of the lens grid. Each row of the image shows one lens of this column.
+/// Each column of the image shows what one eye sees, with the lowest eye on the left. Throws a usage Error naming `epi-column`
+/// if the display has no such column or no vertical parallax.
 Image epipolar_column(const RenderedPanel& rendered, int column, SampleFilter filter, const Context& context = {});
 
 }  // namespace lippmann

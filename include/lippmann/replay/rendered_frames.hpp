@@ -31,8 +31,8 @@ Picture read_panel_picture(const RenderedFrames& frames, const std::filesystem::
 /// not finite become 0. Throws Error as read_panel_picture().
 RenderedPanel read_rendered_panel(const RenderedFrames& frames, std::size_t index);
 
-/// Returns the part of a file name that identifies a frame: its number, or the image's whole name if it has no number. Files
-/// made from the frame contain it.
+/// Returns the part of a file name that identifies a frame: its number, or the image's whole name if it has no number. The
+/// names of files made from the frame contain this part.
 std::string frame_label(const std::filesystem::path& file);
 
 }  // namespace lippmann

@@ -1,4 +1,5 @@
-// Options of the paper's interpolation. Points of key frames are projected into in-between frames.
+// Options of the interpolation between key frames by Eljdid, Aggoun and Youssef, "Enhanced Techniques 3D Integral Images Video
+// Computer Generated" (the paper). Points of key frames are projected into in-between frames.
 #pragma once
 
 namespace lippmann {
