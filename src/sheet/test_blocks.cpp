@@ -18,15 +18,16 @@ namespace {
 constexpr double kMarginMm = 3.0, kGapMm = 1.0, kCapitalMm = 2.0;
 constexpr double kHalfBar = 0.5, kThirdBar = 1.0 / 3.0;
 
-/// Layout of a test print, in pixels. "Across" is the direction across the bars. "Along" is the direction along the bars.
+/// Layout of a test print, in pixels. Values "across" are measured perpendicular to the bars, and values "along" parallel to
+/// the bars, from the edge of the image.
 struct BlockLayout {
   bool is_vertical = true;
   int scale = 1;                         ///< size of the text, in pixels per unit of the font
   Vec2i header{0, 0};                    ///< corner of the heading above all blocks
-  int first_across = 0, end_across = 0;  ///< start and end of each block across the bars
+  int first_across = 0, end_across = 0;  ///< start and end of every block, measured across the bars
   /// Along the bars: start of the first block, distance between the starts of blocks, and gap between blocks.
   int first_along = 0, pitch = 0, gap = 0;
-  int label_across = 0;  ///< start of the labels across the bars
+  int label_across = 0;  ///< start of the labels, measured across the bars
 
   PixelBox block(int number) const {
     const int from = first_along + number * pitch, to = from + pitch - gap;

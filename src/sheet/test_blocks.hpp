@@ -32,7 +32,7 @@ PitchStep read_pitch_step(const std::string& text);
 
 struct TestBlock {
   double pitch_px = 0.0;
-  double phase_px = 0.0;  ///< distance across the bars from the edge of the image to the start of a strip
+  double phase_px = 0.0;  ///< position of the edge of a strip, perpendicular to the bars, in pixels from the edge of the image
   bool is_nominal = false;
   PixelBox bars = {};
 };
