@@ -26,7 +26,8 @@ std::vector<PosedPicture> parse_colmap_images(const std::string& text, const Col
 std::vector<PosedPicture> parse_colmap_images(std::span<const std::byte> binary, const ColmapCameras& cameras,
                                               const std::string& where);
 
-/// Return the contents of the text files. Pictures with equal intrinsics share one camera entry; points have no tracks.
+/// Return the contents of the text files. Pictures with equal intrinsics share one camera entry. Points have no tracks, which
+/// would list the pictures that show a point.
 std::string colmap_cameras_text(const std::vector<PosedPicture>& pictures);
 std::string colmap_images_text(const std::vector<PosedPicture>& pictures);
 std::string colmap_points_text(const std::vector<CloudPoint>& cloud);

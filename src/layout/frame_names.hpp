@@ -24,8 +24,8 @@ std::string frame_name(const FrameNames& names, int frame);
 /// names the files.
 std::vector<std::filesystem::path> picture_paths(const std::filesystem::path& folder, const FrameNames& names, int frame);
 
-/// Returns the path of the file for extra layers of a picture, which the picture itself does not contain. `view`: -1 for the
-/// layers of the whole frame.
+/// Returns the path of the separate file for layers that the picture itself does not contain. `view`: number of a view; -1: the
+/// layers are those of the whole frame.
 std::filesystem::path layers_path(const std::filesystem::path& folder, int frame, int view = -1);
 
 /// Maximum number of strips per frame: a film of 65536 rows in strips of 16 rows.

@@ -13,7 +13,7 @@
 
 namespace lippmann {
 
-/// A light field that is found and can be read by source.format->read(path, source.options).
+/// A light field whose format is known. Read it by source.format->read(path, source.options).
 struct LightFieldSource {
   const LightFieldFormat* format = nullptr;
   FormatOptions options;  ///< the given options, with missing ones added from the files beside the picture

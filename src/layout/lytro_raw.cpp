@@ -75,7 +75,7 @@ void unpack(std::span<const std::byte> bytes, int bits, std::size_t count, const
       for (std::size_t k = 0; k < 4; ++k) put(i + k, byte(at + k) << 2 | (byte(at + 4) >> (2 * k) & 3u));
 }
 
-/// Converts the sensor's codes to light.
+/// Unpacks the sensor's codes and scales them to light: 0 at the black level, 1 at the white level.
 Image mosaic_of(std::span<const std::byte> codes, Vec2i size, int bits, const SensorLevels& levels, Vec2i red) {
   Image mosaic(size.x, size.y, 1);
   std::array<double, 4> scale{};
