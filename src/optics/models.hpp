@@ -37,7 +37,8 @@ inline constexpr bool kAllComplete<std::variant<Models...>> = (CompleteModel<Mod
 
 static_assert(detail::kAllComplete<OpticsModel>);
 
-/// Returns the sight of the optics' model. Throws a usage Error for optics without an inverse mapping.
+/// Returns the mapping from an eye and a point of the plane z = 0 to a point of the panel. Throws a usage Error for optics
+/// without an inverse mapping.
 AnySight make_sight(const Optics& optics);
 
 }  // namespace lippmann

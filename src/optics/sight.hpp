@@ -55,7 +55,7 @@ struct QuiltPoint {
   bool in_zone = true;
 };
 
-/// The sight of a quilt. A single view counts as a quilt of one view.
+/// Maps an eye and a point of the plane z = 0 to a point of a quilt. A single view counts as a quilt of one view.
 class QuiltSight {
  public:
   QuiltSight(const Panel& panel, const MultiView& views);
