@@ -40,7 +40,7 @@ class HttpConnection {
   /// Continues to read or send. Call after the event of watched(), or after a failure of the socket.
   void ready();
 
-  /// Returns a request when it is complete, once. The caller must then call answer().
+  /// Returns each request once, when it is complete. The caller must then call answer().
   std::optional<PageRequest> take_request();
   void answer(const PageAnswer& answer);
 
