@@ -13,11 +13,11 @@
 namespace lippmann {
 
 struct DepthConversion {
-  std::filesystem::path in;    ///< input: an image, a folder of frame_*_rgbd.png, or a video
-  std::filesystem::path out;   ///< output, as for convert (layout/convert.hpp)
-  std::string to;              ///< name of the output format
-  FormatOptions options = {};  ///< `views`: their number; `display`: its quilt or lenses; `depth_range` and related options:
-                               ///< the depth of `in`
+  std::filesystem::path in;   ///< input: an image, a folder of frame_*_rgbd.png, or a video
+  std::filesystem::path out;  ///< output, as for convert (layout/convert.hpp)
+  std::string to;             ///< name of the output format
+  /// Uses `views` (number of views), `display` (quilt or lenses), `depth_range` and related options (depth of `in`).
+  FormatOptions options = {};
   /// Full angle of the views if there is no display; none: the default for views with unknown cameras.
   std::optional<double> view_angle_deg = {};
   double ipd_mm = kDefaultIpdMm;     ///< distance between the eyes, for the format stereo
