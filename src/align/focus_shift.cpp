@@ -92,7 +92,7 @@ class FocusSearch {
     return moves;
   }
 
-  /// Returns the patch of the aligned image at the point shifted by `offset` pixels to the right.
+  /// Returns the patch of the aligned image around the focus point, shifted by `offset` pixels to the right.
   Patch patch(std::size_t picture, double offset) const {
     const Similarity back = inverse(registered_.pictures[picture]);
     const GreyPicture& grey = registered_.greys[picture];

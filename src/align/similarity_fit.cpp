@@ -10,7 +10,8 @@
 namespace lippmann {
 namespace {
 
-/// Number of samples; if 1/3 of the matches are correct, the chance that no sample is correct is 1 in 10^8.
+/// Number of RANSAC samples. If 1/3 of the matches are correct, the chance that no sample has only correct matches is 1 in
+/// 10^8.
 constexpr int kSamples = 500;
 constexpr double kMaxTurn = 0.5, kMaxScale = 2.0;  ///< limits of |b| (rotation) and a (scale) between two images
 constexpr int kRounds = 8;                         ///< number of rounds, enough for the weights to converge

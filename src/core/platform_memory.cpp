@@ -115,7 +115,7 @@ std::optional<std::uint64_t> stack_limit_bytes() {
 
 void prefer_huge_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) {
 #ifdef MADV_HUGEPAGE
-  constexpr std::size_t kLeast = std::size_t{8} << 20;  // a few huge pages of 2 MB
+  constexpr std::size_t kLeast = std::size_t{8} << 20;  // smallest size for which huge pages are requested: four pages of 2 MB
   if (bytes < kLeast) return;
   const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE)), begin = reinterpret_cast<std::uintptr_t>(memory);
   const std::uintptr_t from = (begin + page - 1) / page * page, to = (begin + bytes) / page * page;

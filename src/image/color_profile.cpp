@@ -111,7 +111,7 @@ std::optional<double> curve_at_half(FileBytes curve) {
 }
 
 bool has_srgb_curve(const IccProfile& profile, std::string_view tag) {
-  constexpr double kUnseen = 0.01;  // invisible difference of linear values; a gamma of 2.2 differs from sRGB by 0.004
+  constexpr double kUnseen = 0.01;  // largest invisible difference of linear values; a gamma of 2.2 differs from sRGB by 0.004
   const std::optional<double> half = curve_at_half(profile.tag(tag));
   return half && std::abs(*half - linear_from_srgb(0.5)) <= kUnseen;
 }

@@ -22,8 +22,8 @@ namespace lippmann {
 
 using FileBytes = std::span<const std::byte>;
 
-/// The sides of the picture on which the first row and the first column of a file lie. The numbers are those of the Orientation
-/// field of TIFF 6.0 and EXIF.
+/// States on which sides of the upright picture the first stored row and the first stored column lie. The numbers are those of
+/// the Orientation field of TIFF 6.0 and EXIF.
 enum class Orientation { kUpright = 1, kMirrored, kUpsideDown, kFlipped, kTransposed, kRightSide, kTransversed, kLeftSide };
 
 struct PictureHeader {

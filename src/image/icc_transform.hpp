@@ -11,8 +11,8 @@
 namespace lippmann {
 
 /// Converts grey or RGB samples of 8 or 16 bits by a profile for grey or RGB. Extra channels do not change. Returns false and
-/// leaves the samples unchanged if they are floats, if the profile is damaged or for another number of colours, or if the
-/// program is built without Little CMS.
+/// leaves the samples unchanged in these cases: the samples are floats, the profile is damaged, the profile is for another
+/// number of colours, or the program is built without Little CMS.
 bool apply_color_profile(FileBytes icc, const PictureHeader& header, Samples& samples);
 
 /// Converts CMYK samples of 8 or 16 bits, where the highest code is full ink. Returns RGB codes. Returns nothing if the profile
