@@ -65,8 +65,8 @@ struct Calibration {
   /// Meaning of invView, which differs between tools. Most tools always invert the order of views. Older tools invert it only
   /// if invView is set.
   enum class Inversion { kAlways, kIfFlagged } inversion = Inversion::kAlways;
-  /// The terms of the formula that flipImageX changes. All tools negate T. Newer tools also negate s. The newest tools also add
-  /// 1/2 to the center.
+  /// Selects which terms of the formula above flipImageX changes. All tools negate T. Newer tools also negate s. The newest
+  /// tools also add 1/2 to the center.
   enum class Flip { kSlope, kSlopeAndStep, kSlopeStepAndCenter } flip = Flip::kSlopeAndStep;
 };
 

@@ -18,7 +18,7 @@ namespace lippmann {
 enum class LensArrangement {
   kSquare,
   kHexagonal,         ///< every odd row is shifted by half a pitch
-  kHexagonalColumns,  ///< every odd column is shifted by half a pitch: x and y in the formula are exchanged
+  kHexagonalColumns,  ///< every odd column is shifted by half a pitch: x and y in the formula at the top are exchanged
 };
 
 struct LensGrid {

@@ -38,8 +38,9 @@ struct LenticularSheet {
   float offset_mm = 0.5f;  ///< xi coordinate of the centre of lens 0
   /// Distance at which the cells converge. If infinite, each cell lies straight below its lens.
   float viewing_distance_mm = kInfinity;
-  float eye_height_mm = 0.0f;  ///< y of the point at which rows converge, if viewing_distance_mm is finite
-  float parallax = 1.0f;       ///< factor of the scene's depth; see with_parallax()
+  /// Y of the point to which the rays of all pixel rows converge, if viewing_distance_mm is finite.
+  float eye_height_mm = 0.0f;
+  float parallax = 1.0f;  ///< factor of the scene's depth; see with_parallax()
 };
 
 enum class LensPacking { kSquare, kHexagonal };

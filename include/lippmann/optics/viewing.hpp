@@ -39,7 +39,7 @@ Viewer viewer_in_zone(const Optics& optics, double share);
 /// share.
 Viewer viewer_in_zone_vertically(const Optics& optics, double share);
 
-/// Returns the x of an eye at distance z that is at `share` of the viewing zone, as seen from the middle of the display.
+/// Returns the x in mm of an eye that is at `share` of the viewing zone and at the distance z_mm from the display.
 double zone_x_mm(const Optics& optics, double share, double z_mm);
 
 /// Returns the default eye position: the design viewer's, or 3 window heights in front if the design viewer is infinitely far
@@ -67,8 +67,9 @@ Vec2i view_counts(const Optics& optics);
 /// Returns the size of a picture with square pixels that has at least as many samples as lens_grid().
 Vec2i natural_view_size(const Optics& optics);
 
-/// Returns a pinhole at an eye, whose picture of `size` pixels shows the window. `size` must have the window's aspect ratio. To
-/// render a reference picture, trace these optics in a display frame that is moved by (eye.x, eye.y, 0).
+/// Returns the optics of a pinhole camera at eye_mm. Its picture of `size` pixels shows exactly the window. `size` must have
+/// the window's aspect ratio. To render a reference picture, trace these optics in a display frame that is moved by (eye.x,
+/// eye.y, 0).
 Optics pinhole_through_window(const Window& window, Vec2i size, Vec3d eye_mm);
 
 }  // namespace lippmann

@@ -30,8 +30,8 @@ struct LightFieldHints {
   bool cone_ends = false;                           ///< true: the outermost views of a row are at the two ends of
                                                     ///< view_angle_deg; false: half a step inside
   std::function<void(std::string_view)> warn = {};  ///< called with each warning, as FormatOptions::warn
-  /// The display that shows the images. If it is set, images of native or unknown format are frames of its panel, and a row of
-  /// views without cameras becomes a quilt for it.
+  /// The display that shows the images. If it is set, images of the format `native` or of unknown format are frames of the
+  /// display's panel, and a row of views without cameras is a quilt for the display.
   std::optional<Display> display = {};
   bool is_other_display = false;  ///< true: no error if the images are for another display than `display`
 };
