@@ -23,8 +23,8 @@ std::optional<RenderedViews> rendered_views(const Optics& optics);
 /// 0 for a single camera, and none if distances differ by more than a relative 1e-4.
 std::optional<double> common_baseline_mm(const ViewCameras& cameras, ViewGrid grid);
 
-/// Returns the mean distance between neighbouring eyes along the rows, or along the column if there is only one; 0 for a single
-/// eye.
+/// Returns the mean distance between neighbouring eyes along the rows, or along the column if the grid has only one column.
+/// Returns 0 for a single eye.
 double mean_step(const std::vector<Vec2d>& eyes, ViewGrid grid);
 
 /// Returns cameras for the views of a light field. If the light field has positions, the eyes are at these positions, scaled so

@@ -1,5 +1,5 @@
 // Extracts views from the interlaced frame of a slanted panel. Each row of the views' samples depends only on the panel rows
-// whose centres lie in it, so rows are processed independently.
+// whose centres lie in this row of samples. Rows are therefore processed independently.
 #include <fmt/format.h>
 
 #include <limits>

@@ -46,7 +46,7 @@ HciParameters hci_parameters(const LightField& field, const std::string& where);
 /// Returns parameters with the mean distance between neighbouring eyes, for formats that also store each eye's position.
 HciParameters mean_hci_parameters(const LightField& field, const std::string& where);
 StatedCameras stated_cameras(const HciParameters& parameters);
-/// Returns the cameras, centred on the axis; the position and rotation of the middle camera in its scene are ignored.
+/// Returns the cameras, centred on the display's axis. The position and rotation of the middle camera in its scene are ignored.
 ViewCameras hci_cameras(const HciParameters& parameters);
 
 }  // namespace lippmann

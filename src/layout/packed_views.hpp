@@ -10,7 +10,7 @@
 namespace lippmann {
 
 /// Reads a picture. with_depth: also reads the depth layer if there is one (layout/rendered.hpp). warn: called as in
-/// read_picture(). Throws Error naming the file if the views do not fill it.
+/// read_picture(). Throws Error naming the file if views of equal size do not fill the picture.
 LightField read_packed(const std::filesystem::path& path, const ViewLayout& layout, bool with_depth,
                        const std::function<void(std::string_view)>& warn);
 

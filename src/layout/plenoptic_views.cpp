@@ -139,7 +139,8 @@ class ViewSampler {
 
   Vec2i size() const {
     if (grid_.arrangement == LensArrangement::kSquare) return {range_.columns(), range_.rows()};
-    // The pixels extend from the first lens of the shifted rows to the last lens of the other rows.
+    // Use only the width that all rows of lenses cover: from the first lens of the shifted rows to the last lens of the other
+    // rows.
     const double span_px = (range_.columns() - 1.5) * grid_.pitch_px;
     return {static_cast<int>(std::floor(span_px / grid_.row_pitch_px + 1e-9)) + 1, range_.rows()};
   }

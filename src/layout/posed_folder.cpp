@@ -31,7 +31,7 @@ fs::path listed_picture(const fs::path& folder, const fs::path& file, const Pose
               "a picture in " + folder.string());
 }
 
-/// Sets the camera's values that the file lacks, from the picture's size.
+/// Completes the camera: computes the values that the camera file lacks from the size of the picture.
 void complete(PosedPicture& picture, Vec2i size, const std::string& where) {
   PosedCamera& camera = picture.camera;
   if (camera.size == Vec2i(0, 0)) camera.size = size;
@@ -172,7 +172,7 @@ LightField read_posed_pictures(const fs::path& folder, const fs::path& file, std
   std::vector<fs::path> by_view;
   for (const PosedPicture& picture : pictures) by_view.push_back(listed_picture(folder, file, picture));
   LightField field = read_view_files(by_view, grid, options);
-  if (options.fit_view) return field;  // fitted views have other sizes than the cameras
+  if (options.fit_view) return field;  // views that fit_view has resized do not match the sizes of the cameras
   if (cameras)
     field.cameras = std::move(cameras);
   else

@@ -13,7 +13,7 @@
 
 namespace lippmann {
 
-inline constexpr double kMmPerUnit = 1000.0;  ///< mm per unit of length of the files, a metre
+inline constexpr double kMmPerUnit = 1000.0;  ///< the files store lengths in metres
 
 /// A picture that a camera file lists.
 struct PosedPicture {

@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// Maximum number of tiles per side, as in names.
+/// Maximum number of tiles across and down, the same as in file names of quilts.
 constexpr int kMaxTiles = 9999;
 
 constexpr std::string_view kOwnTable = "quilt_settings";

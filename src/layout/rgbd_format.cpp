@@ -58,7 +58,8 @@ void require_depth(const Image& greys, const std::string& where) {
   throw Error(where, "its depth is 0 everywhere", "colours at the left, depth as grey at the right");
 }
 
-/// Returns the description in the side file, or defaults if there is no side file. Options override both.
+/// Returns the description in the side file, or defaults if there is no side file. Options override the side file and the
+/// defaults.
 RgbdSideFile described_rgbd(const fs::path& path, const FormatOptions& options, Vec2i view) {
   RgbdSideFile assumed;
   assumed.distance_mm = kAssumedDistanceMm;

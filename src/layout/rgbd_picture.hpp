@@ -10,9 +10,9 @@
 
 namespace lippmann {
 
-/// Converts a picture. `file`: path whose side file is read, if there is one (layout/rgbd_side_file.hpp). `where`: name of the
-/// picture for messages. If the depth is 0 everywhere, the picture lies at the far end of the range. Throws Error if the
-/// picture's width is odd or its right half has colours.
+/// Converts an RGB-D picture. `file`: path whose side file is read, if there is one (layout/rgbd_side_file.hpp). `where`: name
+/// of the picture for messages. If the grey half is 0 everywhere, all points lie at one end of the depth range. Throws Error if
+/// the picture's width is odd or its right half has colours.
 LightField light_field_of_rgbd(const Picture& picture, const std::filesystem::path& file, const std::string& where,
                                const FormatOptions& options);
 

@@ -7,7 +7,7 @@
 namespace lippmann {
 
 /// Returns the print. `field`: 2 or more views in a row, fitted to the sheet by a ViewFitter. Throws a usage Error if the
-/// filter is Gaussian or if the number of shares differs from the number of frames.
+/// filter is Gaussian, or if FlipParams::shares is given and does not have one element per frame.
 Picture interlace_strips(const LightField& field, const Display& sheet, const DisplayPictureParams& params,
                          const ThreadPool& pool);
 

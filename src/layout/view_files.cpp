@@ -67,7 +67,7 @@ ViewGrid complete_grid(const fs::path& folder, const std::vector<NumberedFile>& 
 
 void require_stack_fits(const std::string& where, int views, Vec2i view_size, std::size_t sample_bytes,
                         double available_bytes) {
-  constexpr double kMostPixels = 4294967295.0;  // the limit of 32-bit pixel indices of stacks
+  constexpr double kMostPixels = 4294967295.0;  // largest number of pixels of a stack, whose pixels have 32-bit indices
   constexpr double kGiB = 1024.0 * 1024.0 * 1024.0;
   const double pixels = 1.0 * views * view_size.x * view_size.y, bytes = 3.0 * pixels * static_cast<double>(sample_bytes);
   const std::string what = fmt::format("{} views of {}x{} pixels", views, view_size.x, view_size.y);
