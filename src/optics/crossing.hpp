@@ -26,7 +26,7 @@ struct RayFrame {
   Vec3f forward{0.0f, 0.0f, -1.0f};  ///< world vector that corresponds to 1 mm along -z
 };
 
-/// Returns the frame for lines given at z = z_front.
+/// Returns the frame that converts lines given by their points in the plane z = z_front.
 RayFrame make_ray_frame(const Affine3f& world_from_display, float z_front_mm);
 
 /// Writes ray i, which starts in the plane z = z_front and runs towards -z with a unit direction.

@@ -60,7 +60,8 @@ LIPPMANN_INLINE LensRay<T> lens_ray(const LensAxis<T>& axis, T s_px) {
   const T t = s_px - axis.start_px;
   T k = std::floor(t * axis.cells_per_px);
   T in_cell = t - k * axis.cell_px;
-  // Rounding may have moved k across a cell boundary. in_cell is exact for whole cells, so that it can correct k.
+  // Rounding may have moved k, the index of the cell, across a cell boundary. in_cell, the position in the cell, is exact for
+  // whole cells, so that it can correct k.
   const bool before = in_cell < T(0), after = in_cell >= axis.cell_px;
   k = before ? k - T(1) : k, in_cell = before ? in_cell + axis.cell_px : in_cell;
   k = after ? k + T(1) : k, in_cell = after ? in_cell - axis.cell_px : in_cell;

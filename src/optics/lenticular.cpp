@@ -135,7 +135,7 @@ StepRule step_rule(const Panel& panel, const LenticularSheet& sheet, StepsWithin
     rule.bounds = StepRule::Bounds::kSheetLens;
   else
     rule.across.x = c.axis.cell_px * c.inverse_cosine;
-  rule.down.x = c.sine * c.inverse_cosine;  // so that the step follows the lens
+  rule.down.x = c.sine * c.inverse_cosine;  // a step down follows the slant of the lens
   rule.columns = c.axis, rule.cosine = c.cosine, rule.sine = c.sine, rule.inverse_cosine = c.inverse_cosine;
   return rule;
 }

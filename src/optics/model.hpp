@@ -1,5 +1,5 @@
-// The interface that models of optics implement. The header of a model, such as lenticular.hpp, declares overloads of these
-// functions for the model. models.hpp lists all models; the compiler checks that each model has all functions. The public
+// The interface that models of optics implement. The header of a model, such as lenticular.hpp, declares overloads of the
+// functions below for the model. models.hpp lists all models; the compiler checks that each model has all functions. The public
 // functions (lippmann/optics/*.hpp) use only this interface.
 #pragma once
 
@@ -95,7 +95,7 @@ struct StepRule {
 
   Vec2f across{1.0f, 0.0f}, down{0.0f, 1.0f};  ///< steps to the right and down, in film pixels
   Bounds bounds = Bounds::kPanel;
-  LensAxis<float> columns{}, rows{};                        ///< axes of the cells; a sheet has only `columns`, along xi
+  LensAxis<float> columns{}, rows{};  ///< axes of the cells; a sheet has only `columns`, across its lenses
   float cosine = 1.0f, sine = 0.0f, inverse_cosine = 1.0f;  ///< cosine, sine and 1 / cosine of a sheet's slant
   Vec2i tile{1, 1}, last_tile{0, 0};                        ///< quilts: size of a tile, and (column, row) of the last tile
   int padding_top = 0;                                      ///< quilts: number of unused rows at the top

@@ -204,7 +204,7 @@ PanelSize quilt_size(const OpticsParams& params, Vec2i) {
 }
 
 /// Returns the model. In a camera grid with N eyes along its longer side, eyes are 2 V tan(a/2) / N apart, with the viewing
-/// distance V and the angle a of the viewing zone. If the ends are included, N - 1 replaces N.
+/// distance V and the angle a of the viewing zone. If the outermost eyes are at the ends of the viewing zone, N - 1 replaces N.
 OpticsModel views_of_params(const ModelSetup& setup) {
   const Extent<int> views = setup.size.views;
   const float distance_mm = setup.viewing_distance_mm;

@@ -8,7 +8,7 @@ AnyRays any_rays(Rays rays) {
   return rays;
 }
 
-/// Converts the rays of a model that has several types of rays.
+/// Converts a variant of a model's types of rays to AnyRays.
 template <class... Kinds>
 AnyRays any_rays(std::variant<Kinds...> rays) {
   return std::visit([](const auto& kind) -> AnyRays { return kind; }, rays);
