@@ -81,8 +81,8 @@ class PageAnswers {
 
   PageAnswer answer(const PageRequest& request);
 
-  /// Returns the refusal of a request that is refused before its body is read. Reasons are a wrong origin, host or token, and a
-  /// POST to a path that accepts none. Returns nullopt for other requests.
+  /// Returns an answer that refuses the request if it is refused before its body is read: for a wrong origin, host or token, or
+  /// for a POST to a path that accepts no POST. Returns nullopt for other requests.
   std::optional<PageAnswer> refusal(const PageRequest& request) const;
 
  private:

@@ -25,7 +25,8 @@ class HttpConnection {
     std::chrono::seconds head{3};   ///< time from the first byte to the end of the head: one packet, also on a bad network
     std::chrono::seconds body{10};  ///< time from the end of the head until the body is complete: 1 MB at 1 Mbit/s
     std::chrono::seconds send{15};  ///< time without any progress in sending an answer; long, because browsers pause tabs
-    /// Returns the answer to a request that is refused whatever its body is. Called before the body is read.
+    /// Returns the answer that refuses a request by its head alone, or nullopt for other requests. Called before the body is
+    /// read.
     std::function<std::optional<PageAnswer>(const PageRequest&)> refusal;
   };
 

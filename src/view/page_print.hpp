@@ -33,7 +33,7 @@ PrintRequest read_print_request(const std::string& text);
 
 class PagePrints {
  public:
-  /// `field` must outlive this object and must have plain views.
+  /// `field` must outlive this object. Requires field.has_plain_views().
   explicit PagePrints(const PageField& field);
 
   /// Makes a print. Returns its number `id`, its `description`, how its views were `fitted`, its `pixels`, and as `field` the

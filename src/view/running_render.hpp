@@ -39,8 +39,8 @@ class RunningRender {
   /// Returns the file of the frame frames()[index]; nullopt until the frame is finished.
   std::optional<std::filesystem::path> file(std::size_t index) const;
 
-  /// Returns the state for the page. It lists the finished frames in the order in which they were found, without the first
-  /// `known`. web/README.md lists the keys.
+  /// Returns the state for the page. It lists the finished frames in the order in which they were found, and leaves out the
+  /// first `known` frames. web/README.md lists the keys.
   nlohmann::ordered_json state_after(std::size_t known);
 
   /// Interrupts the processes on this machine that render into the folder, like Ctrl-C. Throws Error if there are no such
