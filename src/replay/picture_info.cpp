@@ -69,7 +69,7 @@ std::string cameras_text(const LightField& field) {
   return field.positions ? "positions without a unit, at an unknown distance" : std::string();
 }
 
-/// Describes an image of a render that does not consist of views. Returns false for other images.
+/// Describes a rendered image if the image does not consist of views. Returns false for other images.
 bool describe_rendered(const fs::path& file, PictureInfo& info) {
   const std::optional<Rendering> rendering = rendering_of(file);
   if (!rendering) return false;

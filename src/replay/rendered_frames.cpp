@@ -71,7 +71,7 @@ RenderedPanel read_rendered_panel(const RenderedFrames& frames, std::size_t inde
 }
 
 std::string frame_label(const fs::path& file) {
-  // The name of a quilt ends in its tiles and aspect. They are left out, because images made from a quilt are not quilts.
+  // The name of a quilt ends in its tiles and aspect. Leave out this ending, because images made from a quilt are not quilts.
   std::error_code ignored;
   if (std::filesystem::is_directory(file, ignored) && !file.filename().string().starts_with("frame_"))
     return file.filename().string();

@@ -21,8 +21,8 @@
 // With D = 0 and equal arrays, k is the lens itself, x_ref = l + o z_ref / g, and o' = -o: rotated elemental images.
 //
 // The reference point takes the place of the eye in optics/sight.hpp, so the method holds for every kind of array. We deviate:
-// if the nearest lens has no pixel that looks at the point, the nearest lens with one is used. A pixel stays black only if no
-// lens has one.
+// if the nearest lens has no pixel that looks at the point, the nearest lens with such a pixel is used. A pixel stays black
+// only if no lens has such a pixel.
 #pragma once
 
 #include "lippmann/optics/optics.hpp"
