@@ -112,7 +112,8 @@ class JpegDecoder {
     header.profile = profile_to_apply(icc);
     if (jpeg_.saw_JFIF_marker && jpeg_.X_density > 0 && jpeg_.Y_density > 0) {
       const double ratio = static_cast<double>(jpeg_.X_density) / jpeg_.Y_density;
-      add_aspect_notice(header, jpeg_.density_unit == 0 ? ratio : 1.0 / ratio);  // unit 0: X : Y is the aspect ratio of a pixel
+      // With unit 0, X_density / Y_density is the aspect ratio of a pixel; with other units, its inverse is.
+      add_aspect_notice(header, jpeg_.density_unit == 0 ? ratio : 1.0 / ratio);
     }
   }
 

@@ -6,7 +6,7 @@
 //    mean SSIM replaces the term.
 // 3. MS-SSIM is the product of all factors.
 //
-// We deviate: a negative mean counts as 0, because its power is not a real number.
+// We deviate: a negative mean counts as 0, because fractional powers of negative numbers are not real.
 #include "image/ms_ssim.hpp"
 
 #include <algorithm>
