@@ -28,8 +28,8 @@ struct BackgroundQueue::Impl {
   std::vector<std::thread> threads;
 
   explicit Impl(int most_pieces) : capacity(most_pieces) {}
-  ~Impl();  // separate from the queue's destructor, so that it also runs if a thread cannot start and the queue's constructor
-            // throws
+  // Separate from the queue's destructor, which does not run if the queue's constructor throws because a thread cannot start.
+  ~Impl();
 
   void start(int number);
   void serve();
