@@ -1,4 +1,5 @@
-// The version of Lippmann. CMake reads the three numbers from this file; scripts/release checks all copies of them.
+// The version of Lippmann. CMake reads the three numbers from this file; scripts/release checks that all copies of the numbers
+// agree.
 #pragma once
 
 #define LIPPMANN_VERSION_MAJOR 0

@@ -114,7 +114,7 @@ Display with_bleed(const Display& display, double bleed_mm);
 
 /// Returns the picture of a display from views fitted by a ViewFitter. Throws a usage Error if
 ///   - there is only one view, or more than one row of views (microlens arrays excepted);
-///   - the number of flip shares differs from the number of frames;
+///   - FlipParams::shares is given and does not have one element per frame;
 ///   - `finish` is set for a picture that is not a print, or a print is too small for a proof.
 Picture display_picture(const LightField& field, const Display& display, DisplayTarget target,
                         const DisplayPictureParams& params, const ThreadPool& pool);

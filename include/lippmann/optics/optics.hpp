@@ -248,7 +248,7 @@ std::optional<SensorLenses> sensor_lenses(const Optics& optics);
 /// The arrangement of views in a quilt.
 struct ViewTiles {
   int columns = 1, rows = 1;
-  bool camera_grid = false;  ///< true: the eyes form the same grid; false: all eyes lie in one row
+  bool camera_grid = false;  ///< true: the eyes form a grid with the same columns and rows; false: all eyes lie in one row
 
   int count() const { return columns * rows; }
 };

@@ -28,7 +28,8 @@ inline Vec2i picture_size(const Optics& optics) { return {optics.panel.width, op
 /// Returns the part of the plane z = 0 that the design viewer sees through the panel (or through one tile of a quilt).
 Window display_window(const Optics& optics);
 
-/// Returns the viewer that the display is made for. If its viewing distance is infinite, the viewer is infinitely far away.
+/// Returns the viewer that the display is made for. If the viewing distance of the display is infinite, the viewer is
+/// infinitely far away.
 Viewer design_viewer(const Optics& optics);
 
 /// Returns the eye at `share` of the viewing zone, from 0 at its left end to 1 at its right end, at the design viewer's height

@@ -20,8 +20,8 @@ class AllInFocus {
   /// size: pixels of the refocused images, which cover the display's window.
   AllInFocus(const Optics& optics, Vec2i size);
 
-  /// Adds a refocused image of the stack. disagreement: the variance of the rays of each pixel (1 channel, see refocus()).
-  /// z_mm: the depth of focus. If two images agree equally well, the one added first wins.
+  /// Adds a refocused image of the stack. disagreement: the variance of the colours of each pixel's rays (1 channel, see
+  /// refocus()). z_mm: the depth of focus. If two images agree equally well, the one added first wins.
   void add(const Image& refocused, const Image& disagreement, double z_mm);
 
   const Image& picture() const { return picture_; }

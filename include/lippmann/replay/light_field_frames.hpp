@@ -36,7 +36,7 @@ struct LightFieldHints {
   bool is_other_display = false;  ///< true: no error if the images are for another display than `display`
 };
 
-/// Returns the hints, with `warn` set to the context's.
+/// Returns the hints, with `warn` set to the `warn` of the context.
 inline LightFieldHints with_warnings(LightFieldHints hints, const Context& context) {
   hints.warn = context.warn;
   return hints;
