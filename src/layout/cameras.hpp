@@ -15,8 +15,8 @@ struct RenderedViews {
   std::optional<ViewCameras> cameras = {};  ///< none: the views are parallel projections (lenses viewed from infinity)
 };
 
-/// Returns the views of the optics; a single view counts as a grid of one view. Returns none if the optics have no views of
-/// whole pixels (slanted or hexagonal lenses).
+/// Returns the views of the optics; a single view counts as a grid of one view. Returns none if views do not consist of whole
+/// pixels, as for slanted or hexagonal lenses.
 std::optional<RenderedViews> rendered_views(const Optics& optics);
 
 /// Returns the distance between neighbouring eyes if it is the same everywhere, both along rows and along columns. Returns

@@ -193,7 +193,7 @@ Vec2d nearest_to_axis(std::array<Vec2d, 3> directions, int axis) {
   return nearest;
 }
 
-/// Returns a grid with these basis vectors. Does not set its offset.
+/// Returns a grid with the basis vectors a and b. Does not set the offset of the grid.
 LensGrid grid_of_basis(Vec2d a, Vec2d b, const std::string& where) {
   const double cosine = glm::dot(a, b) / (glm::length(a) * glm::length(b)), ratio = glm::length(b) / glm::length(a);
   LensGrid grid;

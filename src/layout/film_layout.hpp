@@ -7,7 +7,7 @@
 namespace lippmann {
 
 /// Returns the arrangement of views as tiles of a quilt or as pixels below each lens. Throws a usage Error naming `where` for
-/// optics without views of whole pixels.
+/// optics whose views do not consist of whole pixels, such as slanted lenses.
 ViewLayout film_layout(const Optics& optics, const char* where);
 
 }  // namespace lippmann

@@ -38,7 +38,7 @@ bool set_hdf5_cameras(const std::map<std::string, double>& attributes, LightFiel
   const auto focal = number_between(attributes, "focalLength", kLeast, kMost, where);
   const double shift = number_between(attributes, "shift", -kMostShift, kMostShift, where).value_or(0.0);
   if (!focal || (grid.columns > 1 && !across) || (grid.rows > 1 && !along) || (!across && !along)) return false;
-  // In a grid with a single row or column, one known distance is enough: use it for both axes.
+  // In a grid with a single row or column, one known distance is enough. Use this distance for both axes.
   const Vec2d step_mm =
       kMmPerMetre * Vec2d(grid.columns > 1 || !along ? *across : *along, grid.rows > 1 || !across ? *along : *across);
   const bool shares_plane = shift >= kLeastShift && std::abs(step_mm.x / step_mm.y - 1.0) < kEqual;

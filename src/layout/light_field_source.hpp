@@ -19,7 +19,8 @@ struct LightFieldSource {
   FormatOptions options;  ///< the given options, with missing ones added from the files beside the picture
   /// None: there is no report.json beside the picture, or the format ignores it.
   std::optional<Rendering> rendering = {};
-  std::optional<RenderedViews> rendered = {};  ///< the views of `rendering`; none if lenses do not cover whole pixels
+  /// Views of `rendering`; none if its lenses are not a whole number of pixels wide.
+  std::optional<RenderedViews> rendered = {};
 };
 
 /// Detects the source. `from`: a format's name; empty: detected from names and the report. Options that are given override the

@@ -1,5 +1,5 @@
 // The format of a plenoptic camera's raw picture: the sensor image behind lenses of any pitch and rotation. It can only be
-// read. To write such views, use `eslf` or `integral`, where each lens has whole pixels.
+// read. To write its views, use `eslf` or `integral`, where each lens is a whole number of pixels wide.
 #include <fmt/format.h>
 
 #include <functional>

@@ -1,4 +1,5 @@
-// Conversions between cameras with arbitrary poses and cameras that share a plane.
+// Conversions between cameras with arbitrary poses and parallel cameras whose views show the same rectangle of a plane
+// (ViewCameras).
 #pragma once
 
 #include <optional>
@@ -10,8 +11,8 @@
 
 namespace lippmann {
 
-/// Converts posed cameras to cameras that share a plane, in the frame of the first camera. Returns none unless all cameras are
-/// parallel, have their eyes in one plane and show the same rectangle of another plane. `cameras` must not be empty.
+/// Converts posed cameras to ViewCameras, in the frame of the first camera. Returns none unless all cameras are parallel, have
+/// their eyes in one plane and show the same rectangle of another plane. `cameras` must not be empty.
 std::optional<ViewCameras> shared_plane(const std::vector<PosedCamera>& cameras);
 
 /// Returns the camera of a single view in the world. Lengths are in thousandths of the world's unit, and `origin` is added to

@@ -36,9 +36,9 @@ std::string posed_picture_name(int view, int count, const char* ending);
 std::string posed_depth_name(int view, int count);
 std::string ray_length_name(const std::string& depth_name);
 
-/// Reads the pictures and arranges them as views. Cameras that share a plane become a grid, starting at the lower left. Other
-/// cameras stay in file order, as one row unless `options` has a grid. `file` is the camera file. Throws Error naming this file
-/// and the entry if a picture is missing or has another size than the entry states.
+/// Reads the pictures and arranges them as views. Parallel cameras whose views show the same rectangle of a plane become a
+/// grid, starting at the lower left. Other cameras stay in file order, as one row unless `options` has a grid. `file` is the
+/// camera file. Throws Error naming this file and the entry if a picture is missing or has another size than the entry states.
 LightField read_posed_pictures(const std::filesystem::path& folder, const std::filesystem::path& file,
                                std::vector<PosedPicture> pictures, const FormatOptions& options);
 
@@ -77,7 +77,8 @@ std::vector<CloudPoint> point_cloud(const LightField& field, const std::vector<P
 /// Returns the least and the greatest planar depth in mm. If there is no depth, returns 100 mm and 100 m.
 Vec2d depth_bounds_mm(const LightField& field);
 
-/// Return the same as point_cloud() and depth_bounds_mm(), but read the pictures that write_posed_view() wrote, one by one.
+/// Return the same as point_cloud() and depth_bounds_mm() for the pictures that write_posed_view() wrote. The pictures are read
+/// one by one.
 std::vector<CloudPoint> cloud_of_pictures(const std::filesystem::path& folder, const std::vector<PosedPicture>& pictures,
                                           std::size_t most);
 Vec2d depth_bounds_of_pictures(const std::filesystem::path& folder, const std::vector<PosedPicture>& pictures);

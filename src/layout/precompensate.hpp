@@ -17,8 +17,8 @@ namespace lippmann {
 inline constexpr double kMaxPrecompensatedPx = 0.75;
 
 /// Replaces a picture by one that makes an eye see the original. `picture`: the panel's picture, 3 channels of linear light,
-/// clamped to 1, the display's white. For a slanted panel, it is the picture of whole pixels. 0 <= sigma_px <=
-/// kMaxPrecompensatedPx. Throws a usage Error naming `where` for a larger sigma, and for optics in which pixels have no
+/// clamped to 1, the display's white. For a slanted panel, it has one pixel per panel pixel, not per sub-pixel. 0 <= sigma_px
+/// <= kMaxPrecompensatedPx. Throws a usage Error naming `where` for a larger sigma, and for optics in which pixels have no
 /// neighbours (a single view).
 Precompensation precompensate(const Optics& optics, double sigma_px, const char* where, Image& picture);
 

@@ -8,7 +8,7 @@ namespace lippmann {
 /// Converts a film of colours: each pixel takes red, green and blue from its first, second and third sub-pixel.
 Image join_sub_pixels(const Image& film);
 
-/// Converts other layers: each pixel takes the value of its middle sub-pixel.
+/// Converts layers other than colour: each pixel takes the value of its middle sub-pixel.
 Image middle_sub_pixels(const Image& film);
 
 }  // namespace lippmann

@@ -83,8 +83,8 @@ Vec2d ViewFitter::window_of(Vec2i view, double aspect) const {
   return {view.x, view.y * excess};
 }
 
-/// Returns window_of(), reduced to the part that every view contains after it is shifted by view_shift_px_ per view. For kPad,
-/// it is not reduced.
+/// Returns the part of window_of() that every view still contains after the views are shifted by view_shift_px_ from one to the
+/// next. For kPad, returns all of window_of().
 Vec2d ViewFitter::window_in_all(Vec2i view, double aspect, ViewGrid grid) const {
   Vec2d window = window_of(view, aspect);
   const Vec2d left = Vec2d(view) - std::abs(view_shift_px_) * Vec2d(grid.columns - 1, grid.rows - 1);
