@@ -62,7 +62,7 @@ Json preview_json(const PageFacts& facts) {
   return size ? Json{size->x, size->y} : Json();
 }
 
-/// Lists the provenance codes in ascending order.
+/// Lists the kinds of provenance in the order of their numbers.
 Json provenance_json() {
   Json infos = Json::array();
   for (const ProvenanceInfo& info : kProvenanceInfos) infos.push_back({{"name", info.name}, {"missed", info.missed}});

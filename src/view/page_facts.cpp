@@ -24,8 +24,8 @@ ViewGrid tiles_for(int views) {
   return {columns, (views + columns - 1) / columns};
 }
 
-/// Describes the views of a panel without whole pixels per lens: one view for each direction that the panel distinguishes. If
-/// all views together exceed kMaxEyePixels, their size is reduced.
+/// Describes the views of a panel whose lenses are not a whole number of pixels wide: one view for each direction that the
+/// panel distinguishes. If all views together exceed kMaxEyePixels, their size is reduced.
 void describe_eyes(const Optics& optics, PageFacts& facts) {
   const Vec2i counts = glm::min(view_counts(optics), Vec2i(kMaxEyesAcross, kMaxEyesUp));
   facts.grid = {counts.x, counts.y};

@@ -1,8 +1,8 @@
 // Describes a light field for the page, and makes its views as one image (a quilt) from the panel's image.
 //
-// Panels with whole pixels per lens contain the views as their own pixels. For slanted, hexagonal and fractional lenses,
-// `EyeSampler` computes what eyes in all distinguishable directions see, with one sample per pixel. The resolution of these
-// views is reduced so that computing them takes at most a second or two.
+// Panels with a whole number of pixels per lens contain the views as their own pixels. For slanted, hexagonal and fractional
+// lenses, `EyeSampler` computes what eyes in all distinguishable directions see, with one sample per pixel. The resolution of
+// these views is reduced so that computing them takes at most a second or two.
 #pragma once
 
 #include <optional>

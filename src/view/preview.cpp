@@ -13,7 +13,7 @@ namespace {
 constexpr double kPreviewPixels = 512.0 * 512.0;
 constexpr int kPreviewQuality = 60;
 
-/// Writes the mean codes of a block, which reaches from pixel `first` to before pixel `last`.
+/// Writes the mean sRGB codes of the pixels from `first` to before `last`.
 void write_mean(const Image8& quilt, Vec2i first, Vec2i last, unsigned char* out) {
   unsigned sum[3]{};
   for (int y = first.y; y < last.y; ++y)

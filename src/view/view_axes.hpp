@@ -31,8 +31,8 @@ struct ViewAxes {
   double vergence = 0.0;  ///< 1 / distance of the eyes, per mm
 };
 
-/// Returns the axes of the optics' views if these consist of whole pixels, otherwise the axes of eyes in all distinguishable
-/// directions.
+/// Returns the axes of the optics' views if the views consist of whole pixels. Otherwise returns the axes of eyes in all
+/// distinguishable directions.
 ViewAxes view_axes(const Optics& optics, ViewGrid grid);
 
 }  // namespace lippmann
