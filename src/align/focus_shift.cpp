@@ -11,7 +11,7 @@ constexpr std::size_t kNearPlaces = 15;
 constexpr int kSearchPx = 3;  ///< search radius around the predicted position, in pixels of the reduced images
 constexpr int kRefinements = 12;
 constexpr double kMinLikeness = 0.7;  ///< smallest correlation of two patches that are taken to show the same point
-constexpr double kMinContrast = 2.0;  ///< smallest standard deviation, in codes, of a patch that can be found again
+constexpr double kMinContrast = 2.0;  ///< smallest standard deviation of a patch that can be found again, in 8-bit grey codes
 
 /// Brightness of the pixels around a point, minus its mean and divided by its standard deviation.
 struct Patch {

@@ -21,7 +21,7 @@ struct HeicPicture {
 
 /// The depth image stored beside the main picture, as in portrait photos of phones.
 struct HeicDepth {
-  HeicPicture image;  ///< grey image with R = G = B; without codes if the file has no depth image
+  HeicPicture image;  ///< grey image with R = G = B; `codes` is empty if the file has no depth image
   bool is_z = false;  ///< true: codes grow with z; false: codes grow with 1 / z or disparity
 };
 

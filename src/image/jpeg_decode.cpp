@@ -140,8 +140,8 @@ class JpegDecoder {
     return true;
   }
 
-  /// Converts CMYK by the profile. Without a usable profile, multiplies the light that each ink transmits. Assumes inverted
-  /// codes, as Adobe's programs write them, because other CMYK files hardly exist.
+  /// Converts CMYK by the profile. Without a usable profile, multiplies the light that each ink transmits. Assumes that the
+  /// highest code means no ink, as in files of Adobe's programs, because other CMYK files hardly exist.
   static Samples rgb_of(std::vector<std::uint8_t> codes, PictureHeader& header) {
     if (!header.profile.empty()) {
       std::vector<std::uint8_t> inks(codes.size());

@@ -17,7 +17,7 @@ namespace {
 
 static_assert(sizeof(std::array<float, 128>) == 128 * sizeof(float));
 
-/// Returns an OpenCV matrix that shares the image's codes. OpenCV only reads them.
+/// Returns an OpenCV matrix that shares the memory of the image. OpenCV only reads it.
 cv::Mat matrix_of(const GreyPicture& picture) {
   return {picture.height, picture.width, CV_8UC1, const_cast<std::uint8_t*>(picture.codes.data())};
 }
