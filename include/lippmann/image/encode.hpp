@@ -14,11 +14,11 @@
 
 namespace lippmann {
 
-/// Return the codes of a film. If `nan_count` is not null, it receives the number of NaN samples in all channels.
+/// Return the integer codes of a film. If `nan_count` is not null, it receives the number of NaN samples in all channels.
 Image8 to_codes(const Image& film, Encoding encoding, std::size_t* nan_count = nullptr);
 Image16 to_codes16(const Image& film, Encoding encoding, std::size_t* nan_count = nullptr);
 
-/// Returns the codes of an alpha image (one channel): floor(max alpha + 1/2).
+/// Return the codes of an alpha image (one channel): floor(max alpha + 1/2), where max is 255 or 65535.
 std::vector<unsigned char> alpha_codes(const Image& alpha);
 std::vector<std::uint16_t> alpha_codes16(const Image& alpha);
 

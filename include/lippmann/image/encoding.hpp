@@ -1,4 +1,4 @@
-// Encodings of linear film values as codes of an image file.
+// Encodings of linear film values as integer codes of an image file.
 #pragma once
 
 namespace lippmann {

@@ -28,7 +28,7 @@ struct ChannelErrors {
 };
 
 struct PictureMetrics {
-  ChannelErrors mse{}, rmse{};  ///< mse: in squared codes; rmse: in codes
+  ChannelErrors mse{}, rmse{};  ///< mse: mean of squared differences of codes; rmse: square root of mse
   double psnr_db = 0.0;
   double ssim = 1.0;
   bool identical = true;

@@ -7,9 +7,9 @@
 
 namespace lippmann {
 
-/// Returns the views of a film and the cameras of its optics. Lenses viewed from infinity have no cameras, because their
-/// views are parallel projections. The stack holds the film's samples: linear light, 3 channels. `depth`: Aov::kDepth of
-/// the same frame. Throws Error for optics without views of whole pixels (slanted or hexagonal lenses, calibrated panels),
+/// Returns the views of a film and the cameras of its optics. Lenses viewed from infinity have no cameras, because their views
+/// are parallel projections. The stack holds the film's samples: linear light, 3 channels. `depth`: Aov::kDepth of the same
+/// frame. Throws Error for optics whose views do not consist of whole pixels (slanted or hexagonal lenses, calibrated panels),
 /// and for images whose size differs from the film's.
 LightField light_field_of(const Image& film, const Optics& optics, const Image* depth = nullptr);
 

@@ -30,8 +30,8 @@ struct LightField {
   /// Position of each view's eye, x right and y up. The unit and the origin are unknown, because the file does not state
   /// them (Stanford format).
   std::optional<std::vector<Vec2d>> positions = {};
-  /// One camera per view. Replaces `cameras` if the cameras are rotated or do not share a plane. Depth is then z in each
-  /// camera's own frame, in mm: the negative planar depth.
+  /// One camera per view. Replaces `cameras` if the cameras are rotated or if their views do not show the same rectangle of a
+  /// plane. Depth is then z in each camera's own frame, in mm: the negative planar depth.
   std::optional<std::vector<PosedCamera>> poses = {};
 };
 

@@ -35,8 +35,8 @@ KeptViews read_kept_views(const std::string& text, const std::string& flag);
 ViewGrid kept_grid(ViewGrid grid, const KeptViews& kept, const std::string& flag);
 std::optional<int> kept_number(int view, ViewGrid grid, const KeptViews& kept, const std::string& flag);
 
-/// Crop all views, or drop the views that are not kept. Depth and cameras change accordingly. Both throw a usage Error naming
-/// `flag` if the selection exceeds the light field.
+/// Crop all views, or drop the views that are not kept. Also change the depth and the cameras of the field. Both throw a usage
+/// Error naming `flag` if the selection exceeds the light field.
 void crop(LightField& field, const Crop& window, const std::string& flag);
 void keep(LightField& field, const KeptViews& kept, const std::string& flag);
 

@@ -58,7 +58,7 @@ struct LightFieldFrames {
 LightFieldFrames find_light_field_frames(const std::filesystem::path& in, const LightFieldHints& hints);
 
 /// Arranges the views of a light field on the panel of `optics`, in linear light. Throws Error naming `where` if the optics
-/// have another grid or size of views, or no views of whole pixels.
+/// have another grid or size of views, or if their views do not consist of whole pixels.
 RenderedPanel panel_of(const LightField& field, const Optics& optics, const std::string& where);
 
 /// Returns the optics of a quilt of the views. Throws Error naming `where` unless the cameras form a regular grid centred on

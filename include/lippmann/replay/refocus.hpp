@@ -8,9 +8,9 @@
 // Each pixel adds its colour at s, spread by a tent filter. The tent is as wide as the distance to the next sample of the
 // pixel's view (one lens, or one pixel if there are no lenses). The sum is divided by the weights.
 //
-// With whole pixels per lens all samples of a view shift by the same amount, so the result is the mean of shifted, interpolated
-// views. The method also holds for slanted, hexagonal and fractional arrays and for quilts. The sub-pixels of a slanted panel
-// carry one colour each, so each colour is averaged over its own rays.
+// With a whole number of pixels per lens, all samples of a view shift by the same amount, so the result is the mean of shifted,
+// interpolated views. The method also holds for slanted, hexagonal and fractional arrays and for quilts. The sub-pixels of a
+// slanted panel carry one colour each, so each colour is averaged over its own rays.
 #pragma once
 
 #include "lippmann/core/parallel.hpp"
