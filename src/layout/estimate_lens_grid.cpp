@@ -330,7 +330,7 @@ std::vector<FoundLens> find_lenses(const Image& white, const LensGrid& grid, dou
   return found;
 }
 
-/// A least-squares line through values at positions.
+/// A least-squares line through points (place, value).
 struct LineFit {
   double sum = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
   void add(double place, double value) { sum += 1.0, x += place, y += value, xx += place * place, xy += place * value; }

@@ -31,8 +31,8 @@ std::optional<ViewCameras> shared_plane(const std::vector<PosedCamera>& cameras)
   const auto from_first = [&](const PosedCamera& c) {
     return glm::transpose(first.rotation) * (c.position_mm - first.position_mm);
   };
-  // When the eye moves by m mm, the principal point shifts by focal_px m / distance, where distance is that of the plane with
-  // zero disparity. Compute the distance from the longest shift.
+  // When the eye moves by m mm, the principal point shifts by focal_px m / distance, with `distance` from the eyes to the plane
+  // with zero disparity. Compute the distance from the longest shift.
   double distance = 0.0, longest = 0.0, extent = 0.0;
   for (const PosedCamera& c : cameras) {
     const Vec3d by_mm = from_first(c);

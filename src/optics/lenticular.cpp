@@ -144,7 +144,8 @@ std::optional<ViewCameras> cameras_of(const Panel& panel, const LenticularSheet&
   const int n = make_lenticular(panel, sheet, 0.0).axis.whole_pixels;
   const double v = sheet.viewing_distance_mm, g = sheet.gap_mm, m = panel.pixel_pitch_mm;
   if (n < 1 || !std::isfinite(v)) return std::nullopt;
-  // The rays of the rows converge to the eye. Therefore a raised eye shifts the rows in the plane of the lenses.
+  // The rays of all pixel rows converge to the eye. Raising the eye therefore moves the points where these rays cross the plane
+  // of the lenses upwards.
   const Vec2d centre(0.5 * panel.width / n, 0.5 * panel.height + g * sheet.eye_height_mm / (v * m));
   return ViewCameras{
       v, {sheet.lens_pitch_mm, m * v / (v + g)}, centre, lens_eyes({n, 1}, sheet.parallax * m * v / g, sheet.eye_height_mm)};
