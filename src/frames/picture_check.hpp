@@ -15,7 +15,8 @@ struct SeenShare {
   int only_instance = -1;  ///< the instance that all rays hit, or -1
 };
 
-/// Traces the rays for a frame. Moves the stage's device scene to the frame's time.
+/// Traces one small picture of the frame as the display's viewer sees it, and returns what its rays hit. Moves the stage's
+/// device scene to the frame's time.
 SeenShare look_at_frame(Stage& stage, int frame, const ThreadPool& pool);
 
 /// Returns a warning with its reason in one sentence, or an empty string if the film shows something. `film` is the film of the

@@ -62,7 +62,8 @@ BlockLayout block_layout(const Display& sheet, const std::string& header, const 
   const int unit_along = layout.is_vertical ? units.y : units.x,
             unit_across = layout.is_vertical ? units.x : units.y + kTextLine;
   const int header_lines = layout.is_vertical ? 1 : 0;
-  // The largest scale for which count * (unit_along scale + 1) + header <= room_along and unit_across scale <= room_across / 3.
+  // The largest scale up to `wish` at which all blocks fit along the bars, with the header and one pixel between blocks, a
+  // label takes at most a third of the width across the bars, and the header fits the width.
   const int by_along = (room_along - count) / (count * unit_along + header_lines * kTextLine);
   layout.scale = std::min({wish, by_along, room_across / 3 / unit_across, (size.x - 2 * margin) / text_units(header).x});
   if (layout.scale < 1)

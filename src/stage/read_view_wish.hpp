@@ -10,8 +10,9 @@
 
 namespace lippmann {
 
-/// Returns one flag per instance: true if `name` selects the instance. Throws a usage Error at `flag` if the name does not
-/// exist, with the most similar name. Also throws if there is no shape below the node.
+/// Returns for each instance whether `name`, the name of a node or of an instance, selects it. Throws a usage Error that names
+/// the command-line option `flag` if nothing has this name; the message suggests the most similar name. Also throws if there is
+/// no shape below the node of this name.
 std::vector<bool> instances_named(const Scene& scene, const std::string& name, const char* flag);
 
 /// Returns whether a node or an instance is called `name`.

@@ -356,7 +356,8 @@ TEST(DecodeHdr, exposures_and_colour_corrections_are_undone) {
               ElementsAre(0.5f, 0.5f, 0.5f));
   EXPECT_THAT(decoded_as<float>(grey_hdr(format + "COLORCORR= 1 2 4\n", "-Y 1 +X 1", {128})), ElementsAre(1, 0.5f, 0.25f));
   EXPECT_THAT(decoded_as<float>(grey_hdr("\tEXPOSURE=2\n# EXPOSURE=3\n" + format, "-Y 1 +X 1", {128})),
-              // An indented EXPOSURE belongs to a source of the picture, and # begins a comment. Both are ignored.
+              // EXPOSURE is ignored in indented lines, which repeat the headers of input pictures, and in comments, which begin
+              // with #.
               ElementsAre(1, 1, 1));
   for (const char* exposure : {"0", "-1", "nan", "many", "1e-40"})
     EXPECT_THAT(

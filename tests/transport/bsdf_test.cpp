@@ -134,8 +134,9 @@ TEST(MetalRoughBsdf, is_reciprocal_as_documented) {
   const Vec3f a = view_at(20.0f), b = view_at(65.0f);
   const Vec3f ab = MetalRoughBsdf(diffuse, albedo(), kNormal, kNormal, a, true).evaluate(b).cosine_f / glm::dot(b, kNormal);
   const Vec3f ba = MetalRoughBsdf(diffuse, albedo(), kNormal, kNormal, b, true).evaluate(a).cosine_f / glm::dot(a, kNormal);
-  // Tolerance: the gloss is compensated for multiple scattering, which depends only on the viewer's side. The effect is a few
-  // thousandths for a reflectance of 0.04 at perpendicular incidence.
+  // Tolerance: the gloss is multiplied by a compensation for multiple scattering. This factor depends only on the direction to
+  // the viewer, so it changes when the two directions are exchanged: by a few thousandths for a reflectance of 0.04 at
+  // perpendicular incidence.
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(ab[c], ba[c], 3e-3f * ab[c]);
 }
 

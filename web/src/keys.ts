@@ -33,6 +33,6 @@ export function toggleKeyList(isLive: boolean): void {
   document.body.append(dialog);
   shown = dialog;
   dialog.showModal();
-  // Scrolls to the top, because the dialog scrolls to its focused button at the end.
+  // Scrolls back to the top: the focused button is at the bottom of the dialog, and focusing it has scrolled there.
   dialog.scrollTop = 0;
 }

@@ -23,11 +23,11 @@ namespace {
 /// The full width at half maximum of a Gaussian, in standard deviations: 2 sqrt(2 ln 2).
 constexpr float kFullWidth = 2.3548200f;
 
-/// Diameters of spheres and splats, relative to the median distance to the third nearest neighbour.
+/// Diameters k of spheres and splats, relative to the median distance from a point to its third nearest neighbour.
 ///
-/// The spheres of randomly scattered points have a diameter of k / sqrt(density). They leave a fraction exp(-pi k^2 / 4) of a
-/// surface uncovered, which is 4 % for k = 2. Gaussians extend beyond their diameter. In pictures of points scattered on a
-/// sphere, no hole is visible for k >= 1.6; larger values only add blur.
+/// If points are scattered at random on a surface, this distance is about 1 / sqrt(density). Spheres then leave a fraction
+/// exp(-pi k^2 / 4) of the surface uncovered, which is 4 % for k = 2. Splats need a smaller k, because Gaussians extend beyond
+/// their diameter. In pictures of points scattered on a sphere, no hole is visible for k >= 1.6; larger values only add blur.
 constexpr float kSphereOverlap = 2.0f, kSplatOverlap = 1.6f;
 
 Splats read_rows(const std::string& name, const Element& element, Body& body, const Vec3d& origin, const Context& context) {
