@@ -11,7 +11,7 @@
 namespace lippmann {
 namespace {
 
-// Standard deviations of the Gaussian weights that compare two surfaces. docs/develop/decisions/0013 has the measurements
+// Standard deviations of the Gaussian weights that compare two surfaces. docs/lab/decisions/0013 has the measurements
 // behind them.
 constexpr float kNormalSpread = 0.2f;  ///< standard deviation of the length of the difference between two unit normals
 constexpr float kAlbedoSpread = 0.2f;
