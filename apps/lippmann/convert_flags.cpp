@@ -225,8 +225,8 @@ bool is_video_of_views(const ConvertOptions& options) {
     throw Error(options.in, "each frame of this video holds several views",
                 "the folder of frames that it was made from, or --from views to read each frame as one view");
   if (options.to == "stereo")
-    throw usage_error("--to", "cannot be stereo for the frames of a video",
-                      "views, then a second conversion of these to stereo");
+    throw usage_error("--to", "stereo cannot be made from the frames of a video in one step",
+                      "--to views, then a second conversion of these views with --to stereo");
   return true;
 }
 
@@ -261,7 +261,7 @@ std::string described(const Conversion& conversion) {
     case ConvertKind::kPrecompensate:
       return "has no effect with --precompensate";
     default:
-      return fmt::format("has no effect from {} to {}", conversion.from->name, conversion.to->name);
+      return fmt::format("has no effect on a conversion from {} to {}", conversion.from->name, conversion.to->name);
   }
 }
 
@@ -278,11 +278,12 @@ Conversion conversion_of(const ConvertOptions& options) {
   if (orthoscopic.rotate_elemental && orthoscopic.spoc_mm)
     throw usage_error("--spoc", "cannot be combined with --rotate-elemental", "one of the two");
   if (orthoscopic.are_given() && options.crosstalk.precompensate)
-    throw usage_error("--precompensate", "cannot be combined with --rotate-elemental and --spoc", "one after the other");
+    throw usage_error("--precompensate", "cannot be combined with --rotate-elemental or --spoc",
+                      "two conversions, one after the other");
   if (orthoscopic.are_given()) return {orthoscopic.spoc_mm ? ConvertKind::kSpoc : ConvertKind::kRotate};
   if (options.crosstalk.precompensate) return {ConvertKind::kPrecompensate};
   if (options.to.empty() && !options.crosstalk.crosstalk.empty())
-    throw usage_error("--crosstalk", "has no effect without --precompensate", "--precompensate --crosstalk");
+    throw usage_error("--crosstalk", "has no effect without --precompensate", "--precompensate with it");
   if (options.to.empty() && !options.has_display())
     throw usage_error("--to", "is required", "a format (see --help), --display, --rotate-elemental, --spoc or --precompensate");
   Conversion conversion;
@@ -291,7 +292,7 @@ Conversion conversion_of(const ConvertOptions& options) {
   if (!options.depth.map.empty() && (!options.from.empty() || has_rgbd_name(options.in)))
     throw usage_error("--depth",
                       options.from.empty()
-                          ? "cannot be combined with " + options.in + ", whose name says that it contains its depth"
+                          ? "cannot be combined with " + options.in + ", whose name states that it contains depth"
                           : "cannot be combined with --from",
                       "a picture whose depth is in a separate file");
   find_source(options, conversion);

@@ -32,10 +32,12 @@ bool is_picture(const std::string& in) {
 }
 
 void refuse_flags_of_scenes(const ParamFlags& flags) {
-  if (!flags.job.empty()) throw usage_error("--job", "has no effect on pictures", "a scene");
-  if (flags.sheet.are_given()) throw usage_error(flags.sheet.first_given(), "has no effect on pictures", "a scene");
+  if (!flags.job.empty()) throw usage_error("--job", "has no effect on pictures", "a scene in place of the pictures");
+  if (flags.sheet.are_given())
+    throw usage_error(flags.sheet.first_given(), "has no effect on pictures", "a scene in place of the pictures");
   for (const auto& [name, values] : flags.values)
-    if (!values.empty()) throw usage_error(fmt::format("--{}", name), "has no effect on pictures", "a scene");
+    if (!values.empty())
+      throw usage_error(fmt::format("--{}", name), "has no effect on pictures", "a scene in place of the pictures");
 }
 
 template <class Info>

@@ -69,7 +69,7 @@ RenderParams asked(const ParamFlags& flags) {
     const std::vector<std::string>& texts = flags.values.at(name);
     const ParamInfo& info = *find_param(name);
     if (info.kind == ParamKind::kFlag && texts.size() > 1)
-      throw usage_error(fmt::format("--{}", name), fmt::format("and --{} contradict each other", info.opposite), "one of them");
+      throw usage_error(fmt::format("--{}", name), fmt::format("contradicts --{}", info.opposite), "one of the two");
     info.set(params, texts, fmt::format("--{}", name));
   }
   if (flags.sheet.are_given()) set_sheet(flags, params);

@@ -269,9 +269,9 @@ bool is_reported_by_first_rank(const Ranks* ranks, const Context& context) {
 
 int run(const RenderOptions& options, Context& context) {
   if (options.quiet && (options.verbose || !options.progress.empty()))
-    throw usage_error("--quiet", "cannot be combined with --verbose or --progress", "one of them");
+    throw usage_error("--quiet", "cannot be combined with --verbose or --progress", "one of the three");
   if (options.verbose && !options.progress.empty())
-    throw usage_error("--verbose", "cannot be combined with --progress", "one of them");
+    throw usage_error("--verbose", "cannot be combined with --progress", "one of the two");
   const ResolvedJob job = options.flags.resolve();
   const OutputParams& output = job.output();
   if (output.page && output.pictures.mirror) throw usage_error("--page", "cannot be combined with --mirror", "one of the two");

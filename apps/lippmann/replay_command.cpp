@@ -88,21 +88,24 @@ void refuse_idle_flags(const ReplayOptions& options) {
   const bool refocuses = !options.refocus.empty() || !options.focal_stack.empty(),
              has_epi = params.epi_row || params.epi_column;
   const bool looks = params.ipd_mm || params.sweep > 0 || !(refocuses || has_epi);
+  constexpr const char* kEyeViews = "--ipd or --sweep with it, or no --refocus, --focal-stack, --epi and --epi-column";
   const struct {
     const char* flag;
     bool is_given, has_effect;
-    const char* accepted;
-  } rules[] = {
-      {"--eye", !options.eye.empty(), looks, "the eye's view, --ipd or --sweep"},
-      {"--pupil", params.view.pupil_mm != 0.0, looks, "the eye's view, --ipd or --sweep"},
-      {"--crosstalk", !options.crosstalk.empty(), looks, "the eye's view, --ipd or --sweep"},
-      {"--focus", params.view.focus_mm != 0.0, looks && params.view.pupil_mm > 0.0, "--pupil above 0; a pinhole has no focus"},
-      {"--filter", !options.filter.empty(), looks || has_epi, "the eye's view, --ipd, --sweep, --epi or --epi-column"},
-      {"--size", !options.size.empty(), looks || refocuses, "the eye's view, --ipd, --sweep, --refocus or --focal-stack"},
-      {"--fps", params.frames_per_second.has_value(), !options.video.empty(), "--video"}};
+    const char *without, *accepted;
+  } rules[] = {{"--eye", !options.eye.empty(), looks, "without eye views", kEyeViews},
+               {"--pupil", params.view.pupil_mm != 0.0, looks, "without eye views", kEyeViews},
+               {"--crosstalk", !options.crosstalk.empty(), looks, "without eye views", kEyeViews},
+               {"--focus", params.view.focus_mm != 0.0, looks && params.view.pupil_mm > 0.0, "on eye views through a pinhole",
+                "--pupil above 0 with it"},
+               {"--filter", !options.filter.empty(), looks || has_epi, "on refocused pictures",
+                "--epi, --epi-column, --ipd or --sweep with it, or no --refocus and --focal-stack"},
+               {"--size", !options.size.empty(), looks || refocuses, "on epipolar-plane images",
+                "--refocus, --focal-stack, --ipd or --sweep with it, or no --epi and --epi-column"},
+               {"--fps", params.frames_per_second.has_value(), !options.video.empty(), "without a video", "--video with it"}};
   for (const auto& rule : rules)
     if (rule.is_given && !rule.has_effect)
-      throw usage_error(rule.flag, "has no effect on the requested pictures", rule.accepted);
+      throw usage_error(rule.flag, fmt::format("has no effect {}", rule.without), rule.accepted);
 }
 
 ReplayParams params_of(const ReplayOptions& options) {

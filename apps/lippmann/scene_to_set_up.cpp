@@ -19,9 +19,9 @@ namespace fs = std::filesystem;
 constexpr int kFirstViews = 8, kFirstViewSide = 360;
 
 void refuse_light_field_flags(const LightFieldFlags& field) {
-  constexpr const char* kAccepted = "a rendered folder";
-  if (!field.from.empty()) throw usage_error("--from", "applies to light fields, and IN is a scene", kAccepted);
-  if (!field.report.empty()) throw usage_error("--report", "applies to light fields, and IN is a scene", kAccepted);
+  constexpr const char* kAccepted = "a rendered folder as IN";
+  if (!field.from.empty()) throw usage_error("--from", "has no effect on a scene, and IN is one", kAccepted);
+  if (!field.report.empty()) throw usage_error("--report", "has no effect on a scene, and IN is one", kAccepted);
 }
 
 }  // namespace
@@ -44,11 +44,12 @@ bool is_scene_to_set_up(const std::string& in) {
 }
 
 void refuse_scene_flags(const std::string& in, const SceneToSetUpFlags& flags) {
-  if (!flags.job_file.empty()) throw usage_error("--save-job", "applies to scenes, and IN is a light field", "a scene");
+  if (!flags.job_file.empty())
+    throw usage_error("--save-job", "has no effect on a light field, and IN is one", "a scene as IN");
   for (const auto& [name, values] : flags.params.values)
     if (!values.empty())
       throw usage_error(
-          fmt::format("--{}", name), fmt::format("applies to scenes, and {} is read as a light field", in),
+          fmt::format("--{}", name), fmt::format("has no effect on a light field, and {} is read as one", in),
           "a built-in name (see: lippmann scenes), a file (.gltf, .glb, .dat, .nff, .obj, .ply) or a job (.toml)");
 }
 

@@ -87,7 +87,7 @@ Display SheetOptions::read_sheet() const {
 void refuse_idle_flags(const SheetOptions& options) {
   for (const IdleSheetRule& rule : kIdleSheetRules)
     if (rule.is_given(options) && !rule.has_effect(options))
-      throw usage_error(rule.flag, fmt::format("has no effect on {}", options.kind_name), rule.accepted);
+      throw usage_error(rule.flag, fmt::format("has no effect on a sheet of the kind {}", options.kind_name), rule.accepted);
 }
 
 void add_sheet_options(const Command& command, SheetOptions& options) {

@@ -50,7 +50,7 @@ std::vector<std::unique_ptr<PageField>> read_fields(const ViewOptions& options, 
 /// Throws a usage Error if flags of the server are given together with --save, which starts no server.
 void refuse_server_flags(const PageServerFlags& server) {
   const auto refuse = [](bool given, const char* flag) {
-    if (given) throw usage_error(flag, "has no effect with --save, which starts no server", "a page without --save");
+    if (given) throw usage_error(flag, "has no effect with --save, which starts no server", "lippmann view without --save");
   };
   refuse(server.port.has_value(), "--port");
   refuse(server.host != PageServerFlags{}.host, "--host");
@@ -88,9 +88,10 @@ int watch(const ViewOptions& options, const Context& context) {
 // ---- A scene ------------------------------------------------------------------------------------------------------------
 
 int set_up(const ViewOptions& options, const Context& context) {
-  if (!options.other.empty()) throw usage_error("OTHER", "needs a light field as IN, and IN is a scene", "a rendered folder");
+  if (!options.other.empty())
+    throw usage_error("OTHER", "needs a light field as IN, but IN is a scene", "a rendered folder as IN");
   if (!options.save.empty())
-    throw usage_error("--save", "needs a light field, and IN is a scene", "lippmann render SCENE --page");
+    throw usage_error("--save", "needs a light field, but IN is a scene", "lippmann render SCENE --page");
   const RenderParams params = scene_params(options.in, options.scene, options.field, options.threads);
   auto scene =
       std::make_unique<LiveScene>(first_settings(params, options.in), job_file_for(options.scene, params), context.warn);

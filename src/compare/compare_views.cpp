@@ -28,7 +28,9 @@ std::vector<fs::path> wanted_fields(const fs::path& path, const CompareParams& p
     const std::optional<int> number = frame_number(field);
     return !number || missing.erase(*number) == 0;
   });
-  if (!missing.empty()) throw Error(path.string(), fmt::format("has no frame {}, which `frames` requests", *missing.begin()));
+  if (!missing.empty())
+    throw Error(path.string(), fmt::format("has no frame {}, which `frames` requests", *missing.begin()),
+                "`frames` with those that exist");
   return fields;
 }
 

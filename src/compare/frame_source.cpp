@@ -99,7 +99,8 @@ class VideoFrames : public FrameSource {
       while (count_ < (*wanted_)[taken_] && reader_.next()) ++count_;
     std::optional<Image8> picture = reader_.next();
     if (!picture && wanted_)
-      throw Error(path_.string(), fmt::format("has no frame {}, which `frames` requests", (*wanted_)[taken_]));
+      throw Error(path_.string(), fmt::format("has no frame {}, which `frames` requests", (*wanted_)[taken_]),
+                  "`frames` with those that exist");
     if (!picture) return std::nullopt;
     ++taken_;
     return Item{fmt::format("frame_{:04}", count_++), [picture = std::move(*picture)] { return picture; }};
@@ -119,7 +120,9 @@ void keep_wanted(const fs::path& folder, const std::vector<int>& wanted, std::ve
     const std::optional<int> number = frame_number(file);
     return !number || !std::binary_search(wanted.begin(), wanted.end(), *number) || missing.erase(*number) == 0;
   });
-  if (!missing.empty()) throw Error(folder.string(), fmt::format("has no frame {}, which `frames` requests", *missing.begin()));
+  if (!missing.empty())
+    throw Error(folder.string(), fmt::format("has no frame {}, which `frames` requests", *missing.begin()),
+                "`frames` with those that exist");
 }
 
 std::unique_ptr<FrameSource> open_folder(const fs::path& folder, const std::optional<std::vector<int>>& wanted,
@@ -131,7 +134,7 @@ std::unique_ptr<FrameSource> open_folder(const fs::path& folder, const std::opti
   } catch (const fs::filesystem_error& failure) {
     throw Error(folder.string(), "cannot be listed: " + failure.code().message());
   }
-  if (files.empty()) throw Error(folder.string(), "has no pictures");
+  if (files.empty()) throw Error(folder.string(), "has no pictures", "a folder of pictures");
   const auto twice =
       std::adjacent_find(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) { return a.stem() == b.stem(); });
   if (twice != files.end())

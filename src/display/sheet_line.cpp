@@ -122,7 +122,7 @@ void check_pitch(const Display& sheet, const std::string& key) {
   const double cell = lens_strips(sheet).cell_px;
   constexpr double kRoundingPx = 1e-6;
   if (cell < 2.0 - kRoundingPx || cell > sheet.pixels.x + kRoundingPx)
-    throw usage_error(key, fmt::format("makes {:.3f} pixels below a lens, of {} across", cell, sheet.pixels.x),
+    throw usage_error(key, fmt::format("makes lenses {:.3f} pixels wide on a print of {} pixels", cell, sheet.pixels.x),
                       "a pitch from 2 pixels to the width of the print");
 }
 
@@ -158,9 +158,8 @@ Display display_from_line(const std::string& line) {
   sheet.lenses.phase_px = number_of(values, "phase", -65536.0, 65536.0).value_or(0.0);
   const bool is_of_print = key == "visual-lpi" || !sheet.viewing_distance_mm;
   if (key == "visual-lpi" && !sheet.viewing_distance_mm)
-    throw usage_error("visual-lpi", "depends on the distance of the eye", "`viewing-distance` with it, or `lpi`");
-  // pitch_mm is the width c of strips. They fill the viewing angle if the gap is g = c / (2 tan(angle / 2)). At distance D, the
-  // pitch of the lenses is p = c D / (D + g).
+    throw usage_error("visual-lpi", "needs the distance from the eye to the lenses", "`viewing-distance` with it, or `lpi`");
+  // Strips of width c fill the viewing angle if g = c / (2 tan(angle / 2)). The lens pitch is then p = c D / (D + g).
   const double gap = pitch_mm / (2.0 * std::tan(0.5 * sheet.view_cone_deg * std::numbers::pi / 180.0));
   const double distance = viewing_distance_mm(sheet);
   sheet.lenses.pitch_mm = is_of_print ? pitch_mm * distance / (distance + gap) : pitch_mm;

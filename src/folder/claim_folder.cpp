@@ -110,14 +110,15 @@ void require_free_video(const fs::path& folder, const Contents& contents, const 
   if (!is_there(video)) return;
   const std::optional<JournalVideo> recorded = recorded_video(folder, contents, video);
   if (!recorded)
-    throw Error(video, fmt::format("is there already, and the render in {} has not written it", folder.string()),
+    throw Error(video, fmt::format("exists already, and the render in {} has not written it", folder.string()),
                 "another name; `force`, which replaces it");
   const std::vector<int>& shown = recorded->frames;
   if (!std::includes(frames.begin(), frames.end(), shown.begin(), shown.end()))
     throw Error(video,
-                fmt::format("is finished and shows frames {} of this render, not all of which are asked for now",
+                fmt::format("is a finished video of frames {}, but this run does not render all of them",
                             write_frames(ranges_of(shown))),
-                "all of them, with `resume` to keep the finished ones; `video` with another name; `force`, which replaces it");
+                "all of these frames, with `resume` to keep the finished ones; another name for `video`; `force`, which "
+                "replaces the video");
 }
 
 /// Removes the file of a picture or view, and the folder of views once it is empty. Objects that are not files are kept.
@@ -214,7 +215,7 @@ void remove_others(const fs::path& folder, const Contents& contents, const NewRe
     if (claim != render.own) remove_render(folder, read_journal_part(claim), render.own);
   if (contents.is_this_job) return;
   if (!render.force && (holds_anything(*contents.journal) || !contents.journal->problem.empty()))
-    throw Error(folder.string(), "another render has begun in it meanwhile", kAnotherFolder);
+    throw Error(folder.string(), "another render has started in this folder in the meantime", kAnotherFolder);
   remove_render(folder, *contents.journal, render.own);
 }
 
@@ -241,8 +242,9 @@ void require_free_folder(const fs::path& folder, const std::string& job, const J
                             kAnotherFolder));
   if (!contents.is_this_job && contents.journal && holds_anything(*contents.journal)) throw another_render(folder, differences);
   if (!is_free(contents))
-    throw Error(folder.string(), fmt::format("holds files that no journal of a render names: {}", some_of(contents.foreign)),
-                fmt::format("{}; `force`, which replaces those of the frames that are rendered", kAnotherFolder));
+    throw Error(folder.string(),
+                fmt::format("holds files of a render, but its journal does not list them: {}", some_of(contents.foreign)),
+                fmt::format("{}; `force`, which replaces the files of the rendered frames", kAnotherFolder));
   for (const std::string& video : videos) require_free_video(folder, contents, video, frames);
 }
 
@@ -257,7 +259,7 @@ void clear_folder(const fs::path& folder, const NewRender& render, const Context
   if (render.force)
     std::erase_if(contents.foreign, [&](const std::string& name) { return is_in_the_way(name) && remove_file(folder, name); });
   if (!contents.foreign.empty())
-    context.warning(fmt::format("{} also holds files of no frame of this render, which stay: {}", folder.string(),
+    context.warning(fmt::format("{} also holds files that do not belong to this render and are kept: {}", folder.string(),
                                 some_of(contents.foreign)));
 }
 
@@ -269,7 +271,7 @@ void require_no_render(const fs::path& out) {
   };
   require_no_other_run(out, {});
   if (const auto journal = read_journal(out); journal && holds_anything(*journal))
-    throw Error(out.string(), "holds a render, whose frames others would be mixed with", "another folder");
+    throw Error(out.string(), "holds a render, whose frames would be mixed with these", "another folder");
   if (const auto journal = read_journal(out.parent_path()); journal && names(*journal))
     throw Error(out.string(), "is a file of the render in its folder", "another name");
 }

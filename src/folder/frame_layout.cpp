@@ -71,7 +71,7 @@ PictureParams with_layout(PictureParams params) {
   find_format(params.to, "to");
   const std::optional<PictureLayout> layout = layout_named(params.to);
   if (params.layout && params.layout != layout)
-    throw usage_error("to", fmt::format("{} contradicts `layout`", params.to), "one of both");
+    throw usage_error("to", fmt::format("{} cannot be combined with `layout`", params.to), "one of the two");
   if (layout && layout != PictureLayout::kRgbd) params.layout = layout, params.to.clear();
   return params;
 }
@@ -122,7 +122,7 @@ FrameLayout::FrameLayout(const PictureParams& wanted, const Optics& optics, cons
   }
   if (layout == PictureLayout::kNative || is_print || (layout == PictureLayout::kIntegral && has_lenses(optics))) {
     if (!sub_pixels_ && !has_lenses(optics))
-      throw usage_error("layout", "the display's native frame cannot be made with these optics", "`layout` without `optics`");
+      throw usage_error("layout", "a native frame needs the display's own optics", "`layout` native without `optics`");
     return;
   }
   if (!params.layout && !display) return;
@@ -142,7 +142,7 @@ void FrameLayout::check_picture_size(bool with_layers) const {
 /// Rotates every elemental image by 180 degrees, as a recording lens array does (docs/guide/replay.md).
 void FrameLayout::turn_round(const Optics& optics, PictureLayout layout) {
   if (layout != PictureLayout::kIntegral || !has_lenses(optics))
-    throw usage_error("pseudoscopic", "needs elemental images, which lie behind lenses", "`layout` integral");
+    throw usage_error("pseudoscopic", "needs elemental images, which only pictures behind lenses have", "`layout` integral");
   const ViewLayout film = film_layout(optics, "pseudoscopic");
   arrangement_.emplace(film, ViewLayout{LayoutKind::kEslf, film.grid, {}}, film_, "pseudoscopic");
 }
@@ -176,7 +176,7 @@ void FrameLayout::arrange_views(const PictureParams& params, PictureLayout layou
 void FrameLayout::pair_views(const StereoLayout& layout, const Optics& optics) {
   const ViewLayout film = film_layout(optics, "layout");
   if (film.kind != LayoutKind::kQuilt || film.grid != ViewGrid{2, 1})
-    throw usage_error("layout", "a stereo picture needs the optics of two eyes", "no `optics`");
+    throw usage_error("layout", "a stereo picture has optics of its own, with two eyes", "`layout` stereo without `optics`");
   const Vec2i stored = view_size(film, film_, "layout");
   const std::vector<std::uint32_t> film_pixels = pixels_of_views(film, stored, film_);
   stereo_ = layout;

@@ -75,15 +75,17 @@ void check_reuse(const Interpolate& how, const Sampling& sampling) {
     throw usage_error("reuse", "interpolate needs Whitted shading", "none or auto, or `integrator` whitted");
   refuse_shutter(sampling);
   if (sampling.lens.is_open())
-    throw usage_error(name_of_opening(sampling.lens), "depth of field cannot be interpolated", "`reuse` copy, none or auto");
+    throw usage_error(name_of_opening(sampling.lens), "depth of field cannot be combined with interpolated frames",
+                      "`reuse` copy, none or auto");
   if (sampling.transparent) throw usage_error("transparent", "interpolated frames have no alpha", "`reuse` none with it");
   if (has_layers_of_every_pixel(sampling))
     throw usage_error("aov", "interpolated frames have no extra layers but provenance", "`reuse` none with it");
   if (sampling.angular_filter == AngularFilter::kBox)
-    throw usage_error("angular-filter", "box cannot be interpolated: each point belongs to one eye",
+    throw usage_error("angular-filter",
+                      "box cannot be combined with interpolated frames, whose points are each seen by one eye",
                       "`reuse` copy, none or auto");
   if (const std::string against = against_floor(how); how.min_psnr_db && !against.empty())
-    throw usage_error(against, "cannot be combined with `min-psnr`, which traces missed and uncertain pixels",
+    throw usage_error(against, "cannot be combined with `min-psnr`, which traces missing and uncertain pixels",
                       "one of the two");
 }
 
@@ -93,7 +95,7 @@ void check_lens(const ViewLens& lens) {
   if (!(lens.f_number >= 0.0f && std::isfinite(lens.f_number)))
     throw usage_error("f-number", fmt::format("is {}", lens.f_number), "a number above 0, or 0 for a pinhole");
   if (lens.aperture_mm > 0.0f && lens.f_number > 0.0f)
-    throw usage_error("f-number", "and `aperture` both set the width of the lens", "one of the two");
+    throw usage_error("f-number", "cannot be combined with `aperture`: both set the width of the lens", "one of the two");
   if (!std::isfinite(lens.focal_plane_mm))
     throw usage_error("focal-plane", fmt::format("is {} mm", lens.focal_plane_mm), "a number of millimetres");
   if (lens.focal_plane_mm != 0.0f && !lens.is_open())

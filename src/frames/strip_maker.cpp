@@ -83,7 +83,9 @@ RenderedFrame StripMaker::make(int frame, int strip) {
 void check_strips(const FrameParams& params, const Optics& optics, int strips) {
   const int most = most_strips(optics), together = rows_per_strip(optics);
   if (strips > most)
-    throw usage_error(kStrips, fmt::format("{} are too many for {} rows in bands of {}", strips, film_size(optics).y, together),
+    throw usage_error(kStrips,
+                      fmt::format("{} are too many: the picture has {} rows, of which each strip needs at least {}", strips,
+                                  film_size(optics).y, together),
                       fmt::format("1 to {}", most));
   if (std::holds_alternative<Interpolate>(params.reuse))
     throw usage_error(kStrips, "strips are rendered separately, and interpolated frames need whole key frames",

@@ -50,7 +50,8 @@ void write_codes(const std::filesystem::path& path, const AnyImage& image, doubl
 OutputProfile::OutputProfile(const std::filesystem::path& file)
     : where_(file.string()), bytes_(read_recorded_bytes(file, kMaxProfileBytes, "a colour profile")) {
 #if !LIPPMANN_HAS_LCMS
-  throw Error(where_, "colours cannot be converted to a profile: this program is built without Little CMS");
+  throw Error(where_, "colours cannot be converted to a profile: this program is built without Little CMS",
+              "a build with Little CMS, or no `icc`");
 #endif
   const std::optional<int> channels = output_channels(bytes_);
   if (!channels) throw Error(where_, "is not an ICC output profile", "the RGB or CMYK profile of a printer or a paper (.icc)");

@@ -16,7 +16,8 @@ namespace {
 
 void check_transparent(const RenderParams& params) {
   constexpr const char* kFlag = "--transparent";
-  if (params.scene.name == kTestPattern) throw usage_error(kFlag, "the test pattern cannot be transparent", "a scene with it");
+  if (params.scene.name == kTestPattern)
+    throw usage_error(kFlag, "the test pattern cannot be transparent", "a scene in place of the test pattern");
   if (!params.output.video.empty())
     throw usage_error(kFlag, "cannot be combined with --video: no video codec keeps alpha", "one of the two");
   if (params.output.pictures.layout == PictureLayout::kNative || params.output.pictures.layout == PictureLayout::kPrint)
@@ -36,9 +37,8 @@ void check_light_field(const RenderParams& params) {
   const bool stores_depth = find_format(params.output.pictures.to, "to").uses_cameras;
   for (const Aov layer : params.sampling.aov)
     if (layer != Aov::kDepth || !stores_depth)
-      throw usage_error(
-          "aov", fmt::format("files of the format {} have no such layer", params.output.pictures.to),
-          stores_depth ? "no layer but depth, which is always written" : "a format with layers, such as `format` exr");
+      throw usage_error("aov", fmt::format("files of the format {} cannot store these layers", params.output.pictures.to),
+                        stores_depth ? "depth alone, which is always written" : "a format with layers, such as `format` exr");
   if (params.sampling.transparent)
     throw usage_error("transparent", fmt::format("files of the format {} hold no alpha", params.output.pictures.to),
                       "`layout` quilt or views");
@@ -50,7 +50,7 @@ void check_aovs(const RenderParams& params) {
   if (params.sampling.transparent) check_transparent(params);
   if (is_light_field(params.output.pictures)) check_light_field(params);
   if (!params.sampling.aov.empty() && params.scene.name == kTestPattern)
-    throw usage_error("--aov", "the test pattern has no extra layers", "a scene with it");
+    throw usage_error("--aov", "the test pattern has no extra layers", "a scene in place of the test pattern");
 }
 
 }  // namespace lippmann

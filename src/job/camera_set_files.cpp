@@ -115,7 +115,7 @@ void complete_camera_set(RenderParams& params) {
   if (!params.scene.cameras) return;
   PictureParams& pictures = params.output.pictures;
   if (!params.optics.display.empty() || (params.optics.kind && *params.optics.kind != OpticsKind::kSingle))
-    throw usage_error("cameras", "needs a single view of each camera", "`optics` single, and no display");
+    throw usage_error("cameras", "renders a single view for each camera", "`optics` single, without `display`");
   params.optics.kind = OpticsKind::kSingle;
   if (pictures.to.empty()) pictures.to = "nerf";
   constexpr std::array kFormats{"nerf", "colmap", "llff"};

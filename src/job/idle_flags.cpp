@@ -1,5 +1,7 @@
 #include "job/idle_flags.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -77,38 +79,41 @@ bool has_random_numbers(const RenderParams& params) {
 struct Effect {
   std::string_view parameter;
   bool (*exists)(const RenderParams&);
-  const char* accepted;  ///< settings with which the parameter has an effect
+  const char* ineffective;  ///< setting in which the parameter has no effect
+  const char* accepted;     ///< settings with which the parameter has an effect
 };
 
+constexpr const char* kNotInterpolated = "without interpolated frames";
 constexpr const char* kInterpolateToo = "--reuse interpolate with it";
 constexpr const char* kSurroundingsToo = "--environment studio, a colour or a panorama with it";
 
 constexpr std::array kEffects{
-    Effect{"asset-root", is_file, "a scene file instead of a built-in scene"},
-    Effect{"texture-memory", is_file, "a scene file instead of a built-in scene"},
-    Effect{"points", is_file, "a PLY file of points instead of a built-in scene"},
-    Effect{"up", is_file, "a scene file instead of a built-in scene"},
-    Effect{"crosstalk", precompensates, "--precompensate with it"},
-    Effect{"packing", has_microlenses, "--optics microlens or plenoptic with it"},
-    Effect{"fit-depth", has_parallax, "optics other than a single view"},
-    Effect{"view-angle", has_parallax, "optics other than a single view"},
-    Effect{"clamp-indirect", traces_paths, "--integrator path with it"},
-    Effect{"denoise", may_denoise, "--integrator path with it"},
-    Effect{"seed", has_random_numbers, "--spp 2 or more, or --integrator path with it"},
-    Effect{"environment-strength", has_surroundings, kSurroundingsToo},
-    Effect{"environment-rotation", has_surroundings_to_turn, "--environment studio or a panorama with it"},
-    Effect{"exposure", makes_codes, "--format png, png16 or tiff, or --video with it: EXR files stay linear"},
-    Effect{"tone", makes_codes, "--format png, png16 or tiff, or --video with it: EXR files stay linear"},
-    Effect{"keyframes", has_key_frames, "--reuse copy or interpolate with it"},
-    Effect{"splat", interpolates, kInterpolateToo},
-    Effect{"fill", interpolates, kInterpolateToo},
-    Effect{"halving", interpolates, kInterpolateToo},
-    Effect{"no-z-buffer", interpolates, kInterpolateToo},
-    Effect{"stereo", wants_stereo, "--layout stereo with it"},
-    Effect{"right-first", wants_stereo, "--layout stereo with it"},
-    Effect{"exr-pixels", makes_exr, "--format exr with it"},
-    Effect{"video-codec", makes_videos, "--video FILE with it"},
-    Effect{"crf", makes_lossy_videos, "--video FILE with it, in a lossy format (.mp4, .mov or .webm)"},
+    Effect{"asset-root", is_file, "on a built-in scene", "a scene file"},
+    Effect{"texture-memory", is_file, "on a built-in scene", "a scene file"},
+    Effect{"points", is_file, "on a built-in scene", "a PLY file of points"},
+    Effect{"up", is_file, "on a built-in scene", "a scene file"},
+    Effect{"crosstalk", precompensates, "without --precompensate", "--precompensate with it"},
+    Effect{"packing", has_microlenses, "on optics without microlenses", "--optics microlens or plenoptic with it"},
+    Effect{"fit-depth", has_parallax, "on a single view", "optics with several views"},
+    Effect{"view-angle", has_parallax, "on a single view", "optics with several views"},
+    Effect{"clamp-indirect", traces_paths, "without path tracing", "--integrator path with it"},
+    Effect{"denoise", may_denoise, "without path tracing", "--integrator path with it"},
+    Effect{"seed", has_random_numbers, "on a render without random numbers", "--spp 2 or more, or --integrator path with it"},
+    Effect{"environment-strength", has_surroundings, "on a scene without surroundings", kSurroundingsToo},
+    Effect{"environment-rotation", has_surroundings_to_turn, "on surroundings of one colour, or on none",
+           "--environment studio or a panorama with it"},
+    Effect{"exposure", makes_codes, "on EXR files, which stay linear", "--format png, png16 or tiff, or --video with it"},
+    Effect{"tone", makes_codes, "on EXR files, which stay linear", "--format png, png16 or tiff, or --video with it"},
+    Effect{"keyframes", has_key_frames, "where every frame is traced", "--reuse copy or interpolate with it"},
+    Effect{"splat", interpolates, kNotInterpolated, kInterpolateToo},
+    Effect{"fill", interpolates, kNotInterpolated, kInterpolateToo},
+    Effect{"halving", interpolates, kNotInterpolated, kInterpolateToo},
+    Effect{"no-z-buffer", interpolates, kNotInterpolated, kInterpolateToo},
+    Effect{"stereo", wants_stereo, "on pictures other than stereo", "--layout stereo with it"},
+    Effect{"right-first", wants_stereo, "on pictures other than stereo", "--layout stereo with it"},
+    Effect{"exr-pixels", makes_exr, "on pictures other than EXR", "--format exr with it"},
+    Effect{"video-codec", makes_videos, "without a video", "--video FILE with it"},
+    Effect{"crf", makes_lossy_videos, "without a video in a lossy format", "--video FILE with it: .mp4, .mov or .webm"},
 };
 
 /// Returns the flags that set a parameter, such as "--packing". If two flags set it, returns both: "--fit-depth or
@@ -123,7 +128,7 @@ std::string flags_of(std::string_view parameter) {
 void refuse_idle_flags(std::span<const std::string_view> given, const ResolvedJob& job) {
   for (const Effect& effect : kEffects)
     if (std::find(given.begin(), given.end(), effect.parameter) != given.end() && !effect.exists(job.params()))
-      throw usage_error(flags_of(effect.parameter), "has no effect on this render", effect.accepted);
+      throw usage_error(flags_of(effect.parameter), fmt::format("has no effect {}", effect.ineffective), effect.accepted);
 }
 
 }  // namespace lippmann

@@ -175,7 +175,7 @@ MemoryPlan plan_strips_memory(const MemoryFacts& facts, int strips, bool joins, 
     throw Error("strips",
                 fmt::format("{} of {}x{} pixels need about {} of memory each, but {} are available", strips, facts.film.x,
                             facts.film.y, bytes_text(strip), bytes_text(available)),
-                "more of them");
+                "more `strips`");
   const double joined = joins ? joined_frame_bytes(facts) : 0.0;
   if (joined > available)
     throw Error("size",

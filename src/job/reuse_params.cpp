@@ -26,10 +26,10 @@ TraceAll trace_all(const ReuseParams& params) {
   refuse_interpolation_flags(params);
   if (params.keyframes)
     throw usage_error("--keyframes", "has no effect where every frame is traced in full",
-                      "it together with --reuse copy or interpolate");
+                      "--reuse copy or interpolate with it");
   if (params.min_psnr_db)
     throw usage_error("--min-psnr", "has no effect where every frame is traced in full",
-                      "--spp for path tracing; --min-psnr with --reuse interpolate");
+                      "--reuse interpolate with it; for path tracing, --spp in its place");
   return {};
 }
 
@@ -44,7 +44,7 @@ Interpolate interpolate(const ReuseParams& params) {
     throw usage_error("--fill", "retrace cannot be combined with --debug missed, which leaves missed pixels black",
                       "one of the two");
   if (shows_missed && params.min_psnr_db)
-    throw usage_error("--debug", "cannot be combined with --min-psnr, which traces missed and uncertain pixels",
+    throw usage_error("--debug", "cannot be combined with --min-psnr, which traces missing and uncertain pixels",
                       "one of the two");
   return {params.keyframes, params.min_psnr_db, params.splat, shows_missed ? MissedFill::kBlack : params.fill,
           params.halving,   params.no_z_buffer};

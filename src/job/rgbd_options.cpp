@@ -15,7 +15,7 @@ namespace {
 EyeAtWindow written_eye(const Optics& optics) {
   const std::optional<RenderedViews> rendered = rendered_views(optics);
   if (!rendered || !rendered->cameras)
-    throw usage_error("layout", "these optics have no views with an eye position", "`layout` rgbd without `optics`");
+    throw usage_error("layout", "these optics have no views that are seen from one point", "`layout` rgbd without `optics`");
   const ViewGrid& grid = rendered->film.grid;
   const int middle = grid.rows / 2 * grid.columns + grid.columns / 2;
   const Vec2d eye = rendered->cameras->eyes_mm.at(static_cast<std::size_t>(middle));
@@ -31,7 +31,7 @@ void require_before_eye(const DepthRange& range, double distance_mm) {
   if (range.near_mm < 0.999 * distance_mm) return;
   throw usage_error("depth-range",
                     fmt::format("{:g} mm does not lie in front of the eye, which is at {:.4g} mm", range.near_mm, distance_mm),
-                    "depths below that");
+                    fmt::format("depths below {:.4g} mm", distance_mm));
 }
 
 }  // namespace

@@ -36,7 +36,8 @@ Vec2i stored_view(const RenderParams& params, const Display* display) {
 
 Vec2d screen_mm(const RenderParams& params, const Display* display, Vec2i stored) {
   if (display && params.optics.screen_width_mm)
-    throw usage_error("screen-width", fmt::format("{} has its own", display->name), "no `display`, or no `screen-width`");
+    throw usage_error("screen-width", fmt::format("{} states the width of its screen", display->name),
+                      "one of `display` and `screen-width`");
   if (display) return display->size_mm();
   const Vec2d whole(stored * stereo_squeeze(packing_of(params)));
   const double width = params.optics.screen_width_mm.value_or(kDefaultScreenMm);

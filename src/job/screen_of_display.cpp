@@ -20,8 +20,8 @@ void refuse(bool given, const char* flag, const char* problem, const char* accep
 void refuse_params_of_display(const RenderParams& params) {
   for (const KindParam& param : kKindParams)
     if (param.name != "views" && param.name != "camera-grid" && param.name != "cone-ends" && param.is_given(params.optics))
-      throw usage_error(std::string(param.name), "the display has its own",
-                        "a display of your own in a .toml file (docs/reference/displays.md)");
+      throw usage_error(std::string(param.name), "is decided by the display",
+                        "`display` without it, or a display of your own in a .toml file (docs/reference/displays.md)");
   refuse(params.optics.camera_grid, "--camera-grid", "cannot be combined with --display, whose views are at equal angles",
          "one of the two");
 }
@@ -33,7 +33,7 @@ Display with_params(const RenderParams& params, Display display, bool is_quilt) 
   if (params.optics.viewing_distance_mm) display.viewing_distance_mm = *params.optics.viewing_distance_mm;
   if (params.optics.size.x > 0 && !is_quilt) {
     refuse(display.kind == DisplayKind::kSlantedPanel && optics_kind(params) != OpticsKind::kSingle, "--size",
-           "a calibrated panel has its own", "--layout quilt with it");
+           "a native frame has the size of its panel", "--layout quilt with it");
     display.pixels = {params.optics.size.x, params.optics.size.y};
   }
   return display;
@@ -42,14 +42,14 @@ Display with_params(const RenderParams& params, Display display, bool is_quilt) 
 /// Returns the quilt that the parameters define. Missing values are those of the display's quilt.
 Optics wanted_quilt(const RenderParams& params, Display display) {
   refuse(!display.quilt && params.optics.views.x == 0, "--optics multiview", "the display has no quilt",
-         "--views CxR and --size WxH");
+         "--views CxR and --size WxH with it");
   DisplayQuilt quilt = display.quilt.value_or(DisplayQuilt{});
   if (params.optics.views.x > 0) quilt.columns = params.optics.views.x, quilt.rows = params.optics.views.y;
   if (params.optics.size.x > 0) quilt.width = params.optics.size.x, quilt.height = params.optics.size.y;
   if (quilt.width < quilt.columns || quilt.height < quilt.rows)
-    throw usage_error("--views",
-                      fmt::format("{}x{} views on {}x{} pixels", quilt.columns, quilt.rows, quilt.width, quilt.height),
-                      "fewer views");
+    throw usage_error(
+        "--views", fmt::format("{}x{} views do not fit on {}x{} pixels", quilt.columns, quilt.rows, quilt.width, quilt.height),
+        "fewer views");
   display.quilt = quilt;
   return with_cone_ends(*quilt_optics(display), params.optics.cone_ends);
 }
@@ -69,7 +69,7 @@ OpticsKind own_kind(const Display& display) {
 void require_size(Vec2i film) {
   const std::int64_t pixels = std::int64_t{film.x} * film.y;
   if (pixels > kMaxPixels || std::max(film.x, film.y) > kMaxSide)
-    throw usage_error("--display", fmt::format("a frame of {}x{} pixels", film.x, film.y),
+    throw usage_error("--display", fmt::format("a frame would have {}x{} pixels", film.x, film.y),
                       fmt::format("1 to {} pixels, at most {} a side; --size sets a smaller one", kMaxPixels, kMaxSide));
 }
 
@@ -91,8 +91,8 @@ Optics display_optics(const RenderParams& params, const Display& display) {
   else if (kind == own_kind(display))
     optics = native_optics(wanted);
   else
-    throw usage_error("--optics", fmt::format("{} is a {}", display.name, to_string(display.kind)),
-                      "no --optics, multiview or single");
+    throw usage_error("--optics", fmt::format("{} is a {}, which decides the optics", display.name, to_string(display.kind)),
+                      "no --optics, or --optics multiview or single");
   require_size(film_size(optics));
   return with_eye_height(std::move(optics), params.optics.eye_height);
 }

@@ -24,7 +24,8 @@ std::optional<double> crosstalk_to_undo(const RenderParams& params, const Optics
     throw usage_error(kPrecompensateFlag, "cannot be combined with --pseudoscopic", "one of the two");
   const std::optional<double> sigma = known_crosstalk(params, optics, display);
   if (!sigma)
-    throw usage_error(kPrecompensateFlag, "the crosstalk of the display is unknown", "--crosstalk, or a display file with it");
+    throw usage_error(kPrecompensateFlag, "the crosstalk of the display is unknown",
+                      "--crosstalk, or a display file that states it");
   Image nothing;
   // Throws for invalid values before any frame is rendered.
   precompensate(optics, *sigma, kPrecompensateFlag, nothing);

@@ -24,7 +24,7 @@ void require_size(const Image& image, Vec2i film, int channels, const char* what
 RenderedViews required_views(const Optics& optics) {
   if (std::optional<RenderedViews> rendered = rendered_views(optics)) return *rendered;
   throw Error("optics", "lenses without a whole number of pixels have no views",
-              "views, or lenses with a whole number of pixels below each, neither slanted nor hexagonal");
+              "a whole number of pixels below every lens, without slant or hexagonal packing");
 }
 
 }  // namespace

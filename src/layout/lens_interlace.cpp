@@ -94,9 +94,10 @@ ViewGrid views_below_lens(const Optics& lenses) {
 
 void require_fewer_views(ViewGrid grid, const Display& display) {
   if (grid.columns <= display.pixels.x && grid.rows <= display.pixels.y) return;
-  throw usage_error("views",
-                    fmt::format("{}x{} views on {}x{} pixels", grid.columns, grid.rows, display.pixels.x, display.pixels.y),
-                    "fewer views");
+  throw usage_error(
+      "views",
+      fmt::format("{}x{} views do not fit on {}x{} pixels", grid.columns, grid.rows, display.pixels.x, display.pixels.y),
+      "fewer views");
 }
 
 }  // namespace

@@ -73,7 +73,7 @@ RgbdSideFile described_rgbd(const fs::path& path, const FormatOptions& options, 
     throw usage_error("depth-range",
                       fmt::format("{:g} mm does not lie in front of the eye, which is at {:g} mm", side.coding.range.near_mm,
                                   side.distance_mm),
-                      "depths below that");
+                      fmt::format("depths below {:g} mm", side.distance_mm));
   return side;
 }
 

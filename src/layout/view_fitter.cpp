@@ -41,7 +41,7 @@ void check_strips(const Display& display) {
   if (cell >= 2.0 - kRoundingPx && cell <= display.pixels.x + kRoundingPx) return;
   throw usage_error(
       "display",
-      fmt::format("{:.3f} pixels lie below a lens, of {}x{} pixels in all", cell, display.pixels.x, display.pixels.y),
+      fmt::format("lenses are {:.3f} pixels wide on a picture of {}x{} pixels", cell, display.pixels.x, display.pixels.y),
       "a lens pitch from 2 pixels to the width of the picture");
 }
 

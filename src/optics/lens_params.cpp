@@ -30,7 +30,7 @@ float lens_pixels_across(const OpticsParams& params) {
   if (pixels > 0.0f) return pixels;
   if (size == 0 || lenses == 0) return kDefaultLensPixels;
   if (size < lenses)
-    throw usage_error("lenses", fmt::format("{} lenses on {} pixels", lenses, size),
+    throw usage_error("lenses", fmt::format("{} lenses do not fit on {} pixels", lenses, size),
                       fmt::format("1 to {}, at most one lens per pixel", size));
   return static_cast<float>(size) / static_cast<float>(lenses);
 }

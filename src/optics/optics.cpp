@@ -70,7 +70,8 @@ std::vector<Vec2d> lens_eyes(Vec2i n, double eye_step_mm, double eye_height_mm) 
 }
 
 void throw_no_inverse() {
-  throw usage_error("optics", "a table of rays or a plenoptic camera cannot be inverted", "other optics");
+  throw usage_error("optics", "the pixels that see a point cannot be computed for these optics",
+                    "other optics than a table of rays or a plenoptic camera");
 }
 
 // ---- Queries ----------------------------------------------------------------------------------------------

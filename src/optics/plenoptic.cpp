@@ -128,8 +128,8 @@ struct CameraLengths {
 double given_image_distance(const ModelSetup& setup) {
   const double f = static_cast<double>(*setup.params.focal_length_mm), z = setup.viewing_distance_mm;
   if (!(z > 1.001 * f))
-    throw usage_error("focal-length", fmt::format("is {:g} mm, and the plane in focus {:g} mm away", f, z),
-                      "less than this distance, or a longer `viewing-distance`");
+    throw usage_error("focal-length", fmt::format("is {:g} mm, but the plane in focus is only {:g} mm away", f, z),
+                      "a shorter focal length, or a longer `viewing-distance`");
   return image_distance_mm(f, z);
 }
 
@@ -151,10 +151,12 @@ CameraLengths camera_lengths(const ModelSetup& setup, double cell) {
   const double pinhole = setup.pinhole_mm;
   camera.s = setup.params.focal_length_mm ? given_image_distance(setup) : pinhole - camera.b - camera.e;
   if (!(camera.s > 0.0 && camera.t() > 0.0))
-    throw usage_error(setup.params.lens_focal_length_mm ? "lens-focal-length" : "gap",
-                      fmt::format("puts the lenses {:.4g} mm behind the main lens, whose image lies {:.4g} mm behind it",
-                                  camera.t(), camera.s),
-                      "a smaller `gap`, or a `lens-focal-length` that differs more from it");
+    throw usage_error(
+        setup.params.lens_focal_length_mm ? "lens-focal-length" : "gap",
+        fmt::format(
+            "puts the microlenses {:.4g} mm behind the main lens, whose image of the plane in focus lies {:.4g} mm behind it",
+            camera.t(), camera.s),
+        "a smaller `gap`, or a `lens-focal-length` that differs more from it");
   camera.f = setup.params.focal_length_mm ? static_cast<double>(*setup.params.focal_length_mm)
                                           : 1.0 / (1.0 / camera.s + 1.0 / static_cast<double>(setup.viewing_distance_mm));
   const bool is_matched = setup.params.gap_mm || setup.params.lens_focal_length_mm;

@@ -42,7 +42,7 @@ Picture panel_picture(const LightField& field, const ViewLayout& film) {
 /// Returns where the pixels of the views are on the panel of these optics.
 ViewLayout film_of(const Optics& optics, const std::string& where) {
   if (const std::optional<RenderedViews> rendered = rendered_views(optics)) return rendered->film;
-  throw Error(where, "its views cannot be moved behind lenses without a whole number of pixels",
+  throw Error(where, "its views cannot be laid out below lenses again, because the lenses have no whole number of pixels",
               "pictures of `layout` integral or native");
 }
 
@@ -114,7 +114,7 @@ LightFieldFrames of_panel(LightFieldFrames frames, const LightFieldHints& hints)
         std::pair(hints.tiles.has_value(), "quilt"), std::pair(hints.cone_ends, "cone-ends")})
     if (given)
       throw usage_error(flag, "has no effect on the interlaced frame of a panel",
-                        "the frame without it, or views or a quilt in its place");
+                        "the frame without this flag, or views or a quilt");
   frames.optics = native_optics(*hints.display), frames.is_panel = true;
   const Vec2i panel(frames.optics.panel.width, frames.optics.panel.height);
   const Vec2i size = size_of(read_picture(frames.files.front()));

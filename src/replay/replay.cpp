@@ -113,7 +113,8 @@ class Replay {
     if (params_.all_in_focus && !params_.focal_stack)
       throw usage_error("all-in-focus", "needs a range of depths", "`focal-stack` Z0:Z1:N with it");
     if (!params_.video.empty() && has_other_products() && !params_.ipd_mm && params_.sweep == 0)
-      throw usage_error("video", "has no effect on the requested pictures", "the eye's view, `ipd` or `sweep`");
+      throw usage_error("video", "has no effect without eye views",
+                        "`ipd` or `sweep`, or no `refocus`, `focal-stack` and `epi`");
   }
 
   ReplayFiles::Settings file_settings() const {

@@ -92,7 +92,8 @@ std::string page_html(const std::string& heading, const std::string& title, cons
 void require_own_report(const fs::path& file) {
   if (!is_regular_file_there(file)) return;
   if (read_file_text(file, kMostBytes).find(kMark) == std::string::npos)
-    throw Error(file.string(), "is another file, and would be replaced", "a new name, or that of a report page");
+    throw Error(file.string(), "exists and is not a report page, so it is not replaced",
+                "a new name, or that of a report page");
 }
 
 }  // namespace

@@ -151,8 +151,7 @@ AnyLanding landing(const Panel& panel, const SlantedPanel& slanted, SplatMode mo
     throw usage_error("splat", "lens does not work for a slanted panel, whose lenses cross its rows", "`splat` view");
   const bool blue_first = slanted.sub_pixels == striped_sub_pixels(true);
   if (!blue_first && slanted.sub_pixels != striped_sub_pixels())
-    throw usage_error("reuse", "interpolate needs panels with striped sub-pixels",
-                      "`reuse` copy or none, or a quilt, which can be interpolated");
+    throw usage_error("reuse", "interpolate needs panels with striped sub-pixels", "`reuse` copy or none, or `layout` quilt");
   const SlantedPanelRays c = make_slanted_panel(panel, slanted, 0.0f);
   const auto width = static_cast<float>(3 * panel.width), height = static_cast<float>(panel.height);
   const double per_sub_pixel = c.lenses_per_px / 3.0;
@@ -164,7 +163,7 @@ AnyLanding landing(const Panel& panel, const SlantedPanel& slanted, SplatMode mo
 /// Throws for all optics models whose points cannot be projected.
 template <class Model>
 AnyLanding landing(const Panel&, const Model&, SplatMode) {
-  throw usage_error("reuse", "interpolate needs optics that can project points", "`reuse` copy, light, none or auto");
+  throw usage_error("reuse", "interpolate cannot project points to the pixels of these optics", "`reuse` copy, none or auto");
 }
 
 }  // namespace

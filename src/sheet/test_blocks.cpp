@@ -191,8 +191,9 @@ BlockTest phase_test(const Display& sheet, int blocks, BarDirection bars, const 
   TestPlan plan;
   const double pitch = lens_strips(sheet).cell_px;
   if (pitch > room_across(sheet, bars))
-    throw usage_error("lpi", fmt::format("makes {:.5g} pixels below a lens, of {} in all", pitch, room_across(sheet, bars)),
-                      "a pitch up to the size of the print");
+    throw usage_error("lpi",
+                      fmt::format("makes lenses {:.5g} pixels wide on a print of {} pixels", pitch, room_across(sheet, bars)),
+                      "lenses narrower than the print");
   plan.header = header_of(fmt::format("Phase test  {:.5g} lpi", sheet.dpi / pitch).c_str(), sheet);
   plan.bars = {kThirdBar, 1.0 - kThirdBar, false};
   for (int i = 0; i < blocks; ++i) {

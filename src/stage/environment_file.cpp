@@ -27,7 +27,8 @@ void warn_of_left_out(const std::filesystem::path& path, const Context& context)
 EnvironmentMap read_environment(const std::filesystem::path& path, float strength, float rotation_deg, const Context& context) {
   constexpr const char* kAccepted =
       "an equirectangular panorama of floats, .hdr, .exr, .pfm or .tif, of up to 32768 x 16384 pixels";
-  if (sample_kind(path) != SampleKind::kFloat) throw Error(path.string(), "has no linear light in its samples", kAccepted);
+  if (sample_kind(path) != SampleKind::kFloat)
+    throw Error(path.string(), "has 8 or 16 bits per sample, not linear light as floats", kAccepted);
   const Image file = read_rgb(path, context.warn);
   warn_of_left_out(path, context);
   if (file.width > EnvironmentMap::kMostWidth || file.height > EnvironmentMap::kMostHeight)

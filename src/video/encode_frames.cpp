@@ -147,8 +147,8 @@ void describe_depth_of(const std::vector<NumberedFrame>& frames, const fs::path&
   std::error_code ignored;
   fs::remove(rgbd_side_path(out), ignored);  // an earlier video may have left a side file
   context.warning(
-      fmt::format("The side files of the frames do not all say the same, so that grey means another depth from frame to frame, "
-                  "and {} has none. `depth-range` gives all frames one range when they are made.",
+      fmt::format("The side files of the frames differ, so equal greys mean different depths, and {} gets no side file. Make "
+                  "the frames with one `depth-range`.",
                   out.string()));
 }
 

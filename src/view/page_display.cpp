@@ -39,9 +39,8 @@ const char* word_for(ViewFilter filter) {
 void require_one_row(const PageFacts& facts) {
   if (facts.grid.rows != 1)
     throw usage_error(
-        "views",
-        fmt::format("{} has {}x{} views, where eyes are side by side", facts.title, facts.grid.columns, facts.grid.rows),
-        "one row of views; `lippmann convert` with `keep` takes one of several");
+        "views", fmt::format("{} has {}x{} views, but a panel shows one row", facts.title, facts.grid.columns, facts.grid.rows),
+        "one row of views; `lippmann convert` with `keep` selects one");
 }
 
 Json phases_json(const ViewPhases& phases) {

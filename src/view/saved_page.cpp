@@ -58,7 +58,7 @@ class PageFolder {
 void require_own_page(const fs::path& file, std::string_view mark, const char* accepted) {
   if (!is_regular_file_there(file)) return;
   if (read_file_text(file, kMaxFileBytes, "a page that was saved before").find(mark) == std::string::npos)
-    throw Error(file.string(), "is another page, and would be replaced", accepted);
+    throw Error(file.string(), "exists and is not a page of lippmann view, so it is not replaced", accepted);
 }
 
 /// Replaces `from`, which index.html contains once.

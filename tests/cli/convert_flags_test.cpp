@@ -177,9 +177,9 @@ TEST_F(ConvertFlags, each_changes_the_result_or_is_refused) {
 
 TEST_F(ConvertFlags, refusals_name_the_accepted_formats) {
   expect_refusal(run_tool(dir_, {"convert", "in/views", "s", "--to", "hci", "--display", "d.toml"}), 2,
-                 "--display: has no effect from views to hci; accepted: --from native, --to native");
+                 "--display: has no effect on a conversion from views to hci; accepted: --from native, --to native");
   expect_refusal(run_tool(dir_, {"convert", "in/views", "s", "--to", "hci", "--dpi", "300"}), 2,
-                 "--dpi: has no effect from views to hci; accepted: --to integral");
+                 "--dpi: has no effect on a conversion from views to hci; accepted: --to integral");
   expect_refusal(run_tool(dir_, {"convert", "r", "o", "--rotate-elemental", "--gap", "2"}), 2,
                  "--gap: has no effect with --rotate-elemental; accepted: --spoc");
   expect_refusal(run_tool(dir_, {"convert", "in/views", "n.png", "--to", "native", "--display", "d.toml", "--sigma", "1"}), 2,

@@ -122,7 +122,7 @@ TEST(Convert, rgbd_video_equals_its_frames) {
   fs::remove(dir / "a/frame_0001_rgbd.png.json");
   EXPECT_THAT(run_tool(dir, {"encode", "a", "clip.mkv"}).err, HasSubstr("frame_0001_rgbd.png.json: is missing"));
   fs::remove_all(dir / "a/.lippmann");
-  EXPECT_THAT(run_tool(dir, {"encode", "a", "clip.mkv"}).err, HasSubstr("--depth-range gives all frames one range"));
+  EXPECT_THAT(run_tool(dir, {"encode", "a", "clip.mkv"}).err, HasSubstr("Make the frames with one --depth-range"));
   EXPECT_FALSE(fs::exists(dir / "clip_rgbd.mkv.json"));
 }
 

@@ -92,8 +92,8 @@ TEST_F(Prints, mistakes_leave_nothing_behind) {
   refuse({"--lpi", "0", "--dpi", "80", "--paper", "A6"}, "--lpi");
   refuse({"--lpi", "20", "--paper", "A6"}, "without --dpi");
   refuse({"--lpi", "20", "--dpi", "80", "--paper", "B7"}, "A0 to A8, letter");
-  refuse({"--lpi", "60", "--dpi", "80", "--paper", "A6"}, "1.333 pixels below a lens");
-  refuse({"--lpi", "1", "--dpi", "80", "--paper", "10x10mm"}, "80.000 pixels below a lens");
+  refuse({"--lpi", "60", "--dpi", "80", "--paper", "A6"}, "lenses 1.333 pixels wide");
+  refuse({"--lpi", "1", "--dpi", "80", "--paper", "10x10mm"}, "lenses 80.000 pixels wide");
   refuse(Words{"--keep", "1"} + sheet_, "2 or more pictures");
   refuse({"--display", "portrait", "--mirror"}, "--mirror: has no effect");
   refuse({"--display", "portrait", "--to", "integral"}, "native or quilt");

@@ -25,14 +25,14 @@ Refusal render(const Words& flags, const std::string& part_of_message) {
   return {Words{"render", "teapot", "--frames", "0"} + flags, part_of_message};
 }
 
-INSTANTIATE_TEST_SUITE_P(Layouts, Refusals,
-                         testing::Values(render({"--quilt", "4x2"}, "--layout quilt"),
-                                         render({"--pseudoscopic", "--layout", "quilt"}, "--layout integral"),
-                                         render({"--to", "hcl"}, "did you mean 'hci'?"),
-                                         render({"--to", "hci", "--layout", "quilt"}, "--to: hci contradicts --layout"),
-                                         render({"--to", "hci", "--optics", "multiview", "--aov", "normal"},
-                                                "--aov: files of the format hci"),
-                                         render({"--size", "20000x20000"}, "--format tiff"), render({"-o", "-"}, "--output")));
+INSTANTIATE_TEST_SUITE_P(
+    Layouts, Refusals,
+    testing::Values(render({"--quilt", "4x2"}, "--layout quilt"),
+                    render({"--pseudoscopic", "--layout", "quilt"}, "--layout integral"),
+                    render({"--to", "hcl"}, "did you mean 'hci'?"),
+                    render({"--to", "hci", "--layout", "quilt"}, "--to: hci cannot be combined with --layout"),
+                    render({"--to", "hci", "--optics", "multiview", "--aov", "normal"}, "--aov: files of the format hci"),
+                    render({"--size", "20000x20000"}, "--format tiff"), render({"-o", "-"}, "--output")));
 
 INSTANTIATE_TEST_SUITE_P(
     Light, Refusals,
@@ -42,7 +42,7 @@ INSTANTIATE_TEST_SUITE_P(
                     render({"--denoise"}, "--denoise: has no effect"), render({"--splat", "lens"}, "--splat"),
                     render({"--denoise", "auto"}, "--denoise: has no effect"),
                     render({"--integrator", "path", "--min-psnr", "40"},
-                           "--spp for path tracing; --min-psnr with --reuse interpolate"),
+                           "--reuse interpolate with it; for path tracing, --spp in its place"),
                     render({"--reuse", "backward"}, "--reuse"), render({"--min-psnr", "5", "--reuse", "none"}, "--min-psnr"),
                     render({"--fit-depth", "--full-depth"}, "--full-depth")));
 
@@ -71,7 +71,8 @@ INSTANTIATE_TEST_SUITE_P(
 
 INSTANTIATE_TEST_SUITE_P(
     FlagsWithoutEffect, Refusals,
-    testing::Values(render({"--stereo", "sbs"}, "--stereo: has no effect on this render; accepted: --layout stereo with it"),
+    testing::Values(render({"--stereo", "sbs"},
+                           "--stereo: has no effect on pictures other than stereo; accepted: --layout stereo with it"),
                     render({"--right-first"}, "--right-first: has no effect"), render({"--splat", "view"}, "--splat"),
                     render({"--fill", "interpolate"}, "--fill"), render({"--halving"}, "--halving"),
                     render({"--no-z-buffer"}, "--no-z-buffer"), render({"--reuse", "none", "--keyframes", "8"}, "--keyframes"),

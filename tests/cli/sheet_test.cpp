@@ -85,8 +85,8 @@ TEST(Sheet, mistakes_leave_nothing_behind) {
   refuse("pitch", {"--lpi", "60"}, "without --dpi");
   refuse("pitch", {"--dpi", "600"}, "without --lpi");
   refuse("pitch", {}, "--lpi: is missing");
-  refuse("pitch", {"--lpi", "400", "--dpi", "600"}, "1.500 pixels below a lens");
-  refuse("pitch", {"--lpi", "1", "--dpi", "600", "--paper", "10x10mm"}, "600.000 pixels below a lens");
+  refuse("pitch", {"--lpi", "400", "--dpi", "600"}, "lenses 1.500 pixels wide");
+  refuse("pitch", {"--lpi", "1", "--dpi", "600", "--paper", "10x10mm"}, "lenses 600.000 pixels wide");
   refuse("pitch", Words{"--step", "0.1"} + kSmall, "--step");
   refuse("pitch", Words{"--step", "1px"} + kSmall, "--step: gives block 1 of 21 a pitch of -0.4 pixels");
   refuse("phase", Words{"--blocks", "180"} + kSmall, "--blocks: 180 labelled blocks do not fit");

@@ -77,8 +77,8 @@ TEST(SheetLine, errors_name_the_key_and_accepted_values) {
   EXPECT_THAT(refusal("lpi=60 pitch-mm=0.4 dpi=600 paper=A5"), HasSubstr("cannot be combined with `lpi`"));
   EXPECT_THAT(refusal("lpi=60 lpi=61 dpi=600 paper=A5"), HasSubstr("twice"));
   EXPECT_THAT(refusal("visual-lpi=60 dpi=600 paper=A5"), HasSubstr("viewing-distance"));
-  EXPECT_THAT(refusal("lpi=350 dpi=600 paper=A5"), HasSubstr("1.714 pixels below a lens"));
-  EXPECT_THAT(refusal("lpi=1 dpi=600 paper=20x20mm"), HasSubstr("600.000 pixels below a lens, of 472"));
+  EXPECT_THAT(refusal("lpi=350 dpi=600 paper=A5"), HasSubstr("lenses 1.714 pixels wide"));
+  EXPECT_THAT(refusal("lpi=1 dpi=600 paper=20x20mm"), HasSubstr("lenses 600.000 pixels wide on a print of 472 pixels"));
   EXPECT_THAT(refusal("lpi=60 dpi=60000 paper=A0"), HasSubstr("65536"));
 }
 

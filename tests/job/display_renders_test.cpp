@@ -117,7 +117,7 @@ TEST_F(DisplayRenders, unsupported_parameters_are_refused) {
   };
   refused("portait", {}, "did you mean 'portrait'?");
   refused("panel.toml", {{"lenses", "20"}}, "lenses");
-  refused("panel.toml", {{"layout", "native"}, {"size", "99x99"}}, "a calibrated panel has its own");
+  refused("panel.toml", {{"layout", "native"}, {"size", "99x99"}}, "a native frame has the size of its panel");
   refused("sheet.toml", {{"optics", "multiview"}}, "has no quilt");
   refused("panel.toml", {{"optics", "microlens"}}, "is a slanted-panel");
   refused("sheet.toml", {{"mirror", "true"}}, "print");

@@ -125,7 +125,7 @@ TEST_F(FolderRenders, part_does_not_overwrite_the_whole_video) {
   const Files before = all_files(dir_ / "a");
   RenderParams part = job_of("a");
   part.output.frames = FrameRanges{{0, 0}};
-  EXPECT_THAT(refusal(part), HasSubstr("film.mkv: is finished and shows frames 0-2"));
+  EXPECT_THAT(refusal(part), HasSubstr("film.mkv: is a finished video of frames 0-2"));
   EXPECT_EQ(all_files(dir_ / "a"), before);
   RenderParams elsewhere = part;
   elsewhere.output.video = {dir_ / "first.mkv"};
@@ -139,7 +139,7 @@ TEST_F(FolderRenders, part_does_not_overwrite_the_whole_video) {
 TEST_F(FolderRenders, foreign_video_is_not_overwritten) {
   std::ofstream(dir_ / "holiday.mkv") << "precious";
   const RenderParams params = teapot("a", "0", {{"video", dir_ / "holiday.mkv"}});
-  EXPECT_THAT(refusal(params), HasSubstr("holiday.mkv: is there already"));
+  EXPECT_THAT(refusal(params), HasSubstr("holiday.mkv: exists already"));
   EXPECT_EQ(bytes("holiday.mkv"), "precious");
   EXPECT_FALSE(exists("a"));
   render(params, {.force = true});
@@ -157,7 +157,7 @@ TEST_F(FolderRenders, foreign_layer_is_reported_and_skipped) {
   EXPECT_FALSE(exists("plain-hci/frame_0000/gt_depth_lowres_Cam000.pfm"));
   EXPECT_THAT(check("plain").foreign, ElementsAre("aov_0000.exr"));
   resume(job("teapot", "plain", grid));
-  EXPECT_THAT(warnings_, HasSubstr("also holds files of no frame of this render, which stay: aov_0000.exr"));
+  EXPECT_THAT(warnings_, HasSubstr("also holds files that do not belong to this render and are kept: aov_0000.exr"));
 }
 
 TEST_F(FolderRenders, symbolic_links_are_not_followed) {

@@ -110,7 +110,7 @@ TEST_F(LayoutRenders, impossible_layouts_are_refused_first) {
   refused({{"size", "65536x32768"}}, "2147483647 pixels");
   refused({{"video", dir_ / "a.webm"}, {"video-codec", "h264"}}, "do not hold h264");
   const Settings grid{{"optics", "multiview"}, {"camera-grid", "true"}, {"views", "2x2"}, {"size", "32x32"}};
-  refused(grid + Settings{{"to", "hci"}, {"aov", "normal"}}, "aov: files of the format hci have no such layer");
+  refused(grid + Settings{{"to", "hci"}, {"aov", "normal"}}, "aov: files of the format hci cannot store these layers");
   refused(grid + Settings{{"to", "jpeg-pleno"}, {"aov", "depth"}}, "aov");
   refused(grid + Settings{{"to", "hci"}, {"transparent", "true"}}, "transparent: files of the format hci hold no alpha");
   refused(grid + Settings{{"to", "hci"}, {"video", dir_ / "a.mp4"}}, "video: needs a layout with one picture per frame");

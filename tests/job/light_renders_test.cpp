@@ -168,7 +168,7 @@ TEST_F(LightRenders, impossible_interpolation_is_refused) {
   EXPECT_THAT(refused(kPaths + Settings{{"reuse", "interpolate"}}), HasSubstr("reuse: interpolate needs Whitted shading"));
   EXPECT_THAT(refused({{"splat", "lens"}}), HasSubstr("splat"));
   EXPECT_THAT(refused({{"min-psnr", "30"}, {"reuse", "none"}}), HasSubstr("min-psnr"));
-  EXPECT_THAT(refused(kPaths + Settings{{"min-psnr", "30"}}), HasSubstr("--spp for path tracing"));
+  EXPECT_THAT(refused(kPaths + Settings{{"min-psnr", "30"}}), HasSubstr("for path tracing, --spp"));
 }
 
 TEST_F(LightRenders, depth_is_fitted_by_default) {

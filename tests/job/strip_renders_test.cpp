@@ -214,7 +214,9 @@ TEST_F(StripRenders, strips_belong_to_their_job) {
 TEST_F(StripRenders, impossible_strips_are_refused) {
   const auto refused = [&](const Settings& settings) { return refusal(still("a", settings)); };
   EXPECT_THAT(error_message([&] { still("a", {{"strips", "0"}}); }), HasSubstr("strips"));
-  EXPECT_THAT(refused({{"strips", "13"}}), HasSubstr("strips: 13 are too many for 184 rows in bands of 16; accepted: 1 to 12"));
+  EXPECT_THAT(
+      refused({{"strips", "13"}}),
+      HasSubstr("strips: 13 are too many: the picture has 184 rows, of which each strip needs at least 16; accepted: 1 to 12"));
   EXPECT_THAT(refused({{"strips", "2"}, {"reuse", "interpolate"}}),
               HasSubstr("strips: strips are rendered separately, and interpolated"));
   const Settings rows_of_views{{"optics", "multiview"}, {"views", "2x4"}, {"size", "64x160"}};

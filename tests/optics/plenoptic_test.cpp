@@ -177,7 +177,7 @@ TEST(Plenoptic, impossible_cameras_are_refused) {
   EXPECT_THAT(test::error_message([&] {
                 pixels_seeing(optics_of(some_camera()), {0, 0, 0}, pixels);
               }),
-              HasSubstr("cannot be inverted"));
+              HasSubstr("cannot be computed for these optics"));
 }
 
 PlenopticCamera camera_of(const OpticsParams& params, float f_number = 0.0f) {

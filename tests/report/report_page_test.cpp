@@ -183,7 +183,8 @@ TEST(ReportPage, foreign_files_are_kept) {
   write_report_page(page, dir / "new" / "page.html");  // the second call replaces the page that the first call wrote
   EXPECT_EQ(test::file_bytes(dir / "new" / "page.html"), page.html);
   std::ofstream(dir / "thesis.html") << "mine";
-  EXPECT_THAT(test::error_message([&] { write_report_page(page, dir / "thesis.html"); }), HasSubstr("is another file"));
+  EXPECT_THAT(test::error_message([&] { write_report_page(page, dir / "thesis.html"); }),
+              HasSubstr("exists and is not a report page"));
   EXPECT_EQ(test::file_bytes(dir / "thesis.html"), "mine");
 }
 

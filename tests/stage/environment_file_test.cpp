@@ -84,7 +84,7 @@ TEST(EnvironmentFile, integer_pictures_are_refused_before_decoding) {
   const TempDir dir;
   write_picture(dir / "a.png", Image8{64, 64, std::vector<unsigned char>(3 * 64 * 64, 100)});
   std::filesystem::resize_file(dir / "a.png", std::filesystem::file_size(dir / "a.png") / 2);
-  EXPECT_THAT(test::error_message([&] { read_environment(dir / "a.png", 1.0f, 0.0f); }), HasSubstr("has no linear light"));
+  EXPECT_THAT(test::error_message([&] { read_environment(dir / "a.png", 1.0f, 0.0f); }), HasSubstr("not linear light"));
 }
 
 }  // namespace

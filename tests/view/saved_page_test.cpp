@@ -49,7 +49,8 @@ TEST(SavedPage, only_own_pages_are_replaced) {
   test::write_sheet_frames(dir.path(), 1);
   fs::create_directory(dir / "site");
   std::ofstream(dir / "site/index.html") << "<h1>Home</h1>";
-  EXPECT_THAT(test::error_message([&] { save_page(dir.path(), dir / "site", Context()); }), HasSubstr("is another page"));
+  EXPECT_THAT(test::error_message([&] { save_page(dir.path(), dir / "site", Context()); }),
+              HasSubstr("exists and is not a page of lippmann view"));
   EXPECT_EQ(text_of(dir / "site/index.html"), "<h1>Home</h1>");
   EXPECT_FALSE(fs::exists(dir / "site/app.js"));
   save_page(dir.path(), dir / "page", Context());
@@ -71,7 +72,7 @@ TEST(SavedPage, foreign_file_is_not_replaced) {
   test::write_sheet_frames(dir.path(), 1);
   std::ofstream(dir / "home.html") << "<h1>Home</h1>";
   EXPECT_THAT(test::error_message([&] { save_page_file(test::fields_of(dir.path()), dir / "home.html", Context()); }),
-              HasSubstr("is another page"));
+              HasSubstr("exists and is not a page of lippmann view"));
   EXPECT_EQ(text_of(dir / "home.html"), "<h1>Home</h1>");
 }
 
