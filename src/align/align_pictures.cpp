@@ -34,7 +34,7 @@ Vec2d focus_of(const AlignParams& params, Vec2i size) {
   const Vec2d focus = params.focus.value_or(0.5 * Vec2d(size));
   if (focus.x < 0.0 || focus.y < 0.0 || focus.x > size.x || focus.y > size.y)
     throw usage_error("focus", fmt::format("{:g},{:g} lies outside the pictures", focus.x, focus.y),
-                      fmt::format("a place in {}x{} pixels", size.x, size.y));
+                      fmt::format("a point within {}x{} pixels", size.x, size.y));
   return focus;
 }
 

@@ -9,7 +9,7 @@ namespace lippmann {
 std::int64_t read_integer(std::string_view text, std::int64_t lowest, std::int64_t highest, const std::string& where) {
   const auto value = parse_number<std::int64_t>(text);
   if (!value || *value < lowest || *value > highest)
-    throw usage_error(where, fmt::format("'{}' is out of range or not a whole number", text),
+    throw usage_error(where, fmt::format("'{}' is not a whole number in this range", text),
                       fmt::format("a whole number from {} to {}", lowest, highest));
   return *value;
 }
@@ -26,7 +26,7 @@ std::optional<int> read_integer_or_auto(std::string_view text, int lowest, int h
 double read_number(std::string_view text, double lowest, double highest, const std::string& where) {
   const auto value = parse_number<double>(text);
   if (!value || !(*value >= lowest && *value <= highest))
-    throw usage_error(where, fmt::format("'{}' is out of range or not a number", text),
+    throw usage_error(where, fmt::format("'{}' is not a number in this range", text),
                       fmt::format("a number from {} to {}", lowest, highest));
   return *value;
 }

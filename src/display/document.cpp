@@ -83,7 +83,7 @@ Json parse_json(std::string_view text, const std::string& where) {
   check_limits(text, where, "JSON");
   try {
     Json json = Json::parse(text.begin(), text.end());
-    if (!json.is_object()) throw Error(where, "is no JSON object", "a calibration: {\"pitch\": {\"value\": 52.0}, ...}");
+    if (!json.is_object()) throw Error(where, "is not a JSON object", "a calibration: {\"pitch\": {\"value\": 52.0}, ...}");
     return unwrapped(std::move(json));
   } catch (const Json::parse_error& error) {
     throw Error(fmt::format("{}:{}", where, line_of(text, error.byte)), "is not valid JSON", "a calibration");

@@ -52,14 +52,14 @@ void allow_keys_of(Level level, const JsonFields& fields) {
 double read_slope(const JsonFields& fields, double otherwise) {
   const double slope = fields.number_or("slope", {-1e4, 1e4}, otherwise);
   if (std::abs(slope) < 1e-3)
-    fields.reject("slope", fmt::format("is {}: lenses that lie along the rows", slope),
+    fields.reject("slope", fmt::format("is {}, so the lenses lie along the rows", slope),
                   "a number from 0.001 to 10000, or its negative, such as -7");
   return slope;
 }
 
 std::vector<SubPixelCell> read_cells(const JsonFields& fields) {
   const Json& json = fields.value("subpixelCells");
-  if (!json.is_array()) fields.reject("subpixelCells", "is no list", "a list of tables with ROffsetX, ROffsetY, ...");
+  if (!json.is_array()) fields.reject("subpixelCells", "is not a list", "a list of tables with ROffsetX, ROffsetY, ...");
   if (json.size() > kMaxCells)
     fields.reject("subpixelCells", fmt::format("has {} cells", json.size()), fmt::format("at most {}", kMaxCells));
   std::vector<SubPixelCell> cells;

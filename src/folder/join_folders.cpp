@@ -95,7 +95,7 @@ JoinedFolders join_folders(const fs::path& folder, const std::vector<fs::path>& 
   std::error_code ignored;
   for (const fs::path& other : others)
     if (fs::equivalent(folder, other, ignored))
-      throw Error(other.string(), "is the folder that the others are joined into", "another folder");
+      throw Error(other.string(), "is the folder into which the others are joined", "another folder");
   const std::string job = common_job(folder, others);
   make_folder(folder);
   RenderFolder joint(folder, job);

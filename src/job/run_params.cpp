@@ -21,7 +21,7 @@ std::vector<int> parts_of_run(const RunParams& run, const std::vector<int>& of_j
   std::set_intersection(of_units.begin(), of_units.end(), wanted.begin(), wanted.end(), std::back_inserter(both));
   if (both.empty() && !of_units.empty())
     throw usage_error("only-frames", fmt::format("{} selects no frame of this render", write_frames(*run.only_frames)),
-                      fmt::format("some of {}", write_frames(ranges_of(frames_of_parts(of_units, strips)))));
+                      fmt::format("frames among {}", write_frames(ranges_of(frames_of_parts(of_units, strips)))));
   return both;
 }
 

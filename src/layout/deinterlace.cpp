@@ -103,9 +103,10 @@ void fill(const Image& frame, const auto& samples, const SlantedPanel& panel, in
 LightField deinterlace(const Picture& frame, const Display& display, int count, Vec2i view_size, const std::string& where,
                        const ThreadPool& pool) {
   if (display.kind != DisplayKind::kSlantedPanel)
-    throw usage_error("display",
-                      fmt::format("{} is a {}, whose pixels are not interlaced", display.name, to_string(display.kind)),
-                      "a slanted panel");
+    throw usage_error(
+        "display",
+        fmt::format("{} is a {}, but only slanted panels have interlaced pixels", display.name, to_string(display.kind)),
+        "a slanted panel");
   const Vec2i size = size_of(frame);
   if (size != display.pixels)
     throw Error(where, fmt::format("has {}x{} pixels", size.x, size.y),

@@ -50,7 +50,7 @@ Image grey_channel(const Image& channels, const fs::path& path) {
     range = std::max(range, static_cast<double>(std::abs(c[0])));
   }
   if (colour > kMostColour * range * static_cast<double>(grey.data.size()))
-    throw Error(path.string(), "is not a depth map: it has colours", kDepthMaps);
+    throw Error(path.string(), "has colours, so it is not a depth map", kDepthMaps);
   return grey;
 }
 

@@ -67,7 +67,8 @@ void put_tile(const Picture& view, const ViewPlace& place, Picture& quilt) {
 }
 
 Picture quilt_picture(const LightField& field, const Display& display, ViewFilter filter) {
-  if (filter == ViewFilter::kGaussian) throw usage_error("filter", "gaussian is for slanted panels only", "nearest or linear");
+  if (filter == ViewFilter::kGaussian)
+    throw usage_error("filter", "gaussian works for slanted panels only", "nearest or linear");
   const DisplayQuilt& quilt = *display.quilt;
   const int tiles = quilt.columns * quilt.rows;
   const ViewLayout layout{LayoutKind::kQuilt, {tiles, 1}, {quilt.columns, quilt.rows}};
@@ -110,7 +111,7 @@ Picture display_picture(const LightField& field, const Display& display, Display
                         const DisplayPictureParams& params, const ThreadPool& pool) {
   require_views(field, display);
   if (target != DisplayTarget::kIntegral && !params.finish.is_plain())
-    throw usage_error("marks", "bleed, marks and proofs are for prints only", "the display of a sheet or an array of lenses");
+    throw usage_error("marks", "bleed, marks and proofs need a print", "the display of a sheet or an array of lenses");
   const auto picture = [&] {
     if (target == DisplayTarget::kQuilt) return quilt_picture(field, display, params.filter);
     if (target == DisplayTarget::kNative) return interlace(field, display, {params.filter, params.sigma_views}, pool);

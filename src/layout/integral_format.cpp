@@ -30,7 +30,7 @@ LightField read_eslf(const fs::path& path, const FormatOptions& options) {
   const ViewGrid grid = side && !options.views ? side->grid : wanted_views(path, options);
   if (side && grid != side->grid)
     throw Error(path.string(), fmt::format("its side file states {}x{} views", side->grid.columns, side->grid.rows),
-                "the same in `views`");
+                "the same number in `views`, or no `views`");
   LightField field = read_packed(path, {LayoutKind::kEslf, grid, {}}, options.with_depth, options.warn);
   if (side) field.positions = side->positions, field.cameras = side->cameras;
   return field;

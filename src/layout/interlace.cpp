@@ -122,9 +122,10 @@ class Interlacer {
 
 void require_own_frame(const Display& display) {
   if (display.kind != DisplayKind::kSlantedPanel)
-    throw usage_error("display",
-                      fmt::format("{} is a {}, whose pixels are not interlaced", display.name, to_string(display.kind)),
-                      "a slanted panel");
+    throw usage_error(
+        "display",
+        fmt::format("{} is a {}, but only slanted panels have interlaced pixels", display.name, to_string(display.kind)),
+        "a slanted panel");
 }
 
 Picture interlace(const LightField& field, const Display& display, const InterlaceParams& params, const ThreadPool& pool) {

@@ -29,9 +29,9 @@ LightField read_native(const fs::path& path, const FormatOptions& options) {
   const int count = options.views ? options.views->count() : quilt.columns * quilt.rows;
   const Vec2i size(quilt.width / quilt.columns, quilt.height / quilt.rows);
   constexpr std::int64_t kMaxSamples = std::int64_t{1} << 31;
-  if (options.views && options.views->rows != 1) throw usage_error("views", "a panel has one row of views", "Nx1");
+  if (options.views && options.views->rows != 1) throw usage_error("views", "a panel has only one row of views", "Nx1");
   if (std::int64_t{3} * count * size.x * size.y > kMaxSamples)
-    throw usage_error("views", fmt::format("{} views of {}x{} pixels are too many", count, size.x, size.y), "fewer");
+    throw usage_error("views", fmt::format("{} views of {}x{} pixels are too many", count, size.x, size.y), "fewer views");
   LightField field = deinterlace(read_picture(path, options.warn), display, count, size, path.string(), all_threads());
   if (count == quilt.columns * quilt.rows) field.tiles = ViewGrid{quilt.columns, quilt.rows}, field.aspect = quilt.aspect;
   return field;

@@ -42,7 +42,7 @@ Quilt described(const fs::path& path, const FormatOptions& options) {
     throw Error(path.string(),
                 fmt::format("its name states {}x{} tiles, but its side file {}x{}", name->tiles.columns, name->tiles.rows,
                             side->quilt.tiles.columns, side->quilt.tiles.rows),
-                "`quilt` with the right one");
+                "`quilt` with the right number of tiles");
   if (side) return {side->quilt.tiles, side->views, side->inverted, side->quilt.aspect};
   return {name->tiles, name->tiles.count(), false, name->aspect};
 }

@@ -49,7 +49,7 @@ Image read_greys(const Picture& picture, Vec2i view, const std::string& where) {
   // Largest mean difference of the channels. In lossy pictures, the channels of grey pixels differ a little.
   constexpr double kMostColour = 0.05;
   if (colour > kMostColour * view.x * view.y)
-    throw Error(where, "its right half is not depth: it has colours", "colours at the left, depth as grey at the right");
+    throw Error(where, "its right half has colours, so it is not depth", "colours at the left, depth as grey at the right");
   return greys;
 }
 

@@ -181,7 +181,7 @@ class StripInterlacer {
 Picture interlace_strips(const LightField& field, const Display& sheet, const DisplayPictureParams& params,
                          const ThreadPool& pool) {
   if (params.filter == ViewFilter::kGaussian)
-    throw usage_error("filter", "gaussian is for slanted panels only", "nearest or linear");
+    throw usage_error("filter", "gaussian works for slanted panels only", "nearest or linear");
   const StripOrder order(field.grid.count(), params);
   Picture picture = blank(field.stack, sheet.pixels);
   std::visit(

@@ -46,7 +46,7 @@ void write_model(const RayTable& table, nlohmann::ordered_json& json) {
 }
 
 void read_model(const JsonFields& json, RayTable&) {
-  json.reject("kind", "is rays, whose table is not part of the JSON", "pictures of other optics");
+  json.reject("kind", "is rays, but the JSON does not contain their table", "pictures of other optics");
 }
 
 OpticsFacts facts_of(const Panel& panel, const RayTable&) { return facts_of_window(panel, kInfinity); }

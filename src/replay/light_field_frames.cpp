@@ -101,7 +101,7 @@ LightFieldFrames of_render(LightFieldFrames frames, const Rendering& rendering, 
     return rearranged(std::move(frames), hints.from, options_of(hints));
   if (hints.views || hints.tiles)
     throw usage_error(hints.views ? "views" : "quilt",
-                      "has no effect: report.json states how the views lie in " + first.string(),
+                      "has no effect: report.json states the arrangement of the views in " + first.string(),
                       "pictures without a report.json, or `from` with another format");
   return as_shown(std::move(frames));
 }

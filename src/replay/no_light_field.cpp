@@ -45,7 +45,7 @@ void refuse_folder(const fs::path& folder) {
   if (!picture.empty())
     throw Error(
         folder.string(), fmt::format("its pictures, such as {}, are not named as frames or views", picture),
-        fmt::format("{}; one of these pictures; or the format views, which reads all of them in the order of their names",
+        fmt::format("{}; one of these pictures; or the format views, which reads all pictures in the order of their names",
                     kFramesOrViews));
 }
 

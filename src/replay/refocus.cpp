@@ -174,7 +174,8 @@ void validate_depth(const Optics& optics, double z_mm, const char* flag) {
   const Viewer viewer = design_viewer(optics);
   const Vec2i lenses = lens_grid(optics);
   if (lenses.x < 2 || (parallax_of(optics).along && lenses.y < 2))
-    throw usage_error(flag, "a single lens has no parallax", "pictures of several lenses, or of several views");
+    throw usage_error(flag, "a single lens or view has no parallax, so there is no depth to focus on",
+                      "pictures of several lenses, or of several views");
   if (!(std::abs(z_mm) <= 1e9)) throw usage_error(flag, fmt::format("{} mm is out of range", z_mm), "-1e9 to 1e9");
   if (!(z_mm * viewer.vergence < 0.999))
     throw usage_error(

@@ -56,9 +56,10 @@ SeriesNames names_of(const std::string& from) {
   const std::string name = path.filename().string();
   const auto found = number.search(name);
   if (!found)
-    throw Error(from, "no such folder, and not a pattern", "a folder, or a pattern such as frame_%04d.png or 'frame_*.png'");
+    throw Error(from, "is neither a folder nor a pattern of names",
+                "a folder, or a pattern such as frame_%04d.png or 'frame_*.png'");
   const std::string before = name.substr(0, found->begin), after = name.substr(found->end);
-  if (number.search(after)) throw Error(from, "has two placeholders for the number", "one * or %04d");
+  if (number.search(after)) throw Error(from, "has two placeholders for the number of a frame", "one * or %04d");
   return {path.parent_path().empty() ? fs::path(".") : path.parent_path(),
           TextPattern(fmt::format("({})([0-9]{{1,9}})({})", escaped(before), escaped(after)))};
 }
@@ -93,7 +94,7 @@ const Series& chosen_series(const std::string& from, const std::map<std::string,
   if (frames.size() == 1) return all.at(frames.front());
   throw Error(from,
               fmt::format("holds several series of pictures: {}, {}{}", names[0], names[1], names.size() > 2 ? ", ..." : ""),
-              "a pattern that names one");
+              "a pattern that matches one series");
 }
 
 /// Returns the contents of the frames' side files if all are equal. Returns nothing if a frame has no side file or the files

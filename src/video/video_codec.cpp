@@ -35,7 +35,7 @@ const Container& container_of(const fs::path& path) {
     if (path.extension() == container.ending) return container;
     known += fmt::format("{}{}", known.empty() ? "" : ", ", container.ending);
   }
-  throw Error(path.string(), "unknown kind of video file", known);
+  throw Error(path.string(), "has an unknown ending for a video", known);
 }
 
 std::string names(const std::vector<VideoCodec>& codecs) {
@@ -98,7 +98,7 @@ VideoCodec choose_codec(const fs::path& path, std::optional<VideoCodec> wanted, 
     return std::find(container.codecs.begin(), container.codecs.end(), codec) != container.codecs.end();
   };
   if (wanted && !held(*wanted))
-    throw Error(path.string(), fmt::format("{} files do not hold {}", container.ending, name_of(*wanted)),
+    throw Error(path.string(), fmt::format("{} files cannot contain {}", container.ending, name_of(*wanted)),
                 names(container.codecs));
   const int side = std::max(width, height);
   VideoCodec codec = wanted.value_or(container.codecs.front());

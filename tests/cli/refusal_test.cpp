@@ -64,7 +64,8 @@ INSTANTIATE_TEST_SUITE_P(
 
 INSTANTIATE_TEST_SUITE_P(
     Parts, Refusals,
-    testing::Values(render({"--only-frames", "7-9"}, "--only-frames: 7-9 selects no frame of this render; accepted: some of 0"),
+    testing::Values(render({"--only-frames", "7-9"},
+                           "--only-frames: 7-9 selects no frame of this render; accepted: frames among 0"),
                     render({"--only-frames", "x"}, "--only-frames: 'x'"),
                     render({"--video", "a.mp4", "--format", "exr", "--unit", "1/2"}, "--video: needs 8-bit pictures"),
                     render({"--unit", "3/2"}, "--unit: '3/2' is not a unit"), render({"--page", "--mirror"}, "--page")));

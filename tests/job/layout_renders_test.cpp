@@ -108,7 +108,7 @@ TEST_F(LayoutRenders, impossible_layouts_are_refused_first) {
   refused({{"layout", "views"}, {"video", dir_ / "a.mp4"}}, "one picture per frame");
   refused({{"size", "20000x20000"}}, "tiff");
   refused({{"size", "65536x32768"}}, "2147483647 pixels");
-  refused({{"video", dir_ / "a.webm"}, {"video-codec", "h264"}}, "do not hold h264");
+  refused({{"video", dir_ / "a.webm"}, {"video-codec", "h264"}}, "cannot contain h264");
   const Settings grid{{"optics", "multiview"}, {"camera-grid", "true"}, {"views", "2x2"}, {"size", "32x32"}};
   refused(grid + Settings{{"to", "hci"}, {"aov", "normal"}}, "aov: files of the format hci cannot store these layers");
   refused(grid + Settings{{"to", "jpeg-pleno"}, {"aov", "depth"}}, "aov");

@@ -146,7 +146,7 @@ TEST_F(UnitRenders, listed_frames_are_limited_to_the_unit) {
 
 TEST_F(UnitRenders, impossible_units_are_refused) {
   EXPECT_THAT(refusal(teapot("a", "0-5"), {.only_frames = FrameRanges{{7, 9}}}),
-              HasSubstr("only-frames: 7-9 selects no frame of this render; accepted: some of 0-5"));
+              HasSubstr("only-frames: 7-9 selects no frame of this render; accepted: frames among 0-5"));
   EXPECT_THAT(refusal(teapot("a", "0-1", {{"video", dir_ / "a.mp4"}, {"format", "exr"}}), {.units = Units{{1}, 2}}),
               HasSubstr("video: needs 8-bit pictures"));
   EXPECT_THAT(error_message([&] { finish("missing"); }), HasSubstr("missing"));

@@ -79,7 +79,7 @@ TEST(DepthMap, refuses_what_is_no_depth) {
   };
   EXPECT_THAT(error(greys(2, 1, {7, 7})), HasSubstr("the same depth everywhere"));
   EXPECT_THAT(error(greys(2, 2, {0, 1, 2, 3})), HasSubstr("2x2 pixels, a different aspect ratio than the picture"));
-  EXPECT_THAT(error({2, 1, {255, 0, 0, 0, 0, 255}}), HasSubstr("it has colours"));
+  EXPECT_THAT(error({2, 1, {255, 0, 0, 0, 0, 255}}), HasSubstr("has colours, so it is not"));
   EXPECT_THAT(error_message([&] { read_depth_map(dir / "none.png", {4, 2}, false); }), HasSubstr("none.png"));
 }
 

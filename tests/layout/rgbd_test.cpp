@@ -123,7 +123,7 @@ TEST(Rgbd, what_is_no_depth_is_refused) {
   };
   EXPECT_THAT(refused({3, 1, std::vector<unsigned char>(9, 50)}), HasSubstr("3 pixels across"));
   EXPECT_THAT(refused({2, 1, {9, 9, 9, 0, 0, 0}}), HasSubstr("its depth is 0 everywhere"));
-  EXPECT_THAT(refused({2, 1, {9, 9, 9, 200, 10, 10}}), HasSubstr("it has colours"));
+  EXPECT_THAT(refused({2, 1, {9, 9, 9, 200, 10, 10}}), HasSubstr("right half has colours"));
   LightField field = deep_field();
   field.depth.reset();
   EXPECT_THAT(error_message([&] { rgbd_format().write(field, dir / "a.png", {}); }), HasSubstr("the views have no depth"));

@@ -48,7 +48,7 @@ TEST(FindFrames, patterns_name_one_series) {
   EXPECT_THAT(numbers(find_frames((dir / "w(*).png").string())), ElementsAre(1, 2));
   EXPECT_THAT(error_message([&] { find_frames(dir.path()); }), HasSubstr("several series"));
   EXPECT_THAT(error_message([&] { find_frames((dir / "v*_%d.png").string()); }), HasSubstr("two placeholders"));
-  EXPECT_THAT(error_message([&] { find_frames((dir / "none").string()); }), HasSubstr("no such folder"));
+  EXPECT_THAT(error_message([&] { find_frames((dir / "none").string()); }), HasSubstr("is neither a folder nor a pattern"));
   EXPECT_THAT(error_message([&] { find_frames((dir / "z_*.png").string()); }), HasSubstr("no frames"));
 }
 

@@ -238,7 +238,8 @@ TEST(ChooseCodec, unsupported_combinations_are_refused) {
               AllOf(HasSubstr("4096"), HasSubstr("4098"), HasSubstr("hevc, vp9, av1")));
   EXPECT_THAT(refusal("a.mp4", {}, 8194), AllOf(HasSubstr("8192"), HasSubstr("vp9, av1")));
   EXPECT_THAT(refusal("a.mov", {}, 8194), HasSubstr("smaller frames"));
-  EXPECT_THAT(refusal("a.mp4", VideoCodec::kFfv1, 16), AllOf(HasSubstr("do not hold ffv1"), HasSubstr("h264, hevc, vp9, av1")));
+  EXPECT_THAT(refusal("a.mp4", VideoCodec::kFfv1, 16),
+              AllOf(HasSubstr("cannot contain ffv1"), HasSubstr("h264, hevc, vp9, av1")));
   EXPECT_THAT(refusal("a.webm", VideoCodec::kH264, 16), HasSubstr("vp9, av1"));
 }
 

@@ -121,7 +121,7 @@ void check_extensions(const Json& root, UsedExtensions used, Report& report) {
     if (const std::string& text = name.get_ref<const std::string&>(); !is_known(text)) refuse_extension(text, report);
   for (const auto& [name, use] : used)
     if (!is_known(name))
-      report.warn(fmt::format("the extension {} is not supported yet and is ignored{}", printable(name), users_of(use)));
+      report.warn(fmt::format("the extension {} is not supported and is ignored{}", printable(name), users_of(use)));
 }
 
 /// Returns the contents of a buffer, from a file or from embedded data. `left` is the number of bytes that buffers may still

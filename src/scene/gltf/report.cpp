@@ -33,7 +33,7 @@ void Report::warn_at(const std::string& text, std::string_view first_element) {
 }
 
 void Report::not_supported(const std::string& feature, const std::string& instead, std::string_view first_element) {
-  warn_at(fmt::format("{} not supported yet: {}", feature, instead), first_element);
+  warn_at(fmt::format("{} not supported: {}", feature, instead), first_element);
 }
 
 }  // namespace lippmann::gltf

@@ -130,14 +130,16 @@ class HeaderReader {
     const auto [rest, failure] = std::from_chars(digits.data(), digits.data() + digits.size(), count);
     if (failure != std::errc{} || rest != digits.data() + digits.size() || count < 0)
       throw error(fmt::format("{} is not a number of elements", shown(digits)), "0 to 2147483647");
-    if (header_.elements.size() == kMostElements) throw error("there are too many elements", fmt::format("{}", kMostElements));
+    if (header_.elements.size() == kMostElements)
+      throw error("there are too many elements", fmt::format("at most {}", kMostElements));
     header_.elements.push_back({std::string(element), count, {}});
   }
 
   void add_property(Property property) {
     if (header_.elements.empty()) throw error("a property precedes the first element");
     std::vector<Property>& properties = header_.elements.back().properties;
-    if (properties.size() == kMostProperties) throw error("there are too many properties", fmt::format("{}", kMostProperties));
+    if (properties.size() == kMostProperties)
+      throw error("there are too many properties", fmt::format("at most {}", kMostProperties));
     if (property.count_type && *property.count_type >= Type::kFloat) throw error("the length of a list is not a whole number");
     properties.push_back(std::move(property));
   }

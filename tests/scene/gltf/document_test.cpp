@@ -144,7 +144,7 @@ TEST(GltfDocument, unknown_extension_warns_once_with_objects) {
   std::vector<std::string> warnings;
   parse(b, &warnings);
   EXPECT_EQ(std::count(warnings.begin(), warnings.end(),
-                       "a.glb: the extension EXT_surprise is not supported yet and is ignored (materials[0] 'Silk')"),
+                       "a.glb: the extension EXT_surprise is not supported and is ignored (materials[0] 'Silk')"),
             1);
 }
 
@@ -153,7 +153,7 @@ TEST(GltfDocument, unlisted_extension_is_a_warning) {
   b.root["materials"][0]["extensions"]["EXT_surprise"] = Json::object();
   std::vector<std::string> warnings;
   parse(b, &warnings);
-  EXPECT_THAT(warnings, Contains("a.glb: the extension EXT_surprise is not supported yet and is ignored (materials[0])"));
+  EXPECT_THAT(warnings, Contains("a.glb: the extension EXT_surprise is not supported and is ignored (materials[0])"));
 }
 
 TEST(GltfDocument, warning_names_the_first_objects) {

@@ -309,7 +309,7 @@ TEST(GltfTexture, unknown_wrap_mode_is_an_error) {
 TEST(GltfTexture, nearest_filter_is_a_warning) {
   std::vector<std::string> warnings;
   parse(textured(four_colours(), {{"magFilter", 9728}}), &warnings);
-  EXPECT_THAT(warnings, Contains(HasSubstr("nearest-neighbour filtering is not supported yet")));
+  EXPECT_THAT(warnings, Contains(HasSubstr("nearest-neighbour filtering is not supported")));
 }
 
 TEST(GltfTexture, shared_image_is_decoded_once) {
@@ -360,7 +360,7 @@ TEST(GltfTexture, reads_two_uv_sets_per_material) {
 TEST(GltfTexture, third_set_of_coordinates_is_a_warning) {
   std::vector<std::string> warnings;
   const Scene scene = parse(with_three_sets(0, 1, 2), &warnings);
-  EXPECT_THAT(warnings, Contains(HasSubstr("more than two sets of texture coordinates in one material are not supported yet")));
+  EXPECT_THAT(warnings, Contains(HasSubstr("more than two sets of texture coordinates in one material are not supported")));
   EXPECT_EQ(std::get<MetallicRoughness>(scene.materials[0].surface).occlusion_map.uv_set, 0);
 }
 

@@ -77,9 +77,8 @@ TEST(GltfMesh, points_and_lines_give_one_warning) {
   b.add_node({{"mesh", mesh}});
   std::vector<std::string> warnings;
   EXPECT_TRUE(parse(b, &warnings).instances.empty());
-  EXPECT_THAT(
-      warnings,
-      ElementsAre("a.glb: points and lines are not supported yet: they are left out (first at meshes[0].primitives[0])"));
+  EXPECT_THAT(warnings,
+              ElementsAre("a.glb: points and lines are not supported: they are left out (first at meshes[0].primitives[0])"));
 }
 
 TEST(GltfMesh, missing_positions_are_a_warning) {
