@@ -284,7 +284,7 @@ TEST(ClaimFolder, replacing_removes_only_recorded_files) {
   make_video(folder, "a", folder / "cut.mp4", {0});
   make_file(folder / "cut.mp4", "cut by hand");
   for (const char* name : {"notes.txt", "aov_0001.png", "aov_0002.exr", "job.toml"}) make_file(folder / name);
-  EXPECT_THAT(cleared(folder, "b", true, {2}), ElementsAre(HasSubstr("which stay: aov_0001.png")));
+  EXPECT_THAT(cleared(folder, "b", true, {2}), ElementsAre(HasSubstr("are kept: aov_0001.png")));
   std::vector<std::string> left;
   for (const auto& entry : fs::directory_iterator(folder)) left.push_back(entry.path().filename());
   EXPECT_THAT(left, testing::UnorderedElementsAre("notes.txt", "aov_0001.png", "job.toml", "cut.mp4"));
