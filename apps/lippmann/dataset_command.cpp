@@ -14,7 +14,7 @@
 #include "apps/lippmann/print_json.hpp"
 #include "apps/lippmann/progress.hpp"
 #include "core/printable.hpp"
-#include "job/dataset.hpp"
+#include "lippmann/dataset/dataset.hpp"
 
 namespace lippmann::app {
 namespace {
@@ -36,7 +36,7 @@ DatasetParams dataset_params(const DatasetOptions& options) {
   params.grid = *read_grid(options.views, "--views");
   params.view_size = {options.size, options.size};
   params.spp = options.spp;
-  if (!options.unit.empty()) params.units = read_units(options.unit, "unit");
+  params.unit = options.unit;
   return params;
 }
 

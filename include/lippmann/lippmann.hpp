@@ -5,6 +5,7 @@
 #include "lippmann/core/context.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/core/version.hpp"
+#include "lippmann/dataset/dataset.hpp"
 #include "lippmann/display/load_display.hpp"
 #include "lippmann/frames/renderer.hpp"
 #include "lippmann/image/encode.hpp"

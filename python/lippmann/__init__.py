@@ -13,6 +13,7 @@ the display's plane.
 """
 
 from ._core import version as __version__
+from ._dataset import DatasetReport, dataset
 from ._errors import Error, LippmannWarning
 from ._light_field import LightField, formats, open, show, to_codes
 from ._optics import (
@@ -35,6 +36,7 @@ from ._scene import Material, Object, Scene, Skin, load, scenes
 
 __all__ = [
     "Animation",
+    "DatasetReport",
     "Display",
     "Error",
     "LightField",
@@ -45,6 +47,7 @@ __all__ = [
     "Scene",
     "Skin",
     "camera_grid",
+    "dataset",
     "display",
     "display_from_toml",
     "displays",

@@ -241,6 +241,33 @@ class Frames:
     @property
     def placement(self) -> Placement: ...
 
+class DatasetParams:
+    def __init__(self) -> None: ...
+    scenes: Sequence[Union[str, bytes]]
+    folder: _Path
+    count: int
+    seed: int
+    spp: int
+    unit: str
+    def set_views(self, grid: _Pair, size: _Pair) -> None: ...
+
+class DatasetReport:
+    @property
+    def wanted(self) -> int: ...
+    @property
+    def kept(self) -> int: ...
+    @property
+    def made(self) -> int: ...
+    @property
+    def seconds(self) -> float: ...
+    @property
+    def bytes(self) -> int: ...
+    @property
+    def is_complete(self) -> bool: ...
+
+def make_dataset(
+    params: DatasetParams, threads: int, progress: Optional[Callable[[int, float], Any]]
+) -> DatasetReport: ...
 def load_scene(
     name: Union[str, bytes],
     camera_path: Union[str, bytes],

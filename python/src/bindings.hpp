@@ -23,5 +23,6 @@ void bind_deformation(py::module_& module);
 void bind_optics(py::module_& module);
 void bind_light_field(py::module_& module);
 void bind_renderer(py::module_& module);
+void bind_dataset(py::module_& module);
 
 }  // namespace lippmann::python

@@ -12,4 +12,5 @@ PYBIND11_MODULE(_core, module) {
   bind_optics(module);
   bind_light_field(module);
   bind_renderer(module);
+  bind_dataset(module);
 }

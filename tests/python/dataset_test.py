@@ -1,17 +1,22 @@
-"""Tests `lippmann dataset`: its arrays, their geometry, division into units of work, and continuing after the
-process was killed."""
+"""Tests `lippmann dataset` and lippmann.dataset: arrays, their geometry, division into units of work, and continuing after
+the process was killed."""
 
+import inspect
 import json
 import pathlib
+import re
 import signal
 import subprocess
 import unittest
 
 import numpy as np
 
+import lippmann
 from support import TOOL, Case, tool
 
+# The same options for the tool and for Python.
 SMALL = ("dataset", "teapot", "--views", "3x2", "--size", 32, "--spp", 2, "--seed", 5)
+SMALL_OPTIONS = dict(rows=2, columns=3, size=32, spp=2, seed=5)
 
 
 class Samples:
@@ -92,6 +97,59 @@ class Dataset(Case):
         (folder / "sample_000000/depth.npy").write_bytes(b"short")
         self.assertEqual(json.loads(tool(*SMALL, "-o", folder, "--count", 1, "--json"))["made"], 1)
         self.assertEqual(self.files(folder), before)
+
+    def test_python_writes_the_tools_files(self):
+        tool(*SMALL, "-o", self.folder / "tool", "--count", 2)
+        for unit, made in (("2/2", 1), ("1/2", 1), (None, 0)):
+            report = lippmann.dataset("teapot", self.folder / "own", 2, unit=unit, **SMALL_OPTIONS)
+            self.assertEqual((report.made, report.complete), (made, unit != "2/2"))
+            self.assertEqual(report.samples, report.made + report.kept)
+        self.assertEqual(self.files(self.folder / "tool"), self.files(self.folder / "own"))
+
+    def test_python_has_the_tools_options_and_defaults(self):
+        has = dict(inspect.signature(lippmann.dataset).parameters)
+        options = dict(re.findall(r"^  (?:-\w,)?--([a-z]+) .*?((?:default: \d+)?)$", tool("dataset", "--help"), re.MULTILINE))
+        for name in ("help", "json", "quiet"):  # of programs
+            options.pop(name, None)
+        self.assertIn("default: 9x9", tool("dataset", "--help"))
+        options.pop("views"), options.pop("output")
+        self.assertEqual((has["rows"].default, has["columns"].default), (9, 9))
+        self.assertEqual(set(options) - set(has), set())
+        self.assertEqual(set(has) - set(options), {"scenes", "folder", "rows", "columns", "progress"})
+        for name, default in options.items():
+            if default:
+                self.assertEqual(f"default: {has[name].default}", default, name)
+
+    def test_progress_counts_samples_and_stops(self):
+        class Stop(Exception):
+            pass
+
+        calls = []
+
+        def progress(made, share):
+            calls.append((made, share))
+            if made >= 2:
+                raise Stop
+
+        with self.assertRaises(Stop):
+            lippmann.dataset(["teapot"], self.folder / "d", 200, progress=progress, **SMALL_OPTIONS)
+        self.assertFalse((self.folder / "d/manifest.json").exists())
+        self.assertEqual([made for made, _ in calls], sorted(made for made, _ in calls))
+        self.assertTrue(all(0 <= share <= 1 for _, share in calls))
+        self.assertEqual({path.name for path in (self.folder / "d").glob(".*")}, set())
+        again = lippmann.dataset("teapot", self.folder / "d", 200, unit="1/50", **SMALL_OPTIONS)
+        self.assertGreaterEqual(again.kept, 2)
+
+    def test_python_refuses_bad_input(self):
+        folder = self.folder / "d"
+        self.assertWrong("scenes", lippmann.dataset, [], folder, 1)
+        self.assertWrong("scenes", lippmann.dataset, [7], folder, 1)
+        self.assertWrong("nowhere.glb", lippmann.dataset, "nowhere.glb", folder, 1)
+        for name, value in dict(count=0, size=7, spp=0, rows=0, columns=2000, seed=-1, threads=-1, progress=3, unit="3/2").items():
+            self.assertWrong(name, lippmann.dataset, "teapot", folder, **{"count": 1, name: value})
+        self.assertFalse(folder.exists())
+        lippmann.dataset("teapot", folder, 1, **SMALL_OPTIONS)
+        self.assertIn("other parameters", self.assertWrong(str(folder), lippmann.dataset, "teapot", folder, 2, **SMALL_OPTIONS).problem)
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
 // SampleRandom::turn() follows K. Shoemake, "Uniform random rotations", Graphics Gems III, 1992.
-#include "job/dataset_scene.hpp"
+#include "dataset/dataset_scene.hpp"
 
 #include <algorithm>
 #include <cmath>

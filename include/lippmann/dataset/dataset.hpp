@@ -12,11 +12,9 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "distribute/units.hpp"
 #include "lippmann/core/context.hpp"
 #include "lippmann/core/math.hpp"
 #include "lippmann/layout/view_layout.hpp"
@@ -31,8 +29,8 @@ struct DatasetParams {
   std::uint32_t seed = 0;
   ViewGrid grid{9, 9};
   Vec2i view_size{128, 128};
-  int spp = 16;
-  std::optional<Units> units = {};  ///< units to render; nullopt: all samples
+  int spp = 16;      ///< samples per pixel of path tracing
+  std::string unit;  ///< the part of the samples to make, such as "3/8", or "1-3,5/8" for several parts; empty: all
 };
 
 struct DatasetReport {

@@ -1,4 +1,4 @@
-#include "job/dataset.hpp"
+#include "lippmann/dataset/dataset.hpp"
 
 #include <fmt/format.h>
 
@@ -16,7 +16,8 @@
 #include "core/json_text.hpp"
 #include "core/npy.hpp"
 #include "core/regular_file.hpp"
-#include "job/dataset_scene.hpp"
+#include "dataset/dataset_scene.hpp"
+#include "distribute/units.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/core/version.hpp"
 #include "lippmann/frames/renderer.hpp"
@@ -180,7 +181,7 @@ std::optional<std::uint64_t> make_sample(const DatasetParams& params, const std:
 std::vector<int> samples_of(const DatasetParams& params) {
   std::vector<int> all(static_cast<std::size_t>(params.count));
   std::iota(all.begin(), all.end(), 0);
-  return params.units ? frames_of(*params.units, all, 1) : all;
+  return params.unit.empty() ? all : frames_of(read_units(params.unit, "unit"), all, 1);
 }
 
 /// Writes the manifest if all samples exist. Returns whether all samples exist.
@@ -205,11 +206,11 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 DatasetReport make_dataset(const DatasetParams& params, const Context& context, const DatasetObserver& observer) {
   check_dataset(params);
+  std::vector<int> samples = samples_of(params);
   std::vector<Mesh> meshes;
   for (const std::string& name : params.scenes)
     for (Mesh& mesh : unit_meshes_of(load_scene(name, {}, context))) meshes.push_back(std::move(mesh));
   claim_dataset_folder(params);
-  std::vector<int> samples = samples_of(params);
   DatasetReport report{.wanted = static_cast<int>(samples.size())};
   std::erase_if(samples, [&](int index) { return complete_sample(params.folder / sample_name(index)).has_value(); });
   report.kept = report.wanted - static_cast<int>(samples.size());
