@@ -56,6 +56,6 @@ set(CPACK_DEBIAN_PYTHON3_PACKAGE_SECTION python)
 # The module works with one minor version of Python only. NumPy is listed, because shlibdeps finds only libraries, not imports.
 set(CPACK_DEBIAN_PYTHON3_PACKAGE_DEPENDS
   "python3 (>= ${LIPPMANN_PYTHON_VERSION}), python3 (<< ${LIPPMANN_PYTHON_NEXT_VERSION}), python3-numpy")
-set(CPACK_DEBIAN_PYTHON3_PACKAGE_SUGGESTS python3-xarray)
+set(CPACK_DEBIAN_PYTHON3_PACKAGE_SUGGESTS "python3-xarray, lippmann-hdf5, lippmann-heic")
 set(CPACK_COMPONENT_PYTHON3_DESCRIPTION "Lippmann for Python: light fields as arrays of NumPy")
 include(CPack)

@@ -82,9 +82,11 @@ def _built():
 
 
 def _package_files(build, prefix):
-    """Installs the package below `prefix`, with a stripped module. Yields the name and the content of each file."""
-    install = ["cmake", "--install", build, "--component", "python3", "--strip", "--prefix", prefix]
-    subprocess.run(install, check=True, stdout=subprocess.DEVNULL)
+    """Installs the package below `prefix`, with the module for HDF5 if it was built, and strips the libraries. Yields the name and
+    the content of each file."""
+    for component in ("python3", "hdf5"):
+        install = ["cmake", "--install", build, "--component", component, "--strip", "--prefix", prefix]
+        subprocess.run(install, check=True, stdout=subprocess.DEVNULL)
     packages = list(prefix.rglob("lippmann/__init__.py"))
     suffix = sysconfig.get_config_var("EXT_SUFFIX")
     if not packages or not (packages[0].parent / f"_core{suffix}").exists():
@@ -92,6 +94,8 @@ def _package_files(build, prefix):
     root = packages[0].parent.parent
     for file in sorted(packages[0].parent.iterdir()):
         yield str(file.relative_to(root)), file.read_bytes()
+    for file in prefix.glob("lib/lippmann/*.so"):
+        yield f"lippmann/{file.name}", file.read_bytes()
 
 
 def _digest(data):

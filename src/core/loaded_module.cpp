@@ -23,10 +23,13 @@ fs::path own_file() {
   return file.filename().string().find(".so") != std::string::npos ? file : platform::program_file();
 }
 
-/// Returns the paths where a module may be: beside the program or library (in the build tree), or in lib/lippmann (installed).
+/// Returns the paths where a module may be: beside the program or library (in the build tree and in wheels), or installed in
+/// lib/lippmann. Packages of Debian's Python are two folders below lib. Only this function knows these locations.
 std::array<fs::path, 2> places_of(const ModuleName& module) {
-  const fs::path folder = own_file().parent_path();
-  return {folder / module.file, folder.parent_path() / "lib" / "lippmann" / module.file};
+  const fs::path folder = own_file().parent_path(), parent = folder.parent_path();
+  const bool is_python_package = parent.filename() == "dist-packages";
+  const fs::path lib = is_python_package ? parent.parent_path().parent_path() : parent / "lib";
+  return {folder / module.file, lib / "lippmann" / module.file};
 }
 
 bool is_there(const fs::path& path) {

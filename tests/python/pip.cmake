@@ -1,6 +1,6 @@
 # Installs the package with pip into a new virtual environment, and renders with it from a folder outside of the
 # sources. Needs an existing build.
-#   cmake -D BUILD=... -D PYTHON=... -D SOURCE=... -P pip.cmake
+#   cmake -D BUILD=... -D PYTHON=... -D SOURCE=... -D HAS_HDF5=... -P pip.cmake
 cmake_minimum_required(VERSION 3.25)
 
 set(folder ${BUILD}/tests/python/pip)
@@ -22,6 +22,11 @@ print(lippmann.render('room', lippmann.camera_grid(1, 2, (16, 16))).shape)"
   WORKING_DIRECTORY ${folder} OUTPUT_VARIABLE output COMMAND_ERROR_IS_FATAL ANY)
 if(NOT output STREQUAL "(1, 2, 16, 16, 3)\n")
   message(FATAL_ERROR "printed: ${output}")
+endif()
+if(HAS_HDF5)
+  execute_process(COMMAND ${folder}/venv/bin/python -c "import lippmann
+assert lippmann.open('${SOURCE}/tests/layout/files/lf.h5').shape == (2, 3, 4, 5, 3)"
+    WORKING_DIRECTORY ${folder} COMMAND_ERROR_IS_FATAL ANY)
 endif()
 execute_process(COMMAND ${folder}/venv/bin/pip uninstall -y lippmann OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 file(GLOB_RECURSE left ${folder}/venv/lib/*/site-packages/lippmann/*)
