@@ -107,7 +107,12 @@ int run(const ConvertOptions& options, const Context& context) {
   else if (converted.lacks_cameras)
     context.warning(
         "the cameras of these views are unknown: no parameters, depth or disparity are written (render writes report.json)");
-  if (converted.lacks_depth && options.to != "stanford")
+  if (converted.drops_poses)
+    context.warning(fmt::format("the cameras of {} do not share a plane and a window: {}", options.in,
+                                params.display_picture ? "the picture shows their views in order"
+                                                       : "they and depth are left out, except in nerf, colmap and llff"));
+  const bool can_store_depth = options.to != "stanford" && options.to != "llff" && !converted.drops_poses;
+  if (converted.lacks_depth && can_store_depth)
     context.warning("the depth of these views is unknown: no maps of depth and disparity are written (render --aov depth)");
   if (options.result.json) {
     nlohmann::ordered_json files = nlohmann::ordered_json::array();

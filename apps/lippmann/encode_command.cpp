@@ -98,7 +98,9 @@ void add_encode_command(const Command& root, Action& chosen) {
   auto options = std::make_shared<EncodeOptions>();
   const Command command = root.add_command("encode", "Make a video of finished frames");
   command
-      .add_option("FROM", options->from, "A folder of frame_0000.png, ..., or a pattern: dir/view_%03d.png, 'dir/frame_*.png'")
+      .add_option(
+          "FROM", options->from,
+          "A folder of frame_0000.png, ..., a data set of render --cameras, or a pattern: dir/view_%03d.png, 'dir/frame_*.png'")
       .required();
   command
       .add_option(

@@ -11,6 +11,7 @@
 #include "apps/lippmann/print_json.hpp"
 #include "job/scene_info.hpp"
 #include "layout/frame_names.hpp"
+#include "layout/light_field_source.hpp"
 #include "lippmann/core/error.hpp"
 #include "replay/picture_info.hpp"
 #include "video/video_reader.hpp"
@@ -28,7 +29,8 @@ struct InfoOptions {
 /// Returns whether the input is a picture. The name of a built-in scene takes precedence over a folder with this name.
 bool is_picture(const std::string& in) {
   std::error_code ignored;
-  return !is_builtin_scene(in) && (is_picture_name(in) || is_video_name(in) || fs::is_directory(in, ignored));
+  return !is_builtin_scene(in) &&
+         (is_picture_name(in) || is_video_name(in) || is_light_field_file_name(in) || fs::is_directory(in, ignored));
 }
 
 void refuse_flags_of_scenes(const ParamFlags& flags) {

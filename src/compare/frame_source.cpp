@@ -16,6 +16,7 @@
 #include "core/text_pattern.hpp"
 #include "image/read_image.hpp"
 #include "layout/frame_names.hpp"
+#include "layout/light_field_source.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/image/encode.hpp"
 #include "video/video_reader.hpp"
@@ -130,7 +131,7 @@ std::unique_ptr<FrameSource> open_folder(const fs::path& folder, const std::opti
   if (!wanted) require_recorded_frames(folder);
   std::vector<fs::path> files;
   try {
-    files = pictures_in(folder);
+    files = pictures_in(folder_of_pictures(folder));
   } catch (const fs::filesystem_error& failure) {
     throw Error(folder.string(), "cannot be listed: " + failure.code().message());
   }

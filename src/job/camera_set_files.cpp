@@ -116,6 +116,9 @@ void complete_camera_set(RenderParams& params) {
   PictureParams& pictures = params.output.pictures;
   if (!params.optics.display.empty() || (params.optics.kind && *params.optics.kind != OpticsKind::kSingle))
     throw usage_error("cameras", "renders a single view for each camera", "`optics` single, without `display`");
+  if (pictures.layout) throw usage_error("cameras", "cannot be combined with `layout`", "`to` nerf, colmap or llff");
+  if (!params.output.video.empty())
+    throw usage_error("cameras", "cannot be combined with `video`", "'lippmann encode DIR FILE' after the render");
   params.optics.kind = OpticsKind::kSingle;
   if (pictures.to.empty()) pictures.to = "nerf";
   constexpr std::array kFormats{"nerf", "colmap", "llff"};

@@ -77,6 +77,7 @@ LightFieldFormat colmap_format() {
       .description = "COLMAP's folder: images/000.png, ... and sparse/0 with their cameras, and points where depth is known",
       .is_folder = true,
       .uses_cameras = true,
+      .keeps_poses = true,
       .states_cameras = true,
       .read = read_colmap,
       .write = write_colmap};

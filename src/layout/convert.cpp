@@ -81,6 +81,7 @@ class Conversion {
     for (fs::path& file : to_.write(field, path, writing)) result.written.push_back(std::move(file));
     result.views = field.grid, result.view_size = field.view_size;
     result.drops_positions = field.positions && !to_.keeps_positions && !(to_.uses_cameras && field.cameras);
+    result.drops_poses = field.poses && !to_.keeps_poses;
     const bool has_cameras = field.cameras || field.poses;
     result.lacks_cameras = to_.uses_cameras && !has_cameras;
     result.lacks_depth = to_.uses_cameras && has_cameras && !field.depth;
@@ -116,6 +117,7 @@ class Conversion {
     for (fs::path& file : write_display_picture(picture, display, target, path, profile_ ? &*profile_ : nullptr))
       result.written.push_back(std::move(file));
     result.views = field.grid, result.view_size = field.view_size;
+    result.drops_poses = field.poses.has_value();
     result.fitted = fitter.description();
   }
 

@@ -54,6 +54,16 @@ std::optional<std::string> format_of_folder(const fs::path& folder) {
   return std::nullopt;
 }
 
+bool has_hdf5_name(const fs::path& file) {
+  static const TextPattern hdf5(".*\\.(?:h5|hdf5)", TextPattern::Letters::kEitherCase);
+  return hdf5.match(file.filename().string()).has_value();
+}
+
+bool has_lytro_name(const fs::path& file) {
+  static const TextPattern lytro(".*\\.(?:lfp|lfr)", TextPattern::Letters::kEitherCase);
+  return lytro.match(file.filename().string()).has_value();
+}
+
 /// Returns the pictures of a folder that have the format `from`. If `from` is empty, returns those whose names or side files
 /// imply a format.
 std::vector<fs::path> described_pictures_in(const fs::path& folder, const std::string& from) {
@@ -119,6 +129,8 @@ LightFieldSource light_field_source(const fs::path& path, const std::string& fro
   return source;
 }
 
+bool is_light_field_file_name(const fs::path& file) { return has_hdf5_name(file) || has_lytro_name(file); }
+
 std::optional<std::string> format_by_name(const fs::path& picture) {
   if (parse_quilt_name(picture)) return "quilt";
   if (parse_stereo_name(picture)) return "stereo";
@@ -126,8 +138,7 @@ std::optional<std::string> format_by_name(const fs::path& picture) {
   if (has_rgbd_name(picture) || read_rgbd_side_file(picture)) return "rgbd";
   if (read_eslf_side_file(picture)) return "eslf";
   if (read_quilt_side_file(picture)) return "quilt";
-  static const TextPattern hdf5(".*\\.(?:h5|hdf5)", TextPattern::Letters::kEitherCase);
-  if (hdf5.match(picture.filename().string())) return "hci-hdf5";
+  if (has_hdf5_name(picture)) return "hci-hdf5";
   if (is_lytro_raw(picture) || read_lens_grid(picture)) return "plenoptic";
   return std::nullopt;
 }
@@ -158,6 +169,13 @@ const LightFieldFormat& format_of_light_field(const fs::path& in, const std::str
   std::error_code ignored;
   const std::vector<fs::path> frames = fs::is_directory(in, ignored) ? light_field_frames(in, from) : std::vector<fs::path>();
   return *light_field_source(frames.empty() ? in : frames.front(), from, {}).format;
+}
+
+fs::path folder_of_pictures(const fs::path& folder) {
+  std::error_code ignored;
+  const std::optional<std::string> format = format_of_folder(folder);
+  const bool has_images = format && find_format(*format, "from").keeps_poses && fs::is_directory(folder / "images", ignored);
+  return has_images ? folder / "images" : folder;
 }
 
 bool is_light_field_folder(const fs::path& folder) { return format_of_folder(folder) || is_picture_folder(folder); }

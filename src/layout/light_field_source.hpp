@@ -31,6 +31,9 @@ LightFieldSource light_field_source(const std::filesystem::path& path, const std
 /// file or name.
 std::optional<std::string> format_by_name(const std::filesystem::path& picture);
 
+/// Returns whether the name is that of a file which holds a light field and is no picture: HDF5, or Lytro's containers.
+bool is_light_field_file_name(const std::filesystem::path& file);
+
 /// Returns a usage Error which states that the format of this picture must be given.
 Error unknown_format(const std::filesystem::path& picture);
 
@@ -40,6 +43,10 @@ const LightFieldFormat& format_of_light_field(const std::filesystem::path& in, c
 /// Returns whether a folder is a light field: it holds files named like the views of a format, or only pictures, which then are
 /// the views.
 bool is_light_field_folder(const std::filesystem::path& folder);
+
+/// Returns the folder of the pictures of `folder`: its subfolder images/ if it has one and holds cameras of any pose (nerf,
+/// colmap, llff), otherwise `folder` itself.
+std::filesystem::path folder_of_pictures(const std::filesystem::path& folder);
 
 /// Returns the frames of an animation in a folder. An empty result means that the folder holds one light field, or nothing.
 ///

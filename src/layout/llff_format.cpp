@@ -50,6 +50,7 @@ LightFieldFormat llff_format() {
           .description = "LLFF's folder: images/000.png, ... and poses_bounds.npy with their cameras",
           .is_folder = true,
           .uses_cameras = true,
+          .keeps_poses = true,
           .states_cameras = true,
           .read = read_llff,
           .write = write_llff};

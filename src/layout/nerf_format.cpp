@@ -56,6 +56,7 @@ LightFieldFormat nerf_format() {
       .description = "NeRF's folder: images/000.png, ... and transforms.json with their cameras; planar depth and ray lengths",
       .is_folder = true,
       .uses_cameras = true,
+      .keeps_poses = true,
       .states_cameras = true,
       .read = read_nerf,
       .write = write_nerf};

@@ -184,6 +184,10 @@ LightFieldFrames of_format(LightFieldFrames frames, const LightFieldSource& sour
   } else {
     if (hints.cone_ends && field.grid.rows > 1)
       throw usage_error("cone-ends", "has no effect on a grid of cameras", "a row of views");
+    if (field.poses && hints.is_other_display && hints.warn)
+      hints.warn(fmt::format(
+          "The cameras of {} do not share a plane and a window. Their views are shown in order, from left to right.",
+          first.string()));
     frames.optics = assumed_optics(field, hints.view_angle_deg, hints.cone_ends);
     frames.assumption = assumption_about(first, field.poses.has_value(), frames.optics, hints);
   }
@@ -271,7 +275,7 @@ LightFieldFrames find_light_field_frames(const fs::path& in, const LightFieldHin
   if (!hints.report.empty()) return of_render(std::move(frames), read_rendering(hints.report), hints);
   if (!is_folder && hints.from.empty() && !has_rgbd_name(first)) {
     if (const std::optional<Rendering> rendering = rendering_of(first)) return of_render(std::move(frames), *rendering, hints);
-    require_picture_name(first);
+    if (!is_light_field_file_name(first)) require_picture_name(first);
     if (!format_by_name(first) && hints.display) return of_panel(std::move(frames), hints);
     if (!format_by_name(first)) throw unknown_format(first);
   }

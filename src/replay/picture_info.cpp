@@ -106,7 +106,7 @@ PictureInfo describe_picture(const fs::path& in) {
   require_light_field(in);
   const std::vector<fs::path> frames = light_fields_in(in, "");
   PictureInfo info{.first = frames.front(), .frames = static_cast<int>(frames.size())};
-  if (const fs::path file = picture_of(info.first); !file.empty()) {
+  if (const fs::path file = picture_of(info.first); !file.empty() && !is_light_field_file_name(file)) {
     const Picture picture = read_picture(file);
     info.picture_px = size_of(picture), info.samples = samples_text(picture);
   }

@@ -14,6 +14,7 @@
 #include "core/recorded_file.hpp"
 #include "core/text_pattern.hpp"
 #include "image/read_image.hpp"
+#include "layout/light_field_source.hpp"
 #include "layout/oriented.hpp"
 #include "layout/quad_name.hpp"
 #include "layout/rgbd_name.hpp"
@@ -108,8 +109,11 @@ std::optional<RgbdSideFile> common_side_file(const std::vector<NumberedFrame>& f
 }  // namespace
 
 std::vector<NumberedFrame> find_frames(const std::string& from, std::vector<int> wanted) {
-  const SeriesNames names = names_of(from);
-  if (wanted.empty()) require_recorded_frames(names.folder);
+  std::error_code ignored;
+  const bool is_folder = fs::is_directory(from, ignored);
+  if (wanted.empty() && is_folder) require_recorded_frames(from);
+  const SeriesNames names = names_of(is_folder ? folder_of_pictures(from).string() : from);
+  if (wanted.empty() && !is_folder) require_recorded_frames(names.folder);
   const std::map<std::string, Series> all = series_in(names);
   const Series& series = chosen_series(from, all);
   const int begin = series.begin()->first, end = series.rbegin()->first;

@@ -20,6 +20,7 @@ struct NumberedFrame {
 /// Finds frames. `from` is one of:
 /// - a folder that contains frame_0000.png, frame_0001.png, ...
 /// - a folder that contains a single series of numbered images, including quilts
+/// - a data set of cameras, whose pictures are in its folder images/
 /// - a file name pattern, in which * or %04d stands for the frame number
 /// `wanted` contains the frame numbers in order. If it is empty, returns all frames from the lowest to the highest number.
 /// Throws Error naming the folder and the first missing frame.

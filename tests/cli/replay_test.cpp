@@ -141,6 +141,22 @@ TEST(Info, describes_pictures_and_folders) {
   expect_refusal(run_tool(dir, {"info", "none.png"}), 1, "none.png: there is no such file");
 }
 
+TEST(Info, light_field_files_are_described_and_shown) {
+  if (!fs::exists(fs::path(LIPPMANN_TOOL).parent_path() / "liblippmann_hdf5.so")) GTEST_SKIP() << "libhdf5-dev is missing";
+  const TempDir dir;
+  fs::copy_file(LIPPMANN_SOURCE "/tests/layout/files/lf.h5", dir / "lf.h5");
+  const nlohmann::json info = report_of(dir, {"info", "lf.h5"});
+  EXPECT_EQ(info["format"], "hci-hdf5");
+  EXPECT_EQ(info["views"], nlohmann::json({3, 2}));
+  EXPECT_EQ(info["cameras"], "20 mm apart, 7000 mm from the display");
+  expect_done(dir, {"replay", "lf.h5", "--refocus", "0", "-o", "r"});
+  EXPECT_TRUE(fs::exists(dir / "r/refocus_lf.png"));
+  expect_done(dir, {"view", "lf.h5", "--save", "page.html"});
+  EXPECT_TRUE(fs::exists(dir / "page.html"));
+  std::ofstream(dir / "other.txt") << "no light field";
+  expect_refusal(run_tool(dir, {"view", "other.txt", "--save", "page2.html"}), 1, "other.txt: is not a picture");
+}
+
 TEST(Replay, flags_describe_unknown_pictures) {
   const TempDir dir;
   render_for_replay(dir);

@@ -70,6 +70,7 @@ struct LightFieldFormat {
   bool is_folder = false;          ///< true: a folder with one or more files per view; false: one picture
   bool uses_cameras = false;       ///< true: the writer stores cameras and depth if the light field has them
   bool keeps_positions = false;    ///< true: the files can hold camera positions without a unit
+  bool keeps_poses = false;        ///< true: the files can hold cameras that share no plane and window
   bool states_cameras = false;     ///< true: the files contain cameras, so a report.json beside them is ignored
   /// Reads a light field. Throws Error naming the file or the option.
   LightField (*read)(const std::filesystem::path& path, const FormatOptions& options) = nullptr;

@@ -1,0 +1,102 @@
+// Tests what the commands do with data sets of cameras around a scene, as `render --cameras` writes them.
+#include <gmock/gmock.h>
+
+#include "cli/tool.hpp"
+
+namespace lippmann::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr const char* kNoSharedPlane = "do not share a plane and a window";
+
+Words render_set(const std::string& folder, const std::string& to) {
+  return {"render", "teapot", "--cameras", "circle:3", "--size", "48x36", "--spp", "1", "--to", to, "-q", "-o", folder};
+}
+
+class CameraSets : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    for (const char* to : {"nerf", "colmap", "llff"}) expect_done(made(), render_set(to, to));
+  }
+
+  void SetUp() override {
+    for (const char* to : {"nerf", "colmap", "llff"}) fs::copy(made() / to, dir_ / to, fs::copy_options::recursive);
+  }
+
+  static const TempDir& made() {
+    static const TempDir dir;
+    return dir;
+  }
+
+  TempDir dir_;
+};
+
+TEST_F(CameraSets, encode_makes_a_video_of_the_cameras_in_order) {
+  for (const std::string to : {"nerf", "colmap", "llff"}) {
+    EXPECT_EQ(report_of(dir_, {"encode", to, to + ".mkv"})["frames"], 3) << to;
+    expect_done(dir_, {"encode", to + "/images/%03d.png", to + "2.mkv"});
+    EXPECT_EQ(bytes_of(dir_ / (to + ".mkv")), bytes_of(dir_ / (to + "2.mkv"))) << to;
+  }
+  EXPECT_EQ(report_of(dir_, {"encode", "nerf", "two.mkv", "--frames", "0,2"})["frames"], 2);
+  expect_refusal(run_tool(dir_, {"encode", "nerf", "four.mkv", "--frames", "3"}), 1, "frame 3 is missing");
+  fs::remove(dir_ / "nerf/images/002.png");
+  expect_refusal(run_tool(dir_, {"encode", "nerf", "part.mkv"}), 1, "nerf/images/002.png: is missing");
+}
+
+TEST_F(CameraSets, compare_compares_the_pictures) {
+  const nlohmann::json same = report_of(dir_, {"compare", "nerf", "colmap"});
+  EXPECT_EQ(same["frames"].size(), 3u);
+  EXPECT_TRUE(same["identical"]);
+  fs::copy_file(dir_ / "llff/images/000.png", dir_ / "llff/images/001.png", fs::copy_options::overwrite_existing);
+  EXPECT_FALSE(report_of(dir_, {"compare", "nerf", "llff"})["identical"]);
+}
+
+TEST_F(CameraSets, convert_keeps_poses_or_says_that_it_does_not) {
+  for (const char* to : {"colmap", "llff"})
+    EXPECT_THAT(run_tool(dir_, {"convert", "nerf", std::string("as-") + to, "--to", to}).err, Not(HasSubstr(kNoSharedPlane)));
+  EXPECT_THAT(run_tool(dir_, {"convert", "colmap", "no-depth", "--to", "llff"}).err, Not(HasSubstr("depth")));
+  for (const char* to : {"hci", "views", "quilt", "jpeg-pleno"}) {
+    const RunResult result = run_tool(dir_, {"convert", "nerf", std::string("as-") + to, "--to", to});
+    EXPECT_EQ(result.exit_code, 0) << to;
+    EXPECT_THAT(result.err, HasSubstr("the cameras of nerf do not share a plane and a window: they and depth are left out, "
+                                      "except in nerf, colmap and llff"));
+  }
+  EXPECT_THAT(run_tool(dir_, {"convert", "nerf", "portrait.png", "--display", "portrait"}).err,
+              HasSubstr("do not share a plane and a window: the picture shows their views in order"));
+  for (const char* to : {"miv", "cvkit", "rgbd"})
+    expect_refusal(run_tool(dir_, {"convert", "nerf", std::string("as-") + to, "--to", to}), to == std::string("rgbd") ? 2 : 1,
+                   kNoSharedPlane);
+}
+
+TEST_F(CameraSets, info_and_view_describe_the_cameras) {
+  for (const char* to : {"nerf", "colmap", "llff"}) {
+    const nlohmann::json info = report_of(dir_, {"info", to});
+    EXPECT_EQ(info["format"], to);
+    EXPECT_EQ(info["views"], nlohmann::json({3, 1}));
+    const RunResult saved = run_tool(dir_, {"view", to, "--save", std::string(to) + ".html"});
+    EXPECT_EQ(saved.exit_code, 0) << saved.err;
+    EXPECT_THAT(saved.err, HasSubstr("are turned, each by itself"));
+    EXPECT_TRUE(fs::exists(dir_ / (std::string(to) + ".html")));
+  }
+}
+
+TEST_F(CameraSets, play_warns_that_the_cameras_share_no_plane) {
+  // An address that no machine has ends the command before it serves.
+  const RunResult played = run_tool(dir_, {"play", "nerf", "--display", "portrait", "--host", "192.0.2.1"});
+  EXPECT_EQ(played.exit_code, 1);
+  EXPECT_THAT(played.err, HasSubstr("The cameras of nerf do not share a plane and a window. Their views are shown in order"));
+}
+
+TEST(CameraSet, render_refuses_videos_and_layouts) {
+  const TempDir dir;
+  const Words render{"render", "teapot", "--cameras", "circle:3", "-o", "set"};
+  expect_refusal(run_tool(dir, render + Words{"--video", "set.mp4"}), 2, "'lippmann encode DIR FILE' after the render");
+  expect_refusal(run_tool(dir, render + Words{"--layout", "quilt"}), 2, "--cameras: cannot be combined with --layout");
+  EXPECT_FALSE(fs::exists(dir / "set"));
+}
+
+}  // namespace
+}  // namespace lippmann::test
