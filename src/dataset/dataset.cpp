@@ -159,7 +159,8 @@ std::optional<std::uint64_t> make_sample(const DatasetParams& params, const std:
   const std::optional<RenderedFrame> frame = renderer.frame(kShownFrame);
   if (!frame) return std::nullopt;
   const FrameAovs& aovs = frame->pictures.aovs;
-  const fs::path folder = params.folder / sample_name(index), part = params.folder / ("." + sample_name(index) + ".part");
+  const fs::path folder = params.folder / sample_name(index),
+                 part = params.folder / fmt::format(".{}.part", sample_name(index));
   fs::remove_all(part);
   make_folder(part);
   SampleFiles files(part, params.grid.count(), params.view_size);

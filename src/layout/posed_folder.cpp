@@ -172,11 +172,9 @@ LightField read_posed_pictures(const fs::path& folder, const fs::path& file, std
   std::vector<fs::path> by_view;
   for (const PosedPicture& picture : pictures) by_view.push_back(listed_picture(folder, file, picture));
   LightField field = read_view_files(by_view, grid, options);
+  if (!cameras) field.poses = cameras_of(pictures);
   if (options.fit_view) return field;  // views that fit_view has resized do not match the sizes of the cameras
-  if (cameras)
-    field.cameras = std::move(cameras);
-  else
-    field.poses = cameras_of(pictures);
+  field.cameras = std::move(cameras);
   read_depths(folder, pictures, field);
   return field;
 }
