@@ -93,7 +93,7 @@ def their_view(folder, samples, frame, view):
 
 
 def cycles(field, folder, levels, reference_spp):
-    """Returns the CPU seconds per render for each number of samples: for renders that start a new frame, and for other renders."""
+    """Returns CPU seconds per render for each number of samples, as pairs: renders that start a new frame, and the others."""
     options = field.options
     renders = [{"frame": f, "view": v, "samples": s, "seed": 99 if s == reference_spp else 7, "out": str(their_view(folder, s, f, v))}
                for s in (*levels, reference_spp) for f, v in field.compared()]

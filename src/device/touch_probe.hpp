@@ -37,7 +37,7 @@ class BlockProbe {
   void add(const RayPacket& rays, const LaneMask& active) {
     if (lowest_ > 0) lowest_ = std::min(lowest_, probe_.lowest_met(rays, active));
   }
-  /// Returns the block's lowest horizon, and resets the probe for the next block.
+  /// Returns the lowest horizon (see TouchedBlocks) that rays of the block have met, and resets the probe for the next block.
   std::uint8_t take() { return std::exchange(lowest_, TouchedBlocks::kNever); }
 
  private:

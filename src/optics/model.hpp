@@ -112,7 +112,8 @@ concept CompleteModel = requires(const Panel& panel, const Model& model, Model& 
   { sub_pixels_of(model) } -> std::convertible_to<int>;
   /// Throws Error naming an invalid field.
   check_model(panel, model);
-  /// Write the members of the model to JSON and read them. Reading throws Error through `members`.
+  /// write_model() writes the members of the model to JSON, and read_model() reads them back. If a member is missing or
+  /// invalid, `members` throws Error.
   write_model(model, json);
   read_model(members, read);
   /// Returns the properties that do not depend on a pixel or point.

@@ -30,8 +30,8 @@ double depth_of_peak(const RenderedPanel& panel, double step, int count) {
 // of the outermost views by (p / 2) dz / g. This is half a lens if dz = g = 2 mm.
 constexpr double kStep = 2.0;
 
-/// Tests 10 depths behind the display and 10 in front of it. A point nearer than 2 g is seen through only one lens. The depth
-/// of a single ray is unknown.
+/// Tests 10 depths behind the display and 10 in front of it. Skips the depths nearer than 2 kStep: such points are seen through
+/// a single lens, and one ray does not determine a depth.
 void expect_peaks_at(const std::function<RenderedPanel(Vec3f)>& recorded) {
   for (int i = -11; i <= 11; ++i) {
     if (std::abs(i) < 2) continue;

@@ -69,7 +69,8 @@ TEST(ManyLamps, light_is_the_sum_over_lamps) {
     }
 }
 
-// Mirrors see lamps with a size only by rays that hit them. Each ray searches the tree for the lamps that it hits.
+// A mirror shows a lamp with a size only if a reflected ray hits the lamp. Each ray searches the tree for the lamps that it
+// hits.
 TEST(ManyLamps, a_mirror_shows_each_ball_once) {
   const MetallicRoughness mirror = floor_of(1.0f, 0.0f);
   Image sum;

@@ -30,10 +30,12 @@ double brute_force(float cosine, float alpha) {
   return sum;
 }
 
-// The tolerance of 2 % covers the fit's error of 1.2 % and the noise of the walks. Two simpler models would fail. With the mean
-// reflectance at all facets after the first, metals of roughness 0.3 to 0.6 would be 4 to 6 % too dark at cosines of 0.1 and
-// 0.2. With the factor 1 + F0 (1 - E) / E, metals of F0 = 0.5 would be 16 % too bright at roughness 1. F0 is the reflectance at
-// perpendicular incidence. E is the albedo of single scattering if all facets reflect everything.
+// The tolerance of 2 % covers the fit's error of 1.2 % and the noise of the walks. Two simpler models would fail.
+// 1. Every reflection after the first has the mean reflectance. Metals of roughness 0.3 to 0.6 would be 4 to 6 % too dark at
+//    cosines of 0.1 and 0.2.
+// 2. Single scattering is multiplied by 1 + F0 (1 - E) / E, where F0 is the reflectance at perpendicular incidence, and E is
+//    the albedo of single scattering if all facets reflect everything. Metals of F0 = 0.5 would be 16 % too bright at
+//    roughness 1.
 TEST(GgxAlbedo, of_coloured_metals_matches_facet_walks) {
   const Vec3f f0(0.2f, 0.5f, 0.8f);
   for (const float roughness : {0.3f, 0.45f, 0.6f, 0.8f, 1.0f})

@@ -108,8 +108,8 @@ TEST(GltfMeshopt, vertices_and_triangles_round_trip) {
   }
 }
 
-/// The bytes of the first view are invalid. The expected error names the memory limit. If the first view were unpacked before
-/// all views are counted, the error would name its bytes instead.
+/// The bytes of the first view are invalid, and all views together exceed the memory limit. The error must be about the limit.
+/// If the first view were unpacked before the sizes of all views are added, the error would be about its invalid bytes.
 TEST(GltfMeshopt, counts_all_views_before_unpacking) {
   GltfBuilder b = packed_square("TRIANGLES");
   const std::size_t from = b.root["bufferViews"][0]["extensions"]["EXT_meshopt_compression"]["byteOffset"];
