@@ -51,7 +51,7 @@ void add_display_picture_flags(const Command& command, DisplayPictureFlags& flag
       .type_name("PX")
       .range(-1e4, 1e4);
   group.add_flag("--flip", flags.flip,
-                 "Make a flip print: the pictures of IN are frames, of which the first lies leftmost below each lens");
+                 "Make a flip print: the pictures of IN are frames; the first lies leftmost below each lens");
   group.add_option("--shares", flags.shares, "With --flip: the relative width of each frame, such as 2,1,1; default: equal")
       .type_name("N,N,...");
   group
