@@ -23,14 +23,14 @@ namespace lippmann {
 
 struct DatasetParams {
   /// Names of built-in scenes or of scene files. Objects are made of their meshes, and also of spheres and boxes.
-  std::vector<std::string> scenes;
-  std::filesystem::path folder;
+  std::vector<std::string> scenes = {};
+  std::filesystem::path folder = {};
   int count = 1;
   std::uint32_t seed = 0;
   ViewGrid grid{9, 9};
   Vec2i view_size{128, 128};
-  int spp = 16;      ///< samples per pixel of path tracing
-  std::string unit;  ///< the part of the samples to make, such as "3/8", or "1-3,5/8" for several parts; empty: all
+  int spp = 16;           ///< samples per pixel of path tracing
+  std::string unit = {};  ///< the part of the samples to make, such as "3/8", or "1-3,5/8" for several parts; empty: all
 };
 
 struct DatasetReport {
