@@ -143,7 +143,7 @@ TEST(PrintFinish, quilts_and_native_frames_are_no_prints) {
   params.finish.marks = true;
   EXPECT_THAT(
       test::error_message([&] { display_picture(field, load_display("portrait"), DisplayTarget::kNative, params, pool); }),
-      testing::HasSubstr("for prints"));
+      testing::HasSubstr("need a print"));
 }
 
 }  // namespace
