@@ -96,8 +96,8 @@ int run(const ConvertOptions& options, const Context& context) {
   const Converted converted = convert(options.in, options.out, params);
   if (options.to == "rgbd" && converted.written.size() > 2 && options.depth.range.empty() && conversion.from->name != "rgbd")
     context.warning(
-        "each frame has its own depth range, so equal greys mean different depths: --depth-range gives all of them "
-        "one");
+        "each frame has its own depth range, so equal greys mean different depths: set one range for all frames with "
+        "--depth-range");
   if (converted.drops_positions && converted.lacks_cameras)
     context.warning(
         "camera positions are left out: the distance of the zero plane is unknown, so no parameters, depth or disparity are "
@@ -106,14 +106,18 @@ int run(const ConvertOptions& options, const Context& context) {
     context.warning(fmt::format("camera positions are left out: {} cannot store them", options.to));
   else if (converted.lacks_cameras)
     context.warning(
-        "the cameras of these views are unknown: no parameters, depth or disparity are written (render writes report.json)");
+        "the cameras of these views are unknown: no parameters, depth or disparity are written (lippmann render states "
+        "cameras in report.json)");
   if (converted.drops_poses)
     context.warning(fmt::format("the cameras of {} do not share a plane and a window: {}", options.in,
-                                params.display_picture ? "the picture shows their views in order"
-                                                       : "they and depth are left out, except in nerf, colmap and llff"));
+                                params.display_picture
+                                    ? "the picture shows their views in order"
+                                    : "camera parameters and depth are left out, except in nerf, colmap and llff"));
   const bool can_store_depth = options.to != "stanford" && options.to != "llff" && !converted.drops_poses;
   if (converted.lacks_depth && can_store_depth)
-    context.warning("the depth of these views is unknown: no maps of depth and disparity are written (render --aov depth)");
+    context.warning(
+        "the depth of these views is unknown: no maps of depth and disparity are written (lippmann render --aov "
+        "depth writes it)");
   if (options.result.json) {
     nlohmann::ordered_json files = nlohmann::ordered_json::array();
     for (const auto& path : converted.written) files.push_back(path.string());

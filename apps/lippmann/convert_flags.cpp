@@ -283,7 +283,7 @@ Conversion conversion_of(const ConvertOptions& options) {
   if (orthoscopic.are_given()) return {orthoscopic.spoc_mm ? ConvertKind::kSpoc : ConvertKind::kRotate};
   if (options.crosstalk.precompensate) return {ConvertKind::kPrecompensate};
   if (options.to.empty() && !options.crosstalk.crosstalk.empty())
-    throw usage_error("--crosstalk", "has no effect without --precompensate", "--precompensate with it");
+    throw usage_error("--crosstalk", "has no effect without --precompensate", "--precompensate");
   if (options.to.empty() && !options.has_display())
     throw usage_error("--to", "is required", "a format (see --help), --display, --rotate-elemental, --spoc or --precompensate");
   Conversion conversion;

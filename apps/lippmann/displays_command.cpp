@@ -112,7 +112,7 @@ int find_devices(const DisplaysOptions& options) {
 
 int run(const DisplaysOptions& options) {
   if (options.find) return find_devices(options);
-  if (!options.mounts.empty()) throw usage_error("--mounts", "has no effect without --find", "--find with it");
+  if (!options.mounts.empty()) throw usage_error("--mounts", "has no effect without --find", "--find");
   const bool one = !options.display.empty();
   const std::vector<Display> displays = one ? std::vector{load_display(options.display)} : display_presets();
   if (options.json) {

@@ -33,7 +33,7 @@ struct PlayOptions {
 PageDisplay panel_to_play_on(const std::string& display, const ViewFilterFlags& filter) {
   if (display.empty())
     throw usage_error("--display", "is required",
-                      "its calibration .json (visual.json), a name (see: lippmann displays), or a .toml");
+                      "the display's calibration .json (visual.json), a name (see: lippmann displays), or a .toml");
   PageDisplay panel{load_display(display), filter.read()};
   require_own_frame(panel.display);
   return panel;

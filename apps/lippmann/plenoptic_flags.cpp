@@ -34,7 +34,7 @@ LensGrid read_grid_flags(const PlenopticFlags& flags) {
 
 void require_pitch(const PlenopticFlags& flags) {
   const auto require = [](bool given, const char* flag) {
-    if (given) throw usage_error(flag, "has no effect without --lens-pitch-px", "--lens-pitch-px with it, or only --white");
+    if (given) throw usage_error(flag, "has no effect without --lens-pitch-px", "--lens-pitch-px, or --white alone");
   };
   require(flags.row_pitch_px.has_value(), "--lens-row-pitch-px");
   require(flags.rotation_deg.has_value(), "--lens-rotation");

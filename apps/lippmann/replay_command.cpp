@@ -40,7 +40,7 @@ void read_size(const std::string& text, ReplayParams& params) {
   if (params.one_per_lens) return;
   if (std::sscanf(text.c_str(), "%7dx%7d%n", &size.x, &size.y, &read) != 2 || read != static_cast<int>(text.size()) ||
       size.x < 1 || size.y < 1)
-    throw usage_error("--size", "'" + text + "' is not a size", "WxH in pixels, or lenses");
+    throw usage_error("--size", "'" + text + "' is not a size", "WxH in pixels, or the word lenses for one pixel per lens");
 }
 
 /// Returns the plane for a depth in mm, or for a disparity with the unit px; nullopt if `text` is neither.
@@ -88,7 +88,7 @@ void refuse_idle_flags(const ReplayOptions& options) {
   const bool refocuses = !options.refocus.empty() || !options.focal_stack.empty(),
              has_epi = params.epi_row || params.epi_column;
   const bool looks = params.ipd_mm || params.sweep > 0 || !(refocuses || has_epi);
-  constexpr const char* kEyeViews = "--ipd or --sweep with it, or no --refocus, --focal-stack, --epi and --epi-column";
+  constexpr const char* kEyeViews = "--ipd or --sweep, or no --refocus, --focal-stack, --epi and --epi-column";
   const struct {
     const char* flag;
     bool is_given, has_effect;
@@ -97,12 +97,12 @@ void refuse_idle_flags(const ReplayOptions& options) {
                {"--pupil", params.view.pupil_mm != 0.0, looks, "without eye views", kEyeViews},
                {"--crosstalk", !options.crosstalk.empty(), looks, "without eye views", kEyeViews},
                {"--focus", params.view.focus_mm != 0.0, looks && params.view.pupil_mm > 0.0, "on eye views through a pinhole",
-                "--pupil above 0 with it"},
+                "--pupil above 0"},
                {"--filter", !options.filter.empty(), looks || has_epi, "on refocused pictures",
-                "--epi, --epi-column, --ipd or --sweep with it, or no --refocus and --focal-stack"},
+                "--epi, --epi-column, --ipd or --sweep, or no --refocus and --focal-stack"},
                {"--size", !options.size.empty(), looks || refocuses, "on epipolar-plane images",
-                "--refocus, --focal-stack, --ipd or --sweep with it, or no --epi and --epi-column"},
-               {"--fps", params.frames_per_second.has_value(), !options.video.empty(), "without a video", "--video with it"}};
+                "--refocus, --focal-stack, --ipd or --sweep, or no --epi and --epi-column"},
+               {"--fps", params.frames_per_second.has_value(), !options.video.empty(), "without a video", "--video"}};
   for (const auto& rule : rules)
     if (rule.is_given && !rule.has_effect)
       throw usage_error(rule.flag, fmt::format("has no effect {}", rule.without), rule.accepted);

@@ -16,7 +16,7 @@ ViewFilter read_view_filter(const std::string& word) {
 InterlaceParams ViewFilterFlags::read() const {
   InterlaceParams params{read_view_filter(filter)};
   if (sigma > 0.0 && params.filter != ViewFilter::kGaussian)
-    throw usage_error("--sigma", "has no effect without --filter gaussian", "--filter gaussian with it");
+    throw usage_error("--sigma", "has no effect without --filter gaussian", "--filter gaussian");
   if (sigma > 0.0) params.sigma_views = sigma;
   return params;
 }

@@ -271,9 +271,9 @@ void require_no_render(const fs::path& out) {
   };
   require_no_other_run(out, {});
   if (const auto journal = read_journal(out); journal && holds_anything(*journal))
-    throw Error(out.string(), "holds a render, whose frames would be mixed with these", "another folder");
+    throw Error(out.string(), "holds a render, whose frames would be mixed with the new pictures", "another folder");
   if (const auto journal = read_journal(out.parent_path()); journal && names(*journal))
-    throw Error(out.string(), "is a file of the render in its folder", "another name");
+    throw Error(out.string(), "would overwrite a file of the render in this folder", "another name");
 }
 
 }  // namespace lippmann

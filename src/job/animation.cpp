@@ -30,8 +30,9 @@ RenderFolder open_folder(const RenderSetup& setup, const Context& context) {
   RenderFolder folder = open_job_folder(setup.folder, setup.fingerprint, setup.job, setup.parts.of_job,
                                         setup.stage.scene.timeline.frame_count, setup.run.force, context);
   if (!setup.crowded_folder.empty())
-    context.warning(fmt::format("{} holds another render, so this one is in {} (--force replaces the other, -o chooses)",
-                                setup.crowded_folder.string(), setup.folder.string()));
+    context.warning(fmt::format(
+        "{} holds another render, so this render is in {} (--force replaces the other render, -o DIR sets the folder)",
+        setup.crowded_folder.string(), setup.folder.string()));
   return folder;
 }
 
@@ -168,7 +169,8 @@ RenderReport render_animation(RenderSetup& setup, const Context& context, const 
   Ranks* const ranks = setup.run.ranks;
   const bool is_first = setup.run.is_first_rank();
   if (setup.parts.frames.empty())
-    context.warning(fmt::format("unit {} has no frames: the job has fewer parts", write_units(*setup.run.units)));
+    context.warning(
+        fmt::format("unit {} has no frames: the job has fewer frames and strips than units", write_units(*setup.run.units)));
   if (!is_first) ranks->begin();  // waits until the first rank has prepared the folder
   RenderFolder folder = open_folder(setup, context);
   const KeptLease lease(folder);

@@ -84,36 +84,36 @@ struct Effect {
 };
 
 constexpr const char* kNotInterpolated = "without interpolated frames";
-constexpr const char* kInterpolateToo = "--reuse interpolate with it";
-constexpr const char* kSurroundingsToo = "--environment studio, a colour or a panorama with it";
+constexpr const char* kInterpolateToo = "--reuse interpolate";
+constexpr const char* kSurroundingsToo = "--environment studio, a colour or a panorama";
 
 constexpr std::array kEffects{
     Effect{"asset-root", is_file, "on a built-in scene", "a scene file"},
     Effect{"texture-memory", is_file, "on a built-in scene", "a scene file"},
     Effect{"points", is_file, "on a built-in scene", "a PLY file of points"},
     Effect{"up", is_file, "on a built-in scene", "a scene file"},
-    Effect{"crosstalk", precompensates, "without --precompensate", "--precompensate with it"},
-    Effect{"packing", has_microlenses, "on optics without microlenses", "--optics microlens or plenoptic with it"},
+    Effect{"crosstalk", precompensates, "without --precompensate", "--precompensate"},
+    Effect{"packing", has_microlenses, "on optics without microlenses", "--optics microlens or plenoptic"},
     Effect{"fit-depth", has_parallax, "on a single view", "optics with several views"},
     Effect{"view-angle", has_parallax, "on a single view", "optics with several views"},
-    Effect{"clamp-indirect", traces_paths, "without path tracing", "--integrator path with it"},
-    Effect{"denoise", may_denoise, "without path tracing", "--integrator path with it"},
-    Effect{"seed", has_random_numbers, "on a render without random numbers", "--spp 2 or more, or --integrator path with it"},
+    Effect{"clamp-indirect", traces_paths, "without path tracing", "--integrator path"},
+    Effect{"denoise", may_denoise, "without path tracing", "--integrator path"},
+    Effect{"seed", has_random_numbers, "on a render without random numbers", "--spp 2 or more, or --integrator path"},
     Effect{"environment-strength", has_surroundings, "on a scene without surroundings", kSurroundingsToo},
     Effect{"environment-rotation", has_surroundings_to_turn, "on surroundings of one colour, or on none",
-           "--environment studio or a panorama with it"},
-    Effect{"exposure", makes_codes, "on EXR files, which stay linear", "--format png, png16 or tiff, or --video with it"},
-    Effect{"tone", makes_codes, "on EXR files, which stay linear", "--format png, png16 or tiff, or --video with it"},
-    Effect{"keyframes", has_key_frames, "where every frame is traced", "--reuse copy or interpolate with it"},
+           "--environment studio or a panorama"},
+    Effect{"exposure", makes_codes, "on EXR files, which stay linear", "--format png, png16 or tiff, or --video"},
+    Effect{"tone", makes_codes, "on EXR files, which stay linear", "--format png, png16 or tiff, or --video"},
+    Effect{"keyframes", has_key_frames, "where every frame is traced", "--reuse copy or interpolate"},
     Effect{"splat", interpolates, kNotInterpolated, kInterpolateToo},
     Effect{"fill", interpolates, kNotInterpolated, kInterpolateToo},
     Effect{"halving", interpolates, kNotInterpolated, kInterpolateToo},
     Effect{"no-z-buffer", interpolates, kNotInterpolated, kInterpolateToo},
-    Effect{"stereo", wants_stereo, "on pictures other than stereo", "--layout stereo with it"},
-    Effect{"right-first", wants_stereo, "on pictures other than stereo", "--layout stereo with it"},
-    Effect{"exr-pixels", makes_exr, "on pictures other than EXR", "--format exr with it"},
-    Effect{"video-codec", makes_videos, "without a video", "--video FILE with it"},
-    Effect{"crf", makes_lossy_videos, "without a video in a lossy format", "--video FILE with it: .mp4, .mov or .webm"},
+    Effect{"stereo", wants_stereo, "on pictures other than stereo", "--layout stereo"},
+    Effect{"right-first", wants_stereo, "on pictures other than stereo", "--layout stereo"},
+    Effect{"exr-pixels", makes_exr, "on pictures other than EXR", "--format exr"},
+    Effect{"video-codec", makes_videos, "without a video", "--video FILE"},
+    Effect{"crf", makes_lossy_videos, "without a video in a lossy format", "--video FILE that ends in .mp4, .mov or .webm"},
 };
 
 /// Returns the flags that set a parameter, such as "--packing". If two flags set it, returns both: "--fit-depth or

@@ -119,7 +119,7 @@ bool is_own_file(const ParamInfo& info, const std::string& value, const RenderPa
 void set_opposite(const ParamInfo& info, const toml::table& job, const std::string& value, const std::string& place,
                   RenderParams& params) {
   const std::string where = fmt::format("{}: {}", place, info.opposite);
-  if (job.contains(info.name)) throw usage_error(where, fmt::format("is set by {} already", info.name), "one of them");
+  if (job.contains(info.name)) throw usage_error(where, fmt::format("is set by {} already", info.name), "one of the two");
   if (value != "true" && value != "false") throw usage_error(where, fmt::format("'{}'", value), "true or false");
   info.set(params, {value == "true" ? "false" : "true"}, where);
 }

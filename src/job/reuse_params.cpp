@@ -19,17 +19,16 @@ std::string interpolation_flag(const ReuseParams& params) {
 
 void refuse_interpolation_flags(const ReuseParams& params) {
   if (const std::string stray = interpolation_flag(params); !stray.empty())
-    throw usage_error(stray, "has no effect without interpolated frames", "--reuse interpolate with it");
+    throw usage_error(stray, "has no effect without interpolated frames", "--reuse interpolate");
 }
 
 TraceAll trace_all(const ReuseParams& params) {
   refuse_interpolation_flags(params);
   if (params.keyframes)
-    throw usage_error("--keyframes", "has no effect where every frame is traced in full",
-                      "--reuse copy or interpolate with it");
+    throw usage_error("--keyframes", "has no effect where every frame is traced in full", "--reuse copy or interpolate");
   if (params.min_psnr_db)
     throw usage_error("--min-psnr", "has no effect where every frame is traced in full",
-                      "--reuse interpolate with it; for path tracing, --spp in its place");
+                      "--reuse interpolate; for path tracing, --spp in place of --min-psnr");
   return {};
 }
 
@@ -86,7 +85,7 @@ FrameParams frame_params(const ResolvedJob& job) {
 
 void check_floor(const RenderParams& params) {
   if (params.reuse.min_psnr_db && !tone_of(params.output.pictures).is_identity())
-    throw usage_error("--min-psnr", "cannot be combined with --exposure or --tone", "--min-psnr without them");
+    throw usage_error("--min-psnr", "cannot be combined with --exposure or --tone", "--min-psnr without --exposure and --tone");
 }
 
 }  // namespace lippmann

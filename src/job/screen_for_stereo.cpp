@@ -14,7 +14,9 @@ namespace {
 constexpr Vec2i kDefaultViewPx{960, 540};  ///< default size of a view before it is squeezed
 
 void refuse_in_stereo(bool given, std::string_view parameter) {
-  if (given) throw usage_error(std::string(parameter), "has no effect on a stereo picture", "`layout` stereo without it");
+  if (given)
+    throw usage_error(std::string(parameter), "has no effect on a stereo picture",
+                      fmt::format("no `{}`, or another `layout`", parameter));
 }
 
 void refuse_other_optics(const OpticsParams& optics) {
@@ -36,8 +38,9 @@ Vec2i stored_view(const RenderParams& params, const Display* display) {
 
 Vec2d screen_mm(const RenderParams& params, const Display* display, Vec2i stored) {
   if (display && params.optics.screen_width_mm)
-    throw usage_error("screen-width", fmt::format("{} states the width of its screen", display->name),
-                      "one of `display` and `screen-width`");
+    throw usage_error("screen-width",
+                      fmt::format("has no effect: the display {} states the width of its screen", display->name),
+                      "either `display` or `screen-width`");
   if (display) return display->size_mm();
   const Vec2d whole(stored * stereo_squeeze(packing_of(params)));
   const double width = params.optics.screen_width_mm.value_or(kDefaultScreenMm);

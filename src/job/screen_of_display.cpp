@@ -20,8 +20,9 @@ void refuse(bool given, const char* flag, const char* problem, const char* accep
 void refuse_params_of_display(const RenderParams& params) {
   for (const KindParam& param : kKindParams)
     if (param.name != "views" && param.name != "camera-grid" && param.name != "cone-ends" && param.is_given(params.optics))
-      throw usage_error(std::string(param.name), "is decided by the display",
-                        "`display` without it, or a display of your own in a .toml file (docs/reference/displays.md)");
+      throw usage_error(
+          std::string(param.name), "is decided by the display",
+          fmt::format("no `{}`, or a display of your own in a .toml file (docs/reference/displays.md)", param.name));
   refuse(params.optics.camera_grid, "--camera-grid", "cannot be combined with --display, whose views are at equal angles",
          "one of the two");
 }
@@ -33,7 +34,7 @@ Display with_params(const RenderParams& params, Display display, bool is_quilt) 
   if (params.optics.viewing_distance_mm) display.viewing_distance_mm = *params.optics.viewing_distance_mm;
   if (params.optics.size.x > 0 && !is_quilt) {
     refuse(display.kind == DisplayKind::kSlantedPanel && optics_kind(params) != OpticsKind::kSingle, "--size",
-           "a native frame has the size of its panel", "--layout quilt with it");
+           "a native frame has the size of its panel", "--layout quilt");
     display.pixels = {params.optics.size.x, params.optics.size.y};
   }
   return display;
@@ -42,7 +43,7 @@ Display with_params(const RenderParams& params, Display display, bool is_quilt) 
 /// Returns the quilt that the parameters define. Missing values are those of the display's quilt.
 Optics wanted_quilt(const RenderParams& params, Display display) {
   refuse(!display.quilt && params.optics.views.x == 0, "--optics multiview", "the display has no quilt",
-         "--views CxR and --size WxH with it");
+         "--views CxR and --size WxH");
   DisplayQuilt quilt = display.quilt.value_or(DisplayQuilt{});
   if (params.optics.views.x > 0) quilt.columns = params.optics.views.x, quilt.rows = params.optics.views.y;
   if (params.optics.size.x > 0) quilt.width = params.optics.size.x, quilt.height = params.optics.size.y;
@@ -79,9 +80,8 @@ Optics display_optics(const RenderParams& params, const Display& display) {
              native = params.output.pictures.layout == PictureLayout::kNative;
   const OpticsKind kind = params.optics.kind.value_or(own_kind(display));
   const bool is_quilt = kind == OpticsKind::kMultiview && !(slanted && native);
-  refuse(params.optics.views.x > 0 && !is_quilt, "--views", "has no effect on this kind of optics", "with --optics multiview");
-  refuse(params.optics.cone_ends && !is_quilt, "--cone-ends", "has no effect on this kind of optics",
-         "with --optics multiview");
+  refuse(params.optics.views.x > 0 && !is_quilt, "--views", "has no effect on this kind of optics", "--optics multiview");
+  refuse(params.optics.cone_ends && !is_quilt, "--cone-ends", "has no effect on this kind of optics", "--optics multiview");
   const Display wanted = with_params(params, display, is_quilt);
   Optics optics;
   if (kind == OpticsKind::kSingle)

@@ -62,8 +62,9 @@ TEST_F(CameraSets, convert_keeps_poses_or_says_that_it_does_not) {
   for (const char* to : {"hci", "views", "quilt", "jpeg-pleno"}) {
     const RunResult result = run_tool(dir_, {"convert", "nerf", std::string("as-") + to, "--to", to});
     EXPECT_EQ(result.exit_code, 0) << to;
-    EXPECT_THAT(result.err, HasSubstr("the cameras of nerf do not share a plane and a window: they and depth are left out, "
-                                      "except in nerf, colmap and llff"));
+    EXPECT_THAT(result.err,
+                HasSubstr("the cameras of nerf do not share a plane and a window: camera parameters and depth are left out, "
+                          "except in nerf, colmap and llff"));
   }
   EXPECT_THAT(run_tool(dir_, {"convert", "nerf", "portrait.png", "--display", "portrait"}).err,
               HasSubstr("do not share a plane and a window: the picture shows their views in order"));

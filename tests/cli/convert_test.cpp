@@ -130,7 +130,8 @@ TEST(Convert, frames_to_rgbd_warn_of_ranges) {
   const TempDir dir;
   expect_done(dir, {"render", "room", "--optics", "multiview", "--views", "3x1", "--size", "180x80", "--frames", "0-1", "--aov",
                     "depth", "-o", "a"});
-  EXPECT_THAT(run_tool(dir, {"convert", "a", "b", "--to", "rgbd"}).err, HasSubstr("--depth-range gives all of them"));
+  EXPECT_THAT(run_tool(dir, {"convert", "a", "b", "--to", "rgbd"}).err,
+              HasSubstr("set one range for all frames with --depth-range"));
   EXPECT_EQ(run_tool(dir, {"convert", "a", "c", "--to", "rgbd", "--depth-range", "20:-60"}).err, "");
   EXPECT_EQ(bytes_of(dir / "c/frame_0000_rgbd.png.json"), bytes_of(dir / "c/frame_0001_rgbd.png.json"));
 }

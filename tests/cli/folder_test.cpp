@@ -39,8 +39,8 @@ TEST(Folder, default_folder_is_numbered_if_occupied) {
     const RunResult other = run_tool(dir, quick + kOther);
     EXPECT_EQ(other.exit_code, 0) << other.err;
     EXPECT_EQ(other.err,
-              "warning: out/teapot holds another render, so this one is in out/teapot-2 (--force replaces the other, -o "
-              "chooses)\n");
+              "warning: out/teapot holds another render, so this render is in out/teapot-2 (--force replaces the other "
+              "render, -o DIR sets the folder)\n");
   }
   EXPECT_FALSE(fs::exists(dir / "out/teapot-3"));
   EXPECT_EQ(all_files(dir / "out/teapot"), first);
@@ -66,7 +66,7 @@ TEST(Folder, convert_does_not_overwrite_a_render) {
   const Words to_integral{"--to", "integral"};
   expect_refusal(run_tool(dir, Words{"convert", "a", "b"} + to_integral), 1, "b: holds a render");
   expect_refusal(run_tool(dir, Words{"convert", "a/frame_0000.png", "b/frame_0000.png"} + to_integral), 1,
-                 "b/frame_0000.png: is a file of the render");
+                 "b/frame_0000.png: would overwrite a file of the render");
   expect_refusal(run_tool(dir, {"convert", "a", "b", "--rotate-elemental"}), 1, "b: holds a render");
   expect_done(dir, {"check", "b"});
   expect_done(dir, Words{"convert", "a/frame_0000.png", "b/other.png"} + to_integral);

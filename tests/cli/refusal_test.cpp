@@ -42,7 +42,7 @@ INSTANTIATE_TEST_SUITE_P(
                     render({"--denoise"}, "--denoise: has no effect"), render({"--splat", "lens"}, "--splat"),
                     render({"--denoise", "auto"}, "--denoise: has no effect"),
                     render({"--integrator", "path", "--min-psnr", "40"},
-                           "--reuse interpolate with it; for path tracing, --spp in its place"),
+                           "--reuse interpolate; for path tracing, --spp in place of --min-psnr"),
                     render({"--reuse", "backward"}, "--reuse"), render({"--min-psnr", "5", "--reuse", "none"}, "--min-psnr"),
                     render({"--fit-depth", "--full-depth"}, "--full-depth")));
 
@@ -73,7 +73,7 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(
     FlagsWithoutEffect, Refusals,
     testing::Values(render({"--stereo", "sbs"},
-                           "--stereo: has no effect on pictures other than stereo; accepted: --layout stereo with it"),
+                           "--stereo: has no effect on pictures other than stereo; accepted: --layout stereo"),
                     render({"--right-first"}, "--right-first: has no effect"), render({"--splat", "view"}, "--splat"),
                     render({"--fill", "interpolate"}, "--fill"), render({"--halving"}, "--halving"),
                     render({"--no-z-buffer"}, "--no-z-buffer"), render({"--reuse", "none", "--keyframes", "8"}, "--keyframes"),
