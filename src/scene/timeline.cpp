@@ -168,10 +168,12 @@ void require_nodes(const Scene& scene) {
   const int count = static_cast<int>(scene.nodes.size());
   for (int i = 0; i < count; ++i)
     if (const int parent = scene.nodes[static_cast<std::size_t>(i)].parent; parent < -1 || parent >= i)
-      throw Error("scene", fmt::format("node {} has the parent {}", i, parent), "-1 or an earlier node");
+      throw Error("scene", fmt::format("node {} has the parent {}", i, parent),
+                  "the number of an earlier node, or -1 for no parent");
   for (const NodeAnimation& a : scene.timeline.animations)
     if (a.node < 0 || a.node >= count)
-      throw Error("scene", fmt::format("an animation moves node {} of {}", a.node, count), "a node of the scene");
+      throw Error("scene", fmt::format("an animation moves node {}, but the number of nodes is {}", a.node, count),
+                  "a number from 0, below the number of nodes");
 }
 
 std::vector<std::vector<float>> evaluate_weights(const Scene& scene, double time) {

@@ -107,7 +107,8 @@ class Validator {
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
       for (const std::uint32_t index : mesh.triangles[i])
         if (index >= vertices)
-          require(false, element, fmt::format("triangle {} refers to vertex {} of {}", i, index, vertices));
+          require(false, element,
+                  fmt::format("triangle {} refers to vertex {}, but the number of vertices is {}", i, index, vertices));
   }
 
   /// Checks the values of a vertex attribute. An empty attribute is valid.
@@ -272,7 +273,8 @@ class Validator {
       require(mesh && mesh->skin.per_vertex > 0, element, "has a skin, but its mesh has no weights");
       const std::size_t joints = scene_.skins[static_cast<std::size_t>(instance.skin)].joints.size();
       for (const std::uint32_t joint : mesh->skin.joints)
-        if (joint >= joints) require(false, element, fmt::format("a vertex refers to joint {} of {}", joint, joints));
+        if (joint >= joints)
+          require(false, element, fmt::format("a vertex refers to joint {}, but the number of joints is {}", joint, joints));
     }
     if (!mesh || mesh->targets.empty()) return;
     const std::size_t weights =

@@ -80,7 +80,8 @@ SparseElements sparse_elements(const Document& document, const Accessor& a, cons
   if (!is_unsigned(s.index_type))
     document.report.fail(where + ".sparse.indices", "the component type is not an unsigned integer");
   if (s.count > a.count)
-    document.report.fail(where + ".sparse", fmt::format("replaces {} elements of an accessor with {}", s.count, a.count));
+    document.report.fail(where + ".sparse",
+                         fmt::format("replaces {} elements, but the accessor has only {}", s.count, a.count));
   return {locate(document, s.index_view, s.index_offset, component_bytes(s.index_type), s.count, where + ".sparse.indices"),
           locate(document, s.value_view, s.value_offset, element_bytes(a), s.count, where + ".sparse.values")};
 }
@@ -162,7 +163,8 @@ void fill(const Document& document, const Accessor& a, const std::string& where,
   for (std::size_t i = 0; i < sparse.indices.count; ++i) {
     const std::uint32_t index = sparse_index(a, sparse, i);
     if (index >= a.count)
-      document.report.fail(where + ".sparse.indices", fmt::format("replaces element {} of {}", index, a.count));
+      document.report.fail(where + ".sparse.indices",
+                           fmt::format("replaces element {}, but the number of elements is {}", index, a.count));
     convert(sparse.values[i], target[index]);
   }
 }

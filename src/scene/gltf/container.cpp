@@ -35,7 +35,8 @@ Container split_glb(Bytes contents, Report& report) {
   const std::size_t length = word(contents, 8);
   if (length > contents.size())
     report.fail("", fmt::format("is truncated: its header states {} bytes, but the file has {}", length, contents.size()));
-  if (length < contents.size()) report.warn(fmt::format("{} bytes after the end are ignored", contents.size() - length));
+  if (length < contents.size())
+    report.warn(fmt::format("{} bytes after the end of the glTF data are ignored", contents.size() - length));
 
   Container result;
   std::size_t offset = kHeaderBytes;

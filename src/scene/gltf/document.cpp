@@ -203,7 +203,7 @@ void check_channels(const Document& document) {
     for (std::size_t c = 0; c < channels.size(); ++c)
       if (const std::size_t sampler = channels.at(c)["sampler"].count(); sampler >= samplers)
         document.report.fail(element("animations", i, "channels", c),
-                             fmt::format("refers to samplers[{}], but there are {}", sampler, samplers));
+                             fmt::format("refers to samplers[{}], but the number of samplers is {}", sampler, samplers));
   }
 }
 

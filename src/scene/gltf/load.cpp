@@ -174,7 +174,7 @@ Scene parse_gltf(std::vector<std::byte> contents, const std::filesystem::path& p
                  const Context& context, const GltfLimits& limits) {
   if (!(options.frames_per_second >= 0.0) || !std::isfinite(options.frames_per_second))
     throw usage_error("frames per second", fmt::format("is {}", options.frames_per_second),
-                      "a number above 0, or 0 for the rate of the keys");
+                      "a number above 0, or 0 for the rate of the keyframes");
   gltf::Document document(path, options, context, limits);
   gltf::read_document(std::move(contents), document);
 

@@ -196,7 +196,7 @@ class Checker {
     check_integer(value, property, path);
     const std::size_t count = count_of(property.refers_to), i = value.get<std::size_t>();
     const std::string_view name = property.refers_to.substr(property.refers_to.rfind('/') + 1);
-    if (i >= count) fail(path, fmt::format("refers to {}[{}], but there are {}", name, i, count));
+    if (i >= count) fail(path, fmt::format("refers to {0}[{1}], but the number of {0} is {2}", name, i, count));
   }
 
   void check_index_list(Json& value, const Property& property, const Path& path) const {

@@ -76,7 +76,7 @@ TEST(GltfContainer, bytes_after_the_end_are_a_warning) {
   contents.resize(contents.size() + 3);
   std::vector<std::string> warnings;
   parse(contents, &warnings);
-  EXPECT_THAT(warnings, testing::Contains("a.glb: 3 bytes after the end are ignored"));
+  EXPECT_THAT(warnings, testing::Contains("a.glb: 3 bytes after the end of the glTF data are ignored"));
 }
 
 TEST(GltfContainer, malformed_json_reports_line_and_column) {
@@ -141,7 +141,7 @@ TEST(GltfContainer, load_scene_reads_glb_at_30_fps) {
 
 TEST(GltfContainer, frame_rate_below_zero_is_wrong_usage) {
   EXPECT_EQ(error_message([] { parse_gltf({}, "a.glb", {.frames_per_second = -1.0}, Context{}); }),
-            "frames per second: is -1; accepted: a number above 0, or 0 for the rate of the keys");
+            "frames per second: is -1; accepted: a number above 0, or 0 for the rate of the keyframes");
 }
 
 }  // namespace

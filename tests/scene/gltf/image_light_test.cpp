@@ -168,13 +168,13 @@ TEST(GltfImageLight, bad_values_are_errors_that_name_them) {
     Json value;
     const char* message;
   };
-  const Bad bad[] = {
-      {"specularImages", Json::array(), "lights[0].specularImages: is empty"},
-      {"specularImages", one_level({0, 1, 2, 3, 4}), "specularImages[0]: has 5 entries; accepted: 6"},
-      {"specularImages", one_level({0, 1, 2, 3, 4, 6}), "specularImages[0][5]: refers to images[6], but there are 6"},
-      {"specularImages", Json::array({0}), "specularImages[0]: is not an array"},
-      {"intensity", -1, "intensity: is -1"},
-      {"rotation", {0, 0, 0, 0}, "lights[0].rotation: is not a unit quaternion"}};
+  const Bad bad[] = {{"specularImages", Json::array(), "lights[0].specularImages: is empty"},
+                     {"specularImages", one_level({0, 1, 2, 3, 4}), "specularImages[0]: has 5 entries; accepted: 6"},
+                     {"specularImages", one_level({0, 1, 2, 3, 4, 6}),
+                      "specularImages[0][5]: refers to images[6], but the number of images is 6"},
+                     {"specularImages", Json::array({0}), "specularImages[0]: is not an array"},
+                     {"intensity", -1, "intensity: is -1"},
+                     {"rotation", {0, 0, 0, 0}, "lights[0].rotation: is not a unit quaternion"}};
   for (const Bad& one : bad) EXPECT_THAT(message_of_light(coloured_cube({{one.property, one.value}})), HasSubstr(one.message));
 }
 

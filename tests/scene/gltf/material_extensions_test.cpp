@@ -180,8 +180,10 @@ TEST(GltfVariants, invalid_mappings_are_errors) {
     b.root["meshes"][0]["primitives"][0]["extensions"]["KHR_materials_variants"]["mappings"] = mappings;
     return error_message([&] { shown_material(b, "Beach"); });
   };
-  EXPECT_THAT(message({{{"material", 1}, {"variants", {3}}}}), HasSubstr("refers to variants[3], but there are 3"));
-  EXPECT_THAT(message({{{"material", 2}, {"variants", {0}}}}), HasSubstr("refers to materials[2], but there are 2"));
+  EXPECT_THAT(message({{{"material", 1}, {"variants", {3}}}}),
+              HasSubstr("refers to variants[3], but the number of variants is 3"));
+  EXPECT_THAT(message({{{"material", 2}, {"variants", {0}}}}),
+              HasSubstr("refers to materials[2], but the number of materials is 2"));
   EXPECT_THAT(message({{{"material", 0}, {"variants", {0}}}, {{"material", 1}, {"variants", {0}}}}),
               HasSubstr("two materials for one variant"));
 }

@@ -186,7 +186,8 @@ TEST(GltfAccessor, sparse_index_beyond_accessor_is_an_error) {
   b.accessor(0)["sparse"] = {{"count", 1},
                              {"indices", {{"bufferView", indices}, {"componentType", test::kUnsignedShort}}},
                              {"values", {{"bufferView", values}}}};
-  EXPECT_EQ(error_message([&] { parse_mesh(b); }), "a.glb: accessors[0].sparse.indices: replaces element 3 of 3");
+  EXPECT_EQ(error_message([&] { parse_mesh(b); }),
+            "a.glb: accessors[0].sparse.indices: replaces element 3, but the number of elements is 3");
 }
 
 TEST(GltfAccessor, too_many_sparse_values_are_an_error) {
@@ -196,7 +197,8 @@ TEST(GltfAccessor, too_many_sparse_values_are_an_error) {
   b.accessor(0)["sparse"] = {{"count", 4},
                              {"indices", {{"bufferView", view}, {"componentType", test::kUnsignedShort}}},
                              {"values", {{"bufferView", view}}}};
-  EXPECT_EQ(error_message([&] { parse_mesh(b); }), "a.glb: accessors[0].sparse: replaces 4 elements of an accessor with 3");
+  EXPECT_EQ(error_message([&] { parse_mesh(b); }),
+            "a.glb: accessors[0].sparse: replaces 4 elements, but the accessor has only 3");
 }
 
 TEST(GltfAccessor, huge_counts_do_not_allocate) {
