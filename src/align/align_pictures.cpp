@@ -88,10 +88,10 @@ AlignedPictures align_pictures(const AlignParams& params, const Context& context
   const Vec2d focus = focus_of(params, registered.size);
   const FocusShifts found = focus_shifts(registered, focus);
   if (found.unseen > 0)
-    context.warning(
-        fmt::format("{} pictures do not show the point {:g},{:g} of {} clearly, so the plane of focus follows from points near "
-                    "it. A `focus` with more texture is more exact.",
-                    found.unseen, focus.x, focus.y, files[registered.middle].filename().string()));
+    context.warning(fmt::format(
+        "{} pictures do not show the point {:g},{:g} of {} clearly, so the plane of focus was found from points near "
+        "that point. A `focus` with more texture is more exact.",
+        found.unseen, focus.x, focus.y, files[registered.middle].filename().string()));
   for (std::size_t i = 0; i < files.size(); ++i) registered.pictures[i].x += found.shifts[i];
   result.parallax = parallax_of(registered);
   find_window(registered.pictures, result);

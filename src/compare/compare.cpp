@@ -27,7 +27,7 @@ void check_has_all(const fs::path& path, const std::vector<std::string>& b, cons
     if (!known.contains(name))
       throw Error(path.string(),
                   fmt::format("has no frame {}, unlike {} ({} frames against {})", name, other.string(), b.size(), a.size()),
-                  "two folders with the same frames, or `frames` with those in both");
+                  "two folders with the same frames, or `frames` with the frames in both");
 }
 
 std::string describe(SourceKind kind) {

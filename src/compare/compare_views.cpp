@@ -30,7 +30,7 @@ std::vector<fs::path> wanted_fields(const fs::path& path, const CompareParams& p
   });
   if (!missing.empty())
     throw Error(path.string(), fmt::format("has no frame {}, which `frames` requests", *missing.begin()),
-                "`frames` with those that exist");
+                "`frames` with frames that exist");
   return fields;
 }
 

@@ -101,7 +101,7 @@ class VideoFrames : public FrameSource {
     std::optional<Image8> picture = reader_.next();
     if (!picture && wanted_)
       throw Error(path_.string(), fmt::format("has no frame {}, which `frames` requests", (*wanted_)[taken_]),
-                  "`frames` with those that exist");
+                  "`frames` with frames that exist");
     if (!picture) return std::nullopt;
     ++taken_;
     return Item{fmt::format("frame_{:04}", count_++), [picture = std::move(*picture)] { return picture; }};
@@ -123,7 +123,7 @@ void keep_wanted(const fs::path& folder, const std::vector<int>& wanted, std::ve
   });
   if (!missing.empty())
     throw Error(folder.string(), fmt::format("has no frame {}, which `frames` requests", *missing.begin()),
-                "`frames` with those that exist");
+                "`frames` with frames that exist");
 }
 
 std::unique_ptr<FrameSource> open_folder(const fs::path& folder, const std::optional<std::vector<int>>& wanted,

@@ -99,7 +99,8 @@ std::vector<double> JsonFields::numbers(std::string_view key, std::size_t count,
 
 std::vector<double> JsonFields::numbers_in(std::string_view key, const Json& json, std::size_t count, NumberRange range) const {
   if (!json.is_array() || json.size() != count)
-    reject(key, json.is_null() ? "is missing" : "is not a list of that length", fmt::format("a list of {} numbers", count));
+    reject(key, json.is_null() ? "is missing" : "is not a list, or has another length",
+           fmt::format("a list of {} numbers", count));
   std::vector<double> numbers;
   for (const Json& number : json) numbers.push_back(checked(key, number, range));
   return numbers;

@@ -52,7 +52,7 @@ const void* load_module(const ModuleName& module, int version) {
                 fmt::format("{} or {} (package {})", places[0].string(), places[1].string(), module.package));
   const auto failure = [&](const std::string& reason) {
     return Error(path->string(), fmt::format("{} need this module, and it cannot be loaded ({})", module.purpose, reason),
-                 "libraries of the version that it was built with");
+                 "libraries of the version that this module was built with");
   };
   std::string problem;
   void* loaded = platform::load_library(*path, problem);

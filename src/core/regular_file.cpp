@@ -45,7 +45,8 @@ Contents read_whole(const fs::path& path, std::uintmax_t limit_bytes, const std:
   Contents contents(static_cast<std::size_t>(file.size()), {});
   const std::size_t read = file.read(contents.data(), contents.size());
   if (!file.problem().empty()) throw unreadable(file, path, accepted);
-  if (read < contents.size()) throw Error(path.string(), "cannot be read to its end: it was cut while it was read");
+  if (read < contents.size())
+    throw Error(path.string(), "cannot be read to its end: another program shortened the file meanwhile");
   return contents;
 }
 

@@ -47,8 +47,8 @@ std::unique_ptr<Ranks> join_ranks() {
   std::unique_ptr<Ranks> ranks((*join)());
   if (ranks->size() != rank_count())
     throw Error("MPI",
-                fmt::format("the launcher started {} processes, and MPI connects {} of them", rank_count(), ranks->size()),
-                "a launcher of the Open MPI that the program was built with: mpirun");
+                fmt::format("the launcher started {} processes, but MPI connects only {} of them", rank_count(), ranks->size()),
+                "mpirun of the version of Open MPI that the program was built with");
   return ranks;
 }
 

@@ -98,7 +98,7 @@ FramePictures piece_of(const FramePictures& all, int i, int count) {
 
 void make_frame_folder(const fs::path& folder) {
   std::error_code ignored;
-  if (fs::is_symlink(folder, ignored)) throw Error(folder.string(), "is a symbolic link", "a folder, or nothing of that name");
+  if (fs::is_symlink(folder, ignored)) throw Error(folder.string(), "is a symbolic link", "a folder, or a new name");
   make_folder(folder);
   remove_stale_temporaries(folder);
 }

@@ -50,8 +50,7 @@ PictureLayout default_layout(const Optics& optics, const Display* display) {
 }
 
 void refuse_without(bool has_other, bool given, const char* name, const char* other) {
-  if (given && !has_other)
-    throw usage_error(name, fmt::format("has no effect without {}", other), fmt::format("{} with it", other));
+  if (given && !has_other) throw usage_error(name, fmt::format("has no effect without {}", other), other);
 }
 
 std::optional<PictureLayout> layout_named(const std::string& format) {
@@ -176,7 +175,8 @@ void FrameLayout::arrange_views(const PictureParams& params, PictureLayout layou
 void FrameLayout::pair_views(const StereoLayout& layout, const Optics& optics) {
   const ViewLayout film = film_layout(optics, "layout");
   if (film.kind != LayoutKind::kQuilt || film.grid != ViewGrid{2, 1})
-    throw usage_error("layout", "a stereo picture has optics of its own, with two eyes", "`layout` stereo without `optics`");
+    throw usage_error("layout", "stereo cannot be combined with `optics`: a stereo picture is rendered for two eyes",
+                      "`layout` stereo without `optics`");
   const Vec2i stored = view_size(film, film_, "layout");
   const std::vector<std::uint32_t> film_pixels = pixels_of_views(film, stored, film_);
   stereo_ = layout;

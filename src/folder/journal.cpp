@@ -156,7 +156,7 @@ void read_strip(const Json& json, FolderJournal& journal) {
   const int strip = number_from_json(json.at("strip"), count - 1);
   FileRecords files = records_from_json(json.at("files"), report.frame);
   if (files.size() != 1 || files.begin()->first != strip_name(report.frame, strip))
-    throw LineProblem("names other files than its strip's");
+    throw LineProblem("lists files of another strip");
   JournalStrips& strips = journal.strips[report.frame];
   if (!strips.finished.empty() && strips.count != count)
     throw LineProblem("has another number of strips than the lines before it");
@@ -338,7 +338,7 @@ std::optional<FolderJournal> read_journal(const fs::path& folder) {
   if (type == fs::file_type::none || type == fs::file_type::not_found) return std::nullopt;
   if (type != fs::file_type::directory)
     throw Error(where.string(), "is not a folder",
-                "the folder of journals that lippmann render makes, or nothing of that name");
+                "the folder of journals that lippmann render makes, or no file of that name");
   std::vector<fs::path> parts;
   for (const fs::directory_entry& entry : entries_of(where))
     if (entry.path().extension() == ".jsonl") parts.push_back(entry.path());
@@ -368,7 +368,7 @@ void sync_render(const fs::path& folder, const FolderJournal& journal) {
 
 void require_sound(const fs::path& folder, const FolderJournal& journal) {
   if (!journal.problem.empty())
-    throw Error(journal_folder(folder).string(), "is damaged, or no journal of a render: " + journal.problem,
+    throw Error(journal_folder(folder).string(), "is damaged, or is not the journal of a render: " + journal.problem,
                 "a folder that lippmann render has written to");
 }
 

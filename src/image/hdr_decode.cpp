@@ -149,7 +149,8 @@ class HdrHeaderReader {
       const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), side);
       if (!has_axis || read.ec != std::errc())
         throw unreadable_picture(
-            where_, fmt::format("its resolution is {}, not -Y ROWS +X COLUMNS or with other signs and order", shown(all)));
+            where_,
+            fmt::format("its resolution is {}, not -Y ROWS +X COLUMNS (other signs and +X first are allowed)", shown(all)));
       axis = text[1];
       (axis == 'X' ? shape.right : shape.down) = (text[0] == '+') == (axis == 'X');
       text = trimmed({read.ptr, static_cast<std::size_t>(text.data() + text.size() - read.ptr)});
@@ -175,7 +176,8 @@ class HdrLines {
     const bool may_have_runs = line.size() >= kShortest && line.size() <= kLongest && rest_.size() >= 4;
     const auto byte = [&](std::size_t i) { return std::to_integer<std::size_t>(rest_[i]); };
     if (may_have_runs && byte(0) == 2 && byte(1) == 2 && byte(2) < 0x80) {
-      if ((byte(2) << 8 | byte(3)) != line.size()) throw unreadable_picture(where_, "a scan line has another length");
+      if ((byte(2) << 8 | byte(3)) != line.size())
+        throw unreadable_picture(where_, "a scan line is not as long as the picture is wide");
       rest_ = rest_.subspan(4);
       for (std::size_t component = 0; component < 4; ++component) read_component(line, component);
     } else {
@@ -195,7 +197,8 @@ class HdrLines {
     constexpr std::size_t kRun = 128;
     for (std::size_t at = 0; at < line.size();) {
       const std::size_t code = next(), count = code > kRun ? code - kRun : code;
-      if (count == 0 || count > line.size() - at) throw unreadable_picture(where_, "a run does not end with its scan line");
+      if (count == 0 || count > line.size() - at)
+        throw unreadable_picture(where_, "a run of samples is empty or longer than the rest of its scan line");
       std::uint8_t value = code > kRun ? next() : 0;
       for (std::size_t i = 0; i < count; ++i, ++at) line[at][component] = code > kRun ? value : next();
     }
@@ -215,7 +218,7 @@ class HdrLines {
       }
       const std::size_t count = static_cast<std::size_t>(pixel[3]) << shift;
       if (at == 0 || shift > 16 || count > line.size() - at)
-        throw unreadable_picture(where_, "a run does not fit its scan line");
+        throw unreadable_picture(where_, "a run of pixels is longer than the rest of its scan line, or repeats no pixel");
       std::fill_n(line.begin() + static_cast<std::ptrdiff_t>(at), count, line[at - 1]);
       at += count;
       shift += 8;

@@ -9,7 +9,7 @@ namespace lippmann {
 void check_image_size(const std::string& where, std::int64_t width, std::int64_t height, std::int64_t channels) {
   const bool sides = width >= 1 && height >= 1 && channels >= 1 && width <= kMaxImageSide && height <= kMaxImageSide;
   if (sides && width * height <= kMaxImagePixels && channels <= kMaxImageSamples / (width * height)) return;
-  throw Error(where, fmt::format("a picture of {} x {} pixels with {} channels", width, height, channels),
+  throw Error(where, fmt::format("a picture of {} x {} pixels with {} channels is empty or too large", width, height, channels),
               fmt::format("sides of 1 to {} pixels, at most {} pixels and {} samples", kMaxImageSide, kMaxImagePixels,
                           kMaxImageSamples));
 }

@@ -166,7 +166,7 @@ std::vector<Code> strip_of(const Raster<Code>& image, std::size_t first_row, std
 void check_tiff_size(const std::string& where, int width, int height) {
   const bool sides = width >= 1 && height >= 1 && std::max(width, height) <= kMaxImageSide;
   if (sides && std::int64_t{width} * height <= kMaxTiffPixels) return;
-  throw Error(where, fmt::format("a picture of {} x {} pixels", width, height),
+  throw Error(where, fmt::format("a picture of {} x {} pixels is empty or too large", width, height),
               fmt::format("sides of 1 to {} pixels, at most {} pixels", kMaxImageSide, kMaxTiffPixels));
 }
 

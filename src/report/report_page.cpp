@@ -93,7 +93,7 @@ void require_own_report(const fs::path& file) {
   if (!is_regular_file_there(file)) return;
   if (read_file_text(file, kMostBytes).find(kMark) == std::string::npos)
     throw Error(file.string(), "exists and is not a report page, so it is not replaced",
-                "a new name, or that of a report page");
+                "a new name, or the name of a report page");
 }
 
 }  // namespace

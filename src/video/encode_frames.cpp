@@ -127,7 +127,7 @@ std::vector<NumberedFrame> find_frames(const std::string& from, std::vector<int>
     const auto found = series.find(number);
     if (found == series.end())
       throw Error(from, fmt::format("frame {} is missing", number),
-                  fmt::format("all from {} to {}, or `frames` with those that are there", begin, end));
+                  fmt::format("all frames from {} to {}, or `frames` with frames that exist", begin, end));
     frames.push_back({number, found->second});
   }
   return frames;

@@ -59,7 +59,8 @@ struct VideoWriter::Impl {
 
   Impl(const fs::path& name, const VideoOptions& wanted) : path(name), options(wanted), file(name) {
     if (options.rate.numerator <= 0 || options.rate.denominator <= 0)
-      throw Error(path.string(), fmt::format("{}/{} frames per second", options.rate.numerator, options.rate.denominator),
+      throw Error(path.string(),
+                  fmt::format("cannot play {}/{} frames per second", options.rate.numerator, options.rate.denominator),
                   "a rate above 0");
     checked_crf(path, choose_codec(path, options.codec, 0, 0), options.crf);
   }
@@ -68,7 +69,8 @@ struct VideoWriter::Impl {
     width = first.width, height = first.height;
     const VideoCodec chosen = choose_codec(path, options.codec, width, height);
     if (std::min(width, height) < 2 && chosen == VideoCodec::kFfv1)  // FFmpeg 5.1 decodes such FFV1 frames as black
-      throw Error(path.string(), fmt::format("frames of {} x {} pixels", width, height), "sides of at least 2 pixels");
+      throw Error(path.string(), fmt::format("cannot hold frames of {} x {} pixels", width, height),
+                  "sides of at least 2 pixels");
     encoder = video_module().encoder({.path = path,
                                       .temporary = file.temporary_path().string(),
                                       .codec = chosen,

@@ -121,7 +121,7 @@ TEST(Mpi, ranks_without_connection_are_refused) {
   const TempDir dir;
   const RunResult result = run(Words{"/usr/bin/env", "PMI_SIZE=4"} + tool_command(teapot("a")), {dir.path().string(), 0});
   EXPECT_EQ(result.exit_code, 1);
-  EXPECT_THAT(result.err, HasSubstr("the launcher started 4 processes, and MPI connects 1 of them"));
+  EXPECT_THAT(result.err, HasSubstr("the launcher started 4 processes, but MPI connects only 1 of them"));
 }
 
 }  // namespace

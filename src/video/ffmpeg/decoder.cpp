@@ -88,7 +88,8 @@ class FfmpegDecoder : public VideoDecoder {
     codec_ = own(avcodec_alloc_context3(decoder));
     check(avcodec_parameters_to_context(codec_.get(), stream_->codecpar), "cannot be decoded");
     if (codec_->width > kMaxSide || codec_->height > kMaxSide || std::int64_t{codec_->width} * codec_->height > kMaxPixels)
-      throw Error(path_.string(), fmt::format("frames of {} x {} pixels", codec_->width, codec_->height),
+      throw Error(path_.string(),
+                  fmt::format("has frames of {} x {} pixels, empty or too large", codec_->width, codec_->height),
                   "sides up to 65536 pixels, up to 2^28 pixels");
     codec_->max_pixels = kMaxPixels;
     codec_->err_recognition = AV_EF_CRCCHECK | AV_EF_EXPLODE;
