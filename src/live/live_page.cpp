@@ -50,7 +50,8 @@ Json choices_json() {
 bool wants_all(const std::string& body) {
   const Json json = json_from_text(body);
   const auto frames = json.is_object() ? json.value("frames", Json()) : Json();
-  if (frames != "all" && frames != "this") throw usage_error("frames", "is missing", "all or this");
+  if (frames != "all" && frames != "this")
+    throw usage_error("frames", "does not select frames", "\"all\", or \"this\" for the shown frame");
   return frames == "all";
 }
 

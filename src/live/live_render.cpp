@@ -24,7 +24,7 @@ LiveRender::~LiveRender() {
 void LiveRender::start(const ResolvedJob& job, std::function<void()> ended) {
   {
     const std::lock_guard lock(mutex_);
-    if (state_ == "running") throw Error("render", "another render is running", "cancel it first");
+    if (state_ == "running") throw Error("render", "another render is running", "cancel the running render first");
     state_ = "running", folder_.clear(), error_.clear();
     frames_ = done_ = 0, share_ = 0.0, started_ = now_seconds();
   }

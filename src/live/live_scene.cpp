@@ -167,7 +167,8 @@ void LiveScene::end(const Order& order, const std::string& error, bool is_whole)
 void LiveScene::set_plane(LiveSettings& settings, double z_mm) const {
   const double distance = distance_ - z_mm * world_per_shown_mm_;
   if (!std::isfinite(distance) || !(distance > 0.0))
-    throw usage_error("plane_mm", fmt::format("{:g} mm is not in front of the viewer", z_mm), "a depth in front of the viewer");
+    throw usage_error("plane_mm", fmt::format("{:g} mm lies behind the viewer", z_mm),
+                      fmt::format("a depth below {:.4g} mm, where the viewer is", distance_ / world_per_shown_mm_));
   const std::string text = fmt::format("{:.6g}", distance);
   settings.set("focus", &text);
 }

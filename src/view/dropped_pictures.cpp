@@ -100,7 +100,7 @@ DroppedPictures::~DroppedPictures() = default;
 void DroppedPictures::post(std::string_view path, const std::string& body) {
   const std::lock_guard lock(receiving_);
   if (path == "begin") return begin(body);
-  if (!received_) throw Error("drop", "another page has dropped pictures in the meantime", "dropping the pictures again");
+  if (!received_) throw Error("The dropped pictures", "were replaced by those of another page", "dropping the pictures again");
   if (path == "show") return show();
   append(path, body);
 }
@@ -112,8 +112,10 @@ void DroppedPictures::begin(const std::string& body) {
   const JsonFields fields(json, {}, {});
   const std::vector<std::string> names = fields.texts_or_none("names");
   if (names.size() < 2 || names.size() > kMaxPictures)
-    throw Error("drop", fmt::format("{} picture{}", names.size(), names.size() == 1 ? "" : "s"),
-                fmt::format("2 to {} pictures of one scene, from left to right", kMaxPictures));
+    throw Error(
+        "The dropped pictures",
+        names.size() < 2 ? "are fewer than 2, so they show no depth" : fmt::format("{} pictures are too many", names.size()),
+        fmt::format("2 to {} pictures of one scene, from left to right", kMaxPictures));
   for (const std::string& name : names)
     if (!is_picture_name(name))
       throw Error(printable(name), "is not a picture that can be read", ".jpg, .png, .tif, .webp, .exr or another picture");
@@ -132,10 +134,11 @@ void DroppedPictures::append(std::string_view path, const std::string& bytes) {
   const std::size_t slash = std::min(path.find('/'), path.size());
   const auto index = whole_number<std::size_t>(path.substr(0, slash));
   const auto at = whole_number<std::uintmax_t>(path.substr(std::min(slash + 1, path.size())));
-  if (!index || !at || *index >= received.files.size()) throw Error("drop", "there is no such picture");
+  if (!index || !at || *index >= received.files.size()) throw Error("The dropped pictures", "there is no such picture");
   std::uintmax_t& size = received.sizes[*index];
   if (*at + bytes.size() == size) return;  // a chunk that was sent again because its answer was lost
-  if (*at != size) throw Error(printable(received.names[*index]), "a piece of it is missing", "dropping the pictures again");
+  if (*at != size)
+    throw Error(printable(received.names[*index]), "a part of this file was not received", "dropping the pictures again");
   size += bytes.size();
   received.bytes += bytes.size();
   if (received.bytes > most_bytes_) {

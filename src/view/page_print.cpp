@@ -81,7 +81,7 @@ PagePrints::PagePrints(const PageField& field) : field_(field), pool_(field.thre
 
 Json PagePrints::make(const std::string& request) {
   const std::unique_lock making(making_, std::try_to_lock);
-  if (!making) throw Error("print", "another print is being made", "trying again when it is finished");
+  if (!making) throw Error("print", "another print is being made", "trying again when the other print is finished");
   const PrintRequest wanted = read_print_request(request);
   if (wanted.frame >= field_.facts().frames.size()) throw usage_error("frame", "there is no such frame");
   {

@@ -43,7 +43,8 @@ RunningRender::RunningRender(fs::path folder, ToolCommand resuming, std::chrono:
       reader_(folder_),
       state_(state_in(reader_, folder_)) {
   frames_ = state_.journal.asked;
-  if (frames_.empty()) throw Error(folder_.string(), "no frames were requested", "a render that has begun");
+  if (frames_.empty())
+    throw Error(folder_.string(), "its journal lists no frames of a render", "the folder of a render that has begun");
   take(state_.journal);
 }
 
@@ -108,7 +109,7 @@ void RunningRender::stop() {
   for (const fs::path& part : state_.running)
     if (interrupted_.contains(part) || interrupt_writer(part)) interrupted_.insert(part), interrupted = true;
   if (!interrupted && !resumed_)
-    throw Error(folder_.string(), "no process of this machine renders into it", "a render that runs");
+    throw Error(folder_.string(), "no render on this machine writes into this folder", "the folder of a running render");
   if (!interrupted) resumed_->interrupt();  // the resumed process is not in the journal yet
 }
 
@@ -116,11 +117,12 @@ void RunningRender::resume() {
   const std::lock_guard lock(mutex_);
   updated_ = {};
   update();
-  if (resumed_ || !state_.running.empty()) throw Error(folder_.string(), "a render is running", "stopping it first");
+  if (resumed_ || !state_.running.empty())
+    throw Error(folder_.string(), "a render is running in this folder", "stop the running render first");
   const fs::path job = folder_ / "job.toml";
   if (!is_as_written(state_.journal, folder_, "job.toml"))
-    throw Error(job.string(), "was changed after the render wrote it",
-                "`lippmann render` with `resume` and a job that you trust");
+    throw Error(job.string(), "was changed after the render wrote it, so the page does not run it",
+                "`lippmann render` with `resume` and this job file, if you trust its contents");
   error_.clear();
   resumed_ = std::make_unique<ToolProcess>(resuming_);
 }

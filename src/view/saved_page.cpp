@@ -143,7 +143,7 @@ std::string page_as_file(const std::vector<std::unique_ptr<PageField>>& fields, 
     text += fmt::format("<script type=\"text/plain\" id=\"data:{}\" data-type=\"{}\">{}</script>\n", name, picture.type,
                         base64(picture.bytes));
     if (text.size() > kMaxFileBytes)
-      throw Error("The page", "is larger than 1 GB as one file", "a folder: `lippmann view` with `save`");
+      throw Error("The page", "would be larger than 1 GB as one file", "a page saved as a folder: `lippmann view` with `save`");
   };
   if (!make_pictures(fields, context, append)) return {};
   return text + fmt::format("<script>{}</script>\n", within_script(text_of_page_file("app.js"))) + end;

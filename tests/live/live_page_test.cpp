@@ -72,7 +72,7 @@ TEST_F(LivePages, invalid_requests_are_refused_with_messages) {
   for (const auto& [path, body, said] : {std::tuple{"settings", "no JSON", "JSON"},
                                          {"settings", R"({"settings":{"zoom":"0"}})", "zoom"},
                                          {"settings", R"({"settings":{"environment":"/etc/passwd"}})", "accepts no files"},
-                                         {"render", "{}", "all or this"}}) {
+                                         {"render", "{}", "does not select frames"}}) {
     const PageAnswer answer = ask("POST", std::string("/secret/live/") + path, body);
     EXPECT_EQ(answer.status, 422) << body;
     EXPECT_THAT(Json::parse(*answer.body)["error"].get<std::string>(), HasSubstr(said));
