@@ -99,7 +99,8 @@ Calibration read_calibration(const JsonFields& fields, Calibration c) {
 DisplayLenses read_lenses(const JsonFields& fields) {
   allow_keys_of(Level::kLenses, fields);
   if (fields.has("pitch_mm") == fields.has("lenses_per_inch"))
-    fields.reject("pitch_mm", fields.has("pitch_mm") ? "is given besides lenses_per_inch" : "is missing, and lenses_per_inch",
+    fields.reject("pitch_mm",
+                  fields.has("pitch_mm") ? "is given besides lenses_per_inch" : "is missing, and so is lenses_per_inch",
                   "one of the two");
   DisplayLenses lenses;
   lenses.pitch_mm =
@@ -189,7 +190,8 @@ void check_display(const Display& display, const std::string& where) {
     validate(native_optics(display));
     if (const std::optional<Optics> quilt = quilt_optics(display)) validate(*quilt);
   } catch (const Error& error) {
-    throw Error(where, "the display's pixels have no rays: " + error.where() + " " + error.problem(), error.accepted());
+    throw Error(where, "the rays of the display's pixels cannot be computed: " + error.where() + " " + error.problem(),
+                error.accepted());
   }
 }
 

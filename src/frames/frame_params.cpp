@@ -33,7 +33,8 @@ bool has_layers_of_paths(const Sampling& sampling) {
 const char* name_of_opening(const ViewLens& lens) { return lens.aperture_mm > 0.0f ? "aperture" : "f-number"; }
 
 void check_key_frames(const std::optional<int>& every) {
-  if (every && *every < 1) throw usage_error("keyframes", fmt::format("is {}", *every), "a key frame every 1 or more frames");
+  if (every && *every < 1)
+    throw usage_error("keyframes", fmt::format("is {}", *every), "1 or more frames from one key frame to the next");
 }
 
 void check_floor(const std::optional<double>& min_psnr_db) {
@@ -47,8 +48,7 @@ void check_reuse(const TraceAll&, const Sampling&) {}
 /// Throws if the frame has motion blur. Reused pixels and points belong to a single time.
 void refuse_shutter(const Sampling& sampling) {
   if (sampling.shutter > 0.0f)
-    throw usage_error("shutter", "motion blur cannot be combined with frames that reuse others",
-                      "`reuse` none or auto with it");
+    throw usage_error("shutter", "motion blur cannot be combined with frames that reuse others", "`reuse` none or auto");
 }
 
 void check_reuse(const CopySettled& copy, const Sampling& sampling) {
@@ -77,9 +77,9 @@ void check_reuse(const Interpolate& how, const Sampling& sampling) {
   if (sampling.lens.is_open())
     throw usage_error(name_of_opening(sampling.lens), "depth of field cannot be combined with interpolated frames",
                       "`reuse` copy, none or auto");
-  if (sampling.transparent) throw usage_error("transparent", "interpolated frames have no alpha", "`reuse` none with it");
+  if (sampling.transparent) throw usage_error("transparent", "interpolated frames have no alpha", "`reuse` none");
   if (has_layers_of_every_pixel(sampling))
-    throw usage_error("aov", "interpolated frames have no extra layers but provenance", "`reuse` none with it");
+    throw usage_error("aov", "interpolated frames have no extra layers but provenance", "`reuse` none");
   if (sampling.angular_filter == AngularFilter::kBox)
     throw usage_error("angular-filter",
                       "box cannot be combined with interpolated frames, whose points are each seen by one eye",
@@ -99,11 +99,11 @@ void check_lens(const ViewLens& lens) {
   if (!std::isfinite(lens.focal_plane_mm))
     throw usage_error("focal-plane", fmt::format("is {} mm", lens.focal_plane_mm), "a number of millimetres");
   if (lens.focal_plane_mm != 0.0f && !lens.is_open())
-    throw usage_error("focal-plane", "has no effect without depth of field", "`aperture` or `f-number` with it");
+    throw usage_error("focal-plane", "has no effect without depth of field", "`aperture` or `f-number`");
 }
 
 void check_several_samples(const char* field, const char* problem, const Sampling& sampling) {
-  if (samples_per_pixel(sampling) < 2) throw usage_error(field, problem, "`spp` of 2 or more with it");
+  if (samples_per_pixel(sampling) < 2) throw usage_error(field, problem, "`spp` of 2 or more");
 }
 
 void check_shutter(const Sampling& sampling) {
@@ -113,23 +113,22 @@ void check_shutter(const Sampling& sampling) {
 }
 
 void check_sampling(const Sampling& sampling) {
-  if (sampling.spp < 0) throw usage_error("spp", fmt::format("is {}", sampling.spp), "a number of samples, or 0");
-  if (sampling.max_depth < 0) throw usage_error("max-depth", fmt::format("is {}", sampling.max_depth), "1 or more, or 0");
+  if (sampling.spp < 0) throw usage_error("spp", fmt::format("is {}", sampling.spp), "1 or more samples, or 0 for the default");
+  if (sampling.max_depth < 0)
+    throw usage_error("max-depth", fmt::format("is {}", sampling.max_depth), "1 or more, or 0 for the scene's own limit");
   if (!(sampling.clamp_indirect >= 0.0f))
     throw usage_error("clamp-indirect", fmt::format("is {}", sampling.clamp_indirect), "a number above 0, or 0 for no limit");
   check_lens(sampling.lens);
   check_shutter(sampling);
   if (has_layers_of_paths(sampling) && !facts_of(sampling).separates_light)
-    throw usage_error("aov", "the layers direct and indirect need path tracing", "`integrator` path with them");
+    throw usage_error("aov", "the layers direct and indirect need path tracing", "`integrator` path");
 }
 
 /// Throws if a lens with an open aperture cannot be used with these optics and this sampling.
 void check_lens(const Sampling& sampling, const Optics& optics) {
   const char* const field = name_of_opening(sampling.lens);
   if (!can_have_view_lens(optics))
-    throw usage_error(field,
-                      "depth of field needs optics with views: pixels below lenses have their own directions and blur with "
-                      "depth",
+    throw usage_error(field, "depth of field needs optics with views: a lens array already blurs points far from the display",
                       "`optics` single or multiview");
   check_several_samples(field, "depth of field needs several samples per pixel", sampling);
   if (!(sampling.lens.focal_plane_mm < viewing_distance_mm(optics)))
@@ -143,7 +142,7 @@ void check_angular_filter(const Sampling& sampling, const Optics& optics) {
     throw usage_error(kField,
                       "box needs optics with views: the samples of a pixel below a lens already cover all of its "
                       "directions",
-                      "`optics` multiview, or `spp` alone");
+                      "`optics` multiview, or no `angular-filter`");
   check_several_samples(kField, "box needs several samples per pixel", sampling);
 }
 

@@ -21,14 +21,14 @@ void check(const Placement& placement, const Scene& scene) {
   const FittedArray& array = placement.array;
   const int nodes = static_cast<int>(scene.nodes.size());
   if (array.node < -1 || array.node >= nodes)
-    throw Error("placement", fmt::format("the array moves with node {}, but the scene has {} nodes", array.node, nodes),
-                "place() of the same scene");
+    throw Error("placement", fmt::format("the array moves with node {}, but the number of nodes is {}", array.node, nodes),
+                "a placement that was made for this scene");
   const auto is_size = [](float value) { return value > 0.0f && std::isfinite(value); };
   if (!is_size(array.plane_height) || !is_size(placement.placed.units_per_mm))
     throw Error(
         "placement",
         fmt::format("the plane is {} units high, at {} units a millimetre", array.plane_height, placement.placed.units_per_mm),
-        "two numbers above 0, as returned by place()");
+        "a placement that was made for this scene, with both numbers above 0");
   validate(placement.placed.optics);
 }
 

@@ -67,7 +67,7 @@ LightField read_hci(const fs::path& folder, const FormatOptions& options) {
   const std::vector<NumberedFile> files = numbered_files(folder, name, "input_Cam000.png, input_Cam001.png, ...");
   const int count = static_cast<int>(files.size());
   if (files.front().numbers[0] != 0 || files.back().numbers[0] != count - 1)
-    throw Error(folder.string(), "views are missing", fmt::format("all from 0 to {}", files.back().numbers[0]));
+    throw Error(folder.string(), "some views are missing", fmt::format("all views from 0 to {}", files.back().numbers[0]));
   const std::optional<HciParameters> parameters = read_hci_parameters(folder);
   const ViewGrid grid = grid_of(folder, count, options, parameters);
   std::vector<fs::path> by_view(files.size());

@@ -117,7 +117,8 @@ LightField read_hci_hdf5(const fs::path& path, const FormatOptions& options) {
     read_views<Image16>(*file, channels, field, where);
   const bool has_cameras = set_hdf5_cameras(header.attributes, field, where);
   if (!has_cameras && options.warn)
-    options.warn(where + ": its cameras and depth are unknown: the attributes dH, dV and focalLength are not all there.");
+    options.warn(where +
+                 ": its cameras and depth are unknown: at least one of the attributes dH, dV and focalLength is missing.");
   if (has_cameras && !header.depth.shape.empty()) read_depths(*file, field, where);
   return field;
 }

@@ -50,7 +50,7 @@ void check_llff(const PosedCamera& camera, std::size_t view, const std::string& 
         fmt::format("the axis of view {} is {:.4g} x {:.4g} pixels away from the middle of its picture, which the format "
                     "`llff` cannot express",
                     view, off.x, off.y),
-        "the formats `nerf` and `colmap`, or `cameras` around the scene");
+        "the formats `nerf` and `colmap`, or a render with `cameras`");
 }
 
 }  // namespace

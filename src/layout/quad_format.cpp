@@ -35,7 +35,7 @@ std::vector<fs::path> write_quad(const LightField& field, const fs::path& path, 
     throw usage_error("to",
                       fmt::format("a quad has 4 views from left to right, but the light field has {}x{}", field.grid.columns,
                                   field.grid.rows),
-                      "4 views, selected by `keep`, such as 5-41:12 of 48");
+                      "4 views in one row, selected by `keep`, such as 5-41:12 (views 5, 17, 29 and 41)");
   return write_packed(with_rows_exchanged(field), kQuadAsQuilt, with_quad_name(path));
 }
 

@@ -22,7 +22,7 @@ int number(const std::string& digits) {
 std::vector<int> members(const ViewRange& range, int count, const char* axis, const std::string& flag) {
   const int last = range.last < 0 ? count - 1 : range.last;
   if (range.first > last || last >= count)
-    throw usage_error(flag, fmt::format("there are {2} {0}, but {1} to {3} are requested", axis, range.first, count, last),
+    throw usage_error(flag, fmt::format("{0} {1} to {3} are not all among the {2} {0}", axis, range.first, count, last),
                       fmt::format("0 to {}", count - 1));
   std::vector<int> all;
   for (int i = range.first; i <= last; i += range.step) all.push_back(i);

@@ -102,7 +102,8 @@ Vec2d ViewFitter::window_in_all(Vec2i view, double aspect, ViewGrid grid) const 
 Picture ViewFitter::fitted(const Picture& view, double aspect, int number, ViewGrid grid) {
   const Vec2i from = size_of(view);
   if (has_fitted() && from != original_)
-    throw Error("views", fmt::format("one has {}x{} pixels, but others have {}x{}", from.x, from.y, original_.x, original_.y),
+    throw Error("views",
+                fmt::format("one view has {}x{} pixels, but other views have {}x{}", from.x, from.y, original_.x, original_.y),
                 "views of one size");
   original_ = from, window_ = window_in_all(from, aspect, grid);
   const bool is_whole = window_ == Vec2d(from) && view_shift_px_ == 0.0;

@@ -39,7 +39,7 @@ std::vector<fs::path> views_in(const fs::path& folder, const FormatOptions& opti
   const std::vector<NumberedFile> files = numbered_files(folder, name, kViewNames);
   const int first = files.front().numbers[0], count = static_cast<int>(files.size());
   if (first > 1 || files.back().numbers[0] != first + count - 1)
-    throw Error(folder.string(), "views are missing", fmt::format("all from 0 to {}", files.back().numbers[0]));
+    throw Error(folder.string(), "some views are missing", fmt::format("all views from 0 to {}", files.back().numbers[0]));
   std::vector<fs::path> by_view;
   for (const NumberedFile& file : files) by_view.push_back(file.path);
   return by_view;

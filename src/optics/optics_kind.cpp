@@ -55,7 +55,7 @@ void check_kind_params(const OpticsParams& params, OpticsKind kind) {
   for (const KindParam& param : kKindParams)
     if (param.is_given(params) && !kind.info().takes_param(param.name))
       throw usage_error(std::string(param.name), "has no effect on this kind of optics",
-                        "with `optics` " + kinds_that_take(param.name));
+                        "`optics` " + kinds_that_take(param.name));
 }
 
 std::string_view optics_kinds_help() {

@@ -58,7 +58,7 @@ void check_model(const Panel& panel, const PlenopticCamera& camera) {
   check_position("plenoptic.array_shift_mm", camera.array_shift_mm);
   if (!(camera.distance_mm > 1.001f * camera.focal_length_mm))
     reject_field("plenoptic.distance_mm",
-                 fmt::format("is {} mm, too near for a lens of {} mm", camera.distance_mm, camera.focal_length_mm),
+                 fmt::format("is {} mm, too near for a focal length of {} mm", camera.distance_mm, camera.focal_length_mm),
                  "more than the focal length of the main lens");
   if (!(array_distance_mm(camera) >= kMinLength))
     reject_field("plenoptic.array_shift_mm",
@@ -154,9 +154,10 @@ CameraLengths camera_lengths(const ModelSetup& setup, double cell) {
     throw usage_error(
         setup.params.lens_focal_length_mm ? "lens-focal-length" : "gap",
         fmt::format(
-            "puts the microlenses {:.4g} mm behind the main lens, whose image of the plane in focus lies {:.4g} mm behind it",
+            "puts the microlenses {:.4g} mm and the image of the plane in focus {:.4g} mm behind the main lens, but both "
+            "distances must be above 0",
             camera.t(), camera.s),
-        "a smaller `gap`, or a `lens-focal-length` that differs more from it");
+        "a smaller `gap`, or a `lens-focal-length` that differs more from `gap`");
   camera.f = setup.params.focal_length_mm ? static_cast<double>(*setup.params.focal_length_mm)
                                           : 1.0 / (1.0 / camera.s + 1.0 / static_cast<double>(setup.viewing_distance_mm));
   const bool is_matched = setup.params.gap_mm || setup.params.lens_focal_length_mm;
@@ -167,7 +168,7 @@ CameraLengths camera_lengths(const ModelSetup& setup, double cell) {
   if (image_px < 0.999)
     throw usage_error("f-number",
                       fmt::format("is {:.4g}: the image below each microlens is {:.2g} pixels wide", camera.n, image_px),
-                      "a smaller one, or a longer `gap`");
+                      "a smaller `f-number`, or a longer `gap`");
   return camera;
 }
 

@@ -33,10 +33,10 @@ void check_model(const Panel& panel, const RayTable& table) {
     const Vec3f &at = ray.origin, &to = ray.direction;
     const bool placed = std::max({std::abs(at.x), std::abs(at.y), std::abs(at.z)}) <= kMaxLength;  // false also for NaN
     if (!(placed && std::isfinite(at.x + at.y + at.z) && std::abs(glm::length(to) - 1.0f) <= 1e-3f && to.z < 0.0f))
-      reject_field(
-          "rays.rays",
-          fmt::format("ray {} starts at ({}, {}, {}) mm and runs along ({}, {}, {})", i, at.x, at.y, at.z, to.x, to.y, to.z),
-          "rays that start within 1e9 mm of the centre, and directions of unit length with z < 0");
+      reject_field("rays.rays",
+                   fmt::format("ray {}, which starts at ({}, {}, {}) mm and runs along ({}, {}, {}), is out of range", i, at.x,
+                               at.y, at.z, to.x, to.y, to.z),
+                   "rays that start within 1e9 mm of the centre, and directions of unit length with z < 0");
   }
 }
 

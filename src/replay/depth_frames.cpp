@@ -65,7 +65,7 @@ std::vector<fs::path> files_with_depth(const DepthConversion& params) {
   if (params.depth.empty()) return light_fields_in(params.in, "rgbd");
   std::error_code ignored;
   if (fs::is_directory(params.in, ignored) || is_video_name(params.in))
-    throw usage_error("depth", params.in.string() + " is not a single picture", "a picture with its depth map");
+    throw usage_error("depth", params.in.string() + " is not a single picture", "a picture and its depth map");
   return {params.in};
 }
 

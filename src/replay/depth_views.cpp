@@ -228,7 +228,7 @@ class ViewMaker {
 ViewCameras cameras_for(const Optics& optics) {
   if (const std::optional<RenderedViews> rendered = rendered_views(optics); rendered && rendered->cameras)
     return *rendered->cameras;
-  throw Error("optics", "their views have no known cameras", "the optics of a quilt or of a camera grid");
+  throw Error("optics", "the cameras of their views are unknown", "the optics of a quilt or of a camera grid");
 }
 
 /// Returns a light field with the cameras of the views and with black images.

@@ -114,7 +114,7 @@ LightFieldFrames of_panel(LightFieldFrames frames, const LightFieldHints& hints)
         std::pair(hints.tiles.has_value(), "quilt"), std::pair(hints.cone_ends, "cone-ends")})
     if (given)
       throw usage_error(flag, "has no effect on the interlaced frame of a panel",
-                        "the frame without this flag, or views or a quilt");
+                        fmt::format("no `{}`, or views or a quilt in place of the interlaced frame", flag));
   frames.optics = native_optics(*hints.display), frames.is_panel = true;
   const Vec2i panel(frames.optics.panel.width, frames.optics.panel.height);
   const Vec2i size = size_of(read_picture(frames.files.front()));

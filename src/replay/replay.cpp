@@ -91,7 +91,7 @@ class Replay {
     const Vec2i size = view_.size;
     if (size == Vec2i(0)) return;
     if (size.x < 1 || size.y < 1 || size.x > kMaxSide || size.y > kMaxSide || std::int64_t{size.x} * size.y > kMaxPixels)
-      throw usage_error("size", fmt::format("{}x{} pixels", size.x, size.y),
+      throw usage_error("size", fmt::format("cannot be {}x{} pixels", size.x, size.y),
                         fmt::format("sides from 1 to {}, at most {} pixels", kMaxSide, kMaxPixels));
   }
 
@@ -111,7 +111,7 @@ class Replay {
     for (int i = 0; params_.focal_stack && i < params_.focal_stack->count; ++i)
       stack_mm_.push_back(depth_mm(frames_.optics, params_.focal_stack->plane(i), "focal-stack"));
     if (params_.all_in_focus && !params_.focal_stack)
-      throw usage_error("all-in-focus", "needs a range of depths", "`focal-stack` Z0:Z1:N with it");
+      throw usage_error("all-in-focus", "needs a range of depths", "`focal-stack` Z0:Z1:N");
     if (!params_.video.empty() && has_other_products() && !params_.ipd_mm && params_.sweep == 0)
       throw usage_error("video", "has no effect without eye views",
                         "`ipd` or `sweep`, or no `refocus`, `focal-stack` and `epi`");

@@ -75,7 +75,8 @@ void check(const SpocParams& params) {
 
 Optics spoc_display(const Optics& recorded, const SpocDisplay& display) {
   if (display.pixels < 1 || display.pixels > 4096 || !(display.lens_pitch_mm > 0.0))
-    throw usage_error("lens-pixels", fmt::format("{} pixels below lenses of {} mm", display.pixels, display.lens_pitch_mm));
+    throw usage_error("lens-pixels", fmt::format("is {} with a lens pitch of {} mm", display.pixels, display.lens_pitch_mm),
+                      "1 to 4096 pixels and a pitch above 0");
   Optics optics = recorded;
   const Vec2d window = display_window(recorded).size;
   const std::optional<LensArray> lenses = lens_array(recorded);

@@ -46,7 +46,9 @@ bool is_pair(const Optics& optics) {
 /// Throws if parameters of the eyes are given, since they have no effect on light fields of two views.
 void refuse_eye_params(const StereoParams& params) {
   const auto refuse = [](bool given, const char* flag) {
-    if (given) throw usage_error(flag, "has no effect: a light field of two views keeps them", "a light field of more views");
+    if (given)
+      throw usage_error(flag, "has no effect on a light field of two views, which are shown unchanged",
+                        "a light field of 3 or more views");
   };
   refuse(params.ipd_mm.has_value(), "ipd");
   refuse(params.distance_mm.has_value(), "viewing-distance");

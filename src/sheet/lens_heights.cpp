@@ -41,8 +41,9 @@ double radius_of(double pitch_mm, const LensSpec& spec) {
         given == 0 ? "is missing: the shape of the lenses is unknown" : "conflicts with the other values for the shape",
         "one of `thickness-mm`, `radius-mm` and `height-mm`");
   const auto refuse = [&](const char* name, double value, const std::string& accepted) {
-    return usage_error(name, fmt::format("{:g} makes lenses {:.4f} mm wide more than half a cylinder", value, pitch_mm),
-                       accepted);
+    return usage_error(
+        name, fmt::format("with {:g} mm, lenses of the width {:.4f} mm would be more than half a cylinder", value, pitch_mm),
+        accepted);
   };
   if (spec.height_mm) {
     const double s = *spec.height_mm;

@@ -177,10 +177,10 @@ BlockTest pitch_test(const Display& sheet, int blocks, const PitchStep& step, Ba
     block.pitch_px = stepped(nominal, sheet.dpi, steps, step), block.is_nominal = steps == 0.0;
     constexpr double kRoundingPx = 1e-6;
     if (block.pitch_px < 2.0 - kRoundingPx || block.pitch_px > room_across(sheet, bars))
-      throw usage_error(
-          "step",
-          fmt::format("gives block {} of {} a pitch of {:.5g} pixels, around {:.5g}", i + 1, blocks, block.pitch_px, nominal),
-          "a pitch from 2 pixels to the width of the print in all blocks");
+      throw usage_error("step",
+                        fmt::format("gives block {} of {} a pitch of {:.5g} pixels (the pitch of the sheet is {:.5g})", i + 1,
+                                    blocks, block.pitch_px, nominal),
+                        "a step with which the pitches of all blocks are from 2 pixels to the width of the print");
     plan.blocks.push_back({block, fmt::format("{:.3f} lpi{}{:.3f} px{}", sheet.dpi / block.pitch_px, separator(bars),
                                               block.pitch_px, block.is_nominal ? " *" : "")});
   }

@@ -583,8 +583,8 @@ FittedArray fit_array(const Scene& scene, float aspect, const ViewWish& wish) {
 Affine3f world_from_display(const FittedArray& array, float units_per_mm, const ResolvedScene& resolved) {
   const int nodes = static_cast<int>(resolved.world_from_node.size());
   if (array.node < -1 || array.node >= nodes)
-    throw Error("array", fmt::format("moves with node {}, but the scene has {} nodes", array.node, nodes),
-                "fit_array() of the same scene");
+    throw Error("array", fmt::format("moves with node {}, but the number of nodes is {}", array.node, nodes),
+                "an array that was fitted to this scene");
   const Affine3f plane = similarity(resolved.of(array.node)) * array.node_from_plane;
   return {plane.linear * units_per_mm, plane.translation};
 }

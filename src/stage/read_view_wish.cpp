@@ -92,7 +92,7 @@ std::vector<bool> instances_named(const Scene& scene, const std::string& name, c
 
 Orbit read_orbit(std::string_view text, const std::string& where) {
   const std::vector<std::string_view> parts = split_at_commas(text);
-  if (parts.size() > 2) throw usage_error(where, shown(text), "YAW or YAW,PITCH in degrees");
+  if (parts.size() > 2) throw usage_error(where, shown(text) + " has more than two numbers", "YAW or YAW,PITCH in degrees");
   Orbit orbit;
   orbit.yaw_deg = static_cast<float>(read_number(parts[0], -360.0, 360.0, where));
   if (parts.size() == 2) orbit.pitch_deg = static_cast<float>(read_number(parts[1], -90.0, 90.0, where));
@@ -115,7 +115,8 @@ std::vector<double> read_focus(const Scene& scene, const std::string& text) {
   }
   const bool is_distance = numbers.size() == 1 && numbers[0] > 0.0;
   if (!is_distance && numbers.size() != 3)
-    throw usage_error("focus", shown(text), "a node's name, a point X,Y,Z, or a distance above 0");
+    throw usage_error("focus", shown(text) + " is neither a point nor a distance",
+                      "a node's name, a point X,Y,Z, or a distance above 0");
   return numbers;
 }
 

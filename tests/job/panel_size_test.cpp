@@ -126,9 +126,8 @@ TEST(PanelSize, parameters_of_other_optics_are_refused) {
   RenderParams params;
   params.optics.kind = OpticsKind::kSingle;
   params.optics.lenses = {64, 0};
-  EXPECT_THAT(
-      refusal(params),
-      HasSubstr("lenses: has no effect on this kind of optics; accepted: with `optics` lenticular, microlens or plenoptic"));
+  EXPECT_THAT(refusal(params),
+              HasSubstr("lenses: has no effect on this kind of optics; accepted: `optics` lenticular, microlens or plenoptic"));
   params = {};
   params.optics.views = {8, 6};
   EXPECT_THAT(refusal(params), HasSubstr("views: "));
