@@ -26,7 +26,7 @@ void check_has_all(const fs::path& path, const std::vector<std::string>& b, cons
   for (const std::string& name : a)
     if (!known.contains(name))
       throw Error(path.string(),
-                  fmt::format("has no frame {}, unlike {} ({} frames against {})", name, other.string(), b.size(), a.size()),
+                  fmt::format("has no frame {} ({} frames), unlike {} ({} frames)", name, b.size(), other.string(), a.size()),
                   "two folders with the same frames, or `frames` with the frames in both");
 }
 

@@ -122,7 +122,7 @@ void require_sum(const fs::path& file, const std::function<std::optional<FileChe
   if (sums.empty()) return;
   const std::optional<FileChecksum> found = sum();
   if (found && std::find(sums.begin(), sums.end(), *found) != sums.end()) return;
-  throw Error(file.string(), "is damaged or was replaced: its bytes differ from those that its render wrote",
+  throw Error(file.string(), "is damaged or was replaced: its bytes differ from the bytes that its render wrote",
               ways_out(of_render->folder));
 }
 

@@ -29,7 +29,8 @@ LightField read_eslf(const fs::path& path, const FormatOptions& options) {
   const std::optional<EslfSideFile> side = read_eslf_side_file(path);
   const ViewGrid grid = side && !options.views ? side->grid : wanted_views(path, options);
   if (side && grid != side->grid)
-    throw Error(path.string(), fmt::format("its side file states {}x{} views", side->grid.columns, side->grid.rows),
+    throw Error(path.string(),
+                fmt::format("its side file states {}x{} views, unlike `views`", side->grid.columns, side->grid.rows),
                 "the same number in `views`, or no `views`");
   LightField field = read_packed(path, {LayoutKind::kEslf, grid, {}}, options.with_depth, options.warn);
   if (side) field.positions = side->positions, field.cameras = side->cameras;

@@ -253,7 +253,7 @@ PanelSize microlens_size(const OpticsParams& params, Vec2i) {
   constexpr float kHexagonalRow = 0.8660254f;  // row pitch divided by lens pitch
   const float pixels = lens_pixels_across(params);
   if (params.lens_pixels.y > 0.0f && params.lens_pixels.y != pixels)
-    throw usage_error("lens-pixels", fmt::format("{} pixels across but {} down", pixels, params.lens_pixels.y),
+    throw usage_error("lens-pixels", fmt::format("is {} pixels across but {} down", pixels, params.lens_pixels.y),
                       "the same number across and down");
   const float row_pixels = params.packing == LensPacking::kHexagonal ? pixels * kHexagonalRow : pixels;
   if (params.size.x > 0) {

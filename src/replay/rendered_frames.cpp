@@ -24,7 +24,7 @@ void check_layout(const Rendering& rendering, const std::string& where) {
   const std::string& layout = rendering.layout;
   const bool is_quilt = view_tiles(rendering.optics).has_value();
   if (layout == "views" || layout == "eslf" || (layout == "quilt" && !is_quilt) || (layout == "integral" && is_quilt))
-    throw Error(where, "the pictures have the layout " + shown(layout) + ", not that of the panel",
+    throw Error(where, "the pictures have the layout " + shown(layout) + ", not the layout of the panel",
                 "a render without `layout`, or a conversion of the pictures to integral");
 }
 

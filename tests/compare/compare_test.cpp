@@ -118,7 +118,7 @@ TEST(Compare, missing_frame_is_named) {
   make_folder(dir / "four", 4);
   make_folder(dir / "three", 3);
   EXPECT_THAT(error_message([&] { compare_quietly(dir / "four", dir / "three"); }),
-              AllOf(HasSubstr("three: has no frame frame_0003"), HasSubstr("3 frames against 4")));
+              AllOf(HasSubstr("three: has no frame frame_0003"), HasSubstr("(3 frames), unlike"), HasSubstr("(4 frames)")));
   EXPECT_THAT(error_message([&] { compare_quietly(dir / "three", dir / "four"); }),
               HasSubstr("three: has no frame frame_0003"));
 }

@@ -54,7 +54,7 @@ TEST(RecordedFile, changed_bytes_are_refused) {
   for (const char* name : {"frame_0000.png", "aov_0000.exr", "frame_0001/view_001.png"}) {
     EXPECT_EQ(refusal_of_file(dir / name, name), kNone);
     EXPECT_THAT(refusal_of_file(dir / name, "other bytes"),
-                testing::AllOf(HasSubstr(name), HasSubstr("bytes differ from those that its render wrote")));
+                testing::AllOf(HasSubstr(name), HasSubstr("bytes differ from the bytes that its render wrote")));
   }
   EXPECT_EQ(refusal_of_file(dir / "report.json", "report"), kNone);
   EXPECT_NE(refusal_of_file(dir / "report.json", "reports"), kNone);
@@ -69,7 +69,7 @@ TEST(RecordedFile, videos_and_side_files_are_compared) {
     require_as_recorded(dir / name);
     make_render_file(dir / name, "other bytes");
     EXPECT_THAT(test::error_message([&] { require_as_recorded(dir / name); }),
-                HasSubstr("bytes differ from those that its render wrote"));
+                HasSubstr("bytes differ from the bytes that its render wrote"));
   }
 }
 
