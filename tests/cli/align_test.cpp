@@ -83,7 +83,7 @@ TEST_F(AlignTool, invalid_points_and_pairs_are_refused) {
   };
   refuse({"align", "in", "out", "--focus", "3"}, 2, "--focus: '3' is not a point");
   refuse({"align", "in", "out", "--focus", "3,999"}, 2,
-         "--focus: 3,999 lies outside the pictures; accepted: a place in 400x300");
+         "--focus: 3,999 lies outside the pictures; accepted: a point within 400x300 pixels");
   refuse({"align", "in", "out", "--display", "portrait", "--dpi", "300"}, 2, "--dpi: cannot be combined with --display");
   refuse({"align", "none", "out"}, 1, "none");
   Image8 plain{200, 60, std::vector<unsigned char>(std::size_t{3} * 200 * 60, 90)};

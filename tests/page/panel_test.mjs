@@ -116,7 +116,7 @@ test("invalid calibrations give a message", async () => {
   for (const [text, message] of [
     ["no JSON", /visual\.json cannot be used: the calibration/],
     ["{}", /screenW/],
-    ['{"pitch":50,"slope":0,"center":0,"DPI":324,"screenW":100,"screenH":100}', /slope.*lenses that lie along the rows/],
+    ['{"pitch":50,"slope":0,"center":0,"DPI":324,"screenW":100,"screenH":100}', /slope.*lenses lie along the rows/],
     ['{"pitch":50,"slope":-7,"center":0,"DPI":324,"screenW":100,"screenH":0}', /screenH/],
     [" ".repeat((1 << 20) + 1), /larger than 1 MB/],
   ]) {
@@ -130,7 +130,7 @@ test("light fields that no panel plays are refused", async () => {
   writeFileSync(inFolder("broken.json"), "{");
   await assert.rejects(play(quilts[0], "--display", "broken.json"), /broken\.json/);
   await assert.rejects(play(quilts[0], "--display", "missing.json"), /there is no such file/);
-  await assert.rejects(play(quilts[0], "--display", "microlens-1mm-4k"), /pixels are not interlaced/);
+  await assert.rejects(play(quilts[0], "--display", "microlens-1mm-4k"), /only slanted panels have interlaced pixels/);
   await assert.rejects(play("grid", "--display", "portrait"), /5x5 views/);
   await assert.rejects(play(quilts[0]), /--display/);
 });

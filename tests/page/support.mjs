@@ -36,8 +36,8 @@ const opened = [];
 const idle = [];
 
 export async function end() {
-  servers.forEach((server) => server.kill());
   await browser.close();
+  servers.forEach((server) => server.kill());
   rmSync(folder, { recursive: true, force: true });
   assert.deepEqual(takeComplaints(), []);
 }
