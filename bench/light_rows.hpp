@@ -27,7 +27,7 @@ struct LightCase {
 /// Throws a usage Error that lists the rows for any other name.
 std::vector<LightCase> light_cases(const Request& request, const Context& context);
 
-/// Returns the list of rows for printing, one row per line.
+/// Returns the names of the rows of the benchmark `light` and their descriptions for printing, one row per line.
 std::string light_row_list();
 
 }  // namespace lippmann::bench

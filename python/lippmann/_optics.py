@@ -253,7 +253,7 @@ def own_optics(
     pixel_mm: size of a pixel.
     samples_per_side: every pixel has samples_per_side squared rays. Each of its samples (spp) uses one of them.
 
-    Such pictures have no views, and cannot be interpolated, denoised or replayed.
+    Such pictures have no views. They cannot be rendered with reuse or denoising, and replay cannot show them to an eye.
     """
     if not callable(rays):
         raise Error("rays", f"is {rays!r}", _RAYS)

@@ -97,7 +97,7 @@ void check_lens(const ViewLens& lens) {
   if (lens.aperture_mm > 0.0f && lens.f_number > 0.0f)
     throw usage_error("f-number", "cannot be combined with `aperture`: both set the width of the lens", "one of the two");
   if (!std::isfinite(lens.focal_plane_mm))
-    throw usage_error("focal-plane", fmt::format("is {} mm", lens.focal_plane_mm), "a number of millimetres");
+    throw usage_error("focal-plane", fmt::format("is {} mm", lens.focal_plane_mm), "a finite number of millimetres");
   if (lens.focal_plane_mm != 0.0f && !lens.is_open())
     throw usage_error("focal-plane", "has no effect without depth of field", "`aperture` or `f-number`");
 }

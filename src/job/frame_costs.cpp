@@ -9,10 +9,9 @@
 namespace lippmann {
 namespace {
 
-/// Assumed number of frames per key frame, if any frame may become a key frame from which others are copied. It cannot be
-/// measured, because the first frame of a measurement is always a key frame. After a key frame that does not pay off, the
-/// renderer makes 16 or more frames without a key frame. After a key frame that pays off, about as many frames are copied
-/// (frames/exact_frames.cpp).
+/// Assumed number of frames per key frame, if the renderer chooses the key frames itself. About 16 frames are copied from a key
+/// frame that pays off, and at least 16 frames without a key frame follow one that does not (frames/exact_frames.cpp). Short
+/// trial renders would measure too few, because their first frame is always a key frame.
 constexpr double kFramesPerFreeKey = 16.0;
 
 double mean_cost(const std::vector<double>& costs) {

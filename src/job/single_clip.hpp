@@ -7,9 +7,10 @@
 
 namespace lippmann {
 
-/// Returns the parameters that render the plain picture into kSingleFolder, a folder in the folder of the light field. Its
-/// videos are named NAME_single.mp4 etc. `optics` are the optics of `params`. With a display, the picture has the size of the
-/// display's panel. Without a display, it has the size of the panel, or of one view of a quilt.
+/// Returns the parameters that render the ordinary picture of the scene, with a single view, into kSingleFolder, a folder in
+/// the folder of the light field. The videos of this picture are named NAME_single.mp4 etc. `optics` are the optics of
+/// `params`. With a display, the picture has the size of the display's panel. Without a display, it has the size of the panel,
+/// or of one view of a quilt.
 RenderParams single_clip(const RenderParams& params, const Optics& optics);
 
 }  // namespace lippmann

@@ -12,8 +12,8 @@ namespace lippmann {
 Vec2i coarse_view_size(const PageFacts& facts, double pixels);
 
 /// Returns optics that consist of a table of rays. Their film is a quilt with facts.tiles tiles of the size view_size. If views
-/// consist of whole pixels of the panel, each ray is the ray of the nearest pixel of the panel. Otherwise the ray passes from
-/// the view's eye through its point of the plane z = 0.
+/// consist of whole pixels of the panel, a pixel of a tile has the ray of the nearest panel pixel of its view. Otherwise its
+/// ray begins at the eye of the view and passes through the position of the pixel in the plane z = 0.
 Optics view_rays(const PlacedOptics& placed, const PageFacts& facts, Vec2i view_size);
 
 }  // namespace lippmann

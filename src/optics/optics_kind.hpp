@@ -24,7 +24,7 @@ struct ModelSetup {
   const OpticsParams& params;
   Panel panel;
   PanelSize size;
-  float viewing_distance_mm;  ///< finite for optics without lenses; for a camera: its distance from the plane z = 0
+  float viewing_distance_mm;  ///< may be infinite for optics with lenses; for a camera: its distance from the plane z = 0
   Vec2f pixel_offset{0.0f};   ///< shift of the sample points of the scene's camera, in pixels
   /// Distance from the panel to a pinhole with the field of view of the scene's camera.
   float pinhole_mm = kInfinity;

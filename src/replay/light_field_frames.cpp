@@ -223,7 +223,7 @@ Optics optics_of_cameras(const LightField& field, const std::string& where) {
   const double tolerance_px = 0.01 * field.view_size.x;
   if (std::abs(off_axis_px.x) > tolerance_px)
     throw Error(where, fmt::format("the optical axes of its cameras are {:.4g} pixels off centre", off_axis_px.x),
-                "cameras whose axes meet the middle of the display, at any height");
+                "cameras whose axes meet the vertical line through the middle of the display");
   const bool is_level = std::abs(off_axis_px.y) <= tolerance_px;
   const auto eye_height_mm = static_cast<float>(is_level ? 0.0 : -off_axis_px.y * cameras.pixel_mm.y);
   Optics optics;

@@ -1,18 +1,19 @@
 // Interpolates the colour at a pixel's centre if the point that landed on the pixel is off-centre.
 //
-// A directional view of a lens array has one sample per lens, so a point may land up to half a lens away from the next sample.
-// Using the point's colour unchanged, as the paper does (see average.hpp), causes most of the error of in-between frames. The
-// other views of the same panel row have sampled the same surface at other positions. At depth z, the samples shift by z m/g
-// from view to view, with m the width of a pixel and g the gap between pixels and lenses (lines of the epipolar-plane image).
-// If the colour changes next to the sample, the colour is interpolated:
-//   1. Let d be the offset of the projected point from the sample's centre, in lenses. The pixel shows the position at -d from
-//      the centre of the sample.
-//   2. Choose the layer, which is the surface that the pixel shows. It is the surface of the sample, or of the next sample of
-//      the same view on the side of -d, whichever is nearer to the viewer.
+// A directional view of a lens array has one sample per lens, so a point may land up to half a lens away from the nearest
+// sample. Using the point's colour unchanged, as the paper does (see average.hpp), causes most of the error of in-between
+// frames. The other views of the same panel row have sampled the same surface at other positions. At depth z, the samples shift
+// by z m/g from view to view, with m the width of a pixel and g the gap between pixels and lenses (lines of the epipolar-plane
+// image). If the colour changes next to the sample, the colour is interpolated:
+//   1. A sample is one pixel of a view, and belongs to one lens. Let d be the offset of the projected point from the centre of
+//      its sample, in lenses. The colour is wanted at the centre, which lies at -d from the point.
+//   2. Choose the layer, which is the surface that the pixel shows. It is the surface of the sample, or of the neighbouring
+//      sample of the same view on the side of -d, whichever is nearer to the viewer.
 //   3. Among up to `kViews` views on each side, find the nearest samples to the left and to the right of the position. Assume
 //      the layer's depth for all samples. Distant views get a penalty, because highlights and mirror images change with the
 //      direction.
-//   4. Look up both samples. A sample on the layer's object gets its true position. A sample behind the layer, near the edge of
+//   4. Look up both samples. If a sample lies on the layer's object, its own depth replaces the assumed one. A sample behind
+//   the layer, near the edge of
 //      the layer, shows that the layer has ended; it gives the colour behind the layer. A sample in front of the layer is
 //      ignored.
 //   5. Interpolate linearly between the nearest sample to the left and the nearest sample to the right. The two samples of the
@@ -42,7 +43,7 @@ class EpipolarSampler {
   /// visible.
   EpipolarSampler(const Optics& optics, Encoding encoding);
 
-  /// Sets image.contrast: marks each pixel whose colour differs from the next sample of its view.
+  /// Sets image.contrast: marks each pixel whose colour differs from that of a neighbouring sample of its view.
   void find_contrast(PointImage& image, const ThreadPool& pool) const;
 
   /// Computes interpolated colours for landed points. `sources` holds the source pixel of each point in `image`. `colors`

@@ -64,7 +64,7 @@ class InBetweenMaker {
                        PointImage& frame);
 
   /// Predicts the film of a traced frame and compares it with the traced film. Returns the errors and costs, which help to
-  /// predict other frames between the same sources. The previous frame must have ray counts.
+  /// predict other frames between the same two source frames. The earlier source frame must have ray counts.
   FloorLesson learn_floor(const SourcePair& between, int number, const PointImage& traced, const ThreadPool& pool);
 
   /// Makes the film of the frame with a PSNR of at least params.floor. Returns `holds` = false, and an unusable film, if

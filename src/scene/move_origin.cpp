@@ -93,8 +93,8 @@ class OriginMover {
  private:
   Vec3d anchor(int node) const { return node < 0 ? origin_ : anchors_[at(node)]; }
 
-  /// Returns for each node whether it must keep its coordinates. Nodes with animated rotation or scale must, and so must nodes
-  /// of cameras, lights and the display, whose origin has a meaning.
+  /// Returns for each node whether it must keep its origin, so that it gets no anchor. True for nodes with animated rotation or
+  /// scale, and for nodes of cameras, lights and the display, whose origin has a meaning.
   std::vector<bool> nodes_without_anchor() const {
     std::vector<bool> without(scene_.nodes.size(), false);
     const auto exclude = [&](int node) {

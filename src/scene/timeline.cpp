@@ -4,8 +4,9 @@
 // - cubic Hermite spline. Tangents are per second and are multiplied by the length of the interval. Quaternions are normalised
 //   after interpolation.
 //
-// Bounds are exact for every affine map. Let l be row i of the map's linear part. A ball of radius r extends r |l| from its
-// centre along axis i. A disc of radius r with unit normal n extends r |l - (l . n) n| from its centre along axis i.
+// The bounds of transformed balls and discs are exact for every affine map. Let l be row i of the map's linear part. A ball of
+// radius r extends r |l| from its centre along axis i. A disc of radius r with unit normal n extends r |l - (l . n) n| from its
+// centre along axis i.
 #include "lippmann/scene/timeline.hpp"
 
 #include <fmt/format.h>

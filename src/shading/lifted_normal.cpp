@@ -1,9 +1,9 @@
 // After: A. Keller et al., "The Iray Light Transport Simulation and Rendering System", 2017, appendix A.3 "Local Shading Normal
-// Adaption", which states the requirements. The closed-form solution is our own:
+// Adaption", which requires that mirrored directions rise above the facet. The closed-form solution is our own:
 // 1. The plane of the facet's normal and the given normal has axes z (the facet's normal) and x (towards the given normal).
 // 2. A normal in this plane at angle a from z mirrors the view (vx, vz) to a direction of height vx sin 2a + vz cos 2a over the
 // facet.
-// 3. Solving for the required height gives a.
+// 3. Setting this height to the required minimum (kLeastHeight, kPartOfView) gives a.
 #include "shading/lifted_normal.hpp"
 
 #include <algorithm>

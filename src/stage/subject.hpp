@@ -50,7 +50,8 @@ std::vector<int> sampled_frames(const Timeline& timeline);
 /// Returns a subject with all visible instances.
 Subject whole_scene(const Scene& scene);
 
-/// Returns the bounds of the part of an instance that belongs to the subject, like finite_bounds().
+/// Returns the bounds of the part of an instance that belongs to the subject. Infinite shapes are left out, as in
+/// finite_bounds().
 Bounds3f bounds_of_part(const Scene& scene, const Subject& subject, std::size_t instance, const ResolvedScene& resolved,
                         const Affine3f& frame_from_world = {});
 

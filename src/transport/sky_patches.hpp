@@ -145,7 +145,7 @@ class PatchChoice {
   DiscreteDistribution tile_rows_;
   std::vector<DiscreteDistribution> tiles_;  ///< one distribution of tiles for each row of tiles
   std::vector<TileRows> rows_;               ///< one element per tile
-  std::vector<std::uint8_t> own_;  ///< one element per row of each tile; a bit is 1 if its patch belongs to the subset
+  std::vector<std::uint8_t> own_;  ///< one element per row of each tile; bit i is 1 if this choice includes patch i of the row
 };
 
 }  // namespace lippmann

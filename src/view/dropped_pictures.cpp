@@ -108,7 +108,7 @@ void DroppedPictures::post(std::string_view path, const std::string& body) {
 void DroppedPictures::begin(const std::string& body) {
   received_.reset();
   const nlohmann::ordered_json json = json_from_text(body);
-  if (!json.is_object()) throw Error("The list of pictures", "is not a JSON object");
+  if (!json.is_object()) throw Error("The list of pictures", "is not a JSON object", "an object with the list `names`");
   const JsonFields fields(json, {}, {});
   const std::vector<std::string> names = fields.texts_or_none("names");
   if (names.size() < 2 || names.size() > kMaxPictures)

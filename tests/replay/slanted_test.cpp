@@ -35,7 +35,7 @@ RenderedPanel record_sub_pixels(const Optics& optics, double z, const Color& col
   return panel;
 }
 
-/// Returns the colour of waves that are 19 lenses long.
+/// Returns the colour at a point of a pattern of waves. The waves are as long as 19 lenses are wide.
 Vec3f long_waves(Vec2d p) { return test::waves(0.22 * p); }
 
 Image view_from(const RenderedPanel& panel, Vec3d eye_mm) {
@@ -45,9 +45,9 @@ Image view_from(const RenderedPanel& panel, Vec3d eye_mm) {
   return eye_view(panel, view, pool);
 }
 
-// All sub-pixels below a lens show the same position. It is up to half a lens width of 1.6 mm, 0.8 mm, beside the correct
-// point. The largest error is 0.4 * 0.2 * 0.8 = 0.06 (amplitude, rad/mm, mm), which is 24 dB. The mean error is half of it,
-// which is 30 dB.
+// All sub-pixels below a lens show the same position. With lenses 1.6 mm wide, this position is up to 0.8 mm beside the correct
+// point. The waves have an amplitude of 0.4 and a frequency of 0.2 rad/mm, so the largest error is 0.4 * 0.2 * 0.8 = 0.06, a
+// PSNR of 24 dB. The mean error is half as large: 30 dB.
 TEST(SlantedSight, scenes_equal_direct_views_within_a_lens) {
   const Optics optics = slanted_panel();
   for (const double z : {-8.0, 0.0, 8.0}) {

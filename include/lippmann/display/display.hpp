@@ -36,10 +36,14 @@ using SubPixelCell = std::array<Vec2f, 3>;
 /// the comment of the member begins with the key.
 ///
 /// The panel has W x H pixels. (x, y) is the position of a pixel, from 0 to 1 with y up. c = 0, 1, 2 is the colour of a
-/// sub-pixel. As in Looking Glass Factory's shaders, the sub-pixel is at phase z below the lenses and shows the view v:
-///   z = (x + c s + y T) P - center,  v = 1 - fract(z),
-///   P = pitch W / DPI cos(atan(1 / slope)),  T = H / (W slope),  s = 1 / (3 W)
-/// flip_image_x negates T and s by default (see Flip). flip_image_y has no effect, as in those shaders.
+/// sub-pixel. As in Looking Glass Factory's shaders, the sub-pixel is at phase z below the lenses and shows the view v, from 0
+/// to 1:
+///   z = (x + c s + y T) P - center,  v = 1 - fract(z)
+///   P = (pitch W / DPI) cos(atan(1 / slope)): the number of lenses across the panel, which has DPI pixels per inch
+///   T = H / (W slope): the shift of the lenses over the height of the panel, in widths of the panel
+///   s = 1 / (3 W): the width of a sub-pixel, in widths of the panel
+/// If flip_image_x is set, T and s change their sign, unless Flip states otherwise. flip_image_y has no effect, as in those
+/// shaders.
 struct Calibration {
   double pitch = 52.0;  ///< lenses per inch, measured perpendicular to the lenses
   double slope = -7.0;  ///< slope of the lenses: pixels down per pixel to the right

@@ -43,7 +43,7 @@ class Row {
   const Element& element_;
   std::vector<double> values_;
   std::size_t cut_ = 0;
-  double cut_scale_ = 1.0;  ///< full_scale() of the last clamped component
+  double cut_scale_ = 1.0;  ///< the largest value of the last clamped component, from full_scale()
 };
 
 }  // namespace lippmann::ply

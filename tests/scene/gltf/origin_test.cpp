@@ -105,7 +105,7 @@ TEST(GltfOrigin, animated_translation_moves_with_it) {
 
 TEST(GltfOrigin, scenes_near_the_origin_keep_it) {
   GltfBuilder b;
-  // The limit is 64 diagonals of the triangle, or 90 units.
+  // The origin moves if a scene is farther away than 64 of its diagonals. For the triangle, these are 90 units.
   b.add_node({{"mesh", b.add_triangle()}, {"translation", {60, 0, 0}}});
   const Scene scene = parse_valid(b);
   EXPECT_EQ(scene.origin, Vec3d(0.0));
