@@ -80,9 +80,9 @@ TEST(Subset, rejects_invalid_selections) {
   for (const char* text : {"", "4x4", "4x4+1", "4x-4+0+0", "4x4+0+0x"})
     EXPECT_THAT(error_message([&] { read_crop(text, "--crop"); }), HasSubstr("as a window")) << text;
   EXPECT_THAT(error_message([&] { keep(field, read_kept_views("0-3", "--keep"), "--keep"); }),
-              HasSubstr("there are 3 columns, but 0 to 3"));
+              HasSubstr("columns 0 to 3 are not all among the 3 columns"));
   EXPECT_THAT(error_message([&] { keep(field, read_kept_views("allx2-1", "--keep"), "--keep"); }),
-              HasSubstr("there are 2 rows, but 2 to 1"));
+              HasSubstr("rows 2 to 1 are not all among the 2 rows"));
   EXPECT_THAT(error_message([&] { crop(field, read_crop("4x4+1+0", "--crop"), "--crop"); }), HasSubstr("does not lie in"));
   EXPECT_THAT(error_message([&] { crop(field, read_crop("0x4+0+0", "--crop"), "--crop"); }), HasSubstr("does not lie in"));
 }

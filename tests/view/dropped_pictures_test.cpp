@@ -84,7 +84,7 @@ TEST_F(Dropped, repeated_piece_counts_once) {
   pictures_->post("show", "{}");
   EXPECT_EQ(fields()["fields"][0]["across"]["views"], 2);
   pictures_->post("begin", list_of({"a.png", "b.png"}));
-  EXPECT_THAT(message("0/5", bytes), AllOf(HasSubstr("a.png"), HasSubstr("missing")));
+  EXPECT_THAT(message("0/5", bytes), AllOf(HasSubstr("a.png"), HasSubstr("not received")));
 }
 
 TEST_F(Dropped, messages_have_the_names_of_the_page) {
