@@ -93,7 +93,7 @@ TEST(Sheet, mistakes_leave_nothing_behind) {
   refuse("viewing-zone", Words{"--views", "10"} + kSmall, "--views: 10 views do not fit in 9 pixels");
   refuse("lens", kSmall, "--thickness-mm, --radius-mm and --height-mm");
   refuse("lens", {"--lpi", "60", "--dpi", "1440", "--radius-mm", "1"}, "without --paper");
-  refuse("lens", Words{"--radius-mm", "0.1"} + kSmall, "--radius-mm: 0.1 makes lenses");
+  refuse("lens", Words{"--radius-mm", "0.1"} + kSmall, "--radius-mm: with 0.1 mm, lenses");
   refuse("pitch", {"--display", "portrait"}, "portrait is not a lenticular sheet");
   expect_refusal(run_tool(dir, Words{"sheet", "lens", "-o", "o/out.tiff", "--radius-mm", "1"} + kSmall), 2, "ends in .png");
   EXPECT_FALSE(fs::exists(dir / "o"));
