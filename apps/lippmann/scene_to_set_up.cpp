@@ -20,8 +20,8 @@ constexpr int kFirstViews = 8, kFirstViewSide = 360;
 
 void refuse_light_field_flags(const LightFieldFlags& field) {
   constexpr const char* kAccepted = "a rendered folder as IN";
-  if (!field.from.empty()) throw usage_error("--from", "has no effect on a scene, but IN is a scene", kAccepted);
-  if (!field.report.empty()) throw usage_error("--report", "has no effect on a scene, but IN is a scene", kAccepted);
+  if (!field.from.empty()) throw usage_error("--from", "has no effect: IN is a scene", kAccepted);
+  if (!field.report.empty()) throw usage_error("--report", "has no effect: IN is a scene", kAccepted);
 }
 
 }  // namespace
@@ -44,12 +44,11 @@ bool is_scene_to_set_up(const std::string& in) {
 }
 
 void refuse_scene_flags(const std::string& in, const SceneToSetUpFlags& flags) {
-  if (!flags.job_file.empty())
-    throw usage_error("--save-job", "has no effect on a light field, but IN is a light field", "a scene as IN");
+  if (!flags.job_file.empty()) throw usage_error("--save-job", "has no effect: IN is a light field", "a scene as IN");
   for (const auto& [name, values] : flags.params.values)
     if (!values.empty())
       throw usage_error(
-          fmt::format("--{}", name), fmt::format("has no effect on a light field, but {} is read as a light field", in),
+          fmt::format("--{}", name), fmt::format("has no effect: {} is read as a light field", in),
           "a built-in name (see: lippmann scenes), a file (.gltf, .glb, .dat, .nff, .obj, .ply) or a job (.toml)");
 }
 
