@@ -193,14 +193,19 @@ class Views:
             self._remember(key)
 
     def _keys(self):
-        """Returns the hashes of the scene for which the pictures in the folder were rendered."""
-        return json.loads(self._record.read_text()) if self._record.is_file() else []
+        """Returns the hashes of the scene for which the pictures in the folder were rendered. Empty if there is no record or if it is damaged."""
+        try:
+            return json.loads(self._record.read_text())
+        except (OSError, ValueError):
+            return []
 
     def _remember(self, key):
         keys = self._keys()
         if key not in keys:
             self.folder.mkdir(parents=True, exist_ok=True)
-            self._record.write_text(json.dumps([*keys, key]))
+            unfinished = self._record.with_suffix(".part")
+            unfinished.write_text(json.dumps([*keys, key]))
+            unfinished.replace(self._record)
 
     def _frames(self, numbers):
         """Yields Steps that render the missing views. Makes the quilt of a frame as soon as all of its views are rendered."""

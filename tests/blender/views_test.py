@@ -98,6 +98,8 @@ class Views(unittest.TestCase):
         self.assertEqual(self.render_and_count(), 0)
         scene.cycles.samples = 2
         self.assertEqual(self.render_and_count(), 8)
+        (self.pictures("cycles", "views")[0].parents[2] / "views.json").write_text('["')  # damaged
+        self.assertEqual(self.render_and_count(), 8)
         scene.lippmann.resume = False
         self.assertEqual(self.render_and_count(), 8)
 

@@ -6,7 +6,7 @@
 // - 12 bits to distinguish pixels,
 // - 4 bits for positions of a sixteenth of a pixel,
 // - 2 bits for the rounding errors of a few transforms.
-// That leaves 6 bits for the distance from the origin.
+// The other 6 bits are left for the distance from the origin.
 //
 // A scene also gets its own origin if only some of its instances are that far away, provided that they are larger together than
 // all other instances. An example is a building on a map with a marker at the map's origin. All other scenes stay unchanged.
