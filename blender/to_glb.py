@@ -1,9 +1,9 @@
-"""Converts a scene from USD, Alembic, FBX, Collada or STL to .glb, which the tool can render, by Blender's importers and its glTF exporter.
+"""Converts a scene from USD, Alembic, FBX, Collada or STL to .glb, which the tool can render.
 
   blender -b --factory-startup --python to_glb.py -- SCENE.usdz SCENE.glb
 
-Converts meshes, materials, lamps, cameras, armatures, shape keys and animations, as far as Blender imports and exports them. On failure, prints one line and exits
-with code 1.
+Converts meshes, materials, lamps, cameras, armatures, shape keys and animations, as far as Blender imports and exports them. On
+failure, prints one line and exits with code 1.
 """
 
 import os
@@ -12,7 +12,7 @@ import sys
 
 import bpy
 
-# Maps endings of files to Blender's import operators (module, name). The first operator that this version of Blender has is used.
+# Maps file endings to Blender's import operators (module, name). The first that this Blender version has is used.
 USD, STL = [("wm", "usd_import")], [("wm", "stl_import"), ("import_mesh", "stl")]
 IMPORTERS = {".usd": USD, ".usda": USD, ".usdc": USD, ".usdz": USD, ".abc": [("wm", "alembic_import")], ".fbx": [("import_scene", "fbx")], ".dae": [("wm", "collada_import")], ".stl": STL}
 
@@ -24,7 +24,6 @@ def fail(words):
 
 
 def operator_of(names):
-    """Returns the first operator that this version of Blender has, or None."""
     for group, name in names:
         operator = getattr(getattr(bpy.ops, group), name)
         try:
@@ -55,14 +54,14 @@ def read_into_blender(source):
 
 
 def cover_animations(scene):
-    """Sets the scene's frame range to the range of all animations, because some importers do not set it."""
+    """Sets the scene's frame range to cover all animations, because some importers do not set it."""
     ranges = [action.frame_range for action in bpy.data.actions]
     if ranges:
         scene.frame_start, scene.frame_end = int(min(r[0] for r in ranges)), int(-(-max(r[1] for r in ranges) // 1))
 
 
 def write_glb(target):
-    """Exports the scene. Writes a temporary file and renames it, so that a failure leaves no incomplete file."""
+    """Exports the scene. A failure leaves no incomplete file."""
     part = target.with_name(f"{target.stem}.part.glb")
     has_shape_keys = any(mesh.shape_keys for mesh in bpy.data.meshes)
     try:

@@ -1,4 +1,5 @@
-"""Add-on for Blender: a render engine for light-field displays, which runs the tool lippmann as a child process (docs/guide/blender.md)."""
+"""Add-on for Blender: a render engine for light-field displays, which runs the tool lippmann as a child process
+(docs/guide/blender.md)."""
 
 bl_info = {
     "name": "Lippmann",

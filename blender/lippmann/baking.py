@@ -1,7 +1,7 @@
-"""Bakes colours, roughness and bumps that shader nodes compute to pictures, because glTF supports only image textures.
+"""Bakes inputs that shader nodes compute (colour, roughness, bumps) to images, because glTF supports only image textures.
 
-Cycles bakes each mesh of the stage (the scene to be exported) once, into a new UV layer in which faces do not overlap. The mesh gets copies of its
-materials that show these pictures.
+Cycles bakes each mesh of the exported scene once, into a new UV layer without overlaps. Copies of its materials then use the
+baked images.
 """
 
 import hashlib
@@ -13,18 +13,18 @@ import numpy as np
 from . import losses, nodes
 from . import materials as of_nodes
 
-LAYER = "lippmann"       # name of the UV layer of baked pictures
-MOST_FACES = 300_000     # unwrapping larger meshes takes longer than rendering
+LAYER = "lippmann"
+MOST_FACES = 300_000     # larger meshes take longer to unwrap than to render
 MOST_LAYERS = 8          # Blender's limit of UV layers per mesh
-MANY, MOST = 24, 256     # numbers of pictures: above MANY, all pictures are a quarter as wide; above MOST, none are baked
+MANY, MOST = 24, 256     # above MANY pictures, each is a quarter as wide; above MOST, none is baked
 SAMPLES = 4
 
 
 @dataclass
 class Job:
-    """The inputs of a mesh's materials that are to be baked."""
+    """The material inputs to bake for one mesh."""
 
-    thing: object  # the first object of the stage that shows the mesh
+    thing: object  # first object that uses the mesh
     slots: dict  # index of a material slot -> {name of an input: descriptions of the nodes that compute it}
 
     def inputs(self):
@@ -32,13 +32,13 @@ class Job:
 
 
 def kinds():
-    """Returns {name of an input of the Principled BSDF: whether it is a colour} for the inputs that are baked."""
+    """Returns {name of an input of the Principled BSDF: whether it is a colour} for all inputs that can be baked."""
     return {"Base Color": True, "Emission": True, "Roughness": False, "Metallic": False, "Normal": False}
 
 
 def lost_by_input(material):
-    """Finds the inputs of a material's Principled BSDF that must be baked, because they depend on nodes that the glTF exporter does not support. Returns {name of
-    the input: descriptions of these nodes}."""
+    """Returns {input of the Principled BSDF: descriptions of nodes} for inputs that depend on nodes that the glTF exporter
+    does not support."""
     output = material.node_tree.get_output_node("ALL") if material and material.use_nodes and material.node_tree else None
     shader = nodes.source(output.inputs["Surface"]) if output else None
     if shader is None or shader.type != "BSDF_PRINCIPLED":
@@ -54,7 +54,6 @@ def lost_by_input(material):
 
 
 def jobs_of(stage):
-    """Returns a Job for each mesh that has something to bake."""
     jobs, seen = [], set()
     for thing in stage.objects:
         if thing.type != "MESH" or thing.data in seen or not thing.data.polygons:
@@ -86,7 +85,7 @@ def unwrap(thing):
 
 
 def target(tree, image):
-    """Adds a texture node with the image, and selects it, so that Cycles bakes into the image."""
+    """Adds an image texture node and makes it active. Cycles bakes into the image of the active node."""
     node = tree.nodes.new("ShaderNodeTexImage")
     node.image = image
     for other in tree.nodes:
@@ -95,8 +94,8 @@ def target(tree, image):
 
 
 def shining(material, name, image):
-    """Returns a copy of the material that emits the value of an input, so that baking emission bakes the input. For "Normal", which Cycles bakes directly,
-    the copy keeps its shader."""
+    """Returns a copy of the material that emits the value of an input, so that baking emission bakes the input. Normals keep
+    their shader, because Cycles bakes them directly."""
     copy = material.copy()
     tree = copy.node_tree
     if name != "Normal":
@@ -117,7 +116,7 @@ def blank(image):
 
 
 def arrays_of(mesh):
-    """Yields (collection, attribute, numbers per element, type) for each array that defines a mesh, its UV layers and its colour layers."""
+    """Yields (collection, attribute, numbers per element, type) for each array that defines a mesh."""
     yield from ((mesh.vertices, "co", 3, np.float32), (mesh.loops, "vertex_index", 1, np.int32), (mesh.polygons, "loop_total", 1, np.int32),
                 (mesh.polygons, "material_index", 1, np.int32))
     if hasattr(mesh, "corner_normals"):  # Blender 4.1 and later
@@ -130,14 +129,14 @@ def arrays_of(mesh):
 
 
 class Kept:
-    """Baked pictures of earlier exports. The files are <hash>.png, where the hash covers everything that the picture depends on. materials: {name: hash} of the
-    materials in the .blend file."""
+    """Baked pictures of earlier exports, named by a hash of everything they depend on. materials: {name: hash of the
+    material}."""
 
     def __init__(self, folder, materials):
         self._folder, self._materials, self._used = folder, materials, set()
 
     def _key(self, job, name, size):
-        """Returns the hash of everything that a picture depends on, or None if a material has no hash."""
+        """Returns the hash of everything the picture depends on, or None if a material has no hash."""
         own = [slot.material.name if slot.material else "" for slot in job.thing.material_slots]
         if any(material and material not in self._materials for material in own):
             return None
@@ -151,7 +150,7 @@ class Kept:
         return found.hexdigest()
 
     def picture(self, job, name, size):
-        """Returns the picture of one input. Reads the file of an earlier export if there is one, else bakes the picture."""
+        """Returns the picture of one input: from the file of an earlier export, or newly baked."""
         image = bpy.data.images.new(f"{job.thing.data.name} {name}", size, size, alpha=False, is_data=not kinds()[name])
         key = self._key(job, name, size)
         file = self._folder / f"{key}.png"
@@ -163,7 +162,7 @@ class Kept:
         else:
             fill(image, job, name)
             self._pack(image, file if key else None)
-        image.filepath_raw = ""  # otherwise the exporter writes the path
+        image.filepath_raw = ""  # otherwise the glTF file would contain the path
         return image
 
     def _pack(self, image, file):
@@ -178,14 +177,12 @@ class Kept:
         unfinished.replace(file)
 
     def remove_others(self):
-        """Deletes the files that this export did not use."""
         for file in self._folder.glob("*.png"):
             if file.name not in self._used:
                 file.unlink()
 
 
 def fill(image, job, name):
-    """Bakes one input of all materials of a mesh into `image`."""
     own = [slot.material for slot in job.thing.material_slots]
     for index, slot in enumerate(job.thing.material_slots):
         slot.material = shining(own[index], name, image) if name in job.slots.get(index, {}) else blank(image)
@@ -196,7 +193,6 @@ def fill(image, job, name):
 
 
 def show_picture(tree, shader, name, image, layer):
-    """Links an input of a shader to a picture, by nodes that the glTF exporter supports. layer: name of the UV layer."""
     picture, place = tree.nodes.new("ShaderNodeTexImage"), tree.nodes.new("ShaderNodeUVMap")
     picture.image, place.uv_map = image, layer
     tree.links.new(place.outputs[0], picture.inputs["Vector"])
@@ -233,8 +229,8 @@ def bake_job(job, stage, size, kept):
 
 
 def bake(stage, size, report, kept, begin):
-    """Replaces nodes of the stage's materials by pictures of size x size pixels. kept: pictures of earlier exports. begin: is called with a description of the
-    current step and the share of the work that is done. Returns {material: descriptions of the replaced nodes}."""
+    """Replaces unsupported nodes of the scene's materials by baked pictures of size x size pixels. kept: pictures of earlier
+    exports. begin(text, share): reports progress. Returns {material: descriptions of the replaced nodes}."""
     jobs = jobs_of(stage)
     for job in jobs:
         if not is_small_enough(job):

@@ -1,8 +1,8 @@
-"""Hashes the contents of a .blend file, per datablock (object, mesh, material ...), so that an unchanged scene is not exported again.
+"""Hashes the contents of a .blend file, so that an unchanged scene is not exported again.
 
-A .blend file is a list of blocks. The block of a datablock is followed by the blocks that only this datablock uses. Blocks are dumps of C structs. They contain
-addresses, which differ between two runs of Blender, and the state of the user interface, such as selections. The hash leaves both out. Every file describes its
-structs (SDNA), which tells where these members are.
+A .blend file is a list of blocks. A datablock (object, mesh, material ...) is one block, followed by the blocks that only it
+uses. Blocks are dumps of C structs. The file describes the layout of its structs (SDNA). The hash leaves out two kinds of
+members: addresses, which differ between sessions, and the state of the user interface.
 """
 
 import hashlib
@@ -13,20 +13,18 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-# Members that do not affect the exported scene: Blender's internal counts and states, selections, and the size and look of pictures.
+# Struct members that do not affect the exported scene.
 STATE = {"ID": {"us", "icon_id", "recalc", "recalc_up_to_undo_push", "recalc_after_undo_push", "session_uuid", "session_uid", "tag", "flag"}, "Object": {"flag", "recalc", "base_flag", "select_id", "lastNeedMapping"},
          "Base": {"flag", "flag_legacy", "flag_from_collection", "local_view_bits"}, "LayerCollection": {"runtime_flag"}, "bNode": {"need_exec", "locx", "locy"}, "bNodeTree": {"cur_index", "update"},
          "IDProperty": {"len", "totallen", "saved", "next", "prev"}, "IDPropertyData": {"group"},
          "RenderData": {"pic", "xsch", "ysch", "size", "cfra", "engine", "im_format"}, "Scene": {"view_settings", "display_settings", "cursor", "flag", "customdata_mask"}}
-SKIPPED = {b"TEST", b"REND", b"GLOB", b"USER", b"DNA1", b"ENDB"}  # codes of blocks that do not affect renders, such as thumbnails and folders
+SKIPPED = {b"TEST", b"REND", b"GLOB", b"USER", b"DNA1", b"ENDB"}  # codes of blocks that do not affect renders
 
 
 @dataclass
 class Struct:
-    """Layout of a C struct, in bytes."""
-
     size: int
-    pointers: list = field(default_factory=list)  # offsets of members that are addresses
+    pointers: list = field(default_factory=list)  # offsets of pointer members
     state: list = field(default_factory=list)     # (offset, length) of members that the hash leaves out
 
 
@@ -41,7 +39,7 @@ class Block:
 
 
 def read_blocks(data):
-    """Returns the blocks of an uncompressed file, and the size of an address in bytes. Raises ValueError for other files."""
+    """Returns the blocks of an uncompressed .blend file and its pointer size in bytes. Raises ValueError for other files."""
     if bytes(data[:7]) != b"BLENDER":
         raise ValueError("no uncompressed .blend file")
     if bytes(data[7:9]).isdigit():
@@ -73,7 +71,7 @@ def texts(data, at, mark):
 
 
 class Sdna:
-    """The description of the structs in a file."""
+    """The struct layouts that a .blend file describes."""
 
     def __init__(self, data, address_size):
         self.address_size = address_size
@@ -96,7 +94,8 @@ class Sdna:
             self._describe(index)
 
     def _members(self, index):
-        """Yields (name, type, offset, size of an element in bytes, number of elements, whether they are addresses) for each member of a struct."""
+        """Yields (name, type, offset, element size in bytes, number of elements, whether they are pointers) for each member of
+        a struct."""
         offset = 0
         for kind, name in self._layouts[index][1]:
             text, times = self._names[name], 1
@@ -125,15 +124,17 @@ class Sdna:
         return known
 
     def place(self, type_name, member):
-        """Returns the offset and the length, in bytes, of a member of a struct."""
+        """Returns the offset and the length of a struct member, in bytes."""
         return next((offset, size * times) for name, _, offset, size, times, _ in self._members(self.types.index(type_name)) if name == member)
 
 
 class Contents:
-    """Hashes of the datablocks in a file. `by_name` maps names such as "OBCube" to hashes. `all` is the hash of all datablocks."""
+    """Hashes of the datablocks in a file. `by_name` maps names such as "OBCube" to hashes. `all` is the hash of all
+    datablocks."""
 
     def __init__(self, path, ignored_properties=()):
-        """ignored_properties: names of custom properties that the hashes leave out. Raises ValueError if the file has an unknown format."""
+        """ignored_properties: names of custom properties that the hashes leave out. Raises ValueError if the file has an
+        unknown format."""
         data = memoryview(pathlib.Path(path).read_bytes())
         blocks, address_size = read_blocks(data)
         described = next(block for block in blocks if block.code == b"DNA1")
@@ -147,7 +148,7 @@ class Contents:
         self.all = hashlib.blake2b(repr(sorted(self.by_name.items())).encode(), digest_size=16).hexdigest()
 
     def with_references(self, name):
-        """Returns the hash of a datablock and of all datablocks to which it refers, directly or indirectly, such as the images of a material."""
+        """Returns the hash of a datablock and all datablocks it refers to, directly or indirectly."""
         found, todo = set(), [name]
         while todo:
             one = todo.pop()
@@ -157,8 +158,7 @@ class Contents:
         return hashlib.blake2b(repr(sorted((one, self.by_name[one]) for one in found)).encode(), digest_size=16).hexdigest()
 
     def _owned(self, blocks):
-        """Returns {name: blocks} of each datablock. Leaves out ignored properties and (in Blender 4.3 and later) the active brushes, and the data blocks that
-        follow them in the file."""
+        """Returns {name of a datablock: its blocks}. Leaves out ignored properties and active brushes (Blender 4.3 and later)."""
         owned, own, ignored = {}, None, set()
         for block in blocks:
             if block.code != b"DATA":
@@ -198,7 +198,7 @@ class Contents:
         return self._text(block, name, length), struct.unpack_from("<Q" if self._sdna.address_size == 8 else "<I", self._bytes(block), data)[0]
 
     def _label(self, owned):
-        """Gives every address a label that is the same in every session: the name of the datablock, and the index of the block in the datablock."""
+        """Labels every address by its datablock's name and the block's index. The label is the same in every session."""
         labels, self._datablocks = {}, {}
         for name, own in owned.items():
             self._datablocks[own[0].address] = name
@@ -230,7 +230,7 @@ class Contents:
     def _canonical(self, name, block):
         data, known = self._bytes(block), self._sdna.structs[block.struct]
         word, kind = self._sdna.address_size, self._addresses.dtype
-        if block.struct == 0 or known.size * block.count != block.length:  # memory without a struct, such as an array of addresses
+        if block.struct == 0 or known.size * block.count != block.length:  # memory without a struct, such as an array of pointers
             words = np.frombuffer(data[:block.length // word * word], kind)
             self._refer(name, words[np.isin(words, self._addresses)])
             return self._named(words, words).tobytes() + bytes(data[block.length // word * word:])

@@ -1,4 +1,4 @@
-"""The displays that the tool lists (`lippmann displays`), and properties of the display that the user has chosen."""
+"""The displays that `lippmann displays` lists, and properties of the chosen display."""
 
 import os
 import zlib
@@ -8,9 +8,9 @@ import bpy
 from . import tool
 
 DEFAULT = "looking-glass-portrait"
-_known = None      # the presets, as `lippmann displays --json` prints them; None: not read yet
+_known = None      # presets from `lippmann displays --json`; None: not read yet
 _files = {}        # (path of a calibration, modification time) -> display
-_choices = []      # items of the list of displays; kept, because Blender does not keep the strings of dynamic lists alive
+_choices = []      # kept, because Blender does not keep the strings of dynamic lists alive
 
 
 def preferred_tool():
@@ -19,7 +19,6 @@ def preferred_tool():
 
 
 def forget():
-    """Clears the cached presets. Called when the path of the tool has changed."""
     global _known
     _known = None
     _choices.clear()
@@ -33,8 +32,8 @@ def known():
 
 
 def number(name):
-    """Returns the number that .blend files store for a display. It depends only on the name, so that it does not change when presets are added. The default
-    display has 0, because Blender selects 0 until the user chooses."""
+    """Returns a number for .blend files that depends only on the display's name, so that new presets do not change it. The
+    default display is 0, Blender's initial value."""
     return 0 if name == DEFAULT else zlib.crc32(name.encode()) & 0x7FFFFFFF
 
 
@@ -50,7 +49,6 @@ def choices(_self, _context):
 
 
 def argument(scene):
-    """Returns the value for --display."""
     settings = scene.lippmann
     return bpy.path.abspath(settings.calibration) if settings.calibration else settings.display
 
@@ -73,13 +71,12 @@ def chosen(scene):
 
 
 def aspect(display):
-    """Returns the width of a view divided by its height."""
     width, height = display["size_mm"]
     return display.get("quilt", {}).get("aspect") or width / height
 
 
 def picture_size(display, output):
-    """Returns the (width, height) in pixels of the picture of a frame. If the output is a folder of views, returns the size of one view."""
+    """Returns the (width, height) in pixels of a frame's picture, or of one view if the output is a folder of views."""
     quilt = display.get("quilt")
     if output == "quilt" and quilt:
         return tuple(quilt["size"])
@@ -90,7 +87,8 @@ def picture_size(display, output):
 
 
 def refused_size(scene, size):
-    """Returns a message if pictures cannot have this size, else None. Does not check quilts if the user's extra flags set the size or the views."""
+    """Returns a message if pictures cannot have this size, else None. Does not check quilts if extra flags set the size or the
+    views."""
     output, display = scene.lippmann.output, chosen(scene)
     if output == "native" and size != tuple(display["pixels"]):
         return f"A native frame has the panel's {display['pixels'][0]} x {display['pixels'][1]} pixels. Press Match Resolution, and set 100 %."
@@ -103,7 +101,6 @@ def refused_size(scene, size):
 
 
 def fit_resolution(scene):
-    """Sets Blender's resolution to the size of the picture. Does nothing if the display cannot be read. The panel shows that error."""
     try:
         size = picture_size(chosen(scene), scene.lippmann.output)
     except tool.ToolError:

@@ -1,4 +1,5 @@
-"""The render engine. F12 renders one frame with the tool. Ctrl-F12 renders an animation by one run of the tool, and shows each frame when it is finished."""
+"""The render engine. F12 renders one frame. Ctrl-F12 renders an animation by one run of the tool, and shows each frame when it
+is finished."""
 
 import sys
 
@@ -8,10 +9,10 @@ import imbuf
 from . import job as jobs
 from . import look, progress, saving, tool
 
-_animation = None        # the Job of the current animation; Blender requests its frames one by one
+_animation = None        # Blender requests the frames of the current animation one by one
 _terminal = progress.Terminal()
-last_warnings = []       # warnings of the last render, shown in the panel
-last_folder = ""         # folder of the pictures of the last render
+last_warnings = []       # of the last render, shown in the panel
+last_folder = ""         # folder of the last render's pictures
 
 
 @bpy.app.handlers.persistent  # keeps the handler when another file is opened
@@ -23,8 +24,8 @@ def end_animation(*_):
 
 
 def size_of(picture):
-    """Returns the (width, height) of a picture file. Does not load the picture into bpy.data, because Blender 5 crashes at the next frame if a render changes
-    bpy.data."""
+    """Returns (width, height) of a picture file. Does not use bpy.data: Blender 5 crashes at the next frame if a render
+    changes it."""
     image = imbuf.load(str(picture))
     size = tuple(image.size)
     image.free()
@@ -86,7 +87,7 @@ class Engine(bpy.types.RenderEngine):
         return found
 
     def _show(self, scene, pictures):
-        """Makes the picture Blender's render result. If there are several views, shows the middle one. The files keep the codes for the display."""
+        """Shows a picture as Blender's render result. Of several views, shows the middle one."""
         picture = pictures[len(pictures) // 2]
         saving.remember(picture, self.is_animation)
         width, height = jobs.resolution(scene)
@@ -100,7 +101,7 @@ class Engine(bpy.types.RenderEngine):
 
 
 def panels():
-    """Yields the panels of Blender that are useful with this engine: the panels of Blender's built-in renderer, except those with render settings."""
+    """Yields Blender's panels that are useful with this engine."""
     left_out = {"VIEWLAYER_PT_filter", "VIEWLAYER_PT_layer_passes", "RENDER_PT_simplify", "RENDER_PT_freestyle"}
     for panel in bpy.types.Panel.__subclasses__():
         if "BLENDER_RENDER" in getattr(panel, "COMPAT_ENGINES", ()) and panel.__name__ not in left_out:

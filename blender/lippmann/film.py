@@ -1,8 +1,7 @@
-"""Blender's setting Film > Transparent, which becomes the flag --transparent: pictures with alpha, in which the world lights the scene but is not visible."""
+"""Maps Blender's setting Film > Transparent to the flag --transparent, which renders pictures with alpha."""
 
 
 def lost_of_transparency(scene, still):
-    """Returns a message if Film > Transparent is on but cannot be applied, else None."""
     if not scene.render.film_transparent:
         return None
     if scene.lippmann.output == "native":

@@ -1,10 +1,9 @@
 """The placement of the display in a Blender scene.
 
-A light-field frame is an empty whose XY plane is the plane of the display and whose +Z axis points to the viewer. Without a frame, the display stands in front of
-the scene's camera: at the camera's focus distance if it has depth of field, else in the middle of the objects that it sees.
+A light-field frame is an empty whose XY plane is the display and whose +Z axis points to the viewer. Without a frame, the display
+stands in front of the scene's camera: at the focus distance if the camera has depth of field, else amid the objects that it sees.
 
-A display of height H mm that is h units high in the scene has H / h mm per unit. The viewing distance D and the depth budget b (docs/guide/displays.md) are figures
-of `lippmann displays --json`. Depth is sharp up to b in front of and behind the plane.
+A display H mm high that is h units high in the scene has H / h mm per unit.
 """
 
 import math
@@ -15,25 +14,25 @@ from mathutils import Matrix, Vector
 
 from . import displays, tool
 
-LINES = 9          # lines of sight per row and per column of the picture
-MOST_HIDDEN = 16   # largest number of objects hidden in renders that a line of sight passes through
-CAMERA_WIDTH_MM = 64.0  # width of a picture that is rendered without a display, as in the tool
-UNFOCUSED = 10.0   # distance of the plane, in scene units, from a camera that sees nothing; Blender's default focus distance
+LINES = 9          # rays per row and per column of the picture
+MOST_HIDDEN = 16   # a ray passes through at most this many objects that are hidden in renders
+CAMERA_WIDTH_MM = 64.0  # picture width for renders without a display, as in the tool
+UNFOCUSED = 10.0   # distance of the plane, in scene units, if the camera sees nothing; Blender's default focus distance
 _seen = {}         # cache of plane_distance() with at most one entry; cleared when the scene changes
 
 
 @dataclass
 class Zone:
-    """The placement of a display in the scene. Lengths are in scene units."""
+    """Placement of a display. Lengths are in scene units."""
 
     world_from_frame: Matrix  # rigid transform
     width: float
     height: float
-    distance: float    # distance from the plane to the viewer
-    budget: float      # depth that is sharp, in front of the plane and as much behind it
+    distance: float    # from the plane to the viewer
+    budget: float      # depth that is sharp, in front of the plane and the same behind it
     cone: float        # full angle of the viewing zone, in radians
     per_mm: float      # length of a millimetre of the display
-    near: float = 0.0  # distance from the viewer within which walls are cut, up to the camera's near clipping plane; 0: none are cut
+    near: float = 0.0  # walls nearer to the viewer than this may be cut; 0: none are cut
     shift: tuple = (0.0, 0.0)  # shift of the picture to the right and up, divided by its height
     is_beam: bool = False      # whether the viewer is an orthographic camera
 
@@ -45,18 +44,16 @@ def rigid(matrix):
 
 
 def placed(scene):
-    """Returns the scene's light-field frame, or None if there is none or it was removed from the scene."""
     thing = scene.lippmann.frame
     return thing if thing and scene in thing.users_scene else None
 
 
 def is_focused(camera):
-    """Returns whether the user has set the camera's focus. If not, the focus distance is Blender's default, which depends on the version."""
+    """Returns whether the user has set the camera's focus. Otherwise the focus distance is Blender's default."""
     return camera.data.dof.use_dof or camera.data.dof.focus_object is not None
 
 
 def focus_distance(camera):
-    """Returns the distance along the camera's axis at which the camera is focused."""
     focused = camera.data.dof
     if focused.focus_object:
         towards = camera.matrix_world.inverted() @ focused.focus_object.matrix_world.translation
@@ -65,8 +62,7 @@ def focus_distance(camera):
 
 
 def fitted_side(camera, distance):
-    """Returns the length, at a distance from the camera, of the side of the picture to which the sensor is fitted. The distance matters only for perspective
-    cameras."""
+    """Returns the width or height, at a distance from the camera, of the picture's side that matches the sensor size."""
     data = camera.data
     if data.type != "PERSP":
         return data.ortho_scale
@@ -74,8 +70,8 @@ def fitted_side(camera, distance):
 
 
 def framed(camera, aspect, distance):
-    """Returns the transform and the height of the rectangle that fills the camera's picture at a distance. aspect: width / height of the picture. A lens shift
-    moves the rectangle aside. The viewer of a display stands in front of the middle of the rectangle, and so not at the camera if there is a shift."""
+    """Returns the transform and the height of the rectangle that fills the camera's picture at a distance. aspect: width /
+    height of the picture. A lens shift moves the rectangle sideways."""
     data = camera.data
     side = fitted_side(camera, distance)
     is_height = data.sensor_fit == "VERTICAL" or (data.sensor_fit == "AUTO" and aspect < 1.0)
@@ -84,8 +80,8 @@ def framed(camera, aspect, distance):
 
 
 def camera_zone(scene, aspect, distance):
-    """Returns the Zone of a display whose viewer is the scene's camera. aspect: width / height of the picture. distance: from the camera to the display's plane.
-    Raises ToolError."""
+    """Returns the Zone of a display whose viewer is the scene's camera. aspect: width / height of the picture. distance: from
+    the camera to the display's plane. Raises ToolError."""
     camera = scene.camera
     if not camera or camera.type != "CAMERA":
         raise tool.ToolError("The scene has no camera. Add one, or choose another output.")
@@ -98,8 +94,8 @@ def camera_zone(scene, aspect, distance):
 
 
 def near_of_viewer(camera, world_from_frame, distance):
-    """Returns the distance from a display's viewer to the camera's near clipping plane. Walls within this distance are cut if they hide the scene. Returns 0 unless
-    the camera stands between the viewer and the display and looks at the display."""
+    """Returns the distance from the display's viewer to the camera's near clipping plane, or 0 unless the camera stands
+    between both and looks at the display."""
     if not camera or camera.type != "CAMERA":
         return 0.0
     to_frame = world_from_frame.inverted() @ rigid(camera.matrix_world)[0]
@@ -110,8 +106,8 @@ def near_of_viewer(camera, world_from_frame, distance):
 
 
 def sight_lines(camera, aspect):
-    """Yields evenly spread rays through the camera's picture: start and direction in world space, and a weight, from 1 in the middle of the picture to 0 at its
-    border."""
+    """Yields evenly spread rays through the camera's picture: (start, direction, weight) in world space. The weight falls from
+    1 in the middle to 0 at the border."""
     middle, height = framed(camera, aspect, 1.0)
     away = middle.to_3x3() @ Vector((0.0, 0.0, -1.0))
     steps = [(i + 0.5) / LINES - 0.5 for i in range(LINES)]
@@ -123,7 +119,7 @@ def sight_lines(camera, aspect):
 
 
 def median(weighted):
-    """Returns the weighted median. weighted: pairs of a value and its weight."""
+    """Returns the weighted median. weighted: pairs (value, weight)."""
     weighted = sorted(weighted)
     left = 0.5 * sum(weight for _, weight in weighted)
     for value, weight in weighted:
@@ -133,7 +129,8 @@ def median(weighted):
 
 
 def first_met(scene, depsgraph, start, direction):
-    """Returns the point at which a ray hits an object that renders show. Returns None if there is no hit within the first MOST_HIDDEN objects."""
+    """Returns the point where a ray hits the first object that is visible in renders, or None. Gives up after MOST_HIDDEN
+    hidden objects."""
     for _ in range(MOST_HIDDEN):
         is_met, place, _, _, thing, _ = scene.ray_cast(depsgraph, start, direction)
         if not is_met or not thing.hide_render:
@@ -143,8 +140,8 @@ def first_met(scene, depsgraph, start, direction):
 
 
 def seen_distance(scene, aspect):
-    """Returns the median distance, along the camera's axis, of the points that the camera sees. Points in the middle of the picture count most. If the camera
-    sees nothing, returns its focus distance."""
+    """Returns the median depth of the points that the camera sees, with more weight in the middle. Returns the focus distance
+    if it sees nothing."""
     camera, depsgraph = scene.camera, bpy.context.evaluated_depsgraph_get()
     to_camera = rigid(camera.matrix_world)[0].inverted()
     seen = []
@@ -176,8 +173,8 @@ def unregister():
 
 
 def plane_distance(scene):
-    """Returns the distance from the camera to the display's plane for scenes without a light-field frame. It is the focus distance if the user has set the focus,
-    else seen_distance(). Raises ToolError."""
+    """Returns the distance from the camera to the display's plane: the focus distance if the user has set it, else
+    seen_distance(). Raises ToolError."""
     camera = scene.camera
     if is_focused(camera):
         return focus_distance(camera)
@@ -190,10 +187,10 @@ def plane_distance(scene):
 
 
 def zone(scene, distance=None):
-    """Returns the Zone of the display: at the scene's light-field frame or, without a frame, at a plane in front of the camera. Raises ToolError.
+    """Returns the Zone of the display, at the light-field frame or in front of the camera. Raises ToolError.
 
-    distance: from the camera to the plane. Ignored if there is a frame, or if the user has set the camera's focus. None: plane_distance(), which casts rays into
-    the scene and must not be called from the thread of a render.
+    distance: from the camera to the plane, if neither a frame nor the focus determines it. None: plane_distance(), which casts
+    rays and must not run in a render's thread.
     """
     display = displays.chosen(scene)
     aspect = displays.aspect(display)
@@ -214,7 +211,6 @@ def zone(scene, distance=None):
 
 
 def add(context):
-    """Adds an empty to the scene, and makes it the scene's light-field frame."""
     empty = bpy.data.objects.new("Light-field frame", None)
     empty.empty_display_type = "ARROWS"
     empty.empty_display_size = 0.1
@@ -231,7 +227,7 @@ def place(empty, matrix, height):
 
 
 def around(objects):
-    """Returns the centre and the largest side of the objects' bounding box, in world space."""
+    """Returns the centre and the longest side of the objects' bounding box, in world space."""
     corners = [thing.matrix_world @ Vector(corner) for thing in objects for corner in (thing.bound_box if thing.type != "EMPTY" else [(0, 0, 0)])]
     lower = Vector(min(corner[axis] for corner in corners) for axis in range(3))
     upper = Vector(max(corner[axis] for corner in corners) for axis in range(3))
@@ -239,8 +235,8 @@ def around(objects):
 
 
 def place_at_objects(empty, objects, camera):
-    """Places the light-field frame in the centre of the objects. It faces the camera or, without a camera, -Y. Its height is 1.2 times the largest extent of the
-    objects."""
+    """Centres the light-field frame on the objects. It faces the camera or, without a camera, -Y. Its height is 1.2 times
+    their longest side."""
     middle, extent = around(objects)
     turn = camera.matrix_world.to_quaternion() if camera else Matrix.Rotation(math.pi / 2, 4, "X").to_quaternion()
     place(empty, Matrix.Translation(middle) @ turn.to_matrix().to_4x4(), max(1.2 * extent, 1e-3))

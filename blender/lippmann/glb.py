@@ -1,4 +1,4 @@
-"""Changes the JSON of a .glb file that Blender's exporter has written, for properties that the exporter cannot write."""
+"""Edits the JSON of a .glb file, to add properties that Blender's exporter cannot write."""
 
 import json
 import pathlib
@@ -8,8 +8,8 @@ JSON_CHUNK = 0x4E4F534A  # the text "JSON" as a little-endian integer
 
 
 def rewrite(path, changes):
-    """Applies changes to the JSON of a .glb file. changes: functions that take the JSON document, and return whether they have changed it. The file is written only
-    if the document was changed."""
+    """Applies functions to the JSON of a .glb file. Each returns whether it changed the JSON. The file is written only if one
+    did."""
     file = pathlib.Path(path)
     data = file.read_bytes()
     length = struct.unpack_from("<I", data, 12)[0]

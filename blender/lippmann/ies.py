@@ -1,12 +1,13 @@
-"""Exports IES profiles of point lamps by the glTF extension EXT_lights_ies (docs/reference/gltf.md), because Blender's exporter drops them.
+"""Exports IES profiles of point lamps by the glTF extension EXT_lights_ies (docs/reference/gltf.md), because Blender's exporter
+drops them.
 
 A profile is exported if an IES Texture without a rotation is the strength of the lamp's Emission.
 
-Power: Cycles multiplies the candelas of the file by 4 pi / 177.83, and spreads a lamp's power over 4 pi. A lamp of P watts therefore has P / 177.83 times the
-candelas of the file.
+Power: Cycles multiplies the candelas of the file by 4 pi / 177.83 and divides a lamp's power by 4 pi. A lamp of P watts therefore
+emits P / 177.83 times the candelas of the file.
 
-Azimuth: Cycles counts azimuths from -Y, clockwise seen from above. EXT_lights_ies counts them from +X in the other direction. A quarter turn makes both equal for
-profiles with mirror symmetry, whose azimuths end at 180 degrees. Other profiles arrive mirrored.
+Azimuth: Cycles measures azimuths from -Y, clockwise seen from above. EXT_lights_ies measures them from +X, counterclockwise. A
+quarter turn aligns profiles with mirror symmetry, whose azimuths end at 180 degrees. Other profiles are exported mirrored.
 """
 
 import base64
@@ -18,12 +19,11 @@ import bpy
 from .nodes import source
 
 LUMENS_PER_WATT = 177.83  # of white light, as in Cycles
-MISSING = object()        # the text of a profile whose file is missing
+MISSING = object()        # returned in place of the text of a missing file
 QUARTER_TURN = [0.0, 0.0, -math.sqrt(0.5), math.sqrt(0.5)]  # quaternion x, y, z, w: -90 degrees about the lamp's axis
 
 
 def text_of(node, light):
-    """Returns the text of the node's IES file, or MISSING if there is no file."""
     if node.mode == "INTERNAL":
         return node.ies.as_string() if node.ies else MISSING
     path = pathlib.Path(bpy.path.abspath(node.filepath, library=light.library))
@@ -31,7 +31,7 @@ def text_of(node, light):
 
 
 def profile_of(light):
-    """Returns (text or MISSING, multiplier, colour) of a point lamp with an IES texture. Returns None if there is none, or if the lamp has other nodes."""
+    """Returns (text or MISSING, multiplier, colour) of a point lamp with an IES texture. Returns None for other lamps."""
     if light.type != "POINT" or not light.use_nodes or not light.node_tree:
         return None
     output = light.node_tree.get_output_node("ALL")
@@ -46,14 +46,14 @@ def profile_of(light):
 
 
 def mark(light):
-    """Stores a lamp's profile in custom properties. The exporter writes these as extras, where move_profiles() finds them."""
+    """Stores a lamp's profile in custom properties. The exporter writes these as glTF extras, which move_profiles() reads."""
     profile = profile_of(light)
     if profile and profile[0] is not MISSING:
         light["ies"], light["ies_multiplier"], light["ies_color"] = profile
 
 
 def move_profiles(document):
-    """Replaces the lights of a glTF document whose extras hold a profile by lights of EXT_lights_ies. Returns whether there were any."""
+    """Replaces lights whose extras hold a profile by lights of EXT_lights_ies. Returns whether there were any."""
     lights = document.get("extensions", {}).get("KHR_lights_punctual", {}).get("lights", [])
     profiles, turned = [], []
     nodes = document.get("nodes", [])

@@ -1,7 +1,7 @@
-"""A render by the tool, in two child processes: a second Blender exports the scene, then `lippmann render` renders it.
+"""Renders in two child processes: a second Blender exports the scene, then `lippmann render` renders it.
 
-The output folder contains scene.glb and world.exr (the exported scene), scene.json (hashes of the scene from which they were exported), still/ or animation/ (the
-tool's folder, docs/reference/formats.md) and lippmann.log.
+The output folder contains scene.glb and world.exr (the exported scene), scene.json (hashes of the Blender scene), still/ or
+animation/ (the pictures) and lippmann.log.
 """
 
 import hashlib
@@ -22,7 +22,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 
 NOT_EXPORTED = ("samples", "denoise", "full_depth", "resume", "bake", "bake_size", "folder", "show_overlay", "extra", "tone", "exposure")  # settings that do not affect the exported scene
 
-_of_session = None  # output folder of .blend files that have not been saved; temporary
+_of_session = None  # temporary output folder of unsaved .blend files
 
 
 class Cancelled(Exception):
@@ -30,7 +30,7 @@ class Cancelled(Exception):
 
 
 def output_folder(scene):
-    """Returns the output folder. Files that have not been saved share a new folder until Blender is closed."""
+    """Returns the output folder. Unsaved files share a temporary folder until Blender is closed."""
     global _of_session
     folder = scene.lippmann.folder
     if folder.startswith("//") and not bpy.data.filepath:
@@ -63,7 +63,7 @@ def check(scene, still):
 
 
 def scripts_are_allowed():
-    """Returns whether the user allows Python in .blend files (drivers). The exporting Blender gets the same permission, so that it evaluates the same scene."""
+    """Returns whether the user allows Python in .blend files (drivers). The exporting Blender gets the same permission."""
     return bpy.context.preferences.filepaths.use_scripts_auto_execute or bool({"-y", "--enable-autoexec"} & set(sys.argv))
 
 
@@ -78,7 +78,7 @@ def render_flags(scene, still):
     optics = {"quilt": ["--layout", "quilt", *(size if display.get("quilt") else [])], "native": ["--layout", "native"], "views": ["--layout", "views"],
               "single": ["--optics", "single", *size]}[settings.output]
     if settings.output == "native" and display["kind"] != "slanted-panel":
-        optics = []  # the tool renders an integral image, which is the native frame of a lens array
+        optics = []  # an integral image is the native frame of a lens array
     depth = ["--full-depth"] if settings.full_depth and settings.output != "single" else []
     return ["--display", displays.argument(scene), *optics, *flags_of_sampling(scene), *depth, *more_flags(scene, still)]
 
@@ -97,7 +97,6 @@ def more_flags(scene, still):
 
 
 def stamp(path):
-    """Returns the size and the modification time of a file, or None if there is no such file."""
     try:
         state = os.stat(path)
     except OSError:
@@ -106,7 +105,7 @@ def stamp(path):
 
 
 def files_beside(scene):
-    """Returns the stamp() of each file to which the scene refers, and of each file in its simulation caches."""
+    """Returns {path: stamp()} of each file to which the scene refers, and of each file in its simulation caches."""
     caches = []
     if bpy.data.filepath:
         blend = pathlib.Path(bpy.data.filepath)
@@ -119,19 +118,19 @@ def digest(values):
 
 
 def hashes(library, ignored=NOT_EXPORTED):
-    """Returns the hash of the .blend file `library`, and {name: hash} of its materials, which includes everything to which they refer. ignored: names of custom
-    properties that the hashes leave out. If the file has an unknown format, the hash is random, so that the scene is exported again."""
+    """Returns the hash of the .blend file `library`, and {name: hash} of its materials. ignored: custom properties that the
+    hashes leave out. An unknown format gives a random hash, so that the scene is exported again."""
     try:
         held = contents.Contents(library, ignored)
-    except (ValueError, LookupError, StopIteration, struct.error) as error:  # a later Blender may write another form
+    except (ValueError, LookupError, StopIteration, struct.error) as error:  # a later Blender may write another format
         print(f"lippmann: the scene is exported anew each time: {error!r}", file=sys.stderr)
         return os.urandom(16).hex(), {}
     return held.all, {name[2:]: held.with_references(name) for name in held.by_name if name.startswith("MA")}
 
 
 def hash_of(scene, results):
-    """Returns a hash of the scene, its settings, and the files to which it refers, except files in the folder `results`. The hash does not depend on the size of
-    pictures and the view transform."""
+    """Returns a hash of the scene, its settings, and the files to which it refers, except files in the folder `results`.
+    Picture sizes and the view transform do not affect it."""
     with tempfile.TemporaryDirectory(prefix="lippmann-") as folder:
         library = os.path.join(folder, "scene.blend")
         bpy.data.libraries.write(library, {scene}, path_remap="ABSOLUTE")
@@ -149,7 +148,8 @@ class Export:
         return {path.name: stamp(path) for path in (self.glb, self.world)}
 
     def kept(self, key):
-        """Returns the report of the earlier export if the export had the same key and its files are unchanged, else None. key: hash of the scene and its settings."""
+        """Returns the report of the earlier export, or None if `key` or the exported files have changed. key: hash of the
+        scene and its settings."""
         try:
             record = json.loads(self._record.read_text())
         except (OSError, ValueError):
@@ -164,7 +164,7 @@ class Export:
 
 
 class Job:
-    """A render of a still or an animation. Frames of an animation are available as soon as they are finished."""
+    """A render of a still or an animation. Each frame of an animation is available as soon as it is finished."""
 
     def __init__(self, scene, still):
         check(scene, still)
@@ -179,7 +179,6 @@ class Job:
         self._prepare(scene)
 
     def _prepare(self, scene):
-        """Writes the files that the exporting Blender reads: a copy of the scene, and its settings."""
         try:
             self.folder.mkdir(parents=True, exist_ok=True)
         except OSError as error:
@@ -249,15 +248,15 @@ class Job:
     def frame(self, number, tell=lambda *_: None, stopped=lambda: False):
         """Waits for a frame and returns the paths of its pictures. Raises ToolError or Cancelled.
 
-        tell: is called with a description of the current step, the share of the step that is done, and the remaining seconds or None.
-        stopped: returns whether the user has pressed Esc.
+        tell(step, share, seconds): receives a text, the share of the step that is done, and the remaining seconds or None.
+        stopped(): returns whether the user has pressed Esc.
         """
         if not self._started:
             self._exported = self._export.kept(self._key) or self._export_now(tell, stopped)
             self._child = tool.Child(self._render_words(), self._log)
             self._started = True
         index = 0 if self.still else number
-        last = number == self.last  # the last frame is returned after the tool has also written the video and the report
+        last = number == self.last  # the tool writes the video and the report after the last frame
         self._run(f"rendering frame {number}", lambda: not last and index in self._child.finished_frames, tell, stopped)
         found = tool.pictures(self.pictures_folder, index)
         if not found:
@@ -266,7 +265,6 @@ class Job:
         return found
 
     def _warn_of_cut(self):
-        """Adds a warning that names the walls that the tool has cut. The tool's report contains it after the first frame."""
         cut = json.loads((self.pictures_folder / "report.json").read_text()).get("cut")
         if cut and cut not in self.warnings:
             self.warnings.append(cut)

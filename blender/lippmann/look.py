@@ -1,11 +1,10 @@
-"""The tone curve and the exposure of pictures. The tool applies them, by the add-on's settings. Blender's view transform must then be Standard, or Blender's
-window would change the pictures a second time."""
+"""The tone curve and the exposure, which the tool applies. Blender's view transform must then be Standard, or it would change
+the pictures again."""
 
 CURVES = {"AgX": "agx", "Filmic": "agx", "Filmic Log": "agx", "Khronos PBR Neutral": "neutral"}  # Blender's view transform -> the most similar --tone
 
 
 def is_plain(view):
-    """Returns whether Blender's view settings show pictures unchanged."""
     return (view.view_transform, view.look, view.exposure, view.gamma) == ("Standard", "None", 0.0, 1.0) and not view.use_curve_mapping
 
 
@@ -23,7 +22,6 @@ def flags(settings, more):
 
 
 def take_over(settings, view):
-    """Copies Blender's view transform and exposure to the add-on's settings, and resets Blender's to Standard."""
     settings.tone = CURVES.get(view.view_transform, "none")
     settings.exposure += view.exposure
     view.view_transform, view.look, view.exposure, view.gamma, view.use_curve_mapping = "Standard", "None", 0.0, 1.0, False

@@ -1,7 +1,7 @@
-"""Finds the parts of a Blender scene that the export as glTF loses. Each becomes a warning in the panel.
+"""Finds the parts of a Blender scene that the glTF export loses. Each becomes a warning in the panel.
 
-Blender's exporter supports only a Principled BSDF or an Emission that is linked to the material's output, with image textures. It does not evaluate nodes that
-compute colours.
+Blender's exporter supports only a Principled BSDF or an Emission at the material's output, with image textures. It does not
+evaluate nodes that compute colours.
 """
 
 from . import exposure, film, frame, ies
@@ -14,12 +14,12 @@ MOVING = {"MOVIE", "SEQUENCE", "TILED"}
 
 
 def multiplies(node):
-    """Returns whether a node multiplies two colours. The exporter supports this, as a factor of a texture."""
+    """The exporter supports multiplied colours, as a factor of a texture."""
     return node.type in ("MIX", "MIX_RGB") and node.blend_type == "MULTIPLY"
 
 
 def lost_of_node(node):
-    """Returns a description of what the export loses of a node whose output a shader uses. Returns None if it loses nothing."""
+    """Returns a description of what the export loses of a shader node, or None."""
     if node.type == "TEX_COORD":
         others = [output.name for output in node.outputs if output.is_linked and output.name != "UV"]
         return f"coordinates {', '.join(others)}" if others else None
@@ -29,7 +29,6 @@ def lost_of_node(node):
 
 
 def lost_of_material(material):
-    """Returns descriptions of what the export loses of a material, without repetitions."""
     output = material.node_tree.get_output_node("ALL") if material.use_nodes and material.node_tree else None
     if output is None:
         return []
@@ -43,7 +42,6 @@ def lost_of_material(material):
 
 
 def is_animated(thing):
-    """Returns whether keys or drivers animate a datablock or its nodes."""
     motions = [getattr(owner, "animation_data", None) for owner in (thing, getattr(thing, "node_tree", None)) if owner]
     return any(motion and (motion.action or len(motion.drivers)) for motion in motions)
 
@@ -90,14 +88,13 @@ def say_of_objects(things, report):
 
 
 def composites(scene):
-    """Returns whether the scene uses Blender's compositor. Since Blender 5.0, the compositor's nodes are a node group of the scene."""
+    """Since Blender 5.0, the compositor's nodes are a node group of the scene."""
     if hasattr(scene, "compositing_node_group"):
         return scene.compositing_node_group is not None
     return scene.use_nodes
 
 
 def is_panoramic(scene):
-    """Returns whether a panoramic camera places the display."""
     camera = scene.camera
     is_shown = scene.lippmann.output == "camera" or not frame.placed(scene)
     return bool(camera and camera.type == "CAMERA" and camera.data.type == "PANO" and is_shown)
@@ -118,8 +115,8 @@ def say_of_scene(scene, still, report):
 
 
 def say(scene, still, baked, report):
-    """Adds warnings about everything that the export loses to the report. Call after missing textures were removed. baked: {material: descriptions of nodes} that
-    baking.bake() has replaced, which are not lost."""
+    """Warns about everything that the export loses. Call after removing missing textures. baked: {material: nodes that
+    baking.bake() has replaced}, which are not lost."""
     things = [thing for thing in scene.objects if not thing.hide_render]
     shown = {thing.instance_collection for thing in things if thing.instance_collection}
     things += [thing for collection in sorted(shown, key=lambda c: c.name) for thing in collection.all_objects]

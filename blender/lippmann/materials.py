@@ -1,7 +1,8 @@
-"""Simplifies materials to what Blender's glTF exporter supports: one Principled BSDF at the output, with constants and image textures.
+"""Replaces shaders by one Principled BSDF with constants and image textures, because Blender's glTF exporter supports nothing
+else.
 
-Users' materials have other shaders, mixtures of shaders, groups of nodes, and colours that nodes compute from constants. If a material equals or resembles a
-Principled BSDF, it is replaced in the exported copy of the file. Other materials stay as they are, and losses.py warns about them.
+A material is replaced in the exported copy of the file if it equals or resembles a Principled BSDF. losses.py warns about all
+others.
 """
 
 import math
@@ -10,7 +11,7 @@ from dataclasses import dataclass, field
 NAMES = {  # inputs of the Principled BSDF whose names depend on the version of Blender
     "Specular": ("Specular", "Specular IOR Level"), "Transmission": ("Transmission", "Transmission Weight"), "Emission": ("Emission", "Emission Color"),
 }
-PLAIN_F0 = 0.08  # normal reflectance of Specular 1
+PLAIN_F0 = 0.08  # reflectance at normal incidence if the input Specular is 1
 BLACK, WHITE = (0.0, 0.0, 0.0, 1.0), (1.0, 1.0, 1.0, 1.0)
 NOT_COPIED = {"rna_type", "type", "location", "location_absolute", "width", "height", "name", "label", "parent", "select", "inputs", "outputs", "dimensions", "internal_links", "show_options",
               "show_preview", "show_texture", "hide", "bl_idname"}
@@ -18,12 +19,11 @@ PARTS_OF_NODES = ("image_user", "texture_mapping", "color_mapping")
 
 
 def name_among(inputs, name):
-    """Returns the name of a Principled BSDF's input in this version of Blender, or None if this version does not have the input."""
     return next((one for one in NAMES.get(name, (name,)) if one in inputs), None)
 
 
 def input_of(shader, name):
-    """Returns an input of a Principled BSDF, or None if this version of Blender does not have the input. name: as in Blender 3."""
+    """Returns an input of a Principled BSDF, or None if this version of Blender does not have it. name: as in Blender 3."""
     found = name_among(shader.inputs, name)
     return shader.inputs[found] if found else None
 
@@ -46,8 +46,6 @@ def plain(value):
     return tuple(value) if hasattr(value, "__len__") else value
 
 
-# ---- Constants ---------------------------------------------------------------------------------------------------------------------
-
 def mixed(kind, a, b, share):
     by_kind = {"MIX": lambda x, y: y, "MULTIPLY": lambda x, y: x * y, "ADD": lambda x, y: x + y, "SUBTRACT": lambda x, y: x - y, "SCREEN": lambda x, y: 1 - (1 - x) * (1 - y),
                "DARKEN": min, "LIGHTEN": max}
@@ -61,7 +59,7 @@ def as_colour(value):
 
 
 def mix_inputs(node):
-    """Returns the input sockets (factor, first colour, second colour) of a node that mixes colours. Returns None if it mixes something else."""
+    """Returns the input sockets (factor, first colour, second colour) of a node that mixes colours, else None."""
     if node.type == "MIX_RGB":
         return node.inputs[0], node.inputs[1], node.inputs[2]
     if node.data_type != "RGBA":
@@ -105,7 +103,7 @@ CONSTANTS = {"RGB": lambda node: tuple(node.outputs[0].default_value), "VALUE": 
 
 
 def constant(socket):
-    """Returns the value of an input socket, in the socket's type, if it is the same on the whole surface. Returns None if it varies or is unknown."""
+    """Returns the value of an input socket if it is the same on the whole surface, else None."""
     output = link_of(socket)
     if output is None:
         return plain(socket.default_value) if hasattr(socket, "default_value") else None
@@ -123,8 +121,8 @@ def is_white(socket):
 
 
 def kept_side(node):
-    """Returns the input socket of a mix node whose colour is the node's output, for example the first colour if the factor is 0. Returns None if the output is
-    mixed."""
+    """Returns the one colour socket of a mix node that determines its output (for example, the first if the factor is 0), else
+    None."""
     share, a, b = mix_inputs(node)
     weight, multiplies = constant(share), node.blend_type == "MULTIPLY"
     if weight == 0.0 or (multiplies and is_white(b)):
@@ -133,7 +131,8 @@ def kept_side(node):
 
 
 def value_of(socket):
-    """Returns the constant value of an input socket, or else the output to which it is linked. Skips mix nodes whose output equals one of their colours."""
+    """Returns the constant value of an input socket, or else the output to which it is linked. Skips mix nodes that pass one
+    colour through."""
     found = constant(socket)
     if found is not None:
         return found
@@ -146,14 +145,12 @@ def is_constant(value):
     return isinstance(value, (tuple, float, int))
 
 
-# ---- Shaders -----------------------------------------------------------------------------------------------------------------------
-
 @dataclass
 class Surface:
-    """A surface that a Principled BSDF can show."""
+    """A surface that a Principled BSDF can represent."""
 
     values: dict = field(default_factory=dict)  # name of an input -> constant, or output socket to link
-    own: object = None  # an existing Principled BSDF, whose other inputs are kept; None: a new node with the default inputs
+    own: object = None  # existing Principled BSDF, whose other inputs are kept; None: a new node
     near: list = field(default_factory=list)  # descriptions of properties that are only approximated
 
     def get(self, name, default):
@@ -174,7 +171,6 @@ def of_values(node, near=(), **values):
 
 
 def scaled(colour, by):
-    """Returns a colour multiplied by a number. colour: a constant, or an output socket, for which it adds a node."""
     if is_constant(colour):
         return (*(by * channel for channel in colour[:3]), 1.0)
     product = colour.id_data.nodes.new("ShaderNodeMixRGB")
@@ -185,8 +181,8 @@ def scaled(colour, by):
 
 
 def diffuse(node, near=()):
-    """Returns the surface of a diffuse shader. Cycles uses the Oren-Nayar model if the roughness is not 0. The mean brightness of that model, by integration, is
-    1 / (1 + 0.2 roughness) times that of Lambert's model. The colour is multiplied by this factor."""
+    """Returns the surface of a diffuse shader. With roughness, Cycles uses the Oren-Nayar model. Its mean brightness, by
+    integration, is 1 / (1 + 0.2 roughness) times that of Lambert's model, so the colour is multiplied by this factor."""
     roughness = constant(node.inputs["Roughness"]) if "Roughness" in node.inputs else 0.0
     colour = value_of(node.inputs["Color"])
     if roughness:
@@ -221,7 +217,7 @@ BY_KIND = {
 
 
 def normal_reflectance(socket):
-    """Returns the reflectance at normal incidence if the factor of a mixture is a Fresnel or Layer Weight node, else None."""
+    """Returns the reflectance at normal incidence if a Fresnel or Layer Weight node is linked to the socket, else None."""
     output = link_of(socket)
     if output is None or output.node.type not in ("FRESNEL", "LAYER_WEIGHT") or (output.node.type == "LAYER_WEIGHT" and output.name != "Fresnel"):
         return None
@@ -237,13 +233,12 @@ def is_new(surface, **wanted):
 
 
 def coated(base, coat, reflectance):
-    """Returns a diffuse surface below a clear coat. reflectance: reflectance of the coat at normal incidence."""
+    """Returns a diffuse surface below a clear coat. reflectance: of the coat, at normal incidence."""
     values = {**base.values, "Specular": min(reflectance / PLAIN_F0, 1.0), "Roughness": coat.values["Roughness"]}
     return Surface(values, near=[*base.near, *coat.near])
 
 
 def blended_value(a, b, share):
-    """Interpolates between two constants. Returns None if one of the values varies or the types differ."""
     if not is_constant(a) or not is_constant(b):
         return None
     if isinstance(a, tuple) != isinstance(b, tuple):
@@ -252,7 +247,6 @@ def blended_value(a, b, share):
 
 
 def with_alpha(surface, alpha):
-    """Returns the surface with its coverage multiplied by alpha. alpha: a constant, or an output socket."""
     before = surface.get("Alpha", 1.0)
     if is_constant(alpha) and is_constant(before):
         alpha = alpha * before
@@ -262,7 +256,7 @@ def with_alpha(surface, alpha):
 
 
 def lit(surface, light, share=1.0):
-    """Returns a surface that also emits the light of another one, multiplied by `share`."""
+    """Returns `surface` with the emission of the surface `light`, multiplied by `share`."""
     strength = light.values["Emission Strength"]
     strength = strength * share if is_constant(strength) else strength
     return Surface({**surface.values, "Emission": light.values["Emission"], "Emission Strength": strength}, surface.own, [*surface.near, *light.near])
@@ -306,12 +300,11 @@ def constant_mixture(first, second, share):
         if blended is not None:
             values[name] = blended
     if is_new(first, Metallic=0.0, Specular=0.0) and is_new(second, Metallic=1.0):
-        values["Roughness"] = second.values["Roughness"]  # the roughness of `first` is invisible, because it has no reflection
+        values["Roughness"] = second.values["Roughness"]  # `first` has no reflection, so its roughness is invisible
     return Surface(values, None, [*near, "a mixture of shaders"])
 
 
 def darkened(surface, share):
-    """Returns the surface with its colour multiplied by `share`, for mixtures of a surface and a light."""
     colour = surface.get("Base Color", WHITE)
     return Surface({**surface.values, "Base Color": scaled(colour, share)}, surface.own, surface.near)
 
@@ -330,7 +323,7 @@ def of_sum(node):
 
 
 def surface_of(socket):
-    """Returns the surface of the shader that is linked to a socket. Returns None if no Principled BSDF resembles it."""
+    """Returns the surface of the shader that is linked to a socket, or None if no Principled BSDF resembles it."""
     output = link_of(socket)
     if output is None:
         return None
@@ -340,8 +333,6 @@ def surface_of(socket):
         return of_sum(output.node)
     return BY_KIND[output.node.type](output.node) if output.node.type in BY_KIND else None
 
-
-# ---- Groups ------------------------------------------------------------------------------------------------------------------------
 
 def copy_properties(of, to):
     for name, kind in of.bl_rna.properties.items():
@@ -386,14 +377,13 @@ def copy_node(node, tree):
 
 
 def take_apart(group, tree):
-    """Replaces a group node by copies of the nodes in the group."""
     inner = group.node_tree
     copies = {node.name: copy_node(node, tree) for node in inner.nodes if node.type not in ("GROUP_INPUT", "GROUP_OUTPUT", "FRAME")}
     ends = [node for node in inner.nodes if node.type == "GROUP_OUTPUT" and node.is_active_output]
 
     def feed(source, target):
-        """Links `source`, an output socket in the group, to `target`, an input socket of the tree. If `source` is an input of the group, uses what is linked to that
-        input, or its constant."""
+        """Links `source`, an output socket in the group, to `target`. If `source` is an input of the group, uses the link or
+        the constant at that input."""
         if source.node.type == "GROUP_INPUT":
             index = list(source.node.outputs).index(source)
             given = group.inputs[index]
@@ -419,7 +409,7 @@ def take_apart(group, tree):
 
 
 def take_groups_apart(tree):
-    """Replaces up to 64 groups of a tree by their nodes, including groups in groups."""
+    """Replaces up to 64 group nodes by their nodes, including groups in groups."""
     for _ in range(64):
         group = next((node for node in tree.nodes if node.type == "GROUP" and node.node_tree), None)
         if group is None:
@@ -427,10 +417,7 @@ def take_groups_apart(tree):
         take_apart(group, tree)
 
 
-# ---- Materials ---------------------------------------------------------------------------------------------------------------------
-
 def set_value(socket, value):
-    """Sets the constant value of a socket. Converts between numbers and colours."""
     if socket.type in ("RGBA", "VECTOR"):
         colour = as_colour(value)
         socket.default_value = colour[:len(socket.default_value)] if len(colour) >= len(socket.default_value) else (*colour, 1.0)
@@ -449,7 +436,6 @@ def put(value, socket, tree):
 
 
 def fold(shader, tree):
-    """Simplifies the inputs of a shader by value_of()."""
     for socket in shader.inputs:
         if socket.is_linked and socket.type in ("RGBA", "VALUE"):
             put(value_of(socket), socket, tree)
@@ -497,12 +483,12 @@ def simplify_all(materials, report):
     for material in materials:
         try:
             simplify(material, report)
-        except (AttributeError, RuntimeError, TypeError) as error:  # nodes of missing add-ons, or of later versions of Blender
+        except (AttributeError, RuntimeError, TypeError) as error:  # nodes of missing add-ons or later versions of Blender
             report.warn(f"The material {material.name} could not be read: {error}.")
 
 
 def take_gloss_away(document):
-    """Removes the reflection at grazing angles that the exporter gives to materials whose Specular is 0, because Blender shows none. Returns whether a material
+    """Removes the reflection at grazing angles that the exporter adds to materials with Specular 0. Returns whether a material
     was changed."""
     changed = False
     for material in document.get("materials", []):

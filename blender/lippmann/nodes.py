@@ -14,7 +14,7 @@ def upstream(node):
 
 
 def source(socket):
-    """Returns the node whose output is linked to an input socket. Skips reroute nodes. Returns None if the socket is not linked."""
+    """Returns the node whose output is linked to an input socket, or None. Skips reroute nodes."""
     while socket.links and socket.links[0].from_node.type == "REROUTE":
         socket = socket.links[0].from_node.inputs[0]
     return socket.links[0].from_node if socket.links else None

@@ -1,4 +1,4 @@
-"""Draws the display into the viewport: its plane, the depth that is sharp, and the viewing zone."""
+"""Draws the display into the viewport: its plane, the range of sharp depth, and the viewing zone."""
 
 import math
 
@@ -17,7 +17,7 @@ _handle = None
 
 
 def rectangle(zone, z):
-    """Returns the corners of the rectangle at the depth z that the viewer sees through the display."""
+    """Returns the corners of the rectangle at depth z that the viewer sees through the display."""
     grow = 1.0 - z / zone.distance
     return [(sx * 0.5 * zone.width * grow, sy * 0.5 * zone.height * grow, z) for sx, sy in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
 
@@ -27,7 +27,7 @@ def loop(corners):
 
 
 def figures(zone):
-    """Returns the figures to draw: (kind of primitive, corners in the frame's space, colour)."""
+    """Returns (kind of primitive, corners in the display's space, colour) for each shape to draw."""
     front, back = min(zone.budget, 0.9 * zone.distance), -zone.budget
     near, far = rectangle(zone, front), rectangle(zone, back)
     eye = (0.0, 0.0, zone.distance)

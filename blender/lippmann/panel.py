@@ -1,5 +1,3 @@
-"""The add-on's panel in the render properties, and the operators of its buttons."""
-
 import subprocess
 import textwrap
 
@@ -27,7 +25,7 @@ def selected(context):
 
 
 def is_possible(operator, condition, reason):
-    """Returns the condition. If it is false, Blender disables the button, and its tooltip shows the reason."""
+    """Returns the condition. If it is false, Blender disables the button and shows the reason as its tooltip."""
     if not condition:
         operator.poll_message_set(reason)
     return bool(condition)
@@ -108,7 +106,8 @@ def panel_width(context):
 
 
 def show_sentence(layout, text, width, icon="ERROR"):
-    """Shows a text in as many lines as it needs, because Blender does not wrap labels. width: of the panel, in pixels. A letter is about 7 pixels wide."""
+    """Shows a text in several lines, because Blender does not wrap labels. width: of the panel, in pixels. A letter is about 7
+    pixels wide."""
     column = layout.column(align=True)
     for index, line in enumerate(textwrap.wrap(text, max(20, int((width - 60) / 7)))):
         column.label(text=line, icon="BLANK1" if index else icon)
@@ -171,11 +170,10 @@ class LIPPMANN_PT_light_field(bpy.types.Panel):
             layout.operator("lippmann.take_over_view_transform")
 
     def _refusal(self, context, layout):
-        """Shows a message if the size of the picture is invalid."""
         try:
             refusal = displays.refused_size(context.scene, job.resolution(context.scene))
         except tool.ToolError:
-            return  # _frame() shows it
+            return  # _frame() shows the error
         if refusal:
             show_sentence(layout, refusal, panel_width(context))
 
@@ -201,13 +199,11 @@ class LIPPMANN_PT_light_field(bpy.types.Panel):
 
 
 def length(scene, value):
-    """Formats a length in scene units as Blender does, such as 1.2 m."""
     units = scene.unit_settings
     return bpy.utils.units.to_string(units.system, "LENGTH", value * units.scale_length, precision=3).strip()
 
 
 def figures(scene, display, zone):
-    """Returns lines of text about the display: its lengths in mm, and in the scene."""
     return [f"{display['views']} views within {display['view_cone_deg']:.0f}\u00b0",
             f"Viewer at {display['viewing_distance_mm']:.0f} mm; in the scene at {length(scene, zone.distance)}",
             f"Sharp \u00b1 {display['depth_budget_mm']:.1f} mm; in the scene \u00b1 {length(scene, zone.budget)}"]

@@ -1,9 +1,9 @@
-"""Formats progress as text, for Blender's status bar and for the terminal of a Blender without a window."""
+"""Formats progress as text, for Blender's status bar and for the terminal."""
 
 import sys
 import time
 
-EVERY = 5.0  # minimum time between two lines about the same step in the terminal, in seconds
+EVERY = 5.0  # minimum time between two lines about the same step, in seconds
 
 
 def clock(seconds):
@@ -23,7 +23,7 @@ def sentence(step, share, seconds_left):
 
 
 class Terminal:
-    """Prints a line when a step begins. During the step, prints a changed line at most every EVERY seconds."""
+    """Prints a line when a step begins, and then at most one every EVERY seconds."""
 
     def __init__(self, now=time.monotonic, file=None):
         self._now, self._file = now, file or sys.stderr

@@ -1,7 +1,7 @@
 """The operator that renders light fields with Blender's other engines (views.py).
 
-If the user starts the operator in a window, it works between Blender's events: Blender stays responsive, the status bar shows progress, and Esc stops. If a script
-starts it, or if there is no window, it returns when everything is rendered.
+From a window, the operator runs step by step, so that Blender stays responsive and Esc stops it. From a script, it returns when
+everything is rendered.
 """
 
 import bpy
@@ -23,12 +23,10 @@ def is_running():
 
 
 def status():
-    """Returns the text for the status bar and the panel. It is empty if nothing is running."""
     return _running.status if _running else ""
 
 
 def show_pictures(pictures):
-    """Loads the first picture, and shows it in open image editors."""
     engine.last_folder = str(pictures[0].parent)
     image = bpy.data.images.load(str(pictures[0]), check_existing=True)
     image.reload()
@@ -39,7 +37,6 @@ def show_pictures(pictures):
 
 
 def render_picture(scene, how="EXEC_DEFAULT"):
-    """Renders the scene with Blender. Raises ToolError with Blender's message."""
     try:
         bpy.ops.render.render(how, write_still=True, scene=scene.name)
     except RuntimeError as error:
@@ -47,7 +44,7 @@ def render_picture(scene, how="EXEC_DEFAULT"):
 
 
 class Run:
-    """Renders views in steps, which are taken one at a time between Blender's events."""
+    """Renders views step by step, between Blender's events."""
 
     def __init__(self, made, numbers):
         self.made, self.status = made, ""
@@ -63,7 +60,7 @@ class Run:
         self._is_cancelled = True
 
     def advance(self):
-        """Takes the next step, unless Blender still renders the picture of the last one. Returns whether there are more steps. Raises ToolError."""
+        """Takes the next step, unless Blender still renders a picture. Returns whether there are more steps. Raises ToolError."""
         if bpy.app.is_job_running("RENDER") or (self._waits and not self._is_cancelled):
             return True
         step = None if self._is_cancelled else next(self._steps, None)
@@ -91,7 +88,6 @@ def frames_of(scene, animation):
 
 
 def refusal(scene):
-    """Returns a message if views of the scene cannot be rendered, else None."""
     try:
         return views.refused(scene, displays.chosen(scene))
     except tool.ToolError as error:
@@ -164,7 +160,7 @@ class RunViews(bpy.types.Operator):
     def modal(self, context, event):
         if event.type == "ESC":
             _running.cancel()
-            return {"PASS_THROUGH"}  # so that Esc also stops Blender's render of the current view
+            return {"PASS_THROUGH"}  # Esc must also stop Blender's render of the current view
         if event.type != "TIMER":
             return {"PASS_THROUGH"} if event.type.startswith("TIMER") or event.type == "MOUSEMOVE" else {"RUNNING_MODAL"}
         try:
@@ -190,7 +186,7 @@ class RunViews(bpy.types.Operator):
         return {"FINISHED"}
 
     def cancel(self, context):
-        """Called when Blender opens another file or ends."""
+        """Blender calls this when it opens another file or ends."""
         self._end(context)
 
     def _end(self, context):

@@ -1,7 +1,7 @@
 """Replaces files that Blender saves by the tool's pictures.
 
-Blender would apply its view transform to pictures that the tool has already prepared for the display. It would also save quilts under names without the number of
-tiles, which players of quilts need.
+Blender would apply its view transform a second time, and would omit the number of tiles, which players of quilts read from the
+file name.
 """
 
 import pathlib
@@ -14,7 +14,7 @@ from . import losses
 
 QUILT = re.compile(r"_qs\d+x\d+a[0-9.]+(?=\.[a-z]+$)")  # docs/reference/formats.md
 
-_shown = None  # (path, is_animation): the tool's picture that Blender showed last, and whether it is a frame of an animation
+_shown = None  # (path, is_animation): the picture that Blender showed last, and whether it is a frame of an animation
 
 
 def remember(picture, is_animation):
@@ -23,13 +23,12 @@ def remember(picture, is_animation):
 
 
 def quilt_suffix(picture):
-    """Returns the end of a quilt's name that states its tiles, such as _qs8x6a0.75. Returns an empty string for other pictures."""
+    """Returns the end of a quilt's file name that states its tiles, such as _qs8x6a0.75, or an empty string."""
     found = QUILT.search(pathlib.Path(picture).name)
     return found.group() if found else ""
 
 
 def written_path(scene, is_animation):
-    """Returns the path to which Blender saves the current frame."""
     render = scene.render
     if is_animation:
         return pathlib.Path(render.frame_path(frame=scene.frame_current))
@@ -39,13 +38,13 @@ def written_path(scene, is_animation):
 
 
 def has_strips(scene):
-    """Returns whether Blender's video sequencer has strips. Up to Blender 4.3, their list has another name."""
+    """Returns whether Blender's video sequencer has strips. Blender 4.3 and older use another name for their list."""
     editor = scene.sequence_editor
     return bool(editor and len(editor.strips_all if hasattr(editor, "strips_all") else editor.sequences_all))
 
 
 def is_ours(scene):
-    """Returns whether the file that Blender saves is replaced. It must be a PNG of this engine that neither the compositor nor the sequencer changes."""
+    """Returns whether to replace the file that Blender saves: a PNG of this engine without compositing or sequencing."""
     render = scene.render
     if render.engine != "LIPPMANN" or render.image_settings.file_format != "PNG" or not _shown or _shown[0].suffix != ".png":
         return False

@@ -1,13 +1,12 @@
-"""Exports a scene as glTF, with a camera at the position of the viewer of the display. Runs in a second Blender, in the background:
+"""Exports a scene as glTF, with a camera at the position of the display's viewer. Runs in a second Blender:
 
   blender -b --factory-startup -P scene_export.py -- REQUEST.json
 
-The second Blender can change the scene freely, and can be stopped by ending its process. REQUEST.json contains: library (a .blend file with the scene), scene (its
-name), display, calibration, frames (first and last), still (whether to export one picture), and the files to write: glb, world (a panorama) and report (JSON).
+REQUEST.json contains: library (a .blend file with the scene), scene (its name), display, calibration, frames (first and last),
+still (whether to export one picture), and the files to write: glb, world (a panorama) and report (JSON).
 
-Every object that Blender shows (by modifiers, collections, particles, text, curves) becomes a mesh with keys at each frame, because Blender's glTF exporter ignores
-motion by constraints, drivers, parents and simulations. In animations, meshes that armatures or shape keys deform are exported as they are, so that the
-exporter writes skins and morph targets.
+Every object becomes a mesh with a key at each frame, because Blender's glTF exporter ignores motion by constraints, drivers,
+parents and simulations. In animations, meshes that armatures or shape keys deform are exported with skins and morph targets.
 """
 
 import importlib
@@ -25,12 +24,10 @@ HERE = pathlib.Path(__file__).resolve().parent
 SOLID = {"MESH", "CURVE", "SURFACE", "META", "FONT"}
 LOST = {"VOLUME": "volumes", "CURVES": "hair curves", "POINTCLOUD": "point clouds", "GPENCIL": "grease pencil", "GREASEPENCIL": "grease pencil", "LIGHT_PROBE": None, "SPEAKER": None}
 EYE = "lippmann-eye"
-PARALLEL = 1e4  # viewing distance for an orthographic camera, divided by the height of its picture; rays diverge by less than a pixel
+PARALLEL = 1e4  # viewing distance / picture height for an orthographic camera; rays diverge by less than a pixel
 
 
 class Report:
-    """The warnings for the user, without repetitions."""
-
     def __init__(self):
         self.warnings = []
 
@@ -40,12 +37,12 @@ class Report:
 
 
 def begin(step, share=0.0):
-    """Prints a line of progress for the parent (tool.Child)."""
+    """Prints a line of progress for the parent process."""
     print(json.dumps({"step": step, "share": share}), file=sys.stderr, flush=True)
 
 
 def load(request):
-    """Opens the .blend file that the user's Blender wrote, and returns the scene. Linking the scene as a library would fail if a name in it is not UTF-8."""
+    """Opens the .blend file and returns the scene. Linking the scene as a library would fail if a name in it is not UTF-8."""
     bpy.ops.wm.open_mainfile(filepath=request["library"], load_ui=False)
     scene = bpy.data.scenes[request["scene"]]
     bpy.context.window.scene = scene
@@ -62,7 +59,8 @@ def readable(thing):
 
 
 def named_lists():
-    """Yields all lists of things that have names. Bones come before vertex groups, because renaming a bone renames its vertex groups."""
+    """Yields all lists of things that have names. Bones come before vertex groups, because renaming a bone renames its vertex
+    groups."""
     yield from (armature.bones for armature in bpy.data.armatures)
     yield from (thing.vertex_groups for thing in bpy.data.objects)
     yield from (layers for mesh in bpy.data.meshes for layers in (mesh.uv_layers, mesh.color_attributes))
@@ -96,7 +94,7 @@ def leave_out_missing_files(report):
 
 
 def show_as_rendered(scene):
-    """Gives the viewport the visibility and the level of detail of renders, because the export reads what the viewport shows."""
+    """Copies the visibility and the level of detail of renders to the viewport, because the export reads the viewport's."""
     def show(layer):
         layer.hide_viewport = False
         layer.collection.hide_viewport = layer.collection.hide_render
@@ -120,14 +118,13 @@ def show_as_rendered(scene):
 
 
 def deforms(thing):
-    """Returns whether an armature or shape keys, which glTF supports, can deform an object."""
     keys = getattr(thing.data, "shape_keys", None)
     armature = any(modifier.type == "ARMATURE" and modifier.object for modifier in thing.modifiers)
     return thing.type == "MESH" and (armature or bool(keys and (keys.animation_data or keys.key_blocks)))
 
 
 def take_out_nowhere(mesh, name, report):
-    """Removes vertices with coordinates that are not finite, and the faces at them."""
+    """Removes vertices with coordinates that are not finite, and their faces."""
     points = np.empty(3 * len(mesh.vertices), np.float32)
     mesh.vertices.foreach_get("co", points)
     nowhere = np.flatnonzero(~np.isfinite(points.reshape(-1, 3)).all(axis=1))
@@ -143,19 +140,19 @@ def take_out_nowhere(mesh, name, report):
 
 
 def mend_figures(scene, report):
-    """Calls take_out_nowhere() for the meshes that deform, which are exported as they are. Call before evaluating the scene."""
+    """Removes invalid vertices of deforming meshes, which are exported unevaluated. Call before evaluating the scene."""
     for thing in scene.objects:
         if not thing.hide_render and deforms(thing):
             take_out_nowhere(thing.data, thing.name, report)
 
 
 def mesh_of(instance, depsgraph, report):
-    """Returns a new mesh of what an instance shows, with the materials of its object. Returns None if there are no faces."""
+    """Returns a new mesh of an instance, with the materials of its object, or None if it has no faces."""
     shown = instance.object
     evaluated = shown.original.evaluated_get(depsgraph)
     if shown.data.as_pointer() == evaluated.data.as_pointer():
         mesh = bpy.data.meshes.new_from_object(shown, preserve_all_data_layers=True, depsgraph=depsgraph)
-    else:  # a curve or geometry nodes made this mesh; with `depsgraph`, Blender would evaluate their object again
+    else:  # a curve or geometry nodes made this mesh; with `depsgraph`, Blender would evaluate the object again
         mesh = bpy.data.meshes.new_from_object(shown)
     take_out_nowhere(mesh, shown.original.name, report)
     if not mesh.polygons:
@@ -170,7 +167,8 @@ def mesh_of(instance, depsgraph, report):
 
 
 def shining_area(light, report):
-    """Returns an emissive mesh with the shape, the colour and the radiance of an area light. It emits only towards -Z, as the light does."""
+    """Returns an emissive mesh with the shape, colour and radiance of an area light. It emits only towards -Z, as the light
+    does."""
     across = light.size
     up = light.size_y if light.shape in ("RECTANGLE", "ELLIPSE") else across
     if light.shape in ("SQUARE", "RECTANGLE"):
@@ -186,14 +184,14 @@ def shining_area(light, report):
     shader = next(node for node in material.node_tree.nodes if node.type == "BSDF_PRINCIPLED")
     shader.inputs["Base Color"].default_value = (0.0, 0.0, 0.0, 1.0)
     importlib.import_module(f"{HERE.name}.materials").input_of(shader, "Emission").default_value = (*light.color, 1.0)
-    shader.inputs["Emission Strength"].default_value = light.energy / (4.0 * area)  # as in Cycles, which divides by 4, not by pi
+    shader.inputs["Emission Strength"].default_value = light.energy / (4.0 * area)  # Cycles, too, divides by 4, not by pi
     mesh.materials.append(material)
     return mesh
 
 
 def sized(light):
-    """Returns a copy of a light with its size as custom properties. The exporter writes them as extras, because glTF has no such property
-    (docs/reference/gltf.md)."""
+    """Returns a copy of a light with its size as custom properties. The exporter writes them as extras, because glTF has no
+    such property (docs/reference/gltf.md)."""
     light = light.copy()
     if light.type == "SUN":
         light["angle"] = light.angle
@@ -206,8 +204,8 @@ def sized(light):
 
 
 def unmet_by(instance):
-    """Returns custom properties that hide an instance from the camera or from shadow rays. The exporter writes them as extras (docs/reference/gltf.md). The meshes
-    of area lights cast no shadows."""
+    """Returns custom properties that hide an instance from the camera or from shadow rays. The exporter writes them as extras
+    (docs/reference/gltf.md)."""
     things = [instance.object.original] + ([instance.parent.original] if instance.is_instance and instance.parent else [])
     is_area = things[0].type == "LIGHT" and things[0].data.type == "AREA"
     unmet = {}
@@ -221,7 +219,6 @@ def unmet_by(instance):
 
 
 def shape_of(instance, depsgraph, report):
-    """Returns the data (a mesh or a light) of the object that is exported for an instance, or None if nothing is exported."""
     shown = instance.object
     if shown.type == "LIGHT":
         light = shown.data.original
@@ -292,7 +289,7 @@ def set_keys(thing, matrix, frame):
 
 
 def curves_of(motion):
-    """Returns the animation curves of an object. Since Blender 5.0, the curves belong to layers of an action, not to the action."""
+    """Returns the animation curves of an object. Since Blender 5.0, the curves belong to layers of an action."""
     if hasattr(motion.action, "fcurves"):
         return list(motion.action.fcurves)
     bags = [strip.channelbag(motion.action_slot) for layer in motion.action.layers for strip in layer.strips]
@@ -300,8 +297,8 @@ def curves_of(motion):
 
 
 def key_places(thing, places, frames, always=False):
-    """Places an object. Adds keys at all frames if the object moves, if it is not visible in all frames, or if `always`. places: {frame: matrix}. In frames without a
-    matrix, it is scaled to almost nothing."""
+    """Places an object by keys at all frames, or without keys if it neither moves nor disappears and `always` is false.
+    places: {frame: matrix}. A frame without a matrix scales the object to almost nothing."""
     thing.rotation_mode = "QUATERNION"
     first = next(iter(places.values()))
     if not always and len(places) == len(frames) and all(place == first for place in places.values()):
@@ -334,7 +331,6 @@ def eye_of(zone, name):
 
 
 def simulates(scene):
-    """Returns whether the scene has a simulation, so that a frame depends on earlier frames."""
     def moves(modifier):
         grows = modifier.type == "PARTICLE_SYSTEM" and modifier.particle_system.settings.type == "EMITTER"
         return grows or modifier.type in ("CLOTH", "SOFT_BODY", "FLUID", "DYNAMIC_PAINT")
@@ -343,7 +339,7 @@ def simulates(scene):
 
 
 def play_up_to(scene, frame):
-    """Runs simulations from the scene's first frame to `frame`. Otherwise a still would show the beginning of simulations that are not baked."""
+    """Runs simulations up to `frame`. Otherwise a still would show the beginning of simulations that are not baked."""
     if simulates(scene):
         for number in range(min(scene.frame_start, frame), frame):
             scene.frame_set(number)
@@ -355,8 +351,8 @@ def show(scene, frame):
 
 
 def frames_of(request, is_blurred):
-    """Returns the frames that get keys. There is one frame more at the end, because the glTF exporter leaves out the last. With motion blur there is one more at the
-    beginning, because the shutter opens before the first frame."""
+    """Returns the frames that get keys. The last is extra, because the glTF exporter leaves it out. With motion blur the first
+    is extra, because the shutter opens before the first frame."""
     first, last = request["frames"]
     if request["still"]:
         return list(range(first, last + 1))
@@ -364,8 +360,8 @@ def frames_of(request, is_blurred):
 
 
 def build_stage(scene, request, report):
-    """Builds the scene to export. Returns the new scene, the frame.Zone of the first frame, whether a mesh has shape keys, and the tool's flags for lens and
-    shutter."""
+    """Returns the scene to export, the frame.Zone of the first frame, whether a mesh has shape keys, and the tool's flags for
+    lens and shutter."""
     frame_module, exposure = (importlib.import_module(f"{HERE.name}.{name}") for name in ("frame", "exposure"))
     shutter = exposure.shutter_flags(scene, request["still"], report)
     frames = frames_of(request, bool(shutter))
@@ -414,7 +410,7 @@ def build_stage(scene, request, report):
 
 
 def lose_shape(thing):
-    """Removes the shape of a parent, which is needed only for its transform. If the parent is visible, the stage already has a mesh of it."""
+    """Removes the shape of a parent, which is exported only for its transform."""
     if thing.type == "MESH":
         thing.data = bpy.data.meshes.new("place")
         return
@@ -426,7 +422,6 @@ def lose_shape(thing):
 
 
 def keep_deforming(stage, things):
-    """Links objects that deform to the stage, with their armatures and all parents."""
     def link(thing):
         if thing.name not in stage.collection.objects:
             stage.collection.objects.link(thing)
@@ -445,7 +440,7 @@ def keep_deforming(stage, things):
 
 
 def gltf_options(still, has_shape_keys, known):
-    """Returns the options of the glTF exporter. Leaves out options that this version of the exporter does not know. known: their names."""
+    """Returns the options of the glTF exporter that its version supports. known: their names."""
     options = {"export_format": "GLB", "export_cameras": True, "export_lights": True, "export_apply": not has_shape_keys, "export_yup": True,
                "export_animations": not still, "export_frame_range": True, "export_force_sampling": True, "export_nla_strips": False,
                "export_animation_mode": "ACTIVE_ACTIONS", "export_anim_slide_to_zero": False, "export_morph": True, "export_skins": True,
@@ -454,7 +449,6 @@ def gltf_options(still, has_shape_keys, known):
 
 
 def export_gltf(stage, path, still, has_shape_keys):
-    """Runs Blender's glTF exporter."""
     bpy.context.window.scene = stage
     stage.frame_set(stage.frame_start)
     bpy.context.view_layer.update()  # otherwise new objects are at the origin
@@ -492,7 +486,7 @@ def write_panorama(world, path):
     camera.type = "PANO"
     holder = camera if hasattr(camera, "panorama_type") else camera.cycles
     holder.panorama_type = "EQUIRECTANGULAR"
-    # The camera looks along +X, which is the middle of panoramas in glTF.
+    # The camera looks along +X, the middle of panoramas in glTF.
     eye = bpy.data.objects.new("sky", camera)
     eye.rotation_euler = (math.pi / 2, 0.0, -math.pi / 2)
     sky.collection.objects.link(eye)

@@ -1,4 +1,5 @@
-"""The settings of the add-on, which Blender stores in the scene and in the light-field frame. Lengths are in scene units unless a name ends in mm."""
+"""The settings of the add-on, which Blender stores in the scene and in the light-field frame. Lengths are in scene units
+unless a name ends in mm."""
 
 import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, PointerProperty, StringProperty

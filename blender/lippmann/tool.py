@@ -1,7 +1,4 @@
-"""Finds the program lippmann, and runs it as a child process that can be stopped.
-
-This module does not use Blender. Every failure is a ToolError, with a sentence to show to the user.
-"""
+"""Finds the program lippmann and runs it as a child process. Does not use Blender. Every failure is a ToolError."""
 
 import json
 import os
@@ -12,7 +9,7 @@ import signal
 import subprocess
 import threading
 
-STOP_SECONDS = 20.0  # time to stop by itself, before the child process is killed
+STOP_SECONDS = 20.0  # time for the child process to end before it is killed
 
 
 class ToolError(Exception):
@@ -20,7 +17,8 @@ class ToolError(Exception):
 
 
 def find(preferred=""):
-    """Returns the path of the tool: `preferred`, else the environment variable LIPPMANN_TOOL, else `lippmann` in PATH. Raises ToolError."""
+    """Returns the path of the tool: `preferred`, else the environment variable LIPPMANN_TOOL, else `lippmann` in PATH. Raises
+    ToolError."""
     for wanted in (preferred, os.environ.get("LIPPMANN_TOOL", "")):
         if wanted:
             found = shutil.which(os.path.expanduser(wanted))
@@ -45,19 +43,19 @@ def ask(tool, *words):
 
 
 def last_message(text, silent="The tool lippmann failed without a word."):
-    """Returns the last error message in the output of a program, without its prefix. Returns `silent` if the program wrote nothing."""
+    """Returns the last error message in a program's output, without its prefix, or `silent` if there is no output."""
     lines = [line.strip() for line in text.splitlines() if line.strip() and not line.startswith("{")]
     errors = [line for line in lines if re.match(r"(lippmann: )?error", line)]
     return re.sub(r"^(lippmann: )?(error: )?", "", (errors or lines or [silent])[-1])
 
 
 class Child:
-    """A child process. A thread reads its stderr: lines of JSON, which report progress, and other lines."""
+    """A child process. A thread reads its stderr, which mixes lines of JSON (progress) and other lines."""
 
     def __init__(self, words, log, environment=None):
         self.finished_frames = set()
         self.share, self.seconds_left = 0.0, None
-        self.step = ""  # description of the current step
+        self.step = ""
         self.lines = []
         self._log = open(log, "ab")
         self._words = words
@@ -97,7 +95,7 @@ class Child:
             pass
 
     def stop(self):
-        """Interrupts the child as Ctrl-C does, so that it keeps finished frames. Kills it if it has not ended after STOP_SECONDS."""
+        """Interrupts the child as Ctrl-C does, so that it keeps finished frames. Kills it after STOP_SECONDS."""
         if self.running():
             self._process.send_signal(signal.SIGINT if os.name != "nt" else signal.SIGTERM)
             self.wait(STOP_SECONDS)
@@ -119,7 +117,8 @@ class Child:
 
 
 def pictures(folder, frame):
-    """Returns the paths of the finished pictures of a frame: one picture, or the views in the frame's folder (docs/reference/formats.md)."""
+    """Returns the paths of a frame's finished pictures: one picture, or the views in the frame's folder
+    (docs/reference/formats.md)."""
     folder = pathlib.Path(folder)
     stem = f"frame_{frame:04d}"
     found = sorted(path for path in folder.glob(stem + "*") if path.suffix in (".png", ".exr", ".tif", ".tiff"))

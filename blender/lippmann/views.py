@@ -1,8 +1,8 @@
-"""Renders light fields with Blender's own engines, for materials that the tool does not support. Cycles or Eevee renders a picture for each view. Then the tool
-arranges the pictures in a quilt.
+"""Renders light fields with Blender's own engines, for materials that the tool does not support. Cycles or Eevee renders each
+view. Then the tool arranges the views in a quilt.
 
-The cameras are those of the tool's quilts (src/optics/multi_view.hpp). The camera of view v of N is at the viewing distance D from the display, and
-D tan(cone ((v + 1/2) / N - 1/2)) to the right of the middle. Its picture is shifted, not turned, so that it shows the display's frame.
+The cameras are those of src/optics/multi_view.hpp. For viewing distance D, the camera of view v of N is D tan(cone ((v + 1/2) / N
+- 1/2)) to the right of the middle. Its lens is shifted, not turned, so that each picture shows the display's rectangle.
 """
 
 import contextlib
@@ -24,13 +24,12 @@ from . import displays, frame, job as jobs, tool
 NAME = "lippmann-view"
 DRAWN = {"BLENDER_EEVEE", "BLENDER_EEVEE_NEXT", "BLENDER_WORKBENCH"}  # the engines that need OpenGL
 NO_OPENGL = "Eevee and Workbench need OpenGL, and this Blender without a window finds none. Use Cycles, or start it with `xvfb-run -a blender -b`."
-LINES = 8          # lines of sight per row and column of the picture, to test for walls
-_items = []        # items of the list of engines; kept, because Blender does not keep the strings of dynamic lists alive
-WALL_SHARE = 0.25  # walls are cut if they hide this share of the lines of sight, as in the tool (src/stage/front_of_rays.hpp)
+LINES = 8          # rays per row and column of the picture that test for walls
+_items = []        # kept, because Blender does not keep the strings of dynamic lists alive
+WALL_SHARE = 0.25  # walls are cut if they hide this share of the rays, as in the tool (src/stage/front_of_rays.hpp)
 
 
 def engines(_self=None, _context=None):
-    """Returns Blender's other render engines, as items of an EnumProperty."""
     named = {engine.bl_idname: engine.bl_label for engine in bpy.types.RenderEngine.__subclasses__() if hasattr(engine, "bl_idname")}
     named = {"BLENDER_EEVEE_NEXT" if (4, 2) <= bpy.app.version < (5, 0) else "BLENDER_EEVEE": "Eevee", "BLENDER_WORKBENCH": "Workbench", **named}
     named.pop("LIPPMANN", None)
@@ -39,12 +38,13 @@ def engines(_self=None, _context=None):
 
 
 def eye_offset(view, count, cone, distance):
-    """Returns the distance of a view's camera from the middle, to the right. cone: in radians."""
+    """Returns how far a view's camera is to the right of the middle. cone: in radians."""
     return distance * math.tan(cone * ((view + 0.5) / count - 0.5))
 
 
 def place_camera(camera, zone, right):
-    """Moves the camera to the viewing distance and by `right` to the right of the middle. Shifts its lens so that its picture shows the display's frame."""
+    """Moves the camera to the viewing distance and to the right by `right`. Shifts its lens so that the picture shows the
+    display's rectangle."""
     camera.matrix_world = zone.world_from_frame @ Matrix.Translation((right, 0.0, zone.distance))
     data = camera.data
     data.sensor_fit, data.sensor_width = "HORIZONTAL", 36.0
@@ -72,13 +72,12 @@ def tile_of(scene, display):
     """Returns the (width, height) of a view's picture, and the width / height of its pixels on the display."""
     columns, rows = display["quilt"]["tiles"]
     output = scene.lippmann.output
-    width, height = display["quilt"]["size"] if output == "native" else jobs.resolution(scene)  # for other outputs, the resolution is that of one view
+    width, height = display["quilt"]["size"] if output == "native" else jobs.resolution(scene)  # for other outputs, the resolution of one view
     size = (width // columns, height // rows) if output in ("quilt", "native") else (width, height)
     return size, display["quilt"]["aspect"] * size[1] / size[0]
 
 
 def refused(scene, display):
-    """Returns a message if views cannot be rendered for this display, else None."""
     if not display.get("quilt"):
         return f"The display {display['name']} has no quilt. Choose one that has, such as {displays.DEFAULT}."
     return displays.refused_size(scene, jobs.resolution(scene)) if scene.lippmann.output == "quilt" else None
@@ -86,7 +85,8 @@ def refused(scene, display):
 
 @contextlib.contextmanager
 def lent(*owners):
-    """A context manager that sets attributes, and restores them at its end. owners: pairs (object, {name of an attribute: value})."""
+    """A context manager that sets attributes, and restores them at its end. owners: pairs (object, {name of an attribute:
+    value})."""
     before = [(owner, {name: getattr(owner, name) for name in values}) for owner, values in owners]
     try:
         for owner, values in owners:
@@ -100,7 +100,7 @@ def lent(*owners):
 
 
 def settings_for(scene, engine, camera, size, pixel_aspect):
-    """Returns the settings to change while views are rendered, for lent()."""
+    """Returns the settings for lent() while views are rendered."""
     render = scene.render
     wide = pixel_aspect >= 1.0
     values = {"engine": engine, "resolution_x": size[0], "resolution_y": size[1], "resolution_percentage": 100, "pixel_aspect_x": pixel_aspect if wide else 1.0,
@@ -112,7 +112,7 @@ def settings_for(scene, engine, camera, size, pixel_aspect):
 
 @functools.cache
 def has_opengl():
-    """Returns whether a Blender without a window can render by OpenGL. Tests it in a second Blender, because Blender crashes if it cannot."""
+    """Tests in a second Blender whether OpenGL works without a window, because Blender crashes if it does not."""
     with tempfile.TemporaryDirectory(prefix="lippmann-") as folder:
         picture = pathlib.Path(folder) / "drawn.png"
         program = ("import bpy; render = bpy.context.scene.render; render.engine, render.resolution_x, render.resolution_y = 'BLENDER_WORKBENCH', 8, 8; "
@@ -124,16 +124,15 @@ def has_opengl():
 
 @dataclass
 class Step:
-    """A step of rendering views."""
-
-    words: str  # description of the step
+    words: str
     share: float  # share of all work that is done
     seconds_left: float | None = None  # None: unknown
     renders: bool = False  # whether Blender must render a picture before the next step
 
 
 class Views:
-    """Renders frames of a scene as quilts. In the folder, views/ has a picture per view, quilt/ the quilts, native/ the panel's frames."""
+    """Renders frames of a scene as quilts. In the folder, views/ has a picture per view, quilt/ the quilts, native/ the
+    panel's frames."""
 
     def __init__(self, scene, engine):
         self.display = displays.chosen(scene)
@@ -145,7 +144,7 @@ class Views:
         self.scene, self.engine = scene, engine
         self.tool = displays.preferred_tool()
         self.folder = jobs.output_folder(scene) / engine.lower()
-        self.pictures = []  # paths of the results: quilts or native frames
+        self.pictures = []  # paths of the resulting quilts or native frames
         columns, rows = self.display["quilt"]["tiles"]
         self.tiles, self.count = (columns, rows), columns * rows
         self._drawn = self.folder / "rendering.png"  # the view that Blender renders; moved when it is complete
@@ -162,8 +161,8 @@ class Views:
         return self.folder / "views" / f"frame_{number:04d}" / f"view_{view:03d}.png"
 
     def steps(self, numbers):
-        """Renders the frames `numbers`, as a generator that yields Steps. If step.renders is true, the caller must let Blender render the scene with write_still
-        before the next step. Closing the generator restores the scene. Complete views are kept, and used again until the scene changes."""
+        """Renders frames, as a generator of Steps. If step.renders is true, the caller must let Blender render a picture
+        before the next step. Closing the generator restores the scene. Complete views are used again until the scene changes."""
         now = self.scene.frame_current
         try:
             self.scene.frame_set(numbers[0])
@@ -179,7 +178,6 @@ class Views:
             self.scene.frame_set(now)
 
     def _key(self):
-        """Returns a hash of everything on which the views depend."""
         scene = self.scene
         view, render = scene.view_settings, scene.render
         looks = [str(getattr(view, name)) for name in ("view_transform", "look", "exposure", "gamma", "use_curve_mapping")]
@@ -193,7 +191,7 @@ class Views:
             self._remember(key)
 
     def _keys(self):
-        """Returns the hashes of the scene for which the pictures in the folder were rendered. Empty if there is no record or if it is damaged."""
+        """Returns the hashes of the scene whose pictures are in the folder. Empty if the record is missing or damaged."""
         try:
             return json.loads(self._record.read_text())
         except (OSError, ValueError):
@@ -208,7 +206,7 @@ class Views:
             unfinished.replace(self._record)
 
     def _frames(self, numbers):
-        """Yields Steps that render the missing views. Makes the quilt of a frame as soon as all of its views are rendered."""
+        """Yields Steps that render the missing views, and makes each quilt once its views are complete."""
         missing = {number: [view for view in range(self.count) if not self._view(number, view).is_file()] for number in numbers}
         total, left = len(missing) * self.count, sum(map(len, missing.values()))
         begin, rendered = time.monotonic(), 0
@@ -236,7 +234,6 @@ class Views:
             bpy.data.cameras.remove(data)
 
     def _keep(self, number, view):
-        """Moves the picture that Blender has rendered to the file of a view."""
         if not self._drawn.is_file():
             raise tool.ToolError(f"Blender has written no picture of view {view} of frame {number}.")
         place = self._view(number, view)
@@ -249,7 +246,6 @@ class Views:
         camera.data.clip_end = 1e3 * zone.distance
 
     def _convert(self, step, *words):
-        """Runs `lippmann convert`, and yields Steps until it has ended."""
         child = tool.Child([self.tool, "convert", *words, "--quiet"], self.folder / "lippmann.log")
         try:
             while child.running():
@@ -260,7 +256,6 @@ class Views:
             child.stop()
 
     def _lay_out(self, number):
-        """Makes the quilt of a frame. If the output is native, also makes the frame of the panel."""
         name, (columns, rows) = f"frame_{number:04d}", self.tiles
         quilts, frames = self.folder / "quilt", self.folder / "native"
         if not tool.pictures(quilts, number):

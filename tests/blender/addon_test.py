@@ -1,4 +1,4 @@
-"""Tests of the add-on. Blender runs this file: blender -b --factory-startup --python addon_test.py"""
+"""Tests of the Blender add-on. Run with: blender -b --factory-startup --python addon_test.py"""
 
 import ast
 import json
@@ -30,7 +30,6 @@ WHITE = (1.0, 1.0, 1.0, 1.0)
 
 
 def new_scene(folder, output, samples=16, size=(60, 80)):
-    """Returns Blender's default scene (a cube, a lamp, a camera), set up for the add-on."""
     bpy.ops.wm.read_factory_settings()
     scene = bpy.context.scene
     scene.render.engine = "LIPPMANN"
@@ -48,7 +47,7 @@ def gltf(folder):
 
 
 def positions(folder, channel):
-    """Returns the translations of a channel of the first animation in scene.glb, as an array (keys, 3)."""
+    """Returns the key translations, as an array (keys, 3), of one channel of the first animation in scene.glb."""
     data, document = (pathlib.Path(folder) / "scene.glb").read_bytes(), gltf(folder)
     sampler = document["animations"][0]["samplers"][channel["sampler"]]
     accessor = document["accessors"][sampler["output"]]
@@ -58,7 +57,6 @@ def positions(folder, channel):
 
 
 def contrast(picture):
-    """Returns the standard deviation of a picture's codes, which are from 0 to 1."""
     image = bpy.data.images.load(str(picture))
     values = np.empty(len(image.pixels), np.float32)
     image.pixels.foreach_get(values)
@@ -66,7 +64,7 @@ def contrast(picture):
 
 
 def add_figure(scene):
-    """Adds a plane that a bone turns and a shape key raises, from frame 5 to frame 6."""
+    """Adds a plane that a bone rotates and a shape key raises, from frame 5 to frame 6."""
     bpy.ops.object.armature_add()
     skeleton = bpy.context.object
     bone = skeleton.pose.bones[0]
@@ -86,7 +84,6 @@ def add_figure(scene):
 
 
 def add_missing_library(scene, folder):
-    """Links an object from a file, then deletes the file."""
     thing = bpy.data.objects.new("guest", bpy.data.meshes["Cube"])
     bpy.data.libraries.write(str(folder / "guests.blend"), {thing})
     bpy.data.objects.remove(thing)
@@ -97,7 +94,8 @@ def add_missing_library(scene, folder):
 
 
 def open_with_names_replaced(file, names):
-    """Saves the scene, replaces bytes in the file, and opens it, because Blender itself cannot set names that are not UTF-8. names: {old: new} of equal lengths."""
+    """Saves the scene, replaces byte strings in the file, and opens it. Blender itself cannot set names that are not UTF-8.
+    names: {old: new} of equal lengths."""
     bpy.ops.wm.save_as_mainfile(filepath=str(file), compress=False)
     data = file.read_bytes()
     for old, new in names.items():
@@ -116,7 +114,7 @@ def failure(operator, **arguments):
 
 
 def new_group(name, kind, inputs, outputs):
-    """Makes a node group. inputs, outputs: sockets as {name: type}. Since Blender 4.0, they belong to the group's interface."""
+    """Makes a node group. inputs, outputs: sockets as {name: type}."""
     group = bpy.data.node_groups.new(name, kind)
     for sockets, side in ((inputs, "INPUT"), (outputs, "OUTPUT")):
         for socket, of_type in sockets.items():
@@ -128,8 +126,6 @@ def new_group(name, kind, inputs, outputs):
 
 
 class Material:
-    """Builds a material from nodes, and finds it in the exported glTF."""
-
     def __init__(self, name):
         self.material = bpy.data.materials.new(name)
         self.material.use_nodes = True
@@ -153,7 +149,7 @@ class Material:
 
 
 def arrived(scene, folder, materials):
-    """Exports a scene with a small plane for each material. Returns {name: material in glTF}."""
+    """Exports the scene with a small plane for each material. Returns {name: material in the glTF file}."""
     for index, material in enumerate(materials):
         bpy.ops.mesh.primitive_plane_add(size=0.1, location=(0.2 * index, 0.0, 0.0))
         bpy.context.object.data.materials.append(material)
@@ -178,7 +174,7 @@ class AddOn(unittest.TestCase):
         self.assertEqual((len(preview), len(views)), (1, 3))
         told = subprocess.run([os.environ["LIPPMANN_TOOL"], "compare", preview[0], views[1], "--json"], capture_output=True, check=True)
         self.assertGreater(json.loads(told.stdout)["mean"]["ssim"], 0.99)
-        self.assertGreater(contrast(preview[0]), 0.05)  # the picture is not blank
+        self.assertGreater(contrast(preview[0]), 0.05)
 
     def test_an_animation_has_its_frames_moves_by_constraints_and_resumes(self):
         scene = new_scene(self.folder, "quilt", samples=1, size=(80, 60))
@@ -192,7 +188,7 @@ class AddOn(unittest.TestCase):
         follower.constraints.new("COPY_LOCATION").target = cube
         interrupted = jobs.Job(scene, False)
         interrupted.frame(3)
-        interrupted.stop()  # as if the user pressed Esc
+        interrupted.stop()
         before = [path.stat().st_mtime_ns for path in tool.pictures(self.folder / "animation", 3)]
         bpy.ops.render.render(animation=True)
         self.assertEqual(before, [path.stat().st_mtime_ns for path in tool.pictures(self.folder / "animation", 3)])
@@ -221,8 +217,8 @@ class AddOn(unittest.TestCase):
             bpy.context.view_layer.update()
             return -(camera.matrix_world.inverted() @ frame.zone(scene).world_from_frame.translation).z
 
-        camera.data.dof.focus_distance = 0.0  # as in files of old versions of Blender
-        self.assertAlmostEqual(plane(), (camera.location - cube.location).length, delta=1.8)  # somewhere on the cube
+        camera.data.dof.focus_distance = 0.0  # files of old Blender versions contain 0
+        self.assertAlmostEqual(plane(), (camera.location - cube.location).length, delta=1.8)  # anywhere on the cube
         camera.location = 3.0 * camera.location
         self.assertAlmostEqual(plane(), (camera.location - cube.location).length, delta=1.8)
         camera.data.type, camera.data.ortho_scale = "ORTHO", 4.0
@@ -234,7 +230,7 @@ class AddOn(unittest.TestCase):
         self.assertAlmostEqual(plane(), 5.0, places=4)
         camera.data.dof.use_dof = False
         bpy.data.objects.remove(cube)
-        self.assertAlmostEqual(plane(), 5.0, places=4)  # the camera sees nothing, so its focus distance applies
+        self.assertAlmostEqual(plane(), 5.0, places=4)
         camera.data.dof.focus_distance = 0.0
         self.assertAlmostEqual(plane(), frame.UNFOCUSED, places=4)
 
@@ -308,11 +304,11 @@ class AddOn(unittest.TestCase):
         self.assertTrue(panel.figures(scene, display, zone)[1].endswith("at 31.1"), panel.figures(scene, display, zone))
 
     def test_rendering_leaves_the_data_of_blender_alone(self):
-        # Blender 5 crashes at the second frame of an animation if the first frame has loaded and removed an image.
+        # Blender 5 crashes at the second frame of an animation if rendering the first frame loaded and removed an image.
         makes = {"append", "load", "new", "new_from_object", "remove"}
-        for module in (engine, jobs, contents, displays, exposure, film, frame, look, progress, tool):  # the modules that Engine.render() calls
+        for module in (engine, jobs, contents, displays, exposure, film, frame, look, progress, tool):
             for function in ast.walk(ast.parse(pathlib.Path(module.__file__).read_text())):
-                if not isinstance(function, ast.FunctionDef) or (module is frame and function.name == "add"):  # called only by an operator
+                if not isinstance(function, ast.FunctionDef) or (module is frame and function.name == "add"):  # only an operator calls it
                     continue
                 called = [ast.unparse(call.func) for call in ast.walk(function) if isinstance(call, ast.Call)]
                 changed = [name for name in called if name.startswith("bpy.data.") and name.rpartition(".")[2] in makes]
@@ -375,7 +371,7 @@ class AddOn(unittest.TestCase):
         self.assertTrue(any(target["path"] == "rotation" and target["node"] in joints for target in targets))
         self.assertTrue(any(target["path"] == "weights" for target in targets))
         said = " ".join(engine.last_warnings)
-        # Blender 4 and later repair names that are not UTF-8 when they open the file.
+        # Blender 4 and later repair such names when they open the file.
         for words in (*(["no UTF-8"] if bpy.app.version < (4, 0, 0) else []), "guests.blend is missing", "Checker Texture", "display's lenses blur with depth"):
             self.assertIn(words, said)
 
@@ -416,13 +412,13 @@ class AddOn(unittest.TestCase):
         bpy.ops.render.render(animation=True)
         document = gltf(self.folder)
         moved = next(c for c in document["animations"][0]["channels"] if document["nodes"][c["target"]["node"]]["name"].startswith("Cube") and c["target"]["path"] == "translation")
-        np.testing.assert_allclose(positions(self.folder, moved)[[0, -1], 0], (0.0, 3.0), atol=1e-5)  # x of the cube: keys cover the open shutter before the first frame and after the last
+        np.testing.assert_allclose(positions(self.folder, moved)[[0, -1], 0], (0.0, 3.0), atol=1e-5)  # x of the cube; the shutter is open beyond the first and the last frame
         self.assertEqual([words for words in engine.last_warnings if "blur" in words.lower() or "depth of field" in words.lower()], [])
         job = tomllib.loads((self.folder / "animation" / "job.toml").read_text())
         portrait = next(one for one in displays.known() if one["name"] == "looking-glass-portrait")
         per_unit = portrait["size_mm"][1] / 2.0
-        self.assertAlmostEqual(job["focal-plane"], 2.0 * per_unit, delta=1e-3 * per_unit)  # the camera is focused at 8 units, 2 units in front of the plane at 10
-        self.assertAlmostEqual(job["aperture"], 0.04 / 0.5 * portrait["viewing_distance_mm"] / 10.0, delta=1e-3)  # aperture of the camera, f / N = 40 mm / 0.5, times viewing distance / 10 units
+        self.assertAlmostEqual(job["focal-plane"], 2.0 * per_unit, delta=1e-3 * per_unit)  # the camera focuses at 8 units; the display's plane is at 10 units
+        self.assertAlmostEqual(job["aperture"], 0.04 / 0.5 * portrait["viewing_distance_mm"] / 10.0, delta=1e-3)  # f / N = 40 mm / 0.5, times viewing distance / 10 units
         self.assertEqual(job["shutter"], 0.25)
         scene.render.motion_blur_shutter, scene.lippmann.resume = 1.5, False
         bpy.ops.render.render(animation=True)
@@ -466,7 +462,7 @@ class AddOn(unittest.TestCase):
         made.append(m.shows(m.node("ShaderNodeBsdfGlossy", Color=blue, Roughness=0.3)))
         m = Material("glass")
         made.append(m.shows(m.node("ShaderNodeBsdfGlass", Color=WHITE, Roughness=0.0, IOR=1.33)))
-        m = Material("veil")  # with a coverage of 0.25
+        m = Material("veil")
         mixture = m.node("ShaderNodeMixShader", Fac=0.25)
         m.tree.links.new(m.node("ShaderNodeBsdfTransparent").outputs[0], mixture.inputs[1])
         m.tree.links.new(m.node("ShaderNodeBsdfDiffuse", Color=red).outputs[0], mixture.inputs[2])
@@ -481,7 +477,7 @@ class AddOn(unittest.TestCase):
         m.tree.links.new(m.node("ShaderNodeBsdfDiffuse", Color=red).outputs[0], coat.inputs[1])
         m.tree.links.new(m.node("ShaderNodeBsdfGlossy", Color=WHITE, Roughness=0.1).outputs[0], coat.inputs[2])
         made.append(m.shows(coat))
-        m = Material("computed")  # its colour is computed from constants
+        m = Material("computed")
         half = m.node("ShaderNodeMixRGB", Fac=0.5, Color1=red, Color2=blue)
         made.append(m.shows(m.feed(half, m.node("ShaderNodeBsdfPrincipled", Roughness=0.7), "Base Color")))
         arrive = arrived(scene, self.folder, made)
@@ -507,7 +503,7 @@ class AddOn(unittest.TestCase):
         self.assertLess(np.abs(shines - 2.0 * np.array(blue[:3])).max(), 1e-5)
         assert_colour("lacquer", red)
         self.assertAlmostEqual(factors("lacquer")["roughnessFactor"], 0.1, places=5)
-        self.assertNotIn("KHR_materials_specular", arrive["lacquer"].get("extensions", {}))  # glTF's default reflectance, 0.04
+        self.assertNotIn("KHR_materials_specular", arrive["lacquer"].get("extensions", {}))  # absent: the reflectance is glTF's default, 0.04
         assert_colour("computed", 0.5 * (np.array(red) + blue))
         self.assertEqual(engine.last_warnings, [])
 
@@ -558,7 +554,7 @@ class AddOn(unittest.TestCase):
         bpy.ops.render.render()
         first = (self.folder / "scene.glb").read_bytes()
         for file in ((self.folder / "scene.json"), *(self.folder / "baked").iterdir()):
-            file.unlink()  # so that the next render exports and bakes again
+            file.unlink()
         wood = next(one for one in gltf(self.folder)["materials"] if one["name"].startswith("wood"))
         places = {wood["pbrMetallicRoughness"]["baseColorTexture"].get("texCoord", 0), wood["pbrMetallicRoughness"]["metallicRoughnessTexture"].get("texCoord", 0),
                   wood["normalTexture"].get("texCoord", 0)}
@@ -570,8 +566,8 @@ class AddOn(unittest.TestCase):
         red, blue = ((values[:, one] > 0.3) & (values[:, other] < 0.5 * values[:, one]) for one, other in ((0, 2), (2, 0)))
         self.assertGreater(min(red.sum(), blue.sum()), 50)
         bpy.ops.render.render()
-        self.assertEqual((self.folder / "scene.glb").read_bytes(), first)  # so that a render can be resumed
-        self.assertEqual([layer.name for layer in cube.data.uv_layers], ["UVMap"])  # the user's own scene stays as it is
+        self.assertEqual((self.folder / "scene.glb").read_bytes(), first)
+        self.assertEqual([layer.name for layer in cube.data.uv_layers], ["UVMap"])
 
     def test_what_is_copied_of_a_group_is_the_same(self):
         group = new_group("pattern", "ShaderNodeTree", {}, {"Colour": "NodeSocketColor"})
@@ -622,7 +618,7 @@ class AddOn(unittest.TestCase):
                 faces = sum(document["accessors"][part["indices"]]["count"] // 3 for part in mesh["primitives"])
                 shapes.setdefault(faces, []).append({document["materials"][part["material"]]["name"] for part in mesh["primitives"] if "material" in part})
         counts = sorted(len(alike) for alike in shapes.values())
-        self.assertEqual(counts, [1, 1, 1, 1, 4], shapes)  # an icosahedron at each of the 4 corners of the plane; the plane itself is not exported
+        self.assertEqual(counts, [1, 1, 1, 1, 4], shapes)  # four instances of an icosahedron, one per corner of the plane
         self.assertEqual(len(shapes[20]), 4)
         self.assertEqual(sum(names == [{"paint"}] for names in shapes.values()), 4)
         self.assertEqual(engine.last_warnings, [])
@@ -652,7 +648,7 @@ class AddOn(unittest.TestCase):
             document = gltf(self.folder)
             shown = [node for node in document["nodes"] if "mesh" in node]
             self.assertEqual(sum("skin" in node for node in shown), 1)
-            self.assertEqual(len(shown), 1 if hidden else 3, [node["name"] for node in shown])  # the plane of add_figure(), and if not hidden, the cube and the text
+            self.assertEqual(len(shown), 1 if hidden else 3, [node["name"] for node in shown])  # the plane, and unless hidden, the cube and the text
             self.assertEqual(engine.last_warnings, [])
 
     def test_simulations_play_up_to_the_frame_of_a_still(self):
@@ -718,7 +714,7 @@ class AddOn(unittest.TestCase):
         self.assertEqual(extras["Suzanne"], {"casts_shadow": 0}, extras)
         self.assertEqual(extras["Cube"], {"visible_to_camera": 0}, extras)
         self.assertEqual([w for w in engine.last_warnings if "rays that surfaces scatter" in w], [f"{monkey.name} is hidden from some of the rays that surfaces scatter; they meet it all the same."])
-        self.assertNotIn("casts_shadow", monkey.keys())  # the user's scene is unchanged
+        self.assertNotIn("casts_shadow", monkey.keys())
 
     def test_meshes_with_vertices_that_are_nowhere_lose_the_faces_at_them_which_is_said(self):
         scene = new_scene(self.folder, "single", samples=1)
@@ -738,7 +734,7 @@ class AddOn(unittest.TestCase):
         cube.vertices[0].co.x = cube.vertices[1].co.y = np.nan
         bpy.ops.render.render()
         self.assertEqual((engine.last_warnings, faces()), ([said.format("Cube")], {"Cube": 4, "Plane": 2, "Icosphere": 80}))
-        self.assertEqual(len(cube.vertices), 8)  # the user's scene is unchanged
+        self.assertEqual(len(cube.vertices), 8)
         bpy.ops.object.select_all(action="DESELECT")
         figure.vertices[0].co.z = np.nan
         bpy.ops.render.render(animation=True)
@@ -793,7 +789,7 @@ class AddOn(unittest.TestCase):
         self.assertEqual(lights["SPOT"]["extras"], {"radius": 0.25, "blend": 0.75})
         self.assertEqual(lights["SUN"]["extras"], {"angle": 0.125})
         self.assertFalse(any("size" in warning for warning in engine.last_warnings), engine.last_warnings)
-        self.assertNotIn("radius", bpy.data.lights["POINT of mine"])  # the user's scene is unchanged
+        self.assertNotIn("radius", bpy.data.lights["POINT of mine"])
 
     def test_a_lamp_s_light_profile_arrives_and_one_that_is_missing_is_said(self):
         scene = new_scene(self.folder, "single", samples=1)
@@ -837,7 +833,7 @@ class AddOn(unittest.TestCase):
 
 
 class Fake:
-    """A stand-in for an object of a later Blender, with the given attributes, for tests that run in Blender 3.4."""
+    """Stands in for objects that only later Blender versions have."""
 
     def __init__(self, **attributes):
         self.__dict__.update(attributes)
@@ -879,7 +875,7 @@ class LaterVersions(unittest.TestCase):
         manifest = tomllib.loads((pathlib.Path(lippmann.__file__).parent / "blender_manifest.toml").read_text())
         self.assertEqual(manifest["version"], ".".join(map(str, lippmann.bl_info["version"])))
         self.assertEqual((manifest["id"], manifest["name"], manifest["type"]), ("lippmann", lippmann.bl_info["name"], "add-on"))
-        for text in (manifest["tagline"], *manifest["permissions"].values()):  # Blender refuses texts above 64 characters, and full stops
+        for text in (manifest["tagline"], *manifest["permissions"].values()):  # Blender refuses longer texts and full stops
             self.assertLessEqual(len(text), 64)
             self.assertFalse(text.endswith("."))
 

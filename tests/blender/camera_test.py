@@ -1,4 +1,4 @@
-"""Tests of the pictures that the scene's camera or a display's viewer sees: their perspective and their borders. Blender runs this file."""
+"""Tests of the pictures that the scene's camera or a display's viewer sees. Blender runs this file."""
 
 import json
 import os
@@ -22,7 +22,6 @@ exporter.serve(job)
 
 
 def shining(colour):
-    """Returns a material that emits one colour."""
     material = bpy.data.materials.new("shining")
     material.use_nodes = True
     tree = material.node_tree
@@ -38,7 +37,6 @@ def paint(colour):
 
 
 def new_scene(folder, output, size, sky=(0.0, 0.0, 0.0)):
-    """Makes a scene of grey shapes at several depths, in front of a sky of one colour."""
     bpy.ops.wm.read_factory_settings()
     scene = bpy.context.scene
     bpy.data.objects.remove(bpy.data.objects["Cube"])
@@ -56,7 +54,7 @@ def new_scene(folder, output, size, sky=(0.0, 0.0, 0.0)):
 
 
 def picture(file):
-    """Returns the codes of a picture file, from 0 to 1, as an array (row from the bottom, column, channel)."""
+    """Returns the pixel values of a picture file, from 0 to 1, as an array (row from the bottom, column, channel)."""
     image = bpy.data.images.load(str(file))
     image.colorspace_settings.name = "Non-Color"
     return np.array(image.pixels[:]).reshape(image.size[1], image.size[0], -1)[..., :3]
@@ -85,7 +83,7 @@ class Camera(unittest.TestCase):
         return tool.pictures(self.folder / "still", 0)[0]
 
     def set_up(self, case, size, output="camera"):
-        """Makes a scene. case: {attribute of the camera: value}."""
+        """case: {attribute of the camera: value}."""
         scene = new_scene(self.folder, output, size)
         for name, value in case.items():
             setattr(scene.camera.data, name, value)

@@ -1,7 +1,8 @@
-"""A server process, a Blender that exports the scenes of all tests in a file, because starting a Blender takes longer than exporting a small scene.
+"""A Blender that stays open and exports the scenes of all tests in a file, because starting Blender takes longer than a small
+export.
 
-serve() starts the server. Jobs then start a small client instead of a new Blender, which sends the request to the server. Server and client run this file. Exports
-that allow scripts still start a new Blender, because scripts can only be allowed when Blender starts.
+serve() starts this server. Each export then runs this file as a client, which sends its request to the server. Exports that may
+run scripts still start a new Blender, because only a command-line flag can allow scripts.
 """
 
 import atexit
@@ -19,8 +20,8 @@ HERE = pathlib.Path(__file__).resolve()
 
 
 def serve(jobs):
-    """Starts the server, and makes jobs export by it. jobs: the module lippmann.job."""
-    import bpy  # not at the top, because the client runs without Blender
+    """Starts the server and redirects exports to it. jobs: the module lippmann.job."""
+    import bpy  # the client runs without Blender
 
     folder = tempfile.mkdtemp(prefix="lippmann-exporter-")
     address = os.path.join(folder, "socket")
@@ -28,7 +29,7 @@ def serve(jobs):
     listener.bind(address)
     listener.listen()
     words = [bpy.app.binary_path, "-b", "--factory-startup", "-noaudio", "--disable-autoexec", "-P", str(HERE), "--", str(listener.fileno())]
-    # The pipe to stdin ends the server even if this process crashes.
+    # Closing the pipe to stdin ends the server, even if this process crashes.
     server = subprocess.Popen(words, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, pass_fds=[listener.fileno()])
     listener.close()
     own = jobs.Job._export_words
@@ -46,7 +47,7 @@ def end(server, folder):
 
 
 def ask(address, request):
-    """Sends a request, stdout and stderr of the client to the server. Returns the exit code of the export."""
+    """Sends a request and this process's stdout and stderr to the server. Returns the exit code of the export."""
     with socket.socket(socket.AF_UNIX) as server:
         server.connect(address)
         socket.send_fds(server, [request.encode()], [1, 2])
@@ -63,7 +64,7 @@ def export(main, request):
     sys.argv[sys.argv.index("--") + 1:] = [request]
     try:
         main()
-    except Exception as error:  # as scene_export.py does when it runs as a program
+    except Exception as error:
         print(f"error: {error}", file=sys.stderr)
         traceback.print_exc()
         return 1
@@ -90,7 +91,7 @@ def run_server(listener):
     from lippmann import scene_export
 
     lippmann.register()
-    lippmann.register = lambda: None  # each export calls it again
+    lippmann.register = lambda: None  # each export calls register() again
     threading.Thread(target=end_with_parent, daemon=True).start()
     while True:
         connection, _ = listener.accept()

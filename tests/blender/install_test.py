@@ -1,4 +1,4 @@
-"""Runs the commands of docs/guide/blender.md in a temporary home folder: they install the add-on's zip file and render an animation. Blender runs this file."""
+"""Runs the commands of docs/guide/blender.md in a temporary home folder. Blender runs this file."""
 
 import json
 import os
@@ -12,12 +12,11 @@ import unittest
 import bpy
 
 DOCS = pathlib.Path(__file__).resolve().parents[2] / "docs/guide/blender.md"
-ARCHIVE = "build/release/lippmann-blender.zip"  # as the documented commands name it
+ARCHIVE = "build/release/lippmann-blender.zip"
 HAS_EXTENSIONS = bpy.app.version >= (4, 2)
 
 
 def documented_command(part):
-    """Returns the command in the docs that contains this text. There must be exactly one."""
     command, = (line for line in DOCS.read_text().splitlines() if line.startswith("blender ") and part in line)
     return command
 
@@ -39,7 +38,7 @@ class Install(unittest.TestCase):
         self.assertEqual(done.returncode, code, f"{command}\n{done.stdout}{done.stderr}")
 
     def write_scene(self):
-        """Saves two frames of Blender's default scene, without settings of the add-on, which is not installed in this Blender."""
+        """Saves two frames of Blender's default scene, without settings of the add-on."""
         bpy.ops.wm.read_factory_settings()
         scene = bpy.context.scene
         scene.frame_start, scene.frame_end = 1, 2
@@ -67,7 +66,7 @@ class Install(unittest.TestCase):
         quilts = sorted(path.name for path in animation.glob("*.png"))
         self.assertEqual([name[:13] for name in quilts], ["frame_0001_qs", "frame_0002_qs"])
         self.assertEqual(sorted(path.name for path in self.folder.glob("*.png")), [f"blender_000{number}{name[10:]}" for number, name in zip((1, 2), quilts)])
-        self.assertEqual(json.loads((animation / "report.json").read_text())["settings"]["spp"], 64)  # as in the command
+        self.assertEqual(json.loads((animation / "report.json").read_text())["settings"]["spp"], 64)
 
 
 done = unittest.main(argv=["install_test"], exit=False, verbosity=2)

@@ -1,4 +1,4 @@
-"""Tests of the add-on's drawing in the viewport and in its panel. A Blender with windows runs this file, by the command in CMakeLists.txt.
+"""Tests of the add-on's drawing in the viewport and in its panel. Needs a Blender with windows.
 
 If the environment variable SCREENSHOTS names a folder, the pictures are saved there.
 """
@@ -20,23 +20,23 @@ import lippmann  # noqa: E402
 from lippmann import displays, engine, frame, overlay, panel  # noqa: E402
 
 SAMPLES = 60  # tested points per line
-NEAR_PX, NEAR_COLOUR = 2, 0.25  # tolerances of position and colour, since lines are 2 pixels wide and partly transparent
+NEAR_PX, NEAR_COLOUR = 2, 0.25  # tolerances in pixels and in colour: lines are 2 pixels wide and partly transparent
 
 lippmann.register()
 bpy.context.preferences.view.show_splash = False
 
 
 def place_frame(scene):
-    """Places the display at the cube of Blender's default scene. Returns its zone."""
+    """Places the display at the cube of Blender's default scene. Returns its frame.Zone."""
     scene.render.engine, scene.lippmann.display = "LIPPMANN", "looking-glass-portrait"
     bpy.ops.lippmann.place_at_selected()
-    bpy.ops.object.select_all(action="DESELECT")  # the outline of selected objects has the colour of the zone
+    bpy.ops.object.select_all(action="DESELECT")  # the outline of selected objects has the colour of the lines
     bpy.context.view_layer.update()
     return frame.zone(scene)
 
 
 def look_at(view, zone):
-    """Turns the viewport so that the whole zone is visible, from the side and from above."""
+    """Turns the viewport so that the whole viewing zone is visible, from the side and from above."""
     view.view_perspective = "PERSP"
     view.view_rotation = zone.world_from_frame.to_quaternion() @ mathutils.Euler((-0.5, 1.0, 0.0)).to_quaternion()
     view.view_location = zone.world_from_frame @ mathutils.Vector((0.0, 0.0, 0.5 * zone.distance))
@@ -48,7 +48,7 @@ class Overlay(unittest.TestCase):
         self.folder = pathlib.Path(os.environ["SCREENSHOTS"]) if "SCREENSHOTS" in os.environ else None
 
     def read_view(self):
-        """Reads the frame buffer into which the 3D view was drawn. Screenshots would read the front buffer, which is black in newer versions of Xvfb."""
+        """Reads the frame buffer, because screenshots are black in newer versions of Xvfb."""
         width, height = self.region.width, self.region.height
         pixels = gpu.state.active_framebuffer_get().read_color(0, 0, width, height, 4, 0, "FLOAT")
         pixels.dimensions = width * height * 4
@@ -67,7 +67,8 @@ class Overlay(unittest.TestCase):
         return self.pixels[..., :3]
 
     def share_drawn(self, picture, corners, colour):
-        """Returns the share of points along lines at which the picture has the colour of the lines. corners: pairs of ends, in the frame's space."""
+        """Returns the share of points along lines at which the picture has the given colour. corners: the two ends of each
+        line, in the display's space."""
         found = []
         for start, end in zip(corners[::2], corners[1::2]):
             for share in np.linspace(0.0, 1.0, SAMPLES):
@@ -126,7 +127,7 @@ class Overlay(unittest.TestCase):
 
 
 def run():
-    tests = unittest.defaultTestLoader.loadTestsFromTestCase(Overlay)  # timers run after this file has ended, so unittest.main() would not find its tests
+    tests = unittest.defaultTestLoader.loadTestsFromTestCase(Overlay)  # unittest.main() finds no tests in a timer
     result = unittest.TextTestRunner(verbosity=2).run(tests)
     sys.stdout.flush(), sys.stderr.flush()
     os._exit(0 if result.testsRun and result.wasSuccessful() else 1)  # sys.exit() would end only the timer

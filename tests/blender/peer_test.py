@@ -1,4 +1,4 @@
-"""Tests of bench/cycles/gltf_in_blender.py, which imports glTF for the reference renders of bench/gltf_fidelity.py. Blender runs this file:
+"""Tests of bench/cycles/gltf_in_blender.py, which imports glTF for the reference renders of bench/gltf_fidelity.py. Run with:
 blender -b --factory-startup --python peer_test.py"""
 
 import math
@@ -16,7 +16,8 @@ import gltf_in_blender  # noqa: E402
 
 
 def scene():
-    """Three quads with two materials. One quad has vertex colours. The names of the two textures' pictures are in reverse alphabetical order."""
+    """Returns three quads with two materials. The image names are in reverse order, so that sorting by name would swap the
+    textures."""
     g = fixtures.Gltf()
     red, blue = (g.texture(2, lambda x, y, c=c: (*c, 255)) for c in ((255, 0, 0), (0, 0, 255)))
     g.doc["images"][0]["name"], g.doc["images"][1]["name"] = "z", "a"
@@ -34,7 +35,6 @@ def surface_of(thing):
 
 
 def reaches(node, kind):
-    """Returns the nodes of a kind on which the inputs of a node depend, directly or indirectly."""
     found, todo = set(), [node]
     while todo:
         at = todo.pop()
@@ -96,7 +96,7 @@ class Peer(unittest.TestCase):
         g.doc["materials"][0].update(alphaMode="MASK", alphaCutoff=0.3)
         self.load(g)
         cuts = [n for n in reaches(self.output(self.meshes()[0]), "MATH") if n.operation == "LESS_THAN"]
-        self.assertEqual({round(n.inputs[1].default_value, 6) for n in cuts}, {0.3})  # since Blender 4, the importer adds such a node, too
+        self.assertEqual({round(n.inputs[1].default_value, 6) for n in cuts}, {0.3})  # Blender 4 and later import a second, equal node
 
 
 done = unittest.main(argv=["peer_test"], exit=False, verbosity=2)

@@ -18,7 +18,6 @@ exporter.serve(job)
 
 
 def new_scene(folder, output, size=(60, 80)):
-    """Returns Blender's default scene (a cube, a lamp, a camera), set up for the add-on."""
     bpy.ops.wm.read_factory_settings()
     scene = bpy.context.scene
     scene.render.engine = "LIPPMANN"
@@ -31,7 +30,7 @@ def new_scene(folder, output, size=(60, 80)):
 
 
 def add_noise(material):
-    """Links a noise node, which must be baked, to the material's colour."""
+    """Links a noise texture to the material's colour. The export must bake it."""
     tree = material.node_tree
     tree.links.new(tree.nodes.new("ShaderNodeTexNoise").outputs["Color"], tree.nodes["Principled BSDF"].inputs["Base Color"])
 
@@ -98,7 +97,7 @@ class Saving(InFolder):
         self.addCleanup(folder.parent.rmdir)
         self.assertEqual(folder, job.output_folder(scene))
         self.assertTrue(folder.parent.is_dir())
-        before, job._of_session = job._of_session, None  # as if Blender were started again
+        before, job._of_session = job._of_session, None  # as after a restart of Blender
         other = job.output_folder(scene)
         self.addCleanup(other.parent.rmdir)
         self.assertNotEqual(folder, other)

@@ -1,5 +1,4 @@
-"""Tests of blender/to_glb.py. Blender runs this file, and writes the files to convert. One test runs the script in a second Blender, as users do. Most tests run it in
-this Blender, which is faster."""
+"""Tests of blender/to_glb.py. Blender runs this file."""
 
 import contextlib
 import io
@@ -29,7 +28,8 @@ def lines_of(text):
 
 
 def to_glb_here(*words):
-    """Runs the script in this Blender. Replaces the current scene. Returns the exit code and the lines that the script prints."""
+    """Runs the script in this Blender, which is faster than starting another. Replaces the current scene. Returns the exit
+    code and the printed lines."""
     said, code = io.StringIO(), 0
     argv = ["blender", "--", *(str(word) for word in words)]
     with unittest.mock.patch.object(sys, "argv", argv), contextlib.redirect_stdout(said), contextlib.redirect_stderr(said):

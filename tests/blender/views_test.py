@@ -37,7 +37,7 @@ class Views(unittest.TestCase):
         self.folder = pathlib.Path(self._folder.name)
 
     def new_scene(self, output="quilt", size=(240, 160)):
-        """Makes a scene of grey shapes in front of and behind the plane of a display of 4 x 2 views."""
+        """Makes a scene of grey shapes in front of and behind the plane of a display with 4 x 2 views."""
         bpy.ops.wm.read_factory_settings()
         scene = bpy.context.scene
         bpy.data.objects.remove(bpy.data.objects["Cube"])
@@ -84,7 +84,7 @@ class Views(unittest.TestCase):
         scene = self.new_scene(size=(80, 40))
         scene.cycles.samples, scene.render.use_persistent_data = 1, False
         steps = views.Views(scene, "CYCLES").steps([1])
-        for _ in range(4):  # a comparison and three views, of which the last one is not taken
+        for _ in range(4):  # a comparison with the last scene and three views; the last view is not saved
             if next(steps).renders:
                 bpy.ops.render.render(write_still=True)
         steps.close()
@@ -98,13 +98,13 @@ class Views(unittest.TestCase):
         self.assertEqual(self.render_and_count(), 0)
         scene.cycles.samples = 2
         self.assertEqual(self.render_and_count(), 8)
-        (self.pictures("cycles", "views")[0].parents[2] / "views.json").write_text('["')  # damaged
+        (self.pictures("cycles", "views")[0].parents[2] / "views.json").write_text('["')
         self.assertEqual(self.render_and_count(), 8)
         scene.lippmann.resume = False
         self.assertEqual(self.render_and_count(), 8)
 
     def render_and_count(self):
-        """Renders the views, and returns how many pictures Blender has made."""
+        """Returns how many pictures Blender rendered."""
         made = []
 
         def count(*_):

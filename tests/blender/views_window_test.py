@@ -1,4 +1,4 @@
-"""Tests of Render Views in a Blender with windows: with Eevee, stopped by Esc, and continued. Blender runs this file, by the command in CMakeLists.txt.
+"""Tests of the Render Views operator in a Blender with windows.
 
 If the environment variable SCREENSHOTS names a folder, the quilts are saved there.
 """
@@ -20,7 +20,7 @@ import lippmann  # noqa: E402
 from lippmann import panel, render_views  # noqa: E402
 
 EEVEE = "BLENDER_EEVEE_NEXT" if (4, 2) <= bpy.app.version < (5, 0) else "BLENDER_EEVEE"
-TICK, PATIENCE = 0.02, 240.0  # seconds: between two steps of the test, and time limit of the test
+TICK, PATIENCE = 0.02, 240.0  # seconds between two steps of the test, and time limit of the test
 
 lippmann.register()
 bpy.context.preferences.view.show_splash = False
@@ -36,7 +36,7 @@ def shining(shade):
 
 
 def set_up(folder):
-    """Makes a scene of bright shapes in front of and behind the plane of a display. The display has 4 views, whose pixels are not square."""
+    """Makes a scene of bright shapes for a display with 4 views whose pixels are not square."""
     scene = bpy.context.scene
     scene.world.node_tree.nodes["Background"].inputs["Strength"].default_value = 0.0
     cube = bpy.data.objects["Cube"]
@@ -58,7 +58,7 @@ def codes(picture):
 
 
 def start(engine):
-    """Opens the dialog and presses Enter until Render Views runs. A generator that yields while Blender must handle events."""
+    """Opens the dialog and presses Enter until Render Views runs. Yields while Blender must handle events."""
     window = bpy.context.window_manager.windows[0]
     with bpy.context.temp_override(window=window):
         assert bpy.ops.lippmann.render_views("INVOKE_DEFAULT", engine=engine) == {"RUNNING_MODAL"}
@@ -73,7 +73,7 @@ def state(scene):
 
 
 def check(folder):
-    """Runs the test. A generator that yields while Blender must handle events."""
+    """Runs the test. Yields while Blender must handle events."""
     scene = bpy.context.scene
     before, display_type = state(scene), bpy.context.preferences.view.render_display_type
     lines = set()
@@ -99,7 +99,7 @@ def check(folder):
     first = folder / "cycles/views/frame_0001/view_000.png"
     while not first.is_file():
         yield
-    render_views.run_in_window().cancel()  # what Blender calls when Esc stops a picture; simulated keys do not reach Blender's renderer
+    render_views.run_in_window().cancel()  # Blender calls cancel() after Esc; simulated key presses do not reach its renderer
     while render_views.is_running():
         yield
     complete = sorted(folder.joinpath("cycles").rglob("*.png"))
@@ -119,14 +119,14 @@ def check(folder):
     print(f"silhouettes: {share:.4f} of the quilt, {differ:.5f} of it differ between Eevee and Cycles")
     assert 0.05 < share < 0.9 and differ < 0.005
     tiles = np.split(shapes[0], 4, axis=1)
-    assert (tiles[0] != tiles[3]).mean() > 10 * differ  # parallax makes the first and the last view differ
+    assert (tiles[0] != tiles[3]).mean() > 10 * differ  # the first and the last view differ by parallax
     if "SCREENSHOTS" in os.environ:
         for quilt in (eevee, cycles):
             shutil.copy(quilt, pathlib.Path(os.environ["SCREENSHOTS"]) / f"{quilt.parents[1].name}.png")
 
 
 class Test:
-    """Runs check() in steps, called by a timer of Blender."""
+    """Runs one step of check() each time Blender's timer calls it."""
 
     def __init__(self):
         self._folder = tempfile.TemporaryDirectory()
