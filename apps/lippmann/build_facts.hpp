@@ -1,4 +1,4 @@
-// The lines of `lippmann --version` below the version: commit, compiler, libraries, and which optional modules are installed.
+// The lines of `lippmann --version` below the version: commit, compiler, libraries and optional modules.
 #pragma once
 
 #include <string>

@@ -14,7 +14,7 @@ struct CameraFlags {
 
   /// Returns the name of the first of these flags that is given, or null.
   const char* first_given() const;
-  /// Returns the cameras, or nullopt if no flag is given. Throws a usage Error naming a flag that is missing.
+  /// Returns the cameras, or nullopt if no flag is given. Throws a usage Error naming a missing flag.
   std::optional<StatedCameras> read() const;
 };
 

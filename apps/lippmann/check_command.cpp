@@ -25,7 +25,6 @@ struct Options {
   ResultFlags result;
 };
 
-/// Prints one line per damaged, missing or unknown file, then the parts that are not rendered yet, then a summary.
 void print_text(const std::string& folder, const FolderCheck& check) {
   for (const auto& [kind, names] :
        {std::pair("damaged", check.damaged), std::pair("missing", check.missing), std::pair("foreign", check.foreign)})
@@ -43,7 +42,7 @@ void print_text(const std::string& folder, const FolderCheck& check) {
              check.frames, check.frames == 1 ? "" : "s", check.damaged.size(), check.missing.size(), check.foreign.size());
 }
 
-/// Returns a JSON object that maps each key (a frame or a folder) to ranges of its numbers, as {"0": "2,5-7"}.
+/// Returns a JSON object with a range of numbers per key (a frame or a folder), as {"0": "2,5-7"}.
 template <class Key>
 nlohmann::ordered_json numbers_json(const std::map<Key, std::vector<int>>& numbers) {
   nlohmann::ordered_json json = nlohmann::ordered_json::object();

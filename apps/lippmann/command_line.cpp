@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kWrongUsage = 2;
 
-/// Returns ", did you mean '...'?" with the flag or command most similar to an unknown word; empty if none is similar.
+/// Returns ", did you mean '...'?" with the most similar flag or command; empty if none is similar.
 std::string suggestion(const std::string& word, const CLI::App& command) {
   std::vector<std::string> names;
   if (word.starts_with("-")) {
@@ -31,7 +31,7 @@ std::string suggestion(const std::string& word, const CLI::App& command) {
       names.push_back(sub->get_name());
   }
   const std::vector<std::string_view> candidates(names.begin(), names.end());
-  // Compares names without their dashes, because these would make any two short flags similar.
+  // Leading dashes would make any two short flags similar.
   const std::string_view dashes = word.starts_with("-") ? "--" : "";
   const std::string name = word.substr(std::min(word.find_first_not_of('-'), word.size()));
   const std::string nearest = nearest_name(name.substr(0, name.find('=')), candidates);
@@ -63,27 +63,23 @@ class ShortHelp : public CLI::Formatter {
   std::string examples_;
 };
 
-/// Returns the command with this name, or null if there is none.
 const CLI::App* command_named(const std::string& name, const CLI::App& root) {
   const auto found = root.get_subcommands([&](const CLI::App* command) { return command->get_name() == name; });
   return found.empty() ? nullptr : found.front();
 }
 
-/// Reports an unknown command. Returns the exit code.
 int refuse(const CLI::App& root, const std::string& word) {
   print_error("{}: there is no '{}'{} (see {} --help)\n", root.get_name(), word, suggestion(word, root), root.get_name());
   return kWrongUsage;
 }
 
-/// Turns "help" into "--help" and "help COMMAND" into "COMMAND --help".
 std::vector<std::string> help_words(std::vector<std::string> words) {
   if (words.empty() || words.front() != "help") return words;
   if (words.size() == 1 || words[1] == "help") return {"--help"};
   return {words[1], words.size() > 2 ? words[2] : "--help"};
 }
 
-/// Adds the default value to flags that may be given without a value, if no value follows: "--denoise" becomes
-/// "--denoise=auto". A flag that takes no value in this command is left as it is.
+/// Adds the default value to flags that may be given without a value: "--denoise" becomes "--denoise=auto".
 std::vector<std::string> with_bare_values(std::vector<std::string> words, const CLI::App& root) {
   const CLI::App* command = words.empty() ? nullptr : command_named(words.front(), root);
   for (std::size_t i = 1; command && i < words.size(); ++i) {
@@ -142,7 +138,7 @@ const Flag& Flag::single() const { return option_->expected(1), *this; }
 const Flag& Flag::one_word_each() const { return option_->allow_extra_args(false), *this; }
 const Flag& Flag::range(int least, int most) const { return option_->check(CLI::Range(least, most)), *this; }
 const Flag& Flag::range(double least, double most) const {
-  // CLI::Range accepts NaN, which no comparison excludes.
+  // CLI::Range accepts NaN.
   const auto problem = [least, most](const std::string& text) {
     const bool is_nan = std::isnan(std::strtod(text.c_str(), nullptr));
     return is_nan ? fmt::format("Value {} not in range [{} - {}]", text, least, most) : std::string();

@@ -1,5 +1,5 @@
-// Declares commands: their flags, the variables that receive the values, and the text of --help. Only command_line.cpp includes
-// CLI11, because its headers take seconds to compile.
+// Declares commands, their flags and the text of --help. Only command_line.cpp includes CLI11, because its headers take seconds
+// to compile.
 #pragma once
 
 #include <functional>
@@ -22,7 +22,7 @@ namespace lippmann::app {
 /// Replaces the names of parameters in backquotes, such as `min-psnr`, by their flags, such as --min-psnr.
 std::string with_flags(std::string_view text);
 
-/// A flag or positional argument that a command has declared. A value outside the declared range or list is a usage error.
+/// A flag or positional argument of a command. A value outside the declared range or list is a usage error.
 class Flag {
  public:
   explicit Flag(CLI::Option& option) : option_(&option) {}
@@ -32,23 +32,22 @@ class Flag {
   const Flag& group(const std::string& heading) const;   ///< sets the heading below which --help lists the flag
   const Flag& values(int count, char delimiter) const;   ///< the flag takes one word that lists `count` values
   const Flag& single() const;                            ///< the flag takes one word, although its variable is a list
-  /// The flag takes one word each time it is given. Repeating the flag adds values to its list.
+  /// Each occurrence of the flag adds one value to its list.
   const Flag& one_word_each() const;
-  const Flag& range(int least, int most) const;        ///< limits the value to a range, both ends included
-  const Flag& range(double least, double most) const;  ///< limits the value to a range, both ends included
+  const Flag& range(int least, int most) const;        ///< ends included
+  const Flag& range(double least, double most) const;  ///< ends included
   const Flag& positive() const;
   const Flag& not_negative() const;
   const Flag& one_of(std::initializer_list<const char*> words) const;
-  bool given() const;                ///< returns whether the command line has the flag; call after parsing
+  bool given() const;                ///< whether the command line has the flag; call after parsing
   const Flag& show_default() const;  ///< makes --help print the variable's present value
 
  private:
   CLI::Option* option_;
 };
 
-/// A command, or a group of its flags below a heading of --help. CommandLine::parse writes the values of flags to their
-/// variables, so the variables must outlive that call. A flag is declared by its names, such as "-o,--output". A name without
-/// dashes declares a positional argument.
+/// A command, or a group of its flags below a heading of --help. The variables of its flags must outlive CommandLine::parse,
+/// which writes them. Names are given as in "-o,--output". A name without dashes declares a positional argument.
 class Command {
  public:
   explicit Command(CLI::App& app) : app_(&app) {}
@@ -64,22 +63,20 @@ class Command {
   void hide() const;                           ///< leaves the command out of --help
   /// Adds --help-all and limits --help to the examples and these flags.
   void short_help(std::vector<std::string> flags, std::string examples) const;
-  /// Sets a function that is called after parsing if the command line names this command.
+  /// Sets a function to call after parsing if the command line names this command.
   void when_named(std::function<void()> then) const;
 
  private:
   CLI::App* app_;
 };
 
-/// The tool and its commands. A command line names one command.
 class CommandLine {
  public:
   CommandLine(const std::string& name, const std::string& doc, const std::string& version);
   ~CommandLine();
 
   Command root() { return Command(*app_); }
-  /// Returns nullopt if a command is ready to run. Otherwise prints help or the version on stdout, or an error on stderr, and
-  /// returns the exit code.
+  /// Returns nullopt if a command is ready to run. Otherwise prints help, the version or an error, and returns the exit code.
   std::optional<int> parse(int argc, char** argv);
 
   /// Returns the possible values of a flag or argument whose declaration does not list them. name: without dashes.
@@ -90,8 +87,7 @@ class CommandLine {
 
   /// Returns the manual page of all commands and flags, for man(1).
   std::string manual() const;
-  /// Returns the reference of all commands and flags as Markdown, for docs/reference/command-line.md. A flag that several
-  /// commands share is explained once.
+  /// Returns the reference of all commands and flags as Markdown, for docs/reference/command-line.md.
   std::string reference() const;
 
   /// Returns the message of an Error with flags in place of parameter names.

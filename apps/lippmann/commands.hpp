@@ -1,5 +1,4 @@
-// The commands of the tool, one file each. A file declares the flags of its command and the function that runs after parsing.
-// The work itself is done by the library.
+// The commands of the tool, one file each.
 //
 // To add a command:
 // 1. Write `add_NAME_command` in NAME_command.cpp, declare it below, and call it in main.cpp.
@@ -13,8 +12,7 @@
 //   command.add_option("SCENE", options->scene, "...").required();
 //   command.when_named([options, &chosen] { chosen = [options](Context& context) { return run(*options, context); }; });
 //
-// The function returns the exit code (0) or throws Error, which only main() catches. Only results and --json go to stdout.
-// Messages and progress go to stderr.
+// The function returns the exit code (0) or throws Error. Only results and --json go to stdout; messages go to stderr.
 #pragma once
 
 #include <functional>
@@ -24,13 +22,13 @@
 
 namespace lippmann::app {
 
-class Command;      // declared in command_line.hpp
-class CommandLine;  // declared in command_line.hpp
+class Command;
+class CommandLine;
 
-/// The function that the chosen command runs. Returns the exit code of the process.
+/// Runs the chosen command. Returns the exit code of the process.
 using Action = std::function<int(Context& context)>;
 
-/// program: the name by which the tool was called. It begins the commands that the tool suggests in its output.
+/// program: the name by which the tool was called, for commands that it prints.
 void add_render_command(const Command& root, Action& chosen, const std::string& program);
 void add_plan_command(const Command& root, Action& chosen);
 void add_submit_command(const Command& root, Action& chosen, const std::string& program);

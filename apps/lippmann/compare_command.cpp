@@ -45,7 +45,7 @@ int run(const CompareOptions& options, Context& context) {
   const NewFolder csv_folder(std::filesystem::path(options.csv).parent_path());
   const NewFolder plot_folder(std::filesystem::path(options.plot).parent_path());
   for (const std::string& path : {options.csv, options.plot})
-    if (!path.empty()) AtomicFile{path};  // throws before the work begins if the file cannot be written
+    if (!path.empty()) AtomicFile{path};  // throws now if the file cannot be written
   context.threads = options.threads;
   const CompareParams params = compare_params(options);
   for (const std::string& in : {options.reference, options.test}) warn_about_unchecked_files(in, context);

@@ -1,5 +1,4 @@
-// `lippmann complete -- WORD...`: prints completions of the last word. Shells call it (data/completions); --help does not list
-// it.
+// `lippmann complete -- WORD...`: prints completions of the last word, for shells (data/completions).
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -35,7 +34,6 @@ std::vector<std::string> display_names() {
   return names;
 }
 
-/// Returns the possible values of a flag (without dashes) or argument whose declaration does not list them.
 std::vector<std::string> values_of(const std::string& name) {
   if (name == "KIND") return {"pitch", "phase", "viewing-zone", "lens"};
   if (name == "SCENE") return scene_names();

@@ -1,4 +1,3 @@
-// Completes words of a command line from the declarations of its commands.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <set>
@@ -17,7 +16,7 @@ Names beginning_with(const std::string& start, const Names& names) {
   return found;
 }
 
-/// Returns whether help lists the command. Groups of flags are commands without a name, and are not listed.
+/// CLI11 stores groups of flags as commands without a name.
 bool is_listed(const CLI::App& command) { return !command.get_name().empty() && !command.get_group().empty(); }
 
 Names commands_of(const CLI::App& root) {
@@ -33,7 +32,6 @@ const CLI::App* find_command(const CLI::App& root, const std::string& name) {
   return nullptr;
 }
 
-/// Returns the options of a command and of its groups of flags.
 std::vector<const CLI::Option*> options_of(const CLI::App& command) {
   std::vector<const CLI::Option*> options = command.get_options();
   for (const CLI::App* group : command.get_subcommands([](const CLI::App* app) { return app->get_name().empty(); }))

@@ -28,7 +28,6 @@ struct IdleRule {
   const char* accepted;
 };
 
-/// Returns whether the input format uses the option `use`. is_written() tests the output format.
 template <bool FormatUses::*use>
 bool is_read(const Conversion& c) {
   return c.from && c.from->reads.*use;
@@ -38,7 +37,6 @@ bool is_written(const Conversion& c) {
   return c.to && c.to->writes.*use;
 }
 
-/// Returns whether a raw plenoptic picture may be the input. Only conversions to stereo cannot read raw plenoptic pictures.
 bool reads_plenoptic(const ConvertOptions&, const Conversion& c) {
   return is_read<&FormatUses::plenoptic>(c) && c.kind != ConvertKind::kStereo;
 }
@@ -48,7 +46,7 @@ bool is_for_display(const ConvertOptions&, const Conversion& c) { return c.kind 
 bool is_rearranged(const ConvertOptions& o, const Conversion& c) {
   return c.kind == ConvertKind::kRearrange || is_for_display(o, c);
 }
-/// Returns whether the output is an integral image for a display. Only integral images can be printed behind lenses.
+/// Only integral images can be printed behind lenses.
 bool is_print(const ConvertOptions& o, const Conversion& c) { return is_for_display(o, c) && c.to->name == "integral"; }
 bool is_flip(const ConvertOptions& o, const Conversion& c) { return is_print(o, c) && o.picture.flip; }
 bool is_spoc(const ConvertOptions&, const Conversion& c) { return c.kind == ConvertKind::kSpoc; }
@@ -74,12 +72,11 @@ bool uses_views(const ConvertOptions& options, const Conversion& c) {
   return is_read<&FormatUses::views>(c) && (!options.keep.empty() || !keeps_order(c));
 }
 
-/// Returns whether --quilt has an effect.
 bool uses_tiles(const ConvertOptions& o, const Conversion& c) {
   return is_read<&FormatUses::tiles>(c) || (is_written<&FormatUses::tiles>(c) && !is_for_display(o, c));
 }
 
-/// Returns whether the filter between views has an effect. It has none on flip prints, whose frames change without a filter.
+/// Flip prints show one frame at a time, so they have no filter between views.
 bool uses_filter(const ConvertOptions& o, const Conversion& c) {
   return is_written<&FormatUses::filter>(c) || (is_for_display(o, c) && !o.picture.flip);
 }
@@ -95,7 +92,7 @@ bool uses_view_angle(const ConvertOptions& options, const Conversion& c) {
          options.sheet.pitch_depends_on_angle(options.stereo.viewing_distance_mm.has_value());
 }
 
-/// The conversions on which each flag has an effect. --json and --quiet are not listed, because they always have an effect.
+/// The conversions on which each flag has an effect.
 constexpr std::array kIdleRules{
     IdleRule{"--from", [](const ConvertOptions& o) { return !o.from.empty(); }, has_formats, "--to"},
     IdleRule{"--to", [](const ConvertOptions& o) { return !o.to.empty(); }, has_formats,
@@ -211,14 +208,13 @@ constexpr std::array kIdleRules{
              "RGB-D or stereo pictures converted to views, without --keep and --crop"},
 };
 
-/// Returns whether the output is the picture of a display. It is not with --from native: then --display describes IN.
+/// With --from native, --display describes IN.
 bool makes_display_picture(const ConvertOptions& options, const Conversion& c) {
   const std::string_view to = c.to->name;
   return options.has_display() && c.from->name != "native" && (to == "integral" || to == "quilt" || to == "native");
 }
 
-/// Returns whether IN is a video with one view per frame. Throws Error for a video whose frames hold all views: the video of a
-/// render, or one whose name is that of a quilt.
+/// Returns whether IN is a video with one view per frame. Throws Error if its frames hold all views.
 bool is_video_of_views(const ConvertOptions& options) {
   if (!is_video_name(options.in) || !(options.from.empty() || options.from == "views")) return false;
   if (options.from.empty() && (parse_quilt_name(options.in) || rendering_of(options.in)))
@@ -247,7 +243,7 @@ bool makes_views_of_depth(const ConvertOptions& options, const Conversion& c) {
   return c.from->name == "rgbd" && (!options.depth.map.empty() || c.to->name != "rgbd");
 }
 
-/// Returns whether views are computed from a stereo picture. A stereo picture has only two views, so --views requests new ones.
+/// Returns whether to compute views from a stereo picture. It has two views, so --views requests new ones.
 bool makes_views_of_pair(const ConvertOptions& options, const Conversion& c) {
   return c.from->name == "stereo" && c.to->name != "stereo" && c.to->name != "rgbd" && !options.views.empty();
 }

@@ -34,19 +34,18 @@ struct ConvertOptions {
   PlenopticFlags plenoptic;
 
   bool has_display() const { return !display.empty() || sheet.are_given(); }
-  /// Reads the display. Requires has_display(). Throws a usage Error naming the flag.
+  /// Requires has_display(). Throws a usage Error naming the flag.
   Display read_display() const;
 };
 
-/// The kind of a conversion. The flag named below determines the kind, or else the two formats.
 enum class ConvertKind {
-  kRearrange,      ///< moves the pixels of views
-  kDisplay,        ///< resamples views for a display
-  kDepthViews,     ///< computes views from RGB-D pictures
-  kStereo,         ///< computes the views of two eyes
-  kRotate,         ///< --rotate-elemental
-  kSpoc,           ///< --spoc
-  kPrecompensate,  ///< --precompensate
+  kRearrange,   ///< moves the pixels of views
+  kDisplay,     ///< resamples views for a display
+  kDepthViews,  ///< computes views from RGB-D pictures
+  kStereo,      ///< computes the views of two eyes
+  kRotate,
+  kSpoc,
+  kPrecompensate,
 };
 
 struct Conversion {
@@ -56,12 +55,10 @@ struct Conversion {
   bool is_from_video = false;  ///< whether the views are the frames of a video
 };
 
-/// Returns the conversion that the options request. Throws a usage Error for a missing --to, for flags that exclude each other,
-/// and for an unknown format.
+/// Returns the requested conversion. Throws a usage Error for a missing --to, conflicting flags or an unknown format.
 Conversion conversion_of(const ConvertOptions& options);
 
-/// Throws a usage Error for a flag that has no effect on this conversion. The error names the flag and the conversions that use
-/// it.
+/// Throws a usage Error for a flag that has no effect on this conversion.
 void refuse_idle_flags(const ConvertOptions& options, const Conversion& conversion);
 
 }  // namespace lippmann::app

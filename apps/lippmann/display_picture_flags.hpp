@@ -1,4 +1,4 @@
-// Flags of `lippmann convert` for the picture that is shown on a display or printed behind its lenses.
+// Flags of `convert` for the picture that is shown on a display or printed behind its lenses.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ struct DisplayPictureFlags {
   std::optional<int> turn_deg;
   std::optional<double> blend, bleed_mm, view_shift_px;
 
-  /// Returns the parameters of the picture. Throws a usage Error naming the flag.
+  /// Throws a usage Error naming the flag.
   DisplayPictureParams read(const InterlaceParams& interlace) const;
 };
 

@@ -69,7 +69,7 @@ void print_details(const Display& d) {
                d.video.quilts ? "" : "; quilts as pictures only");
 }
 
-/// Returns the calibration in a file that was found on a device. If the file cannot be read, returns the error instead.
+/// Returns the calibration in a file, or the error if it cannot be read.
 nlohmann::ordered_json found_json(const std::string& file) try {
   nlohmann::ordered_json json{{"file", file}};
   json.update(display_json(load_display(file)));
@@ -87,7 +87,7 @@ void print_found(const std::string& file) try {
   fmt::print("{}\n", with_flags(error.what()));
 }
 
-/// Lists the devices found. Without --json, throws Error if there are none.
+/// Without --json, throws Error if there are none.
 int find_devices(const DisplaysOptions& options) {
   if (!options.display.empty()) throw usage_error("--find", "cannot be combined with the name of a display", "one of the two");
   const std::vector<std::filesystem::path> mounts =

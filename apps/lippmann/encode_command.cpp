@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Number of encoder threads. It is fixed, because the bytes that some codecs write depend on it.
+/// Fixed, because the bytes that some codecs write depend on the number of threads.
 constexpr int kEncoderThreads = 4;
 constexpr double kUsualRate = 25.0;
 
@@ -45,14 +45,14 @@ double rate_of(const EncodeOptions& options, const std::vector<NumberedFrame>& f
   return rendering ? rendering->frames_per_second.value_or(kUsualRate) : kUsualRate;
 }
 
-/// Returns the frames that the flags select, or all frames of the folder. Throws Error if one is missing.
+/// Returns the selected frames, or all frames of the folder. Throws Error if one is missing.
 std::vector<NumberedFrame> wanted_frames(const EncodeOptions& options) {
   if (options.frames.empty()) return find_frames(options.from);
   return find_frames(options.from, frames_of(read_frames(options.frames, "--frames")));
 }
 
-/// Returns the rotation in degrees. Throws a usage Error if a frame holds several views. The name of such a video describes the
-/// arrangement of the views, which a rotation would change.
+/// Returns the rotation in degrees. Throws a usage Error if a frame holds several views, because a rotation would change the
+/// arrangement that the video's name states.
 int turn_of(const EncodeOptions& options, const std::vector<NumberedFrame>& frames) {
   const int turn_deg = options.turn_deg.value_or(0);
   if (turn_deg % 90 != 0) throw usage_error("--rotate", "is not a multiple of 90 degrees", "90, 180 or 270");

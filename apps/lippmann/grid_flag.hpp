@@ -1,4 +1,3 @@
-// Reads grids of views from flags, such as 8x6.
 #pragma once
 
 #include <optional>
@@ -8,7 +7,8 @@
 
 namespace lippmann::app {
 
-/// Reads "COLUMNSxROWS", each from 1 to 1024. Returns nullopt for an empty text. Throws a usage Error naming the flag.
+/// Reads a grid of views as COLUMNSxROWS, each from 1 to 1024. Returns nullopt for an empty text. Throws a usage Error naming
+/// the flag.
 std::optional<ViewGrid> read_grid(const std::string& text, const std::string& flag);
 
 }  // namespace lippmann::app

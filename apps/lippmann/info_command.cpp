@@ -26,7 +26,7 @@ struct InfoOptions {
   bool json = false;
 };
 
-/// Returns whether the input is a picture. The name of a built-in scene takes precedence over a folder with this name.
+/// The name of a built-in scene takes precedence over a folder with this name.
 bool is_picture(const std::string& in) {
   std::error_code ignored;
   return !is_builtin_scene(in) &&

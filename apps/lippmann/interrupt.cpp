@@ -5,7 +5,7 @@
 namespace lippmann::app {
 namespace {
 
-// Global, because a signal handler can only use global state.
+// A signal handler can only use global state.
 std::atomic<std::atomic<bool>*> g_cancelled{nullptr};
 std::atomic<int> g_signal{0};
 

@@ -1,12 +1,12 @@
-// On Ctrl-C or `kill`, sets `cancelled` of the context, so that work stops between frames and leaves only complete files.
+// On Ctrl-C or `kill`, stops work between frames and leaves only complete files.
 #pragma once
 
 #include <atomic>
 
 namespace lippmann::app {
 
-/// While an object of this class exists, the first SIGINT or SIGTERM sets `cancelled`, and a second one ends the process at
-/// once. Only one object may exist.
+/// While an object of this class exists, the first SIGINT or SIGTERM sets `cancelled`, and a second one ends the process. Only
+/// one object may exist.
 class InterruptGuard {
  public:
   explicit InterruptGuard(std::atomic<bool>& cancelled);

@@ -17,14 +17,14 @@ struct LightFieldFlags {
   bool cone_ends = false;
   SheetFlags sheet;  ///< describes the display, instead of --display
 
-  /// Returns the display that --display names or the sheet flags describe; empty if neither is given. Throws a usage Error if
-  /// both are given.
+  /// Returns the display that --display or the sheet flags describe, or an empty string. Throws a usage Error if both are
+  /// given.
   std::string named_display() const;
-  /// Returns the properties of the light field that the flags define. Throws a usage Error naming the flag.
+  /// Throws a usage Error naming the flag.
   LightFieldHints read() const;
 };
 
-/// Declares all flags except --report, --display and the sheet flags, in a group.
+/// Declares all flags except --report, --display and the sheet flags.
 void add_light_field_flags(const Command& command, LightFieldFlags& flags);
 
 /// Declares --report, --display and the sheet flags. more: text at the end of the help of --display.

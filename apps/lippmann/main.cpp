@@ -1,5 +1,5 @@
-// Parses the command line, runs the command that it names, and turns every failure into one message and an exit code: 0 done, 1
-// the work failed (bad input, I/O), 2 wrong usage, 128 + n stopped by signal n.
+// Parses the command line and runs the command that it names. Exit codes: 0 done, 1 failed (bad input, I/O), 2 wrong usage, 128
+// + n stopped by signal n.
 #include <fmt/core.h>
 
 #include <cstdint>
@@ -26,25 +26,24 @@
 namespace lippmann::app {
 namespace {
 
-constexpr int kFailed = 1, kRemoved = 2;  ///< exit codes
+constexpr int kFailed = 1, kRemoved = 2;
 
-/// Returns the path by which the tool was called, or "lippmann" if it was called without a path. The tool prints it in
-/// commands, so that these can be run.
+/// Returns the path by which the tool was called, or "lippmann" if it was found on PATH. The result can be used in printed
+/// commands.
 std::string program_name(int argc, char** argv) {
   const std::string_view word = argc > 0 ? argv[0] : "";
   return word.find('/') == std::string_view::npos ? "lippmann" : shell_word(word);
 }
 
-/// Checks the stack limit, which also applies to threads: a thread whose stack is too small ends the process without a message.
+/// A thread whose stack is too small ends the process without a message.
 void check_stack_limit() {
-  constexpr std::uint64_t kLeastBytes = std::uint64_t{512} << 10;  // a margin, since renders crash below 256 KB
+  constexpr std::uint64_t kLeastBytes = std::uint64_t{512} << 10;  // twice the 256 KB below which renders crash
   if (const std::optional<std::uint64_t> bytes = platform::stack_limit_bytes(); bytes && *bytes < kLeastBytes)
     throw Error("ulimit -s", fmt::format("the stack is limited to {} KB", *bytes >> 10),
                 fmt::format("at least {} KB", kLeastBytes >> 10));
 }
 
-/// Returns `code`, or kFailed if standard output did not accept everything that was printed, as when the reader of a pipe has
-/// gone.
+/// Returns `code`, or kFailed if standard output did not accept everything, as when the reader of a pipe has gone.
 int code_after_flush(int code) {
   const bool is_written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
   if (is_written || code != 0) return code;
@@ -52,7 +51,7 @@ int code_after_flush(int code) {
   return kFailed;
 }
 
-/// Prints each warning once, even if it is given several times because a file is read twice.
+/// Prints each warning once, even if reading a file twice repeats it.
 class WarningPrinter {
  public:
   void print(const std::string& text) {
@@ -65,7 +64,7 @@ class WarningPrinter {
   std::set<std::string> printed_;
 };
 
-/// Runs the command. Returns the exit code. Prints Errors with flags in place of parameter names.
+/// Prints Errors with flags in place of parameter names.
 int run_command(const CommandLine& command_line, const Action& chosen, Context& context) {
   try {
     return chosen(context);
@@ -75,7 +74,6 @@ int run_command(const CommandLine& command_line, const Action& chosen, Context& 
   }
 }
 
-/// Returns whether the command line is "bench ..." or "help bench".
 bool names_bench(int argc, char** argv) {
   const int command = argc > 1 && std::string_view(argv[1]) == "help" ? 2 : 1;
   return command < argc && std::string_view(argv[command]) == "bench";

@@ -25,7 +25,7 @@ std::string plain(const std::string& text) {
   return escaped;
 }
 
-/// Returns whether an option is the command's own. CLI11 adds help and version to every command; the page explains these once.
+/// CLI11 adds help and version to every command; the page explains these once.
 bool is_own(const CLI::Option& option) {
   return !option.check_lname("help") && !option.check_lname("help-all") && !option.check_lname("version");
 }
@@ -38,7 +38,6 @@ std::string entry(const CLI::Option& option) {
   return fmt::format(".TP\n\\fB{}\\fR{}\n{}\n", plain(names), type, plain(option.get_description()));
 }
 
-/// Returns the entries of a command's flags and arguments, with groups of flags below their headings.
 std::string entries(const CLI::App& command) {
   std::string text;
   std::string heading = "Options";

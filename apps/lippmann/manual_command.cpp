@@ -1,5 +1,4 @@
-// `lippmann manual`: prints the manual page in the format of man(1), which the build writes to a file, or, with --markdown, the
-// page docs/reference/command-line.md. --help does not list it.
+// `lippmann manual`: prints the manual page for man(1), or with --markdown docs/reference/command-line.md.
 #include <fmt/core.h>
 
 #include <memory>

@@ -21,7 +21,7 @@ struct OrthoscopicFlags {
 
 void add_orthoscopic_flags(const Command& command, OrthoscopicFlags& flags);
 
-/// Runs the conversion that the flags select, and prints the written files. At least one of the flags must be given.
+/// Runs the selected conversion and prints the written files. Requires at least one of the flags.
 int run_orthoscopic(const OrthoscopicFlags& flags, const std::string& in, const std::string& out, const ResultFlags& result,
                     const Context& context);
 

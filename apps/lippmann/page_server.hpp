@@ -23,7 +23,7 @@ struct PageServerFlags {
 void add_page_server_flags(const Command& command, PageServerFlags& flags);
 
 // Each function prints the page's address and serves the page until interrupted. The address contains a secret token if other
-// machines can reach it, and also if the page changes something, so that other users of this machine cannot use the page.
+// machines can reach it or if the page changes something.
 
 /// Serves a page that sets up a scene. Its address always contains a token.
 int serve_page(std::unique_ptr<LivePage> live, const PageServerFlags& flags, const Context& context);

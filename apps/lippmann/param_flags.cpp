@@ -39,7 +39,6 @@ void add_param(const Command& command, const ParamInfo& info, std::vector<std::s
   option.one_word_each();
 }
 
-/// Returns the names of the parameters that the command line sets.
 std::vector<std::string_view> given(const ParamFlags& flags) {
   std::vector<std::string_view> names;
   for (const auto& [name, texts] : flags.values)
@@ -47,8 +46,8 @@ std::vector<std::string_view> given(const ParamFlags& flags) {
   return names;
 }
 
-/// Sets the display parameter to the sheet that the flags describe. The sheet includes the viewing angle and the viewing
-/// distance, because the pitch of its print depends on them.
+/// Makes the parameter `display` describe the sheet. Includes the viewing angle and the viewing distance, because the pitch of
+/// the print depends on them.
 void set_sheet(const ParamFlags& flags, RenderParams& params) {
   const auto text_of = [&](std::string_view name) {
     const auto found = flags.values.find(name);

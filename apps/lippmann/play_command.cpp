@@ -1,5 +1,4 @@
-// `lippmann play IN --display CAL`: plays a light field on a calibrated panel, interlaced by the page in the browser, or sets
-// up a scene on it.
+// `lippmann play IN --display CAL`: shows a light field or a scene on a calibrated panel, interlaced in the browser.
 #include <fmt/core.h>
 
 #include <memory>
@@ -39,7 +38,6 @@ PageDisplay panel_to_play_on(const std::string& display, const ViewFilterFlags& 
   return panel;
 }
 
-/// Sets up a scene on the panel that --display or the job selects.
 int play_scene(const PlayOptions& options, const Context& context) {
   SceneToSetUpFlags flags = options.scene;
   if (!options.display.empty()) flags.params.values["display"] = {options.display};

@@ -1,5 +1,4 @@
-// Prints text. If the reader of a pipe has gone, nothing throws and the command continues. main() reports at the end that
-// standard output did not accept everything.
+// Prints text. If the reader of a pipe has gone, nothing throws; main() reports it at the end.
 #pragma once
 
 #include <fmt/core.h>
@@ -14,13 +13,11 @@ inline void print_text(std::FILE* stream, const std::string& text) {
   std::fwrite(text.data(), 1, text.size(), stream);  // main() checks ferror()
 }
 
-/// Prints to standard output.
 template <class... Values>
 void print_out(fmt::format_string<Values...> format, Values&&... values) {
   print_text(stdout, fmt::format(format, std::forward<Values>(values)...));
 }
 
-/// Prints to standard error and ignores failures.
 template <class... Values>
 void print_error(fmt::format_string<Values...> format, Values&&... values) {
   print_text(stderr, fmt::format(format, std::forward<Values>(values)...));

@@ -1,11 +1,10 @@
-// Prints the JSON of --json to stdout.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
 
 namespace lippmann::app {
 
-/// Prints with an indent of two spaces and a final newline.
+/// Prints JSON to stdout, with an indent of two spaces and a final newline.
 void print_json(const nlohmann::ordered_json& json);
 
 }  // namespace lippmann::app

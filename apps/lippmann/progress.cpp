@@ -79,7 +79,7 @@ void Progress::set_note(const std::string& note) {
 void Progress::within(double share) {
   const std::lock_guard lock(mutex_);
   within_ = std::max(within_, share < 1.0
-                                  // `share` may decrease, because threads report out of order. step() counts a complete frame.
+                                  // `share` may decrease, because threads report out of order.
                                   ? share
                                   : 0.0);
   if (style_ == ProgressStyle::kBar && now_() - drawn_ >= kRedrawInterval) draw();

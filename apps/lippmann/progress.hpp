@@ -1,4 +1,4 @@
-// Shows the progress of long work on stderr: on a terminal a bar with the time left, elsewhere a line from time to time.
+// Shows the progress of long work on stderr: a bar with the time left on a terminal, otherwise a line from time to time.
 #pragma once
 
 #include <chrono>
@@ -11,25 +11,25 @@
 namespace lippmann::app {
 
 enum class ProgressStyle {
-  kBar,       ///< redraws one line
+  kBar,
   kLines,     ///< prints the lines that LineSchedule chooses
   kEveryLine  ///< prints a line after every step, and within long steps
 };
 
-/// Chooses when to print a line, so that logs of long work stay short. A line is printed after the first and the last step, and
-/// whenever at least 30 s and a tenth of the elapsed time have passed since the last line.
+/// Limits the lines in logs of long work: one after the first and the last step, and one whenever 30 s and a tenth of the
+/// elapsed time have passed since the last.
 class LineSchedule {
  public:
   /// Returns whether the line for step `done`, counted from 1, is due. If so, counts it as printed.
   bool is_due(int done, int total, double elapsed_s);
-  /// Returns whether a line is due within a step, because the first step may take an hour. If so, counts it as printed.
+  /// Like is_due, within a step, because the first step may take an hour.
   bool is_due_within(double elapsed_s);
 
  private:
   double last_s_ = 0.0;
 };
 
-/// Returns the remaining time, assuming a constant rate. Requires done > 0.
+/// Assumes a constant rate. Requires done > 0.
 inline double seconds_left(double elapsed_s, double done, double total) { return elapsed_s / done * total - elapsed_s; }
 
 class Progress {
@@ -46,7 +46,7 @@ class Progress {
   /// Counts one step as done. Without a bar, prints `line`.
   void step(const std::string& line);
 
-  /// Sets advice on how to reduce the work. It is printed after the first step if more than an hour is left.
+  /// Sets advice on how to reduce the work, which is printed after the first step if more than an hour is left.
   void set_advice(const std::string& advice);
 
   /// Sets a note that is shown after the time left, such as the total size.
@@ -65,7 +65,6 @@ class Progress {
   double share_done() const;
   /// Returns the time left, as "3:00 left". While nothing is done, returns the elapsed time, as "0:30 so far".
   std::string left_text(double elapsed_s) const;
-  /// Returns the note after a comma, as ", files: about 12 MB"; empty without a note.
   std::string note() const { return note_.empty() ? note_ : ", " + note_; }
   void draw();
   void advise();
@@ -83,7 +82,6 @@ class Progress {
 /// Formats a duration: "0:07", "12:34", "3:00:05".
 std::string clock_text(double seconds);
 
-/// Calls `beat` every second on a separate thread until destroyed.
 class Heartbeat {
  public:
   explicit Heartbeat(std::function<void()> beat);

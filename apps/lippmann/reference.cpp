@@ -11,8 +11,8 @@
 namespace lippmann::app {
 namespace {
 
-/// Returns the name of an option's value, or the words that the option accepts. Leaves out other checks that CLI11 appends,
-/// because their text depends on the version of CLI11.
+/// Returns the name of an option's value, or the words that the option accepts. Leaves out checks whose text depends on the
+/// version of CLI11.
 std::string type_in_reference(const CLI::Option& option) {
   std::string type = option.get_type_name();
   if (const std::size_t words = type.find(":{"); words != std::string::npos) {
@@ -35,7 +35,7 @@ bool is_in_reference(const CLI::Option& option) {
   return !option.check_lname("help") && !option.check_lname("help-all") && !option.get_group().empty();
 }
 
-/// The options below one heading. An option that an earlier command has too is listed by its name only.
+/// The options below one heading. An option of an earlier command is listed by its name only.
 class ReferenceGroup {
  public:
   ReferenceGroup(std::string heading, std::string command) : heading_(std::move(heading)), command_(std::move(command)) {}

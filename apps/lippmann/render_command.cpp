@@ -43,16 +43,14 @@ struct RenderOptions {
   bool force = false;
   bool json = false, quiet = false, verbose = false, dry_run = false;
 
-  /// Returns whether this run renders only a part of the job.
   bool is_part() const { return !unit.empty() || !only_frames.empty(); }
 };
 
-/// Returns the flag that selects the part of the job to render.
 std::string part_flag(const RenderOptions& options) {
   return options.unit.empty() ? " --only-frames " + options.only_frames : " --unit " + options.unit;
 }
 
-/// A copy of the data of the RenderPlan that the summary prints after the plan was destroyed.
+/// A copy of the data that the summary needs after the RenderPlan was destroyed.
 struct Planned {
   fs::path folder;
   FrameNames names;
@@ -67,12 +65,11 @@ std::string describe_pictures(const Planned& plan) {
                      plan.picture_size.x, plan.picture_size.y);
 }
 
-/// Returns whether the summary suggests `lippmann replay`. It does not for single views, which already show what an eye sees.
+/// Single views already show what an eye sees.
 bool can_be_replayed(const RenderReport& report) {
   return !is_single_view(report.optics) && !sensor_lenses(report.optics) && !report.params.output.pictures.mirror;
 }
 
-/// Describes how the pictures were made, and names a flag that reduces the noise.
 std::string describe_paths(const Sampling& sampling) {
   const int samples = samples_per_pixel(sampling);
   const bool denoised = is_denoised(sampling);
@@ -87,7 +84,6 @@ std::string describe_depth(const ShownDepth& shown, const Optics& optics, float 
 
 void print_line(std::string_view name, const std::string& value) { print_out("  {:<9} {}\n", name, printable_line(value)); }
 
-/// Prints the values of defaults that were chosen automatically, for renders and dry runs.
 void print_choices(const Sampling& sampling, const Optics& optics, const std::string& light, const std::string& view) {
   if (const std::string spacing = view_spacing(optics); !spacing.empty()) print_line("eyes", spacing);
   if (facts_of(sampling).is_stochastic) print_line("shading", describe_paths(sampling));
@@ -95,17 +91,16 @@ void print_choices(const Sampling& sampling, const Optics& optics, const std::st
   if (!view.empty()) print_line("view", view);
 }
 
-/// Returns the first and the last name, as "frame_0000.png ... frame_0479.png", or one name if they are equal.
+/// Returns the first and the last name, as "frame_0000.png ... frame_0479.png".
 std::string first_and_last(const std::string& first, const std::string& last) {
   return first == last ? first : first + " ... " + last;
 }
 
-/// Returns a number with its noun, as "12 frames" or "3 strips".
 std::string count_of(std::size_t number, const char* thing) {
   return fmt::format("{} {}{}", number, thing, number == 1 ? "" : "s");
 }
 
-/// Prints the results, their location, and commands to view them. Each command is on a line of its own and can be run as it is.
+/// Prints the results and commands to view them. Each command is on its own line, so that it can be copied.
 void print_summary(const RenderReport& report, const Planned& plan, const RenderOptions& options) {
   const std::string& program = options.program;
   const auto& [folder, names, picture_size, pictures_per_frame, kept] = plan;
@@ -212,7 +207,6 @@ RunParams run_params(const RenderOptions& options, Ranks* ranks) {
   return run;
 }
 
-/// Prints what a render would make, without rendering.
 void plan_only(const ResolvedJob& job, const RenderOptions& options, const Context& context) {
   const RenderSetup setup(job, run_params(options, nullptr), context);
   print_plan(setup.plan(0), job.params(), options.json);
@@ -226,7 +220,6 @@ RenderProgressKind progress_kind(const RenderOptions& options, const Ranks* rank
   return options.progress == "json" ? RenderProgressKind::kJson : RenderProgressKind::kAuto;
 }
 
-/// Renders. Prints the progress on stderr and a summary, unless the options are quiet.
 RenderReport render(const ResolvedJob& job, const RenderOptions& options, Ranks* ranks, Context& context) {
   std::optional<RenderProgress> progress;
   Planned planned;
@@ -258,8 +251,8 @@ void join_in(const RenderOptions& options, const OutputParams& output, const Ran
   if (ranks.rank() > 0) context.warn = {};
 }
 
-/// Returns whether this rank leaves the report of an error to the first rank. Waits up to 5 s to decide: if all ranks have the
-/// same error, the first rank stops this rank in that time. Otherwise, this rank reports the error itself.
+/// Returns whether the first rank reports the error of this rank. If all ranks fail alike, the first rank stops this rank
+/// within 5 s; otherwise this rank must report its error.
 bool is_reported_by_first_rank(const Ranks* ranks, const Context& context) {
   if (is_first(ranks) || ranks->has_begun()) return false;
   constexpr int kTenths = 50;

@@ -44,7 +44,7 @@ std::string describe(const RenderPlan& plan, int wanted, double bytes) {
   return fmt::format("{} of {}{} to {}; all files: about {} (an estimate)", what, each, size, folder, bytes_text(bytes));
 }
 
-/// If the depth of the scene is reduced to what the optics can show, prints the depth before hours are spent on the render.
+/// Prints the depth before a long render if the optics cannot show the full depth of the scene.
 void print_fitted_depth(const RenderPlan& plan, const RenderParams& params) {
   const PlacedOptics& placed = plan.stage.placed;
   if (placed.depth_scale >= 1.0f) return;
@@ -53,7 +53,6 @@ void print_fitted_depth(const RenderPlan& plan, const RenderParams& params) {
               params.optics.fit_depth ? "" : " --full-depth shows its full depth.");
 }
 
-/// Returns advice for long renders: flags that reduce the work, and how to stop and continue.
 std::string advice_for_less_work(const RenderPlan& plan) {
   const int first = plan.frames.front(), last = plan.frames.back();
   const std::string fewer =
@@ -125,7 +124,6 @@ void RenderProgress::tick() {
   if (written_ < wanted_ && schedule_.is_due_within(seconds())) print_object(-1);
 }
 
-/// Estimates the size of all files from the mean size of the frames written so far.
 double RenderProgress::estimated_bytes() const {
   return written_ == 0 ? estimated_at_first_ : bytes_ / written_ * frames_ + video_bytes_;
 }

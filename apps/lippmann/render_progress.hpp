@@ -14,16 +14,15 @@
 namespace lippmann::app {
 
 enum class RenderProgressKind {
-  kAuto,     ///< a bar on a terminal, otherwise a line from time to time
-  kVerbose,  ///< a line per frame
-  kJson,     ///< JSON objects after every frame and within long frames; docs/reference/formats.md lists the keys
+  kAuto,  ///< a bar on a terminal, otherwise a line from time to time
+  kVerbose,
+  kJson,  ///< JSON objects; docs/reference/formats.md lists the keys
   kNone
 };
 
 /// Receives the progress of one render. traced() and written() are called on different threads.
 class RenderProgress {
  public:
-  /// Prints the plan.
   RenderProgress(const RenderPlan& plan, const RenderParams& params, RenderProgressKind kind);
   ~RenderProgress();
   RenderProgress(const RenderProgress&) = delete;
@@ -43,13 +42,13 @@ class RenderProgress {
 
   RenderProgressKind kind_;
   bool interpolates_;
-  /// Numbers of frames or strips in the plan, to be rendered by this run, and written to disk so far.
+  /// Numbers of frames or strips: in the plan, to be rendered by this run, and written so far.
   int frames_ = 0, wanted_ = 0, written_ = 0;
   double bytes_ = 0.0;  ///< total size of the written frames or strips
   double estimated_at_first_ = 0.0, video_bytes_ = 0.0;
   Clock::time_point start_ = Clock::now();
   LineSchedule schedule_;             ///< determines when JSON objects are printed within frames
-  double within_ = 0.0;               ///< traced share of the current frame, for JSON objects
+  double within_ = 0.0;               ///< traced share of the current frame
   std::mutex mutex_;                  ///< guards the members that change
   std::map<int, std::string> lines_;  ///< lines to print for frames that are traced but not yet written
   std::unique_ptr<Progress> progress_;

@@ -82,7 +82,6 @@ std::optional<FocalStack> read_focal_stack(const std::string& text) {
                     "Z0:Z1:N, two depths in mm or two disparities such as -2px:2px:9, and 2 to 1000 pictures");
 }
 
-/// Throws a usage Error naming a flag that has no effect on the requested pictures.
 void refuse_idle_flags(const ReplayOptions& options) {
   const ReplayParams& params = options.params;
   const bool refocuses = !options.refocus.empty() || !options.focal_stack.empty(),

@@ -14,8 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Number of views of first_settings(), and width and height of a view in pixels. The number is the default number of views per
-/// lens. The default view size is meant for lenses, and is too coarse for views shown one at a time.
+/// Number of views and side of a view in pixels when a scene is opened. The default view size of renders is for lenses, and is
+/// too coarse for views shown one at a time.
 constexpr int kFirstViews = 8, kFirstViewSide = 360;
 
 void refuse_light_field_flags(const LightFieldFlags& field) {

@@ -1,5 +1,4 @@
-// Commands whose input may be a light field or a scene use this file. A scene is set up in the browser, before it is rendered.
-// The functions distinguish scenes from light fields, and read the render flags of scenes.
+// For commands whose input may be a light field, or a scene to set up in the browser before it is rendered.
 #pragma once
 
 #include <filesystem>
@@ -20,26 +19,25 @@ struct SceneToSetUpFlags {
   std::string job_file;
 };
 
-/// Declares --save-job and all parameters of renders except `unwanted`. The command declares the parameters in `unwanted`
-/// itself.
+/// Declares --save-job and all parameters of renders except `unwanted`.
 void add_scene_to_set_up_flags(const Command& command, SceneToSetUpFlags& flags,
                                std::initializer_list<std::string_view> unwanted);
 
 /// Returns whether `in` is a scene. An existing folder is a light field even if a built-in scene has its name.
 bool is_scene_to_set_up(const std::string& in);
 
-/// Throws a usage Error naming a flag that is only for scenes, since `in` is a light field.
+/// Throws a usage Error naming a flag that is only for scenes.
 void refuse_scene_flags(const std::string& in, const SceneToSetUpFlags& flags);
 
-/// Returns the parameters for rendering the scene `in`. field: flags of the command that describe light fields. Some of them
-/// also apply to scenes; throws Error if another one is given. threads: number of threads; 0: the number in the job.
+/// Returns the parameters for rendering the scene `in`. Throws Error if `field` contains a flag that does not apply to scenes.
+/// threads: 0: the number in the job.
 RenderParams scene_params(const std::string& in, const SceneToSetUpFlags& flags, const LightFieldFlags& field, int threads);
 
-/// Returns the initial settings of the page. If neither flags nor a job define a display, optics or a layout, the settings are
-/// a row of views, because views can be looked at on a plain screen.
+/// Returns the initial settings of the page. Without a display, optics or a layout, they show a row of views, which a plain
+/// screen can show.
 LiveSettings first_settings(const RenderParams& params, const std::string& in);
 
-/// Returns the job file that Save on the page writes: the value of --save-job, or SCENE.toml in the working folder.
+/// Returns the job file that the page saves: the value of --save-job, or SCENE.toml in the working folder.
 std::filesystem::path job_file_for(const SceneToSetUpFlags& flags, const RenderParams& params);
 
 }  // namespace lippmann::app

@@ -1,4 +1,4 @@
-// `lippmann sheet KIND -o FILE`: makes test prints for measuring a lenticular sheet, or the heights of its lenses.
+// `lippmann sheet KIND -o FILE`: makes test prints for measuring a lenticular sheet, or a height map of its lenses.
 #include <fmt/core.h>
 
 #include <memory>
@@ -25,7 +25,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kInchMm = 25.4;
 
-/// The result of the command as text and as JSON.
 struct SheetResult {
   std::string text;
   Json json = Json::object();

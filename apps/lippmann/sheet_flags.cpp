@@ -13,7 +13,6 @@ namespace {
 
 constexpr const char* kWholeSheet = "--lpi (or --lenses-per-mm, --pitch-mm, --visual-lpi), --dpi and --paper";
 
-/// Returns the (key, value) pairs of the line that describes the display. A value is that of the flag with the name of the key.
 std::array<std::pair<const char*, std::string>, 8> sheet_values(const SheetFlags& flags) {
   return {{{"lpi", flags.lpi},
            {"lenses-per-mm", flags.lenses_per_mm},

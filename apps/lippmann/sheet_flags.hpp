@@ -18,14 +18,13 @@ struct SheetFlags {
 
   /// Returns the name of the first flag that is given, or an empty string.
   std::string first_given() const;
-  /// Returns whether --view-angle affects the pitch of the print. It does if the pitch is computed from the pitch of the lenses
-  /// and the viewing distance. It does not if the pitch was measured, as --visual-lpi.
+  /// Returns whether --view-angle affects the pitch of the print. It does not if the pitch was measured, as --visual-lpi.
   bool pitch_depends_on_angle(bool has_viewing_distance) const {
     return are_given() && visual_lpi.empty() && has_viewing_distance;
   }
   bool are_given() const { return !first_given().empty(); }
-  /// Returns the display as one line of text, which load_display() reads. Throws a usage Error if --display is given too, or if
-  /// a required flag is missing.
+  /// Returns the display as one line of text for load_display(). Throws a usage Error if --display is given too, or if a
+  /// required flag is missing.
   std::string line(const Others& others) const;
 };
 

@@ -19,7 +19,7 @@ struct SheetOptions {
   std::optional<int> blocks, views;
   std::optional<double> viewing_distance_mm, view_angle_deg, refractive_index;
   SheetFlags sheet;
-  LensSpec lens;  ///< the lens without its refractive index; see lens_spec()
+  LensSpec lens;  ///< without the refractive index; see lens_spec()
   ResultFlags result;
 
   SheetKind kind() const;
@@ -33,7 +33,7 @@ struct SheetOptions {
 
 void add_sheet_options(const Command& command, SheetOptions& options);
 
-/// Throws a usage Error for a flag that has no effect on this kind. The error names the flag and the kinds that use it.
+/// Throws a usage Error for a flag that has no effect on this kind.
 void refuse_idle_flags(const SheetOptions& options);
 
 }  // namespace lippmann::app

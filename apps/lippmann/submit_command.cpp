@@ -37,8 +37,7 @@ struct SubmitOptions {
   ResultFlags result;
 };
 
-/// Returns the program for the tasks to run. If the tool was called by a path, this is the absolute path, since tasks may have
-/// another working folder; otherwise it is the name.
+/// Returns the tool's absolute path, because tasks may have another working folder, or its name if it was found on PATH.
 fs::path program_of_tasks(const std::string& called_as) {
   if (called_as == "lippmann") return called_as;
   const fs::path self = platform::program_file();

@@ -1,5 +1,4 @@
-// `lippmann view [IN [OTHER]]`: shows one light field or compares two in the browser, sets up a scene there, or opens a page on
-// which pictures are dropped.
+// `lippmann view [IN [OTHER]]`: opens a page that shows or compares light fields, sets up a scene, or accepts dropped pictures.
 #include <fmt/core.h>
 
 #include <filesystem>
@@ -34,8 +33,6 @@ struct ViewOptions {
   int threads = 0;
 };
 
-// ---- A light field ------------------------------------------------------------------------------------------------------
-
 std::vector<std::unique_ptr<PageField>> read_fields(const ViewOptions& options, const Context& context) {
   std::vector<std::unique_ptr<PageField>> fields;
   for (const std::string& in : {options.in, options.other})
@@ -47,7 +44,6 @@ std::vector<std::unique_ptr<PageField>> read_fields(const ViewOptions& options, 
   return fields;
 }
 
-/// Throws a usage Error if flags of the server are given together with --save, which starts no server.
 void refuse_server_flags(const PageServerFlags& server) {
   const auto refuse = [](bool given, const char* flag) {
     if (given) throw usage_error(flag, "has no effect with --save, which starts no server", "lippmann view without --save");
@@ -68,8 +64,7 @@ int save(const ViewOptions& options, const Context& context) {
   return 0;
 }
 
-/// Returns whether IN is the folder of a running render that has written its first report. Returns false if another flag is
-/// given, because the other flags describe a finished light field.
+/// Returns whether IN is the folder of a running render that has written its first report, and no other flag is given.
 bool is_render_to_watch(const ViewOptions& options) {
   const LightFieldFlags& field = options.field;
   const bool is_alone = options.other.empty() && field.from.empty() && field.report.empty() && field.views.empty() &&
@@ -85,8 +80,6 @@ int watch(const ViewOptions& options, const Context& context) {
   return serve_page(std::move(field), std::move(render), options.server, context);
 }
 
-// ---- A scene ------------------------------------------------------------------------------------------------------------
-
 int set_up(const ViewOptions& options, const Context& context) {
   if (!options.other.empty())
     throw usage_error("OTHER", "needs a light field as IN, but IN is a scene", "a rendered folder as IN");
@@ -98,9 +91,6 @@ int set_up(const ViewOptions& options, const Context& context) {
   return serve_page(std::make_unique<LiveAnswers>(std::move(scene)), options.server, context);
 }
 
-// ---- No input -----------------------------------------------------------------------------------------------------------
-
-/// Throws a usage Error if flags that describe IN are given without IN.
 void refuse_flags_without_in(const ViewOptions& options) {
   const LightFieldFlags& field = options.field;
   const auto refuse = [](bool given, const std::string& flag) {

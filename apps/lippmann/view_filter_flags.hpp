@@ -16,7 +16,7 @@ struct ViewFilterFlags {
   InterlaceParams read() const;
 };
 
-/// of: text at the end of the help of --filter, which states what the filter is used for.
+/// of: text at the end of the help of --filter.
 void add_view_filter_flags(const Command& command, ViewFilterFlags& flags, const std::string& of);
 
 }  // namespace lippmann::app

@@ -8,7 +8,7 @@
 
 namespace lippmann::app {
 
-/// Writes the page of a folder whose frames are all finished, and records its files in the journal. Throws Error as save_page()
+/// Writes the page of a folder of finished frames, and adds its files to the folder's checksums. Throws Error as save_page()
 /// does.
 SavedPage write_page(const std::filesystem::path& folder, const Context& context);
 
