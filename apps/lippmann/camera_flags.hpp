@@ -7,7 +7,7 @@
 
 namespace lippmann::app {
 
-class Command;  // declared in command_line.hpp
+class Command;
 
 struct CameraFlags {
   std::optional<double> baseline_mm, focal_length_mm, sensor_width_mm, focus_distance_mm;

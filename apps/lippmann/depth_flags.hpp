@@ -10,8 +10,8 @@
 
 namespace lippmann::app {
 
-class Command;       // declared in command_line.hpp
-struct ResultFlags;  // declared in result_flags.hpp
+class Command;
+struct ResultFlags;
 
 struct DepthFlags {
   std::string range, coding, map;

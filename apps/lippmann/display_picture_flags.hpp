@@ -8,7 +8,7 @@
 
 namespace lippmann::app {
 
-class Command;  // declared in command_line.hpp
+class Command;
 
 struct DisplayPictureFlags {
   std::string fit, shares, icc;

@@ -9,7 +9,7 @@
 
 namespace lippmann::app {
 
-class Command;  // declared in command_line.hpp
+class Command;
 
 struct LightFieldFlags {
   std::string report, from, views, quilt, display;

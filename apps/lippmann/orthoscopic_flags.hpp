@@ -8,8 +8,8 @@
 
 namespace lippmann::app {
 
-class Command;       // declared in command_line.hpp
-struct ResultFlags;  // declared in result_flags.hpp
+class Command;
+struct ResultFlags;
 
 struct OrthoscopicFlags {
   bool rotate_elemental = false;

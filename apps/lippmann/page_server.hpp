@@ -12,7 +12,7 @@
 
 namespace lippmann::app {
 
-class Command;  // declared in command_line.hpp
+class Command;
 
 struct PageServerFlags {
   std::string host = "127.0.0.1";

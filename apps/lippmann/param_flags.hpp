@@ -12,7 +12,7 @@
 
 namespace lippmann::app {
 
-class Command;  // declared in command_line.hpp
+class Command;
 
 /// The flags of a command. Must outlive the command, because parsing the command line writes the values.
 struct ParamFlags {

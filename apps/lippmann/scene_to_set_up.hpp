@@ -12,7 +12,7 @@
 
 namespace lippmann::app {
 
-class Command;  // declared in command_line.hpp
+class Command;
 
 struct SceneToSetUpFlags {
   ParamFlags params;

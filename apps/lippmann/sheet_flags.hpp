@@ -5,7 +5,7 @@
 
 namespace lippmann::app {
 
-class Command;  // declared in command_line.hpp
+class Command;
 
 struct SheetFlags {
   std::string lpi, lenses_per_mm, pitch_mm, visual_lpi, dpi, paper, phase;

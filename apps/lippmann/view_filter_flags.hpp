@@ -7,7 +7,7 @@
 
 namespace lippmann::app {
 
-class Command;  // declared in command_line.hpp
+class Command;
 
 struct ViewFilterFlags {
   std::string filter;
