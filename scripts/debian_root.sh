@@ -1,7 +1,6 @@
-# Functions that install Debian and Ubuntu systems into folders and run commands in them (chroot). scripts/try_on and
-# scripts/package_test source this file. Needs root and debootstrap.
+# Functions that install Debian and Ubuntu systems into folders and run commands in them (chroot). Need root and debootstrap.
 
-# Prints the mirror of Debian: $MIRROR, or else the mirror that this machine uses.
+# Prints the Debian mirror: $MIRROR, or else the mirror that this machine uses.
 debian_mirror() {
   local found
   found=$(cat /etc/apt/sources.list /etc/apt/sources.list.d/*.{list,sources} 2>/dev/null |
@@ -14,12 +13,12 @@ require_debian_root() {
   [[ $(id -u) -eq 0 ]] || { echo "$0 must run as root: it installs Debian into a folder" >&2; exit 2; }
 }
 
-# make_debian_root SUITE FOLDER: installs a minimal system into a folder. SUITE: bookworm, trixie, sid (Debian) or noble (Ubuntu). Copies
-# this machine's name server, apt settings and certificate authorities.
+# make_debian_root SUITE FOLDER: installs a minimal system. SUITE: bookworm, trixie, sid (Debian) or noble (Ubuntu). Copies this
+# machine's name server, apt settings and certificate authorities.
 make_debian_root() {
   local suite=$1 root=$2
   case $suite in
-    # Debian 12's debootstrap has no script for noble. The script for gutsy fits every suite of Ubuntu.
+    # debootstrap of Debian 12 has no script for noble; the script for gutsy fits every suite of Ubuntu.
     noble) debootstrap --variant=minbase --components=main,universe noble "$root" "${UBUNTU_MIRROR:-http://archive.ubuntu.com/ubuntu}" gutsy ;;
     *) debootstrap --variant=minbase "$suite" "$root" "$(debian_mirror)" ;;
   esac || return

@@ -1,5 +1,4 @@
-# Functions that collect the libraries on which a program depends, and the licences of these libraries. scripts/bundle and
-# scripts/wheel source this file.
+# Functions that collect the libraries on which a program depends, and their licences.
 # shellcheck shell=bash
 
 # Prints the comment at the top of a script.
@@ -19,8 +18,8 @@ package_of() {
   { dpkg-query -S "${file#/usr}" 2>/dev/null || dpkg-query -S "/usr${file#/usr}" 2>/dev/null || echo "no package:"; } | sed 's/:.*//; q'
 }
 
-# Prints "package path" of each library that the given files load, directly or indirectly. Leaves out glibc, because it must fit the
-# kernel and the dynamic linker of the machine on which the program runs.
+# Prints "package path" of each library that the given files load, directly or indirectly. Leaves out glibc, which must match the
+# machine on which the program runs.
 libraries_of() {
   local loaded path
   loaded=$(for file in "$@"; do ldd "$file"; done)
@@ -33,15 +32,15 @@ libraries_of() {
   done | sed '/^libc6 /d'
 }
 
-# Prints "package path" of oneTBB's allocator. ldd does not list the allocator, because oneTBB loads it at run time.
+# Prints "package path" of oneTBB's allocator, which ldd does not list, because oneTBB loads it at run time.
 allocator_of_tbb() {
   local path
   path=$(awk '/\/libtbb\.so\./ {sub(/libtbb\.so\..*/, "libtbbmalloc.so.2", $2); print $2}')
   [[ -e $path ]] && echo "$(package_of "$path") $path"
 }
 
-# copy_licences FOLDER LIST: reads names of packages from standard input, one per line. Copies their licences to FOLDER, and writes their
-# versions to the file LIST.
+# copy_licences FOLDER LIST: copies the licences of packages to FOLDER and writes their versions to LIST. Reads package names from
+# standard input.
 copy_licences() {
   local package
   while read -r package; do
@@ -55,7 +54,6 @@ copy_licences() {
 compiled_in=(libcli11-dev libdraco-dev libfmt-dev libglm-dev libmeshoptimizer-dev libstb-dev libtomlplusplus-dev libxxhash-dev
   nlohmann-json3-dev)
 
-# licence_notes NAME WITH_VIDEO: prints the notes that the licences of other projects require.
 licence_notes() {
   cat <<NOTES
 Lippmann is under the Apache License 2.0 (LICENSE). The libraries of others in this $1 come unchanged from the Debian packages that
@@ -74,7 +72,6 @@ The source of each package: apt-get source NAME=VERSION on the Debian release, o
 NOTES
 }
 
-# The time stamp of all files, in seconds since 1970, is $SOURCE_DATE_EPOCH or the time of the last commit, so that equal inputs give
-# equal bytes.
+# Gives all files the same time stamp, so that equal inputs make equal archives.
 SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct 2>/dev/null || echo 1000000000)}
 export SOURCE_DATE_EPOCH

@@ -1,4 +1,4 @@
-"""Finds the sources that scripts/check_includes and scripts/check_tidy check: their compile commands, and which of them changed."""
+"""Finds the sources that scripts/check_includes and scripts/check_tidy check."""
 
 import json
 import os
@@ -16,8 +16,8 @@ def output(*command):
 
 
 def compile_commands(build, joined):
-    """Configures a build in the folder `build`. Returns a dict from relative paths of sources to entries of the compilation database.
-    joined: "ON" joins sources. Then the paths are those of the joined files."""
+    """Configures a build in the folder `build`. Returns {source: entry of the compilation database}. joined: "ON" makes CMake
+    join sources; the result then lists the joined files."""
     configure = ["cmake", "-S", ".", "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", f"-DLIPPMANN_UNITY={joined}"]
     configure += ["-DLIPPMANN_PCH=OFF", "-DLIPPMANN_TESTS=OFF", "-DLIPPMANN_BENCH=ON", "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON"]
     subprocess.run(configure, check=True, stdout=subprocess.DEVNULL)
@@ -30,7 +30,7 @@ def of_checked_folders(commands):
 
 
 def default_start():
-    """Returns the last commit at least six hours older than HEAD, or the empty tree in a shallow clone with less history."""
+    """Returns the last commit at least six hours older than HEAD, or the empty tree if history is shorter."""
     since = int(output("git", "log", "-1", "--format=%ct")) - SIX_HOURS_S
     base = output("git", "rev-list", "-1", f"--before={since}", "HEAD").strip()
     return base or output("git", "hash-object", "-t", "tree", "/dev/null").strip()
@@ -43,13 +43,12 @@ def changed_files(base):
 
 
 def by_last_change():
-    """Returns a dict from each file to a rank. Files that changed later have lower ranks."""
+    """Returns {file: rank}. Files that changed later have lower ranks."""
     names = output("git", "log", "--format=", "--name-only").splitlines()
     return {name: place for place, name in reversed(list(enumerate(filter(None, names))))}
 
 
 def includes(path):
-    """Returns the project's headers that a file includes directly."""
     found = set()
     for name in INCLUDE.findall(pathlib.Path(path).read_text()):
         found.update(root + name for root in ("include/", "src/", "") if os.path.exists(root + name))
