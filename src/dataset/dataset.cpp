@@ -59,7 +59,7 @@ void write_json(const fs::path& path, const Json& json) {
   write_file_atomically(path, std::as_bytes(std::span(text)));
 }
 
-/// Returns nullopt if the file does not exist. If the file is not valid JSON, returns a value for which is_discarded() is true.
+/// Returns nullopt if the file does not exist, and a discarded value (is_discarded()) if it is not valid JSON.
 std::optional<Json> read_optional_json(const fs::path& path) {
   std::error_code ignored;
   if (!fs::exists(path, ignored)) return std::nullopt;
@@ -78,8 +78,7 @@ void claim_dataset_folder(const DatasetParams& params) {
   if (!there) write_json(path, wanted);
 }
 
-/// Returns the sample.json of a sample if the sample is complete and its files have the recorded sizes. Returns nullopt
-/// otherwise.
+/// Returns the sample.json of a sample, or nullopt if a file is missing or does not have its recorded size.
 std::optional<Json> complete_sample(const fs::path& folder) {
   std::optional<Json> json = read_optional_json(folder / "sample.json");
   if (!json || !json->is_object() || !json->contains("files") || !(*json)["files"].is_array()) return std::nullopt;
@@ -99,7 +98,7 @@ class SampleFiles {
       : folder_(std::move(folder)),
         shape_{static_cast<std::size_t>(views), static_cast<std::size_t>(size.y), static_cast<std::size_t>(size.x)} {}
 
-  /// Writes one array that holds the pixels of all views, with one or more values per pixel.
+  /// Writes one array with the pixels of all views, with one or more values per pixel.
   template <class Sample>
   void add(const std::string& name, const std::vector<Sample>& samples) {
     std::vector<std::size_t> shape = shape_;
@@ -122,8 +121,8 @@ class SampleFiles {
   std::uint64_t bytes_ = 0;
 };
 
-/// Returns the disparity of each pixel. It is the number of pixels by which the point shifts to the left from a view to the
-/// next view on the right. The background has the disparity -infinity.
+/// Returns the disparity of each pixel: how many pixels the point shifts to the left from a view to the next on the right. The
+/// background has the disparity -infinity.
 std::vector<float> disparities(const std::vector<float>& depth_mm, const DatasetCameras& cameras) {
   std::vector<float> disparity;
   disparity.reserve(depth_mm.size());
@@ -143,7 +142,7 @@ Json sample_json(const DatasetParams& params, int index, const DatasetCameras& c
           {"files", files}};
 }
 
-/// Renders and writes one sample. Returns the number of bytes written, or nullopt if cancelled.
+/// Returns the number of bytes written, or nullopt if cancelled.
 std::optional<std::uint64_t> make_sample(const DatasetParams& params, const std::vector<Mesh>& meshes, int index,
                                          const Context& context) {
   SampleRandom random(params.seed, static_cast<std::uint32_t>(index));
@@ -185,7 +184,7 @@ std::vector<int> samples_of(const DatasetParams& params) {
   return params.unit.empty() ? all : frames_of(read_units(params.unit, "unit"), all, 1);
 }
 
-/// Writes the manifest if all samples exist. Returns whether all samples exist.
+/// Writes the manifest if all samples exist. Returns whether they do.
 bool write_manifest(const DatasetParams& params) {
   Json samples = Json::array();
   for (int index = 0; index < params.count; ++index) {

@@ -10,7 +10,6 @@ namespace {
 
 constexpr float kPlaneHeight = 10.0f, kViewHeightMm = 64.0f;
 
-/// Adds a texture of random squares and returns its index.
 int add_texture(Scene& scene, SampleRandom& random) {
   constexpr int kTexelsPerCell = 4;
   const int cells = 4 + random.below(20), side = kTexelsPerCell * cells;
@@ -66,7 +65,6 @@ Shape object_shape(const std::vector<Mesh>& meshes, SampleRandom& random) {
   return Boxes{{.lower = Vec3f(-0.6f), .upper = Vec3f(0.6f)}};
 }
 
-/// Moves and rotates a node by a random step from frame 0 to frame 1.
 void animate(Scene& scene, int node, SampleRandom& random) {
   const Transform& local = scene.nodes[static_cast<std::size_t>(node)].local;
   const std::vector<double> times{0.0, scene.timeline.time(1)};

@@ -18,7 +18,7 @@ namespace {
 
 constexpr ModuleName kRanksModule{"liblippmann_mpi.so", "lippmann_mpi_module", "renders that mpirun starts", "lippmann-mpi"};
 
-/// Returns the value of the first of the environment variables `names` that holds a positive number. Returns 1 if none does.
+/// Returns the first positive number in the environment variables `names`, or 1.
 int number_of(std::initializer_list<const char*> names) {
   for (const char* name : names)
     if (const char* text = std::getenv(name))
@@ -28,8 +28,7 @@ int number_of(std::initializer_list<const char*> names) {
 
 }  // namespace
 
-// rank_count() and local_rank_count() read the variables of Open MPI, and of launchers that use PMI (srun, and mpiexec of
-// MPICH).
+// These variables are set by Open MPI, and by launchers that use PMI (srun, and mpiexec of MPICH).
 int rank_count() { return number_of({"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}); }
 
 int local_rank_count() { return number_of({"OMPI_COMM_WORLD_LOCAL_SIZE", "MPI_LOCALNRANKS"}); }

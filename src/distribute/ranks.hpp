@@ -1,7 +1,7 @@
-// Shares work among the processes of one MPI job (mpirun -n N lippmann ...). Each process has a rank, which is its number.
+// Shares work among the processes of one MPI job (mpirun -n N lippmann ...). The rank of a process is its number.
 //
-// A thread of rank 0 hands out the numbers of units of work, while rank 0 also renders. The thread polls for messages, because
-// a blocking wait in Open MPI occupies a whole processor. Only processes that mpirun started load the library.
+// A thread of rank 0 hands out work while rank 0 also renders. The thread polls for messages, because a blocking wait in Open
+// MPI occupies a whole processor.
 #pragma once
 
 #include <cstdint>
@@ -18,8 +18,8 @@ struct WorkDone {
   std::uint64_t bytes = 0;  ///< total size of the frame's files, which are complete
 };
 
-/// The connection of one process to the job. Every process constructs one object, and calls begin(), then next() until no work
-/// is left, then end(). If a process exits without end(), mpirun ends the whole job, so that the other processes do not wait.
+/// The connection of one process to the job. Call begin(), then next() until no work is left, then end(). If a process exits
+/// without end(), mpirun ends the whole job.
 class Ranks {
  public:
   virtual ~Ranks() = default;
@@ -31,11 +31,11 @@ class Ranks {
   /// returns. Call this before begin().
   virtual void listen(std::function<void(const WorkDone&)> listener) = 0;
 
-  /// Returns at once on rank 0. Other ranks wait until rank 0 has called begin().
+  /// Other ranks wait until rank 0 has called begin().
   virtual void begin() = 0;
   virtual bool has_begun() const = 0;
 
-  /// Returns the next of the numbers 0, 1, 2, ... Each number is returned to a single rank. A rank gets ascending numbers.
+  /// Returns 0, 1, 2, ... in turn. Each number is returned to a single rank, in ascending order.
   virtual int next() = 0;
 
   /// Reports finished work to rank 0. Does nothing on rank 0.
@@ -45,21 +45,21 @@ class Ranks {
   virtual void end() = 0;
 };
 
-/// Returns the number of processes that mpirun started, from the environment. Returns 1 without mpirun. Loads no library.
+/// Returns the number of processes that mpirun started, or 1 without mpirun. Loads no library.
 int rank_count();
 
-/// Returns the number of threads for a rank. The rank may use `cpus` of the machine's `cpus_online` processors. If mpirun bound
-/// the rank to some processors, the result is `cpus`. Otherwise the ranks on this machine share `cpus` equally.
+/// Returns the number of threads for a rank that may use `cpus` of the machine's `cpus_online` processors: `cpus` if mpirun
+/// bound the rank to processors, otherwise its equal share of `cpus`.
 int threads_of_rank(int cpus, int cpus_online, int local_ranks);
 
 /// Returns the number of processes that mpirun started on this machine.
 int local_rank_count();
 
-/// Joins the job as one of its ranks. Returns null for a single process. If there are several processes, throws Error if the
-/// MPI module is not installed or the processes cannot connect.
+/// Joins the job as one of its ranks. Returns null for a single process. Throws Error if the MPI module is not installed or the
+/// processes cannot connect.
 std::unique_ptr<Ranks> join_ranks();
 
-/// Version of this interface. Increment it with every change of this header, so that modules of other versions are rejected.
+/// Increment with every change of this header, so that modules of other versions are rejected.
 inline constexpr int kRanksVersion = 1;
 
 }  // namespace lippmann

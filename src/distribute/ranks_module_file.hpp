@@ -1,4 +1,3 @@
-// Checks whether processes that mpirun starts can share a render.
 #pragma once
 
 namespace lippmann {

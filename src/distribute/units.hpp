@@ -1,4 +1,4 @@
-// Divides an animation into units of work. Separate processes, machines or runs render the units into one folder.
+// Divides an animation into units of work, which separate processes, machines or runs render into one folder.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace lippmann {
 
-/// One or more of the `count` units of a job. A process that renders several units sets up the scene only once.
+/// One or more of the `count` units of a job.
 struct Units {
   std::vector<int> indices{1};  ///< numbers of the units, from 1, in ascending order
   int count = 1;
@@ -17,9 +17,8 @@ struct Units {
 Units read_units(std::string_view text, const std::string& where);
 std::string write_units(const Units& units);
 
-/// Divides `frames` (ascending) into `count` units. If there are fewer segments than `count`, makes one unit per segment. A
-/// segment holds the frames between two multiples of `segment` (frames_per_segment) and stays in one unit. No unit is empty.
-/// The numbers of segments of any two units differ by at most one. The result depends only on the arguments.
+/// Divides `frames` (ascending) into at most `count` units of nearly equal size. Frames between two multiples of `segment`
+/// (frames_per_segment) stay in one unit. The result depends only on the arguments.
 std::vector<std::vector<int>> units_of(const std::vector<int>& frames, int segment, int count);
 
 /// Returns the frames of the given units. Units beyond the number of segments have no frames.

@@ -1,11 +1,9 @@
 // Based on: E. Hecht, Optics, 5th edition (2017), section 5.2.2, "Refraction at Spherical Surfaces". A surface of radius r
-// between air and a medium of index n focuses distant paraxial light at depth f = n r / (n - 1). A print at depth t is sharp if
-// f = t, so r = t (n - 1) / n.
+// between air and a medium of index n focuses distant paraxial light at depth f = n r / (n - 1). The print at depth t is sharp
+// if f = t, so r = t (n - 1) / n.
 //
-// The viewing angle is 2 b, where b is computed as follows:
-// 1. The outermost ray runs from the edge of the strip (p / 2 from the axis, at depth t) to the vertex of the lens. Its angle a
-//    to the axis inside the lens follows from tan a = (p / 2) / t.
-// 2. The ray leaves the lens at the angle b to the axis, with sin b = n sin a (Snell).
+// The viewing angle is 2 b. The outermost ray runs from the edge of the strip, p / 2 from the axis at depth t, to the vertex of
+// the lens. Inside the lens, its angle a to the axis is tan a = p / (2 t). Outside, its angle b is sin b = n sin a (Snell).
 #include "sheet/lens_heights.hpp"
 
 #include <fmt/format.h>
@@ -21,7 +19,7 @@
 namespace lippmann {
 namespace {
 
-/// Returns the height of the lens surface at distance x_mm from the axis of the lens. The edges of the lens have height 0.
+/// Height of the lens surface at distance x_mm from the axis of the lens; 0 at the edges of the lens.
 double cap_mm(const LensShape& shape, double x_mm) {
   const double r = shape.radius_mm, half = 0.5 * shape.pitch_mm;
   return std::sqrt(std::max(0.0, r * r - x_mm * x_mm)) - std::sqrt(std::max(0.0, r * r - half * half));
@@ -78,8 +76,8 @@ HeightMap lens_heights(const Display& sheet, const LensShape& shape, const Threa
   const Vec2i size = sheet.pixels;
   check_image_size("paper", size.x, size.y, 1);
   const LensStrips strips = lens_strips(sheet);
-  // Lenses are narrower than strips, and both are aligned at the centre of the print. Stretching a position about the centre
-  // converts it from lens pitches to strip widths.
+  // Lenses are narrower than the printed strips below them, and both are aligned at the centre of the print. Stretching a
+  // position about the centre converts it from lens pitches to strip widths.
   const double stretch = strips.cell_px / (shape.pitch_mm / sheet.pixel_mm());
   const Vec2d centre = 0.5 * Vec2d(size);
   const auto code_at = [&](int x, int y) {

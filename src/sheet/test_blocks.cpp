@@ -18,16 +18,16 @@ namespace {
 constexpr double kMarginMm = 3.0, kGapMm = 1.0, kCapitalMm = 2.0;
 constexpr double kHalfBar = 0.5, kThirdBar = 1.0 / 3.0;
 
-/// Layout of a test print, in pixels. Values "across" are measured perpendicular to the bars, and values "along" parallel to
-/// the bars, from the edge of the image.
+/// Layout of a test print, in pixels from the edge of the image. "Across" is perpendicular to the bars, and "along" is parallel
+/// to them.
 struct BlockLayout {
   bool is_vertical = true;
-  int scale = 1;                         ///< size of the text, in pixels per unit of the font
+  int scale = 1;                         ///< pixels per unit of the font
   Vec2i header{0, 0};                    ///< corner of the heading above all blocks
-  int first_across = 0, end_across = 0;  ///< start and end of every block, measured across the bars
-  /// Along the bars: start of the first block, distance between the starts of blocks, and gap between blocks.
+  int first_across = 0, end_across = 0;  ///< start and end of every block across the bars
+  /// Start of the first block, distance between the starts of blocks, and gap between blocks.
   int first_along = 0, pitch = 0, gap = 0;
-  int label_across = 0;  ///< start of the labels, measured across the bars
+  int label_across = 0;  ///< start of the labels across the bars
 
   PixelBox block(int number) const {
     const int from = first_along + number * pitch, to = from + pitch - gap;
@@ -46,8 +46,7 @@ Vec2i largest_units(const std::vector<std::string>& labels) {
   return largest;
 }
 
-/// Returns the layout. Text is 2 mm high. It is smaller if a label would not fit beside its block or would take more than a
-/// third of the image.
+/// Text is 2 mm high, or smaller if a label would not fit beside its block or would take more than a third of the image.
 BlockLayout block_layout(const Display& sheet, const std::string& header, const std::vector<std::string>& labels,
                          BarDirection bars) {
   const auto px = [&](double mm) { return static_cast<int>(std::lround(mm / sheet.pixel_mm())); };
@@ -62,8 +61,8 @@ BlockLayout block_layout(const Display& sheet, const std::string& header, const 
   const int unit_along = layout.is_vertical ? units.y : units.x,
             unit_across = layout.is_vertical ? units.x : units.y + kTextLine;
   const int header_lines = layout.is_vertical ? 1 : 0;
-  // The largest scale up to `wish` at which all blocks fit along the bars, with the header and one pixel between blocks, a
-  // label takes at most a third of the width across the bars, and the header fits the width.
+  // The largest text size up to `wish` at which blocks, labels and header fit. A label takes at most a third of the width
+  // across the bars.
   const int by_along = (room_along - count) / (count * unit_along + header_lines * kTextLine);
   layout.scale = std::min({wish, by_along, room_across / 3 / unit_across, (size.x - 2 * margin) / text_units(header).x});
   if (layout.scale < 1)
@@ -102,7 +101,6 @@ void draw_bars(Picture& picture, const TestBlock& block, const LensStrips& sheet
   });
 }
 
-/// A block before the layout is known.
 struct PlannedBlock {
   TestBlock block;
   std::string label;
@@ -141,8 +139,7 @@ int room_across(const Display& sheet, BarDirection bars) {
   return bars == BarDirection::kVertical ? sheet.pixels.x : sheet.pixels.y;
 }
 
-/// Returns the text between the two parts of a label. Labels have one line beside vertical bars and two lines above horizontal
-/// bars.
+/// Labels have one line beside vertical bars and two lines above horizontal bars.
 const char* separator(BarDirection bars) { return bars == BarDirection::kVertical ? "  " : "\n"; }
 
 std::string header_of(const char* name, const Display& sheet) {

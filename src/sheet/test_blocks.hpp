@@ -1,13 +1,12 @@
 // Makes test prints of labelled blocks. A lenticular sheet on the print shows which block has the pitch or phase of the sheet.
 //
-// Blocks consist of bars along the lenses, one bar in each strip (the part of the print below a lens).
-//   pitch test   Strips are black in the left half and white in the right half. The width of strips differs from block to
-//                block. Seen through the sheet, the block with the right pitch has a uniform shade. Other blocks show fringes;
-//                their number is the difference between the numbers of strips and lenses in the block.
-//   phase test   Strips are white in the middle third and black elsewhere. From block to block, strips move to the right by a
-//                fraction of the pitch. Seen from the middle of the viewing zone, the block with the right phase is white.
-// Blocks are arranged along the lenses: one below the other for vertical bars, side by side for horizontal bars. If the number
-// of blocks is odd, the middle block has the nominal pitch and its label has a star.
+// Blocks consist of bars parallel to the lenses, one bar in each strip (the part of the print below a lens).
+//  pitch test   Strips are half black, half white, and have another width in each block. Through the sheet, the block with the
+//  right
+//               pitch has a uniform shade. Other blocks show fringes.
+//  phase test   Strips are white in the middle third, and each block shifts them by a fraction of the pitch. From the middle of
+//               the viewing zone, the block with the right phase is white.
+// If the number of blocks is odd, the middle block has the nominal pitch and its label has a star.
 #pragma once
 
 #include <string>
@@ -21,7 +20,7 @@ namespace lippmann {
 
 enum class BarDirection { kVertical, kHorizontal };
 
-/// The difference of the pitch from one block to the next.
+/// Difference of the pitch from one block to the next.
 struct PitchStep {
   double size = 0.1;
   enum class Unit { kPixels, kLensesPerInch } unit = Unit::kPixels;
@@ -32,7 +31,7 @@ PitchStep read_pitch_step(const std::string& text);
 
 struct TestBlock {
   double pitch_px = 0.0;
-  double phase_px = 0.0;  ///< position of the edge of a strip, perpendicular to the bars, in pixels from the edge of the image
+  double phase_px = 0.0;  ///< distance of a strip's edge from the image's edge, perpendicular to the bars
   bool is_nominal = false;
   PixelBox bars = {};
 };
@@ -42,10 +41,9 @@ struct BlockTest {
   std::vector<TestBlock> blocks;
 };
 
-/// Returns a pitch test. `sheet` states the nominal pitch and the size of the image. In each block, strips begin at the block's
-/// edge. Throws a usage Error naming `step` if a block would have fewer than 2 pixels per lens or be narrower than a lens.
-/// Throws a usage Error naming `blocks` if the blocks do not fit on the paper. The result does not depend on the number of
-/// threads.
+/// Returns a pitch test. `sheet` states the nominal pitch and the size of the image. Throws a usage Error naming `step` if a
+/// block would have fewer than 2 pixels per lens or be narrower than a lens, and one naming `blocks` if the blocks do not fit
+/// on the paper. The result does not depend on the number of threads.
 BlockTest pitch_test(const Display& sheet, int blocks, const PitchStep& step, BarDirection bars, const ThreadPool& pool);
 
 /// Returns a phase test. Throws as pitch_test() does, but errors about the pitch name `lpi`.

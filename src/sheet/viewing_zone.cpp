@@ -34,8 +34,7 @@ Rgb8 tint(double place) {
   return colour;
 }
 
-/// The number of repetitions of a view's label across and down, and the scale of its text. There are three labels across, or
-/// fewer if the text would not fit.
+/// How often a view repeats its label across and down, and the scale of its text.
 struct Tiling {
   Vec2i tiles;
   int scale;
@@ -65,7 +64,6 @@ Picture numbered_view(Vec2i size, int view, int views, double angle_deg) {
   Picture picture = blank(Image8{}, size);
   fill_box(picture, {Vec2i(0), size}, tint(views > 1 ? static_cast<double>(view) / (views - 1) : 0.5));
   const std::string number = fmt::format("{}", view + 1), angle = angle_text(angle_deg);
-  // The number of the view is twice as large as the angle below it.
   const Vec2i number_units(2 * text_units(number).x, 2 * kTextCapital + 4), angle_units = text_units(angle);
   const Tiling tiling = tiling_for(size, {text_units("-00 deg").x, number_units.y + angle_units.y});
   for (int row = 0; row < tiling.tiles.y; ++row)
