@@ -60,8 +60,6 @@ def ball(around=24, down=12):
 
 
 class Glb:
-    """A glTF document and its binary data. The methods append to both."""
-
     def __init__(self):
         self.binary = b""
         self.json = {"asset": {"version": "2.0", "copyright": "CC0 1.0"}, "buffers": [], "bufferViews": [], "accessors": []}
@@ -79,7 +77,7 @@ class Glb:
                     "count": len(rows), "type": kind}
         accessor["min"] = [min(flat[i::size]) for i in range(size)]
         accessor["max"] = [max(flat[i::size]) for i in range(size)]
-        # The minimum and the maximum must equal values that are stored in single precision, so they are rounded.
+        # glTF requires bounds that equal stored values, which have single precision.
         for end in ("min", "max"):
             accessor[end] = [struct.unpack("<f", struct.pack("<f", value))[0] for value in accessor[end]]
         self.json["accessors"].append(accessor)
@@ -117,7 +115,7 @@ def around_y(degrees):
 
 
 def times(a, b):
-    """Returns the product of two quaternions. Their components are x, y, z, w."""
+    """Returns the product of two quaternions with components x, y, z, w."""
     ax, ay, az, aw = a
     bx, by, bz, bw = b
     return [aw * bx + ax * bw + ay * bz - az * by, aw * by - ax * bz + ay * bw + az * bx,
@@ -173,7 +171,7 @@ def desk():
 
 
 def vase(around=32, up=24):
-    """Returns a PLY file as text. It contains a surface of revolution about the z axis."""
+    """Returns a surface of revolution about the z axis, as the text of a PLY file."""
     lines = ["ply", "format ascii 1.0", "comment CC0 1.0", f"element vertex {around * (up + 1)}", "property float x",
              "property float y", "property float z", f"element face {around * up}",
              "property list uchar int vertex_indices", "end_header"]

@@ -1,4 +1,4 @@
-# Completes commands, flags and their values in bash. What there is to complete, the tool itself knows.
+# Completes commands, flags and their values in bash. Asks the tool for the completions.
 _lippmann() {
   local word=${COMP_WORDS[COMP_CWORD]} line IFS=$'\n'
   COMPREPLY=()

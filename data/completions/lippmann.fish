@@ -1,4 +1,4 @@
-# Completes commands, flags and their values in fish. What there is to complete, the tool itself knows.
+# Completes commands, flags and their values in fish. Asks the tool for the completions.
 function __lippmann_complete
     set -l words (commandline -opc)
     set -l word (commandline -ct)

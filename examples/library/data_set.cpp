@@ -1,6 +1,6 @@
-// Renders a light field for research. A grid of 3 x 3 parallel cameras sees a built-in scene. The pictures, depth and disparity
-// are written to a folder in the format of the HCI benchmark.
-//   data_set FOLDER
+// Renders a light field for research: a built-in scene, seen by 3 x 3 parallel cameras. Writes pictures, depth and disparity in
+// the format of the HCI benchmark.
+//  data_set FOLDER
 #include <iostream>
 #include <lippmann/lippmann.hpp>
 

@@ -1,6 +1,5 @@
-// Renders what an eye sees of a light field from the left and from the right of the middle, and the picture that is focused on
-// the plane of the display. Reads every format that `lippmann convert` reads.
-//   look FILE|FOLDER FOLDER
+// Renders what a left and a right eye see of a light field, and the picture that is focused on the plane of the display.
+//  look FILE|FOLDER FOLDER
 #include <filesystem>
 #include <iostream>
 #include <lippmann/lippmann.hpp>

@@ -1,6 +1,6 @@
-// Builds a scene in memory: a red ball that bounces in front of a wall, seen through a lenticular sheet. For every frame,
-// writes the picture of the panel and the depth of its pixels, and prints how the frame was rendered.
-//   own_scene FOLDER
+// Builds a scene in memory: a red ball that bounces in front of a wall, seen through a lenticular sheet. Writes the picture of
+// the panel and the depth of its pixels for every frame.
+//  own_scene FOLDER
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
@@ -18,8 +18,7 @@ Material surface(Vec3f color, float roughness) {
   return {"", material};
 }
 
-/// Returns the scene. Lengths are in metres. The node of the ball moves up and down. The wall and the floor have no node, so
-/// they do not move.
+/// Lengths are in metres. Instances without a node, such as the wall and the floor, do not move.
 Scene bouncing_ball() {
   Scene scene;
   const int ball = scene.add_node({.name = "ball"});

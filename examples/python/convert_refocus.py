@@ -1,5 +1,4 @@
-"""Opens a light field in any format. Refocuses it, renders what an eye sees and an epipolar-plane image, and
-converts it."""
+"""Opens a light field in any format, refocuses it, renders what an eye sees and an epipolar-plane image, and converts it."""
 import sys
 
 import lippmann

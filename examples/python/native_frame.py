@@ -1,5 +1,4 @@
-"""Renders the picture for a calibrated panel, in which each sub-pixel has its own ray. A device with this
-visual.json can show it."""
+"""Renders the picture for a calibrated panel, in which each sub-pixel has its own ray."""
 import sys
 
 import lippmann

@@ -1,4 +1,4 @@
-"""Renders a light field of a scene. Depth, disparity, normals and motion are arrays."""
+"""Renders a light field of a scene with depth, disparity, normals and motion as arrays."""
 import sys
 
 import lippmann
@@ -9,4 +9,4 @@ field = lippmann.render(scene, cameras, frame=40, layers=["depth", "normal", "mo
 print("views (rows, columns, y, x, channel):", field.views.shape, field.views.dtype)
 print("depth:", field.depth.shape, "disparity, pixels:", field.disparity.min(), "to", field.disparity.max())
 print("normals:", field.normals.shape, "motion:", field.motion.shape)
-field.save(folder, "hci")  # writes a folder in the format of the HCI benchmark, with depth and disparity
+field.save(folder, "hci")  # the format of the HCI benchmark, with depth and disparity
