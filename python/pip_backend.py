@@ -1,7 +1,7 @@
 """Builds the wheel for `pip install .` (PEP 517) without packages from a network.
 
-CMake and Ninja build the module in build/pip, linked with the system's libraries. If the environment variable LIPPMANN_BUILD names a
-finished build folder, its module is used instead. scripts/wheel makes wheels for other machines.
+CMake and Ninja build the module in build/pip. If the environment variable LIPPMANN_BUILD names a finished build folder, its
+module is used instead.
 """
 
 import base64
@@ -44,7 +44,7 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
 
 
 def _metadata():
-    """Returns a dict from the names of the package's metadata files to their contents."""
+    """Returns {name of a metadata file: its content}."""
     python = f"{sys.version_info[0]}.{sys.version_info[1]}"
     metadata = (
         f"Metadata-Version: 2.1\nName: lippmann\nVersion: {_version()}\nSummary: Renders 3D integral images and their animation\n"
@@ -65,7 +65,6 @@ def _version():
 
 
 def _built():
-    """Builds the module for this Python, and returns the build folder."""
     build = SOURCE / "build/pip"
     # pip sets PYTHON... variables that hide NumPy from the build.
     environment = {name: value for name, value in os.environ.items() if not name.startswith("PYTHON")}
@@ -82,8 +81,7 @@ def _built():
 
 
 def _package_files(build, prefix):
-    """Installs the package below `prefix`, with the module for HDF5 if it was built, and strips the libraries. Yields the name and
-    the content of each file."""
+    """Yields the name and the content of each file of the package. The libraries are stripped."""
     for component in ("python3", "hdf5"):
         install = ["cmake", "--install", build, "--component", component, "--strip", "--prefix", prefix]
         subprocess.run(install, check=True, stdout=subprocess.DEVNULL)

@@ -12,7 +12,7 @@ from ._errors import Error, MissingFileError
 
 
 def number(value: Any, name: str, lowest: float = -math.inf, highest: float = math.inf, finite: bool = True) -> float:
-    """Returns the value as a float. Raises Error unless it is a number from `lowest` to `highest`."""
+    """Raises Error unless the value is a number from `lowest` to `highest`."""
     wanted = "a number" + ("" if lowest == -math.inf and highest == math.inf else f" from {lowest:g} to {highest:g}")
     if isinstance(value, (bool, str, bytes)):
         raise Error(name, f"is {value!r}", wanted)
@@ -33,7 +33,7 @@ def positive(value: Any, name: str, highest: float = 1e6) -> float:
 
 
 def integer(value: Any, name: str, lowest: int, highest: int) -> int:
-    """Returns the value as an int. Accepts floats with a whole value. Raises Error unless it is from `lowest` to `highest`."""
+    """Accepts floats with a whole value. Raises Error unless the value is from `lowest` to `highest`."""
     result = number(value, name, lowest, highest)
     if result != int(result):
         raise Error(name, f"is {result:g}", f"a whole number from {lowest} to {highest}")
@@ -47,7 +47,6 @@ def choice(value: Any, name: str, accepted: Sequence[str]) -> str:
 
 
 def path(value: Any, name: str) -> str:
-    """Returns the value as a path. Raises Error if it is none."""
     try:
         result = os.fspath(value)
     except TypeError:
@@ -60,7 +59,7 @@ def path(value: Any, name: str) -> str:
 
 
 def path_bytes(value: Any, name: str) -> bytes:
-    """Returns a path as the bytes that the system uses, since file names need not be UTF-8."""
+    """Returns a path as bytes, since file names need not be UTF-8."""
     return os.fsencode(path(value, name))
 
 
@@ -75,7 +74,6 @@ def text(value: Any, name: str) -> str:
 
 
 def file_path(value: Any, name: str) -> bytes:
-    """Returns the path of an existing file as bytes."""
     where = path_bytes(value, name)
     if not os.path.isfile(where):
         raise MissingFileError(name, f"there is no file {os.fsdecode(where)!r}", "a file", os.fsdecode(where))
@@ -85,9 +83,8 @@ def file_path(value: Any, name: str) -> bytes:
 def array(
     value: Any, name: str, shape: Tuple[Optional[int], ...], finite: bool = True, dtype: Any = np.float32
 ) -> np.ndarray:
-    """Returns a C-contiguous array of this type and shape. A None in `shape` allows any length above 0. Raises Error for NaN, and
-    for infinities if `finite`.
-    """
+    """Returns a C-contiguous array of this type and shape. A None in `shape` allows any length above 0. Raises Error for NaN,
+    and for infinities if `finite`."""
     wanted = "numbers of the shape (" + ", ".join("n" if n is None else str(n) for n in shape) + ")"
     try:
         given = np.asarray(value)

@@ -1,7 +1,7 @@
 """The exception for bad input, the category of warnings, and the translation of the library's names to Python's.
 
-Errors of the C++ library name flags of the command line (without leading hyphens) or fields of optics. Calls of the library run in
-the context manager `Naming`, which replaces these names by the names of Python's arguments.
+The C++ library reports flags of the command line (without hyphens) or fields of optics. The context manager `Naming` replaces
+these names by Python's arguments.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ _ARGUMENTS = {
     "to": "format",
 }
 
-# Phrases of error messages that contain flags, and their replacements. Longer phrases precede phrases that they contain.
+# Error messages of the library -> messages of this package. Longer phrases precede phrases that they contain.
 _PHRASES = (
     ("`optics` single or multiview", "single_view(), camera_grid() or quilt() as `display`"),
     ("`optics` lenticular or microlens", "lenticular_sheet() or microlens_array()"),
@@ -73,13 +73,11 @@ class Error(ValueError):
 
 
 class UnknownError(Error, AttributeError):
-    """Raised by an attribute that this object lacks, although other objects of its type have it. hasattr() returns False for such an
-    attribute, and getattr() returns its default.
-    """
+    """Raised by an attribute that this object lacks, although others of its type have it. hasattr() then returns False."""
 
 
 class MissingFileError(Error, FileNotFoundError):
-    """Raised if a file or folder to read does not exist. `filename` is the path. `errno` is ENOENT."""
+    """Raised if a file or folder to read does not exist. `filename` is the path."""
 
     def __init__(self, where: str, problem: str, accepted: str = "", filename: str = "") -> None:
         super().__init__(where, problem, accepted)
@@ -90,7 +88,7 @@ class MissingFileError(Error, FileNotFoundError):
 
 
 def known(get: Callable[[Any], _Value]) -> Callable[[Any], _Value]:
-    """Decorates the getter of a property that some objects lack: turns its Errors into UnknownErrors."""
+    """Decorates a property that some objects lack: turns its Errors into UnknownErrors."""
 
     @functools.wraps(get)
     def getter(self: Any) -> _Value:
@@ -105,7 +103,7 @@ def known(get: Callable[[Any], _Value]) -> Callable[[Any], _Value]:
 
 
 def _argument(where: str, names: Mapping[str, str]) -> str:
-    """Returns `where` with Python's name of the argument. `where` is a name of the library, or "NAME:PLACE"."""
+    """Replaces the library's name of an argument by Python's. where: "NAME" or "NAME:PLACE"."""
     name, colon, place = where.partition(":")
     field = _FIELD.fullmatch(name)
     name = field[1] if field else name
@@ -113,9 +111,8 @@ def _argument(where: str, names: Mapping[str, str]) -> str:
 
 
 def _sentence(text: str, names: Mapping[str, str], has_grids: bool = False, file: str = "") -> str:
-    """Returns a text with the library's names replaced by Python's. has_grids: sizes in the text, such as 8x6, are columns x rows, and
-    become (rows, columns). Otherwise sizes are pixels and stay. file: a file name in the text that stays unchanged.
-    """
+    """Returns a text with the library's names replaced by Python's. has_grids: turns sizes such as 8x6, which are columns x
+    rows, into (rows, columns). file: a file name that stays unchanged."""
     for flags, words in _PHRASES:
         text = text.replace(flags, words)
     text = _QUOTED.sub(lambda found: f"`{names.get(found[1], _ARGUMENTS.get(found[1], found[1].replace('-', '_')))}`", text)
@@ -130,8 +127,7 @@ def _sentence(text: str, names: Mapping[str, str], has_grids: bool = False, file
 class Naming:
     """A context manager in which errors of the library name Python's arguments.
 
-    file: a path that stays unchanged in messages.
-    names: maps names of the library to names of Python's arguments.
+    file: a path that stays unchanged in messages. names: {name in the library: name of Python's argument}.
     """
 
     def __init__(self, file: str = "", **names: str) -> None:
@@ -152,7 +148,7 @@ class Naming:
 
 
 class Reading(Naming):
-    """A Naming for calls that read `file`. An Error becomes a MissingFileError if there is no such file or folder."""
+    """A Naming for calls that read `file`. Raises MissingFileError if there is no such file or folder."""
 
     def __init__(self, file: str, **names: str) -> None:
         super().__init__(file, **names)
@@ -165,15 +161,12 @@ class Reading(Naming):
 
 
 class LippmannWarning(UserWarning):
-    """The category of all warnings of this package: about unsupported parts of input, values chosen by default, and arguments without
-    effect.
-    """
+    """The category of all warnings of this package: unsupported parts of input, values chosen by default, and arguments
+    without effect."""
 
 
 def warn(text: Union[str, bytes]) -> None:
-    """Warns, and attributes the warning to the line of the user's code that called the package. text: bytes if the text comes from the
-    C++ library.
-    """
+    """Warns at the line of the user's code that called the package. text: bytes if it comes from the C++ library."""
     message = text if isinstance(text, str) else _sentence(text.decode("utf-8", "replace"), {})
     level, caller = 1, sys._getframe()
     while caller.f_back is not None and caller.f_globals.get("__package__") == __package__:
@@ -182,5 +175,4 @@ def warn(text: Union[str, bytes]) -> None:
 
 
 def warn_of_ignored(argument: str, why: str) -> None:
-    """Warns that an argument has no effect, given the other arguments."""
     warn(f"`{argument}` is ignored: {why}.")

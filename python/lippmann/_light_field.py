@@ -14,7 +14,7 @@ from ._errors import Error, Naming, Reading, known, warn_of_ignored
 from ._optics import Display, Optics, display_of
 
 _SIZE = 1 << 15
-_FAR_MM = 1e9  # largest accepted coordinate of an eye
+_FAR_MM = 1e9
 _RENDERED_WITH = "a frame of lippmann.render with its name among `layers`"
 
 
@@ -123,9 +123,7 @@ class LightField:
         return field
 
     def __getstate__(self) -> Dict[str, Any]:
-        return {**self.__dict__, "_shown": None, "_layers": {}}  # recomputed when needed
-
-    # ---- Arrays --------------------------------------------------------------------------------------------------------
+        return {**self.__dict__, "_shown": None, "_layers": {}}  # computed again when needed
 
     @property
     def _views(self) -> Any:
@@ -267,8 +265,6 @@ class LightField:
             raise Error("layer", f"{name!r} is not known of a light field that was not rendered", _RENDERED_WITH)
         return self._film.layer(name)
 
-    # ---- Metadata ------------------------------------------------------------------------------------------------------
-
     @property
     def optics(self) -> Optional[Optics]:
         """The optics of the light field; None if unknown."""
@@ -343,8 +339,6 @@ class LightField:
             raise Error("cameras", "are not known", "LightField(views, distance_mm=, baseline_mm=, pixel_mm=)")
         return poses
 
-    # ---- What eyes see -------------------------------------------------------------------------------------------------
-
     def _panel(self) -> Any:
         if self._shown is None:
             self._shown = self._views.panel(self._optics, None) if self._film is None else self._film.panel()
@@ -411,8 +405,6 @@ class LightField:
     @staticmethod
     def _size(size: Optional[Tuple[int, int]]) -> Optional[Tuple[int, int]]:
         return None if size is None else pair(size, "size", 1, _SIZE)
-
-    # ---- Files and exports ---------------------------------------------------------------------------------------------
 
     def save(
         self,
@@ -499,7 +491,7 @@ class LightField:
 
 @contextlib.contextmanager
 def _folder_of(path: str) -> Iterator[None]:
-    """A context manager that creates the folder of `path`. If its body raises an exception, the created folders are removed."""
+    """Creates the folder of `path`. If the body raises an exception, removes the created folders."""
     folder = os.path.dirname(path)
     missing = []
     while folder and not os.path.isdir(folder):

@@ -10,10 +10,10 @@ from ._errors import Error
 
 
 def arrays_of(mesh: Any) -> Dict[str, Any]:
-    """Returns arguments for Scene.add_mesh: positions and triangles, and uvs, colors and normals if the mesh stores them. Raises Error
-    if `mesh` is not a mesh.
+    """Returns arguments for Scene.add_mesh: positions and triangles, and uvs, colors and normals if the mesh stores them. Raises
+    Error if `mesh` is not a mesh.
 
-    The normals of trimesh are left out, because trimesh computes smooth normals for every mesh, even for boxes.
+    Leaves out the normals of trimesh, because trimesh computes smooth normals for every mesh, even for boxes.
     """
     faces = getattr(mesh, "faces", None) if hasattr(mesh, "faces") else getattr(mesh, "triangles", None)
     if not hasattr(mesh, "vertices") or faces is None:
@@ -34,7 +34,7 @@ def arrays_of(mesh: Any) -> Dict[str, Any]:
 
 
 def texture_of(mesh: Any) -> Optional[np.ndarray]:
-    """Returns the colour texture of a mesh of trimesh as (y, x, 4), uint8. Returns None if the mesh has no texture."""
+    """Returns the colour texture of a mesh of trimesh as (y, x, 4), uint8, or None."""
     surface = getattr(getattr(mesh, "visual", None), "material", None)
     image = getattr(surface, "baseColorTexture", None) or getattr(surface, "image", None)
     return None if image is None else np.asarray(image.convert("RGBA"))
@@ -47,6 +47,5 @@ def linear_light(srgb: np.ndarray) -> np.ndarray:
 
 
 def _has(mesh: Any, what: str) -> bool:
-    """Returns whether a mesh of Open3D stores this attribute."""
     question = getattr(mesh, f"has_{what}", None)
     return callable(question) and bool(question())

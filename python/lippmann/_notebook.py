@@ -16,7 +16,7 @@ _SIDE, _VIEWS = 320, 81  # longest side of a picture in pixels, and largest numb
 
 
 def png(codes: np.ndarray) -> bytes:
-    """Returns a PNG file of codes (y, x, 3), uint8."""
+    """Returns a PNG file of sRGB codes (y, x, 3), uint8."""
 
     def chunk(name: bytes, data: bytes) -> bytes:
         return struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
@@ -46,7 +46,7 @@ class Shown:
 
 
 def _small(view: np.ndarray) -> np.ndarray:
-    """Returns the view as uint8 codes, reduced to at most _SIDE pixels per side by averaging blocks of pixels."""
+    """Returns the view as uint8 codes with at most _SIDE pixels per side, by averaging blocks of pixels."""
     step = max(1, -(-max(view.shape[:2]) // _SIDE))
     height, width = view.shape[0] // step * step, view.shape[1] // step * step
     if step > 1 and height and width:
@@ -78,7 +78,7 @@ def _chosen(count: int, most: int) -> List[int]:
 
 
 def _shown_size(views: np.ndarray) -> str:
-    """Returns the CSS size of a view: its longest side is _SIDE pixels, so that small views are enlarged."""
+    """Returns the CSS size of a view, scaled so that its longest side has _SIDE pixels."""
     height, width = views.shape[2:4]
     scale = _SIDE / max(height, width)
     return f"width:{round(width * scale)}px;height:{round(height * scale)}px;image-rendering:{'pixelated' if scale > 2 else 'auto'}"

@@ -20,7 +20,7 @@ Display = _core.Display
 Optics = _core.Optics
 
 _MOST = 32768  # largest number of pixels per side
-_FIELDS = {  # maps fields of the library's optics to Python's arguments
+_FIELDS = {  # fields of the library's optics -> Python's arguments
     "panel": "size",
     "width": "size",
     "height": "size",
@@ -45,7 +45,7 @@ def display(name: Any) -> Display:
 
 
 def display_of(display: Any, argument: str) -> Display:
-    """Returns the display that an argument gives, by name, by file or as a Display. argument: the argument's name, for errors."""
+    """Returns the display that a name, a file or a Display defines. argument: the argument's name, for errors."""
     if isinstance(display, Display):
         return display
     where = path_bytes(display, argument)
@@ -198,17 +198,14 @@ def single_view(size: Tuple[int, int] = (512, 512), *, pixel_mm: float = 0.125, 
 
 
 def _middles(size: Tuple[int, int], samples_per_side: int) -> np.ndarray:
-    """Divides every pixel into samples_per_side x samples_per_side parts. Returns (n, 2): x and y of the centre of every part, in pixels,
-    row by row from the top left.
-    """
+    """Returns (n, 2): x and y in pixels of the centres of samples_per_side x samples_per_side parts of every pixel, row by row
+    from the top left."""
     y, x = np.mgrid[0 : size[0] * samples_per_side, 0 : size[1] * samples_per_side].astype(np.float32)
     return np.stack([x.ravel() + 0.5, y.ravel() + 0.5], axis=1) / samples_per_side
 
 
 def _unit_directions(directions: np.ndarray) -> np.ndarray:
-    """Returns the directions as float32 unit vectors. Scales each vector by its largest component first, so that the squares of very long
-    or short vectors neither overflow nor underflow.
-    """
+    """Returns float32 unit vectors. Scales by the largest component first, so that squares neither overflow nor underflow."""
     largest = np.abs(directions).max(axis=1, keepdims=True)
     unit = directions / np.where(largest > 0, largest, 1.0)
     unit = (unit / np.maximum(np.linalg.norm(unit, axis=1, keepdims=True), 1.0)).astype(np.float32)
@@ -218,14 +215,14 @@ def _unit_directions(directions: np.ndarray) -> np.ndarray:
 
 
 def _spread(directions: np.ndarray, rows: int) -> float:
-    """Returns the median distance by which the rays of neighbouring points in a row separate, in mm per mm of depth."""
+    """Returns the median distance between the rays of neighbouring points in a row, in mm per mm of depth."""
     slopes = (directions[:, :2].astype(np.float64) / -directions[:, 2:]).reshape(rows, -1, 2)
     steps = np.linalg.norm(np.diff(slopes, axis=1), axis=2)
     return float(np.median(steps)) if steps.size else 0.0
 
 
 def _pair_of(returned: Any) -> Sequence[Any]:
-    """Returns the two arrays in the result of the function `rays`, which may be a generator. Exceptions of the generator are passed on."""
+    """Returns the two arrays in the result of the function `rays`, which may be a generator."""
     try:
         parts = iter(returned)
     except TypeError:

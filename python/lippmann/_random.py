@@ -48,16 +48,16 @@ def _ball(rng: np.random.Generator, rings: int = 24, sectors: int = 48) -> Tuple
 
 
 def _turn(rng: np.random.Generator) -> np.ndarray:
-    """Returns a quaternion, uniformly distributed over all rotations: K. Shoemake, "Uniform random rotations", Graphics Gems III, 1992."""
+    """Returns a uniformly distributed rotation as a quaternion: K. Shoemake, "Uniform random rotations", Graphics Gems III,
+    1992."""
     a, b, c = rng.random(3)
     s, t = np.sqrt(1 - a), np.sqrt(a)
     return np.array([s * np.sin(2 * np.pi * b), s * np.cos(2 * np.pi * b), t * np.sin(2 * np.pi * c), t * np.cos(2 * np.pi * c)])
 
 
 def random_scene(seed: int, *, objects: int = 12, frames: int = 1) -> Scene:
-    """Returns a scene of textured shapes in front of a wall, near the display's plane. The display is 10 scene units high. If there are
-    several frames, the shapes move and rotate.
-    """
+    """Returns a scene of textured shapes in front of a wall, near the display's plane. The display is 10 scene units high.
+    With several frames, the shapes move and rotate."""
     rng = _generator(seed, 0)
     scene = Scene(f"random {seed}", frames=frames)
     count = integer(objects, "objects", 0, 1 << 16)

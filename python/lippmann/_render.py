@@ -24,7 +24,7 @@ class Animation:
     def __init__(
         self, core: Any, settings: Any, frames: Sequence[int], display: Optional[Display], progress: Optional[Progress]
     ) -> None:
-        """core: a _core.Frames. settings: the last three arguments of its constructor: sampling, reuse and threads."""
+        """core: a _core.Frames. settings: (sampling, reuse, threads), the last arguments of its constructor."""
         self._core, self._settings, self._frames, self._display, self._progress = core, settings, frames, display, progress
 
     def __len__(self) -> int:
@@ -63,7 +63,7 @@ class Animation:
 
 
 def _remade(made_of: Any, *rest: Any) -> Animation:
-    """Returns an Animation, restored from a pickle. made_of: arguments of _core.Frames. rest: the other arguments of Animation."""
+    """Restores an Animation from a pickle. made_of: arguments of _core.Frames. rest: the other arguments of Animation."""
     return Animation(_core.Frames(*made_of), *rest)
 
 
@@ -250,7 +250,7 @@ def render(
 
 
 class _Frame(List[int]):
-    """The frame that lippmann.render renders, as a list of one. The type makes errors name the argument `frame`, not `frames`."""
+    """A list of the one frame that lippmann.render renders. Errors then name the argument `frame`, not `frames`."""
 
 
 def _which(frames: Optional[Iterable[int]], count: int) -> Sequence[int]:
@@ -267,9 +267,8 @@ def _which(frames: Optional[Iterable[int]], count: int) -> Sequence[int]:
 def _reuse(
     name: str, keyframes: Optional[int], min_psnr: Optional[float], layers: Set[str], sampling: Any
 ) -> Any:
-    """Returns a _core.Reuse, and raises Error if the arguments exclude each other. "auto" with keyframes becomes "copy" if pixels can be
-    copied. min_psnr limits only "interpolate", because traced and copied frames of Whitted's shading have no error.
-    """
+    """Returns a _core.Reuse. Raises Error if the arguments exclude each other. min_psnr limits only "interpolate", because
+    traced and copied frames of Whitted's shading have no error."""
     if min_psnr is not None and sampling.is_stochastic:
         accepted = "spp for path tracing; min_psnr with reuse='interpolate'"
         raise Error("min_psnr", "was removed for path tracing", accepted)
@@ -307,7 +306,7 @@ def _place(
     zoom: float,
     orbit: Tuple[float, float],
 ) -> Tuple[Any, Optional[Display]]:
-    """Returns the placement in the scene, and the Display. The Display is None if `display` is optics."""
+    """Returns the placement in the scene, and the Display or None if `display` is optics."""
     try:
         yaw, pitch = orbit
     except (TypeError, ValueError):

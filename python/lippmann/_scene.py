@@ -1,7 +1,7 @@
 """Scenes: built-in ones, files, and scenes made of arrays.
 
-World space is right-handed, in any unit, with +y up as in glTF. The methods that add something to a scene return handles (Object),
-which place, move and animate what was added.
+World space is right-handed, in any unit, with +y up as in glTF. Methods that add something return a handle (Object), which moves
+and animates it.
 """
 
 from __future__ import annotations
@@ -147,10 +147,8 @@ class Scene:
         return scene
 
     def _start(self) -> None:
-        self._materials: Dict[Any, int] = {}  # maps the values of a material to its index
-        self._textures: Dict[Any, int] = {}  # maps the hash of a texture's pixels to its index
-
-    # ---- Properties ----------------------------------------------------------------------------------------------------
+        self._materials: Dict[Any, int] = {}  # values of a material -> its index
+        self._textures: Dict[Any, int] = {}  # hash of a texture's pixels -> its index
 
     @property
     def name(self) -> str:
@@ -190,8 +188,6 @@ class Scene:
     def __repr__(self) -> str:
         count = self.frame_count
         return f"<lippmann.Scene {self.name!r}: {len(self.objects)} objects, {count} frame{'' if count == 1 else 's'}>"
-
-    # ---- Shapes --------------------------------------------------------------------------------------------------------
 
     def add_mesh(
         self,
@@ -322,8 +318,6 @@ class Scene:
         surface = self._material(material)
         return self._instance(self._core.add_plane(at, tuple(direction)), surface, name or "plane")
 
-    # ---- Light ---------------------------------------------------------------------------------------------------------
-
     def add_light(
         self,
         kind: str = "point",
@@ -405,8 +399,6 @@ class Scene:
         """
         choose_camera(self._core, camera)
 
-    # ---- Cameras and displays ------------------------------------------------------------------------------------------
-
     def add_camera(
         self,
         position: Any,
@@ -447,10 +439,8 @@ class Scene:
         self._core.set_display(node, size, distance)
         return Object(self, node, "display")
 
-    # ---- Helpers -------------------------------------------------------------------------------------------------------
-
     def _material(self, material: Optional[Material], has_uvs: bool = False) -> int:
-        """Returns the index of a copy of the material. Equal materials share an index."""
+        """Equal materials share an index."""
         if material is None:
             material = Material()
         if not isinstance(material, Material):
@@ -488,9 +478,8 @@ class Scene:
         return self._materials.setdefault(key, self._core.add_material(surface))
 
     def _texture(self, rgba: np.ndarray) -> int:
-        """Returns the index of a texture (y, x, 4). Textures with equal pixels share an index. The pixels are compared, not the arrays,
-        because the caller may change an array between two calls.
-        """
+        """Returns the index of a texture (y, x, 4). Textures with equal pixels share an index. Compares pixels, not arrays,
+        because the caller may change an array between two calls."""
         key = rgba.shape, hashlib.blake2b(rgba.data, digest_size=32).digest()
         if key not in self._textures:
             self._textures[key] = self._core.add_texture(rgba, True)
@@ -571,11 +560,8 @@ def load(
     return Scene._of(core, True)
 
 
-# ---- Cameras and environment ---------------------------------------------------------------------------------------------
-
 
 def choose_camera(core: Any, camera: Union[str, int, None]) -> None:
-    """Selects the camera that sets the view, by name or index. None changes nothing."""
     if isinstance(camera, str):
         core.choose_camera(text(camera, "camera"))
     elif camera is not None:
@@ -586,14 +572,13 @@ def choose_camera(core: Any, camera: Union[str, int, None]) -> None:
 
 
 def strength_and_turn(strength: Any, rotation_deg: Any, prefix: str = "") -> Tuple[float, float]:
-    """Checks the strength and the rotation of an environment, and returns both. prefix: prefix of the argument names, for errors."""
+    """prefix: prefix of the argument names, for errors."""
     return number(strength, prefix + "strength", 0.0, 1e6), number(rotation_deg, prefix + "rotation_deg", -1e6, 1e6)
 
 
 def surround(core: Any, light: Any, factor: float, turn: float, name: str) -> None:
-    """Sets the environment of a scene. light: "studio", a panorama (a file or an array (y, x, 3)), or one colour (3 numbers). name: name
-    of the argument, for errors.
-    """
+    """Sets the environment of a scene. light: "studio", a panorama (a file or an array (y, x, 3)), or one colour (3 numbers).
+    name: of the argument, for errors."""
     if isinstance(light, str) and light == "studio":
         return core.surround_with_studio(factor, turn)
     if isinstance(light, (str, bytes, os.PathLike)):
@@ -614,11 +599,9 @@ def _is_color(light: Any) -> bool:
         return False
 
 
-# ---- Morph targets -------------------------------------------------------------------------------------------------------
-
 
 def _morphs(targets: Any, normals: Any, weights: Any, vertices: int, has_normals: bool) -> Any:
-    """Checks morph targets. Returns targets (n, vertices, 3), target normals and weights. Returns None without targets."""
+    """Checks morph targets. Returns targets (n, vertices, 3), target normals and weights, or None without targets."""
     if targets is None:
         for value, name in ((normals, "target_normals"), (weights, "weights")):
             if value is not None:
@@ -639,8 +622,6 @@ def _light(value: Any, name: str) -> Tuple[float, ...]:
         raise Error(name, "has numbers below 0", "linear light")
     return color
 
-
-# ---- Directions and rotations --------------------------------------------------------------------------------------------
 
 
 def _direction(value: Any, name: str) -> np.ndarray:
@@ -681,9 +662,8 @@ def _unit(vectors: np.ndarray, name: str) -> np.ndarray:
 
 
 def _quaternions(rotations: np.ndarray) -> np.ndarray:
-    """Converts rotation matrices (n, 3, 3) to quaternions x, y, z, w. Computes the largest component first, for accuracy (Shepperd,
-    "Quaternion from rotation matrix", 1978).
-    """
+    """Converts rotation matrices (n, 3, 3) to quaternions x, y, z, w. Computes the largest component first, for accuracy
+    (Shepperd, "Quaternion from rotation matrix", 1978)."""
     result = np.empty((len(rotations), 4))
     for q, m in zip(result, rotations):
         trace = np.trace(m)
@@ -700,7 +680,8 @@ def _quaternions(rotations: np.ndarray) -> np.ndarray:
 
 
 def _parts_of(matrices: np.ndarray) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Decomposes matrices (n, 4, 4) into translations, quaternions and scales. Raises Error for other transforms, such as shear."""
+    """Decomposes matrices (n, 4, 4) into translations, quaternions and scales. Raises Error for other transforms, such as
+    shear."""
     wanted = "a scale, then a rotation, then a translation"
     if np.abs(matrices[:, 3] - (0, 0, 0, 1)).max() > 1e-6:
         raise Error("matrices", "have a last row that is not 0, 0, 0, 1", wanted)

@@ -1,10 +1,8 @@
 // Serialises values for pickling and deep copies. Every plain struct of the library can be stored, member by member.
 //
-// No struct lists its members here, so a new member needs no change. The number of members of an aggregate is the largest
-// number of initialisers that the aggregate accepts. Structured bindings access the members.
+// Members are found by counting the initialisers that an aggregate accepts, so new members need no change here.
 //
-// The bytes depend on the machine and the build. An archive begins with the version of the library and the size of the struct.
-// Reading an archive throws Error if either differs.
+// The bytes depend on the machine and the build. Reading throws Error if the library's version or the struct's size differs.
 #pragma once
 
 #include <array>
@@ -26,8 +24,6 @@
 #include "lippmann/trace/integrator.hpp"
 
 namespace lippmann::python {
-
-// ---- Fields of a struct -----------------------------------------------------------------------------------------------
 
 /// Converts to any type, to test how many initialisers an aggregate accepts.
 struct AnyValue {
@@ -97,8 +93,6 @@ void for_each_field(T& value, const Fn& fn) {
 #undef LIPPMANN_FIELDS
 }
 
-// ---- Both directions --------------------------------------------------------------------------------------------------
-
 template <class T>
 inline constexpr bool kIsNumber = std::is_arithmetic_v<T> || std::is_enum_v<T>;
 template <int N, class T>
@@ -110,8 +104,8 @@ inline constexpr bool kIsNumber<glm::qua<T>> = true;
 template <class T, std::size_t N>
 inline constexpr bool kIsNumber<std::array<T, N>> = kIsNumber<T>;
 
-/// Visits a value and its members recursively, and calls the functions of the archive: raw() for numbers, length() for strings
-/// and vectors, optional(), variant() and shared(). The archive is an ArchiveWriter or an ArchiveReader.
+/// Visits a value and its members recursively. The archive, an ArchiveWriter or an ArchiveReader, has functions for the kinds
+/// of values.
 template <class Archive>
 class Walk {
  public:
@@ -240,7 +234,7 @@ class ArchiveWriter {
   }
 };
 
-/// Reads values from an archive. Throws Error if the bytes end early.
+/// Throws Error if the bytes end early.
 class ArchiveReader {
  public:
   explicit ArchiveReader(std::string_view bytes) : left_(bytes) {}
@@ -299,8 +293,6 @@ class ArchiveReader {
   std::string_view left_;
 };
 
-// ---- Entry points -----------------------------------------------------------------------------------------------------
-
 template <class T>
 std::string archived(const T& value) {
   ArchiveWriter writer;
@@ -312,7 +304,7 @@ std::string archived(const T& value) {
   return std::move(writer.bytes);
 }
 
-/// Restores a value. Throws Error unless archived() made the bytes from the same type in the same version.
+/// Throws Error unless archived() made the bytes from the same type in the same version.
 template <class T>
 T unarchived(std::string_view bytes) {
   ArchiveReader reader(bytes);

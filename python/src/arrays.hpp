@@ -1,4 +1,4 @@
-// NumPy arrays: read-only arrays that share the library's memory, and checked copies of arrays from Python.
+// Read-only NumPy arrays that share the library's memory, and checked copies of arrays from Python.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -56,7 +56,7 @@ std::vector<Vec> vectors_of(const Array<float>& array, const char* name) {
 /// Copies an array of shape (y, x, channels) to an image. Throws Error naming `name`.
 Image image_of(const Array<float>& array, int channels, const char* name);
 
-/// Returns the (4, 4) matrix of `transform` followed by a translation by `origin`. It multiplies column vectors.
+/// Returns the (4, 4) matrix, for column vectors, of `transform` followed by a translation by `origin`.
 py::array matrix_of(const Affine3f& transform, const Vec3d& origin);
 
 }  // namespace lippmann::python

@@ -1,7 +1,6 @@
-// Shared declarations of the Python module. Each file binds one part of the library's public headers.
+// Shared declarations of the Python module lippmann._core. Each file binds one part of the library's public headers.
 //
-// The module, lippmann._core, is thin: its functions take plain values and return objects and arrays. python/lippmann/*.py adds
-// argument names, checks and convenience.
+// The module takes plain values and returns objects and arrays. python/lippmann/*.py adds argument names and checks.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -14,7 +13,7 @@ namespace lippmann::python {
 
 namespace py = pybind11;
 
-/// Decodes text from files, which may not be UTF-8. Invalid bytes become the replacement character.
+/// Decodes text from files. Invalid UTF-8 becomes the replacement character.
 py::str decoded(const std::string& bytes);
 
 void bind_errors(py::module_& module);

@@ -1,4 +1,3 @@
-// Binds training sets on disk.
 #include "lippmann/dataset/dataset.hpp"
 
 #include <array>
@@ -15,7 +14,7 @@ void set_dataset_views(DatasetParams& params, std::array<int, 2> rows_columns, s
   params.view_size = {height_width[1], height_width[0]};
 }
 
-/// Makes the samples. progress: None, or a function of the number of samples made so far and the share of the current one.
+/// progress: None, or a function of the number of samples made so far and the share of the current one.
 DatasetReport make_dataset_in_python(const DatasetParams& params, int threads, const py::object& progress) {
   Interruptible work(threads);
   std::atomic<int> made{0};

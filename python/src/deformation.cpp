@@ -1,7 +1,6 @@
-// Binds deforming meshes: morph targets, which are blended by weights, and skins, which follow joints.
+// Binds deforming meshes: morph targets, which weights blend, and skins, which follow joints.
 //
-// In a lippmann.Scene, exactly one instance refers to the shape of a mesh, and exactly one node to the instance. Therefore, the
-// index of the shape identifies all three.
+// In a lippmann.Scene, each mesh shape has exactly one instance and one node, so the index of the shape identifies all three.
 #include <algorithm>
 #include <utility>
 
@@ -19,7 +18,6 @@ Instance& instance_of(Scene& scene, int shape) {
   return *std::find_if(scene.instances.begin(), scene.instances.end(), [&](const Instance& i) { return i.shape == shape; });
 }
 
-/// Returns element `index` of an array (n, vertices, 3).
 std::vector<Vec3f> offsets_of(const Array<float>& array, py::ssize_t index) {
   std::vector<Vec3f> offsets;
   const float* data = array.data(index);
@@ -27,8 +25,7 @@ std::vector<Vec3f> offsets_of(const Array<float>& array, py::ssize_t index) {
   return offsets;
 }
 
-/// Sets the morph targets of a mesh. positions and normals: offsets (n, vertices, 3). weights: factors of the n targets in
-/// frames without animation.
+/// positions and normals: offsets (n, vertices, 3). weights: factors of the n targets in frames without animation.
 void set_targets(Scene& scene, int shape, const Array<float>& positions, const std::optional<Array<float>>& normals,
                  std::vector<float> weights) {
   Mesh& mesh = mesh_of(scene, shape);
@@ -50,8 +47,8 @@ ResolvedScene at_rest(const Scene& scene) {
   return evaluate(skeleton, 0.0);
 }
 
-/// Sets the skin of a mesh. The current transforms of the joints are the rest pose, which leaves the mesh as it is. joints:
-/// nodes. indices: (vertices, n) indices into `joints`. weights: (vertices, n).
+/// Sets the skin of a mesh. The current transforms of the joints are the rest pose. joints: nodes. indices: (vertices, n)
+/// indices into `joints`. weights: (vertices, n).
 void set_skin(Scene& scene, int shape, const std::vector<int>& joints, const Array<std::uint32_t>& indices,
               const Array<float>& weights) {
   Mesh& mesh = mesh_of(scene, shape);

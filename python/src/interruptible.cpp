@@ -29,7 +29,6 @@ class Busy {
   std::atomic<bool>& flag_;
 };
 
-/// A thread that runs one task and signals its end.
 class Task {
  public:
   explicit Task(std::function<void()> work) : thread_([this, work = std::move(work)] { run(work); }) {}
@@ -39,7 +38,6 @@ class Task {
   Task(const Task&) = delete;
   Task& operator=(const Task&) = delete;
 
-  /// Waits up to kPeriod for the task to end.
   bool has_ended() {
     std::unique_lock lock(mutex_);
     return changed_.wait_for(lock, kPeriod, [this] { return ended_; });

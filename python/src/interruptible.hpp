@@ -1,9 +1,7 @@
-// Runs long work of the library while Python stays responsive: other Python threads run, Ctrl-C stops the work, and callbacks
-// are called on the calling thread.
+// Runs long work while other Python threads run, Ctrl-C stops the work, and callbacks run on the calling thread.
 //
-// The work runs in a separate thread without the interpreter's lock. The calling thread waits. Every 50 ms it takes the lock,
-// calls the callbacks and checks for signals. If a callback or a signal handler raises an exception, such as KeyboardInterrupt,
-// Context::cancelled is set. The exception is raised when the work has stopped.
+// The work runs in a thread without the interpreter's lock. Every 50 ms, the calling thread takes the lock, calls the callbacks
+// and checks for signals. An exception there sets Context::cancelled, and is raised when the work has stopped.
 #pragma once
 
 #include <atomic>
@@ -19,11 +17,11 @@ namespace lippmann::python {
 
 class Interruptible {
  public:
-  /// threads: number of threads; 0: one per processor.
+  /// threads: 0: one per processor.
   explicit Interruptible(int threads);
 
-  /// Calls work(context()) and passes on its exception. progress: None, or a function that is called with the rendered share of
-  /// the current frame. Throws Error if another thread is in this function. The caller must hold the interpreter's lock.
+  /// Calls work(context()) and passes on its exception. progress: None, or a function of the rendered share of the current
+  /// frame. Throws Error if another thread is in this function. The caller must hold the interpreter's lock.
   void run(const py::object& progress, const std::function<void(const Context&)>& work);
 
   const Context& context() const { return context_; }

@@ -1,4 +1,3 @@
-// Binds light fields: their views as arrays without copies, the pictures that eyes see, and files.
 #include <algorithm>
 #include <utility>
 
@@ -45,8 +44,7 @@ py::object depth_of_views(const SharedField& field) {
   return view_of(field->depth->data.data(), shape_of(*field), field);
 }
 
-/// Returns a tuple of the cameras' distance in mm, the (height, width) of a pixel in mm, and the eyes (rows, columns, 2).
-/// Returns None if the cameras are unknown.
+/// Returns (camera distance in mm, pixel (height, width) in mm, eyes (rows, columns, 2)), or None if the cameras are unknown.
 py::object cameras_of(const LightField& field) {
   if (!field.cameras) return py::none();
   std::vector<double> eyes;
@@ -56,8 +54,8 @@ py::object cameras_of(const LightField& field) {
                         moved(std::move(eyes), {field.grid.rows, field.grid.columns, 2}));
 }
 
-/// Returns two arrays. (rows, columns, 4, 4) holds the transforms from each camera's frame to world space. (rows, columns, 4)
-/// holds focal lengths and principal points. Returns None if the poses are unknown.
+/// Returns (rows, columns, 4, 4) transforms from each camera to world space, and (rows, columns, 4) focal lengths and principal
+/// points. Returns None if the poses are unknown.
 py::object poses_of(const LightField& field) {
   if (!field.cameras && !field.poses) return py::none();
   std::vector<double> matrices, intrinsics;
@@ -95,8 +93,7 @@ Picture stack_of(const py::array& views, Vec2i size) {
   return image;
 }
 
-/// Makes a light field of arrays that lippmann.LightField has checked. views: (rows, columns, y, x, 3). depth: (rows, columns,
-/// y, x).
+/// Requires arrays that lippmann.LightField has checked. views: (rows, columns, y, x, 3). depth: (rows, columns, y, x).
 SharedField field_of(const py::array& views, const std::optional<Array<float>>& depth) {
   require_shape(views, {-1, -1, -1, -1, 3}, "views");
   auto field = std::make_shared<LightField>();
@@ -124,7 +121,6 @@ void set_cameras(LightField& field, double distance_mm, std::array<double, 2> ba
   field.cameras = std::move(cameras);
 }
 
-/// Converts the views from linear floats to codes of 8 or 16 bits.
 SharedField with_codes(const LightField& field, int bits) {
   auto copy = std::make_shared<LightField>(field);
   const Image linear = to_linear(std::move(copy->stack));
@@ -163,8 +159,8 @@ py::tuple open(const std::filesystem::path& path, const std::string& format, con
   return py::make_tuple(std::make_shared<LightField>(std::move(opened.field)), opened.optics, std::string(opened.format));
 }
 
-/// Returns a panel that shows the views. If no optics are given, they follow from the cameras of the views. If the cameras are
-/// unknown, optics are assumed.
+/// Returns a panel that shows the views. Without given optics, they follow from the cameras or, if these are unknown, are
+/// assumed.
 SharedPanel panel_of_field(const LightField& field, const std::optional<Optics>& optics,
                            const std::optional<double>& view_angle_deg) {
   const py::gil_scoped_release release;
@@ -173,8 +169,6 @@ SharedPanel panel_of_field(const LightField& field, const std::optional<Optics>&
                                        : assumed_optics(field, view_angle_deg);
   return std::make_shared<RenderedPanel>(panel_of(field, shown, "views"));
 }
-
-// ---- Pictures that eyes see -------------------------------------------------------------------------------------------
 
 Vec2i size_of(const std::optional<Pair>& size) { return size ? Vec2i((*size)[1], (*size)[0]) : Vec2i(0, 0); }
 

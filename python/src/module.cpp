@@ -1,4 +1,3 @@
-// The module lippmann._core.
 #include "bindings.hpp"
 #include "lippmann/core/version.hpp"
 

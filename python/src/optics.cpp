@@ -1,4 +1,3 @@
-// Binds optics and displays, and their placement in a scene.
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -26,7 +25,7 @@ Optics checked(Panel panel, OpticsModel model) {
   return optics;
 }
 
-/// Makes optics of views. If baseline_mm > 0, the eyes are a grid with this distance; otherwise cone_deg spreads them.
+/// If baseline_mm > 0, the eyes are a grid with this spacing; otherwise cone_deg spreads them.
 Optics views(Vec2i grid, Vec2i view, float pixel_mm, float cone_deg, float distance_mm, float baseline_mm) {
   MultiView model;
   model.columns = grid.x, model.rows = grid.y;
@@ -71,7 +70,7 @@ Optics ray_table(Vec2i size, float pixel_mm, int samples_per_side, float spread,
 using Pair = std::array<int, 2>;  ///< (rows, columns) of a grid, or (height, width) of a picture
 Vec2i xy(const Pair& pair) { return {pair[1], pair[0]}; }
 
-/// Returns the rays of points on the panel, as two arrays: origins in mm, and directions.
+/// Returns origins in mm and directions of the rays of points on the panel.
 py::tuple rays_of(const Optics& optics, const Array<float>& pixels) {
   const std::vector<Vec2f> points = vectors_of<Vec2f>(pixels, "pixels");
   std::vector<float> origins, directions;

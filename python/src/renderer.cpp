@@ -1,4 +1,4 @@
-// Binds rendering. Frames of a scene are rendered one at a time. Arrays of Python share the memory of a frame.
+// Binds rendering. Arrays of Python share the memory of a frame.
 #include "lippmann/frames/renderer.hpp"
 
 #include <algorithm>
@@ -20,7 +20,6 @@
 namespace lippmann::python {
 namespace {
 
-/// A frame and its optics.
 struct Film {
   RenderedFrame frame;
   Optics optics;
@@ -35,14 +34,13 @@ std::optional<Aov> layer_named(const std::string& name) {
   return found == kAovNames.end() ? std::nullopt : std::optional(static_cast<Aov>(found - kAovNames.begin()));
 }
 
-/// Returns the picture as (y, x, 3). Makes no copy, except for slanted panels, whose sub-pixels are joined to pixels.
+/// Returns the picture as (y, x, 3). Copies only slanted panels, whose sub-pixels are joined to pixels.
 py::array picture_of(const SharedFilm& film) {
   const Image& image = film->frame.pictures.film;
   if (sub_pixels_per_pixel(film->optics) > 1) return moved(picture_of_film(image, film->optics));
   return view_of(image.data.data(), {image.height, image.width, image.channels}, film);
 }
 
-/// Calls `use` with the panel's picture and returns the result.
 template <class Use>
 auto with_picture(const Film& film, Use use) {
   const Image& image = film.frame.pictures.film;
@@ -51,7 +49,7 @@ auto with_picture(const Film& film, Use use) {
 
 bool is_transparent(const Film& film) { return film.frame.pictures.aovs.wants(Aov::kAlpha); }
 
-/// Returns codes with straight alpha (colours not multiplied by alpha), as `lippmann render` writes them.
+/// Returns sRGB codes with straight alpha (colours not multiplied by alpha).
 Image8 transparent_codes(const Film& film) {
   Image picture = picture_of_film(film.frame.pictures.film, film.optics);
   const Image alpha = picture_of_layer(film.frame.pictures.aovs[Aov::kAlpha], film.optics);
@@ -84,7 +82,7 @@ py::array codes_of_film(const Film& film) {
   return moved(std::move(codes.rgb), {codes.height, codes.width, 3});
 }
 
-/// Writes the picture as `lippmann render` does: linear floats to .exr, otherwise sRGB codes.
+/// Writes linear floats to .exr, otherwise sRGB codes.
 void write(const Film& film, const std::filesystem::path& path) {
   const py::gil_scoped_release release;
   if (path.extension() != ".exr") return write_picture(path, film_codes(film));
@@ -122,8 +120,7 @@ std::shared_ptr<LightField> views_of_film(const Film& film) {
   return std::make_shared<LightField>(light_field_of(pictures.film, film.optics, depth.width > 0 ? &depth : nullptr));
 }
 
-/// Returns the picture and the optics for simulated eyes. The optics have full parallax, even if the frame was rendered with
-/// less parallax (`fit_depth`).
+/// Returns the picture and the optics for simulated eyes, with full parallax even if `fit_depth` reduced it.
 std::shared_ptr<RenderedPanel> panel_of_film(const Film& film) {
   const py::gil_scoped_release release;
   return std::make_shared<RenderedPanel>(
@@ -142,8 +139,6 @@ py::dict report_of(const Film& film) {
   return figures;
 }
 
-// ---- The renderer -----------------------------------------------------------------------------------------------------
-
 Reuse reuse_named(const std::string& name, const std::optional<int>& keyframes, const std::optional<double>& min_psnr_db) {
   if (name == "none") return TraceAll{};
   if (name == "copy") return CopySettled{keyframes};
@@ -151,7 +146,7 @@ Reuse reuse_named(const std::string& name, const std::optional<int>& keyframes, 
   return AutoReuse{};
 }
 
-/// Returns the sampling with all defaults filled in. integrator: a name of integrators(), or empty for the scene's default.
+/// Fills in all defaults. integrator: a name of integrators(), or empty for the scene's default.
 Sampling sampling_of(const Scene& scene, const std::string& integrator, bool interpolates) {
   Sampling sampling;
   for (const Integrator known : integrators())
@@ -174,7 +169,7 @@ void want_layers(Sampling& sampling, const std::vector<std::string>& names) {
     if (const std::optional<Aov> aov = layer_named(name)) sampling.aov.push_back(*aov);
 }
 
-/// The frames of one animation. renderer_ is the last member, because it uses the other members.
+/// renderer_ is the last member, because it uses the other members.
 class Frames {
  public:
   Frames(Scene& scene, Placement placement, const FrameParams& params, int threads) : work_(threads), placement_(placement) {
@@ -202,7 +197,6 @@ class Frames {
 
   const Placement& placement() const { return placement_; }
 
-  /// Returns a copy of the scene.
   std::shared_ptr<Scene> scene() const {
     if (!renderer_) throw_stopped();
     return std::make_shared<Scene>(renderer_->scene());
@@ -216,8 +210,7 @@ class Frames {
   std::optional<Renderer> renderer_;
 };
 
-/// The choice of reuse between frames. Wrapped in a class, because pybind11 would convert a variant to one of several Python
-/// types.
+/// A class, because pybind11 would convert a variant to one of several Python types.
 struct ChosenReuse {
   Reuse reuse;
 };

@@ -1,5 +1,4 @@
-// Binds scenes, which are read from files or built element by element. Here, indices identify the elements. lippmann.Scene adds
-// names.
+// Binds scenes. Elements are identified by index; lippmann.Scene adds names.
 #include <algorithm>
 #include <utility>
 #include <variant>
@@ -116,7 +115,7 @@ Light light_of(std::string name, const std::string& kind, int node, const Three&
   return light;
 }
 
-/// Binds lights. Angles are in radians, lengths in scene units.
+/// Angles are in radians, lengths in scene units.
 void bind_light(py::module_& module) {
   py::class_<Light>(module, "Light")
       .def(py::init(&light_of))
@@ -186,7 +185,7 @@ void surround_with_file(Scene& scene, const std::filesystem::path& path, float s
   });
 }
 
-/// Returns (2, 3): the lowest and the highest coordinates of all finite shapes. Returns None if there are no finite shapes.
+/// Returns (2, 3): the lowest and the highest coordinates of all finite shapes, or None if there are none.
 py::object bounds_of(const Scene& scene, int frame) {
   const Bounds3f bounds = finite_bounds(scene, evaluate(scene, scene.timeline.time(frame)));
   if (bounds.empty()) return py::none();

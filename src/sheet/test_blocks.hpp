@@ -1,11 +1,10 @@
 // Makes test prints of labelled blocks. A lenticular sheet on the print shows which block has the pitch or phase of the sheet.
 //
 // Blocks consist of bars parallel to the lenses, one bar in each strip (the part of the print below a lens).
-//  pitch test   Strips are half black, half white, and have another width in each block. Through the sheet, the block with the
-//  right
-//               pitch has a uniform shade. Other blocks show fringes.
-//  phase test   Strips are white in the middle third, and each block shifts them by a fraction of the pitch. From the middle of
-//               the viewing zone, the block with the right phase is white.
+//   pitch test   Strips are half black, half white. Each block has another strip width. Seen through the sheet, the block with
+//                the right pitch has a uniform shade, and other blocks show fringes.
+//   phase test   Strips are white in the middle third. Each block shifts them by a fraction of the pitch. Seen from the middle
+//                of the viewing zone, the block with the right phase is white.
 // If the number of blocks is odd, the middle block has the nominal pitch and its label has a star.
 #pragma once
 
