@@ -21,7 +21,8 @@ Vec2d read_offset(const std::string& text) {
           read_number(text.substr(comma + 1), -1e6, 1e6, "--lens-offset")};
 }
 
-/// Without --lens-offset, the first lens is half a pitch from the left and top edges.
+/// Returns the lens grid that the flags define. Without --lens-offset, the first lens is half a pitch from the left and top
+/// edges.
 LensGrid read_grid_flags(const PlenopticFlags& flags) {
   const LensArrangement arrangement = read_arrangement(flags.arrangement).value_or(LensArrangement::kSquare);
   const double turn = flags.rotation_deg.value_or(0.0) * std::numbers::pi / 180.0, half = 0.5 * *flags.pitch_px;

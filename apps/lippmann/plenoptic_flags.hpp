@@ -9,7 +9,7 @@
 
 namespace lippmann::app {
 
-class Command;
+class Command;  // declared in command_line.hpp
 
 struct PlenopticFlags {
   std::string white, offset, arrangement, sampling;
@@ -19,13 +19,13 @@ struct PlenopticFlags {
 
 struct ReadPlenopticFlags {
   std::optional<PlenopticCalibration> calibration = {};  ///< nullopt if no flag is given
-  std::optional<LensGridFit> fit = {};                   ///< estimated from the white picture; nullopt if flags define the grid
+  std::optional<LensGridFit> fit = {};  ///< the grid estimated from the white picture; nullopt if flags define it
 };
 
 void add_plenoptic_flags(const Command& command, PlenopticFlags& flags);
 
-/// Reads the white picture, and estimates the lens grid from it unless flags define the grid. Throws Error naming the flag or
-/// the file.
+/// Reads the white picture. Estimates the lens grid from it, unless flags define the grid. Throws Error naming the flag or the
+/// file.
 ReadPlenopticFlags read_plenoptic_flags(const PlenopticFlags& flags);
 
 }  // namespace lippmann::app

@@ -14,7 +14,7 @@ from ._errors import Error, Naming, Reading, known, warn_of_ignored
 from ._optics import Display, Optics, display_of
 
 _SIZE = 1 << 15
-_FAR_MM = 1e9
+_FAR_MM = 1e9  # largest accepted coordinate of an eye
 _RENDERED_WITH = "a frame of lippmann.render with its name among `layers`"
 
 

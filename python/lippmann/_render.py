@@ -24,7 +24,7 @@ class Animation:
     def __init__(
         self, core: Any, settings: Any, frames: Sequence[int], display: Optional[Display], progress: Optional[Progress]
     ) -> None:
-        """core: a _core.Frames. settings: (sampling, reuse, threads), the last arguments of its constructor."""
+        """core: a _core.Frames. settings: the last three arguments of its constructor: sampling, reuse and threads."""
         self._core, self._settings, self._frames, self._display, self._progress = core, settings, frames, display, progress
 
     def __len__(self) -> int:
@@ -306,7 +306,7 @@ def _place(
     zoom: float,
     orbit: Tuple[float, float],
 ) -> Tuple[Any, Optional[Display]]:
-    """Returns the placement in the scene, and the Display or None if `display` is optics."""
+    """Returns the placement in the scene, and the Display. The Display is None if `display` is optics."""
     try:
         yaw, pitch = orbit
     except (TypeError, ValueError):

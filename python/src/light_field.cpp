@@ -121,6 +121,7 @@ void set_cameras(LightField& field, double distance_mm, std::array<double, 2> ba
   field.cameras = std::move(cameras);
 }
 
+/// Converts the views from linear floats to codes of 8 or 16 bits.
 SharedField with_codes(const LightField& field, int bits) {
   auto copy = std::make_shared<LightField>(field);
   const Image linear = to_linear(std::move(copy->stack));

@@ -49,7 +49,7 @@ auto with_picture(const Film& film, Use use) {
 
 bool is_transparent(const Film& film) { return film.frame.pictures.aovs.wants(Aov::kAlpha); }
 
-/// Returns sRGB codes with straight alpha (colours not multiplied by alpha).
+/// Returns codes with straight alpha (colours not multiplied by alpha), as `lippmann render` writes them.
 Image8 transparent_codes(const Film& film) {
   Image picture = picture_of_film(film.frame.pictures.film, film.optics);
   const Image alpha = picture_of_layer(film.frame.pictures.aovs[Aov::kAlpha], film.optics);
@@ -82,7 +82,7 @@ py::array codes_of_film(const Film& film) {
   return moved(std::move(codes.rgb), {codes.height, codes.width, 3});
 }
 
-/// Writes linear floats to .exr, otherwise sRGB codes.
+/// Writes the picture as `lippmann render` does: linear floats to .exr, otherwise sRGB codes.
 void write(const Film& film, const std::filesystem::path& path) {
   const py::gil_scoped_release release;
   if (path.extension() != ".exr") return write_picture(path, film_codes(film));
