@@ -72,6 +72,6 @@ The source of each package: apt-get source NAME=VERSION on the Debian release, o
 NOTES
 }
 
-# Gives all files the same time stamp, so that equal inputs make equal archives.
+# All files get this time stamp, so that equal inputs make equal archives.
 SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct 2>/dev/null || echo 1000000000)}
 export SOURCE_DATE_EPOCH

@@ -43,7 +43,6 @@ std::optional<Display> display_of(const AlignOptions& options) {
   return load_display(options.display);
 }
 
-/// Warns if the parallax of the scene is larger than the display's views can show sharply.
 void warn_of_parallax(const Parallax& parallax, const ShownParallax& shown, const Context& context) {
   const double most_px = std::max(std::abs(parallax.near_px), std::abs(parallax.far_px));
   const double lenses = most_px * shown.mm_per_px / shown.lens_mm;

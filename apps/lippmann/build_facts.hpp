@@ -5,7 +5,6 @@
 
 namespace lippmann::app {
 
-/// Returns the lines, without a final newline.
 std::string build_facts();
 
 }  // namespace lippmann::app

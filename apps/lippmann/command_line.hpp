@@ -34,8 +34,8 @@ class Flag {
   const Flag& single() const;                            ///< the flag takes one word, although its variable is a list
   /// Each occurrence of the flag adds one value to its list.
   const Flag& one_word_each() const;
-  const Flag& range(int least, int most) const;        ///< ends included
-  const Flag& range(double least, double most) const;  ///< ends included
+  const Flag& range(int least, int most) const;
+  const Flag& range(double least, double most) const;
   const Flag& positive() const;
   const Flag& not_negative() const;
   const Flag& one_of(std::initializer_list<const char*> words) const;

@@ -46,7 +46,6 @@ bool is_for_display(const ConvertOptions&, const Conversion& c) { return c.kind 
 bool is_rearranged(const ConvertOptions& o, const Conversion& c) {
   return c.kind == ConvertKind::kRearrange || is_for_display(o, c);
 }
-/// Only integral images can be printed behind lenses.
 bool is_print(const ConvertOptions& o, const Conversion& c) { return is_for_display(o, c) && c.to->name == "integral"; }
 bool is_flip(const ConvertOptions& o, const Conversion& c) { return is_print(o, c) && o.picture.flip; }
 bool is_spoc(const ConvertOptions&, const Conversion& c) { return c.kind == ConvertKind::kSpoc; }
@@ -92,7 +91,6 @@ bool uses_view_angle(const ConvertOptions& options, const Conversion& c) {
          options.sheet.pitch_depends_on_angle(options.stereo.viewing_distance_mm.has_value());
 }
 
-/// The conversions on which each flag has an effect.
 constexpr std::array kIdleRules{
     IdleRule{"--from", [](const ConvertOptions& o) { return !o.from.empty(); }, has_formats, "--to"},
     IdleRule{"--to", [](const ConvertOptions& o) { return !o.to.empty(); }, has_formats,
@@ -208,7 +206,6 @@ constexpr std::array kIdleRules{
              "RGB-D or stereo pictures converted to views, without --keep and --crop"},
 };
 
-/// With --from native, --display describes IN.
 bool makes_display_picture(const ConvertOptions& options, const Conversion& c) {
   const std::string_view to = c.to->name;
   return options.has_display() && c.from->name != "native" && (to == "integral" || to == "quilt" || to == "native");

@@ -52,7 +52,7 @@ struct Conversion {
   ConvertKind kind = ConvertKind::kRearrange;
   /// Formats to read and to write. Null for kRotate, kSpoc and kPrecompensate.
   const LightFieldFormat *from = nullptr, *to = nullptr;
-  bool is_from_video = false;  ///< whether the views are the frames of a video
+  bool is_from_video = false;
 };
 
 /// Returns the requested conversion. Throws a usage Error for a missing --to, conflicting flags or an unknown format.

@@ -22,7 +22,6 @@ void add_crosstalk_flags(const Command& command, CrosstalkFlags& flags);
 int run_precompensate(const CrosstalkFlags& flags, const std::string& display, const std::string& in, const std::string& out,
                       const ResultFlags& result, const Context& context);
 
-/// Returns a sentence on the share of clipped samples and the largest remaining error.
 std::string describe_bound(double clipped_share, double largest_residual);
 
 }  // namespace lippmann::app

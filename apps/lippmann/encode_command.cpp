@@ -45,7 +45,6 @@ double rate_of(const EncodeOptions& options, const std::vector<NumberedFrame>& f
   return rendering ? rendering->frames_per_second.value_or(kUsualRate) : kUsualRate;
 }
 
-/// Returns the selected frames, or all frames of the folder. Throws Error if one is missing.
 std::vector<NumberedFrame> wanted_frames(const EncodeOptions& options) {
   if (options.frames.empty()) return find_frames(options.from);
   return find_frames(options.from, frames_of(read_frames(options.frames, "--frames")));

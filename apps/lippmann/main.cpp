@@ -26,10 +26,10 @@
 namespace lippmann::app {
 namespace {
 
-constexpr int kFailed = 1, kRemoved = 2;
+constexpr int kFailed = 1, kRemoved = 2;  ///< exit codes
 
-/// Returns the path by which the tool was called, or "lippmann" if it was found on PATH. The result can be used in printed
-/// commands.
+/// Returns the path by which the tool was called, or "lippmann" if it was called without a path. The tool prints it in
+/// commands, so that these can be run.
 std::string program_name(int argc, char** argv) {
   const std::string_view word = argc > 0 ? argv[0] : "";
   return word.find('/') == std::string_view::npos ? "lippmann" : shell_word(word);
@@ -64,7 +64,6 @@ class WarningPrinter {
   std::set<std::string> printed_;
 };
 
-/// Prints Errors with flags in place of parameter names.
 int run_command(const CommandLine& command_line, const Action& chosen, Context& context) {
   try {
     return chosen(context);

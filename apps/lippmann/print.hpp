@@ -9,9 +9,7 @@
 
 namespace lippmann::app {
 
-inline void print_text(std::FILE* stream, const std::string& text) {
-  std::fwrite(text.data(), 1, text.size(), stream);  // main() checks ferror()
-}
+inline void print_text(std::FILE* stream, const std::string& text) { std::fwrite(text.data(), 1, text.size(), stream); }
 
 template <class... Values>
 void print_out(fmt::format_string<Values...> format, Values&&... values) {

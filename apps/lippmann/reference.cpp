@@ -60,7 +60,6 @@ class ReferenceGroup {
 
  private:
   std::string heading_, command_, entries_;
-  /// Maps an earlier command to the names of the options that it explains.
   std::map<std::string, std::string> repeated_;
 };
 

@@ -91,7 +91,6 @@ void print_choices(const Sampling& sampling, const Optics& optics, const std::st
   if (!view.empty()) print_line("view", view);
 }
 
-/// Returns the first and the last name, as "frame_0000.png ... frame_0479.png".
 std::string first_and_last(const std::string& first, const std::string& last) {
   return first == last ? first : first + " ... " + last;
 }
@@ -148,13 +147,11 @@ void print_summary(const RenderReport& report, const Planned& plan, const Render
     print_line("then", fmt::format("{} finish {}   (when all frames are there)", program, shell_word(folder.string())));
 }
 
-/// Describes the frames, as "3 frames (0 to 8)".
 std::string describe_frames(const std::vector<int>& frames) {
   if (frames.size() == 1) return fmt::format("1 frame ({})", frames.front());
   return fmt::format("{} frames ({} to {})", frames.size(), frames.front(), frames.back());
 }
 
-/// Returns the sizes of layers and videos, as ", of which layers 1.2 GB, videos 30 MB"; empty without such files.
 std::string describe_parts(const FileSizes& sizes) {
   std::string parts;
   if (sizes.layers > 0.0) parts += ", layers " + bytes_text(sizes.layers);
@@ -243,7 +240,6 @@ RenderReport render(const ResolvedJob& job, const RenderOptions& options, Ranks*
   return report;
 }
 
-/// Sets the threads of this process of an MPI job, and disables warnings except on the first rank.
 void join_in(const RenderOptions& options, const OutputParams& output, const Ranks& ranks, Context& context) {
   if (!options.unit.empty() || output.also)
     throw usage_error(options.unit.empty() ? "also" : "unit", "cannot be combined with mpirun", "one of the two");

@@ -44,11 +44,11 @@ class RenderProgress {
   bool interpolates_;
   /// Numbers of frames or strips: in the plan, to be rendered by this run, and written so far.
   int frames_ = 0, wanted_ = 0, written_ = 0;
-  double bytes_ = 0.0;  ///< total size of the written frames or strips
+  double bytes_ = 0.0;
   double estimated_at_first_ = 0.0, video_bytes_ = 0.0;
   Clock::time_point start_ = Clock::now();
-  LineSchedule schedule_;             ///< determines when JSON objects are printed within frames
-  double within_ = 0.0;               ///< traced share of the current frame
+  LineSchedule schedule_;
+  double within_ = 0.0;
   std::mutex mutex_;                  ///< guards the members that change
   std::map<int, std::string> lines_;  ///< lines to print for frames that are traced but not yet written
   std::unique_ptr<Progress> progress_;

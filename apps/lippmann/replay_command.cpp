@@ -31,7 +31,6 @@ struct ReplayOptions {
   ResultFlags result;
 };
 
-/// Reads a size as WxH, or the word "lenses".
 void read_size(const std::string& text, ReplayParams& params) {
   if (text.empty()) return;
   params.one_per_lens = text == "lenses";
@@ -62,7 +61,6 @@ std::optional<FocusPlane> read_refocus(const std::string& text) {
   return plane;
 }
 
-/// Reads a focal stack as Z0:Z1:N.
 std::optional<FocalStack> read_focal_stack(const std::string& text) {
   if (text.empty()) return std::nullopt;
   FocalStack stack;

@@ -10,7 +10,6 @@ struct ResultFlags {
   bool wants_text() const { return !json && !quiet; }
 };
 
-/// quiet: help text of --quiet.
 inline void add_result_flags(const Command& command, ResultFlags& flags,
                              const char* quiet = "Print neither progress nor the result; warnings and errors remain") {
   command.add_flag("--json", flags.json, "Print the result as JSON on stdout");

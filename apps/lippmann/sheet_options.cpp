@@ -25,7 +25,6 @@ bool uses_angle(const SheetOptions& o) {
   return o.sheet.are_given() && (!has_blocks(o) || o.sheet.pitch_depends_on_angle(o.viewing_distance_mm.has_value()));
 }
 
-/// The kinds of sheets on which each flag has an effect.
 constexpr std::array kIdleSheetRules{
     IdleSheetRule{"--blocks", [](const SheetOptions& o) { return o.blocks.has_value(); }, has_blocks, "pitch or phase"},
     IdleSheetRule{"--step", [](const SheetOptions& o) { return !o.step.empty(); },

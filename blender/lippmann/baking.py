@@ -24,7 +24,7 @@ SAMPLES = 4
 class Job:
     """The material inputs to bake for one mesh."""
 
-    thing: object  # first object that uses the mesh
+    thing: object
     slots: dict  # index of a material slot -> {name of an input: descriptions of the nodes that compute it}
 
     def inputs(self):
@@ -94,8 +94,8 @@ def target(tree, image):
 
 
 def shining(material, name, image):
-    """Returns a copy of the material that emits the value of an input, so that baking emission bakes the input. Normals keep
-    their shader, because Cycles bakes them directly."""
+    """Returns a copy of the material that emits the value of an input, so that baking the emission bakes the input. Cycles
+    bakes normals without this trick."""
     copy = material.copy()
     tree = copy.node_tree
     if name != "Normal":
@@ -129,8 +129,7 @@ def arrays_of(mesh):
 
 
 class Kept:
-    """Baked pictures of earlier exports, named by a hash of everything they depend on. materials: {name: hash of the
-    material}."""
+    """Baked pictures of earlier exports. File names are hashes of all that a picture depends on. materials: {name: hash}."""
 
     def __init__(self, folder, materials):
         self._folder, self._materials, self._used = folder, materials, set()

@@ -24,7 +24,7 @@ SKIPPED = {b"TEST", b"REND", b"GLOB", b"USER", b"DNA1", b"ENDB"}  # codes of blo
 @dataclass
 class Struct:
     size: int
-    pointers: list = field(default_factory=list)  # offsets of pointer members
+    pointers: list = field(default_factory=list)
     state: list = field(default_factory=list)     # (offset, length) of members that the hash leaves out
 
 
@@ -124,7 +124,6 @@ class Sdna:
         return known
 
     def place(self, type_name, member):
-        """Returns the offset and the length of a struct member, in bytes."""
         return next((offset, size * times) for name, _, offset, size, times, _ in self._members(self.types.index(type_name)) if name == member)
 
 

@@ -12,7 +12,7 @@ from . import look, progress, saving, tool
 _animation = None        # Blender requests the frames of the current animation one by one
 _terminal = progress.Terminal()
 last_warnings = []       # of the last render, shown in the panel
-last_folder = ""         # folder of the last render's pictures
+last_folder = ""
 
 
 @bpy.app.handlers.persistent  # keeps the handler when another file is opened

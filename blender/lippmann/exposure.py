@@ -35,7 +35,7 @@ def lost_of_shutter(scene, still):
 
 
 def lens(scene, zone):
-    """Returns (aperture, focal depth) in mm on the display, or None without depth of field.
+    """Returns (aperture diameter, depth in focus) in mm of the display, or None without depth of field.
 
     The aperture is scaled by viewing distance / camera distance, so that points near the display's plane blur as in the camera.
     """

@@ -62,7 +62,7 @@ def focus_distance(camera):
 
 
 def fitted_side(camera, distance):
-    """Returns the width or height, at a distance from the camera, of the picture's side that matches the sensor size."""
+    """Returns the length, at a distance from the camera, of the picture's side to which Blender fits the sensor."""
     data = camera.data
     if data.type != "PERSP":
         return data.ortho_scale
@@ -94,8 +94,8 @@ def camera_zone(scene, aspect, distance):
 
 
 def near_of_viewer(camera, world_from_frame, distance):
-    """Returns the distance from the display's viewer to the camera's near clipping plane, or 0 unless the camera stands
-    between both and looks at the display."""
+    """Returns the distance from the display's viewer to the camera's near clipping plane. Returns 0 unless the camera is
+    between the viewer and the display, and looks at the display."""
     if not camera or camera.type != "CAMERA":
         return 0.0
     to_frame = world_from_frame.inverted() @ rigid(camera.matrix_world)[0]

@@ -94,7 +94,7 @@ def leave_out_missing_files(report):
 
 
 def show_as_rendered(scene):
-    """Copies the visibility and the level of detail of renders to the viewport, because the export reads the viewport's."""
+    """Gives the viewport the visibility and the level of detail of renders, because the exporter uses those of the viewport."""
     def show(layer):
         layer.hide_viewport = False
         layer.collection.hide_viewport = layer.collection.hide_render
@@ -297,8 +297,8 @@ def curves_of(motion):
 
 
 def key_places(thing, places, frames, always=False):
-    """Places an object by keys at all frames, or without keys if it neither moves nor disappears and `always` is false.
-    places: {frame: matrix}. A frame without a matrix scales the object to almost nothing."""
+    """Sets an object's transform in each frame. places: {frame: matrix}. In frames without a matrix, the object is scaled to
+    almost nothing. An object at rest gets no keys unless `always`."""
     thing.rotation_mode = "QUATERNION"
     first = next(iter(places.values()))
     if not always and len(places) == len(frames) and all(place == first for place in places.values()):

@@ -100,7 +100,6 @@ def lent(*owners):
 
 
 def settings_for(scene, engine, camera, size, pixel_aspect):
-    """Returns the settings for lent() while views are rendered."""
     render = scene.render
     wide = pixel_aspect >= 1.0
     values = {"engine": engine, "resolution_x": size[0], "resolution_y": size[1], "resolution_percentage": 100, "pixel_aspect_x": pixel_aspect if wide else 1.0,
@@ -144,7 +143,7 @@ class Views:
         self.scene, self.engine = scene, engine
         self.tool = displays.preferred_tool()
         self.folder = jobs.output_folder(scene) / engine.lower()
-        self.pictures = []  # paths of the resulting quilts or native frames
+        self.pictures = []
         columns, rows = self.display["quilt"]["tiles"]
         self.tiles, self.count = (columns, rows), columns * rows
         self._drawn = self.folder / "rendering.png"  # the view that Blender renders; moved when it is complete

@@ -1,4 +1,4 @@
-# Completes commands, flags and their values in bash. Asks the tool for the completions.
+# Completes commands, flags and their values in bash. The tool itself lists them.
 _lippmann() {
   local word=${COMP_WORDS[COMP_CWORD]} line IFS=$'\n'
   COMPREPLY=()

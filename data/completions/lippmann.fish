@@ -1,4 +1,4 @@
-# Completes commands, flags and their values in fish. Asks the tool for the completions.
+# Completes commands, flags and their values in fish. The tool itself lists them.
 function __lippmann_complete
     set -l words (commandline -opc)
     set -l word (commandline -ct)

@@ -85,7 +85,6 @@ def _shown_size(views: np.ndarray) -> str:
 
 
 def html_of(field: Any) -> str:
-    """Returns self-contained HTML that shows one view, selected with two sliders."""
     try:
         views = field.views
     except Error:

@@ -163,7 +163,6 @@ def microlens_array(
 
 
 def _for_json(value: Any, name: str) -> Any:
-    """Converts a value to types that JSON has. Infinity becomes None."""
     if isinstance(value, (np.ndarray, np.generic)):
         value = value.tolist()
     if isinstance(value, (list, tuple)):
@@ -198,7 +197,7 @@ def single_view(size: Tuple[int, int] = (512, 512), *, pixel_mm: float = 0.125, 
 
 
 def _middles(size: Tuple[int, int], samples_per_side: int) -> np.ndarray:
-    """Returns (n, 2): x and y in pixels of the centres of samples_per_side x samples_per_side parts of every pixel, row by row
+    """Divides every pixel into samples_per_side squared parts. Returns (n, 2): the centres of the parts in pixels, row by row
     from the top left."""
     y, x = np.mgrid[0 : size[0] * samples_per_side, 0 : size[1] * samples_per_side].astype(np.float32)
     return np.stack([x.ravel() + 0.5, y.ravel() + 0.5], axis=1) / samples_per_side
@@ -222,7 +221,6 @@ def _spread(directions: np.ndarray, rows: int) -> float:
 
 
 def _pair_of(returned: Any) -> Sequence[Any]:
-    """Returns the two arrays in the result of the function `rays`, which may be a generator."""
     try:
         parts = iter(returned)
     except TypeError:

@@ -34,7 +34,6 @@ def _material(rng: np.random.Generator, textured: float = 0.7) -> Material:
 
 
 def _ball(rng: np.random.Generator, rings: int = 24, sectors: int = 48) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Returns the mesh of a ball with a random, wavy radius: positions, triangles, uvs."""
     v, u = np.meshgrid(np.linspace(0, 1, rings + 1), np.linspace(0, 1, sectors + 1), indexing="ij")
     theta, phi = np.pi * v, 2 * np.pi * u
     lumps = rng.uniform(0, 0.15, 3)

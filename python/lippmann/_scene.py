@@ -140,7 +140,6 @@ class Scene:
 
     @classmethod
     def _of(cls, core: Any, is_file: bool) -> "Scene":
-        """is_file: the scene was read from a file."""
         scene = cls.__new__(cls)
         scene._core, scene._is_file = core, is_file
         scene._start()
@@ -440,7 +439,6 @@ class Scene:
         return Object(self, node, "display")
 
     def _material(self, material: Optional[Material], has_uvs: bool = False) -> int:
-        """Equal materials share an index."""
         if material is None:
             material = Material()
         if not isinstance(material, Material):
@@ -572,7 +570,6 @@ def choose_camera(core: Any, camera: Union[str, int, None]) -> None:
 
 
 def strength_and_turn(strength: Any, rotation_deg: Any, prefix: str = "") -> Tuple[float, float]:
-    """prefix: prefix of the argument names, for errors."""
     return number(strength, prefix + "strength", 0.0, 1e6), number(rotation_deg, prefix + "rotation_deg", -1e6, 1e6)
 
 

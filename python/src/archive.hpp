@@ -1,6 +1,6 @@
-// Serialises values for pickling and deep copies. Every plain struct of the library can be stored, member by member.
+// Serialises plain structs of the library for pickling and deep copies.
 //
-// Members are found by counting the initialisers that an aggregate accepts, so new members need no change here.
+// The number of members is the number of initialisers that the struct accepts. New members therefore need no change here.
 //
 // The bytes depend on the machine and the build. Reading throws Error if the library's version or the struct's size differs.
 #pragma once
@@ -104,8 +104,7 @@ inline constexpr bool kIsNumber<glm::qua<T>> = true;
 template <class T, std::size_t N>
 inline constexpr bool kIsNumber<std::array<T, N>> = kIsNumber<T>;
 
-/// Visits a value and its members recursively. The archive, an ArchiveWriter or an ArchiveReader, has functions for the kinds
-/// of values.
+/// Passes a value and its members, recursively, to an ArchiveWriter or ArchiveReader.
 template <class Archive>
 class Walk {
  public:

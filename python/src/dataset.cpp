@@ -14,7 +14,6 @@ void set_dataset_views(DatasetParams& params, std::array<int, 2> rows_columns, s
   params.view_size = {height_width[1], height_width[0]};
 }
 
-/// progress: None, or a function of the number of samples made so far and the share of the current one.
 DatasetReport make_dataset_in_python(const DatasetParams& params, int threads, const py::object& progress) {
   Interruptible work(threads);
   std::atomic<int> made{0};

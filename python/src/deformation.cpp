@@ -40,7 +40,6 @@ void set_targets(Scene& scene, int shape, const Array<float>& positions, const s
   scene.nodes[static_cast<std::size_t>(instance_of(scene, shape).node)].morph_weights = std::move(weights);
 }
 
-/// Returns the transforms of the scene without animation.
 ResolvedScene at_rest(const Scene& scene) {
   Scene skeleton;
   skeleton.nodes = scene.nodes;

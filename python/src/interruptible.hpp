@@ -17,7 +17,6 @@ namespace lippmann::python {
 
 class Interruptible {
  public:
-  /// threads: 0: one per processor.
   explicit Interruptible(int threads);
 
   /// Calls work(context()) and passes on its exception. progress: None, or a function of the rendered share of the current

@@ -215,7 +215,6 @@ struct ChosenReuse {
   Reuse reuse;
 };
 
-/// Moves `scene` into the result and leaves it empty.
 std::shared_ptr<Frames> frames_of(Scene& scene, const Placement& placement, const Sampling& sampling, const ChosenReuse& reuse,
                                   int threads) {
   return std::make_shared<Frames>(scene, placement, FrameParams{sampling, reuse.reuse}, threads);

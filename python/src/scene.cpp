@@ -151,7 +151,6 @@ Channel<T> channel_of(const Timeline& timeline, std::vector<T> values) {
   return channel;
 }
 
-/// Sets the animation of a node, with one key per frame.
 void animate(Scene& scene, int node, const std::optional<Array<float>>& translation,
              const std::optional<Array<float>>& rotation, const std::optional<Array<float>>& scale,
              const std::optional<Array<float>>& weights) {

@@ -59,14 +59,12 @@ void write_json(const fs::path& path, const Json& json) {
   write_file_atomically(path, std::as_bytes(std::span(text)));
 }
 
-/// Returns nullopt if the file does not exist, and a discarded value (is_discarded()) if it is not valid JSON.
 std::optional<Json> read_optional_json(const fs::path& path) {
   std::error_code ignored;
   if (!fs::exists(path, ignored)) return std::nullopt;
   return json_from_text(read_file_text(path, kMaxJsonBytes));
 }
 
-/// Throws if the folder holds data made with other parameters.
 void claim_dataset_folder(const DatasetParams& params) {
   make_folder(params.folder);
   const fs::path path = params.folder / "dataset.json";
@@ -142,7 +140,6 @@ Json sample_json(const DatasetParams& params, int index, const DatasetCameras& c
           {"files", files}};
 }
 
-/// Returns the number of bytes written, or nullopt if cancelled.
 std::optional<std::uint64_t> make_sample(const DatasetParams& params, const std::vector<Mesh>& meshes, int index,
                                          const Context& context) {
   SampleRandom random(params.seed, static_cast<std::uint32_t>(index));
@@ -184,7 +181,6 @@ std::vector<int> samples_of(const DatasetParams& params) {
   return params.unit.empty() ? all : frames_of(read_units(params.unit, "unit"), all, 1);
 }
 
-/// Writes the manifest if all samples exist. Returns whether they do.
 bool write_manifest(const DatasetParams& params) {
   Json samples = Json::array();
   for (int index = 0; index < params.count; ++index) {

@@ -21,7 +21,6 @@ class SampleRandom {
   float between(float low, float high) { return low + (high - low) * unit_float(hash(seed_, index_, drawn_++)); }
   int below(int count) { return static_cast<int>(between(0.0f, static_cast<float>(count))); }
   Vec3f color(float low, float high);
-  /// Returns a uniformly distributed rotation.
   Quatf turn();
 
  private:
@@ -31,8 +30,8 @@ class SampleRandom {
 struct DatasetCameras {
   Optics optics;
   float distance_mm = 0.0f;  ///< from every camera to the plane of zero disparity
-  float baseline_mm = 0.0f;  ///< between neighbouring cameras
-  float pixel_mm = 0.0f;     ///< size of a pixel of a view in the plane of zero disparity
+  float baseline_mm = 0.0f;
+  float pixel_mm = 0.0f;  ///< size of a pixel of a view in the plane of zero disparity
 };
 
 /// Returns the triangle meshes of a scene, each fitted into the unit sphere, without skins, morph targets and materials.

@@ -10,7 +10,6 @@
 
 namespace lippmann {
 
-/// A finished frame, reported to rank 0.
 struct WorkDone {
   int frame = 0;
   double seconds = 0.0;
@@ -41,7 +40,6 @@ class Ranks {
   /// Reports finished work to rank 0. Does nothing on rank 0.
   virtual void tell(const WorkDone& done) = 0;
 
-  /// Waits until end() has been called on all ranks.
   virtual void end() = 0;
 };
 
@@ -52,7 +50,6 @@ int rank_count();
 /// bound the rank to processors, otherwise its equal share of `cpus`.
 int threads_of_rank(int cpus, int cpus_online, int local_ranks);
 
-/// Returns the number of processes that mpirun started on this machine.
 int local_rank_count();
 
 /// Joins the job as one of its ranks. Returns null for a single process. Throws Error if the MPI module is not installed or the

@@ -308,7 +308,7 @@ class AddOn(unittest.TestCase):
         makes = {"append", "load", "new", "new_from_object", "remove"}
         for module in (engine, jobs, contents, displays, exposure, film, frame, look, progress, tool):
             for function in ast.walk(ast.parse(pathlib.Path(module.__file__).read_text())):
-                if not isinstance(function, ast.FunctionDef) or (module is frame and function.name == "add"):  # only an operator calls it
+                if not isinstance(function, ast.FunctionDef) or (module is frame and function.name == "add"):
                     continue
                 called = [ast.unparse(call.func) for call in ast.walk(function) if isinstance(call, ast.Call)]
                 changed = [name for name in called if name.startswith("bpy.data.") and name.rpartition(".")[2] in makes]
@@ -412,7 +412,7 @@ class AddOn(unittest.TestCase):
         bpy.ops.render.render(animation=True)
         document = gltf(self.folder)
         moved = next(c for c in document["animations"][0]["channels"] if document["nodes"][c["target"]["node"]]["name"].startswith("Cube") and c["target"]["path"] == "translation")
-        np.testing.assert_allclose(positions(self.folder, moved)[[0, -1], 0], (0.0, 3.0), atol=1e-5)  # x of the cube; the shutter is open beyond the first and the last frame
+        np.testing.assert_allclose(positions(self.folder, moved)[[0, -1], 0], (0.0, 3.0), atol=1e-5)  # x of the cube; motion blur needs keys before the first and after the last frame
         self.assertEqual([words for words in engine.last_warnings if "blur" in words.lower() or "depth of field" in words.lower()], [])
         job = tomllib.loads((self.folder / "animation" / "job.toml").read_text())
         portrait = next(one for one in displays.known() if one["name"] == "looking-glass-portrait")

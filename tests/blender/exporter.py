@@ -42,7 +42,7 @@ def serve(jobs):
 
 
 def end(server, folder):
-    server.communicate()  # closes the pipe to stdin, which ends the server
+    server.communicate()
     shutil.rmtree(folder)
 
 
