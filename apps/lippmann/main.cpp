@@ -35,7 +35,7 @@ std::string program_name(int argc, char** argv) {
   return word.find('/') == std::string_view::npos ? "lippmann" : shell_word(word);
 }
 
-/// A thread whose stack is too small ends the process without a message.
+/// Checks the stack limit, which also applies to threads: a thread whose stack is too small ends the process without a message.
 void check_stack_limit() {
   constexpr std::uint64_t kLeastBytes = std::uint64_t{512} << 10;  // twice the 256 KB below which renders crash
   if (const std::optional<std::uint64_t> bytes = platform::stack_limit_bytes(); bytes && *bytes < kLeastBytes)
