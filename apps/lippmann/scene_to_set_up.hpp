@@ -30,7 +30,7 @@ bool is_scene_to_set_up(const std::string& in);
 void refuse_scene_flags(const std::string& in, const SceneToSetUpFlags& flags);
 
 /// Returns the parameters for rendering the scene `in`. Throws Error if `field` contains a flag that does not apply to scenes.
-/// threads: 0: the number in the job.
+/// `threads` = 0 keeps the number in the job.
 RenderParams scene_params(const std::string& in, const SceneToSetUpFlags& flags, const LightFieldFlags& field, int threads);
 
 /// Returns the initial settings of the page. Without a display, optics or a layout, they show a row of views, which a plain

@@ -78,7 +78,7 @@ def render_flags(scene, still):
     optics = {"quilt": ["--layout", "quilt", *(size if display.get("quilt") else [])], "native": ["--layout", "native"], "views": ["--layout", "views"],
               "single": ["--optics", "single", *size]}[settings.output]
     if settings.output == "native" and display["kind"] != "slanted-panel":
-        optics = []  # an integral image is the native frame of a lens array
+        optics = []  # the tool's default for lens arrays, an integral image, is their native frame
     depth = ["--full-depth"] if settings.full_depth and settings.output != "single" else []
     return ["--display", displays.argument(scene), *optics, *flags_of_sampling(scene), *depth, *more_flags(scene, still)]
 
@@ -256,7 +256,7 @@ class Job:
             self._child = tool.Child(self._render_words(), self._log)
             self._started = True
         index = 0 if self.still else number
-        last = number == self.last  # the tool writes the video and the report after the last frame
+        last = number == self.last  # the last frame is returned after the tool has written the video and the report, too
         self._run(f"rendering frame {number}", lambda: not last and index in self._child.finished_frames, tell, stopped)
         found = tool.pictures(self.pictures_folder, index)
         if not found:

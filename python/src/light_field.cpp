@@ -160,7 +160,7 @@ py::tuple open(const std::filesystem::path& path, const std::string& format, con
   return py::make_tuple(std::make_shared<LightField>(std::move(opened.field)), opened.optics, std::string(opened.format));
 }
 
-/// optics: None: derived from the cameras of the views, or assumed if these are unknown.
+/// If `optics` is empty, derives optics from the cameras of the views, or assumes some if the cameras are unknown.
 SharedPanel panel_of_field(const LightField& field, const std::optional<Optics>& optics,
                            const std::optional<double>& view_angle_deg) {
   const py::gil_scoped_release release;

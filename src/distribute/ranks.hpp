@@ -46,8 +46,8 @@ class Ranks {
 /// Returns the number of processes that mpirun started, or 1 without mpirun. Loads no library.
 int rank_count();
 
-/// Returns the number of threads for a rank that may use `cpus` of the machine's `cpus_online` processors: `cpus` if mpirun
-/// bound the rank to processors, otherwise its equal share of `cpus`.
+/// Returns the number of threads for a rank. It is `cpus` if mpirun bound the rank to fewer than all `cpus_online` processors.
+/// Otherwise the ranks on this machine share `cpus` equally.
 int threads_of_rank(int cpus, int cpus_online, int local_ranks);
 
 int local_rank_count();

@@ -45,7 +45,7 @@ struct BlockTest {
 /// on the paper. The result does not depend on the number of threads.
 BlockTest pitch_test(const Display& sheet, int blocks, const PitchStep& step, BarDirection bars, const ThreadPool& pool);
 
-/// Returns a phase test. Throws as pitch_test() does, but errors about the pitch name `lpi`.
+/// Returns a phase test. Throws as pitch_test() does, but names `lpi` in errors about the pitch.
 BlockTest phase_test(const Display& sheet, int blocks, BarDirection bars, const ThreadPool& pool);
 
 }  // namespace lippmann
