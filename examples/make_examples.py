@@ -25,7 +25,6 @@ def png(width, height, rgb):
 
 
 def cube():
-    """Returns the positions, normals, texture coordinates and triangles of a cube with sides of 2."""
     positions, normals, uvs, triangles = [], [], [], []
     for axis in range(3):
         for sign in (-1, 1):
@@ -41,7 +40,6 @@ def cube():
 
 
 def ball(around=24, down=12):
-    """Returns the positions, normals, texture coordinates and triangles of a ball of radius 1."""
     positions, uvs, triangles = [], [], []
     for j in range(down + 1):
         for i in range(around + 1):
@@ -171,7 +169,6 @@ def desk():
 
 
 def vase(around=32, up=24):
-    """Returns a surface of revolution about the z axis, as the text of a PLY file."""
     lines = ["ply", "format ascii 1.0", "comment CC0 1.0", f"element vertex {around * (up + 1)}", "property float x",
              "property float y", "property float z", f"element face {around * up}",
              "property list uchar int vertex_indices", "end_header"]

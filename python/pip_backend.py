@@ -44,7 +44,6 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
 
 
 def _metadata():
-    """Returns {name of a metadata file: its content}."""
     python = f"{sys.version_info[0]}.{sys.version_info[1]}"
     metadata = (
         f"Metadata-Version: 2.1\nName: lippmann\nVersion: {_version()}\nSummary: Renders 3D integral images and their animation\n"
@@ -81,7 +80,6 @@ def _built():
 
 
 def _package_files(build, prefix):
-    """Yields the name and the content of each file of the package. The libraries are stripped."""
     for component in ("python3", "hdf5"):
         install = ["cmake", "--install", build, "--component", component, "--strip", "--prefix", prefix]
         subprocess.run(install, check=True, stdout=subprocess.DEVNULL)

@@ -37,7 +37,6 @@ def default_start():
 
 
 def changed_files(base):
-    """Returns the files that changed since the commit `base`. If `base` is None: since default_start()."""
     base = base or default_start()
     return set(output("git", "diff", "--name-only", "--diff-filter=d", base).split())
 
@@ -56,5 +55,4 @@ def includes(path):
 
 
 def affected(commands, changed):
-    """Returns the sources that changed or that include a changed header."""
     return {path for path in commands if path in changed or includes(path) & changed}

@@ -38,7 +38,6 @@ std::string suggestion(const std::string& word, const CLI::App& command) {
   return nearest.empty() ? std::string() : fmt::format(", did you mean '{}{}'?", dashes, nearest);
 }
 
-/// Formats help in two lengths: examples with the most common flags, or everything.
 class ShortHelp : public CLI::Formatter {
  public:
   ShortHelp(std::vector<std::string> flags, std::string examples) : flags_(std::move(flags)), examples_(std::move(examples)) {}

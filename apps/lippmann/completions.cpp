@@ -53,7 +53,6 @@ const CLI::Option* flag_before(const CLI::App& command, const std::string& word)
   return nullptr;
 }
 
-/// Returns the words that a type such as {a,b} or NAME:{a,b} lists.
 Names words_in_braces(const std::string& type) {
   const std::size_t open = type.find('{'), close = type.find('}');
   Names words;

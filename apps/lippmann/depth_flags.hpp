@@ -18,7 +18,6 @@ struct DepthFlags {
   bool near_black = false;
   std::optional<double> scale;
 
-  /// Copies the depth coding that the flags define into the options. Throws a usage Error.
   void add_to(FormatOptions& options) const;
 };
 

@@ -18,8 +18,8 @@ class Command;
 struct ParamFlags {
   std::string scene;  ///< positional argument: a built-in name, a file, or a job
   std::string job;
-  SheetFlags sheet;                                             ///< describes a sheet; replaces the parameter `display`
-  std::map<std::string_view, std::vector<std::string>> values;  ///< values as given, by parameter
+  SheetFlags sheet;  ///< describes a sheet; replaces the parameter `display`
+  std::map<std::string_view, std::vector<std::string>> values;
 
   /// Returns the parameters of the job file, if any, overridden by the flags. Throws Error for unreadable values and for a flag
   /// without effect.

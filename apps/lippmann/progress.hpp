@@ -38,7 +38,6 @@ class Progress {
 
   /// now: returns the time; replaced in tests.
   Progress(int total, ProgressStyle style, std::function<Clock::time_point()> now = Clock::now);
-  /// Prints a newline after the bar.
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
@@ -69,7 +68,7 @@ class Progress {
   void draw();
   void advise();
 
-  std::mutex mutex_;  ///< guards the members below
+  std::mutex mutex_;
   int total_, done_ = 0;
   double within_ = 0.0;
   std::string note_, advice_;

@@ -59,7 +59,6 @@ struct Planned {
   int kept = 0;
 };
 
-/// Describes the pictures, as "512x512 pixels" or "48 views of 420x560 pixels".
 std::string describe_pictures(const Planned& plan) {
   return fmt::format("{}{}x{} pixels", plan.pictures_per_frame > 1 ? fmt::format("{} views of ", plan.pictures_per_frame) : "",
                      plan.picture_size.x, plan.picture_size.y);

@@ -49,7 +49,7 @@ class RenderProgress {
   Clock::time_point start_ = Clock::now();
   LineSchedule schedule_;
   double within_ = 0.0;
-  std::mutex mutex_;                  ///< guards the members that change
+  std::mutex mutex_;
   std::map<int, std::string> lines_;  ///< lines to print for frames that are traced but not yet written
   std::unique_ptr<Progress> progress_;
   std::optional<Heartbeat> heartbeat_;  ///< declared last, so that it stops before the other members are destroyed

@@ -19,7 +19,7 @@ struct SheetOptions {
   std::optional<int> blocks, views;
   std::optional<double> viewing_distance_mm, view_angle_deg, refractive_index;
   SheetFlags sheet;
-  LensSpec lens;  ///< without the refractive index; see lens_spec()
+  LensSpec lens;
   ResultFlags result;
 
   SheetKind kind() const;

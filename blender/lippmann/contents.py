@@ -209,7 +209,6 @@ class Contents:
         self._labels = np.array([labels[address] for address in sorted(labels)], kind)
 
     def _named(self, addresses, otherwise):
-        """Replaces addresses by their labels. Addresses that are not in the file become `otherwise`."""
         at = np.minimum(np.searchsorted(self._addresses, addresses), len(self._addresses) - 1)
         return np.where(self._addresses[at] == addresses, self._labels[at], otherwise)
 

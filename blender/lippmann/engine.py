@@ -101,7 +101,6 @@ class Engine(bpy.types.RenderEngine):
 
 
 def panels():
-    """Yields Blender's panels that are useful with this engine."""
     left_out = {"VIEWLAYER_PT_filter", "VIEWLAYER_PT_layer_passes", "RENDER_PT_simplify", "RENDER_PT_freestyle"}
     for panel in bpy.types.Panel.__subclasses__():
         if "BLENDER_RENDER" in getattr(panel, "COMPAT_ENGINES", ()) and panel.__name__ not in left_out:

@@ -119,7 +119,6 @@ def sight_lines(camera, aspect):
 
 
 def median(weighted):
-    """Returns the weighted median. weighted: pairs (value, weight)."""
     weighted = sorted(weighted)
     left = 0.5 * sum(weight for _, weight in weighted)
     for value, weight in weighted:
@@ -227,7 +226,6 @@ def place(empty, matrix, height):
 
 
 def around(objects):
-    """Returns the centre and the longest side of the objects' bounding box, in world space."""
     corners = [thing.matrix_world @ Vector(corner) for thing in objects for corner in (thing.bound_box if thing.type != "EMPTY" else [(0, 0, 0)])]
     lower = Vector(min(corner[axis] for corner in corners) for axis in range(3))
     upper = Vector(max(corner[axis] for corner in corners) for axis in range(3))

@@ -46,7 +46,6 @@ def resolution(scene):
 
 
 def check(scene, still):
-    """Checks the scene and its settings before a process is started. Raises ToolError."""
     try:
         _ = scene.name
     except UnicodeDecodeError:

@@ -147,8 +147,6 @@ def is_constant(value):
 
 @dataclass
 class Surface:
-    """A surface that a Principled BSDF can represent."""
-
     values: dict = field(default_factory=dict)  # name of an input -> constant, or output socket to link
     own: object = None  # existing Principled BSDF, whose other inputs are kept; None: a new node
     near: list = field(default_factory=list)  # descriptions of properties that are only approximated
@@ -233,7 +231,6 @@ def is_new(surface, **wanted):
 
 
 def coated(base, coat, reflectance):
-    """Returns a diffuse surface below a clear coat. reflectance: of the coat, at normal incidence."""
     values = {**base.values, "Specular": min(reflectance / PLAIN_F0, 1.0), "Roughness": coat.values["Roughness"]}
     return Surface(values, near=[*base.near, *coat.near])
 
@@ -256,7 +253,6 @@ def with_alpha(surface, alpha):
 
 
 def lit(surface, light, share=1.0):
-    """Returns `surface` with the emission of the surface `light`, multiplied by `share`."""
     strength = light.values["Emission Strength"]
     strength = strength * share if is_constant(strength) else strength
     return Surface({**surface.values, "Emission": light.values["Emission"], "Emission Strength": strength}, surface.own, [*surface.near, *light.near])
@@ -323,7 +319,6 @@ def of_sum(node):
 
 
 def surface_of(socket):
-    """Returns the surface of the shader that is linked to a socket, or None if no Principled BSDF resembles it."""
     output = link_of(socket)
     if output is None:
         return None
@@ -442,7 +437,6 @@ def fold(shader, tree):
 
 
 def settle(material, tree, output, surface):
-    """Makes the surface the material's only shader, as a Principled BSDF at the output."""
     shader = surface.own
     if shader is None:
         shader = tree.nodes.new("ShaderNodeBsdfPrincipled")

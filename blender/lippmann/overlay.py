@@ -27,7 +27,6 @@ def loop(corners):
 
 
 def figures(zone):
-    """Returns (kind of primitive, corners in the display's space, colour) for each shape to draw."""
     front, back = min(zone.budget, 0.9 * zone.distance), -zone.budget
     near, far = rectangle(zone, front), rectangle(zone, back)
     eye = (0.0, 0.0, zone.distance)

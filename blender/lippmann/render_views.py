@@ -44,8 +44,6 @@ def render_picture(scene, how="EXEC_DEFAULT"):
 
 
 class Run:
-    """Renders views step by step, between Blender's events."""
-
     def __init__(self, made, numbers):
         self.made, self.status = made, ""
         self._steps = made.steps(numbers)

@@ -37,7 +37,6 @@ class Report:
 
 
 def begin(step, share=0.0):
-    """Prints a line of progress for the parent process."""
     print(json.dumps({"step": step, "share": share}), file=sys.stderr, flush=True)
 
 
@@ -147,7 +146,6 @@ def mend_figures(scene, report):
 
 
 def mesh_of(instance, depsgraph, report):
-    """Returns a new mesh of an instance, with the materials of its object, or None if it has no faces."""
     shown = instance.object
     evaluated = shown.original.evaluated_get(depsgraph)
     if shown.data.as_pointer() == evaluated.data.as_pointer():
@@ -266,7 +264,6 @@ class Tracks:
                 self.watch(key, shown)
 
     def watch(self, key, shown):
-        """Warns if a shape changes in a way that glTF cannot describe."""
         if self.still or shown.type != "MESH":
             return
         points = np.empty(3 * len(shown.data.vertices), np.float32)
@@ -440,7 +437,6 @@ def keep_deforming(stage, things):
 
 
 def gltf_options(still, has_shape_keys, known):
-    """Returns the options of the glTF exporter that its version supports. known: their names."""
     options = {"export_format": "GLB", "export_cameras": True, "export_lights": True, "export_apply": not has_shape_keys, "export_yup": True,
                "export_animations": not still, "export_frame_range": True, "export_force_sampling": True, "export_nla_strips": False,
                "export_animation_mode": "ACTIVE_ACTIONS", "export_anim_slide_to_zero": False, "export_morph": True, "export_skins": True,
@@ -457,7 +453,6 @@ def export_gltf(stage, path, still, has_shape_keys):
 
 
 def plain_world(world):
-    """Returns the world's linear colour if it is uniform, else None."""
     if world is None:
         return (0.0, 0.0, 0.0)
     if not world.use_nodes:

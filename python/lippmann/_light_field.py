@@ -516,7 +516,6 @@ def _make(folder: str) -> None:
 
 
 def _warn_of_strays(tiles: Any, display: Any, format: str) -> None:
-    """Warns if `tiles` or `display` is given although the format does not use it."""
     for argument, value, of in (("tiles", tiles, "quilt"), ("display", display, "native")):
         if value is not None and format != of:
             warn_of_ignored(argument, f"only the format {of!r} uses it")

@@ -34,7 +34,6 @@ def arrays_of(mesh: Any) -> Dict[str, Any]:
 
 
 def texture_of(mesh: Any) -> Optional[np.ndarray]:
-    """Returns the colour texture of a mesh of trimesh as (y, x, 4), uint8, or None."""
     surface = getattr(getattr(mesh, "visual", None), "material", None)
     image = getattr(surface, "baseColorTexture", None) or getattr(surface, "image", None)
     return None if image is None else np.asarray(image.convert("RGBA"))

@@ -16,8 +16,6 @@ _SIDE, _VIEWS = 320, 81  # longest side of a picture in pixels, and largest numb
 
 
 def png(codes: np.ndarray) -> bytes:
-    """Returns a PNG file of sRGB codes (y, x, 3), uint8."""
-
     def chunk(name: bytes, data: bytes) -> bytes:
         return struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
 
@@ -73,12 +71,10 @@ def _picture(codes: np.ndarray) -> str:
 
 
 def _chosen(count: int, most: int) -> List[int]:
-    """Returns at most `most` evenly spaced indices from 0 to count - 1, including both ends."""
     return sorted({round(i) for i in np.linspace(0, count - 1, min(count, max(most, 1)))})
 
 
 def _shown_size(views: np.ndarray) -> str:
-    """Returns the CSS size of a view, scaled so that its longest side has _SIDE pixels."""
     height, width = views.shape[2:4]
     scale = _SIDE / max(height, width)
     return f"width:{round(width * scale)}px;height:{round(height * scale)}px;image-rendering:{'pixelated' if scale > 2 else 'auto'}"

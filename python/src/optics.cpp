@@ -70,7 +70,6 @@ Optics ray_table(Vec2i size, float pixel_mm, int samples_per_side, float spread,
 using Pair = std::array<int, 2>;  ///< (rows, columns) of a grid, or (height, width) of a picture
 Vec2i xy(const Pair& pair) { return {pair[1], pair[0]}; }
 
-/// Returns origins in mm and directions of the rays of points on the panel.
 py::tuple rays_of(const Optics& optics, const Array<float>& pixels) {
   const std::vector<Vec2f> points = vectors_of<Vec2f>(pixels, "pixels");
   std::vector<float> origins, directions;

@@ -53,7 +53,6 @@ Tiling tiling_for(Vec2i size, Vec2i units) {
   return tiling;
 }
 
-/// Returns the rounded angle as text, such as "-20 deg", "0 deg" or "+20 deg".
 std::string angle_text(double angle_deg) {
   const long rounded = std::lround(angle_deg);
   return rounded == 0 ? "0 deg" : fmt::format("{:+} deg", rounded);

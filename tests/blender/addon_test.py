@@ -114,7 +114,6 @@ def failure(operator, **arguments):
 
 
 def new_group(name, kind, inputs, outputs):
-    """Makes a node group. inputs, outputs: sockets as {name: type}."""
     group = bpy.data.node_groups.new(name, kind)
     for sockets, side in ((inputs, "INPUT"), (outputs, "OUTPUT")):
         for socket, of_type in sockets.items():

@@ -38,7 +38,6 @@ class Install(unittest.TestCase):
         self.assertEqual(done.returncode, code, f"{command}\n{done.stdout}{done.stderr}")
 
     def write_scene(self):
-        """Saves two frames of Blender's default scene, without settings of the add-on."""
         bpy.ops.wm.read_factory_settings()
         scene = bpy.context.scene
         scene.frame_start, scene.frame_end = 1, 2

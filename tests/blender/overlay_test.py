@@ -27,7 +27,6 @@ bpy.context.preferences.view.show_splash = False
 
 
 def place_frame(scene):
-    """Places the display at the cube of Blender's default scene. Returns its frame.Zone."""
     scene.render.engine, scene.lippmann.display = "LIPPMANN", "looking-glass-portrait"
     bpy.ops.lippmann.place_at_selected()
     bpy.ops.object.select_all(action="DESELECT")  # the outline of selected objects has the colour of the lines
@@ -36,7 +35,6 @@ def place_frame(scene):
 
 
 def look_at(view, zone):
-    """Turns the viewport so that the whole viewing zone is visible, from the side and from above."""
     view.view_perspective = "PERSP"
     view.view_rotation = zone.world_from_frame.to_quaternion() @ mathutils.Euler((-0.5, 1.0, 0.0)).to_quaternion()
     view.view_location = zone.world_from_frame @ mathutils.Vector((0.0, 0.0, 0.5 * zone.distance))

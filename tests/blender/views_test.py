@@ -37,7 +37,6 @@ class Views(unittest.TestCase):
         self.folder = pathlib.Path(self._folder.name)
 
     def new_scene(self, output="quilt", size=(240, 160)):
-        """Makes a scene of grey shapes in front of and behind the plane of a display with 4 x 2 views."""
         bpy.ops.wm.read_factory_settings()
         scene = bpy.context.scene
         bpy.data.objects.remove(bpy.data.objects["Cube"])

@@ -36,7 +36,6 @@ def shining(shade):
 
 
 def set_up(folder):
-    """Makes a scene of bright shapes for a display with 4 views whose pixels are not square."""
     scene = bpy.context.scene
     scene.world.node_tree.nodes["Background"].inputs["Strength"].default_value = 0.0
     cube = bpy.data.objects["Cube"]
