@@ -12,11 +12,11 @@ namespace {
 
 constexpr std::size_t kStripPixels = 8192;  // number of pixels per task
 
-// Number of pixels whose colours one inner loop averages. The compiler vectorises loops of this fixed length.
+// A fixed loop length lets the compiler vectorise the loops over these pixels.
 constexpr std::size_t kAveragedBlock = 64;
 
-/// Mixes one colour: out = a + weight_b (b - a). Equal inputs keep their bits. `count` is 3, or 4 if one more float may be read
-/// and written; 4 is faster.
+/// Mixes one colour: out = a + weight_b (b - a). Equal inputs keep their bits. With `count` 4, which is faster, one more float
+/// after each colour is read and written.
 template <std::size_t count>
 LIPPMANN_INLINE void mix(const float* color_a, const float* color_b, float weight_b, float* out) {
   float a[count], b[count], mixed[count];
@@ -33,17 +33,13 @@ struct Landed {
   const float* color(std::uint64_t key) const { return film + 3 * std::size_t{SplatBuffer::source(key)}; }
 };
 
-/// Mixes the colours of pixels first ... end - 1 without branches, because branches would be unpredictable. Lists in `special`
-/// the ascending indices of pixels whose colours the caller must compute. A pixel is special if no point of one source has
-/// landed there, or if the colour of a landed point changes next to its sample (SplatBuffer::color_changes()). The last pixels
-/// of the range, which do not fill a block, are special too. Returns the number of special pixels. `special` must have room for
-/// end - first entries.
+/// Mixes the colours of pixels first ... end - 1, and lists in `special` the pixels that are left to the caller. These are the
+/// pixels that lack a point from one source, the pixels with SplatBuffer::color_changes(), and the last pixels that fill no
+/// block. Returns their number.
 LIPPMANN_MULTIVERSION std::size_t mix_plainly(const Landed& a, const Landed& b, float weight_b, std::size_t first,
                                               std::size_t end, Image& film, std::uint32_t* special) {
   const std::uint64_t *keys_a = a.keys, *keys_b = b.keys;
   const float *film_a = a.film, *film_b = b.film;
-  // mix<4>() reads one float beyond a colour, so it must not read the film's last pixel. Pixels without a source are not read
-  // either, because kNoSource is larger than `last`.
   const auto last = static_cast<std::uint32_t>(film.data.size() / 3 - 1);
   std::size_t count = 0, p = first;
   for (; p + kAveragedBlock < end; p += kAveragedBlock) {
@@ -71,7 +67,6 @@ LIPPMANN_MULTIVERSION std::size_t mix_plainly(const Landed& a, const Landed& b, 
   return count;
 }
 
-/// The interpolated colours of one source frame, for pixels whose colours change between neighbouring samples.
 class ColorsBetween {
  public:
   ColorsBetween(const SplatSource& source, const EpipolarSampler* sampler, std::span<const std::uint32_t> pixels) {
@@ -88,8 +83,8 @@ class ColorsBetween {
     next_ = colors_.get();
   }
 
-  /// Returns the colour of the next pixel. This is the interpolated colour if SplatBuffer::color_changes(key) is true,
-  /// otherwise `plain`. Call next_or() once per pixel, in the order of the constructor's `pixels`.
+  /// Returns the interpolated colour of the next pixel if its colour changes between samples, otherwise `plain`. Call this once
+  /// per pixel, in order.
   const float* next_or(std::uint64_t key, const float* plain) {
     const bool changes = next_ && SplatBuffer::color_changes(key);
     const float* color = changes ? next_ : plain;
@@ -102,7 +97,6 @@ class ColorsBetween {
   const float* next_ = nullptr;
 };
 
-/// Computes the colours of pixels first ... end - 1. Appends the missed pixels to `missed`.
 void average_strip(const SplatSource& previous, const SplatSource& following, const EpipolarSampler* sampler, std::size_t first,
                    std::size_t end, Image& film, std::vector<std::uint32_t>& missed) {
   const Landed a(previous), b(following);
@@ -127,7 +121,6 @@ struct MovedPoint {
   std::uint32_t object = kMissedObject;
 };
 
-/// Returns the point that landed on a pixel. Its depth is the depth at the new moment.
 MovedPoint moved_point(const SplatSource& source, std::size_t pixel) {
   const std::uint64_t key = source.landed.keys[pixel];
   if (key == 0) return {};

@@ -9,15 +9,14 @@
 namespace lippmann {
 namespace {
 
-// Smallest colour step that is interpolated, as a fraction of the image's range. Smaller steps are not worth the time of the
-// search.
+// Smallest interpolated colour difference, as a fraction of the image's range.
 constexpr float kContrast = 0.15f;
-constexpr int kViews = 3;  // number of views searched on each side
-// Penalty for each view between the pixel's view and a sample's view. Counts as a distance, in lenses.
+constexpr int kViews = 3;  // number of views searched on each side of the pixel's view
+// Penalty per view between the pixel's view and the sample's view, added to the distance in lenses.
 constexpr float kViewCost = 0.03f;
-// A point that lands closer than this to the sample's centre uses the sample's colour unchanged. In lenses.
+// A point closer than this to the sample's centre, in lenses, uses the sample's colour unchanged.
 constexpr float kExact = 1e-3f;
-// Cost of a missing candidate, in lenses. Larger than the cost of any candidate.
+// Cost of a missing sample, in lenses. All other costs are lower.
 constexpr float kFar = 9.0f;
 
 template <class T>
@@ -37,11 +36,9 @@ struct alignas(64) Ids {
   std::uint32_t v[kPointLanes];
 };
 
-/// The best sample on one side of the searched position (Search::place).
 struct Side {
-  /// Distance from the searched position in lenses, plus the penalty for the distance between views.
+  /// Distance from the searched position in lenses, plus the penalty (kViewCost).
   Floats cost;
-  /// The penalty that `cost` includes.
   Floats extra;
   Floats column;
 };
@@ -53,7 +50,6 @@ LIPPMANN_INLINE void take_if(bool better, float cost, float extra, float column,
   side.column.v[i] = better ? column : old_column;
 }
 
-/// The best sample of the other views on one side of the searched position (Search::place).
 struct Candidate {
   Floats cost, column;
 };
@@ -64,26 +60,24 @@ LIPPMANN_INLINE void offer(float cost, float column, Candidate& best, int i) {
   best.column.v[i] = cost < old_cost ? column : old_column;
 }
 
-/// The state of a search for kPointLanes colours. Each step fills the inputs of the next step.
 struct Search {
-  Ints source, row_begin;  ///< pixel of the sample, and first pixel of its row
+  Ints source, row_begin;
   Floats row, column;
-  /// beside: column of the next sample of the same view. behind: column of the sample or of the next sample, whichever is
+  /// beside: column of the next sample of the same view. behind: column of that sample or of the current one, whichever is
   /// farther from the viewer.
   Floats beside, behind;
   Ids object, object_beside, layer;
-  /// view: number of the view. place: position in the view whose colour is searched. off: offset of the projected point from
-  /// the centre of its nearest sample. Positions and offsets are in samples.
+  /// view: number of the view. place: searched position in the view, in samples. off: offset of the projected point from its
+  /// nearest sample, in samples.
   Floats view, place, off;
-  Floats slope;     ///< slope of the rays of the view
+  Floats slope;
   Floats depth;     ///< depth of the surface that the pixel shows, mm
   Floats per_view;  ///< shift of a point of this surface from view to view, in samples
-  /// At first the samples of the pixel's own view, later the best samples of all views.
+  /// The nearest samples on both sides: of the pixel's own view, later of all views.
   Side left, right;
   Candidate other_left, other_right;
 };
 
-/// The two pixels whose colours are interpolated.
 struct Samples {
   Ints left, right;
   Floats left_weight;
@@ -98,9 +92,8 @@ EpipolarSampler::EpipolarSampler(const Optics& optics, Encoding encoding)
 
 namespace {
 
-/// Sets differs[x] if floats x and x + ahead of a row differ by more than about kContrast of the image's range.
-/// Display-referred films are compared by value. Linear films are compared by square root: |sqrt(a) - sqrt(b)| > c is almost
-/// equivalent to (a - b)^2 > 2 c^2 (a + b), which needs no roots.
+/// Sets differs[x] if floats x and x + ahead differ by more than about kContrast of the image's range. Linear values are
+/// compared by square root: |sqrt(a) - sqrt(b)| > c is nearly equivalent to (a - b)^2 > 2 c^2 (a + b).
 LIPPMANN_MULTIVERSION void compare_floats(const float* row, int count, int ahead, bool linear, std::uint32_t* differs) {
   const float fixed = linear ? 0.0f : kContrast * kContrast, relative = linear ? 2.0f * kContrast * kContrast : 0.0f;
   for (int x = 0; x < count; ++x) {
@@ -110,8 +103,7 @@ LIPPMANN_MULTIVERSION void compare_floats(const float* row, int count, int ahead
   }
 }
 
-/// Fills one row of PointImage::contrast. `step` is the distance in pixels to the next sample of a view. `differs` is a buffer
-/// for 3 * width values.
+/// Fills one row of PointImage::contrast. `step` is the distance in pixels to the next sample of a view.
 LIPPMANN_MULTIVERSION void contrast_of_row(const float* colors, int width, int step, bool linear, std::uint32_t* differs,
                                            std::uint8_t* contrast) {
   const int pairs = std::max(0, width - step);
@@ -140,7 +132,7 @@ void EpipolarSampler::find_contrast(PointImage& image, const ThreadPool& pool) c
 
 namespace {
 
-/// Computes the position and slope of a pixel's rays from the pixel's lens and view. `place` and `slope` are those of GridLine.
+/// Maps lens and view of a pixel to the position and slope of its rays along one axis.
 struct SampleAxis {
   float per_lens, per_pixel;  ///< pixels per lens, and lenses per pixel
   float place, pitch;         ///< position of lens 0, and distance between lenses, in mm
@@ -156,7 +148,6 @@ LIPPMANN_INLINE Sample sample_at(const SampleAxis& axis, float pixel) {
   return {lens, view, axis.place + lens * axis.pitch, axis.slope + view * axis.slope_per_px};
 }
 
-/// Returns the axis whose pixels have the positions place(pixel) and the slopes slope(pixel).
 template <class Place, class Slope>
 SampleAxis sample_axis(const GridScale& scale, int pixels, const Place& place, const Slope& slope) {
   const int step = static_cast<int>(scale.step);
@@ -183,19 +174,17 @@ struct Constants {
             [&](int j) { return grid.lines[static_cast<std::size_t>(j)].slope; })) {}
 };
 
-/// Returns the coordinate of a point (x, z) in a view whose rays have the slope `slope`. The unit is samples. The centre of
-/// sample k is at k + 0.5.
+/// Returns where a view whose rays have the slope `slope` shows the point (x, z), in samples. The centre of sample k is at k +
+/// 0.5.
 LIPPMANN_INLINE float coordinate(const Constants& c, float x, float z, float slope) {
   return (x + slope * z) / (1.0f - z * c.vergence) * c.samples_per_mm + c.shift;
 }
 
-/// Sets the rows and columns of the source pixels and resets the candidates.
 LIPPMANN_INLINE void start(const Constants& c, const std::uint32_t* sources, Search& s) {
   const std::int32_t width = static_cast<std::int32_t>(c.width);
   const double rows_per_pixel = 1.0 / static_cast<double>(c.width);
   for (int i = 0; i < kPointLanes; ++i) {
     const std::int32_t source = static_cast<std::int32_t>(sources[i]);
-    // This is exact, because the value before rounding is at least half a pixel away from an integer row.
     const std::int32_t row = static_cast<std::int32_t>((static_cast<double>(source) + 0.5) * rows_per_pixel);
     s.source.v[i] = source;
     s.row_begin.v[i] = row * width;
@@ -212,8 +201,6 @@ LIPPMANN_INLINE void look_up(const PrimaryPoints& points, const Ints& row_begin,
   gather(points.object.data(), pixel.v, object.v);
 }
 
-/// Step 1 of the header. Computes the offset of the projected point from its sample's centre. Also finds the next sample of the
-/// same view on the side of the searched position.
 LIPPMANN_INLINE void locate(const Constants& constants, const PrimaryPoints& points, const Motion& motion, Search& s) {
   const Constants c = constants;
   Positions p;
@@ -243,7 +230,6 @@ LIPPMANN_INLINE void locate(const Constants& constants, const PrimaryPoints& poi
   }
 }
 
-/// Step 2. Chooses the layer: the surface of the sample, or of the sample beside it, whichever is nearer to the viewer.
 LIPPMANN_INLINE void choose_layer(const Constants& constants, const PrimaryPoints& points, Search& s) {
   const Constants c = constants;
   Floats z_beside;
@@ -269,8 +255,6 @@ LIPPMANN_INLINE void choose_layer(const Constants& constants, const PrimaryPoint
   }
 }
 
-/// Step 3. Offers the samples of the view `step` views to the right. The candidates are its samples to the left and to the
-/// right of the searched position, assuming the layer's depth.
 LIPPMANN_INLINE void offer_view(const Constants& constants, float step, Search& s) {
   const Constants c = constants;
   const float extra = std::abs(step) * kViewCost;
@@ -285,8 +269,6 @@ LIPPMANN_INLINE void offer_view(const Constants& constants, float step, Search& 
   }
 }
 
-/// Step 4. Looks up the best sample of the other views on one side of the searched position (`side` is -1 for left and 1 for
-/// right). Takes this sample if it is better than the samples of the pixel's own view.
 LIPPMANN_INLINE void look_at(const Constants& constants, const PrimaryPoints& points, const Candidate& best, float side,
                              Search& s) {
   const Constants c = constants;
@@ -299,7 +281,7 @@ LIPPMANN_INLINE void look_at(const Constants& constants, const PrimaryPoints& po
     const float extra = std::abs(there.view - s.view.v[i]) * kViewCost;
     const float x = position_on_line(there.place, there.slope, c.vergence, z.v[i]);
     const float r = coordinate(c, x, z.v[i], s.slope.v[i]) - s.place.v[i];
-    // Each selection uses a single condition, because the compiler vectorises only such loops.
+    // One condition per selection: the compiler vectorises only such loops.
     float as_end = s.object.v[i] != s.object_beside.v[i] ? cost_there : kFar;
     as_end = depth_or_behind_all(z.v[i], id.v[i]) <= s.depth.v[i] ? as_end : kFar;
     as_end = id.v[i] != kMissedObject ? as_end : kFar;
@@ -313,8 +295,6 @@ LIPPMANN_INLINE void look_at(const Constants& constants, const PrimaryPoints& po
   }
 }
 
-/// Step 5. Computes the weights of the left and right sample from their distances without the penalties. A background point has
-/// no position, so it keeps the sample's colour.
 LIPPMANN_INLINE void weigh(const Search& s, Samples& out) {
   for (int i = 0; i < kPointLanes; ++i) {
     const bool exact = (std::abs(s.off.v[i]) < kExact) | (s.object.v[i] >= kMissedObject);

@@ -8,7 +8,7 @@
 namespace lippmann {
 namespace {
 
-// The 99 % normal quantile (one-sided). The header explains why it is not the 95 % quantile.
+// one-sided 99 % normal quantile, see the header
 constexpr double kNormal99 = 2.326;
 
 constexpr std::array<std::uint8_t, 256> kLevels = [] {
@@ -21,7 +21,6 @@ constexpr std::array<std::uint8_t, 256> kLevels = [] {
   return levels;
 }();
 
-/// Chooses the held-out patch of each run (see the header). Tracks the current run of every level.
 class Runs {
  public:
   Runs(std::uint32_t length, std::uint32_t seed, int frame)
@@ -29,7 +28,7 @@ class Runs {
     for (std::uint32_t level = 0; level < kUncertaintyLevels; ++level) begin(level);
   }
 
-  /// Goes on to the next patch of a level. Returns whether this patch is the held-out patch of its run.
+  /// Visits the next patch of a level. Returns whether this patch is drawn.
   bool draw(std::uint32_t level) {
     Run& run = runs_[level];
     const bool drawn = run.place == run.sample;

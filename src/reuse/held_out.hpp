@@ -43,56 +43,49 @@ inline constexpr std::array<std::uint8_t, kUncertaintyLevels> kLevelEnd{0,  1,  
 
 int level_of(std::uint8_t uncertainty);
 
-/// Lowest assumed error of a patch that was not drawn: the root mean square over the patch, in 8-bit codes. An error in only
-/// one of the 16 pixels counts a quarter.
+/// Lowest assumed error of a patch that was not drawn: root mean square over its 16 pixels, in 8-bit codes.
 inline constexpr double kUnseenError = 12.0;
 
 struct HeldOut {
   std::vector<std::uint32_t> patches;                        ///< indices of the drawn patches, ascending
   std::vector<std::uint8_t> levels;                          ///< uncertainty level of each entry of `patches`
-  std::array<std::uint64_t, kUncertaintyLevels> population;  ///< number of patches of the frame at each level
-  std::array<std::uint64_t, kUncertaintyLevels> drawn;       ///< number of drawn patches at each level
+  std::array<std::uint64_t, kUncertaintyLevels> population;  ///< number of patches at each level
+  std::array<std::uint64_t, kUncertaintyLevels> drawn;
 };
 
-/// Returns the run length R for a frame with `patches` patches. R aims at 400 samples, but stays within 4 ... 64.
+/// Returns the run length R, from 4 to 64. It aims at 400 drawn patches.
 std::uint32_t patches_per_sample(std::size_t patches);
 
 /// Draws the sample of a frame. `uncertainty` has one entry per patch.
 HeldOut hold_out(std::span<const std::uint8_t> uncertainty, std::uint32_t seed, int frame);
 
-/// Weight of a patch of the nearby, completely traced frame. A patch of the frame itself has weight 1. The weight is lower
-/// because errors of neighbouring patches are correlated, and because frames differ.
+/// Weight of a patch of another frame, relative to a patch of the frame itself. Below 1, because errors of neighbouring patches
+/// are correlated and frames differ.
 inline constexpr double kLearnedWeight = 0.5;
 
-/// Sums of the known errors, per level.
 struct Evidence {
-  /// Statistics of the known samples of a level: their count, and the sum, the sum of squares and the maximum of the samples'
-  /// mean squared errors (in squared codes).
+  /// Count, sum, sum of squares and maximum of the mean squared errors of a level's samples, in squared codes.
   struct Level {
     double count = 0.0, sum = 0.0, squares = 0.0, largest = 0.0;
   };
   std::array<Level, kUncertaintyLevels> levels;
 
-  /// Adds the held-out patches. `squared_errors` has one entry per held-out patch.
   void add(const HeldOut& held_out, std::span<const double> squared_errors);
   void add(const Evidence& other);
-  /// Multiplies the weight of all samples added so far.
+  /// Multiplies all sums by `weight`.
   void weigh(double weight);
 };
 
-/// Estimated mean squared errors of a frame, in squared codes.
 struct ErrorEstimate {
-  double mse = 0.0;    ///< the estimate M
-  double bound = 0.0;  ///< the upper bound U
+  double mse = 0.0;    ///< the estimate M at the top of this file
+  double bound = 0.0;  ///< the upper bound U at the top of this file
 };
 
-/// Returns one estimate per level. Entry h is the error of the frame if levels 0 ... h remain predicted. `evidence` contains
-/// the errors of the sample `held_out`, and optionally of other samples.
+/// Returns one estimate per level. Entry h is for the frame in which only levels 0 ... h remain predicted.
 std::array<ErrorEstimate, kUncertaintyLevels> estimate_errors(const HeldOut& held_out, const Evidence& evidence);
 
-/// Returns how many of the lowest levels may remain predicted so that the frame's mean squared error is at most `mse`. The
-/// bounds of all these levels are at most `mse`. Levels are tested in ascending order until one fails. The probability of
-/// accepting too many levels is therefore 5 %, regardless of the number of tests.
+/// Returns how many of the lowest levels may remain predicted if the frame's mean squared error must stay within `mse`. Testing
+/// stops at the first level that fails, so the probability of accepting too many is 5 %.
 int trusted_levels(const std::array<ErrorEstimate, kUncertaintyLevels>& errors, double mse);
 
 }  // namespace lippmann

@@ -7,8 +7,8 @@
 namespace lippmann {
 namespace {
 
-/// How strongly the nearer frame is preferred. With 0, both frames have equal weights, which averages out their sampling
-/// errors. With 1, the weights follow the distance in time, so that light and shadow change evenly. 0.7 gave the lowest error.
+/// Preference for the source frame that is nearer in time. 0 gives equal weights, 1 gives weights linear in time. 0.7 has the
+/// lowest measured error.
 constexpr float kNearness = 0.7f;
 
 /// Returns the weight of the following frame. `position` is 0 at the previous frame and 1 at the following frame.
@@ -21,7 +21,6 @@ Provenance provenance_of_missed(MissedFill fill) {
   return kByFill[static_cast<std::size_t>(fill)];
 }
 
-/// Updates the provenance of pixels that were traced in a predicted frame.
 void mark_traced(std::span<const std::uint32_t> pixels, std::vector<std::uint8_t>& provenance) {
   for (const std::uint32_t pixel : pixels) {
     const bool missed = provenance[pixel] == static_cast<std::uint8_t>(Provenance::kFilled);
@@ -29,7 +28,7 @@ void mark_traced(std::span<const std::uint32_t> pixels, std::vector<std::uint8_t
   }
 }
 
-/// Blends two images. Values that are equal in both images keep their bits.
+/// Equal values keep their bits.
 void blend(const Image& a, const Image& b, float weight_b, const ThreadPool& pool, Image& film) {
   constexpr std::size_t kPiece = std::size_t{1} << 15;
   const std::size_t values = film.data.size();
@@ -57,7 +56,6 @@ InBetweenMaker::InBetweenMaker(const Scene& scene, const Optics& optics, const F
 }
 
 Image& InBetweenMaker::film_of(PointImage& frame) const {
-  // A film of the right size is not cleared, because every pixel will be overwritten.
   if (!has_size(frame.film, film_size_)) frame.film = Image(film_size_.x, film_size_.y, 3);
   return frame.film;
 }

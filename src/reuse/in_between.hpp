@@ -20,10 +20,9 @@ namespace lippmann {
 enum class Provenance : std::uint8_t;
 
 enum class SplatSampling {
-  /// A pixel gets the colour of the point that lands anywhere within the pixel, as in the paper (see the top of this file).
+  /// A pixel gets the colour of the point that lands anywhere in it, as in the paper.
   kPixel,
-  /// Colours that change between samples are interpolated (epipolar.hpp). Only for arrays with a whole number of pixels per
-  /// lens.
+  /// Colours that change between samples are interpolated (epipolar.hpp). Needs a whole number of pixels per lens.
   kEpipolar,
 };
 
@@ -33,7 +32,7 @@ struct ForwardParams {
   MissedFill fill = MissedFill::kInterpolate;
   std::optional<FloorParams> floor;       ///< only needed for make_to_floor()
   RayOrder order = RayOrder::kViewTiles;  ///< order of traced pixels; only used with a floor
-  bool wants_provenance = false;          ///< whether made frames get PointImage::provenance
+  bool wants_provenance = false;
 };
 
 struct InBetweenCounts {
@@ -48,33 +47,31 @@ struct SourcePair {
   float position;  ///< time between the sources: 0 is the previous frame, 1 the following frame
 };
 
-/// Makes in-between frames. Reuses memory from frame to frame, so it is not thread-safe. Use one object per animation.
 class InBetweenMaker {
  public:
-  /// `scene` and `optics` must be those of the traced frames. Colours are sampled as in kPixel if the mode is SplatMode::kLens,
-  /// or if the optics do not support kEpipolar.
+  /// `scene` and `optics` must be those of the traced frames. Sampling falls back to kPixel if kEpipolar is not possible.
   InBetweenMaker(const Scene& scene, const Optics& optics, const ForwardParams& params);
 
-  /// Prepares a traced frame for use as a source of other frames. The frame must already have film, points and moment.
+  /// Prepares a traced frame, which has film, points and moment, for use as a source of other frames.
   void prepare(PointImage& frame, const ThreadPool& pool) const;
 
-  /// Makes the film of the frame at frame.moment. If `as_source` is set, also makes the points and contrast that a source frame
-  /// needs. Returns the counts of missed pixels.
+  /// Makes the film at the time frame.moment, and with `as_source` also points and contrast. Returns the counts of missed
+  /// pixels.
   InBetweenCounts make(const SourcePair& between, bool as_source, const TracePixels& trace, const ThreadPool& pool,
                        PointImage& frame);
 
-  /// Predicts the film of a traced frame and compares it with the traced film. Returns the errors and costs, which help to
-  /// predict other frames between the same two source frames. The earlier source frame must have ray counts.
+  /// Predicts a frame that was also traced. Returns the errors and costs of the prediction, which apply to other frames between
+  /// the same two sources. The earlier source must have ray counts.
   FloorLesson learn_floor(const SourcePair& between, int number, const PointImage& traced, const ThreadPool& pool);
 
-  /// Makes the film of the frame with a PSNR of at least params.floor. Returns `holds` = false, and an unusable film, if
-  /// tracing the whole frame would cost about the same or less.
+  /// Makes the film with a PSNR of at least params.floor. Returns `holds` = false, and an unusable film, if tracing the whole
+  /// frame costs about the same or less.
   FloorOutcome make_to_floor(const SourcePair& between, int number, const Evidence& learned, const TracePackets& trace,
                              const ThreadPool& pool, PointImage& frame, InBetweenCounts& counts);
 
  private:
   Image& film_of(PointImage& frame) const;
-  /// Sets the provenance of a frame: `missed` for the pixels in missed_, kInterpolated for all others.
+  /// Marks the pixels in missed_ with `missed`, and all others with kInterpolated.
   void set_provenance(Provenance missed, PointImage& frame) const;
   void predict(const SourcePair& between, const ThreadPool& pool, PointImage& frame, InBetweenCounts& counts);
 
@@ -89,7 +86,7 @@ class InBetweenMaker {
   std::vector<std::uint32_t> missed_;
   std::optional<UncertaintyEstimator> uncertainty_estimator_;
   std::optional<Patches> patches_;
-  Image from_previous_, from_following_;  ///< predictions from one source frame each
+  Image from_previous_, from_following_;  ///< predictions from one source each
   std::vector<std::uint8_t> uncertainty_;
 };
 

@@ -1,5 +1,5 @@
 // Projects a moved point back to a pixel. The point lands on the pixel that shows it, in the same directional view or below the
-// same lens as before. Both projections are closed-form inverses of the optics, so a point lands on at most one pixel.
+// same lens as before.
 //
 // Symbols, as in optics/lens_axis.hpp:
 //   (X, Y, Z)  the moved point, mm in the display frame
@@ -42,28 +42,26 @@
 
 namespace lippmann {
 
-/// The projected position of a point on one axis. `pixel` is an index, and is below 0 if the point is not visible. `off` is the
-/// point's offset from the centre of that pixel's sample, from -0.5 to 0.5 steps. One step is the distance to the next sample
-/// of the same view (next lens or row).
+/// Projected position of a point on one axis. `pixel` is an index, below 0 if the point is not visible. `off` is the offset
+/// from the sample's centre, from -0.5 to 0.5 of the distance to the next sample of the same view.
 struct AxisLanding {
   float pixel, off;
 };
 
-/// The projected position of a point on both axes. If the point is not visible, at least one of `column` and `row` is below 0.
+/// If the point is not visible, `column` or `row` is below 0.
 struct PointLanding {
   float column, row, off_x, off_y;
 };
 
 inline constexpr float kNowhere = -1.0f;
 
-/// Returns the pixel, or kNowhere if the point is not seen. Has no branches and takes no bools in structs, because both prevent
-/// vectorisation.
+/// Returns kNowhere if the point is not seen. Branches and bools in structs would prevent vectorisation.
 LIPPMANN_INLINE float pixel_if(bool seen, float pixel) { return seen ? pixel : kNowhere; }
 
 // ---- Regular grids: neighbouring samples of a view are a whole number of pixels apart -----------------------------------
 
-/// The samples of a view along one axis. A position l (mm) belongs to sample k = floor(l samples_per_mm + shift). Sample k is
-/// pixel first + k step, if this pixel is within low ... high.
+/// Samples of a view along one axis. Position l (mm) belongs to sample k = floor(l samples_per_mm + shift), which is pixel
+/// first + k step.
 struct GridScale {
   float samples_per_mm, shift, step;
 };
@@ -74,7 +72,7 @@ struct GridLine {
   float first, low, high;
 };
 
-/// Returns the position at depth z on the ray of a pixel.
+/// Returns the position at depth z on a ray.
 LIPPMANN_INLINE float position_on_line(float place, float slope, float vergence, float z) {
   return place - z * (slope + place * vergence);
 }
@@ -90,20 +88,20 @@ LIPPMANN_INLINE AxisLanding land_on_grid(const GridScale& scale, const GridLine&
 /// Landing rule for quilts, single views and arrays with a whole number of pixels per lens.
 struct GridLanding {
   struct Constants {
-    GridScale across, down;  ///< `down` counts rows along -y
-    float vergence;          ///< 1 / viewing distance, per mm
+    GridScale across, down;
+    float vergence;  ///< 1 / viewing distance, per mm
   };
   struct Row {
     Constants c;
     const float *place, *slope, *first, *low, *high;  ///< one entry per column
-    GridLine line;                                    ///< positions and slopes along y, which all pixels of the row share
+    GridLine line;                                    ///< position and slope along y, the same for all pixels of the row
   };
 
   Constants c;
   int width;
-  /// One entry per column. Rows with different directions have different sets of `width` entries, stored one after another.
+  /// One entry per column. Rows with different directions have different sets of `width` entries, one after another.
   std::vector<float> place, slope, first, low, high;
-  std::vector<GridLine> lines;  ///< one entry per row
+  std::vector<GridLine> lines;
   std::vector<int> set_of_row;
 
   Row row(int j, int i) const {
@@ -114,7 +112,6 @@ struct GridLanding {
   }
 };
 
-/// Returns the point at depth z on the ray of pixel i of the row.
 LIPPMANN_INLINE Vec3f point_behind(const GridLanding::Row& r, int i, float z) {
   return {position_on_line(r.place[i], r.slope[i], r.c.vergence, z),
           -position_on_line(r.line.place, r.line.slope, r.c.vergence, z), z};
@@ -129,10 +126,9 @@ LIPPMANN_INLINE PointLanding land(const GridLanding::Row& r, int i, float x, flo
 
 // ---- Lens arrays whose cells may have a fractional number of pixels -----------------------------------------------------
 
-/// The position of a pixel on a lens axis.
 struct CellPlace {
   float lens;
-  float offset;  ///< distance from the centre of the lens's cell, in pixels
+  float offset;
 };
 
 LIPPMANN_INLINE CellPlace place_in_cell(const LensAxis<float>& axis, float s_px) {
@@ -147,8 +143,8 @@ LIPPMANN_INLINE CellPlace place_in_cell(const LensAxis<float>& axis, float s_px)
 
 inline constexpr float kNotSeen = std::numeric_limits<float>::quiet_NaN();
 
-/// Lens and cell offset (in pixels) at which a moved point is seen. `offset` is NaN if the point is not visible. `off` is the
-/// distance of the point from the lens centre, in lenses.
+/// Lens and cell offset (pixels) through which a moved point is seen. `offset` is NaN if the point is not visible. `off` is the
+/// distance from the lens centre, in lenses.
 struct CellLanding {
   float lens, offset, off;
 };
@@ -161,8 +157,7 @@ LIPPMANN_INLINE CellLanding land_in_view(const LensAxis<float>& axis, CellPlace 
   return {lens, from_eye > 0.0f ? from.offset : kNotSeen, t - lens};
 }
 
-/// Returns the offset from the cell's centre (in pixels) at which a lens shows a point. The offset may lie outside the lens's
-/// cell.
+/// Returns the offset from the cell's centre (pixels) at which a lens shows a point. It may be outside the cell.
 LIPPMANN_INLINE float offset_below_lens(const LensAxis<float>& axis, CellPlace from, float x, float z) {
   const float l = axis.lens0_mm + from.lens * axis.pitch_mm;
   const bool in_plane = std::abs(z) * axis.slope_per_px * axis.cell_px <= 1e-3f * axis.pitch_mm;
@@ -181,9 +176,8 @@ LIPPMANN_INLINE CellLanding land_in_cells(const LensAxis<float>& axis, CellPlace
   return mode == SplatMode::kView ? land_in_view(axis, from, x, z) : land_below_lens(axis, from, x, z);
 }
 
-/// Returns the pixel that contains a position below a lens. Only pixels whose centre lies within the lens's cell are returned;
-/// at the edge of the cell, this is the nearest such pixel. Pixels are 1 / per_pixel apart on the axis. Pixel 0 begins at
-/// `begin`.
+/// Returns the pixel at a position below a lens. At the edge of the lens's cell, returns the nearest pixel whose centre is
+/// inside.
 template <SplatMode mode>
 LIPPMANN_INLINE AxisLanding pixel_below_lens(const LensAxis<float>& axis, const CellLanding& at, float begin, float per_pixel) {
   const float cell = axis.start_px + at.lens * axis.cell_px - begin;
@@ -202,7 +196,7 @@ struct SheetLanding {
   struct Row {
     LenticularConstants<float> c;
     GridScale down;
-    /// Slope of the rays along y, the same for all rows: height of the eye / viewing distance. Rows count along -y.
+    /// slope of the rays along y: height of the eye / viewing distance
     float eye_slope;
     float width, height;
     float px, py;  ///< panel coordinates of the centre of pixel 0, in pixels
@@ -217,7 +211,6 @@ struct SheetLanding {
   }
 };
 
-/// Returns the point at depth z on a ray. `line` holds the ray's position at z = 0 and its slopes.
 LIPPMANN_INLINE Vec3f point_on(const Crossing& line, float z) {
   return {line.x + z * line.slope_x, line.y + z * line.slope_y, z};
 }
@@ -234,7 +227,7 @@ LIPPMANN_INLINE PointLanding land_on_sheet(const typename SheetLanding<mode>::Ro
 
 // ---- Microlenses --------------------------------------------------------------------------------------------------------
 
-/// Constants of a microlens array, for a row of pixels.
+/// Microlens array, for one row of pixels.
 struct MicrolensRow {
   MicrolensConstants<float> c;
   float width, height;
@@ -269,7 +262,7 @@ struct HexagonLanding {
   }
 };
 
-/// The lens that covers a position of the panel, and the offset of the position from the centre of the lens's cell, in pixels.
+/// The lens that covers a position of the panel, and the offset from the centre of its cell in pixels.
 struct HexagonPlace {
   float column, row;  ///< odd rows of lenses are shifted by half a column
   float offset_x, offset_y;
@@ -280,8 +273,8 @@ LIPPMANN_INLINE HexagonPlace place_in_hexagon(const MicrolensConstants<float>& c
   return {cell.column, cell.row, cell.from_column * c.columns.cell_px, cell.from_row * c.rows.cell_px};
 }
 
-/// Returns the pixel that contains a position below a lens. If the centre of that pixel belongs to a neighbouring lens, returns
-/// the pixel one step nearer to the centre of the cell instead.
+/// Returns the pixel at a position below a lens. If its centre belongs to a neighbouring lens, returns the next pixel towards
+/// the centre of the cell.
 LIPPMANN_INLINE PointLanding pixel_below_hexagon(const MicrolensConstants<float>& c, float column, float row, float offset_x,
                                                  float offset_y) {
   const float centre_x = c.columns.start_px + (column + 0.5f) * c.columns.cell_px;
@@ -324,9 +317,8 @@ LIPPMANN_INLINE PointLanding land_on_hexagons(const MicrolensRow& s, int i, floa
 
 // ---- Overloads for every landing rule -----------------------------------------------------------------------------------
 
-// point_by(rule, row, i, z) returns the point at depth z on the ray of pixel i of a row.
-// land_by(rule, row, i, x, y, z) returns where a point of pixel i lands after it has moved to (x, y, z).
-// Pixel i is counted from the start of the row, which rule.row() sets.
+// point_by() returns the point at depth z on the ray of pixel i of a row. land_by() returns where a point of pixel i lands
+// after it has moved to (x, y, z).
 
 LIPPMANN_INLINE Vec3f point_by(const GridLanding&, const GridLanding::Row& row, int i, float z) {
   return point_behind(row, i, z);

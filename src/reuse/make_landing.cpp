@@ -8,7 +8,7 @@
 namespace lippmann {
 namespace {
 
-/// Returns a grid whose columns and rows are still empty. `sets` is the number of sets of columns (GridLanding::place).
+/// `sets` is the number of sets of columns (GridLanding::place).
 GridLanding empty_grid(const Panel& panel, double vergence, int sets) {
   GridLanding grid{};
   grid.c.vergence = static_cast<float>(vergence);
@@ -27,7 +27,6 @@ void set_column(GridLanding& grid, int set, int i, const GridLine& line) {
   grid.high[at] = line.high;
 }
 
-/// Returns the scale of an axis whose cells have a whole number of pixels.
 GridScale scale_of(const LensAxis<double>& axis) {
   return {static_cast<float>(1.0 / axis.pitch_mm), static_cast<float>(0.5 - axis.lens0_mm / axis.pitch_mm),
           static_cast<float>(axis.whole_pixels)};
@@ -41,16 +40,15 @@ GridLine line_of(const LensAxis<double>& axis, int pixel, int size) {
           static_cast<float>(size - 1)};
 }
 
-/// Returns the line of pixel i of a view with one sample per pixel. `first` is pixel 0 of the view. `slope` is that of
-/// GridLine.
+/// Returns the line of pixel i of a view with one sample per pixel. `first` is the view's pixel 0.
 GridLine plain_line(const GridScale& scale, double slope, int i, int first, int low, int high) {
   const double place = (i - first + 0.5 - scale.shift) / scale.samples_per_mm;
   return {static_cast<float>(place), static_cast<float>(slope), static_cast<float>(first), static_cast<float>(low),
           static_cast<float>(high)};
 }
 
-/// Returns the scale of the rows of a sheet. The eye at distance V sees the rows in perspective. A ray that crosses z = 0 at
-/// the height y, in mm, belongs to row floor(-y samples_per_mm + shift).
+/// Returns the rows of a lenticular sheet. A ray that crosses z = 0 at the height y (mm) belongs to row floor(-y samples_per_mm
+/// + shift).
 GridScale sheet_rows(const LenticularConstants<double>& c) {
   const double spread = 1.0 + c.gap_mm * c.axis.vergence;
   return {static_cast<float>(spread / c.pixel_pitch_mm),
@@ -74,7 +72,7 @@ GridLanding microlens_grid(const Panel& panel, const MicrolensConstants<double>&
   return grid;
 }
 
-/// Returns the grid of an image that holds several views. Padding pixels belong to the adjacent view.
+/// Padding pixels belong to the adjacent view.
 GridLanding views_grid(const Panel& panel, const MultiView& views) {
   const MultiViewRays c = make_multi_view(panel, views, 0.0f);
   const int tile_width = panel.width / views.columns, tile_height = panel.height / views.rows;
@@ -160,7 +158,6 @@ AnyLanding landing(const Panel& panel, const SlantedPanel& slanted, SplatMode mo
                          0.5f * height, blue_first ? -1.0f : 1.0f, 0.0f, 0.0f}};
 }
 
-/// Throws for all optics models whose points cannot be projected.
 template <class Model>
 AnyLanding landing(const Panel&, const Model&, SplatMode) {
   throw usage_error("reuse", "interpolate cannot project points to the pixels of these optics", "`reuse` copy, none or auto");

@@ -12,8 +12,8 @@ using AnyLanding = std::variant<GridLanding, SheetLanding<SplatMode::kView>, She
                                 SquareLanding<SplatMode::kView>, SquareLanding<SplatMode::kLens>,
                                 HexagonLanding<SplatMode::kView>, HexagonLanding<SplatMode::kLens>, SlantedLanding>;
 
-/// Returns the landing rule for `optics`, which must pass validate(). Throws a usage Error if the optics have no landing rule.
-/// Slanted panels have none with SplatMode::kLens, and none without striped sub-pixels.
+/// Returns the landing rule for valid `optics`. Throws a usage Error for slanted panels with SplatMode::kLens, or without
+/// striped sub-pixels.
 AnyLanding make_landing(const Optics& optics, SplatMode mode);
 
 }  // namespace lippmann

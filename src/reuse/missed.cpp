@@ -11,11 +11,10 @@
 namespace lippmann {
 namespace {
 
-/// Two neighbours belong to different layers if their depths differ by more than kSameLayer (1 mm + |depth|).
+/// Neighbours belong to different surfaces if their depths differ by more than kSameLayer (1 mm + |depth|).
 constexpr float kSameLayer = 0.1f;
 
-/// The visible point of a pixel in the in-between frame. If both source frames have a point there, it is the point nearer to
-/// the viewer.
+/// The point of a pixel that is nearest to the viewer, over both source frames.
 struct Seen {
   std::uint32_t pixel;
   float z;  ///< -infinity for background
@@ -37,7 +36,6 @@ struct Neighbour {
   float distance_px;
 };
 
-/// The nearest pixel with a point in each of the directions of kStepDirections.
 using Surroundings = std::array<std::optional<Neighbour>, 4>;
 
 Surroundings look_around(const SplatPair& pair, const ViewSteps& steps, std::uint32_t pixel) {
@@ -79,7 +77,7 @@ Vec3f interpolated(const SplatPair& pair, std::uint32_t pixel, const Surrounding
     if (neighbour) farthest = std::min(farthest, neighbour->seen.z);
   if (farthest == kInfinity)
     return 0.5f * (color_at(pair.previous.image.film, pixel) + color_at(pair.following.image.film, pixel));
-  // If the farthest neighbour is background (-infinity), only background neighbours belong to its layer.
+  // If the farthest neighbour is background (-infinity), only background is in the same layer.
   const float layer_end = farthest == -kInfinity ? farthest : farthest + kSameLayer * (1.0f + std::abs(farthest));
   Vec3f sum(0.0f);
   float weights = 0.0f;

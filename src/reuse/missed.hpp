@@ -23,17 +23,15 @@ struct MissedCauses {
   std::uint64_t newly_visible = 0, not_covered = 0;
 };
 
-/// The two source frames of an in-between frame, after splatting.
 struct SplatPair {
   const SplatSource &previous, &following;
   const Motion &back_to_previous, &back_to_following;  ///< motion from the in-between frame's moment to each source's moment
 };
 
-/// Counts the causes for the pixels in `missed` (ascending pixel indices). If `film` is not null, also sets the colours of
-/// these pixels. The colour is the mean of the nearest neighbours with a point, weighted by the inverse of their distance in
-/// pixels. The neighbours are one pixel to the left and one to the right in the same view (or lens), and one up and one down
-/// within kFillReach steps. Neighbours in front of the farthest one are ignored, because newly visible surfaces lie behind.
-/// Without neighbours, the colour is the mean of the two sources' colours at the same pixel.
+/// Counts the causes for the pixels in `missed` (ascending indices), and sets their colours if `film` is not null. The colour
+/// is a mean of the nearest neighbours with a point, to the left, right, top and bottom in the same view (or lens), with
+/// weights 1 / distance. Neighbours in front of the farthest surface are ignored. Without neighbours, the colour is the mean of
+/// both sources at this pixel.
 MissedCauses resolve_missed(const SplatPair& pair, const Splatter& splatter, const ViewSteps& steps,
                             std::span<const std::uint32_t> missed, const ThreadPool& pool, Image* film);
 

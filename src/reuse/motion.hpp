@@ -3,8 +3,7 @@
 //
 // A point p (display mm at moment a) of an object on node n moves at moment b to
 //   p' = display_from_world(b) world_from_n(b) n_from_world(a) world_from_display(a) p.
-// The product is composed in double precision, because world coordinates may be large compared to a pixel. All static objects
-// form one group. If only the camera moves, this group is the only one.
+// The product is composed in double precision, because world coordinates may be large compared to a pixel.
 #pragma once
 
 #include <array>
@@ -16,35 +15,32 @@
 
 namespace lippmann {
 
-/// Assigns each object to the group that it moves with. Make this once per scene.
 struct MotionGroups {
   /// Indexed by object: the instances, followed by the lights.
   std::vector<std::uint32_t> group_of_object;
-  /// Node that moves each group. Group 0 holds the static objects; its entry is -1.
+  /// Node that moves each group; -1 for group 0, the static objects.
   std::vector<int> node_of_group;
 };
 
-/// Groups the objects of a scene. Does not support deforming meshes, so frames/frame_maker.cpp rejects them for interpolated
-/// frames.
+/// Does not support deforming meshes.
 MotionGroups make_motion_groups(const Scene& scene);
 
 struct GroupMotion {
-  /// Rows of the 3x4 matrix that maps a point p to the moved point p'. Row x has entries 0 to 3, row y entries 4 to 7 and row z
-  /// entries 8 to 11. The last entry of a row is the translation.
+  /// The 3x4 matrix from p to p', row by row.
   std::array<float, 12> rows;
-  /// True if p' = p exactly. Still points then keep their pixels despite rounding errors.
+  /// True if p' = p exactly. Points then keep their pixels despite rounding errors.
   bool still = false;
 };
 
 struct Motion {
-  /// One entry per group. Has a single entry if all objects move together.
+  /// Has one entry if all objects move together.
   std::vector<GroupMotion> groups;
   const std::vector<std::uint32_t>* group_of_object = nullptr;
 
   bool uniform() const { return groups.size() == 1; }
 };
 
-/// Returns the motion between two moments. The result refers to `groups`, which must outlive it.
+/// Returns the motion between two moments. `groups` must outlive the result.
 Motion motion_between(const MotionGroups& groups, const Moment& from, const Moment& to);
 
 }  // namespace lippmann

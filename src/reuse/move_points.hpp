@@ -1,4 +1,4 @@
-// Transforms a small group of points to another moment. This is the inner loop of projection and sampling.
+// Moves points to another moment. This is the inner loop of projection and sampling.
 #pragma once
 
 #include <cstring>
@@ -8,14 +8,14 @@
 
 namespace lippmann {
 
-/// Number of points processed together. The compiler vectorises loops over local arrays of this fixed length.
+/// Number of points processed together. The fixed length lets the compiler vectorise loops.
 inline constexpr int kPointLanes = 16;
 
 struct alignas(64) Positions {
   float x[kPointLanes], y[kPointLanes], z[kPointLanes];
 };
 
-/// One mask per point: -1 if the point stays exactly in place, otherwise 0.
+/// -1 if the point stays exactly in place, otherwise 0.
 struct alignas(64) StillLanes {
   std::int32_t lane[kPointLanes];
 };
@@ -33,8 +33,6 @@ LIPPMANN_INLINE void move_alike(const GroupMotion& motion, Positions& p, StillLa
   }
 }
 
-/// Moves each point with the group of its object. If an object is kNoObject or kMissedObject, the moved position is
-/// meaningless.
 LIPPMANN_INLINE void move_each(const Motion& motion, const std::uint32_t* object, Positions& p, StillLanes& still) {
   const std::size_t objects = motion.group_of_object->size();
   const std::uint32_t* const groups = motion.group_of_object->data();
@@ -49,7 +47,6 @@ LIPPMANN_INLINE void move_each(const Motion& motion, const std::uint32_t* object
   }
 }
 
-/// Returns the moved position of a single point. A point of a still group keeps its exact coordinates.
 inline Vec3f moved_point(const Motion& motion, std::uint32_t object, Vec3f p) {
   const bool known = object < motion.group_of_object->size();
   const GroupMotion& group = motion.groups[motion.uniform() || !known ? 0 : (*motion.group_of_object)[object]];

@@ -46,7 +46,6 @@ std::vector<float> Patches::costs(std::span<const std::uint32_t> rays_of_blocks)
     costs[patch] = static_cast<float>(rays) / static_cast<float>(patches);
     sum += costs[patch];
   }
-  // The sum is positive, because each pixel has at least one ray.
   const auto per_mean = static_cast<float>(static_cast<double>(count()) / sum);
   for (float& cost : costs) cost *= per_mean;
   return costs;

@@ -20,9 +20,8 @@ std::vector<unsigned char> codes_of(const Image& film, const Patches& patches, I
   return to_codes(picked, encoding).rgb;
 }
 
-/// Returns one error per wanted patch: the sum of the squared differences between predicted and traced codes, divided by the
-/// mean number of codes of a patch. This divisor is the same for small patches at the panel's lower edge. The mean over all
-/// patches is thus the mean over all pixels.
+/// Returns one error per wanted patch: the sum of squared differences of codes, divided by the mean number of codes of a patch.
+/// The mean over all patches is thus the mean over all pixels, even with smaller patches at the panel's edge.
 std::vector<double> errors_of(const Patches& patches, Indices wanted, const std::vector<unsigned char>& predicted,
                               const std::vector<unsigned char>& traced) {
   const double mean_values = 3.0 * static_cast<double>(patches.pixel_count()) / static_cast<double>(patches.count());
@@ -45,7 +44,7 @@ double share_of_rays(std::span<const float> costs, std::span<const std::uint8_t>
   return sum / static_cast<double>(costs.size());
 }
 
-/// Returns a mask of the patches that have at least the level `level` and are not held out.
+/// Marks the patches at or above `level` that are not held out (held_out.hpp).
 std::vector<std::uint8_t> of_levels_from(int level, std::span<const std::uint8_t> uncertainty, Indices held_out) {
   std::vector<std::uint8_t> wanted(uncertainty.size());
   for (std::size_t p = 0; p < uncertainty.size(); ++p) wanted[p] = level_of(uncertainty[p]) >= level;
@@ -53,7 +52,7 @@ std::vector<std::uint8_t> of_levels_from(int level, std::span<const std::uint8_t
   return wanted;
 }
 
-/// Returns the largest mean squared error that the PSNR floor allows.
+/// Mean squared error that corresponds to the PSNR floor.
 double most_error(const FloorParams& params) { return 255.0 * 255.0 * std::pow(10.0, -0.1 * params.min_psnr_db); }
 
 std::uint64_t pixels_in(const Patches& patches, std::span<const std::uint8_t> wanted) {

@@ -24,23 +24,21 @@ struct FloorParams {
   std::uint32_t seed = 0;    ///< seed of the random choice of held-out patches
 };
 
-/// Limit of the cost of tracing part of a frame, as a fraction of the cost of the whole frame (tracing_costs.hpp). Above the
-/// limit, the whole frame is traced.
+/// Highest cost of tracing part of a frame, relative to the whole frame. Above it, the whole frame is traced.
 inline constexpr double kMostCost = 0.9;
 
-/// A predicted frame without its film.
 struct Predicted {
   int number;
   std::span<const std::uint8_t> uncertainty;  ///< one entry per pixel
   const Patches& patches;
   std::span<const float> costs;  ///< one entry per patch (Patches::costs)
-  Encoding encoding;             ///< encoding of the display codes whose errors are measured
+  Encoding encoding;             ///< encoding of the codes that are compared
 };
 
-/// Errors and costs measured in a frame that was both predicted and completely traced.
+/// Errors and costs measured in a frame that was both predicted and traced.
 struct FloorLesson {
   Evidence evidence;
-  /// Cost of tracing part of a similar frame, including its held-out patches. A fraction of the cost of the whole frame.
+  /// Cost of tracing part of a similar frame, relative to the whole frame.
   double cost = 1.0;
 };
 
@@ -49,12 +47,12 @@ FloorLesson learn_floor(const FloorParams& params, const Predicted& frame, const
 
 struct FloorOutcome {
   bool holds = false;          ///< if false, the caller must trace the whole frame
-  std::uint64_t retraced = 0;  ///< number of pixels traced here, including held-out pixels
-  ErrorEstimate error;         ///< estimated error of the finished frame; only set if `holds` is true
+  std::uint64_t retraced = 0;  ///< number of pixels traced here
+  ErrorEstimate error;         ///< estimated error of the frame; only set if `holds` is true
 };
 
-/// Traces part of a frame so that it reaches the floor. `film` holds the prediction on entry and the finished frame on return.
-/// `learned` must come from a frame whose source frames are at least as far apart in time.
+/// Traces part of a frame so that it reaches the floor. `film` holds the prediction, and on return the result. The sources of
+/// the frame behind `learned` must be at least as far apart in time.
 FloorOutcome hold_floor(const FloorParams& params, const Predicted& frame, const Evidence& learned, const TracePackets& trace,
                         const ThreadPool& pool, Image& film);
 

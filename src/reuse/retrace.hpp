@@ -10,12 +10,10 @@
 
 namespace lippmann {
 
-/// Traces some pixels of the current frame. `pixels` holds ascending pixel indices. Writes colours to `film`, and hit points to
-/// `points` if it is not null.
+/// Traces the pixels with the given ascending indices. Writes colours to `film`, and hit points to `points` if it is not null.
 using TracePixels = std::function<void(std::span<const std::uint32_t> pixels, Image& film, PrimaryPoints* points)>;
 
-/// Traces the packets with a nonzero entry in `wanted` (one entry per packet, see trace/trace_packets.hpp). Writes colours to
-/// `film`.
+/// Traces the packets of 16 pixels (trace/trace_packets.hpp) whose entry in `wanted` is not 0. Writes colours to `film`.
 using TracePackets = std::function<void(std::span<const std::uint8_t> wanted, Image& film)>;
 
 }  // namespace lippmann

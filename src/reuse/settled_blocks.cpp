@@ -5,8 +5,7 @@
 namespace lippmann {
 namespace {
 
-// Costs relative to tracing a full frame. kKeyCost: tracing a key frame and testing its rays against the boxes. kCopyCost:
-// copying a frame.
+// Costs relative to tracing a full frame: tracing a key frame and testing its rays against boxes, and copying a frame.
 constexpr double kKeyCost = 1.2, kCopyCost = 0.01;
 
 }  // namespace
@@ -31,7 +30,7 @@ int SettledBlocks::choose_span(const TouchedBlocks& blocks, int key, int last_fr
   const int farthest = std::min(horizons_.back(), last_frame - key + 1);
   if (fixed_) return farthest;
   double all = 0.0;
-  // Number of rays in unsettled blocks, for each horizon.
+  // rays in blocks that must be traced again, for each horizon
   std::vector<double> unsettled(horizons_.size(), 0.0);
   for (std::size_t b = 0; b < blocks.rays.size(); ++b) {
     all += blocks.rays[b];
@@ -39,8 +38,7 @@ int SettledBlocks::choose_span(const TouchedBlocks& blocks, int key, int last_fr
   }
 
   int best = 1;
-  // Costs are relative to tracing a full frame. `sum` is the cost of all frames so far. `least` is the lowest mean cost per
-  // frame so far.
+  // `sum` is the cost of all frames so far and `least` the lowest mean cost per frame, relative to tracing a full frame.
   double least = 1.0, sum = kKeyCost;
   for (int frames = 2; frames <= farthest; ++frames) {
     sum += kCopyCost + unsettled[static_cast<std::size_t>(horizon_of(frames - 1))] / all;

@@ -9,7 +9,7 @@
 // 3. In that row, each lens covers one sub-pixel with the phase of the original sub-pixel. The result is the sub-pixel nearest
 //    to s. Let d be the phase at s minus the phase of the original sub-pixel. The result lies at s - (d - round(d)) lenses.
 // The ray of the result has the direction of the original ray to within half the distance between two sub-pixels. It is at most
-// half a lens away from s. Points of still objects stay in place.
+// half a lens away from s.
 //
 // Only striped sub-pixels are supported, because for other layouts the position of a sub-pixel does not follow from its number.
 //
@@ -24,11 +24,11 @@ namespace lippmann {
 
 struct SlantedLanding {
   struct Row {
-    SlantedPanelRays c;  ///< rays, given by their positions at z = 0 and their slopes
+    SlantedPanelRays c;  ///< positions at z = 0 and slopes of the rays
     float lenses_per_sub_pixel, sub_pixels_per_lens;
-    float lenses_per_row;  ///< change of the phase from one row to the next row below
+    float lenses_per_row;  ///< change of the phase from a row to the row below
     float sub_pixels_per_mm, width, height, middle_x, middle_y;
-    /// -1 if blue is the first sub-pixel of a pixel, so that sub-pixels count from the right; otherwise 1.
+    /// -1 if blue is the first sub-pixel of a pixel, otherwise 1
     float turned;
     float px, py;  ///< panel coordinates of the centre of pixel 0, in pixels
   };
@@ -42,8 +42,7 @@ struct SlantedLanding {
   }
 };
 
-/// Converts a film column to its position along the row, in sub-pixels. Columns have their centres at + 0.5. The function is
-/// its own inverse.
+/// Converts a film column to a position along the row, in sub-pixels, and back. Centres are at + 0.5.
 LIPPMANN_INLINE float along_row(const SlantedLanding::Row& r, float column) {
   const float pixel = std::floor(column * (1.0f / 3.0f)), middle = 3.0f * pixel + 1.5f;
   return middle + r.turned * (column - middle);

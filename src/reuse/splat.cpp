@@ -14,24 +14,22 @@ namespace lippmann {
 namespace {
 
 constexpr int kSplatBlock = 64;
-// Number of rows per strip. A thread projects the source pixels of one strip at a time, and later the strip's target pixels.
+// number of panel rows per task
 constexpr int kRowsPerStrip = 64;
-// Up to this distance from a sample's centre, the sample's colour is used unchanged. The unit is the distance between samples
-// of a view.
+// Up to this distance from a sample's centre, in samples, its colour is used unchanged.
 constexpr float kNearEnough = 0.1f;
 constexpr int kLeftBit = 1;  // index of the bit kLeftDiffers
 static_assert(kRightDiffers == 1 && kLeftDiffers == 1 << kLeftBit);
 constexpr std::uint32_t kBackgroundOrder = SplatBuffer::kBackgroundOrder;
 constexpr float kBackgroundBelow = std::numeric_limits<float>::lowest();
 
-/// The target pixels of up to kSplatBlock points. A target is -1 if the point is not visible.
+/// Target pixels of up to kSplatBlock points; -1 if a point is not visible.
 struct Block {
   alignas(64) std::int32_t target[kSplatBlock];
   alignas(64) std::uint32_t order[kSplatBlock];   ///< upper half of the points' SplatBuffer keys
   alignas(64) std::uint32_t source[kSplatBlock];  ///< lower half of the points' SplatBuffer keys
 };
 
-/// The points of one row of the panel, starting at column `first`.
 struct RowOfPoints {
   const float* z;
   const std::uint32_t* object;
@@ -41,16 +39,15 @@ struct RowOfPoints {
 
 struct Limits {
   int width;
-  float front, back;  ///< largest and smallest z of the rays, mm
+  float front, back;  ///< range of z of the rays, mm
 };
 
-/// Maps depths to integers above kBackgroundOrder. Larger depths get larger integers.
+/// Maps depths to integers above kBackgroundOrder, in ascending order.
 LIPPMANN_INLINE std::uint32_t order_of(float depth) {
   const auto bits = std::bit_cast<std::uint32_t>(depth + 0.0f);  // adding 0 turns -0 into +0
   return bits & 0x80000000u ? ~bits : bits | 0x80000000u;
 }
 
-/// Loads `lanes` values into an array of kPointLanes. Sets the remaining values to 0.
 template <class T>
 LIPPMANN_INLINE void load(const T* from, int lanes, T* to) {
   if (lanes == kPointLanes) {
@@ -61,8 +58,8 @@ LIPPMANN_INLINE void load(const T* from, int lanes, T* to) {
   }
 }
 
-/// Projects `lanes` points of a row, starting at point `first`, and stores their targets in `block`. The local arrays have a
-/// fixed size so that the compiler keeps them in registers.
+/// Projects `lanes` points of a row and stores their targets in `block`. The fixed size of the local arrays lets the compiler
+/// keep them in registers.
 template <class Rule>
 LIPPMANN_INLINE void project_lanes(const Rule& rule, const Limits& limits, const Motion& motion, const RowOfPoints& points,
                                    int first, int lanes, Block& block) {
@@ -90,7 +87,7 @@ LIPPMANN_INLINE void project_lanes(const Rule& rule, const Limits& limits, const
   const std::int32_t own = points.row * limits.width + points.first + first, width = limits.width;
   const float front = limits.front, back = limits.back;
   for (int i = 0; i < kPointLanes; ++i) {
-    // Each selection uses a single condition, because the compiler vectorises only such loops.
+    // One condition per selection: the compiler vectorises only such loops.
     const PointLanding at = land_by(rule, row, i, p.x[i], p.y[i], p.z[i]);
     const bool lands = (at.column >= 0.0f) & (at.row >= 0.0f) & (p.z[i] <= front) & (p.z[i] >= back);
     const std::int32_t landed =
@@ -111,8 +108,7 @@ LIPPMANN_INLINE void project_lanes(const Rule& rule, const Limits& limits, const
   std::memcpy(block.source + first, source, sizeof(source));
 }
 
-/// Calls `use` with the landing rule that `any` holds. Does not use std::visit, because std::visit calls `use` through a table.
-/// The loop in `use` would then not be compiled for the caller's instruction set.
+/// Calls `use` with the landing rule that `any` holds. std::visit would not compile `use` for the caller's instruction set.
 template <class Use, std::size_t... I>
 LIPPMANN_INLINE void use_landing(const AnyLanding& any, const Use& use, std::index_sequence<I...>) {
   (void)((any.index() == I && (use(*std::get_if<I>(&any)), true)) || ...);
@@ -127,13 +123,13 @@ LIPPMANN_MULTIVERSION void project(const AnyLanding& any, const Limits& limits, 
   use_landing(any, project_by, std::make_index_sequence<std::variant_size_v<AnyLanding>>());
 }
 
-/// A point whose target pixel belongs to another strip than its source pixel.
+/// A point whose target is in another strip (group of rows) than its source.
 struct Stray {
   std::int32_t target;
   std::uint64_t key;
 };
 
-/// The strays of one source strip, and the lowest and highest of their target pixels.
+/// Strays of one strip, and the range of their targets.
 struct Strays {
   std::vector<Stray> points;
   std::int32_t lowest = std::numeric_limits<std::int32_t>::max(), highest = -1;
@@ -170,8 +166,6 @@ void offer_strays(const std::vector<Strays>& strays, TargetRange own, std::uint6
   }
 }
 
-/// Replaces the depths by the order of the source pixels, for splatting without a z-buffer. The source pixel with the highest
-/// index then wins.
 void order_by_source(Block& block, int count) {
   for (int i = 0; i < count; ++i) block.order[i] = (~block.source[i] >> 1) + 1;
 }
@@ -205,7 +199,6 @@ struct Splatter::Impl {
       }
   }
 
-  /// Returns where a single point of `pixel` lands. Sets `moved_z` to its depth after the motion.
   PointLanding land_point(std::uint32_t pixel, float z, std::uint32_t object, const Motion& motion, float& moved_z) const {
     const auto width = static_cast<std::uint32_t>(limits.width);
     const int row = static_cast<int>(pixel / width), column = static_cast<int>(pixel % width);
@@ -219,7 +212,6 @@ struct Splatter::Impl {
         rule);
   }
 
-  /// Restores the depths of the visible points after splatting without a z-buffer (see order_by_source()).
   void restore_depths(const PointImage& image, const Motion& motion, TargetRange own, std::uint64_t* keys) const {
     for (std::int32_t target = own.begin; target < own.end; ++target) {
       if (keys[target] == 0) continue;

@@ -1,10 +1,8 @@
 // Projects the points of a point image to another moment, and finds the visible point of each pixel.
 //
-// Based on the projection of point images with a z-buffer by Eljdid, Aggoun and Youssef (README.md). A point lands on the pixel
-// that shows it at the new moment. If several points land on a pixel, the point nearest to the viewer wins: it has the largest
-// z in the display frame. If depths are equal, the point with the lowest source pixel wins. The result therefore does not
-// depend on the order of processing or on threads. Background points stay in their pixels, behind all other points, as if they
-// were infinitely far away and the display did not turn.
+// Based on the projection of point images with a z-buffer by Eljdid, Aggoun and Youssef (README.md). If several points land on
+// a pixel, the one with the largest z in the display frame is visible; of equal depths, the one with the lowest source pixel.
+// Background points keep their pixels, behind all other points, as if they were infinitely far away.
 #pragma once
 
 #include <bit>
@@ -28,17 +26,16 @@ inline constexpr std::uint32_t kNoSource = 0x7fffffffu;
 /// - Bits 32 to 63: the depth. 0 means no point and 1 means background. Otherwise the bits encode z at the new moment; larger
 ///   values are nearer to the viewer.
 /// - Bits 1 to 31: the inverted index of the source pixel.
-/// - Bit 0: set if the colour changes between the point's sample and the next sample on the side of the target pixel's centre
-///   (see PointImage::contrast).
+/// - Bit 0: set if the next sample on the side of the target pixel's centre has another colour (PointImage::contrast).
 struct SplatBuffer {
   static constexpr std::uint32_t kBackgroundOrder = 1;
 
   std::vector<std::uint64_t> keys;
 
-  /// Returns the index of the source pixel, or kNoSource for an empty key.
+  /// Returns kNoSource for an empty key.
   static std::uint32_t source(std::uint64_t key) { return ~static_cast<std::uint32_t>(key) >> 1; }
   static bool color_changes(std::uint64_t key) { return (key & 1) != 0; }
-  /// Returns z at the new moment. Returns -infinity for background.
+  /// Returns z at the new moment, or -infinity for background.
   static float depth(std::uint64_t key) {
     const auto order = static_cast<std::uint32_t>(key >> 32);
     if (order == kBackgroundOrder) return -std::numeric_limits<float>::infinity();
@@ -48,26 +45,23 @@ struct SplatBuffer {
 
 struct SplatParams {
   SplatMode mode = SplatMode::kView;
-  /// If false, the highest source pixel wins, as if points were painted in order. This gives wrong images and is for
-  /// experiments only.
+  /// False gives wrong images, in which the highest source pixel is visible. For experiments only.
   bool z_buffer = true;
 };
 
-/// Projects the point images of an animation. Thread-safe. Make one object per animation.
+/// Thread-safe. Make one object per animation.
 class Splatter {
  public:
-  /// `optics` must pass validate().
   Splatter(const Optics& optics, const SplatParams& params);
   ~Splatter();
   Splatter(const Splatter&) = delete;
   Splatter& operator=(const Splatter&) = delete;
 
-  /// Projects the points of `image` to the new moment and stores the visible points in `buffer`. `image` must have the size of
-  /// the panel.
+  /// Stores the visible points in `buffer`. `image` must have the size of the panel.
   void splat(const PointImage& image, const Motion& motion, const ThreadPool& pool, SplatBuffer& buffer) const;
 
-  /// Returns the pixel on which a single point lands after `motion`. The point belongs to `object` and lies at depth z on the
-  /// ray of `pixel`. Returns nothing if the point is not visible.
+  /// Returns the pixel on which one point lands, or nothing if it is not visible. Before the motion, the point is at depth z on
+  /// the ray of `pixel`.
   std::optional<std::uint32_t> landing(std::uint32_t pixel, float z, std::uint32_t object, const Motion& motion) const;
 
  private:

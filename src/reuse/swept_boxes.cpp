@@ -9,13 +9,12 @@
 namespace lippmann {
 namespace {
 
-constexpr int kPartsPerAxis = 12;               // number of grid cells along each axis of a large mesh; smaller meshes have 4
-constexpr std::size_t kTrianglesToPart = 2000;  // minimum number of triangles of a large mesh
+constexpr int kPartsPerAxis = 12;               // grid cells along each axis of a large mesh; smaller meshes have 4
+constexpr std::size_t kTrianglesToPart = 2000;  // smallest number of triangles of a large mesh
 
 const Bounds3f kEverything{Vec3f(-kInfinity), Vec3f(kInfinity)};
 
-/// Returns groups of triangle indices of a mesh. The triangles of a group have their first vertices in one cell of a grid.
-/// Empty cells have no group.
+/// Groups the triangles of a mesh by the grid cell that holds their first vertex.
 std::vector<std::vector<std::size_t>> triangles_by_part(const Mesh& mesh) {
   Bounds3f whole;
   for (const Vec3f& p : mesh.positions) whole.add(p);
@@ -41,7 +40,6 @@ std::vector<Bounds3f> parts_of(const Mesh& mesh) {
   return boxes;
 }
 
-/// Returns the vertex indices of each part of a mesh. A vertex on a border belongs to several parts.
 std::vector<std::vector<std::uint32_t>> vertices_by_part(const Mesh& mesh) {
   std::vector<std::vector<std::uint32_t>> vertices;
   for (const std::vector<std::size_t>& part : triangles_by_part(mesh)) {
@@ -53,7 +51,7 @@ std::vector<std::vector<std::uint32_t>> vertices_by_part(const Mesh& mesh) {
   return vertices;
 }
 
-/// Returns one exact box per analytic shape, in the space of the shapes' node.
+/// Returns one box per shape, in the space of the node.
 template <class Shapes>
 std::vector<Bounds3f> parts_of(const Shapes& shapes) {
   std::vector<Bounds3f> parts;
@@ -66,10 +64,9 @@ std::vector<Bounds3f> parts_of(const Shapes& shapes) {
   return parts;
 }
 
-/// Returns a single box around all visible splats, because one box per splat would be too many.
+/// One box around all visible splats: one per splat would be too many.
 std::vector<Bounds3f> parts_of(const Splats& splats) { return {whole_bounds(splats, {})}; }
 
-/// Returns a box around the transformed box. `reach` holds the absolute values of a.linear.
 Bounds3f around_transformed(const Affine3f& a, const Mat3f& reach, const Bounds3f& box) {
   const Vec3f center = transform_point(a, box.center()), half = reach * (0.5f * box.size());
   return {center - half, center + half};
@@ -81,8 +78,7 @@ bool contains(const Bounds3f& outer, const Bounds3f& inner) {
   return glm::all(glm::lessThanEqual(outer.lower, inner.lower)) && glm::all(glm::greaterThanEqual(outer.upper, inner.upper));
 }
 
-/// Adds the boxes of one part of a mesh. The part does not change during its first `rests_for` frames, so horizons of at most
-/// `rests_for` frames get no box. `box_at` returns the box of the part in a frame.
+/// Adds the boxes of one part of a mesh. The part does not change during its first `rests_for` frames.
 template <class BoxAt>
 void add_boxes(std::size_t frames, std::size_t rests_for, std::span<const int> horizons, std::vector<HorizonBox>& boxes,
                const BoxAt& box_at) {
@@ -127,7 +123,6 @@ std::vector<HorizonBox> SweptBoxes::around(int first, std::span<const int> horiz
   std::vector<ResolvedScene> moments;
   std::vector<HorizonBox> boxes;
   const int last = std::min(first + horizons.back() - 1, last_frame);
-  // Horizons with a lower index than `known` get finite boxes. Longer horizons already have an infinite box.
   std::size_t known = horizons.size();
   for (int frame = first; frame <= last; ++frame) {
     moments.push_back(evaluate(scene_, scene_.timeline.time(frame)));

@@ -1,8 +1,8 @@
 // Estimates the costs of tracing frames and of making frames from other frames.
 //
-// The costs decide which pixels are traced. They depend on counts and not on a clock, so that every run on every machine makes
-// the same decisions. The constants were measured once (one thread, 512 x 512 pixels, one sample each). They are accurate to
-// about a third. Only their ratios matter.
+// The costs decide which pixels are traced. They depend on counts and not on a clock, so that every machine makes the same
+// decisions. The constants were measured with one thread, 512 x 512 pixels and one sample per pixel. They are accurate to about
+// a third.
 #pragma once
 
 #include <cstdint>
@@ -25,16 +25,14 @@ namespace lippmann {
 ///   tree (894,000): 284, 251
 double seconds_per_ray(const Scene& scene);
 
-/// Seconds per pixel for the projection, the colours and the uncertainty of a predicted frame. Tracing is not included.
+/// Projection, colours and uncertainty of a predicted frame, in seconds per pixel.
 inline constexpr double kPredictionSecondsPerPixel = 50e-9;
 
-/// Returns the cost of predicting a frame, as a fraction of the cost of tracing it. `rays` are the ray counts of a traced
-/// frame.
+/// Returns the cost of predicting a frame relative to tracing it. `rays` are the ray counts of a traced frame.
 double prediction_cost(const Scene& scene, const RayCounts& rays, std::uint64_t pixels);
 
-/// Returns the cost of tracing some packets of a frame, as a fraction of the cost of the whole frame. `share_of_rays` is the
-/// share of the frame's rays in these packets. The cost is higher than this share, because packets with uncertain predictions
-/// lie on fine geometry, where rays cost more.
+/// Returns the cost of tracing part of a frame relative to the whole frame. `share_of_rays` is the part's fraction of the rays.
+/// The cost is higher than this fraction, because uncertain predictions lie on fine geometry, where rays cost more.
 double partial_tracing_cost(double share_of_rays);
 
 }  // namespace lippmann

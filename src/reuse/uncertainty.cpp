@@ -17,7 +17,7 @@ using Byte = std::uint8_t;
 LIPPMANN_INLINE Byte larger(Byte a, Byte b) { return a > b ? a : b; }
 LIPPMANN_INLINE Byte difference(Byte a, Byte b) { return static_cast<Byte>(a > b ? a - b : b - a); }
 
-/// Converts `count` film values to approximate display codes, 0 ... 255.
+/// Converts film values to approximate display codes, 0 ... 255.
 LIPPMANN_MULTIVERSION void code_row(const float* film, int count, bool linear, Byte* codes) {
   for (int x = 0; x < count; ++x) {
     const float positive = film[x] > 0.0f ? film[x] : 0.0f, value = positive < 1.0f ? positive : 1.0f;
@@ -30,7 +30,6 @@ LIPPMANN_MULTIVERSION void take_channels(const Byte* rgb, int width, Byte* r, By
   for (int x = 0; x < width; ++x) r[x] = rgb[3 * x], g[x] = rgb[3 * x + 1], b[x] = rgb[3 * x + 2];
 }
 
-/// Sets `largest` to the largest difference of the three channels, for each pixel of a row.
 LIPPMANN_MULTIVERSION void compare_rows(const Byte* rgb_a, const Byte* rgb_b, int width, Byte* largest) {
   for (int x = 0; x < width; ++x) {
     const Byte r = difference(rgb_a[3 * x], rgb_b[3 * x]), g = difference(rgb_a[3 * x + 1], rgb_b[3 * x + 1]);
@@ -38,7 +37,7 @@ LIPPMANN_MULTIVERSION void compare_rows(const Byte* rgb_a, const Byte* rgb_b, in
   }
 }
 
-/// Copies a row's ends into its margins, so that a pixel without a neighbour on one side is compared with itself.
+/// Extends a row at both ends, so that a pixel without a neighbour is compared with itself.
 void fill_margins(Byte* row, int width, int across) {
   std::memcpy(row - across, row, static_cast<std::size_t>(across));
   std::memcpy(row + width, row + width - across, static_cast<std::size_t>(across));
@@ -52,7 +51,7 @@ LIPPMANN_MULTIVERSION void take_contrast(const Byte* here, const Byte* there, in
   for (int x = 0; x < width; ++x) largest[x] = larger(largest[x], difference(here[x], there[x]));
 }
 
-/// One entry per pixel of a row: the terms A, a', g and g' of the formula in the header.
+/// For each pixel of a row: the terms A, a', g and g' of the formula in the header.
 struct Signals {
   std::vector<Byte> around, beside, contrast, contrast_beside;
 
@@ -75,7 +74,6 @@ LIPPMANN_MULTIVERSION void add_up(const Byte* own, const Signals& signals, const
   }
 }
 
-/// Returns the distance to a neighbour in whole pixels: at least 1, at most the size of a row.
 int whole_step(float length_px, int size) { return std::clamp(static_cast<int>(std::lround(length_px)), 1, size); }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // Estimates the error of each predicted pixel of an in-between frame before any part of the frame is traced.
 //
-// Uncertainty is in display codes, 0 ... 255. It only ranks pixels. The squared error at an uncertainty is measured from
-// samples (held_out.hpp).
+// Uncertainty is in display codes, 0 ... 255. It ranks pixels; held_out.hpp measures the error that it corresponds to.
 //
 //   uncertainty = a + A/2 + a'/2 + g/8 + g'/8
 //   a   Difference between the predictions of the pixel from the two key frames. Predictions differ for lights, shadows,
@@ -16,8 +15,7 @@
 // If points of only one key frame land on a pixel, its uncertainty is at least kOneKeyUncertainty. If no point lands, it is at
 // least kMissedUncertainty.
 //
-// If the film will be encoded as sRGB, display codes are approximated by square roots, with an error of up to 10 codes.
-// Otherwise the codes are the film's values.
+// sRGB codes are approximated by square roots, with an error of up to 10 codes.
 #pragma once
 
 #include <cstdint>
@@ -33,32 +31,30 @@ namespace lippmann {
 
 inline constexpr std::uint8_t kOneKeyUncertainty = 48, kMissedUncertainty = 96;
 
-/// The prediction of an in-between frame from one key frame. A pixel without a landed point has the colour of the other key
-/// frame's prediction.
+/// Prediction from one key frame. A pixel without a point has the colour of the other key frame's prediction.
 struct Prediction {
   const Image& colors;
   const SplatBuffer& landed;
 };
 
-/// Estimates the uncertainty of frames. Reuses memory from frame to frame, so it is not thread-safe.
+/// Reuses memory from frame to frame, so it is not thread-safe.
 class UncertaintyEstimator {
  public:
-  /// Distances between neighbours of a view are rounded to whole pixels.
   UncertaintyEstimator(const Optics& optics, Encoding encoding);
 
-  /// Sets `uncertainty`, which gets one entry per pixel. `film` is the prediction from both key frames.
+  /// Sets one entry per pixel. `film` is the prediction from both key frames.
   void estimate(const Prediction& previous, const Prediction& following, const Image& film, const ThreadPool& pool,
                 std::vector<std::uint8_t>& uncertainty);
 
  private:
-  /// One value per pixel. Each row has a margin of `across_` pixels on both sides.
+  /// One value per pixel. Each row has `across_` more at both ends.
   using Plane = std::vector<std::uint8_t>;
 
   void make_planes(const Prediction& previous, const Prediction& following, const Image& film, int row);
 
-  /// across_ and down_ are the distances in pixels to the next sample of the same view, along a row and down a column.
+  /// Distances in pixels to the next sample of the same view.
   int width_, height_, across_, down_;
-  std::size_t stride_;  ///< length of a row of a Plane, including margins
+  std::size_t stride_;  ///< length of a row, including both margins
   bool linear_film_;
   Plane disagreement_, codes_[3];
 };
