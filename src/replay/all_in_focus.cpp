@@ -9,11 +9,12 @@
 namespace lippmann {
 namespace {
 
-constexpr double kWindowRadius = 1.5;  ///< half width in lens spacings: the window covers about 3 x 3 to 4 x 4 lenses
-constexpr float kNoRays = 1e6f;        ///< replaces the infinite disagreement of pixels without rays, to keep sums finite
+constexpr double kWindowRadius = 1.5;  ///< half width of the averaging window, in distances between lenses
+constexpr float kNoRays = 1e6f;        ///< stands for the infinite disagreement of pixels without rays, so that sums stay
+                                       ///< finite
 
-/// Replaces each of `count` samples, `stride` apart, by the mean of the window of 2 radius + 1 samples around it. Windows are
-/// cut off at the ends.
+/// Replaces each of `count` samples, `stride` apart, by the mean of the 2 radius + 1 samples around it. Windows are cut off at
+/// the ends.
 void average_windows(float* line, int count, int stride, int radius, std::vector<double>& upto) {
   upto.assign(1, 0.0);
   for (int i = 0; i < count; ++i) upto.push_back(upto.back() + std::min(line[i * stride], kNoRays));
@@ -28,8 +29,8 @@ void average_windows(float* line, int count, int stride, int radius, std::vector
 
 AllInFocus::AllInFocus(const Optics& optics, Vec2i size)
     : picture_(size.x, size.y, 3), depth_(size.x, size.y, 1), least_(size.x, size.y, 1) {
-  // The window is square, with the size of the larger spacing. In the direction of the smaller spacing, such as along the rows
-  // of a sheet, there is no parallax, so averaging does no harm.
+  // The window is square, as large as the larger spacing. Along the smaller spacing, as in the rows of a sheet, there is no
+  // parallax to lose.
   const Vec2d spacing = sample_spacing_mm(optics), pixel = display_window(optics).size / Vec2d(size);
   const Vec2d pixels = kWindowRadius * std::max(spacing.x, spacing.y) / pixel;
   radius_ = Vec2i(glm::clamp(glm::round(pixels), Vec2d(1.0), Vec2d(size)));

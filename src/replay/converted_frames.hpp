@@ -12,15 +12,15 @@
 namespace lippmann {
 
 struct PictureConversion {
-  std::filesystem::path in, out;  ///< out: a folder, in which the converted images keep their names
-  Optics optics;                  ///< optics of the converted images
+  std::filesystem::path in, out;  ///< `out` is a folder; the images keep their names
+  Optics optics;
   std::function<Picture(const Picture&)> convert;
-  /// Called after all frames; returns a description of the conversion for the report.
+  /// Called after all frames. Returns a description of the conversion for the report.
   std::function<nlohmann::ordered_json()> made;
 };
 
-/// Converts all frames. Integer samples are written as .png, floats in the format of the input. Returns the written files, with
-/// report.json last. Throws Error, also if `out` is the folder of the frames. Stops between frames if context.cancelled is set.
+/// Writes integer samples as .png and floats in the format of the input. Returns the written files, with report.json last.
+/// Throws Error, also if `out` is the folder of the frames. Stops between frames if context.cancelled is set.
 std::vector<std::filesystem::path> convert_frames(const RenderedFrames& frames, const PictureConversion& conversion,
                                                   const Context& context);
 

@@ -30,21 +30,20 @@ namespace {
 namespace fs = std::filesystem;
 
 struct RgbdFrame {
-  fs::path name;     ///< name of the file; the frames of a video are named frame_0000.png, frame_0001.png, ...
+  fs::path name;     ///< frames of a video are named frame_0000.png, frame_0001.png, ...
   LightField field;  ///< one view with depth, or two views of a stereo image
 };
 
-/// Reads frames one at a time: RGB-D images, an RGB-D video, stereo images, or an image with a depth map.
+/// Reads RGB-D images, an RGB-D video, stereo images, or an image with a depth map, one frame at a time.
 class RgbdFrames {
  public:
-  /// params.in is an image, a folder of images, or a video whose side file describes all frames. Throws Error if the file does
-  /// not exist, or if the folder has no frames.
+  /// Throws Error if the file does not exist, or if the folder has no frames.
   explicit RgbdFrames(const DepthConversion& params);
 
-  /// Returns the next frame, or nullopt after the last one. Throws Error naming the file and, for videos, the frame.
+  /// Returns nullopt after the last frame. Throws Error naming the file.
   std::optional<RgbdFrame> next();
 
-  /// Returns the file whose side file describes the depth of the first frame: the first image, or the video.
+  /// the first image, or the video
   const fs::path& first() const { return files_.front(); }
   bool is_one_picture() const { return one_; }
 
@@ -57,7 +56,7 @@ class RgbdFrames {
   const DepthConversion& params_;
   bool one_;
   std::optional<VideoReader> video_;
-  std::size_t count_ = 0;  ///< number of frames read
+  std::size_t count_ = 0;
 };
 
 std::vector<fs::path> files_with_depth(const DepthConversion& params) {
@@ -94,7 +93,6 @@ LightField RgbdFrames::read(const fs::path& file) const {
   return light_field_of_colours(std::move(colours), std::move(greys), file, options);
 }
 
-/// Reads the two views of a stereo image. Sets their cameras for an assumed screen size and distance.
 LightField RgbdFrames::read_pair(const fs::path& file) const {
   LightField pair = stereo_format().read(file, params_.options);
   const Vec2d view(pair.view_size);
@@ -112,15 +110,14 @@ std::optional<RgbdFrame> RgbdFrames::next_of_video() {
                    light_field_of_rgbd(*std::exchange(picture, {}), first(), where, params_.options)};
 }
 
-/// Returns whether the display is an array of lenses over pixels that needs no calibration, unlike a slanted panel.
+/// Slanted panels do not count, because they need a calibration.
 bool has_lenses(const Display& display) { return display.kind != DisplayKind::kSlantedPanel; }
 
-/// Returns whether the output is the image for the panel behind the display's lenses, as opposed to views.
 bool is_behind_lenses(const DepthConversion& params) {
   return params.to == "integral" && params.options.display && has_lenses(*params.options.display);
 }
 
-/// Returns the optics of two eyes in front of the display, or in front of the image's own screen if there is no display.
+/// Returns two eyes in front of the display, or in front of the image's own screen.
 Optics eyes_optics(const LightField& source, const DepthConversion& params) {
   const ViewCameras& camera = *source.cameras;
   MultiView eyes{2, 1};
@@ -133,8 +130,7 @@ Optics eyes_optics(const LightField& source, const DepthConversion& params) {
   return {{2 * view.x, view.y, static_cast<float>(pixel.x)}, eyes};
 }
 
-/// Returns the optics of the display's quilt, with the number of tiles from `views` if given. For a display with lenses but no
-/// quilt, returns as many views as its lenses show.
+/// Returns the display's quilt. For a display with lenses but no quilt, returns as many views as the lenses show.
 Optics views_for(Display display, const std::optional<ViewGrid>& views) {
   if (has_lenses(display) && !display.quilt) return lens_views(display, views);
   if (views && display.quilt) display.quilt->columns = views->columns, display.quilt->rows = views->rows;
@@ -142,7 +138,7 @@ Optics views_for(Display display, const std::optional<ViewGrid>& views) {
   throw usage_error("display", display.name + " has no quilt", "a display with a quilt, or `views` and no `display`");
 }
 
-/// Returns the optics of views with the image's size, in front of the screen that the image was made for.
+/// Returns views of the image's size in front of the screen that the image was made for.
 Optics own_views(const LightField& source, const DepthConversion& params) {
   LightField wanted;
   wanted.grid = params.options.views.value_or(ViewGrid{48, 1});
@@ -167,7 +163,6 @@ Optics wanted_optics(const LightField& source, const DepthConversion& params) {
   return own_views(source, params);
 }
 
-/// Warns about the depth range that is assumed if there is no side file.
 void warn_of_assumptions(const fs::path& first, const DepthConversion& params, const Context& context) {
   if (read_rgbd_side_file(first)) return;
   const DepthRange range = params.options.depth_range.value_or(DepthRange{});
@@ -177,7 +172,7 @@ void warn_of_assumptions(const fs::path& first, const DepthConversion& params, c
                   first.string(), range.far_mm, range.near_mm));
 }
 
-/// Returns the views, with the sample type of the image. For RGB-D output, returns the image itself as the only view.
+/// For RGB-D output, returns the image itself as the only view.
 DepthViews shown_views(const RgbdFrame& frame, const DepthConversion& params, const ThreadPool& pool, const Context& context) {
   const LightField& source = frame.field;
   if (params.to == kRgbdFormat) return {source};

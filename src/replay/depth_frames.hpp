@@ -13,32 +13,32 @@
 namespace lippmann {
 
 struct DepthConversion {
-  std::filesystem::path in;   ///< input: an image, a folder of frame_*_rgbd.png, or a video
-  std::filesystem::path out;  ///< output, as for convert (layout/convert.hpp)
-  std::string to;             ///< name of the output format
-  /// Uses `views` (number of views), `display` (quilt or lenses), `depth_range` and related options (depth of `in`).
+  std::filesystem::path in;
+  std::filesystem::path out;  ///< output, as for layout/convert.hpp
+  std::string to;
+  /// uses the options for views, display and depth range
   FormatOptions options = {};
-  /// Full angle of the views if there is no display; none: the default for views with unknown cameras.
+  /// Full angle between the outer views without a display; none: default of the layout.
   std::optional<double> view_angle_deg = {};
-  double ipd_mm = kDefaultIpdMm;     ///< distance between the eyes, for the format stereo
-  double depth_scale = 1.0;          ///< factor of depth: depth shown / depth stored in the image
-  std::filesystem::path depth = {};  ///< depth map of the image `in` (layout/depth_map.hpp); empty: `in` is RGB-D
-  bool is_pair = false;              ///< whether `in` is a stereo image, or a folder of stereo images (replay/pair_depth.hpp)
+  double ipd_mm = kDefaultIpdMm;     ///< distance between the two eyes, for the format stereo
+  double depth_scale = 1.0;          ///< depth shown / depth stored in the image
+  std::filesystem::path depth = {};  ///< depth map of the image `in` (layout/depth_map.hpp); empty if `in` is RGB-D
+  bool is_pair = false;              ///< `in` is a stereo image, or a folder of stereo images
 };
 
 struct ConvertedDepth {
   std::vector<std::filesystem::path> written;
   ViewGrid views;
   Vec2i view_size{0, 0};
-  /// Share of all output pixels that no pixel of `in` covers, so that they were filled from neighbours.
+  /// Fraction of the output pixels that had no point and were filled from neighbours.
   double filled_share = 0.0;
 };
 
-/// Returns whether an image, a video or the first frame of a folder is RGB-D, according to its name or side file.
+/// Returns whether the name or side file of an image, a video or a folder's first frame states that it is RGB-D.
 bool is_rgbd(const std::filesystem::path& in);
 
-/// Converts all frames. Integer samples keep their number of bits. Warns about the depth range that is assumed without a side
-/// file. Throws Error naming the file or parameter.
+/// Integer samples keep their number of bits. Warns about a depth range that is assumed. Throws Error naming the file or
+/// parameter.
 ConvertedDepth convert_depth_frames(const DepthConversion& params, const Context& context);
 
 }  // namespace lippmann

@@ -7,7 +7,6 @@
 namespace lippmann {
 namespace {
 
-/// Returns the squared difference between a colour and the colour of `picture` at the fractional position x in row y.
 double difference(const float* color, const Image& picture, double x, int y) {
   const int left = static_cast<int>(std::floor(x));
   const float share = static_cast<float>(x - left);
@@ -25,7 +24,7 @@ struct Sums {
   int pixels = 0;
 
   double db() const {
-    constexpr double kMin = 1e-12;  ///< avoids a division by 0; images without texture are equally similar on both sides
+    constexpr double kMin = 1e-12;  ///< avoids a division by 0
     return 10.0 * std::log10((wrong + kMin) / (right + kMin));
   }
 };

@@ -15,16 +15,17 @@
 namespace lippmann {
 namespace {
 
-/// Disparity of a pixel without a point; less than any other.
+/// disparity of a pixel without a point
 constexpr float kNoPoint = -std::numeric_limits<float>::infinity();
-constexpr double kSameSurfacePx = 1.5;  ///< largest distance in the view between neighbouring points of one surface, in pixels
+constexpr double kSameSurfacePx = 1.5;  ///< neighbouring points of one surface are at most this far apart in the view, in
+                                        ///< pixels
 
-/// The source image, scaled to the screen of the views and reduced to at most the resolution of a view.
+/// The source image, scaled to the screen of the views.
 struct DepthPicture {
   Image colours;
   Image disparity;     ///< disparity q (depth_views.hpp), in mm on the screen
-  Vec2d slope{0.0};    ///< offset of the source's eye to the right of and above the axis, per mm of distance
-  Vec2d size_mm{0.0};  ///< size of the source image after scaling it to cover the window
+  Vec2d slope{0.0};    ///< position of the source's eye relative to the axis, per mm of distance
+  Vec2d size_mm{0.0};  ///< size of the scaled source image
 
   Vec2d place_mm(Vec2d pixel) const {
     return (pixel / Vec2d(colours.width, colours.height) - 0.5) * Vec2d(1.0, -1.0) * size_mm;
@@ -34,7 +35,7 @@ struct DepthPicture {
   }
 };
 
-/// Resamples depth by nearest neighbour, because the mean of two surfaces would lie on neither.
+/// Uses the nearest neighbour, because the mean of two surfaces would lie on neither.
 Image nearest_samples(const Image& picture, Vec2i size) {
   Image result(size.x, size.y, 1);
   for (int y = 0; y < size.y; ++y)
@@ -63,13 +64,12 @@ DepthPicture depth_picture(const LightField& source, Vec2d window_mm, Vec2i view
 
 class ViewMaker {
  public:
-  /// slope: offset of the view's eye from the source's eye, per mm of distance.
+  /// slope: offset of the view's eye from the source's eye, per mm of distance
   ViewMaker(const DepthPicture& source, Vec2d slope, Vec2d window_mm, Vec2i size)
       : source_(source), slope_(slope), window_mm_(window_mm), colours_(size.x, size.y, 3), disparity_(size.x, size.y, 1) {
     std::fill(disparity_.data.begin(), disparity_.data.end(), kNoPoint);
   }
 
-  /// Draws the points of the source. Pixels of the view without a point stay open.
   void show() {
     splat();
     for (int y = 0; y < disparity_.height; ++y)
@@ -77,7 +77,7 @@ class ViewMaker {
         if (has_point(x, y)) take_colour(x, y);
   }
 
-  /// Fills open pixels that have a point in `other`, a view from the same eye made from another source.
+  /// Fills empty pixels that have a point in `other`, a view of another source from the same eye.
   void complete_from(const ViewMaker& other) {
     for (int y = 0; y < disparity_.height; ++y)
       for (int x = 0; x < disparity_.width; ++x) {
@@ -87,7 +87,6 @@ class ViewMaker {
       }
   }
 
-  /// Fills the remaining open pixels from their neighbours.
   void fill() {
     std::vector<Vec2i> holes;
     for (int y = 0; y < disparity_.height; ++y)
@@ -107,7 +106,6 @@ class ViewMaker {
   double pixel_mm() const { return window_mm_.x / colours_.width; }
   bool has_point(int x, int y) const { return disparity_.pixel(x, y)[0] != kNoPoint; }
 
-  /// Returns whether points with these disparities are close enough in the view to belong to one surface.
   bool same_surface(double a, double b) const { return std::abs(a - b) * glm::length(slope_) <= kSameSurfacePx * pixel_mm(); }
 
   Vec2d landing(Vec2d source_pixel, double q) const {
@@ -120,8 +118,8 @@ class ViewMaker {
                                    std::clamp(y, 0, source_.disparity.height - 1))[0];
   }
 
-  /// Returns the disparity at position `at` in the source pixel (i, j). Interpolates between the four nearest pixel centres if
-  /// all four belong to the pixel's surface. Otherwise returns the pixel's own disparity.
+  /// Interpolates between the four nearest pixel centres if they belong to one surface. Otherwise returns the disparity of
+  /// pixel (i, j).
   double disparity_at(int i, int j, Vec2d at) const {
     const double own = source_disparity(i, j);
     const Vec2d from = at - 0.5;
@@ -137,7 +135,7 @@ class ViewMaker {
     return sum;
   }
 
-  /// Splats the points of the source, so densely that there are at least two per pixel of the view along both axes.
+  /// Draws at least two points per pixel of the view along both axes.
   void splat() {
     const Vec2i samples =
         (2 * Vec2i(colours_.width, colours_.height) + Vec2i(source_.colours.width, source_.colours.height) - 1) /
@@ -155,8 +153,7 @@ class ViewMaker {
           }
   }
 
-  /// Sets the colour of a pixel to the interpolated colour of the source at the pixel's point. Source pixels of other surfaces
-  /// do not contribute.
+  /// Interpolates among source pixels of the same surface.
   void take_colour(int x, int y) {
     const double q = disparity_.pixel(x, y)[0];
     const Vec2d t = (Vec2d(x + 0.5, y + 0.5) / Vec2d(colours_.width, colours_.height) - 0.5) * Vec2d(1.0, -1.0) * window_mm_;
@@ -186,7 +183,7 @@ class ViewMaker {
     for (int c = 0; c < 3; ++c) pixel[c] = static_cast<float>(colour[c]);
   }
 
-  /// The nearest pixel with a point in one direction from a hole, at a distance of `steps` pixels.
+  /// The nearest pixel with a point in one direction from an empty pixel.
   struct Neighbour {
     int x, y, steps;
   };
@@ -197,7 +194,7 @@ class ViewMaker {
       if (has_point(at.x, at.y)) return found.push_back({at.x, at.y, steps});
   }
 
-  /// Fills a hole with the mean colour of those neighbours that lie on the farthest surface. Returns the disparity of that
+  /// Fills an empty pixel with the mean colour of its neighbours on the farthest surface. Returns the disparity of that
   /// surface.
   float fill_colour(Vec2i hole) {
     std::vector<Neighbour> found;
@@ -231,7 +228,6 @@ ViewCameras cameras_for(const Optics& optics) {
   throw Error("optics", "the cameras of their views are unknown", "the optics of a quilt or of a camera grid");
 }
 
-/// Returns a light field with the cameras of the views and with black images.
 LightField empty_views(const Optics& optics, const ViewCameras& cameras) {
   const ViewLayout film = rendered_views(optics)->film;
   LightField field;

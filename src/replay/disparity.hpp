@@ -3,18 +3,16 @@
 // Let parallel cameras with baseline b be at distance D from the plane z = 0, and let their pixels be p wide in that plane. A
 // point at depth z then moves by
 //   d = b z / ((D - z) p)
-// pixels. Points in front of the plane move to the left as the eye moves right. This is the disparity of
-// layout/hci_parameters.hpp and the shift of shift-and-sum refocusing. The disparity does not depend on assumed camera
-// distances.
+// pixels. Points in front of the plane move to the left as the eye moves right.
 #pragma once
 
 #include "lippmann/optics/optics.hpp"
 
 namespace lippmann {
 
-/// Returns the depth in mm of points with the given disparity, for the mean distance between neighbouring eyes. Throws a usage
-/// Error naming `parameter` if the optics have fewer than two views or views without cameras. Also throws if the disparity is
-/// not above -b / p, the disparity at infinity.
+/// Returns the depth in mm for the mean distance between neighbouring eyes. Throws a usage Error naming `parameter` if the
+/// optics have fewer than two views, views without cameras, or no point with this disparity (at or below -b / p, the disparity
+/// at infinity).
 double depth_of_disparity_px(const Optics& optics, double disparity_px, const char* parameter);
 
 }  // namespace lippmann

@@ -14,17 +14,17 @@ constexpr double kPanelEdgePx = 1e-3;  ///< tolerance at the edges of the panel 
 
 struct Quality {
   SampleFilter filter;
-  Vec2d crosstalk_px;  ///< sigmas of the crosstalk along x and y (optics/crosstalk.hpp)
+  Vec2d crosstalk_px;  ///< sigmas along x and y of the light that leaks to neighbouring pixels
 
   bool blurs() const { return crosstalk_px != Vec2d(0.0); }
 };
 
-/// Returns the pixels and weights (taps) that a position is interpolated from along one axis, blurred if sigma_px > 0.
+/// Returns the pixels and weights for interpolation along one axis, blurred if sigma_px > 0.
 Taps blurred_taps(double position_px, double sigma_px, SampleFilter filter) {
   return sigma_px > 0.0 ? gaussian_taps(position_px, sigma_px) : taps_at(position_px, filter);
 }
 
-/// Returns the weighted mean of those pixels for which wanted(x, y) is true.
+/// The mean includes only pixels for which wanted(x, y) is true.
 template <class Wanted>
 Vec3f weighted_mean(const Image& picture, const Taps& columns, const Taps& rows, const Wanted& wanted) {
   Vec3d sum(0.0);
@@ -40,7 +40,6 @@ Vec3f weighted_mean(const Image& picture, const Taps& columns, const Taps& rows,
   return weights > 0.0 ? Vec3f(sum / weights) : Vec3f(0.0f);
 }
 
-/// Samples a lenticular sheet or a microlens array.
 template <class Sight>
 class LensSampler {
  public:
@@ -66,7 +65,7 @@ class LensSampler {
   }
 
   bool in_zone(const Viewer& viewer, Vec2d point_mm) const {
-    constexpr double kFarAwayPx = 1e6;  ///< clamps cell indices to the range of int
+    constexpr double kFarAwayPx = 1e6;  ///< keeps cell indices within int
     const PanelPoint seen = sight_.seen_from(viewer, point_mm);
     return sight_.cell(glm::clamp(seen.pixel, Vec2d(-kFarAwayPx), Vec2d(kFarAwayPx))) == seen.lens;
   }
@@ -77,7 +76,6 @@ class LensSampler {
   Quality quality_;
 };
 
-/// Samples a quilt or a single view.
 class QuiltSampler {
  public:
   QuiltSampler(const QuiltSight& sight, const RenderedPanel& rendered, const Quality& quality)
@@ -89,7 +87,7 @@ class QuiltSampler {
     for (int axis = 0; axis < 2; ++axis)
       if (!(seen.pixel[axis] >= -kPanelEdgePx && seen.pixel[axis] <= tile[axis] + kPanelEdgePx)) return Vec3f(0.0f);
     const Taps columns = taps_at(seen.pixel.x, quality_.filter), rows = taps_at(seen.pixel.y, quality_.filter);
-    // Views are filtered like pixels: view v covers the interval from v to v + 1.
+    // Views are filtered like pixels: view v covers v to v + 1.
     const auto views = [&](int axis) {
       return blurred_taps(seen.view[axis] + 0.5, quality_.crosstalk_px[axis], quality_.filter);
     };
@@ -126,7 +124,7 @@ class QuiltSampler {
   Quality quality_;
 };
 
-/// Samples a slanted panel. Each colour channel has its own sub-pixel positions.
+/// Each colour channel of a slanted panel has its own sub-pixel positions.
 class SlantedSampler {
  public:
   SlantedSampler(const SlantedSight& sight, const RenderedPanel& rendered, const Quality& quality)
@@ -150,8 +148,7 @@ class SlantedSampler {
   bool in_zone(const Viewer& viewer, Vec2d point_mm) const { return sight_.seen_from(viewer, point_mm, 0).in_zone; }
 
  private:
-  /// Interpolates between the sub-pixels of one colour below one lens. If the interpolated pixels have no such sub-pixel,
-  /// returns the nearest sub-pixel.
+  /// Interpolates between the sub-pixels of one colour below one lens, or returns the nearest sub-pixel if there are none.
   float in_row(const SlantedPoint& seen, int row, int c, double near_column) const {
     const double column = std::clamp(sight_.column_of(seen, c, row, near_column), -1e6, 1e6);
     const bool blurred = quality_.blurs();

@@ -12,7 +12,7 @@
 namespace lippmann {
 namespace {
 
-/// Returns points spread evenly over the pupil, a disc. Based on: Vogel, "A better way to construct the sunflower head", Math.
+/// Returns points spread evenly over the pupil. Based on: Vogel, "A better way to construct the sunflower head", Math.
 /// Biosciences 44, 1979.
 std::vector<Vec2d> pupil_points(double diameter_mm, int count) {
   if (diameter_mm == 0.0) return {Vec2d(0.0)};
@@ -25,8 +25,7 @@ std::vector<Vec2d> pupil_points(double diameter_mm, int count) {
   return points;
 }
 
-/// Returns the number of samples across and down in each pixel of the view; more than 1 if the view is coarser than the
-/// display.
+/// Returns more than 1 if the view is coarser than the display.
 Vec2i samples_per_pixel(const Optics& optics, Vec2i size) {
   constexpr int kMax = 16;
   const Vec2i grid = lens_grid(optics);
@@ -61,8 +60,8 @@ Image eye_view(const RenderedPanel& rendered, const EyeView& view, const ThreadP
   const Vec2i size = view.size.x > 0 ? view.size : natural_view_size(rendered.optics);
   const Vec2i samples = samples_per_pixel(rendered.optics, size);
   const EyeSampler sampler(rendered, view.filter, view.crosstalk_px);
-  // Let the eye at E see a point at s. The point d of the pupil (relative to E) then sees this point at s - d z / (E.z - z),
-  // where z is the depth of the point. The views of all pupil points are shifted so that they coincide at the depth of focus.
+  // Where the eye at E sees a point of depth z at s, the pupil point E + d sees it at s - d z / (E.z - z). The images of all
+  // pupil points are shifted so that they coincide at the depth of focus.
   const double shift = -view.focus_mm / (view.eye_mm.z - view.focus_mm);
   struct PupilPoint {
     Viewer viewer;
@@ -75,7 +74,7 @@ Image eye_view(const RenderedPanel& rendered, const EyeView& view, const ThreadP
   Image picture(size.x, size.y, 3);
   pool.for_each(static_cast<std::size_t>(size.y), [&](std::size_t row) {
     const int y = static_cast<int>(row);
-    for (int x = 0; x < size.x && !context.cancelled; ++x) {  // checked per pixel: a row may take seconds
+    for (int x = 0; x < size.x && !context.cancelled; ++x) {  // checked per pixel, because a row may take seconds
       Vec3f sum(0.0f);
       for (int j = 0; j < samples.y; ++j)
         for (int i = 0; i < samples.x; ++i) {

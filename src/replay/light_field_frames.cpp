@@ -23,15 +23,13 @@ namespace fs = std::filesystem;
 
 constexpr double kWindowHeightMm = 100.0, kDistanceMm = 300.0, kConeDeg = 40.0, kGridAngleDeg = 10.0;
 
-/// Returns a panel that holds all views as a quilt, in the order of their grid.
 Panel quilt_panel(const LightField& field, double pixel_mm) {
   return {field.view_size.x * field.grid.columns, field.view_size.y * field.grid.rows, static_cast<float>(pixel_mm)};
 }
 
-/// Returns the width of a pixel if the views are stretched to the assumed display.
+/// Stretches the views to the assumed display.
 double pixel_width_mm(const LightField& field) { return field.aspect * kWindowHeightMm / field.view_size.x; }
 
-/// Moves the views of a field to their pixels on the panel.
 Picture panel_picture(const LightField& field, const ViewLayout& film) {
   const Vec2i size = picture_size(film, field.view_size);
   Picture picture = blank(field.stack, size);
@@ -39,14 +37,12 @@ Picture panel_picture(const LightField& field, const ViewLayout& film) {
   return picture;
 }
 
-/// Returns where the pixels of the views are on the panel of these optics.
 ViewLayout film_of(const Optics& optics, const std::string& where) {
   if (const std::optional<RenderedViews> rendered = rendered_views(optics)) return rendered->film;
   throw Error(where, "its views cannot be laid out below lenses again, because the lenses have no whole number of pixels",
               "pictures of `layout` integral or native");
 }
 
-/// Returns whether the image is already arranged as the panel of these optics shows it.
 bool is_as_shown(const fs::path& picture, const std::string& layout, const Optics& optics) {
   if (is_single_view(optics)) return true;
   const std::optional<QuiltName> name = parse_quilt_name(picture);
@@ -63,7 +59,7 @@ FormatOptions options_of(const LightFieldHints& hints) {
   return options;
 }
 
-/// Sets frames.read to a function that reads files in the format `from` and rearranges their views for the panel.
+/// Sets a reader that rearranges the views of a file for the panel.
 LightFieldFrames rearranged(LightFieldFrames frames, const std::string& from, const FormatOptions& options) {
   const auto files = std::make_shared<std::vector<fs::path>>(frames.files);
   frames.read = [files, from, options, optics = frames.optics](std::size_t index) {
@@ -74,15 +70,14 @@ LightFieldFrames rearranged(LightFieldFrames frames, const std::string& from, co
   return frames;
 }
 
-/// Sets frames.read to a function that reads the files unchanged, as images of the panel of their optics.
+/// Sets a reader that returns the files unchanged.
 LightFieldFrames as_shown(LightFieldFrames frames) {
   const RenderedFrames pictures{frames.optics, frames.files, frames.frames_per_second};
   frames.read = [pictures](std::size_t index) { return read_rendered_panel(pictures, index); };
   return frames;
 }
 
-/// Sets the optics, the frame rate and the reader of `frames`, which so far lists only files, for a finished render in any
-/// layout.
+/// Sets the optics, frame rate and reader for a finished render.
 LightFieldFrames of_render(LightFieldFrames frames, const Rendering& rendering, const LightFieldHints& hints) {
   const fs::path& first = frames.files.front();
   if (hints.display && !hints.is_other_display)
@@ -106,8 +101,7 @@ LightFieldFrames of_render(LightFieldFrames frames, const Rendering& rendering, 
   return as_shown(std::move(frames));
 }
 
-/// Sets the optics and the reader of `frames`, which so far lists only files, for images of a display's panel that have no
-/// report.
+/// Sets the optics and the reader for images of a display's panel without a report.
 LightFieldFrames of_panel(LightFieldFrames frames, const LightFieldHints& hints) {
   for (const auto& [given, flag] :
        {std::pair(hints.view_angle_deg.has_value(), "view-angle"), std::pair(hints.views.has_value(), "views"),
@@ -126,7 +120,6 @@ LightFieldFrames of_panel(LightFieldFrames frames, const LightFieldHints& hints)
   return as_shown(std::move(frames));
 }
 
-/// Throws for hints that the reader of the format does not use.
 void refuse_unused(const LightFieldHints& hints, const LightFieldFormat& format) {
   const auto refuse = [&](bool given, const char* flag, const char* accepted) {
     if (given) throw usage_error(flag, fmt::format("has no effect on the format {}", format.name), accepted);
@@ -135,7 +128,7 @@ void refuse_unused(const LightFieldHints& hints, const LightFieldFormat& format)
   refuse(hints.tiles && !format.reads.tiles, "quilt", "`from` quilt");
 }
 
-/// Throws for hints that contradict the cameras stated in the files.
+/// Throws for hints that contradict the cameras in the file.
 void refuse_stated_cameras(const LightFieldHints& hints, const fs::path& file) {
   const auto refuse = [&](bool given, const char* flag) {
     if (given)
@@ -147,7 +140,7 @@ void refuse_stated_cameras(const LightFieldHints& hints, const fs::path& file) {
   refuse(hints.display && !hints.is_other_display, "display");
 }
 
-/// Returns the optics of a quilt that shows the field's views on a display.
+/// Returns a quilt of the field's views on a display.
 Optics quilt_for(Display display, const LightField& field, const LightFieldHints& hints) {
   const ViewGrid& grid = field.grid;
   if (grid.rows > 1)
@@ -158,7 +151,7 @@ Optics quilt_for(Display display, const LightField& field, const LightFieldHints
   return with_cone_ends(*quilt_optics(display), hints.cone_ends);
 }
 
-/// Returns a sentence on the cameras assumed for views whose cameras are unknown or rotated.
+/// Returns a sentence for the user on views whose cameras are unknown or rotated.
 std::string assumption_about(const fs::path& file, bool are_turned, const Optics& optics, const LightFieldHints& hints) {
   std::string text =
       fmt::format("The cameras of {} are {}. Assumed: a display {:.4g} mm high, seen from {:.4g} mm", file.string(),
@@ -171,8 +164,7 @@ std::string assumption_about(const fs::path& file, bool are_turned, const Optics
   return text + ".";
 }
 
-/// Sets the optics, the assumptions and the reader of `frames`, which so far lists only files, for a light field without a
-/// report.
+/// Sets the optics, the assumptions and the reader for a light field without a report.
 LightFieldFrames of_format(LightFieldFrames frames, const LightFieldSource& source, const LightFieldHints& hints) {
   const fs::path& first = frames.files.front();
   const LightField field = source.format->read(first, source.options);
@@ -202,13 +194,13 @@ RenderedPanel panel_of(const LightField& field, const Optics& optics, const std:
   if (field.grid != film.grid)
     throw Error(where, fmt::format("has {}x{} views", field.grid.columns, field.grid.rows),
                 fmt::format("{}x{}, as in its report or the first frame", film.grid.columns, film.grid.rows));
-  const bool is_quilt = film.kind == LayoutKind::kQuilt;  // a quilt may have padding
+  const bool is_quilt = film.kind == LayoutKind::kQuilt;  // a quilt may have padding, which is cut off
   const Vec2i tiles = is_quilt ? Vec2i(film.tiles.columns, film.tiles.rows) : Vec2i(1, 1);
   if (size / tiles != panel / tiles)
     throw Error(where, fmt::format("its views make {}x{} pixels, but the panel has {}x{}", size.x, size.y, panel.x, panel.y),
                 "the pictures as the render wrote them");
   RenderedPanel rendered{optics, to_linear(panel_picture(field, film))};
-  rendered.optics.panel.width = size.x, rendered.optics.panel.height = size.y;  // without the padding of a quilt
+  rendered.optics.panel.width = size.x, rendered.optics.panel.height = size.y;
   return rendered;
 }
 
@@ -247,7 +239,7 @@ MultiView assumed_views(const LightField& field, std::optional<double> view_angl
   const double angle = radians(view_angle_deg.value_or(is_grid ? kGridAngleDeg : kConeDeg));
   MultiView views{field.grid.columns, field.grid.rows};
   views.distance_mm = kDistanceMm;
-  // The views are stretched to the assumed display, so their pixels need not be square.
+  // The views are stretched to the assumed display, so pixels need not be square.
   views.pixel_height = static_cast<float>(kWindowHeightMm / field.view_size.y / pixel_width_mm(field));
   if (is_grid)
     views.baseline_mm = static_cast<float>(2.0 * kDistanceMm * std::tan(0.5 * angle) / std::max(field.grid.columns - 1, 1));

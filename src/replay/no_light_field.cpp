@@ -21,7 +21,6 @@ using Entries = std::vector<fs::directory_entry>;
 constexpr const char* kFramesOrViews =
     "frame_0000.png, frame_0001.png, ..., or a folder of views that `lippmann convert` reads";
 
-/// Returns the name of the first entry for which the predicate holds, or an empty string.
 std::string first_name(const Entries& entries, bool (*predicate)(const fs::path&)) {
   const auto found = std::find_if(entries.begin(), entries.end(), [&](const auto& entry) { return predicate(entry.path()); });
   return found == entries.end() ? std::string() : found->path().filename().string();

@@ -1,6 +1,5 @@
-// Corrects rendered or recorded images with inverted depth: `lippmann convert --rotate-elemental` and `--spoc`.
-//
-// Both conversions move pixels without changing them, so that integer samples keep their number of bits.
+// Corrects images with inverted depth: `lippmann convert --rotate-elemental` and `--spoc`. Both move pixels without changing
+// them.
 #pragma once
 
 #include <filesystem>
@@ -13,18 +12,18 @@
 namespace lippmann {
 
 struct OrthoscopicParams {
-  /// An image or a folder of frames, with a report.json beside the images (replay/rendered_frames.hpp).
+  /// An image or a folder of frames, with a report.json beside the images.
   std::filesystem::path in;
-  /// A folder for the converted images, which keep their names, and a report.json with their optics.
+  /// A folder for the converted images, which keep their names, and their report.json.
   std::filesystem::path out;
-  std::optional<SpocParams> spoc = {};  ///< parameters of --spoc; none: elemental images are rotated
-  // Lens array of the display; none: equal to the recording array.
+  std::optional<SpocParams> spoc = {};  ///< parameters of --spoc; none for --rotate-elemental
+  // Lens array of the display; none: the recording array.
   std::optional<double> lens_pitch_mm = {}, gap_mm = {};
   std::optional<int> lens_pixels = {};
 };
 
-/// Converts all frames. Returns the written files, with report.json last. Throws Error naming the flag or file, also if `out`
-/// is the folder of `in`. Stops between frames if context.cancelled is set.
+/// Returns the written files, with report.json last. Throws Error naming the flag or file. Stops between frames if
+/// context.cancelled is set.
 std::vector<std::filesystem::path> convert_to_orthoscopic(const OrthoscopicParams& params, const Context& context);
 
 }  // namespace lippmann

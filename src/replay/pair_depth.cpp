@@ -12,7 +12,6 @@
 namespace lippmann {
 namespace {
 
-/// Slopes of the leftmost and the rightmost eye of the views.
 struct EyeSlopes {
   double left = 0.0, right = 0.0;
 };
@@ -37,7 +36,7 @@ LightField picture_with_depth(const LightField& pair, int eye, const Image& disp
   LightField field;
   field.grid = {1, 1}, field.view_size = pair.view_size, field.aspect = pair.aspect;
   field.stack = view_of(pair, eye);
-  // Neighbouring pixels whose disparities differ by less than 1.5 pixels of the matched images belong to one surface.
+  // Neighbours whose disparities differ by less than 1.5 pixels belong to one surface.
   const float edge = 1.5f * static_cast<float>(pair.view_size.x) / static_cast<float>(disparity_px.width);
   field.depth = enlarged_depth(disparity_px, pair.view_size, edge);
   for (float& d : field.depth->data)

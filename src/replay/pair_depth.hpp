@@ -1,7 +1,5 @@
-// Converts a stereo pair to two images with depth, from which views for other eyes can be made (replay/depth_views.hpp).
-//
-// The baseline of a pair in millimetres is unknown. The pair is therefore taken as the first and the last of the views to be
-// made, whatever the angle between those views.
+// Converts a stereo pair to two images with depth, from which views for other eyes can be made (replay/depth_views.hpp). The
+// baseline of a pair is unknown, so its images become the first and the last of these views.
 #pragma once
 
 #include <string>
@@ -13,9 +11,9 @@
 
 namespace lippmann {
 
-/// Returns the left and the right image with depth. Their eyes are the leftmost and the rightmost eye of the views of `optics`.
-/// pair: two views whose cameras have one distance and pixel size, the left one first. name: name of the pair in errors. Throws
-/// Error if the images have too few points in common, or if no two views of the optics lie side by side.
+/// Returns the left and the right image with depth. Their eyes are the outermost eyes of the views of `optics`. `pair` holds
+/// the left view and then the right view. `name` names the pair in errors. Throws Error if the images have too few points in
+/// common, or if no two views of the optics lie side by side.
 std::vector<LightField> pictures_with_depth(const LightField& pair, const Optics& optics, const std::string& name,
                                             const Context& context);
 

@@ -37,7 +37,6 @@ PictureInfo describe_video(const fs::path& file) {
   return info;
 }
 
-/// Returns the first image of a folder of views, or the file itself.
 fs::path picture_of(const fs::path& path) {
   std::error_code ignored;
   if (!fs::is_directory(path, ignored)) return path;
@@ -69,7 +68,7 @@ std::string cameras_text(const LightField& field) {
   return field.positions ? "positions without a unit, at an unknown distance" : std::string();
 }
 
-/// Describes a rendered image if the image does not consist of views. Returns false for other images.
+/// Describes a rendered image without views. Returns false for other images.
 bool describe_rendered(const fs::path& file, PictureInfo& info) {
   const std::optional<Rendering> rendering = rendering_of(file);
   if (!rendering) return false;

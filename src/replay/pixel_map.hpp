@@ -1,4 +1,4 @@
-// An image whose pixels are copies of another image's pixels, for conversions that never change a sample.
+// An image whose pixels are copies of another image's pixels.
 #pragma once
 
 #include <cstdint>
@@ -8,10 +8,9 @@
 
 namespace lippmann {
 
-/// Marks a pixel that copies no source pixel and becomes black.
 inline constexpr std::uint32_t kNoPixel = 0xffffffffu;
 
-/// source[i] is the row-major index of the source pixel that pixel i copies, or kNoPixel.
+/// source[i] is the row-major index of the pixel that pixel i copies, or kNoPixel for black.
 struct PixelMap {
   int width = 0, height = 0;
   std::vector<std::uint32_t> source;

@@ -16,11 +16,11 @@ namespace {
 
 constexpr int kBandRows = 16;
 
-/// For each pixel of the panel, where its ray meets the plane of focus, in continuous pixel coordinates of the refocused image.
+/// Where the ray of each panel pixel meets the plane of focus, in pixels of the refocused image.
 struct Arrivals {
   int width, height;
   std::vector<float> x, y;
-  std::vector<float> lowest_y, highest_y;  ///< least and greatest y of the rays of each panel row
+  std::vector<float> lowest_y, highest_y;  ///< range of y of the rays in each panel row
 
   Arrivals(int w, int h)
       : width(w),
@@ -31,7 +31,6 @@ struct Arrivals {
         highest_y(static_cast<std::size_t>(h)) {}
 };
 
-/// Computes the arrivals of one row of rays at a time.
 class RayRow {
  public:
   explicit RayRow(int width) : px_(n(width)), py_(n(width)) {
@@ -75,14 +74,13 @@ Arrivals find_arrivals(const Optics& optics, double z, Vec2i size, const ThreadP
   return arrivals;
 }
 
-/// The image to which rays are added, each spread over pixels by a tent filter.
+/// Sums rays, each spread over pixels by a tent filter.
 struct TentSum {
   Image& picture;
   Vec2f half_width;     ///< half the width of the tent, in pixels
-  Image* disagreement;  ///< receives the variance of the colours in each pixel; null: no variance is computed
+  Image* disagreement;  ///< receives the variance of the colours in each pixel; may be null
 };
 
-/// The rows from `first` to end - 1 of the image, with the sums of weights.
 class Band {
  public:
   Band(const TentSum& sum, int first, int end)
@@ -118,7 +116,7 @@ class Band {
   }
 
   void divide_by_weights() {
-    constexpr float kMin = 1e-4f;  ///< smaller weights are 0 except for rounding errors
+    constexpr float kMin = 1e-4f;  ///< smaller sums of weights are rounding errors
     float* pixel = picture_.pixel(0, first_);
     float* square = squares_ ? squares_->pixel(0, first_) : nullptr;
     for (const float weight : weights_) {
@@ -134,7 +132,7 @@ class Band {
   }
 
  private:
-  // The value is clamped, so that it fits into an int.
+  // Clamps the value, so that it fits into an int.
   static int floor_of(float v) { return static_cast<int>(std::floor(std::clamp(v, -1e6f, 1e6f))); }
   static int ceil_of(float v) { return static_cast<int>(std::ceil(std::clamp(v, -1e6f, 1e6f))); }
 
@@ -145,9 +143,8 @@ class Band {
   std::vector<float> weights_;
 };
 
-/// Adds the pixels first_x, first_x + step, ... of every row of the panel and divides by the weights. color(x, y) returns the
-/// colour of a pixel, which can be indexed by channel. Checks for cancelling after each row, because a band may take seconds if
-/// few pixels are spread over many.
+/// Adds the pixels first_x, first_x + step, ... of every panel row and divides by the weights. color(x, y) returns a pixel's
+/// colour, indexed by channel. Checks for cancelling after each row.
 template <class ColorOf>
 void sum_rays(const Arrivals& arrivals, int first_x, int step, const ColorOf& color, const ThreadPool& pool,
               const Context& context, const TentSum& sum) {

@@ -17,7 +17,7 @@ namespace lippmann {
 namespace {
 
 namespace fs = std::filesystem;
-/// Throws unless the images show the panel's pixels as they are. Rearranged views of lens arrays cannot be replayed.
+/// Throws for rearranged views of lens arrays, which cannot be replayed.
 void check_layout(const Rendering& rendering, const std::string& where) {
   if (rendering.mirrored)
     throw Error(where, "the pictures are mirrored, to be printed on the back of a sheet", "a render without `mirror`");
@@ -71,7 +71,7 @@ RenderedPanel read_rendered_panel(const RenderedFrames& frames, std::size_t inde
 }
 
 std::string frame_label(const fs::path& file) {
-  // The name of a quilt ends in its tiles and aspect. Leave out this ending, because images made from a quilt are not quilts.
+  // Removes the tiles and aspect from a quilt's name, because images made from a quilt are not quilts.
   std::error_code ignored;
   if (std::filesystem::is_directory(file, ignored) && !file.filename().string().starts_with("frame_"))
     return file.filename().string();

@@ -34,8 +34,7 @@ Image side_by_side(const Image& left, const Image& right) {
   return pair;
 }
 
-/// Returns a preview of depth. The nearest depth of the focal stack is white, the farthest is black, and sRGB codes are linear
-/// in depth.
+/// The nearest depth of the focal stack is white, the farthest black. sRGB codes are linear in depth.
 Image depth_preview(const Image& depth, const std::vector<double>& depths_mm) {
   const double near = std::max(depths_mm.front(), depths_mm.back()), far = std::min(depths_mm.front(), depths_mm.back());
   Image grey(depth.width, depth.height, 3);
@@ -52,7 +51,6 @@ double depth_mm(const Optics& optics, const FocusPlane& plane, const char* param
   return z_mm;
 }
 
-/// State shared by the images of one replay.
 class Replay {
  public:
   Replay(const ReplayParams& params, const Context& context)
@@ -95,13 +93,11 @@ class Replay {
                         fmt::format("sides from 1 to {}, at most {} pixels", kMaxSide, kMaxPixels));
   }
 
-  /// Returns whether images other than the eye's view of every frame are requested.
   bool has_other_products() const {
     return params_.ipd_mm || params_.sweep > 0 || params_.refocus || params_.focal_stack || params_.epi_row ||
            params_.epi_column;
   }
 
-  /// Returns whether any of the requested images shows an eye's view.
   bool has_eye_views() const { return !has_other_products() || params_.ipd_mm || params_.sweep > 0; }
 
   void check_products() {
@@ -124,7 +120,7 @@ class Replay {
 
   std::string label(std::size_t frame) const { return frame_label(frames_.files[frame]); }
 
-  /// Returns the panel of a frame. The panel used last is cached.
+  /// caches the last panel
   const RenderedPanel& panel(std::size_t frame) {
     if (!panel_ || panel_frame_ != frame) panel_ = frames_.read(frame), panel_frame_ = frame;
     return *panel_;
@@ -140,7 +136,7 @@ class Replay {
     return refocus(panel(frame), z_mm, view_.size, pool_, disagreement, context_);
   }
 
-  /// Writes an image unless the replay was cancelled, in which case the image may be unfinished.
+  /// A cancelled replay writes nothing, because the image may be unfinished.
   void keep(ReplayFiles& files, const std::string& name, const Image& picture, bool in_video = false) const {
     if (!context_.cancelled) files.add(name, picture, in_video);
   }
@@ -148,7 +144,7 @@ class Replay {
   void make_pair(std::size_t frame, ReplayFiles& files) {
     const std::vector<Vec3d> pair = eyes();
     const Image left = view_of(frame, pair[0]), right = view_of(frame, pair[1]);
-    if (context_.cancelled) return;  // return before large images are made from unfinished ones
+    if (context_.cancelled) return;  // unfinished images must not enter larger ones
     files.add("left_" + label(frame), left);
     files.add("right_" + label(frame), right);
     files.add("pair_" + label(frame), side_by_side(left, right), !params_.sweep);
@@ -170,8 +166,8 @@ class Replay {
     files.add("depth_" + label(frame), depth_preview(sharpest->depth(), stack_mm_));
   }
 
-  /// Makes image i of the sweep. The viewing zone is divided into equal parts, and the eye is in the middle of part i. With
-  /// several frames, the animation advances during the sweep.
+  /// Makes image i of the sweep, with the eye in the middle of the i-th of equal parts of the viewing zone. The animation
+  /// advances during the sweep.
   void make_sweep(int i, ReplayFiles& files) {
     const double share = (i + 0.5) / params_.sweep;
     Vec3d eye = view_.eye_mm;
@@ -180,15 +176,15 @@ class Replay {
     keep(files, fmt::format("sweep_{:04}", i), view_of(frame, eye), true);
   }
 
-  /// Returns the eyes of the replay: both eyes of a pair, or the single eye. For a sweep, returns the middle eye.
+  /// Returns both eyes of a pair, the single eye, or the middle eye of a sweep.
   std::vector<Vec3d> eyes() const {
     if (!params_.ipd_mm) return {view_.eye_mm};
     const Vec3d half(0.5 * *params_.ipd_mm, 0.0, 0.0);
     return {view_.eye_mm - half, view_.eye_mm + half};
   }
 
-  /// Warns about eyes outside the viewing zone. Returns the largest share of the display, over all eyes, on which an eye sees
-  /// views of a neighbouring viewing zone.
+  /// Warns about eyes outside the viewing zone. Returns the largest fraction of the display on which an eye sees a neighbouring
+  /// viewing zone.
   double warn_of_flips() const {
     double most = 0.0;
     for (const Vec3d& eye : eyes()) {
@@ -217,7 +213,7 @@ class Replay {
   std::optional<RenderedPanel> panel_;
   std::size_t panel_frame_ = 0;
   std::optional<double> refocus_mm_;
-  std::vector<double> stack_mm_;  ///< depths of the planes of the focal stack
+  std::vector<double> stack_mm_;
 };
 
 }  // namespace

@@ -8,7 +8,6 @@
 namespace lippmann {
 namespace {
 
-/// Returns the mirrored position of a pixel within its block of `size` pixels.
 int mirrored_in_block(int pixel, int size) {
   const int block = pixel / size * size;
   return block + size - 1 - (pixel - block);
@@ -28,7 +27,7 @@ PixelMap map_of(const Panel& panel, const auto& source_of) {
   return map;
 }
 
-/// Returns the map with which tile N - 1 - v takes the pixels of tile v. The padding on the right and at the top stays.
+/// Tile N - 1 - v takes the pixels of tile v. Padding stays.
 PixelMap reversed_views(const Panel& panel, const ViewTiles& views) {
   const int width = panel.width / views.columns, height = panel.height / views.rows;
   const int padding = panel.height - height * views.rows;

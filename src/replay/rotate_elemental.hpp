@@ -2,9 +2,8 @@
 //
 // Based on: Okano, Hoshino, Arai and Yuyama, "Real-time pickup method for a three-dimensional image based on integral
 // photography", Appl. Opt. 36(7), 1997. A pixel at offset o from the centre of its cell has the ray x = l - o z / g, with the
-// lens centre l and the gap g. At offset -o it has the ray of depth -z, so that a point at depth z moves to depth -z at the
-// same x. Two rotations give the original. For lenticular sheets, each row of an elemental image is mirrored. For quilts, the
-// order of the views is reversed.
+// lens centre l and the gap g. Exchanging o and -o moves a point from depth z to depth -z. For lenticular sheets, each row of
+// an elemental image is mirrored. For quilts, the order of the views is reversed.
 #pragma once
 
 #include <string>
@@ -14,8 +13,8 @@
 
 namespace lippmann {
 
-/// Returns the map for images of the optics' panel. Pixels below a lens that the edge of the panel cuts become black if their
-/// counterpart is outside the panel. Throws Error naming `where` if the number of pixels per lens is not whole.
+/// Pixels below a lens at the panel's edge become black if the pixel that they would copy is outside the panel. Throws Error
+/// naming `where` if the number of pixels per lens is not whole.
 PixelMap rotated_elemental_images(const Optics& optics, const std::string& where);
 
 }  // namespace lippmann

@@ -11,8 +11,7 @@
 namespace lippmann {
 namespace {
 
-/// Finds the recorded pixel that looks at a point, preferably through the lens nearest to where the ray meets the recording
-/// array.
+/// Finds the recorded pixel that looks at a point, preferably through the lens where the ray meets the recording array.
 template <class Sight>
 class RecordedPixels {
  public:
@@ -22,8 +21,8 @@ class RecordedPixels {
   std::uint32_t looking_at(Vec2d point_mm, Vec2d ray_meets_array_mm) const {
     constexpr int kTries = 16;
     const Viewer from_point = viewer_at({point_mm, z_});
-    // If the nearest lens has no such pixel, try the lenses on the line to `foot`. The lens at `foot` sees the point from the
-    // middle of its cell, because `foot` is on the line from the point to the viewer that the cells converge to.
+    // If the nearest lens has no such pixel, tries the lenses on the line to `foot`, whose lens sees the point from the middle
+    // of its cell.
     const Vec2d foot = (point_mm - design_.slope_at_centre * z_) / (1.0 - design_.vergence * z_);
     for (int i = 0; i <= kTries; ++i) {
       const Vec2d at = glm::mix(ray_meets_array_mm, foot, static_cast<double>(i) / kTries);
@@ -87,8 +86,7 @@ Optics spoc_display(const Optics& recorded, const SpocDisplay& display) {
   const double rows = lenses->row_pitch_mm > 0.0 ? along * display.pixels : whole(window.y / pixel);
   optics.panel = {static_cast<int>(std::min(across * display.pixels, 1e9)), static_cast<int>(std::min(rows, 1e9)),
                   static_cast<float>(pixel)};
-  // Cell 0 begins at the panel's edge. The middle of the panel is a cell boundary if the number of lenses is even, and a lens
-  // centre if it is odd.
+  // The middle of the panel is a cell boundary if the number of lenses is even, and a lens centre if it is odd.
   const Vec2f offset(std::fmod(across, 2.0) == 0.0 ? 0.5 * display.lens_pitch_mm : 0.0,
                      std::fmod(along, 2.0) == 0.0 ? 0.5 * display.lens_pitch_mm : 0.0);
   optics.model =

@@ -6,10 +6,9 @@
 // Saavedra and Javidi, "Three-dimensional display by smart pseudoscopic-to-orthoscopic conversion with tunable focus", Appl.
 // Opt. 53(22), 2014.
 //
-// If the recording array itself showed the recorded image, depth would be inverted, because the array recorded the scene point
-// (x, z) in front of it from the opposite side. The conversion therefore places the display's array at distance D in front of
-// the recording array, facing it. Depth Z on the display is z = D - Z in front of the recording array. Points nearer to the
-// recording array come nearer to the viewer, and points at distance D lie in the display plane.
+// Shown by the recording array itself, the image would have inverted depth. The conversion therefore places the display's array
+// at distance D in front of the recording array, facing it. Depth Z on the display is z = D - Z in front of the recording
+// array. Points nearer to the recording array come nearer to the viewer, and points at distance D lie in the display plane.
 //
 //   A pixel at offset o below the display's lens l (pitch p, gap g) has the ray x(Z) = l - o Z / g.
 //   1. It meets the recording array, Z = D, at              x_R = l - o D / g;
@@ -20,9 +19,8 @@
 //      pixel floor(N'/2 + o' / m') of cell k.
 // With D = 0 and equal arrays, k is the lens itself, x_ref = l + o z_ref / g, and o' = -o: rotated elemental images.
 //
-// The reference point takes the place of the eye in optics/sight.hpp, so the method holds for every kind of array. We deviate:
-// if the nearest lens has no pixel that looks at the point, the nearest lens with such a pixel is used. A pixel stays black
-// only if no lens has such a pixel.
+// We deviate: if the nearest lens has no pixel that looks at the point, the nearest lens with such a pixel is used. Without any
+// such lens, the pixel is black.
 #pragma once
 
 #include "lippmann/optics/optics.hpp"
@@ -35,19 +33,17 @@ struct SpocParams {
   double reference_mm = 20.0;  ///< z_ref, > 0: distance from the recording array that is reproduced best
 };
 
-/// The lens pitch, the gap and the pixels per lens of a display's array.
 struct SpocDisplay {
   double lens_pitch_mm = 1.0, gap_mm = 2.0;
   int pixels = 8;
 };
 
-/// Returns the optics of the display: an array of the same kind as the recording array, with the pitch, gap and number of
-/// pixels per lens of `display`. It covers the window of the recording array, and cells are centred below their lenses. Throws
-/// a usage Error for values that make no valid array.
+/// Returns an array of the recording array's kind and window, with the pitch, gap and pixels per lens of `display`. Throws a
+/// usage Error for values that make no valid array.
 Optics spoc_display(const Optics& recorded, const SpocDisplay& display);
 
-/// Returns the map that takes images of the recording panel to images of the display's panel. Both are lens arrays of one kind.
-/// Throws a usage Error if a distance is not finite, or if the reference plane is not in front of the recording array.
+/// `recorded` and `display` are lens arrays of one kind. Throws a usage Error if a distance is not finite, or if the reference
+/// plane is not in front of the recording array.
 PixelMap spoc(const Optics& recorded, const Optics& display, const SpocParams& params);
 
 }  // namespace lippmann

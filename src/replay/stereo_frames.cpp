@@ -21,7 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The positions of two eyes in the display frame.
 struct EyePair {
   Vec3d middle_mm;
   double ipd_mm;
@@ -29,8 +28,7 @@ struct EyePair {
   Vec3d eye(int i) const { return middle_mm + Vec3d((i - 0.5) * ipd_mm, 0.0, 0.0); }
 };
 
-/// Returns the eyes. The lengths in `params` refer to the viewer's screen. If the width of this screen differs from that of the
-/// optics, the lengths are scaled.
+/// The lengths in `params` refer to the viewer's screen. They are scaled if the optics have another width.
 EyePair eye_pair(const StereoParams& params, const Optics& optics) {
   const double width = display_window(optics).size.x, scale = params.screen_width_mm ? width / *params.screen_width_mm : 1.0;
   EyePair eyes{default_eye_mm(optics), params.ipd_mm.value_or(kDefaultIpdMm) * scale};
@@ -43,7 +41,7 @@ bool is_pair(const Optics& optics) {
   return tiles && tiles->columns == 2 && tiles->rows == 1;
 }
 
-/// Throws if parameters of the eyes are given, since they have no effect on light fields of two views.
+/// The eyes have no effect on light fields of two views.
 void refuse_eye_params(const StereoParams& params) {
   const auto refuse = [](bool given, const char* flag) {
     if (given)
@@ -57,8 +55,8 @@ void refuse_eye_params(const StereoParams& params) {
   refuse(params.field.cone_ends, "cone-ends");
 }
 
-/// Warns if an eye is outside the viewing zone. Returns the larger share of the display, over both eyes, on which an eye sees
-/// views of a neighbouring viewing zone.
+/// Warns if an eye is outside the viewing zone. Returns the largest fraction of the display on which an eye sees a neighbouring
+/// viewing zone.
 double warn_out_of_zone(const Optics& optics, const EyePair& eyes, const Context& context) {
   const double share =
       std::max(share_out_of_zone(optics, viewer_at(eyes.eye(0))), share_out_of_zone(optics, viewer_at(eyes.eye(1))));
@@ -72,14 +70,13 @@ double warn_out_of_zone(const Optics& optics, const EyePair& eyes, const Context
   return share;
 }
 
-/// Converts the samples to 8-bit codes, unless floats are requested.
+/// Converts the samples to 8-bit codes unless floats are wanted.
 LightField with_codes(LightField field, bool wants_floats) {
   if (!wants_floats)
     if (const Image* light = std::get_if<Image>(&field.stack)) field.stack = to_codes(*light, Encoding::kSrgb);
   return field;
 }
 
-/// Returns whether the output has float samples. The extension of the output decides, or else that of the input.
 bool wants_floats(const fs::path& out, const fs::path& in) {
   return (out.has_extension() ? out.extension() : in.extension()) == ".exr";
 }

@@ -1,7 +1,7 @@
 // Converts light fields to stereo images: what two eyes in front of the display see (replay/eye_view.hpp).
 //
-// The eyes are level with the design viewer, at half the interpupillary distance to either side. Both look through the same
-// rectangle of the plane z = 0. The views are therefore off-axis, and points in that plane coincide.
+// The eyes are level with the design viewer. Both look through the same rectangle of the plane z = 0, so the views are
+// off-axis.
 #pragma once
 
 #include <filesystem>
@@ -16,28 +16,26 @@
 namespace lippmann {
 
 struct StereoParams {
-  std::filesystem::path in;   ///< the input, as for find_light_field_frames
-  std::filesystem::path out;  ///< the output: an image, or a folder if there are several frames
+  std::filesystem::path in;
+  std::filesystem::path out;
   LightFieldHints field = {};
   StereoLayout layout = {};
-  std::optional<double> ipd_mm = {};           ///< interpupillary distance; none: kDefaultIpdMm
-  std::optional<double> distance_mm = {};      ///< distance from the eyes to the screen; none: that of the design viewer
-  std::optional<double> screen_width_mm = {};  ///< width of the screen that shows the light field; none: as in its optics
+  std::optional<double> ipd_mm = {};           ///< distance between the eyes; none: kDefaultIpdMm
+  std::optional<double> distance_mm = {};      ///< distance from the eyes to the screen; none: as for the design viewer
+  std::optional<double> screen_width_mm = {};  ///< width of the viewer's screen; none: as in the optics
 };
 
 struct ConvertedStereo {
   std::vector<std::filesystem::path> written;
   Vec2i view_size{0, 0};     ///< size of one view before it is squeezed
-  double out_of_zone = 0.0;  ///< largest result of share_out_of_zone() (eye_sampler.hpp), over all eyes and frames
+  double out_of_zone = 0.0;  ///< largest fraction of the display on which an eye sees a neighbouring viewing zone
 };
 
-/// Converts all frames. A light field of two views keeps its views; giving the distances or the view angle is then an Error.
-/// Warns if an eye is outside the viewing zone. Throws Error naming the file or parameter. Stops at once if context.cancelled
-/// is set; finished images remain, and the unfinished one leaves no file.
+/// A light field of two views keeps its views, and the lengths in `params` are then an Error. Warns if an eye is outside the
+/// viewing zone. Throws Error naming the file or parameter. Stops at once if context.cancelled is set; finished images remain.
 ConvertedStereo convert_to_stereo(const StereoParams& params, const Context& context);
 
-/// Returns what two eyes see of one panel, as a light field of 2 views. The eyes are ipd_mm apart, with eye_mm in the middle.
-/// The result is unfinished if `context` is cancelled.
+/// Returns a light field of the 2 views that eyes around eye_mm see, ipd_mm apart. It is unfinished if `context` is cancelled.
 LightField stereo_views(const RenderedPanel& panel, Vec3d eye_mm, double ipd_mm, const ThreadPool& pool,
                         const Context& context = {});
 

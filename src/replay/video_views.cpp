@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Counts the frames by decoding all of them, since the length stored in a container is often wrong or missing.
+/// Decodes all frames, because the length in a container is often wrong or missing.
 int count_frames(const fs::path& video) {
   VideoReader reader(video);
   int count = 0;
@@ -49,7 +49,7 @@ LightField read_video_views(const fs::path& video, const FormatOptions& options)
   for (int frame = 0; view < views; ++frame) {
     std::optional<Image8> read = reader.next();
     if (!read) throw Error(video.string(), "the file changed while it was read");
-    // View i is made from the frame whose index is nearest to i (frames - 1) / (views - 1).
+    // View i is the frame nearest to i (frames - 1) / (views - 1).
     if (frame != (2 * view * (frames - 1) + views - 1) / (2 * (views - 1))) continue;
     Picture picture = *std::move(read);
     if (options.fit_view) picture = options.fit_view(std::move(picture), view, field.grid);
