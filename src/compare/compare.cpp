@@ -18,8 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Throws if `a` has a frame that `b` lacks. `a` holds the names of the frames in `other`, and `b` the names of the frames in
-/// `path`.
+/// `a` and `b` hold the names of the frames in `other` and in `path`.
 void check_has_all(const fs::path& path, const std::vector<std::string>& b, const fs::path& other,
                    const std::vector<std::string>& a) {
   const std::set<std::string> known(b.begin(), b.end());
@@ -73,7 +72,7 @@ class PairSource {
           fmt::format("ends after {} frames, but {} has more", count_, a ? reference_path_.string() : test_path_.string()));
     if (!a) return std::nullopt;
     ++count_;
-    // The name of a file is preferred to the frame number of a video.
+    // A video has no frame names, so the name comes from the other input.
     const std::string name = reference_->kind() == SourceKind::kVideo ? b->name : a->name;
     return Pair{name, std::move(*a), std::move(*b)};
   }

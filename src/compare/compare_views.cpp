@@ -34,8 +34,7 @@ std::vector<fs::path> wanted_fields(const fs::path& path, const CompareParams& p
   return fields;
 }
 
-/// Returns pairs of light fields. Frames of folders are matched by number. If both inputs are single light fields, their names
-/// do not matter.
+/// Matches frames of folders by number. Two single light fields may have any names.
 std::vector<std::pair<fs::path, fs::path>> pairs_of_fields(const fs::path& reference, const fs::path& test,
                                                            const CompareParams& params) {
   const std::vector<fs::path> a = wanted_fields(reference, params), b = wanted_fields(test, params);
@@ -61,7 +60,7 @@ void require_same_views(const FrameViews& a, const FrameViews& b, const fs::path
 }
 
 struct ViewsPair {
-  fs::path path;  ///< path of the reference frame
+  fs::path path;
   FrameViews reference, test;
 };
 
@@ -87,7 +86,7 @@ void add_rows(const ViewsPair& pair, const MetricChoice& choice, const ThreadPoo
   });
 }
 
-/// Throws if the two frames are not consecutive, or if the motion layer is missing.
+/// Throws if the frames are not consecutive, or if the motion layer is missing.
 void require_motion(const ViewsPair& before, const ViewsPair& pair) {
   if (frame_number(before.path).value_or(0) + 1 != frame_number(pair.path))
     throw usage_error("metrics", "flicker needs consecutive frames", "all frames, or `frames` without gaps");

@@ -7,7 +7,7 @@
 
 namespace lippmann {
 
-/// Compares light fields like compare(). compare() calls this function if CompareParams::compares_views() is true.
+/// Used by compare() if CompareParams::compares_views() is true.
 Comparison compare_views(const std::filesystem::path& reference, const std::filesystem::path& test, const Context& context,
                          const CompareParams& params);
 

@@ -32,8 +32,7 @@ std::string quoted(const std::string& name) {
 
 std::string csv_number(std::optional<double> value) { return value ? fmt::format("{}", *value) : ""; }
 
-/// Returns whether JSON and CSV include the column. They include metrics that are always computed, and metrics for which some
-/// frame has a value.
+/// JSON and CSV hold the metrics that are always computed, and those for which a frame has a value.
 bool is_written(const MetricColumn& column, const Comparison& comparison) {
   return column.is_chosen({}) || column.key == "psnr_y_db" || column.key == "psnr_yuv_db" ||
          std::any_of(comparison.frames.begin(), comparison.frames.end(), [&](const FrameComparison& frame) {

@@ -1,17 +1,16 @@
 // Based on: Lai, Huang, Wang, Shechtman, Yumer, Yang, "Learning blind video temporal consistency", ECCV 2018, equation 3 (the
 // weight of a pixel) and section 4.2 (the warping error).
 //
-// Flicker: the error of a pixel p at time t is e_t(p) = test - reference. It is compared with the error of the same surface
-// point in the previous frame, which the render's motion vectors locate: e_t(p) - e_{t-1}(p - motion(p)), with bilinear
-// interpolation. The weight of a pixel is exp(-50 |a_t - a_{t-1}|^2), where a is the reference's colour in 0 ... 1. Points that
-// were hidden, or whose shading changed, thus hardly count.
+// Flicker: the error of a pixel p at time t is e_t(p) = test - reference. The change of the error along the motion of the
+// surface is e_t(p) - e_{t-1}(p - motion(p)), with bilinear interpolation. The weight of a pixel is exp(-50 |a_t - a_{t-1}|^2),
+// where a is the reference's colour in 0 ... 1.
 //
 // Angular consistency compares the differences between neighbouring views, as tLP does for frames: Chu, Xie, Mayer, Leal-Taixe,
 // Thuerey, "Learning temporal coherence via self-supervision for GAN-based video generation", ACM Trans. Graphics 39(4), 2020,
 // section 5.2.
 //
 // We deviate:
-// 1. The motion of every pixel is known exactly, so there is no optical flow, and no occlusion mask besides the weights.
+// 1. The motion of every pixel is known, so there is no optical flow and no occlusion mask.
 // 2. The warping error is computed from the difference to the reference, so the reference itself scores 0.
 // 3. Views are compared by codes, not by features of a network.
 #include "compare/consistency.hpp"
@@ -30,7 +29,6 @@ namespace {
 
 constexpr double kVisibilityFall = 50.0;
 
-/// Returns the sum of squared differences between the change from a0 to a1 and the change from b0 to b1.
 double squared_changes(const Image8& a0, const Image8& a1, const Image8& b0, const Image8& b1) {
   std::uint64_t sum = 0;
   for (std::size_t i = 0; i < a0.rgb.size(); ++i) {
@@ -40,13 +38,11 @@ double squared_changes(const Image8& a0, const Image8& a1, const Image8& b0, con
   return static_cast<double>(sum);
 }
 
-/// The four pixels around a position and their bilinear weights.
 struct BilinearTaps {
   std::array<std::size_t, 4> pixels;
   std::array<double, 4> weights;
 };
 
-/// Finds the pixels around (x, y). Returns false if the position is outside the image.
 bool find_taps(double x, double y, const Image8& image, BilinearTaps& taps) {
   if (!(x >= 0.0 && y >= 0.0 && x <= image.width - 1 && y <= image.height - 1)) return false;
   const std::size_t width = static_cast<std::size_t>(image.width), x0 = static_cast<std::size_t>(x),

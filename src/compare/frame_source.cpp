@@ -59,8 +59,7 @@ class PictureFiles : public FrameSource {
   }
 
  private:
-  /// Warns about ignored channels of an image. Called only for the first image of a folder, because the other images have the
-  /// same channels.
+  /// Called only for the first image of a folder, because all images have the same channels.
   void warn_of_left_out(const fs::path& file) const {
     if (!warn_) return;
     const LeftOutChannels left_out = left_out_channels(file);
@@ -111,7 +110,7 @@ class VideoFrames : public FrameSource {
   fs::path path_;
   VideoReader reader_;
   std::optional<std::vector<int>> wanted_;
-  std::size_t taken_ = 0;  ///< number of frames of wanted_ that next() has returned
+  std::size_t taken_ = 0;
   int count_ = 0;
 };
 

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Runs gnuplot. Returns its exit code, or 127 if the program is not installed.
+/// Returns the exit code of gnuplot, or 127 if gnuplot is not installed.
 int run_gnuplot(const fs::path& script) {
   std::error_code problem;
   platform::ChildProcess process({.words = {"gnuplot", script.string()}}, problem);
@@ -30,7 +30,6 @@ std::string gnuplot_quoted(const std::string& text) {
 
 void draw_with_gnuplot(const fs::path& path, const std::string& commands) {
   AtomicFile picture(path);
-  // The destructor removes this temporary file, because the file is never committed.
   const AtomicFile script(path.string() + ".gnuplot");
   const std::string text = fmt::format("set terminal pngcairo size 960,540 noenhanced font 'sans,11'\nset output {}\n{}",
                                        gnuplot_quoted(picture.temporary_path().string()), commands);

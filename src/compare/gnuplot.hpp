@@ -7,11 +7,10 @@
 
 namespace lippmann {
 
-/// Quotes a string for gnuplot in single quotes. Inside single quotes, only the single quote itself is special.
+/// Quotes a string for gnuplot in single quotes.
 std::string gnuplot_quoted(const std::string& text);
 
-/// Runs `commands` in gnuplot and writes a PNG file of 960 x 540 pixels. Throws Error if gnuplot is not installed or fails, or
-/// if the file cannot be written.
+/// Writes a PNG file of 960 x 540 pixels. Throws Error if gnuplot is not installed or fails, or if the file cannot be written.
 void draw_with_gnuplot(const std::filesystem::path& picture, const std::string& commands);
 
 }  // namespace lippmann

@@ -9,15 +9,15 @@
 namespace lippmann {
 
 struct MetricChoice {
-  /// Whether the table shows these metrics. They are always computed.
+  /// These metrics are always computed; the flags decide whether the table shows them.
   bool psnr_y = false, psnr_yuv = false;
   SlowMetrics slow = {};
-  /// angular is only for light fields. flicker is only for consecutive frames.
+  /// `angular` is only for light fields, `flicker` only for consecutive frames.
   bool angular = false, flicker = false;
 };
 
 /// Parses names separated by commas: psnr-y, psnr-yuv, ms-ssim, flip, angular, flicker, or "all". Also accepts psnr, ssim and
-/// mse, which are always included. Throws a usage Error that names `metrics`.
+/// mse, which are always included. Throws a usage Error naming `metrics`.
 MetricChoice read_metrics(const std::string& text);
 
 }  // namespace lippmann

@@ -15,11 +15,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// For up to this number of frames, tick marks are set explicitly, because gnuplot would place some tick marks between frame
-/// numbers.
+/// For up to this number of frames, tick marks are set one by one, because gnuplot would put some between frame numbers.
 constexpr std::size_t kFewFrames = 20;
 
-/// Returns the number at the end of a frame's name. Returns nullopt if there is none.
+/// Returns the number at the end of a frame's name.
 std::optional<long> trailing_number(const std::string& name) {
   constexpr std::size_t kMaxDigits = 9;
   std::size_t begin = name.size();

@@ -7,8 +7,8 @@
 
 namespace lippmann {
 
-/// Writes a chart of the PSNR as a PNG file. Identical frames have no PSNR and leave gaps. Throws Error if gnuplot is not
-/// installed or fails, or if the file cannot be written.
+/// Writes a PNG file. Identical frames have no PSNR and leave gaps. Throws Error if gnuplot is not installed or fails, or if
+/// the file cannot be written.
 void plot_psnr(const Comparison& comparison, const std::filesystem::path& path);
 
 }  // namespace lippmann

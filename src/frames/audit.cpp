@@ -13,29 +13,25 @@
 namespace lippmann {
 namespace {
 
-/// One pixel of every kPixelsPerHeldOut is held out. The audit adds 2 x kPathsPerSample / kPixelsPerHeldOut = 1.6 % to the
-/// frame's paths.
+/// One of this many pixels is traced again. This adds 2 x kPathsPerSample / kPixelsPerHeldOut = 1.6 % of the frame's paths.
 constexpr std::size_t kPixelsPerHeldOut = 500;
-/// Minimum number of held-out pixels, for small images. With fewer pixels, the interval would be wider than 6 dB.
+/// Lowest number of pixels that are traced again. With fewer, the interval would be wider than 6 dB.
 constexpr std::size_t kLeastHeldOut = 64;
-/// Paths per held-out pixel in each of the two retraced images, as a multiple of the frame's paths per pixel. Together, the two
-/// images have eight times the frame's paths. This is enough to measure a denoised frame that is as accurate as a frame with
-/// eight times its paths.
+/// Paths in each of the two new images of a pixel, per path of the frame. Eight times the frame's paths in total can measure a
+/// denoised frame as accurate as one with eight times its paths.
 constexpr int kPathsPerSample = 4;
-/// Minimum number of paths per held-out pixel. The transfer curve of sRGB is not linear, so the sRGB code of a mean of few
-/// paths is biased.
+/// Lowest number of paths of a retraced pixel. The sRGB code of a mean of few paths is biased, because the transfer curve is
+/// not linear.
 constexpr int kLeastPaths = 32;
-/// Half the width of the 90 % interval, in standard errors. A normal distribution would need 1.645. The standard error is
-/// underestimated if a few pixels cause most of the error, so the interval is wider. `lippmann-bench estimates` measures how
-/// often the interval contains the true error.
+/// Half the width of the 90 % interval, in standard errors. A normal distribution would need 1.645. A few pixels with most of
+/// the error make the standard error too small. `lippmann-bench estimates` measures the coverage.
 constexpr double kDeviations = 2.0;
 
 constexpr std::uint32_t kPlacesSalt = 0x61756469u, kFirstSalt = 0x61756431u, kSecondSalt = 0x61756432u;
 
 using Color = std::array<double, 3>;
 
-/// Returns the indices of the held-out pixels in ascending order. The pixels are divided into runs of equal length, and each
-/// run contributes one pixel at random.
+/// Draws one pixel at random from each of a number of equal runs of pixels. Returns ascending indices.
 std::vector<std::uint32_t> held_out_pixels(std::size_t pixels, std::uint32_t seed) {
   const std::size_t count = std::min(pixels, std::max(kLeastHeldOut, pixels / kPixelsPerHeldOut));
   std::vector<std::uint32_t> chosen;
@@ -59,8 +55,7 @@ std::vector<Color> codes_at(std::span<const std::uint32_t> pixels, const Image& 
   return codes;
 }
 
-/// Traces `pixels` again with the random numbers of `trace` and returns their sRGB codes. Overwrites these pixels of the film
-/// and then restores them.
+/// Traces `pixels` again and returns their sRGB codes. The film has its old values on return.
 std::vector<Color> traced_codes(const Shot& shot, const TraceParams& trace, std::span<const std::uint32_t> pixels,
                                 const Workers& workers, Image& film, float* open, RayCounts& rays) {
   std::vector<float> own;

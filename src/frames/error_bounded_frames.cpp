@@ -16,16 +16,13 @@
 namespace lippmann {
 namespace {
 
-/// Number of key frame intervals per segment. The first interval decides for the whole segment whether frames are predicted.
+/// Number of key frame intervals per segment. The first interval of a segment decides whether all its frames are predicted.
 constexpr int kSegmentIntervals = 8;
-/// Maximum cost of predicting a frame, as a fraction of the cost of tracing it. More expensive predictions are not tried,
-/// because tracing the uncertain pixels would use up the remaining saving.
+/// Highest cost of predicting a frame, relative to tracing it.
 constexpr double kMostPredictionCost = 1.0 / 3.0;
-/// Minimum saving for which frames of an interval are predicted. The saving is a fraction of the cost of tracing the interval,
-/// including its key frame. Estimated costs are accurate to about a third.
+/// Lowest saving for which an interval is predicted, relative to tracing the interval with its key frame.
 constexpr double kLeastIntervalSaving = 0.05;
-/// Expected reduction of the cost of partial tracing when key frames are twice as close, as a fraction of the cost of tracing a
-/// frame.
+/// Expected saving if key frames are twice as close, relative to tracing a frame.
 constexpr double kHalvingGains = 0.1;
 
 void add_spent(const FrameReport& spent, FrameReport& report) {
@@ -34,12 +31,11 @@ void add_spent(const FrameReport& spent, FrameReport& report) {
   add(spent.rays, report.rays);
 }
 
-/// Returns the position of a frame within an interval, from 0 (first frame) to 1 (last frame).
 float position(int frame, const FrameInterval& interval) {
   return static_cast<float>(frame - interval.first) / static_cast<float>(interval.last - interval.first);
 }
 
-/// Returns the PSNR of the estimated error. If all held-out pixels have an error of 0, returns the PSNR of the upper bound.
+/// If all held-out pixels have an error of 0, returns the PSNR of the upper bound.
 double estimated_psnr(const ErrorEstimate& error) { return psnr_db(error.mse > 0.0 ? error.mse : error.bound); }
 
 class ErrorBoundedFrames final : public FrameMaker {
@@ -51,21 +47,19 @@ class ErrorBoundedFrames final : public FrameMaker {
 
  private:
   struct Segment {
-    int length = 0;     ///< number of frames from key frame to key frame; 0 if all frames are traced
-    Evidence evidence;  ///< measured errors of predictions, per level of uncertainty
+    int length = 0;     ///< distance between key frames; 0 if all frames are traced
+    Evidence evidence;  ///< measured errors of predictions (reuse/held_out.hpp)
   };
 
-  /// Renders a frame and its source frames. Stores them in films_ and keys_.
   void render(int frame);
   void render_between(int frame, const FrameInterval& interval, const Evidence& learned);
-  /// Returns the segment that contains a frame. Calls try_segment() the first time.
   const Segment& segment_of(int frame);
   Segment try_segment(int first);
-  /// Traces the middle frame between two key frames and compares it with its prediction.
+  /// Traces the middle frame of an interval and compares it with its prediction.
   FloorLesson learn(const FrameInterval& interval);
-  /// Predicts the middle frame of an interval before the other frames. Returns whether the prediction was kept.
+  /// Predicts the middle frame of an interval. Returns whether the prediction was kept.
   bool middle_holds(const FrameInterval& interval, const Evidence& learned);
-  /// Predicts a frame, or traces it if prediction does not pay off. Returns whether the frame was predicted.
+  /// Traces the frame if prediction does not pay off. Returns whether it was predicted.
   bool predict_or_trace(int frame, const FrameInterval& interval, const Evidence& learned);
   void trace(int frame, const FrameReport& spent = {});
   const PointImage& key(int frame);
@@ -76,11 +70,11 @@ class ErrorBoundedFrames final : public FrameMaker {
   Interpolate reuse_;
   int every_, last_frame_;
   InBetweenMaker maker_;
-  std::map<int, ForwardSource> keys_;          ///< key frames, indexed by frame number
-  std::map<int, RenderedFrame> films_;         ///< finished frames that make() has not returned yet, indexed by frame
-  std::map<int, Segment> segments_;            ///< segments, indexed by their first frame
-  std::map<int, bool> middle_holds_;           ///< results of middle_holds(), indexed by the middle frame
-  std::map<int, FrameReport> source_reports_;  ///< reports of frames that were rendered only as sources, indexed by frame
+  std::map<int, ForwardSource> keys_;
+  std::map<int, RenderedFrame> films_;         ///< finished frames that make() has not returned yet
+  std::map<int, Segment> segments_;            ///< by the segment's first frame
+  std::map<int, bool> middle_holds_;           ///< results of middle_holds() by the middle frame
+  std::map<int, FrameReport> source_reports_;  ///< frames that were rendered only as sources of other frames
 };
 
 ErrorBoundedFrames::ErrorBoundedFrames(const MakerParts& parts, const Interpolate& reuse)
@@ -113,7 +107,6 @@ void ErrorBoundedFrames::render(int frame) {
 void ErrorBoundedFrames::render_between(int frame, const FrameInterval& interval, const Evidence& learned) {
   forget_before(interval.first);
   const bool holds = middle_holds(interval, learned);
-  // films_ contains `frame` if it is the middle frame, which middle_holds() has made.
   if (parts_.context.cancelled || films_.contains(frame)) return;
   if (holds)
     predict_or_trace(frame, interval, learned);
@@ -249,9 +242,7 @@ std::unique_ptr<FrameMaker> make_error_bounded_frames(const MakerParts& parts, c
 double error_bounded_frames_bytes_per_pixel() {
   constexpr double kFilm = 3 * sizeof(float), kPoint = sizeof(float) + sizeof(std::uint32_t), kContrast = 1;
   const int halvings = halving_depth(kDefaultKeyframes);
-  // Upper bounds, because these images rarely all exist at the same time.
   const int images = 1 + halvings, films = halvings - 1;
-  // Projected points and predictions of both key frames, and the planes of the uncertainty estimate.
   constexpr double kUncertainty = 2 * sizeof(std::uint64_t) + 2 * kFilm + 5;
   return images * (kFilm + kPoint + kContrast) + films * kFilm + kUncertainty;
 }

@@ -1,7 +1,7 @@
 // Makes interpolated frames with a minimum PSNR (--reuse interpolate --min-psnr). Key frames are traced. All other frames are
 // predicted from key frames, and traced where the prediction is uncertain (reuse/quality_floor.hpp).
 //
-// Estimated costs decide whether prediction pays off. The estimates use counts (reuse/tracing_costs.hpp) and never a clock.
+// Estimated costs decide whether prediction pays off (reuse/tracing_costs.hpp).
 //   1. The animation is divided into segments of kSegmentIntervals intervals. An interval has kDefaultKeyframes frames, or the
 //      requested number.
 //   2. In the first interval of a segment, the middle frame is both predicted and completely traced. The errors of the
@@ -12,8 +12,7 @@
 //   6. In each interval the middle frame is made first. If it has to be traced completely, the other frames of the interval are
 //      traced as well.
 //
-// Trials and their results depend only on the whole animation. A part of an animation that is rendered alone has the same bytes
-// as in the whole animation.
+// Trials depend only on the whole animation, so a part that is rendered alone has the same bytes.
 #pragma once
 
 #include <memory>
@@ -25,7 +24,7 @@ namespace lippmann {
 /// `reuse.min_psnr_db` must be set.
 std::unique_ptr<FrameMaker> make_error_bounded_frames(const MakerParts& parts, const Interpolate& reuse);
 
-/// Returns the memory that the maker keeps between frames, in bytes per pixel.
+/// Memory that is kept between frames, in bytes per pixel.
 double error_bounded_frames_bytes_per_pixel();
 
 int error_bounded_frames_per_segment(const Interpolate& reuse);

@@ -12,8 +12,8 @@
 namespace lippmann {
 namespace {
 
-// If copying blocks saves less than kLeastSpanSaving of the time, copying is switched off for some frames. The number of these
-// frames doubles each time, up to kLongestRest.
+// If copying blocks saves less than kLeastSpanSaving of the time, some frames are traced without it. Their number doubles each
+// time, up to kLongestRest.
 constexpr double kLeastSpanSaving = 0.02;
 constexpr int kLongestRest = 256;
 
@@ -26,7 +26,7 @@ class ExactFrames final : public FrameMaker {
  private:
   RenderedFrame key(int frame);
   RenderedFrame from_key(int frame);
-  /// Sets the provenance layer if it is wanted: pixels of settled blocks were copied, all others were traced.
+  /// Pixels of blocks that do not change were copied, all others were traced.
   void mark_copied(const Shot& shot, std::span<const std::uint8_t> unsettled, FrameAovs& aovs) const;
   void judge(const FrameReport& in_between);
 
@@ -35,15 +35,15 @@ class ExactFrames final : public FrameMaker {
   int last_frame_;
   SettledBlocks settled_;
 
-  /// The key frame is key_. Its blocks are copied to the frames key_ + 1 ... key_ + span_ - 1.
+  /// The key frame key_ is copied to the frames key_ + 1 ... key_ + span_ - 1.
   int key_ = 0, span_ = 0;
-  Image film_;            ///< film of the key frame
-  TouchedBlocks blocks_;  ///< blocks of the key frame
+  Image film_;
+  TouchedBlocks blocks_;
 
-  // Measured times decide how long blocks are copied. They do not affect the images.
-  /// CPU time of the last fully traced frame, and of the last key frame. 0 if not yet measured.
+  // Measured times decide how long blocks are copied; they do not affect the images.
+  /// CPU time of the last fully traced frame and of the last key frame; 0 if not measured yet.
   double full_seconds_ = 0.0, key_seconds_ = 0.0;
-  int rest_ = 0;  ///< number of frames to trace before the next key frame
+  int rest_ = 0;  ///< frames to trace before the next key frame
   int next_rest_ = 16;
 };
 
@@ -111,7 +111,7 @@ void ExactFrames::mark_copied(const Shot& shot, std::span<const std::uint8_t> un
                            [&](std::uint32_t pixel) { codes[pixel] = static_cast<float>(Provenance::kTraced); });
 }
 
-/// Ends the span of the key frame if copying saves too little time compared to tracing all frames.
+/// Stops copying if it saves too little time compared to tracing all frames.
 void ExactFrames::judge(const FrameReport& in_between) {
   const double span_seconds = key_seconds_ + (span_ - 1) * in_between.cpu_seconds;
   if (span_seconds < (1.0 - kLeastSpanSaving) * span_ * full_seconds_) {

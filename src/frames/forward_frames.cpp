@@ -15,8 +15,7 @@
 namespace lippmann {
 namespace {
 
-/// Returns whether other frames lie between a middle frame and the ends of its interval. The middle frame is then a source of
-/// these frames.
+/// Returns whether other frames are made from the middle frame of the interval.
 bool is_source(int frame, const FrameInterval& interval) { return frame - interval.first > 1 || interval.last - frame > 1; }
 
 class ForwardFrames final : public FrameMaker {
@@ -31,8 +30,7 @@ class ForwardFrames final : public FrameMaker {
   using Source = ForwardSource;
 
   Source between(int frame, const FrameInterval& interval, bool as_source);
-  /// Returns the intervals to process for a frame that is not a key frame. The frame is made from the ends of the last
-  /// interval.
+  /// Returns the intervals that lead to a frame; the frame is made from the ends of the last one.
   std::vector<FrameInterval> path_to(int frame) const;
   void keep_only_sources_of(int frame);
   const Source& key(int frame);
@@ -43,8 +41,8 @@ class ForwardFrames final : public FrameMaker {
   int every_, last_frame_;
   InBetweenMaker maker_;
   SpareImages spare_films_;
-  std::map<int, Source> sources_;              ///< source frames, indexed by frame number
-  std::map<int, FrameReport> source_reports_;  ///< reports of frames that were rendered only as sources, indexed by frame
+  std::map<int, Source> sources_;
+  std::map<int, FrameReport> source_reports_;  ///< frames that were rendered only as sources of other frames
 };
 
 ForwardFrames::ForwardFrames(const MakerParts& parts, const Interpolate& reuse)
@@ -151,7 +149,6 @@ std::unique_ptr<FrameMaker> make_forward_frames(const MakerParts& parts, const I
 
 double forward_frames_bytes_per_pixel(const Interpolate& reuse) {
   constexpr double kFilm = 3 * sizeof(float), kPoint = sizeof(float) + sizeof(std::uint32_t), kContrast = 1, kSpareFilms = 2;
-  // The memory holds two key frames, one made frame per halving, the SplatBuffer keys of both sources, and spare films.
   const int images = 2 + (reuse.halving ? halving_depth(key_frame_interval(reuse)) : 0);
   return images * (kFilm + kPoint + kContrast) + 2 * sizeof(std::uint64_t) + kSpareFilms * kFilm;
 }

@@ -1,6 +1,5 @@
 // Makes interpolated frames, based on Eljdid, Aggoun and Youssef (README.md). Key frames are traced. The frames between them
-// are made from the points of key frames, directly or by halving (reuse/frame_plan.hpp). Only the sources of the current frame
-// are kept.
+// are made from the points of key frames, directly or by halving (reuse/frame_plan.hpp).
 #pragma once
 
 #include <memory>
@@ -11,7 +10,7 @@ namespace lippmann {
 
 std::unique_ptr<FrameMaker> make_forward_frames(const MakerParts& parts, const Interpolate& reuse);
 
-/// Returns the memory that the maker keeps between frames, in bytes per pixel.
+/// Memory that is kept between frames, in bytes per pixel.
 double forward_frames_bytes_per_pixel(const Interpolate& reuse);
 
 }  // namespace lippmann

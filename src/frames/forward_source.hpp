@@ -1,4 +1,4 @@
-// Source frames, from which other frames are made.
+// Frames from which other frames are made.
 #pragma once
 
 #include "frames/frame_maker.hpp"
@@ -13,13 +13,12 @@ struct ForwardSource {
 
 ForwardParams forward_params(const Sampling& sampling, const Interpolate& reuse);
 
-/// Returns the number of frames from one key frame to the next: the requested number, or the default.
 inline int key_frame_interval(const Interpolate& reuse) { return reuse.keyframes.value_or(kDefaultKeyframes); }
 
-/// Traces a key frame with its points and prepares it for `maker`. The result is incomplete if the context is cancelled.
+/// Traces a key frame with its points and prepares it for `maker`. Incomplete if the context is cancelled.
 ForwardSource trace_source(const MakerParts& parts, const Interpolate& reuse, int frame, const InBetweenMaker& maker);
 
-/// Returns the report of a frame that was made from other frames. The report has no times yet.
+/// Returns the report, still without times, of a frame that was made from others.
 FrameReport in_between_report(int frame, const InBetweenCounts& counts, const RayCounts& rays, Vec2i film);
 
 }  // namespace lippmann

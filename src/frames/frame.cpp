@@ -71,13 +71,12 @@ void add_first_hits(const Stage& stage, const Sampling& sampling, const Moment& 
 
 namespace {
 
-/// Maximum number of times at which a frame with motion blur is exposed. Each time needs a scene update. More times have no
-/// visible effect.
+/// Highest number of times at which a frame with motion blur is exposed. More have no visible effect.
 constexpr int kMostTimes = 32;
 
 using TraceShare = std::function<RayCounts(const Shot&, const TraceParams&, SampleShare, FramePictures&)>;
 
-/// Traces the samples of a frame with motion blur. Each share of the samples has its own time.
+/// Traces part of the samples at each time of a frame with motion blur.
 RayCounts trace_exposure(Stage& stage, const std::vector<ExposureTime>& times, const TraceParams& params,
                          const Workers& workers, const TraceShare& trace, FramePictures& pictures) {
   RayCounts rays;
@@ -104,7 +103,7 @@ RenderedFrame render_with(Stage& stage, const Sampling& sampling, int frame, con
   if (sampling.shutter > 0.0f) {
     const std::vector<ExposureTime> times = exposure_times(sampling, stage.scene.timeline, frame);
     rendered.report.rays = trace_exposure(stage, times, params, workers, trace, rendered.pictures);
-    // Moves the scene back to the frame's time, which first-hit layers show.
+    // first-hit layers show the frame's own time
     stage.device.update(moment.resolved, workers.pool);
   } else {
     rendered.report.rays = trace(stage.shot(moment), params, {}, rendered.pictures);

@@ -28,20 +28,17 @@ struct Stage {
   DeviceScene device;  ///< refers to `scene`, so a Stage cannot be moved
   FilmRows rows{};     ///< rows of each frame that are rendered (strip_maker.hpp)
 
-  /// Builds the device scene. The scene must pass validate().
   Stage(Scene scene, FittedArray array, PlacedOptics placed, Integrator integrator, const ThreadPool& pool);
   Stage(const Stage&) = delete;
   Stage& operator=(const Stage&) = delete;
 
-  /// Return the poses of the scene and the display, for a frame or for a time.
   Moment moment_at(int frame) const;
   Moment moment_at_time(double seconds) const;
 
-  /// Returns the scene and the optics for tracing. The device scene must have been moved to `moment`.
+  /// The device scene must have been moved to `moment`.
   Shot shot(const Moment& moment) const { return {device, placed.optics, moment.world_from_display, rows}; }
 };
 
-/// Measures the time of rendering a frame. The measurement begins at construction.
 class FrameClock {
  public:
   explicit FrameClock(const ThreadPool& pool) : pool_(pool), cpu_start_(pool.cpu_seconds()) {}
@@ -57,40 +54,34 @@ class FrameClock {
   double cpu_start_;
 };
 
-/// One of the times at which a frame with motion blur is exposed, and its share of the samples.
+/// One of the times at which a frame with motion blur is exposed, and the fraction of samples that it gets.
 struct ExposureTime {
   double seconds = 0.0;
   SampleShare share;
 };
 
-/// Returns times spread evenly over the interval in which the shutter is open. Each time has a share of the samples of every
-/// pixel.
 std::vector<ExposureTime> exposure_times(const Sampling& sampling, const Timeline& timeline, int frame);
 
-/// Returns empty layers. The layers that `sampling` requests are marked as wanted.
+/// Returns empty layers, with those that `sampling` requests marked as wanted.
 FrameAovs wanted_aovs(const Sampling& sampling);
 
-/// Sets all pixels of the provenance layer to one value. Does nothing if the layer is not wanted.
 void set_provenance(Provenance all, Vec2i film_size, FrameAovs& aovs);
 
-/// Sets the provenance layer. `of_pixels` has one value of Provenance per pixel; if it is empty, all pixels were traced. Does
-/// nothing if the layer is not wanted.
+/// `of_pixels` has one Provenance per pixel, or is empty if all pixels were traced.
 void set_provenance(std::span<const std::uint8_t> of_pixels, Vec2i film_size, FrameAovs& aovs);
 
-/// Returns the parameters for tracing. Quilts for displays use beams as wide as a view, unless `sampling` selects another
-/// angular filter.
+/// Quilts for displays use beams as wide as a view, unless `sampling` selects another angular filter.
 TraceParams trace_params(const Sampling& sampling, const Stage& stage);
 
-/// Computes the layers that show first hits, such as depth. The device scene must be at `moment`.
 void add_first_hits(const Stage& stage, const Sampling& sampling, const Moment& moment, int frame, const ThreadPool& pool,
                     FrameAovs& aovs);
 
 /// Moves the device scene to the frame's time and traces the frame. `touched` becomes TraceTargets::touched. The result is
-/// incomplete if context.cancelled is set meanwhile.
+/// incomplete if context.cancelled is set.
 RenderedFrame render_frame(Stage& stage, const Sampling& sampling, int frame, const ThreadPool& pool, const Context& context,
                            TouchedBlocks* touched = nullptr);
 
-/// Renders the same frame as render_frame(). Stores its film and the denoiser's other inputs in `noisy`.
+/// Like render_frame(), but stores the film and the denoiser's other inputs in `noisy`.
 RenderedFrame render_noisy_frame(Stage& stage, const Sampling& sampling, int frame, const ThreadPool& pool,
                                  const Context& context, NoisyFrame& noisy);
 

@@ -17,7 +17,7 @@
 namespace lippmann {
 namespace {
 
-/// Throws if a mesh deforms. Interpolation moves points with their nodes, so it supports only rigid objects.
+/// Interpolation moves points with their nodes, so it supports only rigid objects.
 void refuse_deforming_meshes(const Scene& scene) {
   const std::vector<bool> moves = moving_instances(scene);
   for (std::size_t i = 0; i < scene.instances.size(); ++i)
@@ -28,7 +28,7 @@ void refuse_deforming_meshes(const Scene& scene) {
                         "copy, none or auto for this scene");
 }
 
-/// Throws if the scene has splats. A point image has one point per pixel, but a ray can hit many splats.
+/// A point image has one point per pixel, but a ray can hit many splats.
 void refuse_splats(const Scene& scene) {
   if (has_splats(scene))
     throw usage_error("reuse", "interpolated frames need one surface behind each pixel, and splats have many",
@@ -49,7 +49,6 @@ struct MakerOf {
   }
 };
 
-/// Returns the working memory of each kind of reuse, in bytes per pixel.
 struct WorkingBytes {
   const Sampling& sampling;
   int frames;
@@ -76,7 +75,7 @@ struct SegmentLength {
 std::unique_ptr<FrameMaker> make_frame_maker(Stage& stage, const FrameParams& params, const ThreadPool& pool,
                                              const Context& context) {
   MakerParts parts{stage, params.sampling, pool, context};
-  // A projected point belongs to a single eye position, so views must not be filtered over angles.
+  // A projected point belongs to one eye position, so views must not be filtered over angles.
   if (std::holds_alternative<Interpolate>(params.reuse)) parts.sampling.angular_filter = AngularFilter::kNone;
   return std::visit(MakerOf{parts}, resolved_reuse(params));
 }

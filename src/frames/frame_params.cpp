@@ -11,25 +11,22 @@
 namespace lippmann {
 namespace {
 
-/// Maximum aperture. Squared lengths of larger apertures would overflow.
+/// larger apertures would overflow when squared
 constexpr float kMostApertureMm = 1e6f;
 
 bool has_layer(const Sampling& sampling, Aov layer) {
   return std::find(sampling.aov.begin(), sampling.aov.end(), layer) != sampling.aov.end();
 }
 
-/// Returns whether any layer besides provenance is wanted. Such layers require that every pixel is traced. Frame makers fill
-/// the provenance layer themselves.
+/// Layers other than provenance require that every pixel is traced.
 bool has_layers_of_every_pixel(const Sampling& sampling) {
   return std::any_of(sampling.aov.begin(), sampling.aov.end(), [](Aov layer) { return layer != Aov::kProvenance; });
 }
 
-/// Returns whether a layer is wanted that only path tracing produces.
 bool has_layers_of_paths(const Sampling& sampling) {
   return has_layer(sampling, Aov::kDirect) || has_layer(sampling, Aov::kIndirect);
 }
 
-/// Returns the name of the parameter that sets the aperture of the lens.
 const char* name_of_opening(const ViewLens& lens) { return lens.aperture_mm > 0.0f ? "aperture" : "f-number"; }
 
 void check_key_frames(const std::optional<int>& every) {
@@ -45,7 +42,7 @@ void check_floor(const std::optional<double>& min_psnr_db) {
 void check_reuse(const AutoReuse&, const Sampling&) {}
 void check_reuse(const TraceAll&, const Sampling&) {}
 
-/// Throws if the frame has motion blur. Reused pixels and points belong to a single time.
+/// Reused pixels and points belong to a single time, so motion blur is refused.
 void refuse_shutter(const Sampling& sampling) {
   if (sampling.shutter > 0.0f)
     throw usage_error("shutter", "motion blur cannot be combined with frames that reuse others", "`reuse` none or auto");
@@ -61,7 +58,6 @@ void check_reuse(const CopySettled& copy, const Sampling& sampling) {
     throw usage_error("reuse", "copy cannot make alpha or extra layers, except provenance", "none or auto");
 }
 
-/// Returns the name of a parameter that cannot be combined with a minimum PSNR, or an empty string.
 std::string against_floor(const Interpolate& how) {
   if (how.fill != MissedFill::kInterpolate) return "fill";
   if (how.halving) return "halving";
@@ -124,7 +120,6 @@ void check_sampling(const Sampling& sampling) {
     throw usage_error("aov", "the layers direct and indirect need path tracing", "`integrator` path");
 }
 
-/// Throws if a lens with an open aperture cannot be used with these optics and this sampling.
 void check_lens(const Sampling& sampling, const Optics& optics) {
   const char* const field = name_of_opening(sampling.lens);
   if (!can_have_view_lens(optics))
@@ -154,7 +149,7 @@ const char* name_of(const Reuse& reuse) {
 }
 
 Sampling completed(Sampling sampling, SceneKind scene, bool interpolates) {
-  // Splats can be smaller than a pixel. Several samples per pixel are their only antialiasing.
+  // Splats can be smaller than a pixel, so they need several samples.
   constexpr int kSplatSamples = 4;
   if (sampling.integrator) return sampling;
   if (scene == SceneKind::kSplats && sampling.spp == 0) sampling.spp = kSplatSamples;

@@ -18,10 +18,9 @@ namespace {
 
 constexpr int kRaysAcross = 128;
 constexpr double kLeastShare = 0.001;
-/// Minimum opacity of a visible surface.
 constexpr float kLeastOpacity = 1.0f / 256.0f;
 
-/// Returns optics with a single view, from the viewer's eye through the frame of the display.
+/// Returns a single view from the viewer's eye through the frame of the display.
 Optics through_the_frame(const Optics& optics) {
   const Vec2f window = window_size_mm(optics);
   const float across = std::min(window.x, window.y) / static_cast<float>(kRaysAcross);
@@ -36,7 +35,6 @@ Optics through_the_frame(const Optics& optics) {
   return view;
 }
 
-/// Returns an upper bound of the opacity of a surface.
 float largest_alpha(const Scene& scene, const MetallicRoughness& surface, const Shape& shape) {
   float largest = surface.base_color.w;
   if (const auto* mesh = std::get_if<Mesh>(&shape); mesh && !mesh->alphas.empty())

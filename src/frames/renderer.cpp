@@ -16,7 +16,7 @@
 namespace lippmann {
 namespace {
 
-/// Throws if a placement does not fit the scene. A placement of another scene may refer to a node that does not exist.
+/// The placement of another scene may refer to a node that does not exist.
 void check(const Placement& placement, const Scene& scene) {
   const FittedArray& array = placement.array;
   const int nodes = static_cast<int>(scene.nodes.size());
@@ -32,7 +32,6 @@ void check(const Placement& placement, const Scene& scene) {
   validate(placement.placed.optics);
 }
 
-/// Returns the complete parameters after checking them. Called before anything is built.
 FrameParams checked(FrameParams params, const Placement& placement, const Scene& scene) {
   check(placement, scene);
   const bool interpolates = std::holds_alternative<Interpolate>(params.reuse);
@@ -49,7 +48,7 @@ Scene checked(Scene scene) {
   return scene;
 }
 
-/// Moves the members of a Context into a new Context. A Context cannot be moved as a whole, because its flag is atomic.
+/// A Context cannot be moved as a whole, because its flag is atomic.
 std::shared_ptr<const Context> moved(Context&& context) {
   const auto kept = std::make_shared<Context>();
   kept->threads = context.threads;
@@ -59,7 +58,6 @@ std::shared_ptr<const Context> moved(Context&& context) {
   return kept;
 }
 
-/// Returns a non-owning pointer to the context.
 std::shared_ptr<const Context> borrowed(const Context& context) { return {std::shared_ptr<void>(), &context}; }
 
 }  // namespace
@@ -70,7 +68,7 @@ struct Renderer::Impl {
   ThreadPool pool;
   Stage stage;
   std::unique_ptr<FrameMaker> maker;
-  bool is_checked = false;  ///< whether picture_check has examined the first frame
+  bool is_checked = false;  ///< picture_check has examined the first frame
 
   Impl(Scene scene, Placement placement, FrameParams requested, std::shared_ptr<const Context> caller)
       : context(std::move(caller)),

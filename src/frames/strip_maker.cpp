@@ -16,22 +16,22 @@ namespace {
 
 constexpr const char* kStrips = "strips";
 
-/// Replaces copying by tracing, because a strip has no key frames to copy from. Both kinds of reuse give the same bits.
+/// A strip has no key frame to copy from, so copying is replaced by tracing, which gives the same bits.
 FrameParams made_alone(FrameParams params) {
   params.reuse = resolved_reuse(params);
   if (std::holds_alternative<CopySettled>(params.reuse)) params.reuse = TraceAll{};
   return params;
 }
 
-/// Combines the error intervals of independent strips into the interval of the whole frame. The interval has the form of
-/// error_interval() in frames/audit.hpp: log(high / mean) times the mean is proportional to the standard error.
+/// Combines the error intervals of independent strips, as in frames/audit.hpp: log(high / mean) times the mean is proportional
+/// to the standard error.
 void combine_estimates(const std::vector<FrameReport>& strips, const std::vector<int>& rows, FrameReport& frame) {
   const double all_rows = std::accumulate(rows.begin(), rows.end(), 0.0);
   double mean = 0.0, squared_width = 0.0;
   frame.estimated_psnr_db = frame.psnr_at_least_db = frame.psnr_at_most_db = std::nullopt;
   for (std::size_t i = 0; i < strips.size(); ++i) {
     const FrameReport& strip = strips[i];
-    // All pixels of the strip are exact, for example because they show only the background.
+    // All pixels of the strip are exact, such as background.
     if (!strip.psnr_at_least_db) continue;
     const double share = rows[i] / all_rows, high = std::pow(10.0, -0.1 * *strip.psnr_at_least_db);
     double width = high;

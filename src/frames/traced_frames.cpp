@@ -18,7 +18,7 @@ int rows_around(const Sampling& sampling, const Optics& optics) {
 
 namespace {
 
-/// Extends `rows` by `around` rows on both sides. Rounds outwards to whole bands of rows that are traced together.
+/// Extends `rows` on both sides by `around`, rounded outwards to bands that are traced together.
 FilmRows with_rows_around(FilmRows rows, int around, const Optics& optics) {
   const int height = film_size(optics).y, together = rows_per_strip(optics), end = std::min(rows.end, height) + around;
   return {std::max(rows.first - around, 0) / together * together, std::min((end + together - 1) / together * together, height)};
@@ -35,9 +35,9 @@ class TracedFrames final : public FrameMaker {
   void keep_rows(FilmRows rows, FramePictures& pictures) const;
 
   MakerParts parts_;
-  /// The rows that are rendered, and the rows above and below them that the denoiser reads.
+  /// The rendered rows, and the rows around them that the denoiser reads.
   FilmRows traced_rows_;
-  std::optional<Denoiser> denoiser_;  ///< empty if frames are not denoised
+  std::optional<Denoiser> denoiser_;
 };
 
 TracedFrames::TracedFrames(const MakerParts& parts)
@@ -70,7 +70,6 @@ RenderedFrame TracedFrames::denoised(int frame) {
   return rendered;
 }
 
-/// Crops the film and the layers from traced_rows_ to `rows`.
 void TracedFrames::keep_rows(FilmRows rows, FramePictures& pictures) const {
   rows.end = std::min(rows.end, film_size(parts_.stage.placed.optics).y);
   if (rows == traced_rows_) return;

@@ -7,13 +7,13 @@
 
 namespace lippmann {
 
-/// Returns how many film rows above and below a row affect its pixels. Returns 0 without denoising. Returns the film's height
-/// for a denoised quilt with several rows of tiles.
+/// Returns how many rows above and below a row affect its pixels: 0 without denoising, the film's height for a denoised quilt
+/// with several rows of tiles.
 int rows_around(const Sampling& sampling, const Optics& optics);
 
 std::unique_ptr<FrameMaker> make_traced_frames(const MakerParts& parts);
 
-/// Returns the working memory in bytes per pixel. The film and the layers are not included.
+/// Working memory in bytes per pixel, without film and layers.
 double traced_frames_bytes_per_pixel(const Sampling& sampling);
 
 }  // namespace lippmann

@@ -23,7 +23,7 @@ std::string text_in(const fs::path& file) {
   return read_file_begin(file, kMax);
 }
 
-/// Creates an empty file with an unused name, so that no other process takes the name. Returns its path.
+/// Creates an empty file with an unused name, so that no other process takes the name.
 fs::path reserve_name(const fs::path& wanted) {
   for (int i = 1; i <= kMaxNames; ++i) {
     const fs::path file =

@@ -10,16 +10,16 @@ namespace lippmann {
 
 class LiveJobFile {
  public:
-  /// `wanted` is the file to write. If it exists, stem-2.toml, stem-3.toml, ... in the same folder is written instead.
+  /// If the file `wanted` exists, stem-2.toml, stem-3.toml, ... is written instead.
   explicit LiveJobFile(std::filesystem::path wanted) : wanted_(std::move(wanted)) {}
 
-  /// Writes the job atomically and returns the path of the file. Overwrites the file that it saved last, unless that file was
-  /// changed since. Otherwise writes a new file. Throws Error that names the file.
+  /// Writes the job and returns the path. Overwrites the file that it wrote last, unless someone changed it. Throws Error
+  /// naming the file.
   std::filesystem::path save(const ResolvedJob& job);
 
  private:
   std::filesystem::path wanted_, written_;
-  std::string text_;  ///< text that was last written to `written_`
+  std::string text_;
 };
 
 }  // namespace lippmann

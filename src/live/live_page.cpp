@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Maximum number of server threads that wait for changes at once. Requests of further pages are answered without waiting.
+/// Number of server threads that may wait for changes. Further requests are answered without waiting.
 constexpr int kMaxWaiting = 8;
 constexpr std::chrono::milliseconds kPatience{250};
 
@@ -46,7 +46,7 @@ Json choices_json() {
   return choices;
 }
 
-/// Returns whether "frames" of a request's body is "all". The only other valid value is "this".
+/// The body of a request is {"frames": "all"} or {"frames": "this"}.
 bool wants_all(const std::string& body) {
   const Json json = json_from_text(body);
   const auto frames = json.is_object() ? json.value("frames", Json()) : Json();

@@ -18,19 +18,19 @@
 namespace lippmann {
 namespace {
 
-/// Number of pixels of a coarse image. Tracing it takes a fraction of a second on one core, and the scene can be recognised.
+/// Pixels of a coarse image, which one core traces in a fraction of a second.
 constexpr double kCoarsePixels = 48e3;
-/// Samples per pixel of coarse images with path tracing. Few pixels with little noise show more than many noisy pixels.
+/// Samples per pixel of coarse, path-traced images. Few pixels with little noise show more than many noisy ones.
 constexpr int kCoarsePaths = 4;
 
-/// Returns the picture layout of a panel's image. Only images whose sub-pixels are traced individually must be rearranged.
+/// Only images whose sub-pixels are traced individually must be rearranged.
 PictureParams layout_of_panel(const Optics& optics) {
   PictureParams as_shown;
   if (sub_pixels_per_pixel(optics) > 1) as_shown.layout = PictureLayout::kNative;
   return as_shown;
 }
 
-/// Returns the 8-bit samples of the panel's image. `rendered` is a film that was traced for the panel's optics.
+/// `rendered` is a film that was traced for the panel's optics.
 Image8 panel_codes(const LiveStage& live, RenderedFrame rendered) {
   const JobStage& stage = live.stage();
   const Optics& optics = stage.placed.optics;

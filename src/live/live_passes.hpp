@@ -17,22 +17,20 @@ inline constexpr int kDraftSamples = 8;
 
 struct LivePictures {
   Vec2i view_size{0, 0};
-  Image8 views;                 ///< the views in sRGB codes, as a quilt with facts.tiles tiles
+  Image8 views;                 ///< views in sRGB codes, as a quilt with facts.tiles tiles
   std::optional<Image8> panel;  ///< image of the panel; nullopt if not known yet
 };
 
-/// Returns images with few pixels, with one sample or a few paths per pixel. Returns nullopt for the test pattern, because it
-/// has no scene.
+/// Returns images of few pixels, or nullopt for the test pattern, which has no scene.
 std::optional<LivePictures> coarse_pictures(LiveStage& live, const PageFacts& facts, int frame, const Context& context);
 
-/// Returns images with fewer samples per pixel than the render. Returns nullopt if such images would not be faster to make.
+/// Returns images with fewer samples per pixel than the render, or nullopt if they would not be faster.
 std::optional<LivePictures> draft_pictures(LiveStage& live, const PageFacts& facts, int frame, const Context& context);
 
-/// Returns the same 8-bit images that a render would write. Throws Error if parameters contradict each other.
+/// Returns the 8-bit images that a render would write. Throws Error if parameters contradict each other.
 std::optional<LivePictures> finished_pictures(LiveStage& live, const PageFacts& facts, int frame);
 
-/// Returns the disparity codes (view/disparity_codes.hpp) of the views as a quilt. Each view has the size `view_size`. Requires
-/// facts.has_depth.
+/// Returns the disparity codes (view/disparity_codes.hpp) of the views as a quilt. Requires facts.has_depth.
 Image8 depth_picture(LiveStage& live, const PageFacts& facts, Vec2i view_size, int frame);
 
 }  // namespace lippmann

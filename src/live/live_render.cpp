@@ -28,7 +28,7 @@ void LiveRender::start(const ResolvedJob& job, std::function<void()> ended) {
     state_ = "running", folder_.clear(), error_.clear();
     frames_ = done_ = 0, share_ = 0.0, started_ = now_seconds();
   }
-  // The previous thread may still be calling `ended`, which may need the lock. The thread is therefore joined without the lock.
+  // Joins without the lock, which `ended` in the previous thread may need.
   if (thread_.joinable()) thread_.join();
   context_.cancelled = false;
   thread_ = std::thread([this, job, ended = std::move(ended)] {

@@ -12,26 +12,24 @@
 
 namespace lippmann {
 
-/// Runs one render at a time. Thread-safe.
 class LiveRender {
  public:
   LiveRender() = default;
-  /// Cancels the render, if one is running, and waits until it has ended.
+  /// Cancels a running render and waits for its end.
   ~LiveRender();
   LiveRender(const LiveRender&) = delete;
   LiveRender& operator=(const LiveRender&) = delete;
 
-  /// Runs render_animation() in a thread and calls `ended` afterwards. Throws an Error if a render is running.
+  /// Runs render_animation() in a thread, and then `ended`. Throws Error if a render is running.
   void start(const ResolvedJob& job, std::function<void()> ended);
 
-  /// Stops the render like Ctrl-C. Finished frames remain, so that `lippmann render job.toml --resume` can continue.
+  /// Stops the render like Ctrl-C. Finished frames remain for `lippmann render job.toml --resume`.
   void cancel();
 
   bool is_running() const;
 
-  /// Returns the state of the render for the page: "state" (running, finished, stopped or failed), "frames", "done", "share"
-  /// (finished fraction of the whole render), "seconds_left" (null if not known yet), "folder" and "error". Returns null before
-  /// the first render.
+  /// Returns "state" (running, finished, stopped or failed), "frames", "done", "share" (finished fraction), "seconds_left"
+  /// (null if not known yet), "folder" and "error" for the page. Returns null before the first render.
   nlohmann::ordered_json json() const;
 
  private:
@@ -42,7 +40,7 @@ class LiveRender {
   Context context_;
   std::string state_, folder_, error_;
   int frames_ = 0, done_ = 0;
-  double share_ = 0.0;  ///< traced fraction of the current frame, from 0 to 1
+  double share_ = 0.0;  ///< traced fraction of the current frame
   double started_ = 0.0;
 };
 

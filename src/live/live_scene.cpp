@@ -21,13 +21,13 @@ using Json = nlohmann::ordered_json;
 
 Bytes encoded(const Image8& picture) { return std::make_shared<const std::string>(encoded_picture(picture, 0).bytes); }
 
-/// Describes the display plane: its distance from the viewer, and the limits of this distance, in world units.
+/// distance of the display plane from the viewer and its limits, in world units
 Json plane_json(double distance, double nearest, double farthest) {
   if (!std::isfinite(distance)) return nullptr;
   return {{"distance", distance}, {"nearest", nearest}, {"farthest", farthest}};
 }
 
-/// Describes the panel. Returns null if the display is not a slanted panel, because only slanted panels interlace views.
+/// Returns null for other displays than slanted panels, because only these interlace views.
 Json panel_json(const Display* display, const InterlaceParams& interlace) {
   if (!display || display->kind != DisplayKind::kSlantedPanel) return nullptr;
   return page_display_json({*display, interlace});
@@ -71,7 +71,6 @@ void LiveScene::work() {
   }
 }
 
-/// Waits for settings that are not rendered yet. Returns nullopt when the thread has to end.
 std::optional<LiveScene::Order> LiveScene::next_order() {
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [this] { return ending_ || done_version_ != version_ || (!is_whole_ && !render_.is_running()); });
@@ -80,7 +79,7 @@ std::optional<LiveScene::Order> LiveScene::next_order() {
   return Order{settings_, version_};
 }
 
-/// Publishes the facts that follow from the settings, before anything is traced. Only the render thread changes the stage.
+/// Publishes the facts of the light field before anything is traced. Only the render thread changes the stage.
 void LiveScene::begin(const Order& order) {
   const JobStage& stage = live_.stage();
   PageFacts facts = live_.facts();
@@ -113,7 +112,7 @@ void LiveScene::make(const Order& order) {
   live_.set(order.settings.job());
   begin(order);
   if (is_stale(order.version)) return;
-  const PageFacts facts = facts_;  // needs no lock, because only this thread changes facts_
+  const PageFacts facts = facts_;  // needs no lock: only this thread changes facts_
   const auto depth_of = [&](Vec2i size) {
     return facts.has_depth ? encoded(depth_picture(live_, facts, size, frame)) : Bytes();
   };
@@ -143,7 +142,7 @@ void LiveScene::publish(const Order& order, const char* pass, const LivePictures
     if (order.version != version_) return;
     picture_ = {next_id_++, order.version, order.settings.frame(), pass, made.view_size, views, depth, panel, facts_json_};
     error_.clear();
-    picture_.facts.erase("frames");  // the list of frames never changes, so the page needs it only once
+    picture_.facts.erase("frames");  // the list of frames never changes, so the page gets it once
     ++serial_;
   }
   changed_.notify_all();
@@ -163,7 +162,6 @@ void LiveScene::end(const Order& order, const std::string& error, bool is_whole)
 
 // ---- Requests of pages -----------------------------------------------------------------------------------------
 
-/// Moves the display plane to depth z_mm of the shown image. The viewer does not move.
 void LiveScene::set_plane(LiveSettings& settings, double z_mm) const {
   const double distance = distance_ - z_mm * world_per_shown_mm_;
   if (!std::isfinite(distance) || !(distance > 0.0))
@@ -260,7 +258,6 @@ bool LiveScene::is_outdated(std::uint64_t id) const {
   return id > 0 && id < picture_.id;
 }
 
-/// Throws if rendering the current settings has failed.
 void LiveScene::require_renderable() const {
   if (broken_version_ == version_) throw Error("settings", error_);
 }
@@ -285,7 +282,7 @@ void LiveScene::render(bool all_frames) {
     if (!all_frames) params.output.frames = FrameRanges{{frame, frame}};
   }
   render_.start(ResolvedJob(params), [this] { notify_pages(); });
-  // Stop making finer images. They are made again after the render of the job has ended.
+  // Finer images are made again after the render of the job.
   context_.cancelled = true;
   notify_pages();
 }

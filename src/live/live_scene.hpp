@@ -1,7 +1,7 @@
-// Renders a scene while its settings change. First renders a coarse image, then finer images until the settings change again.
+// Renders a scene while its settings change: first a coarse image, then finer ones until the settings change again.
 //
-// A single thread renders. If a setting changes, the thread stops its work and starts again. While a job is rendered
-// (LiveRender), only coarse images are made, so that the job can use the processor.
+// A single thread renders. While a job is rendered (LiveRender), only coarse images are made, so that the job can use the
+// processor.
 #pragma once
 
 #include <atomic>
@@ -26,49 +26,43 @@
 
 namespace lippmann {
 
-/// A scene that is rendered live. Thread-safe.
 class LiveScene {
  public:
-  /// Loads the scene and starts rendering. `job_file` is the file to which jobs are saved (LiveJobFile). `warn` is called with
-  /// warnings, like Context::warn. `interlace` describes how a panel interlaces views. Throws Error if the scene cannot be
-  /// shown.
+  /// Loads the scene and starts rendering. Jobs are saved to `job_file`. `warn` is called like Context::warn. `interlace`
+  /// describes how a panel interlaces views. Throws Error if the scene cannot be shown.
   LiveScene(const LiveSettings& settings, std::filesystem::path job_file, std::function<void(std::string_view)> warn,
             const InterlaceParams& interlace = {});
   ~LiveScene();
   LiveScene(const LiveScene&) = delete;
   LiveScene& operator=(const LiveScene&) = delete;
 
-  /// Applies {"settings": {NAME: text or null}, "frame": N, "plane_mm": z}. Each key is optional. plane_mm moves the display
-  /// plane to the depth z of the shown image. Throws a usage Error and changes nothing if a value is invalid. Returns the
+  /// Applies {"settings": {NAME: text or null}, "frame": N, "plane_mm": z}, in which each key is optional. plane_mm moves the
+  /// display plane to depth z of the shown image. Throws a usage Error and changes nothing if a value is invalid. Returns the
   /// version of the settings.
   std::uint64_t change(const nlohmann::ordered_json& changes);
 
-  /// Returns the state for the page as soon as its serial number differs from `serial`, or after `patience`. web/README.md
-  /// lists the keys.
+  /// Returns the state for the page when its serial number differs from `serial`, or after `patience`. web/README.md lists the
+  /// keys.
   nlohmann::ordered_json state_after(std::uint64_t serial, std::chrono::milliseconds patience) const;
 
-  /// Returns the facts of the light field of the latest image.
   nlohmann::ordered_json field() const;
 
-  /// Describes the slanted panel that the settings select, as page_display_json(). Returns null for other displays and without
-  /// a display.
+  /// Describes the slanted panel of the settings (page_display_json()); null for other displays.
   nlohmann::ordered_json display() const;
   const InterlaceParams& interlace() const { return interlace_; }
 
-  /// Throws a usage Error if the views have more than one row, because panels cannot interlace such views.
+  /// Throws a usage Error if the views have more than one row, which panels cannot interlace.
   void require_playable() const;
 
-  /// Returns the image with the number `id`. `kind` is "views", "depth" or "panel". Returns null if a newer image exists.
+  /// `kind` is "views", "depth" or "panel". Returns null if a newer image exists.
   Bytes picture(std::string_view kind, std::uint64_t id) const;
 
-  /// Returns whether a newer image has replaced the image with the number `id`.
   bool is_outdated(std::uint64_t id) const;
 
-  /// Saves the job and returns the path of its file. Throws Error if the file cannot be written or the settings cannot be
-  /// rendered.
+  /// Saves the job and returns its path. Throws Error if the settings cannot be rendered or the file cannot be written.
   std::filesystem::path save();
 
-  /// Starts a render of the whole job, or of the current frame only. Throws Error if the settings cannot be rendered.
+  /// Renders the whole job, or the current frame only. Throws Error if the settings cannot be rendered.
   void render(bool all_frames);
   void cancel_render() { render_.cancel(); }
 
@@ -79,7 +73,7 @@ class LiveScene {
     std::string pass;
     Vec2i view_size{0, 0};
     Bytes views, depth, panel;
-    nlohmann::ordered_json facts;  ///< description of the light field, as by field_json()
+    nlohmann::ordered_json facts;  ///< description of the light field (field_json())
   };
   struct WorkerContext : Context {
     explicit WorkerContext(std::function<void(std::string_view)> warner) { warn = std::move(warner); }
@@ -109,20 +103,18 @@ class LiveScene {
   LiveSettings settings_;
   LiveJobFile job_file_;
   LiveRender render_;
-  // facts_, facts_json_, placement_, distance_ and world_per_shown_mm_ belong to the latest version of the settings that the
-  // render thread has begun.
+  // For the latest settings that the render thread has begun:
   PageFacts facts_;
   nlohmann::ordered_json facts_json_, placement_;
-  /// distance_: distance from the viewer to the display plane, in world units. world_per_shown_mm_: world units per mm of shown
-  /// depth.
+  /// distance_: from the viewer to the display plane, in world units. world_per_shown_mm_: world units per mm of shown depth.
   double distance_ = 0.0, world_per_shown_mm_ = 0.0;
   std::uint64_t serial_ = 1, version_ = 1, done_version_ = 0, broken_version_ = 0, next_id_ = 1;
-  /// is_whole_: whether all passes of the latest version are complete.
+  /// is_whole_: all passes of the latest settings are complete.
   bool is_whole_ = false, ending_ = false;
   std::string pass_, error_, saved_;
   std::atomic<double> share_{0.0};
   Picture picture_;
-  std::thread worker_;  ///< the last member, because the thread uses the other members
+  std::thread worker_;  ///< the last member, because the thread uses the others
 };
 
 }  // namespace lippmann

@@ -12,8 +12,7 @@
 namespace lippmann {
 namespace {
 
-/// Returns a text that identifies the scene, its light and its acceleration structures. If the text changes, the scene must be
-/// loaded again.
+/// If this text changes, the scene must be loaded again.
 std::string scene_key(const ResolvedJob& job) {
   RenderParams key;
   key.scene = job.scene();
@@ -22,8 +21,7 @@ std::string scene_key(const ResolvedJob& job) {
   return job_text(key, {});
 }
 
-/// Returns the parameters for a single frame. Pixels are not copied between frames, because finding unchanged pixels takes
-/// time, and tracing gives the same bits.
+/// Pixels are not copied between frames: tracing gives the same bits, and finding unchanged pixels takes time.
 FrameParams params_of_one_frame(const ResolvedJob& job) {
   FrameParams frame_settings = frame_params(job);
   if (std::holds_alternative<CopySettled>(resolved_reuse(frame_settings))) frame_settings.reuse = TraceAll{};
@@ -56,7 +54,7 @@ std::optional<RenderedFrame> LiveStage::frame(int frame) {
   last_frame_ = frame;
   RenderedFrame made = maker_->make(frame);
   if (!context_.cancelled) return made;
-  // The maker may hold data of the unfinished frame, so it cannot be used again.
+  // The maker may hold data of the unfinished frame.
   maker_.reset();
   return std::nullopt;
 }

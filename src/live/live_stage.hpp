@@ -1,4 +1,4 @@
-// Keeps the stage of a scene up to date while its settings change. Rebuilds only what a change affects.
+// Keeps a scene ready for rendering while its settings change. Rebuilds only what a change affects.
 #pragma once
 
 #include <memory>
@@ -16,11 +16,10 @@ namespace lippmann {
 
 class LiveStage {
  public:
-  /// Loads the scene. `context` must outlive this object. Throws Error.
+  /// `context` must outlive this object. Throws Error.
   LiveStage(const ResolvedJob& job, const Context& context);
 
-  /// Applies the settings of `job`: fits the array and makes the optics. Reloads the scene only if the scene, its light or its
-  /// integrator has changed. Throws Error on failure; the stage is then unchanged.
+  /// Reloads the scene only if it, its light or its integrator has changed. On an Error, nothing changes.
   void set(const ResolvedJob& job);
 
   const ResolvedJob& job() const { return job_; }
@@ -28,12 +27,11 @@ class LiveStage {
   const JobStage& stage() const { return *stage_; }
   const ThreadPool& pool() const { return pool_; }
 
-  /// Renders a frame as `lippmann render` does. Data that frames share is kept as long as only the frame number changes. This
-  /// saves most time if frames are requested in ascending order. Returns nullopt if cancelled. Throws Error if parameters
-  /// contradict each other.
+  /// Renders a frame as `lippmann render` does. Data that frames share are kept as long as only the frame number changes.
+  /// Returns nullopt if cancelled. Throws Error if parameters contradict each other.
   std::optional<RenderedFrame> frame(int frame);
 
-  /// Returns the facts of the light field, with the scene's title, frames and depth.
+  /// Facts of the light field, with the scene's title, frames and depth.
   PageFacts facts() const;
 
  private:
@@ -41,8 +39,8 @@ class LiveStage {
   ThreadPool pool_;
   ResolvedJob job_;
   std::unique_ptr<JobStage> stage_;
-  std::unique_ptr<FrameMaker> maker_;  ///< makes the frames of the current job; null until the first frame
-  int last_frame_ = 0;                 ///< the last frame that maker_ made
+  std::unique_ptr<FrameMaker> maker_;  ///< null until the first frame
+  int last_frame_ = 0;                 ///< the last frame of maker_
 };
 
 }  // namespace lippmann

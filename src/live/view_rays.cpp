@@ -11,8 +11,8 @@
 namespace lippmann {
 namespace {
 
-/// Makes the ray of a view's pixel, as seen from the eye of the view. The horizontal and vertical slopes of the ray, relative
-/// to the middle view, are multiplied by the parallax (with_parallax()).
+/// Makes the ray of a view's pixel from the eye of the view. The slopes relative to the middle view are multiplied by the
+/// parallax.
 class EyeRays {
  public:
   EyeRays(const PlacedOptics& placed, const PageFacts& facts)
@@ -37,7 +37,6 @@ class EyeRays {
   double parallax_, z_front_;
 };
 
-/// Makes the ray of the film pixel that shows a given point of a view.
 class PixelRays {
  public:
   PixelRays(const Optics& optics, const ViewLayout& film, const PageFacts& facts)
@@ -56,7 +55,7 @@ class PixelRays {
   std::vector<std::uint32_t> pixels_;
 };
 
-/// Makes the rays of a quilt. Tiles without a view repeat the last view.
+/// Tiles without a view repeat the last view.
 template <class Rays>
 RayTable quilt_of(const Rays& rays, const PageFacts& facts, const Panel& panel, Vec2i view_size) {
   const ViewGrid& tiles = facts.tiles;

@@ -7,13 +7,13 @@
 
 namespace lippmann {
 
-/// Returns a size of a view, at most facts.view_size, so that all views together have about `pixels` samples. In the plane z =
-/// 0, samples have the same distance across and up.
+/// Returns a size of a view, at most facts.view_size, with about `pixels` samples in all views together. Samples are square in
+/// the plane z = 0.
 Vec2i coarse_view_size(const PageFacts& facts, double pixels);
 
-/// Returns optics that consist of a table of rays. Their film is a quilt with facts.tiles tiles of the size view_size. If views
-/// consist of whole pixels of the panel, a pixel of a tile has the ray of the nearest panel pixel of its view. Otherwise its
-/// ray begins at the eye of the view and passes through the position of the pixel in the plane z = 0.
+/// Returns optics that are a table of rays. Their film is a quilt with facts.tiles tiles of view_size. If views consist of
+/// whole panel pixels, a pixel of a tile has the ray of the nearest one. Otherwise its ray goes from the eye of the view
+/// through the pixel's position in the plane z = 0.
 Optics view_rays(const PlacedOptics& placed, const PageFacts& facts, Vec2i view_size);
 
 }  // namespace lippmann

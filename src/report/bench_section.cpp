@@ -22,7 +22,7 @@ std::string value_text(const Json& value) {
   return value.is_string() ? value.get<std::string>() : json_to_text(value, -1);
 }
 
-/// Returns the keys that occur in any row. A row may lack keys that other rows have.
+/// A row may lack keys that other rows have.
 std::vector<std::string> keys_of(const Json& rows) {
   std::vector<std::string> keys;
   for (const Json& row : rows)
@@ -31,8 +31,7 @@ std::vector<std::string> keys_of(const Json& rows) {
   return keys;
 }
 
-/// Returns the largest absolute value of a column. The bars of the column are scaled to this value. Returns 0 if the column has
-/// no bars.
+/// The bars of a column are scaled to this value; 0 means no bars.
 double largest_in(const Json& rows, const std::string& key) {
   double largest = 0.0;
   for (const Json& row : rows)
@@ -40,7 +39,6 @@ double largest_in(const Json& rows, const std::string& key) {
   return std::isfinite(largest) ? largest : 0.0;
 }
 
-/// Returns the HTML of a number with a bar below it. The length of the bar is relative to the largest value of the column.
 std::string cell_html(const Json& row, const std::string& key, double largest) {
   if (!row.contains(key)) return {};
   const std::string text = escaped(value_text(row[key]));

@@ -1,4 +1,4 @@
-// Formats figures for the user, with three digits and a suitable unit. An unknown figure becomes a dash.
+// Formats numbers for the user, with three digits and a suitable unit. An unknown number becomes a dash.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@ std::string seconds_text(double seconds);                  ///< for example "12.
 std::string percent_text(std::optional<double> share);     ///< 0.123 becomes "12.3 %"
 std::string decibel_text(std::optional<double> decibels);  ///< for example "34.50 dB"
 std::string count_text(double count);                      ///< for example "950", "12.3 k", "1.25 M"
-/// 0 becomes a dash, because it means that the memory was not recorded.
+/// 0 means that the memory was not recorded, and becomes a dash.
 std::string memory_text(double bytes);
 
 }  // namespace lippmann

@@ -1,4 +1,4 @@
-// How the pixels of a frame were obtained (their origin: traced, copied, interpolated or filled), and the time saved by reuse.
+// How the pixels of a frame were made (their origin: traced, copied, interpolated or filled), and the time saved by reuse.
 #pragma once
 
 #include <array>
@@ -14,21 +14,20 @@ enum class Origin { kTraced, kCopied, kInterpolated, kFilled };
 inline constexpr std::array<std::string_view, 4> kOriginNames{"traced", "copied", "interpolated", "filled"};
 using OriginShares = std::array<double, kOriginNames.size()>;
 
-/// Returns the share of each Origin. The shares add up to 1. Returns nullopt if the frame size is unknown.
+/// Returns the fraction of pixels of each Origin, or nullopt if the frame size is unknown.
 ///   traced         pixels whose rays were all traced for this frame
 ///   copied         pixels copied from a key frame because they provably do not change (reuse copy)
 ///   interpolated   pixels made from the points of key frames (reuse interpolate)
 ///   filled         pixels without a point, filled from neighbours (reuse interpolate, fill interpolate)
 std::optional<OriginShares> origins_of(const FrameReport& frame, const RenderFigures& render);
 
-/// Returns whether all pixels of the frame were traced. This is true for the kinds full and key.
+/// True for the kinds full and key.
 bool is_traced_whole(const FrameReport& frame);
 
-/// Returns the mean CPU seconds of fully traced frames. Returns nullopt without such frames.
+/// Returns the mean over fully traced frames, or nullopt if there are none.
 std::optional<double> traced_cpu_seconds(const RenderFigures& render);
 
-/// Returns the saved share of the time, 1 - seconds / traced_seconds. The result is negative if `seconds` is longer. Returns
-/// nullopt unless both times are positive.
+/// Returns 1 - seconds / traced_seconds, which may be negative, or nullopt unless both times are positive.
 std::optional<double> saving(double seconds, std::optional<double> traced_seconds);
 
 }  // namespace lippmann

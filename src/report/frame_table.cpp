@@ -57,7 +57,7 @@ std::vector<Column> frame_columns(const RenderFigures& render) {
 
 }  // namespace
 
-/// Returns the HTML of the table. Leaves out columns that are empty or 0 in all frames.
+/// Leaves out columns that are empty or 0 in all frames.
 std::string frame_table(const RenderFigures& render) {
   HtmlTable table;
   table.rows.resize(render.frames.size());

@@ -1,4 +1,4 @@
-// A table of all figures of all frames of a render. The page shows it collapsed at first.
+// A table of all values of all frames of a render, which the page shows collapsed at first.
 #pragma once
 
 #include <string>
@@ -7,7 +7,6 @@
 
 namespace lippmann {
 
-/// Returns the HTML of the table. Returns an empty string if there are no frames.
 std::string frame_table(const RenderFigures& render);
 
 }  // namespace lippmann

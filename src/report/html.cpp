@@ -9,8 +9,7 @@
 namespace lippmann {
 namespace {
 
-/// Replaces invalid bytes, so that the result is valid UTF-8. The JSON writer replaces these bytes. The JSON parser removes the
-/// escapes that the writer adds.
+/// Returns valid UTF-8. The JSON writer replaces invalid bytes, and the parser removes the writer's escapes.
 std::string as_utf8(std::string_view text) {
   const std::string json = json_to_text(nlohmann::ordered_json(std::string(text)), -1);
   return json_from_text(json).get<std::string>();

@@ -8,23 +8,23 @@
 
 namespace lippmann {
 
-/// Escapes text for use in elements and quoted attributes. Invalid UTF-8 becomes U+FFFD. Control characters become spaces.
+/// Escapes text for elements and quoted attributes. Invalid UTF-8 becomes U+FFFD, control characters become spaces.
 std::string escaped(std::string_view text);
 
-/// Returns an invisible element that holds data for the page's script. The data cannot run as a script itself.
+/// Returns an invisible element with data for the page's script. The data cannot run as a script.
 std::string data_html(const nlohmann::ordered_json& data);
 
-/// A table. Cells are HTML. Rows may be shorter than the head.
+/// Cells are HTML. Rows may be shorter than the head.
 struct HtmlTable {
   std::vector<std::string> head = {};
   std::vector<std::vector<std::string>> rows = {};
   std::string style = {};  ///< CSS classes
 };
 
-/// Returns the table in a box that scrolls in narrow windows. The first cell of each row is the row's heading.
+/// Returns the table in a box that scrolls in narrow windows. The first cell of each row is its heading.
 std::string table_html(const HtmlTable& table);
 
-/// Returns an HTML list of plain-text sentences. Returns an empty string without sentences.
+/// Returns a list of plain-text sentences, or an empty string without sentences.
 std::string sentences_html(const std::vector<std::string>& sentences);
 
 }  // namespace lippmann

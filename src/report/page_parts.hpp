@@ -7,9 +7,8 @@ namespace lippmann {
 
 std::string_view page_style();
 
-/// Returns the script that draws the charts of a page (report/chart.hpp).
 std::string_view page_script();
-/// Returns the script's SHA-256 in base64, for the content security policy.
+/// SHA-256 of the script in base64, for the content security policy.
 std::string_view page_script_hash();
 
 }  // namespace lippmann

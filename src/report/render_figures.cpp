@@ -21,7 +21,7 @@ std::string text_at(const Json& json, const char* key) {
   return found != json.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
-/// Returns the number with this key. Returns 0 unless the value is a finite number above 0.
+/// Returns 0 unless the value is a finite number above 0.
 double number_at(const Json& json, const char* key) {
   const auto found = json.find(key);
   const double value = found != json.end() && found->is_number() ? found->get<double>() : 0.0;
@@ -48,7 +48,7 @@ RunFigures run_figures(const Json& run) {
   return figures;
 }
 
-/// Reads the frames of a report. Frames that cannot be parsed are left out and counted.
+/// Frames that cannot be parsed are left out and counted.
 void read_frame_list(const Json& list, RenderFigures& figures) {
   std::size_t left_out = 0;
   for (const Json& json : list)

@@ -1,7 +1,5 @@
-// Reads the figures of a render from its report.json.
-//
-// The file may come from another machine, from another version, or from a render that was stopped. Sentences state which
-// figures are missing. All other figures are read.
+// Reads the report.json of a render. The file may come from another machine, another version, or a stopped render. Sentences
+// for the user state what is missing.
 #pragma once
 
 #include <cstdint>
@@ -24,22 +22,22 @@ struct RunFigures {
 
 struct RenderFigures {
   std::filesystem::path report;
-  std::string title;  ///< name of the folder that contains the report
+  std::string title;  ///< name of the folder of the report
   std::string version, scene, light, view, reuse;
   nlohmann::ordered_json settings = nlohmann::ordered_json::object();
   double frames_per_second = 25.0;
   bool interrupted = false;
   std::vector<FrameReport> frames;  ///< in ascending order
   std::vector<RunFigures> runs;
-  /// Number of pixels of a frame's film. nullopt if the optics cannot be read.
+  /// Number of pixels of a film; nullopt if the optics cannot be read.
   std::optional<double> pixels;
-  double source_frames = 0.0;  ///< number of frames that were rendered only as sources of other frames
-  double cpu_seconds = 0.0;    ///< CPU time of all frames and source frames
+  double source_frames = 0.0;  ///< frames that were rendered only as sources of other frames
+  double cpu_seconds = 0.0;    ///< CPU time of all frames, source frames included
   double setup_seconds = 0.0, write_seconds = 0.0, peak_memory_bytes = 0.0;
-  std::vector<std::string> missing;  ///< sentences on missing figures, for the user
+  std::vector<std::string> missing;  ///< sentences for the user on missing values
 };
 
-/// Reads the figures. `report` is the parsed content of `path`. Throws Error that names the file if it has no list of frames.
+/// `report` is the content of `path`. Throws Error naming the file if it has no list of frames.
 RenderFigures render_figures(const nlohmann::ordered_json& report, const std::filesystem::path& path);
 
 }  // namespace lippmann

@@ -21,7 +21,6 @@
 namespace lippmann {
 namespace {
 
-/// Returns the scene and the reuse mode, such as "room, reuse interpolate".
 std::string subtitle_of(const RenderFigures& render) {
   return render.scene + (render.reuse.empty() ? "" : ", reuse " + render.reuse);
 }
@@ -65,7 +64,7 @@ std::size_t frames_in(const std::string& ranges) {
   try {
     return ranges.empty() ? 0 : frames_of(read_frames(ranges, {})).size();
   } catch (const Error&) {
-    return 0;  // an untrusted report may contain any text here
+    return 0;  // an untrusted report may contain any text
   }
 }
 

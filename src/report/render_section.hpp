@@ -1,4 +1,4 @@
-// The section of a page about one render: summary, settings, images, charts over the frames, and tables of all figures.
+// The section of a page about one render: summary, settings, images, charts and tables.
 #pragma once
 
 #include <string>

@@ -12,7 +12,7 @@
 namespace lippmann {
 namespace {
 
-/// Returns the number of frames of each kind, such as "1 key, 7 in-between".
+/// for example "1 key, 7 in-between"
 std::string kinds_text(const RenderFigures& render) {
   std::map<std::string, int> kinds;
   for (const FrameReport& frame : render.frames) ++kinds[frame.kind];
@@ -45,7 +45,7 @@ bool is_interpolated(const FrameReport& frame, const RenderFigures& render) {
   return frame.kind == "in-between" && render.reuse != "copy" && render.reuse != "exact";
 }
 
-/// Returns a sentence that states why there is no estimate of the PSNR.
+/// Returns a sentence on why there is no estimate of the PSNR.
 std::string unestimated(const RenderFigures& render) {
   const auto guessed = [&](const FrameReport& frame) { return is_interpolated(frame, render); };
   if (std::any_of(render.frames.begin(), render.frames.end(), guessed))

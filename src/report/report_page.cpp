@@ -27,10 +27,10 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kAccepted = "the folder of a render, its report.json, or what `lippmann-bench` prints as JSON";
-// Maximum size of an input in bytes. A frame takes about 600 bytes.
+// Largest input in bytes. A frame takes about 600 bytes.
 constexpr std::uintmax_t kMostBytes = std::uintmax_t{256} << 20;
 constexpr std::size_t kMaxPictures = 6;
-/// Text that identifies a report page. A file that contains it may be replaced.
+/// A file that contains this text may be replaced.
 constexpr std::string_view kMark = "<meta name=\"generator\" content=\"lippmann report\">";
 
 bool is_folder(const fs::path& path) {
@@ -47,7 +47,7 @@ Json read_json(const fs::path& file) {
   return json;
 }
 
-/// Returns the titles of the renders. Renders with equal titles get their paths instead.
+/// Renders with equal titles get their paths instead.
 std::vector<std::string> names_of(const std::vector<RenderFigures>& renders) {
   std::vector<std::string> names;
   for (const RenderFigures& render : renders) {

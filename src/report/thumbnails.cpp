@@ -16,12 +16,11 @@
 namespace lippmann {
 namespace {
 
-/// Longer side of a thumbnail, in pixels.
+/// longer side in pixels
 constexpr int kMostSide = 240;
-/// Compression effort of thumbnails. It is high because thumbnails are written once and read often.
+/// High effort, because thumbnails are written once and read often.
 constexpr int kThumbnailEffort = 6;
 
-/// Returns the middle view in linear light.
 Image middle_view(const Image8& quilt, const PageFacts& facts) {
   const int view = facts.grid.rows / 2 * facts.grid.columns + facts.grid.columns / 2;
   const Vec2i size = facts.view_size;
@@ -52,7 +51,7 @@ Thumbnail thumbnail_of(const PageField& field, std::size_t frame) {
 
 Thumbnails read_thumbnails(const std::filesystem::path& report, std::size_t most, const Context& context) {
   Thumbnails found;
-  // `quiet` drops warnings about the light field, because a report page does not show them.
+  // drops warnings about the light field, which a report page does not show
   Context quiet;
   quiet.threads = context.threads;
   try {

@@ -9,7 +9,7 @@ namespace lippmann {
 
 const char* encoder_name(VideoCodec codec);
 
-/// Returns FFmpeg's name of the container for a file ending. Throws Error naming the file if its ending is unknown.
+/// Throws Error naming the file if its ending is unknown.
 const char* muxer_name(const std::filesystem::path& path);
 
 }  // namespace lippmann

@@ -27,7 +27,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Image files whose names differ only in the frame number, by frame number.
 using Series = std::map<int, fs::path>;
 
 struct SeriesNames {
@@ -65,7 +64,7 @@ SeriesNames names_of(const std::string& from) {
           TextPattern(fmt::format("({})([0-9]{{1,9}})({})", escaped(before), escaped(after)))};
 }
 
-/// Groups the files by the text before and after the frame number in their names.
+/// Groups the files by their names without the frame number.
 std::map<std::string, Series> series_in(const SeriesNames& names) {
   std::map<std::string, Series> all;
   for (const fs::directory_entry& entry : entries_of(names.folder)) {
@@ -83,7 +82,7 @@ std::map<std::string, Series> series_in(const SeriesNames& names) {
   return all;
 }
 
-/// Returns the only series. If there are several, returns the series frame_..., the default name of rendered frames.
+/// If there are several series, chooses frame_..., the default name of rendered frames.
 const Series& chosen_series(const std::string& from, const std::map<std::string, Series>& all) {
   if (all.empty()) throw Error(from, "contains no frames", "frame_0000.png, frame_0001.png, ...");
   if (all.size() == 1) return all.begin()->second;
@@ -98,8 +97,7 @@ const Series& chosen_series(const std::string& from, const std::map<std::string,
               "a pattern that matches one series");
 }
 
-/// Returns the contents of the frames' side files if all are equal. Returns nothing if a frame has no side file or the files
-/// differ.
+/// Returns nothing if a frame has no side file or if the files differ.
 std::optional<RgbdSideFile> common_side_file(const std::vector<NumberedFrame>& frames) {
   const std::optional<RgbdSideFile> first = read_rgbd_side_file(frames.front().path);
   const auto is_alike = [&](const NumberedFrame& frame) { return read_rgbd_side_file(frame.path) == first; };
@@ -118,8 +116,7 @@ std::vector<NumberedFrame> find_frames(const std::string& from, std::vector<int>
   const Series& series = chosen_series(from, all);
   const int begin = series.begin()->first, end = series.rbegin()->first;
   if (wanted.empty()) {
-    // List at most one number more than there are files. If the list has a gap, a missing number is among them, and the loop
-    // ends early although the largest number may be huge.
+    // Lists at most one number more than there are files, so that the loop is short even if the largest number is huge.
     for (int number = begin; wanted.size() <= series.size() && number <= end; ++number) wanted.push_back(number);
   }
   std::vector<NumberedFrame> frames;

@@ -22,25 +22,24 @@ struct NumberedFrame {
 /// - a folder that contains a single series of numbered images, including quilts
 /// - a data set of cameras, whose pictures are in its folder images/
 /// - a file name pattern, in which * or %04d stands for the frame number
-/// `wanted` contains the frame numbers in order. If it is empty, returns all frames from the lowest to the highest number.
-/// Throws Error naming the folder and the first missing frame.
+/// `wanted` lists the frame numbers; empty means all from the lowest to the highest. Throws Error naming the folder and the
+/// first missing frame.
 std::vector<NumberedFrame> find_frames(const std::string& from, std::vector<int> wanted = {});
 
-/// Returns `out` with the suffix that states the layout of the frames, unless it has this suffix already. For example, frames
-/// frame_0000_qs8x6a0.75.png, ... change room.mp4 to room_qs8x6a0.75.mp4. Other suffixes are those of stereo images
-/// (room_2x1.mp4) and RGB-D images (room_rgbd.mp4).
+/// Returns `out` with the suffix that states the layout of the frames: room.mp4 becomes room_qs8x6a0.75.mp4 (quilts),
+/// room_2x1.mp4 (stereo) or room_rgbd.mp4 (RGB-D).
 std::filesystem::path video_path(const std::filesystem::path& out, const std::vector<NumberedFrame>& frames);
 
-/// Returns the stereo layout that the names of the frames state, or nothing if they are not stereo images.
+/// Returns nothing if the names do not state a stereo layout.
 std::optional<StereoLayout> stereo_of(const std::vector<NumberedFrame>& frames);
 
-/// Copies the side file of RGB-D frames, which states their depth range, to the side file of the video `out`. Warns and writes
-/// no side file if a frame has none or if they differ. Does nothing for other frames.
+/// Copies the side file of RGB-D frames, which states their depth range, for the video `out`. Warns and copies nothing if a
+/// side file is missing or if they differ.
 void describe_depth_of(const std::vector<NumberedFrame>& frames, const std::filesystem::path& out, const Context& context);
 
-/// Encodes frames into a video. Background threads read the frames and rotate them clockwise by `turn_deg` (0, 90, 180 or 270).
-/// `encoded` is called on a background thread after each frame. If the context is cancelled, returns false and writes no file.
-/// Throws Error as VideoWriter and read_image8() do.
+/// Reads the frames on background threads and rotates them clockwise by `turn_deg` (0, 90, 180 or 270). Calls `encoded` on a
+/// background thread after each frame. If the context is cancelled, returns false and writes no file. Throws Error as
+/// VideoWriter and read_image8() do.
 bool encode_frames(const std::vector<NumberedFrame>& frames, const std::filesystem::path& out, const VideoOptions& options,
                    const Context& context, const std::function<void(const NumberedFrame&)>& encoded = {}, int turn_deg = 0);
 

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 struct Container {
   std::string_view ending, muxer;
-  std::vector<VideoCodec> codecs;  ///< the default codec first
+  std::vector<VideoCodec> codecs;  ///< default codec first
 };
 
 const std::vector<Container>& containers() {
@@ -44,8 +44,8 @@ std::string names(const std::vector<VideoCodec>& codecs) {
   return text;
 }
 
-/// Returns the longest allowed side in pixels. For H.264 and HEVC, the limit is that of hardware decoders (levels 5.2 and 6.2).
-/// For VP9 and AV1, the limit is the size of the largest quilts.
+/// Returns the longest side in pixels: of hardware decoders for H.264 and HEVC (levels 5.2 and 6.2), of the largest quilts for
+/// VP9 and AV1.
 int longest_side(VideoCodec codec) {
   switch (codec) {
     case VideoCodec::kH264:

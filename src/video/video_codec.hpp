@@ -10,7 +10,7 @@ namespace lippmann {
 
 enum class VideoCodec { kH264, kHevc, kVp9, kAv1, kFfv1 };
 
-/// Names of the codecs, in the order of VideoCodec.
+/// in the order of VideoCodec
 inline constexpr std::array<std::string_view, 5> kVideoCodecNames{"h264", "hevc", "vp9", "av1", "ffv1"};
 
 inline std::string_view name_of(VideoCodec codec) { return kVideoCodecNames[static_cast<std::size_t>(codec)]; }
@@ -19,15 +19,15 @@ inline std::string_view name_of(VideoCodec codec) { return kVideoCodecNames[stat
 ///   .mkv        FFV1
 ///   .webm       VP9
 ///   .mp4, .mov  H.264 up to 4096 pixels a side or for unknown sizes (0), HEVC for larger frames
-/// Throws Error naming the file if the ending is unknown, the container does not support the codec, this build of FFmpeg lacks
-/// the codec, or the frames are too large for the codec.
+/// Throws Error naming the file if the ending is unknown, or if the codec does not suit the container, this build of FFmpeg or
+/// the frame size.
 VideoCodec choose_codec(const std::filesystem::path& path, std::optional<VideoCodec> wanted, int width, int height);
 
-/// The highest and the default constant rate factor (CRF) of a codec. CRF 0 is the best quality.
+/// Highest and default constant rate factor (CRF). CRF 0 is the best quality.
 struct CrfRange {
   int highest = 51, standard = 18;
 };
-/// Returns the CRF range of a codec, or nothing for FFV1, which is lossless.
+/// Returns nothing for FFV1, which is lossless.
 std::optional<CrfRange> crf_range(VideoCodec codec);
 
 }  // namespace lippmann

@@ -1,7 +1,5 @@
-// The interface of the module liblippmann_video.so, which encodes and decodes videos with FFmpeg (src/video/ffmpeg).
-//
-// FFmpeg links about a hundred shared libraries, which most commands do not need. Therefore the module is loaded only on first
-// use. All functions throw Error naming the video file.
+// The interface of the module liblippmann_video.so, which encodes and decodes videos with FFmpeg (src/video/ffmpeg). It is
+// loaded on first use, because FFmpeg links about a hundred libraries. All functions throw Error naming the video file.
 #pragma once
 
 #include <cstdint>
@@ -16,15 +14,15 @@
 
 namespace lippmann {
 
-/// Checked and complete settings of a video encoder.
+/// Checked and complete settings.
 struct EncoderSettings {
-  std::filesystem::path path;  ///< final path of the video, for error messages
-  std::string temporary;       ///< path of the temporary file to write
+  std::filesystem::path path;  ///< final path, for error messages
+  std::string temporary;       ///< path of the temporary file
   VideoCodec codec = VideoCodec::kH264;
   const char* muxer = nullptr;          ///< FFmpeg's name of the container
-  const char* encoder = nullptr;        ///< FFmpeg's name of the encoder, accepted by has_encoder()
+  const char* encoder = nullptr;        ///< FFmpeg's name of the encoder, which has_encoder() accepts
   int width = 0, height = 0;            ///< size of every frame, in pixels
-  int crf = 0;                          ///< constant rate factor; ignored by lossless codecs
+  int crf = 0;                          ///< constant rate factor; lossless codecs ignore it
   int numerator = 25, denominator = 1;  ///< frames per second
   int threads = 1;
   std::optional<StereoLayout> stereo = {};  ///< written as metadata if the container supports it
@@ -41,7 +39,7 @@ class VideoEncoder {
 class VideoDecoder {
  public:
   virtual ~VideoDecoder() = default;
-  /// Returns the next frame, or nothing after the last frame.
+  /// Returns nothing after the last frame.
   virtual std::optional<Image8> next() = 0;
 };
 
@@ -53,10 +51,10 @@ class VideoModule {
   virtual std::unique_ptr<VideoDecoder> decoder(const std::filesystem::path& path) const = 0;
 };
 
-/// Version of this interface. Increment it with every change of this header. Modules of another version are rejected.
+/// Increment this with every change of this header. Modules of another version are rejected.
 inline constexpr int kVideoModuleVersion = 2;
 
-/// Returns the module. Loads it on the first call. Thread-safe. Throws Error if the module or one of its libraries is missing.
+/// Loads the module on the first call. Thread-safe. Throws Error if the module or one of its libraries is missing.
 const VideoModule& video_module();
 
 }  // namespace lippmann

@@ -1,6 +1,5 @@
-// Reads the frames of a video file in any format that FFmpeg supports, in presentation order, as 8-bit RGB codes.
-//
-// YUV is converted with the matrix and range that the video states, or with BT.601 limited range if it states none.
+// Reads the frames of a video file in any format that FFmpeg supports, in presentation order, as 8-bit RGB codes. YUV without a
+// stated matrix and range is taken as BT.601 limited range.
 #pragma once
 
 #include <filesystem>
@@ -13,8 +12,8 @@ namespace lippmann {
 
 class VideoDecoder;
 
-/// Reads a video. Throws Error naming the file if it is missing, damaged, truncated or not a video, or if frames exceed 65536
-/// pixels a side or 2^28 pixels in total.
+/// Throws Error naming the file if it is missing, damaged, truncated or not a video, or if frames exceed 65536 pixels a side or
+/// 2^28 pixels in total.
 class VideoReader {
  public:
   explicit VideoReader(const std::filesystem::path& path);
@@ -22,14 +21,14 @@ class VideoReader {
   VideoReader(const VideoReader&) = delete;
   VideoReader& operator=(const VideoReader&) = delete;
 
-  /// Returns the next frame, or nothing after the last frame.
+  /// Returns nothing after the last frame.
   std::optional<Image8> next();
 
  private:
   std::unique_ptr<VideoDecoder> decoder_;
 };
 
-/// Returns whether the file has a video extension (.mp4, .mkv, .mov, .webm, .avi, .m4v).
+/// True for .mp4, .mkv, .mov, .webm, .avi and .m4v.
 bool is_video_name(const std::filesystem::path& path);
 
 }  // namespace lippmann

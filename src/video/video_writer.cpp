@@ -18,8 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns a fraction close to a positive value: the last convergent of its continued fraction with numerator and denominator
-/// up to a million.
+/// Returns the last convergent of the value's continued fraction with numerator and denominator up to a million.
 FrameRate nearest_fraction(double value) {
   constexpr double kLargest = 1e6;
   double before[2] = {0.0, 1.0}, last[2] = {1.0, 0.0};  // numerator and denominator of the last two convergents
@@ -35,7 +34,7 @@ FrameRate nearest_fraction(double value) {
   return {static_cast<int>(last[0]), static_cast<int>(last[1])};
 }
 
-/// Returns `crf`, or the codec's default, or 0 for lossless codecs. Throws Error if the codec does not support `crf`.
+/// Returns the codec's default if `crf` is empty, and 0 for lossless codecs. Throws Error if the codec does not support `crf`.
 int checked_crf(const fs::path& path, VideoCodec codec, std::optional<int> crf) {
   const std::optional<CrfRange> range = crf_range(codec);
   if (!range && crf)
@@ -53,7 +52,7 @@ struct VideoWriter::Impl {
   fs::path path;
   VideoOptions options;
   AtomicFile file;
-  std::unique_ptr<VideoEncoder> encoder;  // null before the first frame
+  std::unique_ptr<VideoEncoder> encoder;
   int width = 0, height = 0;
   std::int64_t frames = 0;
 

@@ -4,9 +4,9 @@
 //   .mov   H.264, HEVC; the index is at the start of the file
 //   .webm  VP9, AV1
 //   .mkv   FFV1 version 3 (lossless RGB) and all other codecs
-// All codecs except FFV1 use yuv420p in BT.709 limited range and are tagged accordingly. An odd width or height is padded by
-// repeating the last column or row. yuv420p halves the chroma resolution, so that pixels of neighbouring views in an integral
-// image share their colour. Equal frames and options give equal bytes.
+// All codecs except FFV1 use yuv420p in BT.709 limited range. It halves the chroma resolution, so pixels of neighbouring views
+// in an integral image share their colour. An odd width or height is padded by repeating the last column or row. Equal frames
+// and options give equal bytes.
 #pragma once
 
 #include <filesystem>
@@ -21,28 +21,27 @@
 
 namespace lippmann {
 
-/// A frame rate: frames per second = numerator / denominator, both > 0.
+/// Frames per second = numerator / denominator, both > 0.
 struct FrameRate {
   int numerator = 25, denominator = 1;
 };
 
-/// Returns the fraction nearest to a frame rate. The usual rounded rates (29.97, 23.976) become exact (30000/1001, 24000/1001).
+/// Returns the fraction nearest to a frame rate. Rounded rates such as 29.97 and 23.976 become exact (30000/1001, 24000/1001).
 FrameRate frame_rate(double frames_per_second);
 
 struct VideoOptions {
   FrameRate rate{};
-  std::optional<VideoCodec> codec = {};     ///< no value: choose_codec() chooses by the file ending and the frame size
-  std::optional<int> crf = {};              ///< constant rate factor, 0 (best) ... 51 or 63; no value: the codec's default
-  std::optional<StereoLayout> stereo = {};  ///< layout of stereo frames, written as metadata (ffmpeg/stereo_tags.hpp)
-  int threads = 1;  ///< encoder threads; must not depend on the machine, because the bytes of H.264 depend on it
+  std::optional<VideoCodec> codec = {};     ///< empty: choose_codec() chooses by the file ending and the frame size
+  std::optional<int> crf = {};              ///< constant rate factor, 0 (best) ... 51 or 63; empty: the codec's default
+  std::optional<StereoLayout> stereo = {};  ///< layout of stereo frames, written as metadata
+  int threads = 1;  ///< encoder threads; the bytes of H.264 depend on it, so it must not depend on the machine
 };
 
-/// Warns if row-interleaved stereo is written with chroma subsampling, because it mixes the colours of both eyes. The warning
-/// names alternatives.
+/// Warns if row-interleaved stereo is written with chroma subsampling, which mixes the colours of both eyes.
 void warn_of_mixed_rows(const std::filesystem::path& path, const VideoOptions& options, Vec2i size, const Context& context);
 
-/// Writes a video file. Throws Error naming the file if choose_codec() throws, the folder is not writable, frames differ in
-/// size, or the disk is full. After an Error, the object can only be destroyed.
+/// Throws Error naming the file if choose_codec() throws, the folder is not writable, frames differ in size, or the disk is
+/// full. After an Error, the object can only be destroyed.
 class VideoWriter {
  public:
   explicit VideoWriter(const std::filesystem::path& path, const VideoOptions& options = {});
@@ -51,10 +50,10 @@ class VideoWriter {
   VideoWriter(const VideoWriter&) = delete;
   VideoWriter& operator=(const VideoWriter&) = delete;
 
-  /// Adds a frame. The first frame sets the size.
+  /// The first frame sets the size.
   void add_frame(const Image8& frame);
 
-  /// Completes the file and moves it to its final name. Requires at least one frame.
+  /// Moves the file to its final name. Requires at least one frame.
   void finish();
 
  private:
@@ -62,8 +61,8 @@ class VideoWriter {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Throws the Error that a VideoWriter would throw for this file and frame size, without writing. A size of 0 means unknown.
-/// Call this before a long render.
+/// Throws the Error of a VideoWriter for this file and frame size without writing. A size of 0 means unknown. Call this before
+/// a long render.
 void check_video_path(const std::filesystem::path& path, const VideoOptions& options = {}, int width = 0, int height = 0);
 
 }  // namespace lippmann

@@ -8,7 +8,7 @@ namespace {
 
 constexpr int kExact = SWS_BICUBIC | SWS_ACCURATE_RND | SWS_BITEXACT | SWS_FULL_CHR_H_INT | SWS_FULL_CHR_H_INP;
 
-/// The neutral value of libswscale's brightness, contrast and saturation factors.
+/// neutral value of libswscale's brightness, contrast and saturation
 constexpr int kUnchanged = 1 << 16;
 
 FfmpegPtr<AVFrame> allocate_frame(AVPixelFormat format, int width, int height) {
@@ -23,7 +23,7 @@ unsigned char* row(const AVFrame& frame, int y) { return frame.data[0] + std::pt
 const unsigned char* row(const Image8& picture, int y) { return picture.rgb.data() + std::size_t{3} * picture.width * y; }
 unsigned char* row(Image8& picture, int y) { return picture.rgb.data() + std::size_t{3} * picture.width * y; }
 
-/// Copies an image into a larger RGB24 frame. Repeats the last column and row as padding.
+/// Repeats the last column and row as padding.
 void copy_padded(const Image8& picture, AVFrame& rgb) {
   for (int y = 0; y < rgb.height; ++y) {
     const unsigned char* from = row(picture, std::min(y, picture.height - 1));

@@ -1,6 +1,5 @@
-// Converts between images (8-bit RGB codes) and FFmpeg frames. Private to the module.
-//
-// RGB frames are copied unchanged. libswscale converts YUV frames, with settings that give the same result on every machine.
+// Converts between images (8-bit RGB codes) and FFmpeg frames. Private to the module. The settings of libswscale give the same
+// result on every machine.
 #pragma once
 
 #include "lippmann/image/image.hpp"
@@ -11,22 +10,22 @@ namespace lippmann {
 /// Converts images to BGR0 frames, or to YUV frames in BT.709 limited range.
 class ToFrame {
  public:
-  /// Sets the frame size. Smaller images are padded by repeating their last column and row.
+  /// Smaller images are padded by repeating their last column and row.
   ToFrame(int width, int height, AVPixelFormat format);
 
-  /// Converts an image. The next call overwrites the returned frame, unless another reference to it exists.
+  /// The next call overwrites the returned frame, unless another reference to it exists.
   AVFrame& convert(const Image8& picture);
 
  private:
   FfmpegPtr<AVFrame> rgb_, frame_;
-  FfmpegPtr<SwsContext> scaler_;  // null for BGR0, which needs no scaler
+  FfmpegPtr<SwsContext> scaler_;  // null for BGR0, which needs no conversion
 };
 
-/// Converts decoded frames to images. Size and format may change between frames.
+/// Size and format may change between frames.
 class ToPicture {
  public:
-  /// Converts a frame. YUV is converted with the matrix and range that the frame states, or with BT.601 limited range if the
-  /// frame states none. Throws Error naming `path` if FFmpeg cannot convert the frame.
+  /// Uses the YUV matrix and range that the frame states, or BT.601 limited range. Throws Error naming `path` if FFmpeg cannot
+  /// convert the frame.
   Image8 convert(const std::filesystem::path& path, const AVFrame& frame);
 
  private:

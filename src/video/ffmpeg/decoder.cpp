@@ -56,8 +56,7 @@ class FfmpegDecoder : public VideoDecoder {
     if (code < 0) throw ffmpeg_error(path_, action, code);
   }
 
-  /// Checks a decoded frame. Its size and format come from the file. libswscale asserts or reads beyond the frame if they are
-  /// invalid.
+  /// libswscale asserts or reads beyond the frame if size or format, which come from the file, are invalid.
   void check_frame() {
     const Vec2i size(frame_->width, frame_->height);
     const auto wrong = [&](const std::string& problem) {
@@ -97,7 +96,7 @@ class FfmpegDecoder : public VideoDecoder {
     check(avcodec_open2(codec_.get(), decoder, nullptr), "cannot be decoded");
   }
 
-  /// Sends the next packet of the stream to the decoder, or the end of the stream.
+  /// Sends the next packet, or the end of the stream.
   void feed_decoder() {
     for (;;) {
       const int code = av_read_frame(demuxer_.get(), packet_.get());
@@ -127,9 +126,8 @@ class FfmpegDecoder : public VideoDecoder {
     }
   }
 
-  /// Throws Error if the file is truncated. Demuxers treat the end of the file as the end of the video. Therefore this function
-  /// compares the number of packets with the index (MP4), or the end of the last packet with the duration in the header
-  /// (Matroska). The duration is compared only if the file has no other streams.
+  /// Throws Error if the file is truncated, which demuxers treat as the end of the video. Compares the number of packets with
+  /// the index (MP4), or the end of the last packet with the duration (Matroska files without other streams).
   void check_complete() const {
     const int indexed = avformat_index_get_entries_count(stream_);
     if (packets_ < indexed) throw Error(path_.string(), fmt::format("is truncated: {} of {} frames", packets_, indexed));
@@ -149,10 +147,10 @@ class FfmpegDecoder : public VideoDecoder {
   FfmpegPtr<AVFrame> frame_ = own(av_frame_alloc());
   FfmpegPtr<AVPacket> packet_ = own(av_packet_alloc());
   const AVStream* stream_ = nullptr;
-  Vec2i size_{0, 0};  // size of the first frame
+  Vec2i size_{0, 0};
   std::int64_t frames_ = 0, packets_ = 0,
                end_time_ = 0;  // decoded frames, read packets, and end of the last packet in units of the stream's time base
-  bool ended_ = false;         // whether all packets were read; the decoder may still hold frames
+  bool ended_ = false;
 };
 
 }  // namespace

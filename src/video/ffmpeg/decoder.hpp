@@ -8,7 +8,7 @@
 
 namespace lippmann {
 
-/// Returns a decoder for a video, which must be a regular file.
+/// `path` must be a regular file.
 std::unique_ptr<VideoDecoder> make_decoder(const std::filesystem::path& path);
 
 }  // namespace lippmann

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 int round_up(int value, int multiple) { return (value + multiple - 1) / multiple * multiple; }
 
-/// Owns FFmpeg's muxer. Closes the muxer's file before it frees the muxer.
+/// Closes the file before it frees FFmpeg's muxer.
 struct Muxer {
   AVFormatContext* context = nullptr;
 
@@ -31,8 +31,8 @@ struct Muxer {
   }
 };
 
-/// Returns whether a decoding time is plausible for a presentation time, both in frames. In very short videos, libx265 reads
-/// the decoding time from uninitialised memory.
+/// Checks a decoding time against the presentation time, both in frames. In very short videos, libx265 reads the decoding time
+/// from uninitialised memory.
 bool is_plausible(std::int64_t dts, std::int64_t pts) {
   constexpr std::int64_t kMostReordered = 64;
   return dts <= pts && pts <= dts + kMostReordered;
@@ -97,7 +97,7 @@ class FfmpegEncoder : public VideoEncoder {
     stream_->time_base = codec_->time_base;
     stream_->avg_frame_rate = codec_->framerate;
     check(avcodec_parameters_from_context(stream_->codecpar, codec_.get()), "cannot be set up");
-    // QuickTime and Apple's players require the tag hvc1; FFmpeg's default is hev1.
+    // Apple's players require the tag hvc1; FFmpeg's default is hev1.
     if (settings_.codec == VideoCodec::kHevc && is_mpeg4()) stream_->codecpar->codec_tag = MKTAG('h', 'v', 'c', '1');
     if (settings_.stereo) tag_stereo(*muxer_.context, *stream_, *settings_.stereo);
     check(avio_open(&muxer_.context->pb, settings_.temporary.c_str(), AVIO_FLAG_WRITE), "cannot be created");
@@ -108,7 +108,6 @@ class FfmpegEncoder : public VideoEncoder {
     check(code, "cannot be written");
   }
 
-  /// Encodes a frame and writes the resulting packets. Null means the end of the video.
   void encode(const AVFrame* frame) {
     check(avcodec_send_frame(codec_.get(), frame), "cannot be encoded");
     for (;;) {

@@ -25,13 +25,13 @@ void tag_colours(AVCodecContext& context) {
 
 void configure_h264(AVCodecContext& context, int crf) {
   set(context, "crf", crf);
-  // x264's macroblock tree reads uninitialised memory (seen with x264 164), so that two encodings in one process would differ.
+  // x264's macroblock tree reads uninitialised memory (seen with x264 164), so two encodings could differ.
   set(context, "mbtree", 0);
 }
 
 void configure_hevc(AVCodecContext& context, int crf) {
   set(context, "crf", crf);
-  // The number of threads (pools) is fixed, because it changes the output. info=0 omits the text with x265's version.
+  // The number of threads (pools) changes the output. info=0 omits x265's version.
   set(context, "x265-params", "log-level=none:info=0:pools=4:frame-threads=1");
 }
 
@@ -40,7 +40,7 @@ void configure_vp9(AVCodecContext& context, int crf) {
   set(context, "crf", crf);
   set(context, "deadline", "good");
   set(context, "cpu-used", 3);
-  set(context, "tile-columns", 2);  // log2 of the maximum number of columns, which are encoded in parallel
+  set(context, "tile-columns", 2);  // log2 of the number of columns that are encoded in parallel
 }
 
 void configure_av1(AVCodecContext& context, int crf) {
@@ -52,8 +52,8 @@ void configure_av1(AVCodecContext& context, int crf) {
 
 void configure_ffv1(AVCodecContext& context) {
   context.level = 3;
-  context.gop_size = 1;  // every frame can be decoded without other frames
-  // The number of slices changes the output, so that it must not depend on the number of threads.
+  context.gop_size = 1;  // every frame can be decoded alone
+  // The number of slices changes the output, so it must not depend on the number of threads.
   context.slices = std::min(context.width, context.height) < 16 ? 1 : 4;
   set(context, "slicecrc", 1);
 }

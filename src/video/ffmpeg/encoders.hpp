@@ -6,12 +6,12 @@
 
 namespace lippmann {
 
-/// Returns the pixel format: RGB for FFV1; for other codecs, YUV with half the chroma resolution, which requires even sides.
+/// RGB for FFV1; otherwise YUV with half the chroma resolution, which requires even sides.
 AVPixelFormat pixel_format(VideoCodec codec);
 int size_multiple(VideoCodec codec);
 
-/// Sets the quality, the speed, and options that make the output the same on every machine. Set the size, format and threads of
-/// the context before.
+/// Sets quality, speed, and options that give the same output on every machine. Set the context's size, format and threads
+/// before.
 void configure(AVCodecContext& context, VideoCodec codec, int crf);
 
 }  // namespace lippmann

@@ -24,17 +24,17 @@ struct FfmpegDeleter {
 template <class T>
 using FfmpegPtr = std::unique_ptr<T, FfmpegDeleter>;
 
-/// Takes ownership of a pointer from an FFmpeg allocator. Throws std::bad_alloc for null.
+/// Takes ownership of an allocation of FFmpeg. Throws std::bad_alloc for null.
 template <class T>
 FfmpegPtr<T> own(T* p) {
   if (!p) throw std::bad_alloc();
   return FfmpegPtr<T>(p);
 }
 
-/// Returns the Error "path: action: FFmpeg's message".
+/// The message is "path: action: FFmpeg's message".
 Error ffmpeg_error(const std::filesystem::path& path, const std::string& action, int code);
 
-/// Disables messages that FFmpeg and the encoders print to stderr. Errors are reported as error codes.
+/// Disables messages on stderr of FFmpeg and the encoders.
 void silence_ffmpeg();
 
 }  // namespace lippmann

@@ -11,10 +11,10 @@
 
 namespace lippmann {
 
-/// Tags the container. Call before writing the file header.
+/// Call before writing the file header.
 void tag_stereo(AVFormatContext& muxer, AVStream& stream, const StereoLayout& layout);
 
-/// Tags a frame. H.264 encoders then write the layout into the stream.
+/// H.264 encoders then write the layout into the stream.
 void tag_stereo(AVFrame& frame, const StereoLayout& layout);
 
 }  // namespace lippmann
