@@ -1,6 +1,6 @@
 // Based on: SMPTE RP 177:1993, "Derivation of Basic Television Color Equations". The columns of the matrix from RGB to XYZ are
-// the XYZ colours of the primaries, scaled so that they sum to white. Different white points are adapted with K. M. Lam's
-// Bradford matrix, as in ICC.1:2010, annex E.
+// the XYZ colours of the primaries, scaled so that they sum to white. Other white points are adapted with K. M. Lam's Bradford
+// matrix, as in ICC.1:2010, annex E.
 #include "image/chromaticities.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ using glm::dvec3;
 
 dvec3 with_z(double x, double y) { return {x, y, 1.0 - x - y}; }
 
-/// Returns the XYZ colour of the white point, with Y = 1.
+/// with Y = 1
 dvec3 white_xyz(const Chromaticities& c) { return with_z(c.xy[6], c.xy[7]) / c.xy[7]; }
 
 dmat3 xyz_from_rgb(const Chromaticities& c) {

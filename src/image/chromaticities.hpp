@@ -13,18 +13,18 @@ struct Chromaticities {
   std::array<double, 8> xy{0.64, 0.33, 0.30, 0.60, 0.15, 0.06, 0.3127, 0.3290};
 };
 
-/// The chromaticities of CIE XYZ data: the primaries are X, Y and Z, and white is X = Y = Z.
+/// For CIE XYZ data: the primaries are X, Y and Z, and white is X = Y = Z.
 inline constexpr Chromaticities kXyz{{1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0 / 3.0, 1.0 / 3.0}};
 
-/// Returns whether the chromaticities equal the Rec. 709 chromaticities, with a tolerance for rounding in files.
+/// Tolerates the rounding in files.
 bool are_rec709(const Chromaticities& chromaticities);
 
-/// Returns the matrix from linear colours to linear Rec. 709. If the white points differ, Bradford adaptation maps white to
-/// white. Colours outside the gamut of Rec. 709 get negative components. Returns nothing if the chromaticities are degenerate.
+/// Returns the matrix from linear colours to linear Rec. 709, with Bradford adaptation of the white point. Colours outside Rec.
+/// 709 get negative components. Returns nothing if the chromaticities are degenerate.
 std::optional<glm::dmat3> rec709_from(const Chromaticities& chromaticities);
 
-/// Multiplies the colour of each pixel by the matrix. A pixel has `channels` samples; its first three samples are the colour.
-/// Colours that are not finite do not change.
+/// `channels` is the number of samples per pixel, of which the first three are the colour. Colours that are not finite do not
+/// change.
 void convert_colors(const glm::dmat3& matrix, std::span<float> samples, std::size_t channels);
 
 }  // namespace lippmann

@@ -1,7 +1,6 @@
-// Based on: ICC.1:2022, "Image technology colour management". A profile consists of a header of 128 bytes and a table of tags
-// (signature, offset, size). In a profile of a screen, the tags rXYZ, gXYZ and bXYZ contain the colours of the primaries under
-// D50. The tags rTRC, gTRC and bTRC (for grey: kTRC) contain transfer curves. A curve is a gamma, a table of 16-bit values, or
-// one of five functions with parameters.
+// Based on: ICC.1:2022, "Image technology colour management". A profile is a header of 128 bytes, a table of tags (signature,
+// offset, size) and their data. For a screen, rXYZ, gXYZ and bXYZ are the colours of the primaries under D50, and rTRC, gTRC
+// and bTRC (for grey: kTRC) the transfer curves. A curve is a gamma, a table of 16-bit values, or one of five functions.
 #include "image/color_profile.hpp"
 
 #include <fmt/format.h>
@@ -30,7 +29,7 @@ class IccProfile {
   }
   std::string_view color_space() const { return text(bytes_.subspan(16, 4)); }
 
-  /// Returns the data of a tag, or nothing if the tag is missing.
+  /// Returns nothing if the tag is missing.
   FileBytes tag(std::string_view name) const {
     const std::size_t count = whole(bytes_, 128);
     for (std::size_t i = 0, at = 132; i < count && at + 12 <= bytes_.size(); ++i, at += 12) {
@@ -41,19 +40,18 @@ class IccProfile {
     return {};
   }
 
-  /// Reads a big-endian integer. Returns 0 if `at` is beyond the end.
+  /// Reads a big-endian integer, or 0 beyond the end.
   static std::uint32_t whole(FileBytes bytes, std::size_t at, std::size_t size = 4) {
     std::uint32_t value = 0;
     for (std::size_t i = 0; i < size; ++i)
       value = value << 8 | (at + i < bytes.size() ? std::to_integer<std::uint32_t>(bytes[at + i]) : 0);
     return value;
   }
-  /// Reads a fixed-point number with 16 integer and 16 fractional bits.
+  /// 16 integer and 16 fractional bits
   static double fixed(FileBytes bytes, std::size_t at) { return static_cast<std::int32_t>(whole(bytes, at)) / 65536.0; }
   static std::string_view text(FileBytes bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
 
-  /// Returns the profile's description in ASCII. Profiles of version 2 store ASCII. For profiles of version 4, which store
-  /// big-endian UTF-16, returns the low byte of each character.
+  /// Returns the description in ASCII. Of the UTF-16 in profiles of version 4, this is the low byte of each character.
   std::string name() const {
     const FileBytes tag = this->tag("desc");
     if (tag.size() < 12) return "";
@@ -79,7 +77,7 @@ bool has_color(const IccProfile& profile, std::string_view tag, std::array<doubl
   return true;
 }
 
-/// Returns the value of a transfer curve at 0.5, or nothing for an unknown kind of curve.
+/// Returns a transfer curve at 0.5, or nothing for an unknown kind of curve.
 std::optional<double> curve_at_half(FileBytes curve) {
   const std::string_view kind = IccProfile::text(curve.first(std::min<std::size_t>(4, curve.size())));
   if (kind == "curv") {
@@ -90,7 +88,7 @@ std::optional<double> curve_at_half(FileBytes curve) {
     return (IccProfile::whole(curve, 12 + 2 * low, 2) + IccProfile::whole(curve, 12 + 2 * high, 2)) / (2.0 * 65535.0);
   }
   if (kind != "para") return std::nullopt;
-  std::array<double, 7> p{};  // the parameters g, a, b, c, d, e, f
+  std::array<double, 7> p{};  // parameters g, a, b, c, d, e, f
   const std::uint32_t function = IccProfile::whole(curve, 8, 2);
   for (std::size_t i = 0; i < p.size(); ++i) p[i] = IccProfile::fixed(curve, 12 + 4 * i);
   const double x = 0.5;
@@ -111,7 +109,7 @@ std::optional<double> curve_at_half(FileBytes curve) {
 }
 
 bool has_srgb_curve(const IccProfile& profile, std::string_view tag) {
-  constexpr double kUnseen = 0.01;  // largest invisible difference of linear values; a gamma of 2.2 differs from sRGB by 0.004
+  constexpr double kUnseen = 0.01;  // largest invisible difference of linear values; gamma 2.2 differs from sRGB by 0.004
   const std::optional<double> half = curve_at_half(profile.tag(tag));
   return half && std::abs(*half - linear_from_srgb(0.5)) <= kUnseen;
 }

@@ -8,11 +8,11 @@
 
 namespace lippmann {
 
-/// Returns the text for PictureHeader::notices if a profile is not applied: "its colour profile 'Display P3' is not applied:
-/// ...". Returns an empty string if there is no profile or if the profile looks like sRGB.
+/// Returns a notice such as "its colour profile 'Display P3' is not applied: ...", or an empty string if there is no profile or
+/// if it looks like sRGB.
 std::string color_profile_notice(FileBytes icc);
 
-/// Returns the bytes for PictureHeader::profile. Returns nothing if there is no profile or if the profile looks like sRGB.
+/// Returns nothing if there is no profile or if it looks like sRGB.
 std::vector<std::byte> profile_to_apply(FileBytes icc);
 
 inline constexpr const char* kInksNotice =

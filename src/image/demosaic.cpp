@@ -2,8 +2,7 @@
 // images", ICASSP 2004, figure 2. Each missing colour is the mean of the neighbours that measure this colour, corrected by the
 // second derivative of the colour that the pixel measures.
 //
-// We deviate: beyond an edge of the image, pixels are mirrored at the edge pixel. The mirrored pixels continue the Bayer
-// pattern.
+// We deviate: the image is mirrored at its edges, which continues the Bayer pattern.
 #include "image/demosaic.hpp"
 
 #include <algorithm>
@@ -23,15 +22,15 @@ class Mosaic {
   float green_at_color(int x, int y) const {
     return (4.0f * at(x, y) + 2.0f * (sides(x, y, 1) + ends(x, y, 1)) - sides(x, y, 2) - ends(x, y, 2)) / 8.0f;
   }
-  /// For a green pixel, returns the colour that its left and right neighbours measure.
+  /// For a green pixel: the colour that its left and right neighbours measure.
   float color_beside(int x, int y) const {
     return (5.0f * at(x, y) + 4.0f * sides(x, y, 1) - corners(x, y) - sides(x, y, 2) + 0.5f * ends(x, y, 2)) / 8.0f;
   }
-  /// For a green pixel, returns the colour that its neighbours above and below measure.
+  /// For a green pixel: the colour that its upper and lower neighbours measure.
   float color_above(int x, int y) const {
     return (5.0f * at(x, y) + 4.0f * ends(x, y, 1) - corners(x, y) - ends(x, y, 2) + 0.5f * sides(x, y, 2)) / 8.0f;
   }
-  /// Returns blue for a red pixel, and red for a blue pixel.
+  /// Blue for a red pixel, red for a blue pixel.
   float other_color(int x, int y) const {
     return (6.0f * at(x, y) + 2.0f * corners(x, y) - 1.5f * (sides(x, y, 2) + ends(x, y, 2))) / 8.0f;
   }

@@ -1,4 +1,4 @@
-// Demosaicing: computes all three colours of every pixel from the picture of a sensor with one colour per pixel.
+// Computes all three colours of every pixel from a sensor with one colour per pixel.
 #pragma once
 
 #include "lippmann/core/math.hpp"
@@ -6,9 +6,8 @@
 
 namespace lippmann {
 
-/// Returns an image with 3 channels. Each pixel keeps its measured colour. Negative values become 0. `mosaic` has 1 channel,
-/// linear values, at least 3 x 3 pixels and a Bayer pattern. `red` is the position of the red pixel in the first 2 x 2 pixels:
-/// both coordinates are 0 or 1.
+/// Returns 3 channels. Negative values become 0. `mosaic` has 1 channel, linear values, at least 3 x 3 pixels and a Bayer
+/// pattern. `red` is the position of the red pixel among the first 2 x 2.
 Image demosaic(const Image& mosaic, Vec2i red);
 
 }  // namespace lippmann

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kQuadBytes = 64, kCornerBytes = 16;
 
-/// Replaces each character outside ' ' to '~' by '?', because the font lacks it. Keeps line breaks.
+/// Replaces characters that the font lacks by '?'. Keeps line breaks.
 std::string font_text(std::string_view text) {
   std::string known(text);
   std::replace_if(
@@ -24,7 +24,6 @@ std::string font_text(std::string_view text) {
   return known;
 }
 
-/// Returns the rectangles that make up a text at the origin. Coordinates are whole font units.
 std::vector<PixelBox> text_boxes(std::string_view text) {
   constexpr std::size_t kQuadsPerLetter = 32;
   std::string known = font_text(text);

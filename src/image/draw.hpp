@@ -1,6 +1,5 @@
-// Draws boxes and text into images, for labels of test sheets and marks around prints.
-// Colours are 8-bit sRGB codes, which are converted to the sample type of the picture. Drawing is clipped to the image. Text is
-// ASCII. Text is measured in units. A unit is `scale` pixels, a whole number, so that letters have sharp edges.
+// Draws boxes and ASCII text into images, for labels of test sheets and marks around prints. Colours are 8-bit sRGB codes,
+// converted to the picture's sample type. Text is measured in units of `scale` pixels, so that letters have sharp edges.
 #pragma once
 
 #include <array>
@@ -14,7 +13,7 @@ namespace lippmann {
 using Rgb8 = std::array<unsigned char, 3>;
 inline constexpr Rgb8 kBlackRgb{0, 0, 0}, kWhiteRgb{255, 255, 255};
 
-/// The pixels from `from` to `to`; `to` is excluded.
+/// `to` is excluded.
 struct PixelBox {
   Vec2i from{0, 0}, to{0, 0};
 
@@ -25,10 +24,10 @@ inline constexpr int kTextCapital = 7, kTextLine = 12;  ///< heights of a capita
 
 void fill_box(Picture& picture, const PixelBox& box, const Rgb8& colour);
 
-/// Returns the width of the longest line and the height of all lines, in units. '\n' ends a line.
+/// Returns the width of the longest line and the height of all lines, in units.
 Vec2i text_units(std::string_view text);
 
-/// Draws text. corner: the top left corner of the first line.
+/// corner: top left corner of the first line
 void draw_text(Picture& picture, Vec2i corner, int scale, std::string_view text, const Rgb8& colour = kBlackRgb);
 
 }  // namespace lippmann

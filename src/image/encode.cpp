@@ -16,13 +16,13 @@
 namespace lippmann {
 namespace {
 
-/// Returns the sRGB code by the definition in encode.hpp.
+/// The definition in encode.hpp.
 int srgb_code(float value, int max_code) {
   if (!(value > 0.0f)) return 0;
   return static_cast<int>(std::floor(max_code * srgb_from_linear(std::min(value, 1.0f)) + 0.5));
 }
 
-/// Returns the smallest float with the given 8-bit code, 1 ... 255.
+/// Returns the smallest float with an 8-bit code of 1 ... 255.
 float first_value_of(int code) {
   float value = static_cast<float>(linear_from_srgb((code - 0.5) / 255.0));
   while (srgb_code(value, 255) >= code) value = std::nextafter(value, 0.0f);
@@ -49,7 +49,7 @@ class SrgbTable {
   }
 
   unsigned char operator()(float value) const {
-    value = value > kFirst ? value : kFirst;  // also replaces NaN, because comparisons with NaN are false
+    value = value > kFirst ? value : kFirst;  // also replaces NaN: comparisons with NaN are false
     value = value < kLast ? value : kLast;
     const std::uint32_t offset = std::bit_cast<std::uint32_t>(value) - kFirstBits;
     return static_cast<unsigned char>((entries_[offset >> kBucketBits] + (offset & ((1u << kBucketBits) - 1))) >> kBucketBits);
@@ -70,7 +70,7 @@ int truncated_code(float value, int max_code) {
   return scaled < static_cast<float>(max_code) ? static_cast<int>(scaled) : max_code;
 }
 
-/// Returns code(value) of the three colour values of each pixel.
+/// Applies `code` to the three colour values of each pixel.
 template <class Code, class F>
 std::vector<Code> encode(const Image& film, const F& code) {
   assert(film.channels > 0);

@@ -1,6 +1,5 @@
 // Based on: CIPA DC-008, "Exif 2.32", 2019, section 4.6. EXIF data begin with a TIFF header: byte order, the number 42, and the
-// offset of the first directory. A directory is a number of entries followed by the entries. An entry has 12 bytes: tag, type,
-// count and value.
+// offset of a directory. A directory is the number of its entries and the entries of 12 bytes: tag, type, count and value.
 #include "image/exif.hpp"
 
 #include <cstring>
@@ -16,7 +15,7 @@ class ExifBytes {
  public:
   explicit ExifBytes(FileBytes bytes) : bytes_(bytes), low_first_(!bytes.empty() && bytes[0] == std::byte{'I'}) {}
 
-  /// Returns the integer of `size` bytes at offset `at`, or nothing if it extends beyond the end.
+  /// Returns the integer of `size` bytes at offset `at`, or nothing beyond the end.
   std::optional<std::uint32_t> number(std::uint64_t at, std::size_t size) const {
     if (at > bytes_.size() || bytes_.size() - at < size) return std::nullopt;
     std::uint32_t value = 0;

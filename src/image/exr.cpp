@@ -40,23 +40,22 @@ std::string channel_name(const ExrLayer& layer, std::size_t channel) {
   return layer.name.empty() ? layer.channels[channel] : layer.name + "." + layer.channels[channel];
 }
 
-/// Returns the samples converted to the stored type, because OpenEXR does not convert samples when it writes.
+/// Converts to the stored type, which OpenEXR does not do when it writes.
 template <class Sample>
 std::vector<Sample> samples_of(const Image& image) {
   return {image.data.begin(), image.data.end()};
 }
 
-/// The contents of a file: the header, the samples, and the location of each channel in memory.
 struct Contents {
   Imf::Header header;
   Imf::FrameBuffer buffer;
-  std::deque<std::vector<Imath::half>> halves;  // samples of the layers that are stored as halves
+  std::deque<std::vector<Imath::half>> halves;  // samples that are stored as halves
 
   Contents(const std::string& where, std::span<const ExrLayer> layers, ExrCompression compression,
            std::span<const ExrAttribute> attributes)
       : header(layers.front().image->width, layers.front().image->height) {
     header.compression() = imf_compression(compression);
-    header.insert("capDate", Imf::StringAttribute("1970:01:01 00:00:00"));  // so that equal pictures give equal bytes
+    header.insert("capDate", Imf::StringAttribute("1970:01:01 00:00:00"));  // a fixed date gives equal bytes for equal pictures
     for (const ExrAttribute& attribute : attributes) header.insert(attribute.name, Imf::StringAttribute(attribute.text));
     for (const ExrLayer& layer : layers) add(where, layer);
   }

@@ -1,7 +1,7 @@
-// Writes float images as layers of one OpenEXR file: the film and further per-pixel data.
+// Writes float images as layers of one OpenEXR file.
 //
-// The file has one part. Channels have the names that compositing programs expect: R, G, B, A, Z and the names in
-// lippmann/trace/aovs.hpp. The date in the header is fixed, so that equal images give equal bytes.
+// Channels have the names that compositing programs expect: R, G, B, A, Z and those in lippmann/trace/aovs.hpp. The date in the
+// header is fixed, so that equal images give equal bytes.
 #pragma once
 
 #include <filesystem>
@@ -18,29 +18,27 @@ enum class ExrSample {
   kFloat,
 };
 
-/// Lossless compression methods.
 enum class ExrCompression { kNone, kRunLength, kZipRow, kZip, kPiz };
 
 struct ExrLayer {
-  /// Channels are named "name.channel", or "channel" if this name is empty.
+  /// Channels are named "name.channel", or "channel" if `name` is empty.
   std::string name;
   const Image* image = nullptr;
-  std::vector<std::string> channels;  ///< one name per channel of the image
+  std::vector<std::string> channels;  ///< one per channel of the image
   ExrSample sample = ExrSample::kHalf;
 };
 
 ExrLayer film_layer(const Image& film, ExrSample sample = ExrSample::kHalf);
-/// Returns a layer for alpha. OpenEXR requires colours that are premultiplied by alpha.
+/// OpenEXR requires colours that are premultiplied by alpha.
 ExrLayer alpha_layer(const Image& alpha, ExrSample sample = ExrSample::kHalf);
-/// Returns a layer for depth. It is stored as floats, because halves have too little precision for depth.
+/// Depth is stored as floats, because halves are not precise enough.
 ExrLayer depth_layer(const Image& depth);
 
-/// A text attribute in the header of a file.
 struct ExrAttribute {
   std::string name, text;
 };
 
-/// Writes layers. All images must have the same size. Channel names must be unique. Throws Error naming the file on failure.
+/// All images must have one size, and channel names must be unique. Throws Error naming the file on failure.
 void write_exr(const std::filesystem::path& path, std::span<const ExrLayer> layers,
                ExrCompression compression = ExrCompression::kZip, std::span<const ExrAttribute> attributes = {});
 

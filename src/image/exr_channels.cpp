@@ -17,7 +17,7 @@ std::string lower(std::string_view text) {
 }
 
 struct ChannelName {
-  std::string layer, channel;  // names as written in the file
+  std::string layer, channel;  // as written in the file
 };
 
 ChannelName split(const std::string& name) {
@@ -26,7 +26,7 @@ ChannelName split(const std::string& name) {
   return {name.substr(0, at), name.substr(at + 1)};
 }
 
-/// Returns the meaning of a channel name: "R", "G", "B", "A", "Y", "RY", "BY", "X", "Z", or an empty string for other names.
+/// Returns "R", "G", "B", "A", "Y", "RY", "BY", "X", "Z", or an empty string for other names.
 std::string meaning_of(std::string_view channel) {
   const std::string name = lower(channel);
   if (name == "red") return "R";
@@ -38,8 +38,7 @@ std::string meaning_of(std::string_view channel) {
   return "";
 }
 
-/// Maps each meaning ("R") to the full name of a channel of the layer. A channel named exactly "R" takes precedence over "r"
-/// and "Red".
+/// Maps "R" etc. to the full name of a channel. A channel named exactly "R" has precedence over "r" and "Red".
 using Layer = std::map<std::string, std::string>;
 
 void add(Layer& layer, const std::string& name, const std::string& channel) {
@@ -61,7 +60,7 @@ ExrColors colors_of(const Layer& layer) {
              has_exact_name(layer, "BY")) {
     take({"Y", "RY", "BY"});
     colors.luma_chroma = true;
-  } else if (has("Y") && !has("X")) {  // in a layer with X, Y is a coordinate of a position or direction
+  } else if (has("Y") && !has("X")) {  // beside X, Y is a coordinate and not brightness
     take({"Y"});
   }
   if (!colors.channels.empty() && has("A")) colors.alpha = layer.at("A");
@@ -80,7 +79,7 @@ int rank_of(const std::string& channel) {
   return static_cast<int>(std::find(kFirst.begin(), kFirst.end(), channel) - kFirst.begin());
 }
 
-/// Returns whether the name means data other than brightness, such as depth, alpha or a coordinate.
+/// True for data other than brightness, such as depth, alpha or a coordinate.
 bool is_data(const std::string& name) {
   constexpr std::array<std::string_view, 17> kData{"a",     "alpha",    "x",         "z",      "ry",      "by",
                                                    "u",     "v",        "w",         "n",      "id",      "depth",

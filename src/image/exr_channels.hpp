@@ -1,13 +1,12 @@
 // Finds the colour channels of an OpenEXR file by name. Private to src/image.
 //
-// A channel named "a.b.R" is channel R of layer "a.b". Separators are '.', ':' and '/'. "r", "Red" and "red" also mean R, and
-// so on for G, B and A. Y, RY and BY of a luma-chroma image must be written exactly so, because OpenEXR reads them. The colours
-// are the first of these that exist:
+// A channel named "a.b.R" is channel R of layer "a.b"; ':' and '/' separate names too. "r", "Red" and "red" also mean R, and so
+// on for G, B and A. Y, RY and BY of a luma-chroma image must be written exactly so. The colours are the first of these that
+// exist:
 // 1. channels without a layer: R, G and B; or Y, RY and BY; or Y alone (grey)
 // 2. the colours of a layer named Combined, beauty, rgba or similar
-// 3. the colours of the first layer that has colours
+// 3. the colours of the first layer that has colours; in a stereo image, the default view counts as the first layer
 // 4. the only channel of a file (grey), unless its name means other data, such as alpha or depth
-// In a stereo image, the default view counts as the first layer.
 #pragma once
 
 #include <span>
@@ -18,18 +17,17 @@ namespace lippmann {
 
 struct ExrColors {
   std::vector<std::string> channels;  ///< names of R, G, B, or of grey, or of Y, RY, BY; empty if the file has no colours
-  std::string alpha;                  ///< name of the alpha channel in the layer of the colours, or empty
-  bool luma_chroma = false;           ///< whether `channels` are Y, RY and BY
-  /// False if the colour is the only channel of the file, taken as grey although its name does not mean grey (rule 4).
+  std::string alpha;                  ///< alpha channel in the layer of the colours, or empty
+  bool luma_chroma = false;           ///< `channels` are Y, RY and BY
+  /// False for the only channel of a file, taken as grey although its name does not mean grey (rule 4).
   bool by_name = true;
-  std::vector<std::string> others;  ///< other layers with colours, if the colours are those of the first layer (rule 3)
+  std::vector<std::string> others;  ///< other layers with colours, if rule 3 chose the first layer
 };
 
-/// Finds the colours. `names` must be in the file's order.
+/// `names` must be in the file's order.
 ExrColors find_exr_colors(std::span<const std::string> names);
 
-/// Returns all names in this order: the colours, their alpha, then the other channels, sorted by layer. R, G, B, A and Z come
-/// first in each layer.
+/// Returns the colours, their alpha, then the other channels by layer. R, G, B, A and Z come first in each layer.
 std::vector<std::string> sorted_exr_channels(std::span<const std::string> names, const ExrColors& colors);
 
 }  // namespace lippmann

@@ -1,8 +1,7 @@
 // Decodes OpenEXR files as floats. Reads the first part with colours; of mipmaps, reads the finest level.
 //
-// The image covers the display window. Pixels outside the data window are 0. Pixels outside the display window are dropped.
-// Colours are converted to linear Rec. 709 if the file has other chromaticities. exr_channels.hpp selects the colour channels.
-// In the result, colours come first, then alpha, then the other channels sorted by layer.
+// The image covers the display window. Its pixels outside the data window are 0. Colours are converted to linear Rec. 709 by
+// the file's chromaticities. They come first, then alpha, then the other channels by layer (exr_channels.hpp).
 #include <Imath/ImathBox.h>
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
@@ -33,8 +32,7 @@
 namespace lippmann {
 namespace {
 
-/// Returns the maximum ratio of uncompressed to compressed bytes of a method. DWA may keep only one of 64 coefficients before
-/// it applies deflate.
+/// Returns the largest ratio of uncompressed to compressed bytes. DWA may keep only one of 64 coefficients before deflate.
 std::uint64_t ratio_of(Imf::Compression compression) {
   switch (compression) {
     case Imf::NO_COMPRESSION:
@@ -43,7 +41,7 @@ std::uint64_t ratio_of(Imf::Compression compression) {
     case Imf::DWAB_COMPRESSION:
       return 64 * kDeflateRatio;
     default:
-      return 2 * kDeflateRatio;  // PXR24 drops 8 of the 32 bits of each float before it applies deflate
+      return 2 * kDeflateRatio;  // PXR24 drops 8 of the 32 bits of a float before deflate
   }
 }
 
@@ -72,7 +70,7 @@ std::vector<std::string> channels_of(const Imf::Header& header) {
   return names;
 }
 
-/// Returns the samples of the window `display`, given the samples of the window `data`. Pixels outside of `data` become 0.
+/// Moves samples from the window `data` to the window `display`. Pixels outside `data` become 0.
 std::vector<float> placed(const std::vector<float>& samples, std::size_t channels, const Imath::Box2i& data,
                           const Imath::Box2i& display) {
   const Imath::V2i size = size_of(display), data_size = size_of(data);
@@ -244,8 +242,7 @@ class ExrDecoder {
     });
   }
 
-  /// Decodes luma and chroma to R, G, B. The file stores RY = R / Y - 1 and BY = B / Y - 1. Y is a weighted sum of R, G and B;
-  /// the chromaticities determine the weights.
+  /// The file stores RY = R / Y - 1 and BY = B / Y - 1. The chromaticities determine the weights of R, G and B in Y.
   std::vector<float> luma_chroma_samples(const Imath::Box2i& window) {
     std::vector<std::string> stored = colors_.channels;
     if (!colors_.alpha.empty()) stored.push_back(colors_.alpha);
@@ -259,7 +256,7 @@ class ExrDecoder {
     return samples;
   }
 
-  /// Upsamples the chroma with OpenEXR's filter, which works on halves.
+  /// OpenEXR's filter for chroma works on halves.
   std::vector<float> upsampled_luma_chroma(const Imath::Box2i& window) {
     ExrInput input(bytes_);
     const std::string& luma = colors_.channels.front();
@@ -288,7 +285,7 @@ class ExrDecoder {
   std::vector<std::string> names_;
 };
 
-/// Calls decode() and converts OpenEXR's exceptions to Error.
+/// Converts OpenEXR's exceptions to Error.
 template <class Decode>
 auto without_foreign_exceptions(const std::string& where, const Decode& decode) {
   try {

@@ -1,14 +1,13 @@
 // Based on: Industrial Light & Magic, "OpenEXR File Layout", 2013. A file consists of:
 // 1. a magic number and a version;
-// 2. a header per part; an empty header ends the headers of a file with several parts;
+// 2. a header per part; with several parts, an empty header ends the list;
 // 3. the offsets of the chunks, 8 bytes each, part by part;
 // 4. the chunks.
-// A header is a list of attributes, ended by an empty name. An attribute has a name, a type, a size and a value. A chunk begins
-// with the number of its part (only in files with several parts). Its row (4 bytes) or its tile and level (16 bytes), its size
-// and its samples follow.
 //
-// The checks must parse the file as OpenEXR does. OpenEXR reads most values by their type and ignores the stored size, so a
-// size that does not match the type is an error here.
+// A header is a list of attributes (name, type, size, value), ended by an empty name. A chunk is the number of its part (only
+// with several parts), its row (4 bytes) or its tile and level (16 bytes), its size and its samples.
+//
+// OpenEXR reads most values by their type and ignores the stored size, so a size that does not match the type is an error here.
 #include "image/exr_header.hpp"
 
 #include <OpenEXR/ImfAttribute.h>
@@ -56,7 +55,7 @@ constexpr std::array<std::pair<std::string_view, std::size_t>, 24> kSizes{{
     {"v3i", 12},
 }};
 
-/// Reads the bytes of a header in order. Throws Error if the header is truncated.
+/// Throws Error if the header is truncated.
 class HeaderInput {
  public:
   HeaderInput(FileBytes bytes, const std::string& where) : rest_(bytes), where_(where) {}
@@ -70,7 +69,7 @@ class HeaderInput {
     rest_ = rest_.subspan(taken.size());
     return taken;
   }
-  /// Reads a text up to its terminating zero, which is not part of the result but follows it in memory.
+  /// The zero that ends the text is not part of the result, but follows it in memory.
   std::string_view text() {
     const auto end = std::find(rest_.begin(), rest_.end(), std::byte{0});
     if (end == rest_.end()) throw truncated();
@@ -83,7 +82,7 @@ class HeaderInput {
     std::memcpy(&value, bytes(sizeof value).data(), sizeof value);
     return value;
   }
-  /// Reads a size in bytes, stored as a signed 32-bit integer.
+  /// stored as a signed 32-bit integer
   std::uint64_t size() {
     const auto size = number<std::int32_t>();
     if (size < 0) throw truncated();
@@ -114,7 +113,7 @@ bool is_preview(HeaderInput value) {
   return value.empty();
 }
 
-/// Returns whether the value has the size that OpenEXR reads for its type. `type` must be followed by a zero byte in memory.
+/// Compares the size with the size that OpenEXR reads for the type. `type` must be followed by a zero byte in memory.
 bool fits_type(std::string_view type, FileBytes value, const std::string& where) {
   const auto fixed = std::find_if(kSizes.begin(), kSizes.end(), [&](const auto& known) { return known.first == type; });
   if (fixed != kSizes.end()) return value.size() == fixed->second;
@@ -125,9 +124,9 @@ bool fits_type(std::string_view type, FileBytes value, const std::string& where)
   return type == "string" || !Imf::Attribute::knownType(type.data());
 }
 
-/// The attributes that determine the number of chunks of a part and the layout of their headers.
+/// Attributes that determine the number of chunks of a part.
 struct PartSize {
-  std::int32_t window[4] = {0, 0, -1, -1};  // x and y of the first pixel, then x and y of the last pixel
+  std::int32_t window[4] = {0, 0, -1, -1};  // x and y of the first pixel, then of the last pixel
   std::uint32_t tile[2] = {0, 0};
   // Lower 4 bits: 0 for one level, 1 for mipmaps, 2 for ripmaps. Upper 4 bits: 1 if the sides of levels are rounded up.
   std::uint8_t levels = 0;
@@ -154,7 +153,7 @@ struct PartSize {
     if (tile[0] == 0 || tile[1] == 0) throw unreadable_picture(where, "its tile size is invalid");
     return tiles(width, height);
   }
-  /// Returns the size in bytes of the coordinates at the start of a chunk.
+  /// Bytes of the coordinates at the start of a chunk.
   std::uint64_t place_bytes() const { return tiled ? 16 : 4; }
 
  private:
@@ -186,7 +185,7 @@ struct PartSize {
   }
 };
 
-/// Throws Error for a window that OpenEXR rejects, with a clearer message than OpenEXR's.
+/// Throws Error for a window that OpenEXR rejects, with a clearer message.
 void check_window_place(const std::string& name, FileBytes value, const std::string& where) {
   std::array<std::int32_t, 4> window{};
   std::memcpy(window.data(), value.data(), sizeof window);
@@ -229,7 +228,7 @@ PartSize read_part_size(HeaderInput& input, bool tiled, const std::string& where
   return size;
 }
 
-/// Throws Error unless the chunk at `place` ends within the file. OpenEXR would read zeros beyond the end.
+/// Throws Error if the chunk at `place` ends beyond the file, where OpenEXR would read zeros.
 void check_chunk(FileBytes file, std::uint64_t place, const PartSize& part, bool several, const std::string& where) {
   const auto truncated = [&] { return unreadable_picture(where, "the file is truncated"); };
   if (place == 0 || place > file.size()) throw truncated();
@@ -268,7 +267,7 @@ void check_exr_file(FileBytes file, const std::string& where) {
 }
 
 std::uint64_t exr_lines_per_chunk(Imf::Compression compression) {
-  constexpr int kHtj2k256 = 10, kHtj2k32 = 11;  // compression methods that OpenEXR has since version 3.4
+  constexpr int kHtj2k256 = 10, kHtj2k32 = 11;  // compression methods since OpenEXR 3.4
   switch (static_cast<int>(compression)) {
     case Imf::ZIP_COMPRESSION:
     case Imf::PXR24_COMPRESSION:

@@ -1,7 +1,7 @@
 // Checks the headers and chunks of an OpenEXR file before OpenEXR reads them. Private to src/image.
 //
-// OpenEXR allocates memory by the sizes in the header before it reads the data, so that a file of a hundred bytes can cause an
-// allocation of gigabytes. Some versions of OpenEXR read zeros beyond the end of a truncated file.
+// OpenEXR allocates memory by the header before it reads the data, so a file of a hundred bytes can cause an allocation of
+// gigabytes.
 #pragma once
 
 #include <OpenEXR/ImfCompression.h>

@@ -18,9 +18,8 @@
 //   w      | kFeatureWidthDeg | 0.082 degrees
 //   q_f    | kFeaturePower    | 0.5
 //
-// All filters are separable; the blue-yellow filter is a sum of two separable Gaussians. The sign of a derivative filter
-// depends on only one coordinate, so that its positive and negative parts can be normalised in one dimension. At the borders,
-// edge pixels are repeated.
+// All filters are separable; the blue-yellow filter is a sum of two separable Gaussians. At the borders, edge pixels are
+// repeated.
 #include "image/flip.hpp"
 
 #include <algorithm>
@@ -41,13 +40,13 @@ constexpr double kPixelsPerDegree = 0.7 * 3840.0 / 0.7 * std::numbers::pi / 180.
 constexpr double kColorPower = 0.7, kKneeIn = 0.4, kKneeOut = 0.95, kFeatureWidthDeg = 0.082, kFeaturePower = 0.5;
 
 using Color = std::array<double, 3>;
-using Kernel = std::vector<double>;  // an odd number of taps; the middle tap is at the filtered pixel
+using Kernel = std::vector<double>;  // an odd number of taps, the middle one at the filtered pixel
 
-/// Converts linear Rec. 709 to CIE XYZ divided by white. The rows sum to 1.
+/// Linear Rec. 709 to CIE XYZ divided by white. The rows sum to 1.
 constexpr std::array<Color, 3> kXyzFromRgb{{{10135552.0 / 24577794, 8788810.0 / 24577794, 4435075.0 / 24577794},
                                             {2613072.0 / 12288897, 8788810.0 / 12288897, 887015.0 / 12288897},
                                             {1425312.0 / 73733382, 8788810.0 / 73733382, 70074185.0 / 73733382}}};
-/// Converts CIE XYZ divided by white to linear Rec. 709.
+/// CIE XYZ divided by white to linear Rec. 709.
 constexpr std::array<Color, 3> kRgbFromXyz{{{3.241003232976358, -1.537398969488785, -0.498615881996363},
                                             {-0.969224252202516, 1.875929983695176, 0.041554226340085},
                                             {0.055639419851975, -0.204011206123910, 1.057148977187533}}};
@@ -60,7 +59,7 @@ Color transformed(const std::array<Color, 3>& matrix, const Color& v) {
 
 Color white() { return transformed(kXyzFromRgb, {1.0, 1.0, 1.0}); }
 
-/// Converts XYZ divided by white to YCxCz.
+/// From XYZ divided by white.
 Color ycxcz_of(const Color& xyz) { return {116.0 * xyz[1] - 16.0, 500.0 * (xyz[0] - xyz[1]), 200.0 * (xyz[1] - xyz[2])}; }
 
 Color xyz_of(const Color& ycxcz) {
@@ -95,14 +94,14 @@ Kernel gaussian(int radius, double inverse_twice_variance) {
   return kernel;
 }
 
-/// Scales the taps so that positive taps sum to 1 and negative taps sum to -1.
+/// Scales positive taps to sum to 1 and negative taps to -1.
 void balance(Kernel& kernel) {
   double positive = 0.0, negative = 0.0;
   for (const double tap : kernel) (tap > 0.0 ? positive : negative) += tap;
   for (double& tap : kernel) tap /= tap > 0.0 ? positive : -negative;
 }
 
-/// Filters a row or column of samples that are `stride` apart. Repeats the first and last sample beyond the ends.
+/// Filters samples that are `stride` apart. Repeats the first and the last one beyond the ends.
 void filter_line(const double* from, double* to, int count, std::ptrdiff_t stride, const Kernel& kernel) {
   const int radius = static_cast<int>(kernel.size() / 2);
   for (int i = 0; i < count; ++i) {
@@ -139,7 +138,7 @@ struct Sensitivity {
 
 constexpr double kWidestB = 0.04;
 
-/// Blurs a plane by a sum of Gaussians. The sum of all Gaussians is normalised, not each Gaussian.
+/// Blurs by a sum of Gaussians, which is normalised as a whole.
 SamplePlane blurred(const SamplePlane& plane, const std::vector<Sensitivity>& terms) {
   using std::numbers::pi;
   const int radius = static_cast<int>(std::ceil(3.0 * std::sqrt(kWidestB / (2.0 * pi * pi)) * kPixelsPerDegree));
@@ -177,7 +176,7 @@ Opponents opponents_of(const Image8& image) {
   return planes;
 }
 
-/// Removes details that the eye does not resolve. Returns the colour of each pixel in Hunt-adjusted CIELAB.
+/// Removes details that the eye does not resolve. Returns Hunt-adjusted CIELAB.
 std::vector<Color> seen_colors(const Opponents& opponents) {
   const Opponents blurry{blurred(opponents[0], {{1.0, 0.0047}}), blurred(opponents[1], {{1.0, 0.0053}}),
                          blurred(opponents[2], {{34.1, 0.04}, {13.5, 0.025}})};
@@ -193,14 +192,13 @@ std::vector<Color> seen_colors(const Opponents& opponents) {
   return colors;
 }
 
-/// Raises a colour distance to the power q_c and maps it to 0 ... 1, as in step 2 at the top of this file.
+/// step 2 at the top of this file
 double color_difference(double distance, double largest) {
   const double power = std::pow(distance, kColorPower), knee = kKneeIn * largest;
   if (power < knee) return kKneeOut / knee * power;
   return kKneeOut + (power - knee) / (largest - knee) * (1.0 - kKneeOut);
 }
 
-/// Strengths of edges and of points at each pixel.
 struct Features {
   std::vector<double> edges, points;
 };

@@ -5,8 +5,7 @@
 
 namespace lippmann {
 
-/// Returns the mean FLIP over all pixels, from 0 (equal images) to 1. The images are sRGB, have the same size, and are seen at
-/// 67 pixels per degree.
+/// Returns the mean FLIP, from 0 (equal images) to 1. The images are sRGB, have one size, and are seen at 67 pixels per degree.
 double flip(const Image8& reference, const Image8& test);
 
 }  // namespace lippmann

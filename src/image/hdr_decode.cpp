@@ -26,11 +26,10 @@ namespace {
 
 using Rgbe = std::array<std::uint8_t, 4>;
 
-/// The size, orientation and units of an HDR image.
 struct HdrShape {
   int width = 0, height = 0;
-  bool rows_first = true;          ///< true: scan lines are rows; false: they are columns
-  bool down = true, right = true;  ///< whether rows are stored from top to bottom, and columns from left to right
+  bool rows_first = true;          ///< scan lines are rows, not columns
+  bool down = true, right = true;  ///< rows run from top to bottom, and columns from left to right
 
   int lines() const { return rows_first ? height : width; }
   int line_pixels() const { return rows_first ? width : height; }
@@ -43,7 +42,7 @@ struct HdrShape {
 
 struct HdrHeader {
   HdrShape shape;
-  std::array<double, 3> exposure{1.0, 1.0, 1.0};  ///< factors by which R, G and B in the file are multiplied
+  std::array<double, 3> exposure{1.0, 1.0, 1.0};  ///< factors of R, G and B
   double pixel_height = 1.0;                      ///< height of a pixel, in pixel widths
   Chromaticities chromaticities;
   std::vector<std::string> notices;
@@ -63,7 +62,7 @@ class HdrHeaderReader {
       : text_(reinterpret_cast<const char*>(file.data()), file.size()), where_(where) {}
 
   HdrHeader read() {
-    line();  // skips the line with the magic number
+    line();  // magic number
     for (std::string_view text = line(); !trimmed(text).empty(); text = line()) read_variable(text);
     read_resolution(trimmed(line()));
     header_.samples_at = at_;
@@ -80,7 +79,7 @@ class HdrHeaderReader {
     return line;
   }
 
-  /// Reads a line NAME=value. Ignores other lines, which are comments or commands.
+  /// Reads NAME=value. Ignores other lines, which are comments or commands.
   void read_variable(std::string_view text) {
     const std::size_t equals = text.find('=');
     if (equals == std::string_view::npos) return;
@@ -136,8 +135,7 @@ class HdrHeaderReader {
     header_.notices.emplace_back("its PRIMARIES are invalid and are ignored");
   }
 
-  /// Reads a line such as "-Y 512 +X 768". It states direction, axis and number of the scan lines, then direction, axis and
-  /// number of the pixels in a scan line.
+  /// Reads a line such as "-Y 512 +X 768": direction, axis and number of the scan lines, then of the pixels in a scan line.
   void read_resolution(std::string_view text) {
     HdrShape& shape = header_.shape;
     const std::string_view all = text;
@@ -204,8 +202,7 @@ class HdrLines {
     }
   }
 
-  /// Reads pixels with runs 1, 1, 1, n. The n of consecutive runs are the digits (base 256) of one length, the lowest digit
-  /// first.
+  /// Reads pixels with runs 1, 1, 1, n. The n of consecutive runs are base-256 digits of one length, the lowest first.
   void read_pixels(std::vector<Rgbe>& line) {
     int shift = 0;
     for (std::size_t at = 0; at < line.size();) {
@@ -229,7 +226,7 @@ class HdrLines {
   const std::string& where_;
 };
 
-/// Returns the factor by which a pixel's mantissas are multiplied.
+/// Returns the factor of a pixel's mantissas.
 float scale_of(const Rgbe& pixel) { return pixel[3] == 0 ? 0.0f : std::ldexp(1.0f, pixel[3] - (128 + 8)); }
 
 HdrHeader read_hdr_header(FileBytes file, const std::string& where) {

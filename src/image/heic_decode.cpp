@@ -43,7 +43,7 @@ bool is_heic(FileBytes file) {
 PictureHeader heic_header(FileBytes file, const std::string& where) { return header_of(heic_module().header(file), where); }
 
 DecodedPicture decode_heic(FileBytes file, const std::string& where) {
-  heic_header(file, where);  // throws for impossible sizes before any memory is allocated
+  heic_header(file, where);  // throws for impossible sizes before memory is allocated
   HeicPicture picture = heic_module().decode(file);
   const PictureHeader header = header_of(picture, where);
   if (header.kind == SampleKind::kByte) return {header, std::vector<std::uint8_t>(picture.codes.begin(), picture.codes.end())};

@@ -1,5 +1,5 @@
-// The interface of the module liblippmann_heic.so, which reads HEIC and AVIF files with libheif. Libheif links video codecs
-// that nothing else needs, so the module is loaded only for the first HEIC image. Private to src/image.
+// The interface of the module liblippmann_heic.so, which reads HEIC and AVIF files with libheif. It is loaded for the first
+// HEIC image, because libheif links video codecs that nothing else needs. Private to src/image.
 #pragma once
 
 #include <cstddef>
@@ -11,18 +11,18 @@
 namespace lippmann {
 
 struct HeicPicture {
-  int width = 0, height = 0;  ///< size in pixels of the upright image, after the rotations and mirrors that the file states
+  int width = 0, height = 0;  ///< size of the upright image
   int bits = 8;               ///< bits of a code, 8 to 16
   bool has_alpha = false;
-  std::vector<std::byte> profile = {};    ///< ICC profile; empty: none
-  std::vector<std::uint16_t> codes = {};  ///< R, G, B, and A if has_alpha, of every pixel; empty if only the header was read
+  std::vector<std::byte> profile = {};    ///< ICC profile, or empty
+  std::vector<std::uint16_t> codes = {};  ///< R, G, B, and A if has_alpha; empty if only the header was read
   std::string problem = {};               ///< error message; empty on success
 };
 
-/// The depth image stored beside the main picture, as in portrait photos of phones.
+/// The depth image beside the main picture, as in portrait photos of phones.
 struct HeicDepth {
-  HeicPicture image;  ///< grey image with R = G = B; `codes` is empty if the file has no depth image
-  bool is_z = false;  ///< true: codes grow with z; false: codes grow with 1 / z or disparity
+  HeicPicture image;  ///< grey with R = G = B; `codes` is empty if the file has no depth image
+  bool is_z = false;  ///< codes grow with z; otherwise with 1 / z or disparity
 };
 
 class HeicModule {
@@ -33,7 +33,7 @@ class HeicModule {
   virtual HeicDepth depth(std::span<const std::byte> file) const = 0;
 };
 
-/// Version of this interface. Increment it with every change of this header. Modules of another version are rejected.
+/// Increment this with every change of this header. Modules of another version are rejected.
 inline constexpr int kHeicModuleVersion = 2;
 
 }  // namespace lippmann

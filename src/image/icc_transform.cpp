@@ -28,7 +28,7 @@ using IccContext = std::unique_ptr<std::remove_pointer_t<cmsContext>, ContextDel
 using OpenProfile = std::unique_ptr<void, ProfileDeleter>;
 using OpenTransform = std::unique_ptr<void, TransformDeleter>;
 
-/// Returns the sRGB profile. For grey, returns a grey profile with the transfer curve of sRGB.
+/// Returns sRGB, or grey with the transfer curve of sRGB.
 OpenProfile output_profile(cmsContext context, cmsColorSpaceSignature space) {
   OpenProfile srgb(cmsCreate_sRGBProfileTHR(context));
   if (!srgb || space != cmsSigGrayData) return srgb;
@@ -41,8 +41,8 @@ OpenProfile open_profile(cmsContext context, FileBytes icc) {
   return OpenProfile(cmsOpenProfileFromMemTHR(context, icc.data(), static_cast<cmsUInt32Number>(icc.size())));
 }
 
-/// Returns a transform to sRGB, or null if the profile is not for the colour space `space`. The transform copies the `extra`
-/// channels that follow the colours. `bytes` is the size of a sample.
+/// Returns a transform to sRGB, or null if the profile is not for the colour space `space`. It copies the `extra` channels
+/// after the colours. `bytes` is the size of a sample.
 OpenTransform transform_of(cmsContext context, FileBytes icc, cmsColorSpaceSignature space, unsigned extra, unsigned bytes) {
   const OpenProfile from = open_profile(context, icc);
   if (!from || cmsGetColorSpace(from.get()) != space) return nullptr;
@@ -58,7 +58,7 @@ OpenTransform transform_of(cmsContext context, FileBytes icc, cmsColorSpaceSigna
                                              is_grey ? grey : rgb, INTENT_RELATIVE_COLORIMETRIC, flags));
 }
 
-/// Number of pixels that are converted at once, because Little CMS counts pixels with 32 bits.
+/// Converts this many pixels at once, because Little CMS counts pixels with 32 bits.
 constexpr std::size_t kPixelsAtOnce = std::size_t{1} << 20;
 
 template <class Code>
@@ -72,7 +72,7 @@ void apply_transform(void* with, const std::vector<Code>& from, std::size_t from
 
 bool has_inks(cmsHPROFILE profile) { return cmsGetColorSpace(profile) == cmsSigCmykData; }
 
-/// Returns a transform from sRGB to an output profile (RGB or CMYK), or null if the profile cannot be used.
+/// Returns a transform from sRGB, or null if the profile is neither RGB nor CMYK.
 OpenTransform output_transform(cmsContext context, cmsHPROFILE to, std::size_t bytes) {
   if (!has_inks(to) && cmsGetColorSpace(to) != cmsSigRgbData) return nullptr;
   const OpenProfile from(cmsCreate_sRGBProfileTHR(context));
@@ -110,7 +110,7 @@ std::optional<Samples> output_codes(FileBytes icc, const Samples& rgb) {
 }
 
 bool apply_color_profile(FileBytes icc, const PictureHeader& header, Samples& samples) {
-  constexpr std::size_t kMaxExtraChannels = 7;  // the limit of Little CMS's sample formats
+  constexpr std::size_t kMaxExtraChannels = 7;  // limit of Little CMS
   const std::size_t channels = header.channels.size(), colors = static_cast<std::size_t>(header.colors);
   if ((colors != 1 && colors != 3) || channels - colors > kMaxExtraChannels) return false;
   const IccContext context(cmsCreateContext(nullptr, nullptr));

@@ -1,11 +1,10 @@
-// Decodes JPEG with libjpeg. libjpeg reports errors with longjmp(), so that no object with a destructor may be created between
+// Decodes JPEG with libjpeg. libjpeg reports errors with longjmp(), so no object with a destructor may be created between
 // setjmp() and a call that may fail.
 //
-// libjpeg only warns about a truncated or damaged scan and fills the rest of the image with grey. Here these warnings are
-// errors. Too many scans are also an error, because each scan of a progressive file is a pass over the whole image.
+// libjpeg only warns about a damaged scan and fills the rest of the image with grey. Here these warnings are errors. Too many
+// scans are an error, because each scan of a progressive file is a pass over the image.
 #include <cstdio>
-// The order of these headers matters: jpeglib.h needs FILE from <cstdio>, and jerror.h needs the version that jpeglib.h
-// defines.
+// jpeglib.h needs FILE from <cstdio>, and jerror.h needs the version that jpeglib.h defines.
 // clang-format off
 #include <jpeglib.h>
 #include <jerror.h>
@@ -31,7 +30,7 @@ namespace {
 
 constexpr unsigned char kJpegMagic[] = {0xff, 0xd8, 0xff};
 
-/// A block of 8 x 8 samples takes at least one bit, so that a byte contains at most 8 blocks.
+/// A block of 8 x 8 samples takes at least one bit, so a byte contains at most 8 blocks.
 constexpr std::uint64_t kMaxSamplesPerByte = 8 * 64;
 constexpr int kMaxScans = 200;
 
@@ -61,8 +60,7 @@ class JpegDecoder {
     return header;
   }
 
-  /// Decodes the samples. Converts CMYK to RGB and removes the CMYK profile from the header. Adds a notice if the profile
-  /// cannot be used.
+  /// Converts CMYK to RGB and removes the CMYK profile from the header. Adds a notice if the profile cannot be used.
   Samples samples(PictureHeader& header) {
     const std::size_t pixels = static_cast<std::size_t>(header.width) * static_cast<std::size_t>(header.height);
     const bool cmyk = jpeg_.out_color_space == JCS_CMYK;
@@ -94,7 +92,7 @@ class JpegDecoder {
     if (reinterpret_cast<j_decompress_ptr>(jpeg)->input_scan_number > kMaxScans) fail(jpeg, "it has too many scans");
   }
 
-  /// Reads the orientation, the aspect ratio of pixels, and the colour profile, which is stored in numbered parts.
+  /// Reads orientation, aspect ratio of pixels, and colour profile, which is stored in numbered parts.
   void read_markers(PictureHeader& header) const {
     constexpr std::string_view kExif("Exif\0\0", 6), kIcc("ICC_PROFILE\0", 12);
     std::map<int, FileBytes> profile;
@@ -140,8 +138,8 @@ class JpegDecoder {
     return true;
   }
 
-  /// Converts CMYK by the profile. Without a usable profile, multiplies the light that each ink transmits. Assumes that the
-  /// highest code means no ink, as in files of Adobe's programs, because other CMYK files hardly exist.
+  /// Converts CMYK by the profile, or else multiplies the light that each ink transmits. The highest code means no ink, as in
+  /// files of Adobe's programs.
   static Samples rgb_of(std::vector<std::uint8_t> codes, PictureHeader& header) {
     if (!header.profile.empty()) {
       std::vector<std::uint8_t> inks(codes.size());

@@ -1,4 +1,4 @@
-// Limits for the size of images that are read and written. They bound the memory that a malicious header can allocate.
+// Limits for the size of images, which bound the memory that a malicious header can allocate.
 #pragma once
 
 #include <cstdint>
@@ -14,11 +14,11 @@ inline constexpr std::uintmax_t kMaxImageFileBytes = std::uintmax_t{4} << 30;
 /// Throws Error naming `where` if the size exceeds these limits.
 void check_image_size(const std::string& where, std::int64_t width, std::int64_t height, std::int64_t channels);
 
-/// Throws Error if a file of `file_bytes` bytes cannot contain `picture_bytes` bytes of samples, because it is truncated or its
-/// header is wrong. `ratio` is the maximum compression ratio of the format. Call this before allocating memory for the image.
+/// Throws Error if a file of `file_bytes` bytes cannot contain `picture_bytes` bytes of samples at the format's largest
+/// compression ratio, `ratio`. Call this before allocating memory.
 void check_file_holds(const std::string& where, std::uint64_t file_bytes, std::uint64_t picture_bytes, std::uint64_t ratio);
 
-/// The maximum compression ratio of deflate: 258 equal bytes take 2 bits, 258 * 8 / 2 = 1032.
+/// deflate: 258 equal bytes take 2 bits, 258 * 8 / 2 = 1032
 inline constexpr std::uint64_t kDeflateRatio = 1032;
 
 }  // namespace lippmann

@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::array<double, 5> kScaleWeights{0.0448, 0.2856, 0.3001, 0.2363, 0.1333};
 
-/// Averages 2 x 2 pixels. Repeats the last row or column if the number of rows or columns is odd.
+/// Repeats the last row or column if their number is odd.
 SamplePlane half_size(const SamplePlane& plane) {
   SamplePlane half{(plane.width + 1) / 2, (plane.height + 1) / 2, {}};
   half.samples.reserve(static_cast<std::size_t>(half.width) * half.height);

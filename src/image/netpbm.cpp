@@ -20,7 +20,6 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "codes and floats are put together from bytes in this order");
 
-/// Parses the words of a header.
 class Header {
  public:
   Header(std::span<const std::byte> file, const std::string& where)
@@ -43,7 +42,7 @@ class Header {
     return value;
   }
 
-  /// Returns the offset of the samples in the file. Exactly one space or line end separates the header from the samples.
+  /// Returns the offset of the samples, which exactly one space or line end separates from the header.
   std::size_t samples_begin() {
     if (at_ >= text_.size() || !is_space(text_[at_])) throw Error(where_, "is truncated");
     return at_ + 1;
@@ -66,7 +65,7 @@ class Header {
   std::size_t at_ = 0;
 };
 
-/// Returns the bytes of the samples. Throws Error if the file is too short for width x height pixels.
+/// Throws Error if the file is too short for width x height pixels.
 std::span<const std::byte> samples(std::span<const std::byte> file, Header& header, const std::string& where, int width,
                                    int height, std::size_t bytes_per_pixel) {
   check_image_size(where, width, height, 3);

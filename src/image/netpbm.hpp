@@ -18,8 +18,8 @@
 namespace lippmann {
 
 struct PpmCodes {
-  Image16 codes;      ///< codes as stored in the file, 0 ... highest
-  int highest = 255;  ///< highest possible code, as stated in the file's header, 1 ... 65535
+  Image16 codes;      ///< as stored in the file, 0 ... highest
+  int highest = 255;  ///< highest possible code in the file's header, 1 ... 65535
 };
 
 PpmCodes parse_ppm(std::span<const std::byte> file, const std::string& where);
@@ -28,7 +28,7 @@ Image parse_pfm(std::span<const std::byte> file, const std::string& where);
 PpmCodes read_ppm(const std::filesystem::path& path);
 Image read_pfm(const std::filesystem::path& path);
 
-/// Return the bytes of the file. PFM images must have 1 or 3 channels.
+/// PFM images must have 1 or 3 channels.
 std::vector<std::byte> encode_ppm(const PpmCodes& picture);
 std::vector<std::byte> encode_pfm(const Image& image);
 

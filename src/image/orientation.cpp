@@ -1,5 +1,5 @@
-// Based on: "TIFF Revision 6.0", 1992, section 8, field Orientation. The value of the field states on which sides of the image
-// the first row and the first column of samples lie. For values 5 to 8, the columns of the image are stored as rows.
+// Based on: "TIFF Revision 6.0", 1992, section 8, field Orientation. The field states on which sides of the image the first row
+// and the first column of samples lie. For values 5 to 8, the columns of the image are stored as rows.
 #include "image/orientation.hpp"
 
 #include <algorithm>
@@ -10,9 +10,9 @@ namespace {
 
 bool are_rows_columns(Orientation orientation) { return orientation >= Orientation::kTransposed; }
 
-/// Returns the column and row at which a pixel of the upright image is stored.
+/// Returns where a pixel of the upright image is stored.
 std::pair<int, int> stored_place(Orientation orientation, int x, int y, int width, int height) {
-  const int last_x = width - 1, last_y = height - 1;  // last column and row of the stored image
+  const int last_x = width - 1, last_y = height - 1;  // of the stored image
   switch (orientation) {
     case Orientation::kUpright:
       return {x, y};

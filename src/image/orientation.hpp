@@ -5,10 +5,10 @@
 
 namespace lippmann {
 
-/// Returns the orientation for a number from EXIF or TIFF. Returns kUpright for numbers outside 1 to 8.
+/// Returns kUpright for numbers outside 1 to 8.
 Orientation orientation_of(unsigned number);
 
-/// Return the header of the upright image, or the upright image. Width and height are exchanged if rows become columns.
+/// Width and height are exchanged if rows become columns.
 PictureHeader upright(PictureHeader header);
 DecodedPicture upright(DecodedPicture picture);
 

@@ -58,8 +58,8 @@ struct PngFormat {
   }
 };
 
-/// Encodes with libpng. libpng reports errors with longjmp(), so that no object with a destructor may be created between
-/// setjmp() and a call that may fail.
+/// libpng reports errors with longjmp(), so no object with a destructor may be created between setjmp() and a call that may
+/// fail.
 class Encoder {
  public:
   explicit Encoder(const std::string& where) : where_(where) {

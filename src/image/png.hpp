@@ -1,5 +1,5 @@
-// Writes PNG files. RGB images of 8 or 16 bits, with optional alpha, are tagged as sRGB or with a colour profile. Height maps
-// are written as grey images without a colour space. Equal images give equal bytes.
+// Writes PNG files: RGB images of 8 or 16 bits with optional alpha, tagged as sRGB or with a colour profile, and height maps as
+// grey. Equal images give equal bytes.
 #pragma once
 
 #include <cstddef>
@@ -12,24 +12,24 @@
 
 namespace lippmann {
 
-/// The strategies of zlib: kDefault searches for repeated bytes, kFiltered searches less, kRunLength only finds runs of equal
+/// Strategies of zlib: kDefault searches for repeated bytes, kFiltered searches less, kRunLength finds only runs of equal
 /// bytes, and kHuffman only applies Huffman coding.
 enum class PngStrategy { kDefault, kFiltered, kRunLength, kHuffman };
 
-/// The neighbours from which a byte is predicted; kAdaptive tries all filters for every row.
+/// Neighbours from which a byte is predicted; kAdaptive tries all filters for every row.
 enum class PngFilter { kNone, kLeft, kUp, kAverage, kPaeth, kAdaptive };
 
-/// Options for compression and metadata. docs/lab/decisions/0002-png-compression.md has the measurements behind the defaults.
+/// docs/lab/decisions/0002-png-compression.md has the measurements behind the defaults.
 struct PngOptions {
-  /// Effort of deflate, from 0 (stored) to 9. Ignored by kRunLength and kHuffman.
+  /// Effort of deflate, from 0 (stored) to 9. kRunLength and kHuffman ignore it.
   int level = 1;
   PngStrategy strategy = PngStrategy::kDefault;
   PngFilter filter = PngFilter::kUp;
-  double dots_per_inch = 0.0;               ///< resolution, stored in whole pixels per metre (pHYs); 0: not stored
-  std::span<const std::byte> profile = {};  ///< ICC profile of the RGB codes, stored as iCCP; empty: sRGB
+  double dots_per_inch = 0.0;               ///< stored in whole pixels per metre (pHYs); 0: not stored
+  std::span<const std::byte> profile = {};  ///< ICC profile of RGB codes (iCCP); empty: sRGB
 };
 
-/// Heights, row-major from the top left: 0 is the lowest height, 65535 the highest.
+/// Row-major from the top left; 65535 is the greatest height.
 struct HeightMap {
   int width = 0, height = 0;
   std::vector<std::uint16_t> codes = {};

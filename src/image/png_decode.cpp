@@ -1,5 +1,5 @@
-// Decodes PNG with libpng. libpng reports errors with longjmp(), so that no object with a destructor may be created between
-// setjmp() and a call that may fail. Therefore PngDecoder owns all memory.
+// Decodes PNG with libpng. libpng reports errors with longjmp(), so no object with a destructor may be created between setjmp()
+// and a call that may fail. Therefore PngDecoder owns all memory.
 #include <fmt/format.h>
 #include <png.h>
 
@@ -22,7 +22,7 @@ namespace {
 
 constexpr unsigned char kPngMagic[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
 
-/// The contents of a cICP chunk for sRGB: primaries, transfer curve, matrix and full range (numbers of ITU-T H.273).
+/// cICP chunk of sRGB: primaries, transfer curve, matrix and full range (numbers of ITU-T H.273).
 constexpr std::array<std::uint8_t, 4> kSrgbCodingPoints{1, 13, 0, 1};
 
 class PngDecoder {
@@ -36,7 +36,7 @@ class PngDecoder {
     }
     png_set_read_fn(png_, this, &on_read);
     png_set_user_limits(png_, kMaxImageSide, kMaxImageSide);
-    constexpr png_alloc_size_t kMaxChunk = 8 << 20;  // maximum bytes of a chunk, such as a profile or a text
+    constexpr png_alloc_size_t kMaxChunk = 8 << 20;  // largest chunk in bytes, such as a profile or a text
     png_set_chunk_malloc_max(png_, kMaxChunk);
     read_unknown_chunks(file);
   }
@@ -102,7 +102,7 @@ class PngDecoder {
     return profile_to_apply(std::as_bytes(std::span(profile, size)));
   }
 
-  /// Returns notices about ignored colour chunks. cICP overrides iCCP, iCCP overrides sRGB, and sRGB overrides gAMA and cHRM.
+  /// cICP overrides iCCP, which overrides sRGB, which overrides gAMA and cHRM.
   std::vector<std::string> color_notices() const {
     constexpr std::string_view kReadAsSrgb = "are not applied: its codes are read as sRGB";
     if (coding_points_ && *coding_points_ != kSrgbCodingPoints) return {fmt::format("its colours (cICP) {}", kReadAsSrgb)};
@@ -122,7 +122,7 @@ class PngDecoder {
   }
 
   void add_place_notices(PictureHeader& header) const {
-    png_uint_32 across = 0, down = 0;  // resolution in pixels per unit
+    png_uint_32 across = 0, down = 0;  // pixels per unit
     int unit = 0;
     if (png_get_pHYs(png_, info_, &across, &down, &unit) && across > 0 && down > 0)
       add_aspect_notice(header, static_cast<double>(down) / across);
@@ -131,7 +131,7 @@ class PngDecoder {
       header.notices.push_back(fmt::format("its offset (oFFs) of {}, {} is ignored", x, y));
   }
 
-  /// Reads the chunks acTL and cICP, which older versions of libpng do not support.
+  /// Older versions of libpng do not support acTL and cICP.
   void read_unknown_chunks(FileBytes file) {
     for (std::size_t at = sizeof kPngMagic; at + 12 <= file.size();) {
       std::uint32_t size = 0;
@@ -172,7 +172,7 @@ class PngDecoder {
   png_infop info_ = nullptr;
   std::optional<std::array<std::uint8_t, 4>> coding_points_;  // from cICP: primaries, transfer curve, matrix, full range
   bool is_animated_ = false;
-  std::uint64_t packed_bytes_ = 0;  // bytes of all rows before compression, with pixels of fewer than 8 bits packed
+  std::uint64_t packed_bytes_ = 0;  // bytes of all rows before compression, with pixels below 8 bits packed
   char reason_[200] = {};
   std::jmp_buf back_;
 };

@@ -20,7 +20,6 @@ constexpr double kMmPerInch = 25.4;
 
 bool is_tiff_name(const std::filesystem::path& path) { return path.extension() == ".tif" || path.extension() == ".tiff"; }
 
-/// Returns the sRGB codes `rgb` converted to the profile.
 template <class Code>
 std::vector<Code> codes_for_profile(const std::vector<Code>& rgb, const OutputProfile& profile) {
   std::optional<Samples> codes = output_codes(profile.bytes(), Samples(rgb));

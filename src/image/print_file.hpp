@@ -1,4 +1,4 @@
-// Writes image files for printing: PNG or TIFF files with a resolution, in sRGB or in the colour space of a printer.
+// Writes PNG or TIFF files for printing, with a resolution, in sRGB or in the colour space of a printer.
 #pragma once
 
 #include <cstddef>
@@ -10,11 +10,10 @@
 
 namespace lippmann {
 
-/// The ICC profile of a printer, for RGB or CMYK codes.
+/// ICC profile of a printer, for RGB or CMYK codes.
 class OutputProfile {
  public:
-  /// Throws Error naming the file if it is missing, damaged or not an output profile, or if the program is built without Little
-  /// CMS.
+  /// Throws Error naming the file if it is missing, damaged or not an output profile, or in builds without Little CMS.
   explicit OutputProfile(const std::filesystem::path& file);
 
   const std::string& where() const { return where_; }
@@ -27,9 +26,9 @@ class OutputProfile {
   bool has_inks_ = false;
 };
 
-/// Writes 8- and 16-bit codes as .png or .tiff, floats as .exr, atomically. If `profile` is not null, converts the colours to
-/// the profile (relative colorimetric, with black point compensation) and embeds the profile in the file. CMYK profiles need
-/// .tiff. Throws Error naming the file, its extension or the profile.
+/// Writes 8- and 16-bit codes as .png or .tiff, and floats as .exr. Converts the colours to `profile` if it is not null
+/// (relative colorimetric, with black point compensation) and embeds it. CMYK profiles need .tiff. Throws Error naming the
+/// file, its extension or the profile.
 void write_print(const std::filesystem::path& path, const Picture& picture, double dots_per_inch,
                  const OutputProfile* profile = nullptr);
 

@@ -33,7 +33,7 @@ struct Format {
   DecodedPicture (*decode)(FileBytes, const std::string&);
 };
 
-/// The formats in the order in which they are tried. TGA is last, since it has no magic number.
+/// TGA is last, because it has no magic number.
 constexpr std::array kFormats{Format{is_png, png_header, decode_png},          Format{is_exr, exr_header, decode_exr},
                               Format{is_jpeg, jpeg_header, decode_jpeg},       Format{is_tiff, tiff_header, decode_tiff},
                               Format{is_hdr, hdr_header, decode_hdr},          Format{is_webp, webp_header, decode_webp},
@@ -55,8 +55,8 @@ std::vector<std::byte> bytes_in(const fs::path& path) { return read_recorded_byt
 
 PictureHeader read_header(const fs::path& path) { return picture_header(bytes_in(path), path.string()); }
 
-/// Returns the header of a PNG or JPEG file from its first 256 KiB. Returns nothing if the header is longer or damaged. Returns
-/// nothing for other formats, because their headers may refer to later parts of the file.
+/// Reads the header of a PNG or JPEG file from its first 256 KiB. Returns nothing if it is longer or damaged, and for other
+/// formats, whose headers may refer to later parts of the file.
 std::optional<PictureHeader> begun_header(const fs::path& path) {
   constexpr std::size_t kBeginBytes = std::size_t{256} << 10;
   const std::string begin = read_file_begin(path, kBeginBytes);
@@ -98,7 +98,7 @@ void require_colors(const PictureHeader& header, const fs::path& path) {
 
 bool is_rgb_alone(const PictureHeader& header) { return header.colors == 3 && header.channels.size() == 3; }
 
-/// Returns R, G and B of each pixel without extra channels. Grey is repeated three times.
+/// Drops extra channels. Grey is repeated three times.
 template <class Code>
 std::vector<Code> rgb_of(const std::vector<Code>& codes, const PictureHeader& header) {
   const std::size_t channels = header.channels.size(), pixels = codes.size() / channels;

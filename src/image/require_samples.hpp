@@ -25,7 +25,7 @@ inline void require_samples(const Image& image, const std::string& what) {
   require_samples(image.data.size(), image.width, image.height, image.channels, what);
 }
 
-/// Checks an Image8 or Image16. Its alpha may be empty.
+/// `Codes` is Image8 or Image16, whose alpha may be empty.
 template <class Codes>
 void require_samples(const Codes& codes, const std::string& what) {
   require_samples(codes.rgb.size(), codes.width, codes.height, 3, what);

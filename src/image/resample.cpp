@@ -7,7 +7,7 @@
 namespace lippmann {
 namespace {
 
-/// The input samples that an output sample covers: first, first + 1, ... The weights sum to 1.
+/// Input samples that an output sample covers: first, first + 1, ... The weights sum to 1.
 struct Cover {
   int first = 0;
   std::vector<double> weights;
@@ -26,7 +26,6 @@ std::vector<Cover> covers_of_axis(int from, int to) {
   return covers;
 }
 
-/// Resizes each row to `width` pixels.
 Image resampled_across(const Image& picture, int width) {
   const std::vector<Cover> covers = covers_of_axis(picture.width, width);
   Image result(width, picture.height, picture.channels);

@@ -6,8 +6,7 @@
 
 namespace lippmann {
 
-/// Returns the image resized to `size`, which must be positive. The image may have any number of channels. If the size does not
-/// change, the samples do not change either.
+/// `size` must be positive; `picture` may have any number of channels. Samples do not change if the size does not.
 Image resampled(const Image& picture, Vec2i size);
 
 }  // namespace lippmann

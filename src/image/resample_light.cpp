@@ -1,8 +1,8 @@
 // Based on: K. Turkowski, Filters for Common Resampling Tasks, Graphics Gems I, 1990. The Lanczos filter is a sinc, multiplied
 // by the main lobe of a sinc 3 times as wide.
 //
-// The first pass resamples rows, the second pass resamples columns. We deviate: downsampling uses a box filter. A wide Lanczos
-// filter would cause halos beside edges, which a lens array would show as false depth.
+// We deviate: downsampling uses a box filter. A wide Lanczos filter would cause halos beside edges, which a lens array would
+// show as false depth.
 #include "image/resample_light.hpp"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kLobes = 3.0;
 
-/// The weights of the input samples first, first + 1, ... The weights sum to 1. If there are no weights, the output is black.
+/// Weights of the input samples first, first + 1, ..., which sum to 1. Without weights, the output is black.
 struct TapWeights {
   int first = 0;
   std::vector<float> weights;
@@ -32,7 +32,7 @@ double sinc(double x) {
 
 double lanczos(double x) { return std::abs(x) < kLobes ? sinc(x) * sinc(x / kLobes) : 0.0; }
 
-/// Normalises the weights. Adds the weights of samples outside 0 ... size - 1 to the weight of the first or last sample.
+/// Normalises the weights. Weights of samples outside 0 ... size - 1 are added to the first or last sample.
 TapWeights within(int first, const std::vector<double>& weights, int size) {
   double sum = 0.0;
   for (const double weight : weights) sum += weight;
@@ -54,8 +54,7 @@ TapWeights taps_of(const AxisSamples& axis, int i, int size) {
     for (int k = first; k + 0.5 < centre + kLobes; ++k) weights.push_back(lanczos(k + 0.5 - centre));
     return within(first, weights, size);
   }
-  // If an edge of the output sample lies exactly between two input samples, rounding must not add the next sample with a tiny
-  // weight.
+  // If the output sample ends exactly between two input samples, rounding must not add the next one with a tiny weight.
   constexpr double kRounding = 1e-9;
   const int first = static_cast<int>(std::floor(begin + kRounding));
   for (int k = first; k < end - kRounding; ++k) weights.push_back(std::min(k + 1.0, end) - std::max<double>(k, begin));

@@ -1,4 +1,4 @@
-// Interleaves the colours and alpha of integer images for image files. Private to src/image.
+// Interleaves colours and alpha of integer images as R, G, B, A. Private to src/image.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,6 @@
 
 namespace lippmann {
 
-/// Returns R, G, B, A of every pixel.
 template <class Code>
 std::vector<Code> interleaved(const std::vector<Code>& rgb, const std::vector<Code>& alpha) {
   std::vector<Code> rgba(4 * alpha.size());

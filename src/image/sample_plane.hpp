@@ -8,7 +8,7 @@ namespace lippmann {
 
 struct SamplePlane {
   int width = 0, height = 0;
-  std::vector<double> samples;  ///< samples[y * width + x]
+  std::vector<double> samples;
 
   double at(int x, int y) const { return samples[static_cast<std::size_t>(y) * width + x]; }
 };

@@ -9,10 +9,10 @@
 
 namespace lippmann {
 
-/// A pool of at most two images. Thread-safe.
+/// At most two images. Thread-safe.
 class SpareImages {
  public:
-  /// Removes an image from the pool and returns it with its old content. Returns an empty image if the pool is empty.
+  /// Returns an image with its old content, or an empty image.
   Image take() {
     const std::lock_guard lock(mutex_);
     if (images_.empty()) return {};

@@ -3,8 +3,7 @@
 //
 // With local means mu and (co)variances s^2 under the window,
 //   SSIM = (2 mu_a mu_b + C1) (2 s_ab + C2) / ((mu_a^2 + mu_b^2 + C1) (s_a^2 + s_b^2 + C2)).
-// Only the sum of the variances occurs, so that four window sums are enough: the sums of a, b, a^2 + b^2 and a b. The window is
-// separable. For each row of the result, 11 rows are summed first. Then 11 neighbours within the summed row are summed.
+// Only the sum of the variances occurs, so the window sums of a, b, a^2 + b^2 and a b are enough. The window is separable.
 #include "image/ssim.hpp"
 
 #include <array>
@@ -35,7 +34,7 @@ Window gaussian() {
   return window;
 }
 
-/// Window sums of a, b, a^2 + b^2 and a b along one row.
+/// Window sums along one row.
 struct Sums {
   std::vector<double> a, b, squares, product;
   explicit Sums(std::size_t width) : a(width), b(width), squares(width), product(width) {}
@@ -73,7 +72,7 @@ LIPPMANN_MULTIVERSION void similarity_of_row(const Sums& sums, int width, const 
   }
 }
 
-/// Computes only the second factor of SSIM (contrast and structure) for one row.
+/// Computes only the second factor of SSIM (contrast and structure).
 LIPPMANN_MULTIVERSION void contrast_structure_of_row(const Sums& sums, int width, const Window& window,
                                                      double* __restrict result) {
   const double *a = sums.a.data(), *b = sums.b.data(), *ss = sums.squares.data(), *sp = sums.product.data();
@@ -92,7 +91,7 @@ LIPPMANN_MULTIVERSION void contrast_structure_of_row(const Sums& sums, int width
 
 using RowFunction = void (*)(const Sums& sums, int width, const Window& window, double* result);
 
-/// Returns the mean over all positions of the window. `of_row` computes the values of one row of positions.
+/// `of_row` computes the values of one row of window positions.
 double mean_over_places(const SamplePlane& a, const SamplePlane& b, RowFunction of_row) {
   assert(a.width == b.width && a.height == b.height);
   const int columns = a.width - kTaps + 1, rows = a.height - kTaps + 1;

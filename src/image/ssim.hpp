@@ -14,8 +14,8 @@ SamplePlane luma_601(const Image8& image);
 double ssim(const Image8& reference, const Image8& test);
 double ssim(const SamplePlane& reference, const SamplePlane& test);
 
-/// Returns the mean of the contrast and structure factor of SSIM: (2 s_ab + C2) / (s_a^2 + s_b^2 + C2), where s_ab is the
-/// covariance and s_a^2 and s_b^2 are the variances under the window.
+/// Returns the mean of the contrast and structure factor (2 s_ab + C2) / (s_a^2 + s_b^2 + C2), with the covariance s_ab and the
+/// variances s_a^2 and s_b^2 under the window.
 double contrast_structure(const SamplePlane& reference, const SamplePlane& test);
 
 }  // namespace lippmann

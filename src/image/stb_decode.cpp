@@ -1,4 +1,4 @@
-// Decodes BMP, GIF and TGA with stb_image. Tachyon scenes use TGA for image maps.
+// Decodes BMP, GIF and TGA with stb_image.
 //
 // stb_image reads zeros beyond the end of a file. StbInput supplies bytes of value 1 instead and marks the file as truncated.
 #include <algorithm>
@@ -25,7 +25,7 @@ namespace {
 
 static_assert(STBI_MAX_DIMENSIONS == kMaxImageSide);
 
-/// The header must be within this number of bytes from the beginning of a file.
+/// The header must be within this many bytes from the start.
 constexpr std::size_t kLongestHeader = 1 << 20;
 
 struct Freed {
@@ -41,7 +41,7 @@ class StbInput {
     const auto wanted = static_cast<std::size_t>(std::max(size, 0)), there = std::min(wanted, input.rest_.size());
     std::memcpy(to, input.rest_.data(), there);
     input.rest_ = input.rest_.subspan(there);
-    // stb_image reads kBuffer bytes to fill its buffer. Such a read may return fewer bytes at the end of the file.
+    // Only reads of kBuffer bytes, which fill stb_image's buffer, may return fewer bytes at the end of the file.
     constexpr std::size_t kBuffer = sizeof(stbi__context::buffer_start);
     if (there == wanted || (there > 0 && wanted == kBuffer)) return static_cast<int>(there);
     input.truncated_ = true;
@@ -85,7 +85,7 @@ std::uint64_t pixels_of(const Shape& shape) {
   return static_cast<std::uint64_t>(shape.width) * static_cast<std::uint64_t>(shape.height);
 }
 
-/// Decodes with `load`, a function of stb_image that reads through callbacks.
+/// `load` is a function of stb_image that reads through callbacks.
 template <class Sample, class Load>
 DecodedPicture decode(FileBytes file, const std::string& where, PictureHeader header, const Load& load) {
   constexpr stbi_io_callbacks kCallbacks{&StbInput::read, &StbInput::skip, &StbInput::at_end};
@@ -103,7 +103,7 @@ DecodedPicture decode(FileBytes file, const std::string& where, PictureHeader he
 
 std::uint64_t byte_at(FileBytes file, std::size_t at) { return std::to_integer<std::uint64_t>(file[at]); }
 
-/// Reads a signed little-endian integer of 32 bits.
+/// signed, little-endian, 32 bits
 std::int64_t long_at(FileBytes file, std::size_t at) {
   std::int32_t value;
   std::memcpy(&value, file.data() + at, sizeof value);
@@ -121,7 +121,7 @@ bool is_bmp(FileBytes file) {
 
 PictureHeader bmp_header(FileBytes file, const std::string& where) {
   const Shape shape = shape_of(file, where);
-  const bool old = long_at(file, 14) == 12;  // whether the header has the older format of OS/2
+  const bool old = long_at(file, 14) == 12;  // header of OS/2
   if (file.size() < (old ? kOldBmpHeaderBytes : kBmpHeaderBytes)) throw unreadable_picture(where, "the file is truncated");
   const std::uint64_t bits = byte_at(file, old ? 24 : 28);
   check_file_holds(where, file.size(), pixels_of(shape) * bits / 8, 1);
@@ -138,16 +138,16 @@ DecodedPicture decode_bmp(FileBytes file, const std::string& where) {
 
 namespace {
 
-/// Properties of the images in a GIF file, found in its blocks without decoding.
+/// Found in the blocks of a GIF file without decoding.
 struct GifContent {
   int pictures = 0;        ///< number of images; 2 means two or more
-  bool is_whole = false;   ///< whether the file has a trailer or a second image
-  bool is_opaque = false;  ///< whether the first image covers the whole canvas and has no transparent colour
+  bool is_whole = false;   ///< the file has a trailer or a second image
+  bool is_opaque = false;  ///< the first image covers the canvas and has no transparent colour
 };
 
-/// Scans the blocks of a GIF file. Based on: CompuServe, "Graphics Interchange Format, Version 89a", 1990. A file consists of a
-/// header of 13 bytes, a colour table and blocks. A block is an extension (0x21) or an image (0x2c). A block ends with a list
-/// of sub-blocks. A sub-block is a size (one byte) and data of this size. The last sub-block has the size 0.
+/// Based on: CompuServe, "Graphics Interchange Format, Version 89a", 1990. A file is a header of 13 bytes, a colour table and
+/// blocks. A block is an extension (0x21) or an image (0x2c), and ends with a list of sub-blocks. A sub-block is a size (one
+/// byte) and its data. The last one has size 0.
 class GifBlocks {
  public:
   explicit GifBlocks(FileBytes file) : file_(file) {}
@@ -176,7 +176,7 @@ class GifBlocks {
   }
 
  private:
-  /// Returns the byte at `at`, or 0 beyond the end.
+  /// Returns 0 beyond the end.
   std::uint64_t byte(std::size_t at) const { return at < file_.size() ? byte_at(file_, at) : 0; }
 
   std::size_t color_table_bytes(std::size_t flags_at) const {
@@ -184,7 +184,7 @@ class GifBlocks {
     return flags & 0x80 ? std::size_t{6} << (flags & 7) : 0;
   }
 
-  /// Returns whether the image at the current position begins at 0, 0 and has the size of the canvas.
+  /// Returns whether the image begins at 0, 0 and has the size of the canvas.
   bool covers_canvas() const {
     for (std::size_t i = 0; i < 4; ++i)
       if (byte(at_ + 1 + i) != 0 || byte(at_ + 5 + i) != byte(6 + i)) return false;
@@ -210,7 +210,7 @@ PictureHeader gif_header(FileBytes file, const std::string& where) {
   constexpr std::size_t kGifHeaderBytes = 13;
   if (file.size() < kGifHeaderBytes) throw unreadable_picture(where, "the file is truncated");
   const Shape shape = shape_of(file, where);
-  // LZW codes have at most 12 bits, so that there are 4096 codes. A code stands for at most as many pixels as there are codes.
+  // LZW has at most 4096 codes of 12 bits, each for at most as many pixels as there are codes.
   constexpr std::uint64_t kMaxGifPixelsPerByte = 4096;
   check_file_holds(where, file.size(), pixels_of(shape), kMaxGifPixelsPerByte);
   const GifContent content = GifBlocks(file).content();
@@ -226,7 +226,7 @@ DecodedPicture decode_gif(FileBytes file, const std::string& where) {
   const int channels = static_cast<int>(header.channels.size());
   const auto load = [&](const stbi_io_callbacks* calls, void* user, int* width, int* height, int* read, int) {
     stbi_uc* samples = stbi_load_from_callbacks(calls, user, width, height, read, channels);
-    *read = channels;  // because stb_image always reports 4
+    *read = channels;  // stb_image always reports 4
     return samples;
   };
   return decode<std::uint8_t>(file, where, header, load);
@@ -247,7 +247,7 @@ PictureHeader tga_header(FileBytes file, const std::string& where) {
   check_file_holds(where, file.size() - std::min<std::uint64_t>(begin, file.size()),
                    pixels_of(shape) * ((bits_per_pixel + 7) / 8), runs ? kMaxPixelsPerByte : 1);
   PictureHeader header = plain_header(shape.width, shape.height, shape.channels, SampleKind::kByte);
-  constexpr std::uint64_t kFromTheRight = 0x10;  // stb_image handles the order of rows, but ignores this bit for columns
+  constexpr std::uint64_t kFromTheRight = 0x10;  // stb_image ignores this bit, which reverses the columns
   if (byte_at(file, 17) & kFromTheRight) header.orientation = Orientation::kMirrored;
   return header;
 }

@@ -23,8 +23,8 @@ constexpr double kMmPerInch = 25.4;
 
 constexpr std::size_t kMaxClassicSamples = (std::size_t{7} << 32) / 8;
 
-/// Writes to an open file and records the first failure, because libtiff does not report failures while it writes the directory
-/// at the end of the file.
+/// Records the first failed write, because libtiff does not report failures while it writes the directory at the end of the
+/// file.
 class Output {
  public:
   Output(const std::filesystem::path& temporary, const std::filesystem::path& path, bool big)
@@ -93,26 +93,26 @@ class Output {
   }
 
   const std::filesystem::path& path_;
-  std::error_code problem_;  // error of the first write that failed
+  std::error_code problem_;  // of the first failed write
   platform::OpenFile file_;
   TIFF* tiff_ = nullptr;
 };
 
-/// Writes an Exif directory that states the sRGB colour space. Returns the offset of the Exif directory, or 0 on failure. Then
-/// starts a new directory for the image.
+/// Writes an Exif directory that states sRGB, and starts a new directory for the image. Returns the offset of the Exif
+/// directory, or 0 on failure.
 std::uint64_t write_colour_space(TIFF* tiff) {
   constexpr std::uint16_t kSrgb = 1;
   std::uint64_t place = 0;
   const bool written = TIFFCreateEXIFDirectory(tiff) == 0 && TIFFSetField(tiff, EXIFTAG_COLORSPACE, kSrgb) &&
                        TIFFWriteCustomDirectory(tiff, &place);
-  TIFFFreeDirectory(tiff);  // otherwise TIFFCreateDirectory() would leak the memory of the Exif directory
+  TIFFFreeDirectory(tiff);  // otherwise TIFFCreateDirectory() would leak the Exif directory
   if (TIFFCreateDirectory(tiff) != 0) return 0;
   return written ? place : 0;
 }
 
 constexpr std::uint32_t kRowsPerStrip = 32;
 
-/// An image to write: RGB or CMYK codes with 8 or 16 bits.
+/// RGB or CMYK codes of 8 or 16 bits
 template <class Code>
 struct Raster {
   int width, height;
@@ -139,7 +139,7 @@ void set_fields(TIFF* tiff, const Raster<Code>& image, const TiffOptions& option
   TIFFSetField(tiff, TIFFTAG_COMPRESSION, COMPRESSION_ADOBE_DEFLATE);
   TIFFSetField(tiff, TIFFTAG_PREDICTOR, PREDICTOR_HORIZONTAL);
   TIFFSetField(tiff, TIFFTAG_ZIPQUALITY, 1);
-  TIFFSetField(tiff, TIFFTAG_DATETIME, "1970:01:01 00:00:00");  // a fixed date, so that equal images give equal bytes
+  TIFFSetField(tiff, TIFFTAG_DATETIME, "1970:01:01 00:00:00");  // a fixed date gives equal bytes for equal images
   if (alpha) {
     const std::uint16_t unassociated = EXTRASAMPLE_UNASSALPHA;
     TIFFSetField(tiff, TIFFTAG_EXTRASAMPLES, 1, &unassociated);
@@ -151,7 +151,7 @@ void set_fields(TIFF* tiff, const Raster<Code>& image, const TiffOptions& option
   }
 }
 
-/// Returns a copy of the samples of a strip with interleaved alpha. libtiff may change the copy.
+/// Interleaves alpha. libtiff may change the result.
 template <class Code>
 std::vector<Code> strip_of(const Raster<Code>& image, std::size_t first_row, std::size_t rows) {
   const std::size_t width = static_cast<std::size_t>(image.width), begin = first_row * width, end = begin + rows * width;

@@ -12,22 +12,22 @@
 
 namespace lippmann {
 
-/// Maximum number of pixels of a TIFF file, which is larger than for other formats. Sides are at most 65,536 pixels.
+/// More pixels than in other formats. Sides are at most 65,536 pixels.
 inline constexpr std::int64_t kMaxTiffPixels = (std::int64_t{1} << 31) - 1;
 
 enum class TiffKind {
-  /// BigTIFF for more than about 3.5 GB of samples, otherwise classic TIFF, which is limited to 4 GB.
+  /// BigTIFF above about 3.5 GB of samples, because classic TIFF is limited to 4 GB.
   kAuto,
   kBig,
 };
 
 struct TiffOptions {
-  double pixels_per_mm = 0.0;  ///< resolution, stored in pixels per inch; 0: not stored
+  double pixels_per_mm = 0.0;  ///< stored in pixels per inch; 0: not stored
   TiffKind kind = TiffKind::kAuto;
   std::span<const std::byte> profile = {};  ///< ICC profile of the codes; empty: sRGB
 };
 
-/// CMYK codes: 4 samples per pixel (cyan, magenta, yellow, black). The highest code means full ink.
+/// Cyan, magenta, yellow and black per pixel. The highest code is full ink.
 template <class Code>
 struct Inks {
   int width = 0, height = 0;
@@ -37,7 +37,7 @@ struct Inks {
 /// Write a deflate-compressed file atomically. Throw Error naming the file on failure.
 void write_tiff(const std::filesystem::path& path, const Image8& image, const TiffOptions& options = {});
 void write_tiff(const std::filesystem::path& path, const Image16& image, const TiffOptions& options = {});
-/// Write CMYK codes. options.profile must not be empty.
+/// options.profile must not be empty.
 void write_tiff(const std::filesystem::path& path, const Inks<std::uint8_t>& image, const TiffOptions& options);
 void write_tiff(const std::filesystem::path& path, const Inks<std::uint16_t>& image, const TiffOptions& options);
 

@@ -1,8 +1,7 @@
 // Decodes TIFF from memory with libtiff.
 //
-// Grey and RGB samples (8-bit, 16-bit, half, float, double) are read directly, with all extra channels. They may be stored in
-// strips or tiles, interleaved or planar. All other kinds (palettes, 1 to 4 bits, CMYK, YCbCr, fax) use libtiff's conversion to
-// 8-bit RGB.
+// Grey and RGB samples (8-bit, 16-bit, half, float, double) are read directly with all extra channels, from strips or tiles.
+// Other kinds (palettes, 1 to 4 bits, CMYK, YCbCr, fax) use libtiff's conversion to 8-bit RGB.
 #include <Imath/half.h>
 #include <fmt/format.h>
 #include <tiffio.h>
@@ -34,13 +33,12 @@ struct OptionsDeleter {
   void operator()(TIFFOpenOptions* p) const { TIFFOpenOptionsFree(p); }
 };
 
-/// The sample layout of the file.
 struct Layout {
   std::uint16_t channels = 1, bits = 8, format = SAMPLEFORMAT_UINT, planes = PLANARCONFIG_CONTIG, photometric = 0;
   std::uint32_t width = 0, height = 0;
   std::uint32_t block_width = 0, block_height = 0;  // size of a strip or a tile
   bool direct = false, tiled = false;
-  bool inks = false;  // whether the samples are CMYK of 8 or 16 bits
+  bool inks = false;  // CMYK of 8 or 16 bits
 
   std::size_t sample_bytes() const { return bits / 8u; }
   std::size_t block_channels() const { return planes == PLANARCONFIG_SEPARATE ? 1 : channels; }
@@ -59,7 +57,7 @@ class TiffDecoder {
                                   options.get()));
     if (!tiff_) throw failure();
     read_layout();
-    // libtiff skips tags beyond the end of the file, such as a palette. Then the image would be wrong.
+    // libtiff skips tags beyond the end of the file, such as a palette, so that the image would be wrong.
     if (cut_off_) throw unreadable_picture(where_, "the file is truncated");
   }
 
@@ -72,8 +70,8 @@ class TiffDecoder {
     return header;
   }
 
-  /// Decodes the samples. Converts CMYK to RGB and removes the CMYK profile from the header. Adds a notice if the profile
-  /// cannot be used. Throws Error for 16-bit CMYK without a usable profile.
+  /// Converts CMYK to RGB and removes its profile from the header. Adds a notice if the profile cannot be used, or throws Error
+  /// for 16-bit CMYK.
   Samples samples(PictureHeader& header) {
     if (layout_.direct) return direct_samples();
     if (layout_.inks && !header.profile.empty()) {
@@ -108,7 +106,7 @@ class TiffDecoder {
     if (decoder.reason_[0] == 0) std::vsnprintf(decoder.reason_.data(), decoder.reason_.size(), format, arguments);
     return 1;
   }
-  /// Called for libtiff's warnings. If a tag lies beyond the end of the file, libtiff 4.5.1 skips the tag with only a warning.
+  /// libtiff 4.5.1 only warns if a tag lies beyond the end of the file.
   static int on_warning(TIFF*, void* user, const char*, const char* format, va_list) {
     const std::string_view text(format);
     if (text.starts_with("IO error during reading of") || text.starts_with("Requested memory size for tag"))
@@ -143,7 +141,7 @@ class TiffDecoder {
     return TIFFGetFieldDefaulted(tiff_.get(), tag, &value) ? value : standard;
   }
 
-  /// Returns the values of a tag in libtiff's memory, or null if the file does not have the tag.
+  /// Returns the values of a tag in libtiff's memory, or null without the tag.
   template <class T>
   const T* array_field(std::uint32_t tag) const {
     const T* values = nullptr;
@@ -166,7 +164,7 @@ class TiffDecoder {
   }
 
   void add_place_notices(PictureHeader& header) const {
-    float across = 0.0f, down = 0.0f;  // resolution in pixels per unit
+    float across = 0.0f, down = 0.0f;  // pixels per unit
     if (TIFFGetField(tiff_.get(), TIFFTAG_XRESOLUTION, &across) && TIFFGetField(tiff_.get(), TIFFTAG_YRESOLUTION, &down) &&
         across > 0.0f && down > 0.0f)
       add_aspect_notice(header, static_cast<double>(down) / static_cast<double>(across));
@@ -183,7 +181,7 @@ class TiffDecoder {
     return layout_.format == SAMPLEFORMAT_IEEEFP ? SampleKind::kFloat : SampleKind::kWord;
   }
 
-  /// Returns the maximum compression ratio: bytes of samples per byte of the file.
+  /// Largest number of sample bytes per byte of the file.
   std::uint64_t ratio() const {
     switch (field<std::uint16_t>(TIFFTAG_COMPRESSION, COMPRESSION_NONE)) {
       case COMPRESSION_NONE:
@@ -227,7 +225,7 @@ class TiffDecoder {
     if (block == 0 || block > largest) throw unreadable_picture(where_, "its tile size is invalid");
   }
 
-  /// Decodes each strip or tile into `block` and copies it to its position in the image.
+  /// Decodes each strip or tile and copies it to its position in the image.
   template <class Stored, class Sample>
   std::vector<Sample> blocks() {
     const Layout& l = layout_;
@@ -270,7 +268,7 @@ class TiffDecoder {
     std::array<char, 1024> reason{};
     if (!TIFFRGBAImageOK(tiff_.get(), reason.data()) || !TIFFRGBAImageBegin(&conversion, tiff_.get(), 1, reason.data()))
       throw unreadable_picture(where_, reason.data());
-    conversion.req_orientation = conversion.orientation;  // keeps the samples in the order in which they are stored
+    conversion.req_orientation = conversion.orientation;  // keeps the stored order of samples
     const bool converted = TIFFRGBAImageGet(&conversion, packed.data(), layout_.width, layout_.height);
     TIFFRGBAImageEnd(&conversion);
     if (!converted) throw failure();
@@ -283,9 +281,9 @@ class TiffDecoder {
 
   FileBytes file_;
   std::uint64_t at_ = 0;
-  bool cut_off_ = false;  // whether a read went beyond the end of the file
+  bool cut_off_ = false;  // a read went beyond the end of the file
   const std::string& where_;
-  std::array<char, 256> reason_{};  // text of the first error
+  std::array<char, 256> reason_{};  // first error
   std::unique_ptr<TIFF, TiffDeleter> tiff_;
   Layout layout_;
 };

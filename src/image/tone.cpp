@@ -19,7 +19,7 @@ Vec3f neutral(Vec3f color) {
 }
 
 Vec3f agx(Vec3f color) {
-  // Each line is a column of the matrix: the result for pure red, green or blue.
+  // Each line is a column of the matrix.
   const Mat3f inset(0.842479062253094f, 0.0423282422610123f, 0.0423756549057051f,  //
                     0.0784335999999992f, 0.878468636469772f, 0.0784336f,           //
                     0.0792237451477643f, 0.0791661274605434f, 0.879142973793104f);
@@ -34,7 +34,7 @@ Vec3f agx(Vec3f color) {
     x[c] = 15.5f * t4 * t2 - 40.14f * t4 * t + 31.96f * t4 - 6.868f * t2 * t + 0.4298f * t2 + 0.1191f * t - 0.00232f;
   }
   x = outset * x;
-  for (int c = 0; c < 3; ++c) x[c] = std::pow(std::clamp(x[c], 0.0f, 1.0f), 2.2f);  // linearises: AgX gives codes of gamma 2.2
+  for (int c = 0; c < 3; ++c) x[c] = std::pow(std::clamp(x[c], 0.0f, 1.0f), 2.2f);  // AgX gives codes of gamma 2.2
   return x;
 }
 

@@ -11,14 +11,14 @@ namespace lippmann {
 
 enum class ToneCurve {
   kNone,  ///< highlights are clipped to white
-  /// Compresses values above 0.8 and preserves base colours, for pictures of products.
+  /// Compresses values above 0.8 and keeps base colours, for pictures of products.
   kNeutral,
-  /// Maps a range of 16.5 stops and fades highlights to white, for pictures that look like photographs.
+  /// Maps 16.5 stops and fades highlights to white, as in photographs.
   kAgx,
 };
 
 struct Tone {
-  float exposure_ev = 0.0f;  ///< exposure in stops: light is multiplied by 2^exposure_ev
+  float exposure_ev = 0.0f;  ///< in stops: light is multiplied by 2^exposure_ev
   ToneCurve curve = ToneCurve::kNone;
   bool is_identity() const { return exposure_ev == 0.0f && curve == ToneCurve::kNone; }
 };
@@ -26,7 +26,6 @@ struct Tone {
 /// Maps linear scene light to linear display light. With a curve, finite colours are mapped to [0, 1].
 Vec3f apply_tone(const Tone& tone, Vec3f color);
 
-/// Maps every pixel of a film with 3 channels.
 void apply_tone(const Tone& tone, Image& film);
 
 }  // namespace lippmann

@@ -12,14 +12,14 @@
 namespace lippmann {
 namespace {
 
-/// A file may contain kFreePixels pixels regardless of its size, because a lossless image of one colour takes only about thirty
-/// bytes. Larger images may have kMaxPixelsPerByte pixels per byte of the file.
+/// A lossless image of one colour takes about thirty bytes, so a file may have kFreePixels pixels regardless of its size.
+/// Larger images may have kMaxPixelsPerByte pixels per byte.
 constexpr std::uint64_t kFreePixels = std::uint64_t{1} << 22, kMaxPixelsPerByte = std::uint64_t{1} << 14;
 
 const std::uint8_t* bytes_of(FileBytes file) { return reinterpret_cast<const std::uint8_t*>(file.data()); }
 
-/// Returns the content of the chunk `name`, or nothing if it is missing. A chunk consists of a name (4 bytes), a size (4 bytes,
-/// little-endian) and data padded to an even size.
+/// Returns the content of a chunk, or nothing if it is missing. A chunk is a name (4 bytes), a size (4 bytes, little-endian)
+/// and data padded to an even size.
 FileBytes webp_chunk(FileBytes file, std::string_view name) {
   constexpr std::size_t kFirst = 12, kChunkHeader = 8;
   for (std::size_t at = kFirst; at + kChunkHeader <= file.size();) {

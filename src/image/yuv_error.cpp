@@ -1,9 +1,9 @@
 // Based on: Recommendation ITU-R BT.709-6, items 3.2 to 3.4 (luma and colour differences), in the full range 0 ... 255. The
 // weights 6:1:1 of Y, U and V are from Ohm, Sullivan, Schwarz, Tan, Wiegand, "Comparison of the coding efficiency of video
-// coding standards", IEEE Trans. Circuits and Systems for Video Technology 22(12), 2012. JPEG Pleno's common test conditions
-// use the same weights.
+// coding standards", IEEE Trans. Circuits and Systems for Video Technology 22(12), 2012, and JPEG Pleno's common test
+// conditions.
 //
-// The conversion to YUV is linear, so that it can be applied to the differences of codes.
+// The conversion to YUV is linear, so it can be applied to differences of codes.
 #include "image/yuv_error.hpp"
 
 #include <cassert>

@@ -6,10 +6,9 @@
 namespace lippmann {
 
 struct YuvPsnr {
-  double y_db = 0.0, yuv_db = 0.0;  ///< both are infinite for equal images
+  double y_db = 0.0, yuv_db = 0.0;  ///< infinite for equal images
 };
 
-/// Returns the PSNR of two images of equal size.
 YuvPsnr yuv_psnr(const Image8& reference, const Image8& test);
 
 }  // namespace lippmann

@@ -10,7 +10,7 @@
 namespace lippmann {
 namespace {
 
-constexpr std::int64_t kMaxDepthPixels = std::int64_t{1} << 28;  // equals kMaxImagePixels in image/limits.hpp
+constexpr std::int64_t kMaxDepthPixels = std::int64_t{1} << 28;  // kMaxImagePixels in image/limits.hpp
 
 template <auto free>
 struct Deleter {
@@ -23,7 +23,6 @@ using File = std::unique_ptr<heif_context, Deleter<heif_context_free>>;
 using Handle = std::unique_ptr<heif_image_handle, Deleter<heif_image_handle_release>>;
 using Pixels = std::unique_ptr<heif_image, Deleter<heif_image_release>>;
 
-/// An opened file and its main image.
 struct Opened {
   File file;
   Handle handle;
@@ -69,7 +68,7 @@ heif_chroma chroma_of(const HeicPicture& picture) {
   return picture.has_alpha ? heif_chroma_interleaved_RGBA : heif_chroma_interleaved_RGB;
 }
 
-/// Copies rows of samples without the padding that libheif adds.
+/// Copies rows without libheif's padding.
 void copy_codes(const std::uint8_t* plane, std::size_t stride, HeicPicture& picture) {
   const std::size_t row = static_cast<std::size_t>(picture.width) * (picture.has_alpha ? 4 : 3);
   const std::size_t height = static_cast<std::size_t>(picture.height);
@@ -83,7 +82,7 @@ void copy_codes(const std::uint8_t* plane, std::size_t stride, HeicPicture& pict
   }
 }
 
-/// Decodes the image of `handle` into `picture`, which already has the size, bits and has_alpha of the image.
+/// `picture` already has the size, bits and has_alpha of the image.
 void decode_into(const heif_image_handle* handle, HeicPicture& picture) {
   heif_image* decoded = nullptr;
   const heif_error error = heif_decode_image(handle, &decoded, heif_colorspace_RGB, chroma_of(picture), nullptr);
@@ -104,7 +103,7 @@ void decode_into(const heif_image_handle* handle, HeicPicture& picture) {
 
 using DepthInfo = std::unique_ptr<const heif_depth_representation_info, Deleter<heif_depth_representation_info_free>>;
 
-/// Returns whether the codes of a depth image grow with z, and not with 1 / z or disparity.
+/// Returns whether depth codes grow with z, and not with 1 / z or disparity.
 bool is_depth_z(const heif_image_handle* picture, heif_item_id id) {
   const heif_depth_representation_info* info = nullptr;
   if (heif_image_handle_get_depth_image_representation_info(picture, id, &info) == 0 || !info) return false;
