@@ -16,7 +16,7 @@
 namespace lippmann {
 namespace {
 
-/// The definition in encode.hpp.
+/// See the definition in encode.hpp.
 int srgb_code(float value, int max_code) {
   if (!(value > 0.0f)) return 0;
   return static_cast<int>(std::floor(max_code * srgb_from_linear(std::min(value, 1.0f)) + 0.5));

@@ -20,7 +20,6 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kCameraPathNames{"sphere", "hemisphere", "circle"};
 
-/// Returns the bounds of the subject at time 0, in world space.
 Bounds3f still_subject_bounds(const Scene& scene) {
   const Subject subject = find_subject(scene);
   const ResolvedScene resolved = evaluate(scene, 0.0);
@@ -30,9 +29,8 @@ Bounds3f still_subject_bounds(const Scene& scene) {
   return bounds;
 }
 
-/// Removes the animations. Each animated node keeps its transform and morph weights of time 0.
 void hold_still(Scene& scene) {
-  // The nodes of `loose` have no parents, so their world transforms equal their local transforms.
+  // The nodes of `loose` have no parents, so world and local transforms are equal.
   Scene loose;
   loose.nodes = scene.nodes;
   loose.timeline = scene.timeline;
@@ -46,7 +44,7 @@ void hold_still(Scene& scene) {
   scene.timeline.animations.clear();
 }
 
-/// Returns the rotation of a camera that looks opposite to `direction`, with +y up. A camera without rotation looks along -z.
+/// Returns the rotation of a camera that looks along -`direction`, with +y up.
 Quatf facing(const Vec3d& direction) {
   const Vec3d right = glm::normalize(glm::cross(Vec3d(0.0, 1.0, 0.0), direction));
   return Quatf(glm::quat_cast(glm::dmat3(right, glm::cross(direction, right), direction)));

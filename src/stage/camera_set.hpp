@@ -1,7 +1,7 @@
 // Replaces a scene's cameras by cameras around its subject, to render data sets for NeRF and splats.
 //
 // The scene is frozen at the start of its animation, and each frame shows it from another camera. All cameras look at the
-// middle of the subject from the same distance. At this distance, a ball around the subject fits into the picture.
+// middle of the subject, at the distance from which a ball around the subject fits into the picture.
 //
 // Cameras on the sphere are based on: Gonzalez, Measurement of areas on a sphere using Fibonacci and latitude-longitude
 // lattices, 2010.
@@ -15,9 +15,9 @@
 namespace lippmann {
 
 enum class CameraPath {
-  kSphere,      ///< evenly over the whole sphere, from top to bottom
+  kSphere,      ///< evenly over the whole sphere
   kHemisphere,  ///< evenly over the upper half of the sphere
-  kCircle,      ///< one full circle, 20 degrees above the subject's middle
+  kCircle,      ///< a circle 20 degrees above the subject's middle
 };
 
 struct CameraSet {
@@ -28,19 +28,18 @@ struct CameraSet {
 
 inline constexpr int kMostCameras = 10000;
 
-/// Parses text such as "sphere:100". Throws a usage Error that names `where`.
+/// Parses text such as "sphere:100". Throws a usage Error naming `where`.
 CameraSet read_camera_set(const std::string& text, const std::string& where);
 std::string write_camera_set(const CameraSet& set);
 
-/// Returns one unit vector per camera, from the subject to the camera. +y is up.
+/// Unit vectors from the subject to each camera. +y is up.
 std::vector<Vec3d> camera_directions(const CameraSet& set);
 
-/// Returns for each camera whether it is a test camera. `seed` chooses an eighth of the cameras at random, and at least one
-/// camera if there are two or more.
+/// Marks an eighth of the cameras as test cameras, at random and at least one of two or more.
 std::vector<bool> test_cameras(int count, std::uint32_t seed);
 
-/// Replaces the cameras and the animation of a scene. The new cameras have the vertical field of view of the scene's first
-/// camera, or 45 degrees if the scene has no camera. Throws Error if the scene has no finite shapes.
+/// The cameras have the vertical field of view of the scene's first camera, or 45 degrees. Throws Error if the scene has no
+/// finite shapes.
 void surround_with_cameras(Scene& scene, const CameraSet& set);
 
 }  // namespace lippmann

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kNoCamera = static_cast<std::size_t>(-1);
 
-/// Returns the index of a camera. A name takes precedence over an index, because a camera may be named "1".
+/// A name has precedence over an index, because a camera may be named "1".
 std::size_t find_camera(const std::vector<std::string>& names, const std::string& wanted) {
   const auto named = std::find(names.begin(), names.end(), wanted);
   if (named != names.end()) return static_cast<std::size_t>(named - names.begin());
@@ -31,7 +31,7 @@ Error no_such_camera(const std::vector<std::string>& names, const std::string& w
   return usage_error("camera", fmt::format("there is no camera {}{}", shown(wanted), hint), list_cameras(names));
 }
 
-/// Returns a rotation by a multiple of 90 degrees that turns the axis `up` to +y. The constants avoid rounding errors.
+/// Turns the axis `up` to +y. The constants avoid rounding errors.
 Quatf upright(UpAxis up) {
   constexpr float kHalf = 0.70710678f;
   switch (up) {
@@ -51,8 +51,7 @@ Quatf upright(UpAxis up) {
   return {1.0f, 0.0f, 0.0f, 0.0f};
 }
 
-/// Inserts a node at index 0 as the parent of all root nodes. Instances, lights and cameras without a node (-1) also belong to
-/// the new node.
+/// Makes `root` node 0 and the parent of all root nodes, and of instances, lights and cameras without a node (-1).
 void insert_root(Scene& scene, Node root) {
   for (Node& node : scene.nodes) ++node.parent;
   for (Instance& instance : scene.instances) ++instance.node;

@@ -1,6 +1,5 @@
 // Based on: T. Möller and B. Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", 1997, section 2. This file has its
-// own loop over triangles, because it is used before the ray-tracing scene is built. The command `info` never builds a
-// ray-tracing scene.
+// own loop over triangles, because the command `info` never builds a ray-tracing scene.
 #include "stage/enclosure.hpp"
 
 #include <algorithm>
@@ -17,8 +16,7 @@ struct EnclosureRay {
   Vec3f origin, direction;
 };
 
-/// Returns direction i of kDirections directions that cover the sphere evenly (a Fibonacci spiral). None of the directions lies
-/// along an edge of a box.
+/// Returns one of kDirections directions that cover the sphere evenly (a Fibonacci spiral). None lies along an edge of a box.
 Vec3f spread_direction(int i) {
   constexpr float kTurn = 2.0f * kPi * (2.0f - std::numbers::phi_v<float>);
   const float z = 1.0f - (2.0f * static_cast<float>(i) + 1.0f) / kDirections;
@@ -26,8 +24,8 @@ Vec3f spread_direction(int i) {
   return {radius * std::cos(angle), z, radius * std::sin(angle)};
 }
 
-/// Returns the distance along the ray to a triangle, in lengths of ray.direction. Returns kInfinity without a hit. An edge
-/// belongs to both adjacent triangles, so that there are no gaps between triangles.
+/// Returns the distance in lengths of ray.direction, or kInfinity. An edge belongs to both adjacent triangles, so that there
+/// are no gaps.
 float distance_to(const EnclosureRay& ray, Vec3f a, Vec3f b, Vec3f c) {
   constexpr float kEdge = 1e-5f;
   const Vec3f u = b - a, v = c - a, p = glm::cross(ray.direction, v);
@@ -58,7 +56,6 @@ LightThrough light_through(const Material& material) {
   return surface.unlit || surface.emissive != Vec3f(0.0f) ? LightThrough::kShines : LightThrough::kStops;
 }
 
-/// A mesh that blocks or emits light.
 struct Wall {
   const Mesh* mesh;
   Affine3f mesh_from_world;

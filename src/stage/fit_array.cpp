@@ -1,11 +1,10 @@
-// The fit is exact and needs no search. The viewer is at (x, y, d) and looks along -z with half angle a. The viewer sees a
-// point p if p lies on the inner side of the four sides of the view pyramid. Two of the sides limit the width:
+// The viewer is at (x, y, d) and looks along -z with half angle a. The viewer sees a point p if it is inside the four sides of
+// the view pyramid. Two sides limit the width:
 //   +-(p.x - x) cos a + p.z sin a <= d sin a.
 // Let R be the largest p.x cos a + p.z sin a of all points, and L the largest -p.x cos a + p.z sin a. Both sides touch the
 // points for
 //   x = (R - L) / (2 cos a),   d = (R + L) / (2 sin a).
-// The height is computed in the same way. The larger of the two d is used. R and L are bounds along slanted axes, which
-// finite_bounds() computes exactly for every kind of shape.
+// The height is computed in the same way. The larger of the two d is used.
 #include "lippmann/stage/fit_array.hpp"
 
 #include <fmt/format.h>
@@ -24,13 +23,11 @@
 namespace lippmann {
 namespace {
 
-/// Minimum distance from the viewer to the plane, as a multiple of the diagonal of the visible part of the scene. With a nearer
-/// plane, the whole scene would lie far behind the display.
+/// Smallest distance from the viewer to the plane, as a multiple of the diagonal of the visible part of the scene.
 constexpr float kNearestPlane = 0.05f;
 constexpr float kDefaultFov = radians(45.0f);
-constexpr float kMargin = 1.05f;  ///< ratio of the visible size to the size of the content
+constexpr float kMargin = 1.05f;  ///< visible size / size of the content
 
-/// Returns a node's transform reduced to rotation, translation and one uniform scale.
 Affine3f similarity(const Affine3f& a) {
   const float scale = uniform_scale(a);
   if (!(scale > 0.0f) || !std::isfinite(scale))
@@ -49,15 +46,14 @@ struct Setting {
   float aspect;
 };
 
-/// Returns the world units per unit of a node at frame 0. Values that differ from 1 only by rounding become 1.
+/// Returns the world units per unit of a node at frame 0.
 float world_units(const Setting& setting, int node) {
   constexpr float kRounding = 1e-5f;
   const float scale = uniform_scale(similarity(setting.resolved.of(node)));
   return std::abs(scale - 1.0f) <= kRounding ? 1.0f : scale;
 }
 
-/// Returns the frame in which the array of a node is fitted. It has the translation and rotation of the node. Its unit of
-/// length is the world unit at frame 0.
+/// The frame of a node's array has the node's translation and rotation. Its unit of length is the world unit at frame 0.
 Affine3f world_from_frame(const Setting& setting, int node, const ResolvedScene& resolved) {
   const Affine3f world_from_node = similarity(resolved.of(node));
   return {world_from_node.linear / world_units(setting, node), world_from_node.translation};
@@ -73,7 +69,6 @@ DisplayPlacement in_world_units(DisplayPlacement display, float units) {
   return display;
 }
 
-/// Calls visit(resolved) for frame 0. If anything moves, also calls it for the other sampled frames.
 template <class Visit>
 void visit_frames(const Scene& scene, const Visit& visit) {
   const std::vector<bool> moves = moving_instances(scene), nodes_move = moving_nodes(scene);
@@ -85,8 +80,7 @@ void visit_frames(const Scene& scene, const Visit& visit) {
   }
 }
 
-/// The size of a camera's view. `half` is half of the width and height at distance 1. For an orthographic camera, `half` is the
-/// same at every distance.
+/// `half` is half of the width and height at distance 1, or at every distance of an orthographic camera.
 struct CameraView {
   bool is_orthographic;
   Vec2f half;
@@ -102,9 +96,9 @@ ConvexRegion region_of(const CameraView& view) {
   return view.is_orthographic ? beam_region(view.half) : view_region(Vec3f(0.0f), view.half);
 }
 
-/// Places the array at a distance from a camera, perpendicular to the camera's axis and as large as the view. The viewer of the
-/// array is at the camera. For an orthographic camera, whose position along its axis is meaningless, the viewer is at least so
-/// far away that the default angle covers the view.
+/// Places the array at a distance from a camera, perpendicular to its axis and as large as the view. The viewer is at the
+/// camera. An orthographic camera has no position along its axis, so its viewer is at least so far away that the default angle
+/// covers the view.
 void place_before_camera(FittedArray& array, const Camera& camera, float distance, const CameraView& view) {
   array.node_from_plane = {Mat3f(1.0f), {0.0f, 0.0f, -distance}};
   array.plane_height = 2.0f * view.half.y * (view.is_orthographic ? 1.0f : distance);
@@ -135,7 +129,7 @@ SeenParts seen_of(const Setting& setting, Part part, const ResolvedScene& resolv
   return seen;
 }
 
-/// Returns half the width of the visible part of the subject, in the units of CameraView::half.
+/// Half the width of the visible part of the subject, in the units of CameraView::half.
 float width_of_subject(const Setting& setting, const Camera& camera, const CameraView& view) {
   float half = 0.0f;
   visit_frames(setting.scene, [&](const ResolvedScene& resolved) {
@@ -149,9 +143,8 @@ float width_of_subject(const Setting& setting, const Camera& camera, const Camer
   return half;
 }
 
-/// Returns the view of the image. Its height is the height of the camera's view. In files that state an aspect ratio but no
-/// resolution (glTF), the height is larger if the image is too narrow for the visible part of the subject. In files that state
-/// a resolution (Tachyon, NFF), the height is the same for images of any size.
+/// Returns the view of the image, which is as high as the camera's view. If the file states an aspect ratio but no resolution
+/// (glTF), the view is higher if the visible part of the subject would be cut off at the sides.
 CameraView view_for(const Setting& setting, const Camera& camera) {
   const CameraView own = view_of(camera);
   float height = own.half.y;
@@ -212,8 +205,8 @@ FittedArray at_focus(const Setting& setting, const Camera& camera) {
   return array;
 }
 
-/// Places the plane half way through the visible part of the subject. If the camera does not see the subject, all visible parts
-/// are used. Only the part of a room in front of the camera is included. An infinite ground is not included.
+/// Places the plane half way through the visible part of the subject, or of everything if the camera does not see the subject.
+/// An infinite ground does not count.
 FittedArray half_way_through(const Setting& setting, const Camera& camera) {
   FittedArray array;
   array.origin = FittedArray::Origin::kSceneCenter;
@@ -252,23 +245,22 @@ FittedArray half_way_through(const Setting& setting, const Camera& camera) {
 
 // ---- Fitting to bounds --------------------------------------------------------------------------------------------------
 
-/// The direction from which the subject is viewed, and the angle of the view.
 struct Direction {
   int node = -1;                                   ///< node that the array moves with
-  Mat3f node_from_view{1.0f};                      ///< rotation from the axes of the view; the viewer looks along its -z axis
-  float tangent_y = std::tan(0.5f * kDefaultFov);  ///< half the view's height divided by its distance
+  Mat3f node_from_view{1.0f};                      ///< the viewer looks along the view's -z axis
+  float tangent_y = std::tan(0.5f * kDefaultFov);  ///< half the view's height / distance
 };
 
-/// Bounds of the subject over the animation. `straight` is along the axes of the view. The other members are along the slanted
-/// axes of the view pyramid.
+/// Bounds of the subject over the animation: `straight` along the axes of the view, the others along the slanted sides of the
+/// view pyramid.
 struct SubjectBounds {
   Bounds3f straight;
   Vec2f right_up{-kInfinity}, left_down{-kInfinity};  ///< R and L (see the top of the file) of width (x) and height (y)
 };
 
 SubjectBounds bounds_in_view(const Setting& setting, const Direction& direction, Vec2f cosine, Vec2f sine) {
-  // Rows of the matrix `width`: x cos + z sin, and -x cos + z sin. Rows of `height`: the same with y. The third row of each
-  // matrix is unused.
+  // The matrices `width` and `height` compute x cos + z sin and -x cos + z sin, and the same with y. Their third rows are
+  // unused.
   const Affine3f width{glm::transpose(Mat3f({cosine.x, 0, sine.x}, {-cosine.x, 0, sine.x}, {0, 0, 1})), Vec3f(0.0f)};
   const Affine3f height{glm::transpose(Mat3f({0, cosine.y, sine.y}, {0, -cosine.y, sine.y}, {0, 0, 1})), Vec3f(0.0f)};
   SubjectBounds all;
@@ -290,9 +282,8 @@ SubjectBounds bounds_in_view(const Setting& setting, const Direction& direction,
 }
 
 /// Returns the centre (x, y) of the image at which opposite margins are equal, for a viewer at `distance` from the subject's
-/// middle. `bounds` were measured with the full view angle. The subject may fill the image along one axis only. Along the other
-/// axis, it covers a smaller angle, so its bounds are measured again with this angle. The centre is limited so that the subject
-/// stays within the full view.
+/// middle. If the subject fills the image along one axis only, its bounds along the other axis are measured again with the
+/// angle that it covers.
 Vec2f middle_from(const Setting& setting, const Direction& direction, const SubjectBounds& bounds, Vec2f angle,
                   float distance) {
   constexpr int kMostPasses = 4;
@@ -314,7 +305,7 @@ Vec2f middle_from(const Setting& setting, const Direction& direction, const Subj
   return glm::clamp(middle, least, glm::max(least, most));
 }
 
-/// Places the viewer so far away that the subject just fits into the image, and centres the subject.
+/// Places the viewer where the subject just fits into the image.
 FittedArray fitted_to_bounds(const Setting& setting, const Direction& direction) {
   FittedArray array;
   array.origin = FittedArray::Origin::kBounds;
@@ -329,7 +320,7 @@ FittedArray fitted_to_bounds(const Setting& setting, const Direction& direction)
   const Vec2f enough = (bounds.right_up + bounds.left_down) / (2.0f * sine);
   const Vec3f size = bounds.straight.size();
   const float plane_z = bounds.straight.center().z;
-  // Keep the viewer outside the subject, even if the subject is a point, or a rod seen along its length.
+  // The viewer stays outside the subject, even if it is a point or a rod seen along its length.
   const float least = size == Vec3f(0.0f) ? 1.0f : 0.5f * size.z + kNearestPlane * diagonal(bounds.straight);
   const float distance = std::max(std::max(enough.x, enough.y) - plane_z, least);
   const Vec2f middle = middle_from(setting, direction, bounds, angle, distance);
@@ -340,7 +331,7 @@ FittedArray fitted_to_bounds(const Setting& setting, const Direction& direction)
   return array;
 }
 
-/// Rotates the view about the world's vertical and then upwards, but not beyond a view from straight above or below.
+/// Rotates about the world's vertical and then upwards, at most to a view from straight above or below.
 Mat3f turned(const Mat3f& world_from_view, const Orbit& orbit) {
   const float elevation = degrees(std::asin(std::clamp(world_from_view[2].y, -1.0f, 1.0f)));
   const bool is_upright = world_from_view[1].y >= 0.0f;
@@ -356,7 +347,7 @@ Mat3f turned_in_node(const Setting& setting, int node, const Mat3f& node_from_vi
   return glm::transpose(world_from_node) * turned(world_from_node * node_from_view, orbit);
 }
 
-/// Returns the direction of the default view, which is used without `fit-to`.
+/// Returns the default view, which is used without `fit-to`.
 Direction direction_of(const Scene& scene) {
   Direction direction;
   if (scene.display) {
@@ -386,7 +377,6 @@ FittedArray without_camera(const Setting& setting, const Orbit& orbit) {
   return array;
 }
 
-/// Returns whether `name`, given as `fit-to`, means the whole scene.
 bool is_whole_scene(const Scene& scene, const std::string& name) { return name == "all" && !is_name_of_node(scene, name); }
 
 FittedArray fitted_to(const Setting& setting, const std::string& name, const Orbit& orbit) {
@@ -404,7 +394,7 @@ FittedArray fitted_to(const Setting& setting, const std::string& name, const Orb
 
 // ---- Options of the user ------------------------------------------------------------------------------------------------
 
-/// Returns the z of the plane that `focus` requests. The plane of `array` is at z = 0.
+/// Returns the z that `focus` requests, relative to the plane of `array`.
 float wanted_plane_z(const FittedArray& array, const Setting& setting, const std::string& focus) {
   const Affine3f world_from_plane = world_from_frame(setting, array.node, setting.resolved) * array.node_from_plane;
   const Affine3f plane_from_world = inverse(world_from_plane);
@@ -427,14 +417,14 @@ float wanted_plane_z(const FittedArray& array, const Setting& setting, const std
   return array.viewing_distance - static_cast<float>(numbers[0]) / uniform_scale(world_from_plane);
 }
 
-/// Returns whether the view has the same height at every distance, like the view of an orthographic camera.
+/// Returns whether the view has the same height at every distance, as that of an orthographic camera.
 bool shows_a_beam(const FittedArray& array, const Scene& scene) {
   using Origin = FittedArray::Origin;
   return (array.origin == Origin::kFocus || array.origin == Origin::kSceneCenter) &&
          view_of(scene.cameras.front()).is_orthographic;
 }
 
-/// Moves the plane along the axis of the view. The viewer and the visible part stay the same.
+/// Moves the plane along the axis of the view, with the same viewer and view.
 void focus_at(FittedArray& array, const Setting& setting, const std::string& focus) {
   if (focus.empty()) return;
   const float z = wanted_plane_z(array, setting, focus), distance = array.viewing_distance - z;
@@ -450,7 +440,6 @@ void focus_at(FittedArray& array, const Setting& setting, const std::string& foc
                    : fmt::format(" The focus on {} moves the plane.", printable(focus));
 }
 
-/// Rotates the array about the centre of its plane, which is the target of the view.
 void turn(FittedArray& array, const Setting& setting, const Orbit& orbit) {
   if (orbit == Orbit{}) return;
   array.node_from_plane.linear = turned_in_node(setting, array.node, array.node_from_plane.linear, orbit);
@@ -467,7 +456,7 @@ void zoom_in(FittedArray& array, float factor) {
 
 // ---- Depth range --------------------------------------------------------------------------------------------------------
 
-/// Sets the depth range to the range of all finite shapes, limited to what lies in front of the viewer.
+/// Uses all finite shapes in front of the viewer.
 void measure_all_depth(FittedArray& array, const Setting& setting, const Affine3f& plane_from_world) {
   const Bounds3f bounds = finite_bounds(setting.scene, setting.resolved, plane_from_world);
   if (bounds.empty()) return;
@@ -475,9 +464,8 @@ void measure_all_depth(FittedArray& array, const Setting& setting, const Affine3
   array.depth_back = std::min(bounds.lower.z, array.viewing_distance);
 }
 
-/// Sets the depth range to the range of the subject and of visible walls within one diagonal of the subject. `subject` holds
-/// the subject's bounds if they are known. A ground that extends to the horizon is not included, because it is sharp where the
-/// subject stands on it.
+/// Uses the subject and visible walls within one diagonal of the subject. A ground does not count, because it is sharp where
+/// the subject stands on it.
 void measure_depth(FittedArray& array, const Setting& setting, const Affine3f& plane_from_world, Bounds3f subject) {
   const float tangent = 0.5f * array.plane_height / array.viewing_distance;
   ConvexRegion region = view_region({0.0f, 0.0f, array.viewing_distance}, {tangent * setting.aspect, tangent});
@@ -493,7 +481,6 @@ void measure_depth(FittedArray& array, const Setting& setting, const Affine3f& p
   array.depth_back = std::min(subject.lower.z, array.viewing_distance);
 }
 
-/// Returns the bounds of a fitted subject over the animation, in the frame of the array.
 Bounds3f bounds_over_animation(const FittedArray& array, const Setting& setting) {
   Bounds3f bounds;
   visit_frames(setting.scene, [&](const ResolvedScene& resolved) {
@@ -514,7 +501,7 @@ void measure_depth(FittedArray& array, const Setting& setting) {
     measure_depth(array, setting, plane_from_world, is_fitted ? bounds_over_animation(array, setting) : Bounds3f{});
 }
 
-/// Throws Error if the array is so large, so small or so far away that floats would lose precision or overflow.
+/// Throws Error if the array is so large, so small or so far away that floats lose precision or overflow.
 void check_extent(const FittedArray& array, const Setting& setting) {
   constexpr float kSmallest = 1e-9f, kLargest = 1e15f;
   const float height = array.plane_height;
@@ -537,8 +524,7 @@ FittedArray place(const Setting& setting, const ViewWish& wish) {
   return camera.focus_distance > 0.0f ? at_focus(setting, camera) : half_way_through(setting, camera);
 }
 
-/// Returns the named subject, or the subject that find_subject() finds. If the scene places a display, the subject is
-/// everything.
+/// If the scene places a display, the subject is everything.
 Subject wanted_subject(const Scene& scene, const ViewWish& wish) {
   if (wish.fit_to.empty()) return scene.display ? whole_scene(scene) : find_subject(scene);
   if (is_whole_scene(scene, wish.fit_to)) return whole_scene(scene);

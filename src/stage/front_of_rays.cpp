@@ -18,16 +18,15 @@
 namespace lippmann {
 namespace {
 
-/// Minimum fraction of the frame that walls must cover to affect the start of rays. The frame is the rectangle of the display
-/// as the eye sees it.
+/// Walls that cover a smaller fraction of the frame do not matter. The frame is the rectangle of the display as the eye sees
+/// it.
 constexpr double kWallShare = 0.25;
-/// Position of the start of rays between the near clipping plane (0) and the wall (1).
+/// Where rays start between the near clipping plane (0) and the wall (1).
 constexpr float kBeforeWall = 0.999f;
 
-/// Maximum number of walls that a sentence names.
+/// Largest number of walls in a sentence.
 constexpr std::size_t kNamed = 3;
 
-/// Collects the polygons between the near clipping plane and the eye, within the frame.
 class Foreground {
  public:
   Foreground(float near, float eye, Vec2f half) : near_(near), eye_(eye), half_(half) {
@@ -46,7 +45,6 @@ class Foreground {
     visit_seen(scene, instance, resolved, plane_from_world, region_, [&](std::span<const Vec3f> polygon) { add(polygon); });
   }
 
-  /// Returns the start of rays. Returns nothing if there are no polygons.
   std::optional<FrontOfRays> front(const Scene& scene) const {
     if (!any_) return std::nullopt;
     const double enough = kWallShare * 4.0 * static_cast<double>(half_.x * half_.y);
@@ -62,7 +60,7 @@ class Foreground {
   }
 
  private:
-  /// Returns the names of the instances whose walls have an area above 0 and of at least `enough`.
+  /// Names the instances whose walls have an area of at least `enough`.
   std::string names(const Scene& scene, double enough) const {
     std::vector<std::string> names;
     for (const Walls& walls : walls_) {
@@ -86,7 +84,7 @@ class Foreground {
     Vec3f normal(0.0f);
     for (std::size_t i = 2; i < polygon.size(); ++i) normal += glm::cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]);
     if (!is_wall(polygon[0], normal)) return;
-    // Project the polygon from the eye to the plane z = 0.
+    // Projects the polygon from the eye to the plane z = 0.
     double twice_area = 0.0;
     const auto seen = [&](Vec3f p) { return Vec2f(p) * (eye_ / std::max(eye_ - p.z, 1e-3f * eye_)); };
     for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -102,8 +100,7 @@ class Foreground {
     for (const Plane& plane : planes) add_plane(transform_point(plane_from_node, plane.point), of_normals * plane.normal);
   }
 
-  /// Adds an infinite plane. If the plane separates the near clipping plane from the eye, it crosses the line between them. Any
-  /// other plane is added if it is visible in a corner of the frame.
+  /// Adds an infinite plane that is visible in a corner of the frame, or that separates the near clipping plane from the eye.
   void add_plane(Vec3f p, Vec3f normal) {
     const float ahead = glm::dot(normal, p - Vec3f(0.0f, 0.0f, eye_));
     for (const float x : {-half_.x, half_.x})
@@ -118,18 +115,18 @@ class Foreground {
 
   /// The walls of one or more instances.
   struct Walls {
-    double area;    ///< area of the walls, projected from the eye to the plane z = 0
-    float nearest;  ///< smallest z of the walls
+    double area;    ///< projected from the eye to the plane z = 0
+    float nearest;  ///< smallest z
     int node = -1;
 
     void add(const Walls& other) { area += other.area, nearest = std::min(nearest, other.nearest); }
   };
 
   float near_, eye_;
-  Vec2f half_;  ///< half the size of the frame in the plane z = 0
+  Vec2f half_;
   ConvexRegion region_;
   bool any_ = false;
-  std::vector<Walls> walls_;  ///< one element per instance
+  std::vector<Walls> walls_;
 };
 
 }  // namespace

@@ -15,8 +15,8 @@
 namespace lippmann {
 namespace {
 
-/// Adds a lamp at the viewer. The lamp has no falloff, so it lights visible parts of rooms of any size. A white diffuse surface
-/// that faces the lamp gets half the display's white, plus light from other walls.
+/// The lamp has no falloff, so it lights rooms of any size. A white diffuse surface that faces it gets half the display's
+/// white.
 void add_lamp_at_viewer(Scene& scene, const FittedArray& array) {
   constexpr float kAtViewer = 0.5f * kPi;
   Node node;
@@ -31,7 +31,7 @@ void add_lamp_at_viewer(Scene& scene, const FittedArray& array) {
   scene.lights.push_back(std::move(light));
 }
 
-/// If the viewer is in a closed room, adds a lamp, because the studio would be invisible. Returns whether the room is closed.
+/// Adds a lamp if the viewer is in a closed room, which would hide the studio light. Returns whether the room is closed.
 bool light_closed_room(Scene& scene) {
   const FittedArray array = fit_array(scene);
   if (!std::isfinite(array.viewing_distance)) return false;

@@ -7,13 +7,13 @@
 namespace lippmann {
 namespace {
 
-/// Minimum width of the narrowest gap, as a multiple of the main part's diagonal.
+/// Smallest width of the narrowest gap, as a multiple of the main part's diagonal.
 constexpr float kFarAway = 20.0f;
-/// Minimum width of a gap, as a fraction of the scene's longest side. Narrower gaps are normal in a scattered scene.
+/// Smallest width of a gap, as a fraction of the scene's longest side. Narrower gaps are normal in a scattered scene.
 constexpr float kWideGap = 0.2f;
-constexpr float kSliver = 1000.0f;  ///< minimum ratio of the longest to the shortest side of a sliver
+constexpr float kSliver = 1000.0f;  ///< smallest ratio of longest to shortest side
 constexpr int kMostCuts = 64;
-constexpr std::size_t kBins = 512;  ///< number of bins of the gap search along an axis
+constexpr std::size_t kBins = 512;  ///< The gap search divides each axis into this many bins.
 
 struct Gap {
   int axis = 0;
@@ -33,7 +33,7 @@ Gap widest_gap(const std::vector<ScenePiece>& pieces, const Bounds3f& all, int a
   const auto bin_of = [&](float at) {
     return std::min(static_cast<std::size_t>(std::max((at - all.lower[axis]) / bin, 0.0f)), kBins - 1);
   };
-  // Number of pieces that begin in a bin, minus the number of pieces that ended in the bin before.
+  // Number of pieces that begin in a bin, minus those that ended in the bin before.
   std::array<int, kBins + 1> begins{};
   for (const ScenePiece& piece : pieces) {
     ++begins[bin_of(piece.bounds.lower[axis])];
@@ -58,7 +58,7 @@ Gap widest_gap(const std::vector<ScenePiece>& pieces, const Bounds3f& all) {
   return widest;
 }
 
-/// Returns the pieces on the side of the gap with more surface area. If areas are equal, returns the side with more pieces.
+/// Returns the pieces on the side of the gap with more surface area, or with more pieces if areas are equal.
 std::vector<ScenePiece> heavier_side(const std::vector<ScenePiece>& pieces, const Gap& gap) {
   std::array<std::vector<ScenePiece>, 2> sides;
   std::array<double, 2> areas{};

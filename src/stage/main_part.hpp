@@ -4,7 +4,7 @@
 // 2. Drop the side with less surface area. Repeat step 1 with the other side.
 // 3. The cuts apply if the remaining part is small relative to the narrowest gap, so that it would fill less than 1/20 of the
 //    image's width. Otherwise the scene stays whole.
-// A sliver is a long thin triangle. Triangles become slivers if their common vertex is far away. Slivers do not close gaps.
+// Long thin triangles (slivers), whose common vertex may be far away, do not close gaps.
 #pragma once
 
 #include <optional>
@@ -16,14 +16,13 @@ namespace lippmann {
 
 struct ScenePiece {
   Bounds3f bounds;
-  float area = 0.0f;  ///< approximate surface area
+  float area = 0.0f;
   bool is_sliver = false;
 };
 
 ScenePiece piece_of_triangle(Vec3f a, Vec3f b, Vec3f c);
 
-/// Returns a box around the main part. The sides of the box cross no piece except slivers. Returns nothing if the scene stays
-/// whole.
+/// Returns a box around the main part, whose sides cross only slivers. Returns nothing if the scene stays whole.
 std::optional<Bounds3f> find_main_part(std::vector<ScenePiece> pieces);
 
 }  // namespace lippmann

@@ -14,7 +14,7 @@
 namespace lippmann {
 namespace {
 
-/// Returns all names in the order of the scene, without duplicates.
+/// in the order of the scene, without duplicates
 std::vector<std::string_view> names_in(const Scene& scene) {
   std::vector<std::string_view> names;
   std::set<std::string_view> known;
@@ -43,7 +43,7 @@ Error no_such_name(const Scene& scene, const std::string& name, const char* flag
                      accepted.empty() ? "no name: the nodes of this scene have none" : accepted);
 }
 
-/// Returns one flag per node: true if the node or one of its ancestors is called `name`.
+/// True if the node or one of its ancestors is called `name`.
 std::vector<bool> nodes_below(const Scene& scene, std::string_view name) {
   std::vector<bool> below(scene.nodes.size(), false);
   for (std::size_t i = 0; i < below.size(); ++i) {
@@ -79,7 +79,7 @@ std::vector<bool> instances_named(const Scene& scene, const std::string& name, c
   for (const Instance& instance : scene.instances) {
     bool is_meant = instance.name == name || is_below(instance.node);
     if (instance.skin >= 0) {
-      // A skinned mesh belongs to its skeleton. The user may only know the name of the skeleton's node.
+      // The user may only know the name of the skeleton's node, to which a skinned mesh belongs.
       const std::vector<int>& joints = scene.skins[static_cast<std::size_t>(instance.skin)].joints;
       is_meant = is_meant || (!joints.empty() && std::all_of(joints.begin(), joints.end(), is_below));
     }

@@ -10,20 +10,18 @@
 
 namespace lippmann {
 
-/// Returns for each instance whether `name`, the name of a node or of an instance, selects it. Throws a usage Error that names
-/// the command-line option `flag` if nothing has this name; the message suggests the most similar name. Also throws if there is
-/// no shape below the node of this name.
+/// Returns for each instance whether `name`, of a node or an instance, selects it. Throws a usage Error naming `flag` if
+/// nothing has this name, with the most similar name, or if no shape is below the node.
 std::vector<bool> instances_named(const Scene& scene, const std::string& name, const char* flag);
 
-/// Returns whether a node or an instance is called `name`.
 bool is_name_of_node(const Scene& scene, std::string_view name);
 
-/// Parses an orbit in degrees, such as "-30" (yaw) or "-30,15" (yaw and pitch). Throws a usage Error at `where`.
+/// Parses degrees such as "-30" (yaw) or "-30,15" (yaw and pitch). Throws a usage Error at `where`.
 Orbit read_orbit(std::string_view text, const std::string& where);
 std::string write_orbit(const Orbit& orbit);
 
-/// Parses one or three numbers separated by commas. For any other text, throws a usage Error at `focus` that suggests names of
-/// the scene.
+/// Parses one or three numbers separated by commas. For other text, throws a usage Error at `focus` that suggests names of the
+/// scene.
 std::vector<double> read_focus(const Scene& scene, const std::string& text);
 
 }  // namespace lippmann

@@ -16,7 +16,6 @@ namespace {
 
 using Polygon = std::vector<Vec3f>;
 
-/// Clips polygons and calls a visitor with the results. Reuses its buffers.
 class Clipper {
  public:
   Clipper(const ConvexRegion& region, const PolygonVisitor& visit) : region_(region), visit_(visit) {}

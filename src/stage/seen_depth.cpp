@@ -1,5 +1,4 @@
-// For infinite planes, 1 / depth is a linear function of the position in the window. The extreme depths of a plane therefore
-// lie at the corners of the window.
+// For infinite planes, 1 / depth is linear in the position in the window, so extreme depths lie at its corners.
 #include "stage/seen_depth.hpp"
 
 #include <algorithm>
@@ -17,7 +16,6 @@ namespace {
 
 constexpr float kInfiniteDepth = std::numeric_limits<float>::infinity();
 
-/// A range of depths (z). It is empty at first.
 struct DepthReach {
   float near = -kInfiniteDepth, far = kInfiniteDepth;
 
@@ -34,7 +32,6 @@ HalfSpace normalized(Vec3f normal, float offset) {
   return {normal / length, offset / length};
 }
 
-/// Returns the region in front of the eye and within the sides of the window.
 ConvexRegion region_before(const EyeAtWindow& view) {
   const Vec3f eye = view.eye_mm;
   ConvexRegion region{{{0.0f, 0.0f, -1.0f}, eye.z}};
@@ -48,7 +45,6 @@ ConvexRegion region_before(const EyeAtWindow& view) {
   return region;
 }
 
-/// A scene at one time, seen through the window.
 class SeenMoment {
  public:
   SeenMoment(const Scene& scene, const ResolvedScene& resolved, const Affine3f& display_from_world, const EyeAtWindow& view)
@@ -58,7 +54,7 @@ class SeenMoment {
         view_(view),
         region_(region_before(view)) {}
 
-  /// Adds the depth range of one instance. Skips instances whose box cannot extend the range.
+  /// Skips instances whose box cannot extend the range.
   void add(const Instance& instance, DepthReach& reach) const {
     if (instance.hidden_from_cameras) return;
     const Shape& shape = scene_.shapes[static_cast<std::size_t>(instance.shape)];

@@ -20,13 +20,13 @@
 namespace lippmann {
 namespace {
 
-constexpr float kThin = 0.1f;  ///< maximum thickness of a sheet, as a fraction of its longest side
-/// Maximum distance of a sheet from a face of the bounding box, as a fraction of the box's size.
+constexpr float kThin = 0.1f;  ///< a sheet's largest thickness / longest side
+/// Largest distance of a sheet from a face of the bounding box, as a fraction of the box's size.
 constexpr float kNearFace = 0.05f;
-constexpr float kSpanning = 0.8f;  ///< minimum fraction of a face that its sheets must span
-/// Maximum diagonal of the part that remains without surroundings, as a fraction of the whole.
+constexpr float kSpanning = 0.8f;  ///< fraction of a face that its sheets must span
+/// Largest diagonal of what remains without surroundings, as a fraction of the whole.
 constexpr float kMuchSmaller = 0.5f;
-/// Like kMuchSmaller, but for surroundings without a ground, namely walls or a shell.
+/// The same without a ground, for walls or a shell.
 constexpr float kSmallBefore = 0.25f;
 
 using Indices = std::vector<std::size_t>;
@@ -38,7 +38,7 @@ struct Face {
 constexpr Face kFloorFace{1, false}, kCeilingFace{1, true};
 constexpr std::array<Face, 4> kWallFaces{{{0, false}, {0, true}, {2, false}, {2, true}}};
 
-/// Removes surroundings from a scene layer by layer. For example, a room may stand on a lawn below a sky.
+/// Removes surroundings layer by layer, such as a room on a lawn below a sky.
 class Peeling {
  public:
   explicit Peeling(const Scene& scene) : scene_(scene), subject_(whole_scene(scene)) {
@@ -55,7 +55,6 @@ class Peeling {
   }
 
  private:
-  /// Computes the bounds of each instance over the animation.
   void measure() {
     bounds_.resize(scene_.instances.size());
     moves_ = moving_instances(scene_);
@@ -89,9 +88,7 @@ class Peeling {
     left_ = without(instances);
   }
 
-  // ---- Distant parts ----------------------------------------------------------------------------------------------------
-
-  /// Returns the triangles of static meshes, the primitives of list shapes, and the boxes of moving instances.
+  /// Returns triangles of static meshes, primitives of lists, and boxes of moving instances.
   std::vector<ScenePiece> pieces() const {
     std::vector<ScenePiece> pieces;
     const ResolvedScene resolved = evaluate(scene_, scene_.timeline.time(0));
@@ -145,8 +142,6 @@ class Peeling {
     }
   }
 
-  // ---- Sheets -----------------------------------------------------------------------------------------------------------
-
   bool is_sheet_at(std::size_t i, Face face, const Bounds3f& all) const {
     const Vec3f size = bounds_[i].size();
     if (size[face.axis] > kThin * std::max({size.x, size.y, size.z})) return false;
@@ -162,8 +157,8 @@ class Peeling {
     return true;
   }
 
-  /// Returns the sheets at a face. If `each` is set, returns only sheets that span the face alone. Returns nothing if the
-  /// sheets together do not span the face.
+  /// Returns the sheets at a face, or nothing if they do not span it together. With `each`, returns only sheets that span it
+  /// alone.
   Indices sheets_at(Face face, const Bounds3f& all, bool each) const {
     Indices sheets;
     for (const std::size_t i : left_)
@@ -171,9 +166,8 @@ class Peeling {
     return spans(bounds_of(sheets), face, all) ? sheets : Indices{};
   }
 
-  /// Removes sheets if the remaining part is much smaller. Returns whether sheets were removed. If `each` is set, removes only
-  /// sheets that span their face alone. A first call with `each` keeps coins on a table. A second call without `each` removes a
-  /// floor that is made of boards.
+  /// Removes sheets if the remaining part is much smaller, and returns whether it did. With `each`, removes only sheets that
+  /// span their face alone: a table, but not the coins on it.
   bool peel_sheets(bool each) {
     const Bounds3f all = bounds_of(left_);
     const Indices floor = sheets_at(kFloorFace, all, each);
@@ -199,10 +193,7 @@ class Peeling {
 
   bool peel_sheets() { return peel_sheets(true) || peel_sheets(false); }
 
-  // ---- Shells -----------------------------------------------------------------------------------------------------------
-
-  /// Returns the instances that remain after removing the shell and then sheets. Sheets must be removed because a sky may
-  /// surround a ground that is nearly as wide as the sky.
+  /// Returns the instances without the shell and without sheets. A sky may surround a ground nearly as wide as the sky.
   Indices core_without(std::size_t shell) const {
     Peeling inner(*this);
     inner.left_ = without({shell});
@@ -211,8 +202,7 @@ class Peeling {
     return inner.left_;
   }
 
-  /// Returns whether there is free space between the shell and its content on all sides except below. The free space must be
-  /// half as wide as the content.
+  /// Returns whether the free space between shell and content, except below, is half as wide as the content.
   bool leaves_free(std::size_t shell, const Bounds3f& core) const {
     const Vec3f size = core.size();
     const float reach = 0.5f * std::max({size.x, size.y, size.z});
@@ -231,7 +221,7 @@ class Peeling {
     return leaves_free(i, inner);
   }
 
-  /// Removes the largest instance if it is a shell. Returns whether it was removed. Smaller instances cannot be shells.
+  /// Removes the largest instance if it is a shell, and returns whether it did.
   bool peel_shell() {
     const auto smaller = [&](std::size_t a, std::size_t b) { return diagonal(bounds_[a]) < diagonal(bounds_[b]); };
     const std::size_t largest = *std::max_element(left_.begin(), left_.end(), smaller);
@@ -284,7 +274,7 @@ Subject find_subject(const Scene& scene) { return Peeling(scene).run(); }
 
 namespace {
 
-/// Lists the names of instances for which is_listed(instance) is true, without duplicates.
+/// Lists the names without duplicates.
 template <class IsListed>
 std::string list_instances(const Scene& scene, const IsListed& is_listed) {
   constexpr std::size_t kListed = 3;

@@ -8,9 +8,8 @@
 //    backdrop, hills. Only the ground below the content may be nearer.
 // Surroundings are removed only if the remaining part is much smaller than the whole.
 //
-// Before that, instances and triangles of static meshes are left out if they are so far away that an image of everything would
-// show nothing (main_part.hpp). A scene with a single mesh has no surroundings. At least one instance always remains. Infinite
-// planes have no bounds and are ignored.
+// Before that, very distant instances and triangles are left out (main_part.hpp). At least one instance always remains.
+// Infinite planes are ignored.
 #pragma once
 
 #include <optional>
@@ -25,44 +24,40 @@ namespace lippmann {
 
 enum class InstanceRole {
   kSubject,
-  kGround,    ///< ground and ceilings, which extend from the subject to the far distance
+  kGround,    ///< ground and ceilings
   kBackdrop,  ///< walls, sky, domes
   kUnseen,    ///< hidden from cameras
   kStray,     ///< far away from everything else
 };
 
-/// Returns whether instances with this role are visible surroundings of the subject.
 bool is_surrounding(InstanceRole role);
 
 struct Subject {
   std::vector<InstanceRole> roles;  ///< one entry per instance
-  /// Box in world space. Parts outside the box are left out. Not set if nothing is left out.
+  /// Parts outside this box (world space) are left out. Not set if nothing is.
   std::optional<Bounds3f> main_part;
-  /// One entry per instance: true if only its part inside main_part belongs to the subject. Empty without main_part.
+  /// True for an instance that main_part cuts. Empty without main_part.
   std::vector<bool> is_cut;
   bool has_surroundings() const;
   bool contains(std::size_t instance) const { return roles[instance] == InstanceRole::kSubject; }
 };
 
-/// Returns the frames at which the animation is sampled: 0 and every n-th frame, at most 63 frames.
+/// Frames at which the animation is sampled: 0 and every n-th frame, at most 63.
 std::vector<int> sampled_frames(const Timeline& timeline);
 
-/// Returns a subject with all visible instances.
 Subject whole_scene(const Scene& scene);
 
-/// Returns the bounds of the part of an instance that belongs to the subject. Infinite shapes are left out, as in
-/// finite_bounds().
+/// Bounds of the part of an instance that belongs to the subject, without infinite shapes.
 Bounds3f bounds_of_part(const Scene& scene, const Subject& subject, std::size_t instance, const ResolvedScene& resolved,
                         const Affine3f& frame_from_world = {});
 
-/// Returns the subject of the whole animation. If all finite instances are surroundings, the subject is everything.
+/// For the whole animation. If all finite instances are surroundings, the subject is everything.
 Subject find_subject(const Scene& scene);
 
 inline float diagonal(const Bounds3f& bounds) { return bounds.empty() ? 0.0f : glm::length(bounds.size()); }
 
-/// Return lists of names, such as "'Plane', 'Wall' and 3 others". list_surroundings() lists the surroundings. list_strays()
-/// lists instances that are left out, completely or partly, because they are far away. list_strays() also states the number of
-/// distant splats outside the bounds.
+/// Return lists such as "'Plane', 'Wall' and 3 others": of the surroundings, and of distant instances and splats that are left
+/// out.
 std::string list_surroundings(const Scene& scene, const Subject& subject);
 std::string list_strays(const Scene& scene, const Subject& subject);
 

@@ -1,4 +1,4 @@
-// Sets the surroundings and light of a scene in its background.
+// Sets the surroundings and the light of a scene.
 #pragma once
 
 #include <string>
@@ -7,19 +7,18 @@
 
 namespace lippmann {
 
-/// Options for panoramas.
 struct Surrounding {
-  float strength = 1.0f;  ///< factor for the light
+  float strength = 1.0f;
   float rotation_deg = 0.0f;
 };
 
-/// Sets a panorama as the surroundings. The light is multiplied by `share` and by how.strength.
+/// The light is multiplied by `share` and by how.strength.
 void surround_with(Scene& scene, EnvironmentMap map, const Surrounding& how, float share);
 /// Surrounds the scene with the same linear light in all directions.
 void surround_with(Scene& scene, Vec3f color);
 
-/// Implement add_missing_light() (lippmann/stage/lighting.hpp) for Whitted shading and for path tracing. `how` holds options
-/// for panoramas. Both return a sentence on the light.
+/// Implement add_missing_light() (lippmann/stage/lighting.hpp). `how` holds options for panoramas. Both return a sentence for
+/// the user.
 std::string light_for_whitted(Scene& scene);
 std::string light_for_paths(Scene& scene, const Surrounding& how);
 

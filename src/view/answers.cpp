@@ -26,9 +26,9 @@
 namespace lippmann {
 namespace {
 
-/// Compression effort of served images: the lowest, since a client waits for each image, so that speed matters more than size.
+/// Lowest compression effort, because a client waits for each image.
 constexpr int kServedEffort = 0;
-/// Largest accepted sigma of the crosstalk, in hundredths of a pixel.
+/// Largest blur of views that a page may request, in hundredths of a pixel.
 constexpr auto kMaxCrosstalk = static_cast<std::size_t>(100.0 * kMaxBlurPx);
 constexpr std::string_view kCalibration = "calibration", kLive = "live", kRun = "run", kPrint = "print", kDrop = "drop";
 
@@ -42,7 +42,7 @@ PageAnswer failed(const std::string& message) {
   return answer_with(422, json_to_text({{"error", message}}), "application/json");
 }
 
-/// Compares two texts in a time that depends only on their length, so that timing reveals nothing about a secret.
+/// Takes a time that depends only on the length, so that timing reveals nothing about a secret.
 bool equal_secrets(std::string_view a, std::string_view b) {
   if (a.size() != b.size()) return false;
   unsigned char difference = 0;
@@ -50,7 +50,7 @@ bool equal_secrets(std::string_view a, std::string_view b) {
   return difference == 0;
 }
 
-/// Removes the part of `path` before its next slash, or the whole path if it has none. Returns that part.
+/// Removes and returns the part of `path` before its next slash, or all of it.
 std::string_view cut_part(std::string_view& path) {
   const std::size_t slash = path.find('/');
   const std::string_view part = path.substr(0, slash);
@@ -58,7 +58,7 @@ std::string_view cut_part(std::string_view& path) {
   return part;
 }
 
-/// Parses a number of at most nine digits. Returns nullopt for any other text.
+/// Accepts at most nine digits.
 std::optional<std::size_t> number_in(std::string_view text) {
   std::size_t number = 0;
   const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -66,7 +66,7 @@ std::optional<std::size_t> number_in(std::string_view text) {
   return number;
 }
 
-/// Returns whether the request's origin is acceptable. Pages of other sites may only request the page itself (the empty path).
+/// Pages of other sites may request only the page itself (the empty path).
 bool is_allowed_site(const std::string& fetch_site, std::string_view path) {
   return fetch_site.empty() || fetch_site == "same-origin" || fetch_site == "none" || path.empty();
 }
@@ -119,8 +119,7 @@ PageAnswers::PageAnswers(std::unique_ptr<PageField> field, std::shared_ptr<Runni
 PageAnswers::PageAnswers(std::shared_ptr<DroppedPictures> dropped, PageAccess access)
     : dropped_(std::move(dropped)), access_(std::move(access)), cache_(0) {}
 
-/// Returns whether POST requests to `path` are accepted. Their bodies are a calibration (which is not stored), print settings,
-/// chunks of dropped images, or commands for a live scene or a running render.
+/// Decides which paths accept POST requests.
 bool PageAnswers::takes_text(std::string_view path) const {
   const std::string_view part = path.substr(0, path.find('/'));
   if (dropped_ && part == kDrop) return true;
@@ -154,8 +153,7 @@ PageAnswer PageAnswers::answer(const PageRequest& request) {
   return request.method == "POST" ? answer_text(request, path) : answer_path(path);
 }
 
-/// Answers a request while the page accepts dropped images. New drops and the description are answered here, all other requests
-/// by the PageAnswers of the images shown.
+/// Answers new drops and the description. The PageAnswers of the images shown answer all other requests.
 PageAnswer PageAnswers::answer_drop(const PageRequest& request, std::string_view path) {
   const bool is_text = request.method == "POST";
   const std::shared_ptr<PageAnswers> shown = dropped_->shown();
@@ -198,7 +196,6 @@ PageAnswer PageAnswers::answer_path(std::string_view path) {
   return picture(path);
 }
 
-/// Returns the page with all data as one file, for sharing.
 PageAnswer PageAnswers::whole_page() const {
   try {
     return answer_with(200, page_as_file(fields_, {}), "text/html; charset=utf-8");
@@ -240,7 +237,6 @@ PageAnswer PageAnswers::make_print(const std::string& request) {
   }
 }
 
-/// Returns an image of a print. path: KIND/ID.
 PageAnswer PageAnswers::print_picture(std::string_view path) const {
   const std::string_view kind = cut_part(path);
   const std::optional<std::size_t> id = number_in(path);
@@ -250,7 +246,7 @@ PageAnswer PageAnswers::print_picture(std::string_view path) const {
   return {200, bytes->starts_with("RIFF") ? "image/webp" : "image/png", bytes};
 }
 
-/// Returns the state of the render. path: state/KNOWN, see RunningRender::state_after().
+/// path: state/KNOWN, see RunningRender::state_after()
 PageAnswer PageAnswers::run_state(std::string_view path) {
   const std::string_view kind = cut_part(path);
   const std::optional<std::size_t> known = number_in(path);
@@ -272,8 +268,8 @@ PageAnswer PageAnswers::run_order(std::string_view order) {
   }
 }
 
-/// Returns an image of a light field. path: FIELD/KIND/FRAME, see page_picture(); or FIELD/views/FRAME/SIGMA for the views as
-/// eyes see them with a crosstalk of SIGMA hundredths of a pixel.
+/// path: FIELD/KIND/FRAME as for page_picture(), or FIELD/views/FRAME/SIGMA for the views blurred by SIGMA hundredths of a
+/// pixel
 PageAnswer PageAnswers::picture(std::string_view path) {
   const std::optional<std::size_t> field = number_in(cut_part(path));
   const std::string_view kind = cut_part(path);

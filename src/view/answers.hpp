@@ -1,7 +1,7 @@
-// Answers the HTTP requests of a page, without knowledge of sockets.
+// Answers the HTTP requests of a page, without sockets.
 //
-// Requests name images by number, and text of a request never becomes part of a file path. The server refuses requests from
-// pages of other origins, requests for another host (DNS rebinding), requests without the token, and range requests.
+// Requests name images by number, and text of a request never becomes part of a file path. Requests are refused if they come
+// from pages of other origins, are for another host (DNS rebinding), or lack the token.
 #pragma once
 
 #include <memory>
@@ -20,8 +20,8 @@ namespace lippmann {
 
 struct PageRequest {
   std::string method = "GET";
-  std::string path = "/";  ///< decoded path, without the query
-  /// Values of the headers Host, Origin and Sec-Fetch-Site; empty: the header is missing.
+  std::string path = "/";  ///< decoded, without the query
+  /// Headers Host, Origin and Sec-Fetch-Site; empty if missing.
   std::string host = {}, origin = {}, fetch_site = {};
   std::string body = {};  ///< content of a POST
 };
@@ -33,18 +33,18 @@ struct PageAnswer {
 };
 
 struct PageAccess {
-  std::vector<std::string> hosts = {};  ///< accepted Host headers, with port; empty: any, since the token protects the server
-  std::string token = {};               ///< secret that must be the first part of all paths; empty: no token is required
+  std::vector<std::string> hosts = {};  ///< accepted Host headers, with port; empty: any, because the token protects the server
+  std::string token = {};               ///< secret that must be the first part of all paths; empty: none
 };
 
-/// Answers the requests of a page on which a scene is set up (live/live_page.hpp), for paths below "live/". Thread-safe.
+/// Answers requests below "live/" of a page that sets up a scene. Thread-safe.
 class LivePage {
  public:
   virtual ~LivePage() = default;
 
-  virtual nlohmann::ordered_json field() const = 0;  ///< description of the light field, as by field_json()
-  virtual nlohmann::ordered_json about() const = 0;  ///< facts that are sent to the page once
-  virtual InterlaceParams interlace() const = 0;     ///< how views are interlaced on panels
+  virtual nlohmann::ordered_json field() const = 0;  ///< description of the light field (field_json())
+  virtual nlohmann::ordered_json about() const = 0;  ///< facts that the page needs once
+  virtual InterlaceParams interlace() const = 0;     ///< how panels interlace views
   virtual PageAnswer get(std::string_view path) = 0;
   virtual PageAnswer post(std::string_view path, const std::string& body) = 0;
 };
@@ -52,37 +52,35 @@ class LivePage {
 class DroppedPictures;  // defined in view/dropped_pictures.hpp
 class PagePrints;       // defined in view/page_print.hpp
 
-/// Answers requests. Thread-safe.
 class PageAnswers {
  public:
   static constexpr std::size_t kDefaultCacheBytes = std::size_t{256} << 20;
 
-  /// Shows light fields. display: the panel that the first light field is played on (see require_own_frame and
-  /// require_one_row). For a single light field with plain views, pages may request prints (view/page_print.hpp):
+  /// Shows light fields, the first of them on the panel `display`. For a single light field whose files hold the views, pages
+  /// may request prints (view/page_print.hpp):
   ///   POST print                     PagePrints::make
   ///   GET  print/views/ID, print/panel/ID, print/file/ID
   /// GET page.html returns the page as one file (page_as_file).
   PageAnswers(std::vector<std::unique_ptr<PageField>> fields, PageAccess access, std::optional<PageDisplay> display = {},
               std::size_t cache_bytes = kDefaultCacheBytes);
 
-  /// Answers for a live scene. Requests that change the scene need the token and must come from the page itself.
+  /// Shows a live scene. Requests that change it need the token and must come from the page itself.
   PageAnswers(std::unique_ptr<LivePage> live, PageAccess access);
 
-  /// Answers for a render that is running or was stopped. The page may stop and resume it with these requests, which need the
-  /// token and must come from the page itself:
+  /// Shows a render that is running or was stopped. These requests stop and resume it; they need the token and must come from
+  /// the page itself:
   ///   GET  run/state/KNOWN   RunningRender::state_after
   ///   POST run/stop, run/resume
   PageAnswers(std::unique_ptr<PageField> field, std::shared_ptr<RunningRender> render, PageAccess access);
 
-  /// Answers for images that are dropped on the page. At first there are none. `access` must have a token, so that no stranger
-  /// can fill the disk.
+  /// Shows images that are dropped on the page. `access` must have a token, so that no stranger can fill the disk.
   ///   POST drop/...  DroppedPictures::post
   PageAnswers(std::shared_ptr<DroppedPictures> dropped, PageAccess access);
 
   PageAnswer answer(const PageRequest& request);
 
-  /// Returns an answer that refuses the request if it is refused before its body is read: for a wrong origin, host or token, or
-  /// for a POST to a path that accepts no POST. Returns nullopt for other requests.
+  /// Refuses a request before its body is read: for a wrong origin, host or token, or for a POST to a path that accepts none.
+  /// Returns nullopt for other requests.
   std::optional<PageAnswer> refusal(const PageRequest& request) const;
 
  private:
@@ -103,19 +101,18 @@ class PageAnswers {
   std::vector<std::unique_ptr<PageField>> fields_;
   std::unique_ptr<LivePage> live_;
   std::shared_ptr<RunningRender> render_;
-  std::shared_ptr<PagePrints> prints_;        ///< null if prints are not available
+  std::shared_ptr<PagePrints> prints_;        ///< null without prints
   std::shared_ptr<DroppedPictures> dropped_;  ///< null if images cannot be dropped
   PageAccess access_;
   std::optional<PageDisplay> display_;
   ByteCache cache_;
 };
 
-/// An image of a frame, encoded for a page.
 struct PagePicture {
   std::string bytes, type;
 };
-/// Encodes an image as WebP, or as PNG if it is too large for WebP. effort: from 0 (fast) to 9 (small). Throws Error.
-/// page_picture() encodes the image of a given kind: "views", "preview", "depth", "provenance" or "panel".
+/// Encodes an image as WebP, or as PNG if it is too large for WebP. effort: 0 (fast) to 9 (small). `kind` is "views",
+/// "preview", "depth", "provenance" or "panel". Throw Error.
 PagePicture encoded_picture(const Image8& picture, int effort);
 PagePicture page_picture(const PageField& field, std::string_view kind, std::size_t frame, int effort);
 
@@ -123,8 +120,7 @@ struct PageOffers {
   bool prints = false, drops = false;
 };
 
-/// Returns fields.json. It holds the version, field_json() of each light field, the display that they are played on, and the
-/// available services. The services are prints (with the known displays) and dropping images.
+/// Returns fields.json: the version, field_json() of each light field, the display, and the services (prints, dropping images).
 std::string fields_text(const std::vector<std::unique_ptr<PageField>>& fields, const std::optional<PageDisplay>& display = {},
                         PageOffers offers = {});
 

@@ -7,7 +7,7 @@ namespace lippmann {
 Bytes ByteCache::get(const std::string& key, const std::function<std::string()>& make) {
   if (Bytes found = find(key)) return found;
   const std::lock_guard lock(making_);
-  if (Bytes found = find(key)) return found;  // another thread may have made the entry meanwhile
+  if (Bytes found = find(key)) return found;  // another thread may have made the entry
   const Bytes made = std::make_shared<const std::string>(make());
   keep(key, made);
   return made;

@@ -13,14 +13,12 @@ namespace lippmann {
 
 using Bytes = std::shared_ptr<const std::string>;
 
-/// A cache of byte strings by key. Thread-safe. Only one thread at a time makes a missing entry, which bounds the memory in
-/// use.
+/// Thread-safe. Only one thread at a time makes a missing entry, which bounds the memory in use.
 class ByteCache {
  public:
   explicit ByteCache(std::size_t most_bytes) : most_bytes_(most_bytes) {}
 
-  /// Returns the entry of `key`. If it is missing, `make` is called to make it. If `make` throws, the exception is passed on
-  /// and nothing is cached.
+  /// Calls `make` if the entry is missing. If `make` throws, nothing is cached.
   Bytes get(const std::string& key, const std::function<std::string()>& make);
 
  private:
@@ -35,7 +33,7 @@ class ByteCache {
   const std::size_t most_bytes_;
   std::mutex making_;
   std::mutex entries_mutex_;
-  std::list<Entry> entries_;  ///< the entries, most recently used first
+  std::list<Entry> entries_;  ///< most recently used first
   std::map<std::string, std::list<Entry>::iterator> by_key_;
   std::size_t bytes_ = 0;
 };

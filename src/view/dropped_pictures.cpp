@@ -47,7 +47,7 @@ void replace_all(std::string& text, const std::string& from, const std::string& 
     text.replace(at, from.size(), to);
 }
 
-/// Returns the position of each name in the natural order of all names.
+/// Returns each name's position in the natural order of all names.
 std::vector<std::size_t> ranks_of(const std::vector<std::string>& names) {
   std::vector<std::size_t> order(names.size()), ranks(names.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -61,12 +61,12 @@ std::vector<std::size_t> ranks_of(const std::vector<std::string>& names) {
 struct DroppedPictures::Received {
   ScratchFolder folder;
   std::string title;
-  std::vector<std::string> names;  ///< file names, as sent by the page
+  std::vector<std::string> names;  ///< as the page sent them
   std::vector<fs::path> files;     ///< stored files, in the order of `names`
   std::vector<std::uintmax_t> sizes;
-  std::uintmax_t bytes = 0;  ///< total size of all files
+  std::uintmax_t bytes = 0;  ///< of all files
 
-  /// Replaces the names of stored files in a message by the names that the page sent.
+  /// Replaces the names of stored files by the names that the page sent.
   std::string with_page_names(std::string message) const {
     for (std::size_t i = 0; i < files.size(); ++i) {
       replace_all(message, files[i].string(), printable(names[i]));
@@ -77,7 +77,7 @@ struct DroppedPictures::Received {
   }
 };
 
-/// The images shown. Their folder is kept as long as this object.
+/// The folder of the images is kept as long as this object.
 struct DroppedPictures::Shown {
   Shown(std::shared_ptr<const Received> from, std::unique_ptr<PageField> field)
       : received(std::move(from)), answers(list_of(std::move(field)), PageAccess{}) {}

@@ -1,9 +1,7 @@
-// Receives images that are dropped on a page, in chunks. Stores them in a temporary folder and shows them as the views of a
-// light field.
+// Receives images that are dropped on a page, in chunks, and shows them as the views of a light field. Thread-safe.
 //
-// The file names sent by the page determine the order of the views and appear in messages; the stored files have other,
-// generated names. There is one folder for the images shown and one for the images being received. Each is removed when newer
-// images replace it, and by the destructor. Thread-safe.
+// The names that the page sends determine the order of the views; the stored files have other names. The images shown and those
+// being received have a temporary folder each, which is removed when newer images replace them.
 #pragma once
 
 #include <cstdint>
@@ -20,9 +18,9 @@ namespace lippmann {
 class DroppedPictures {
  public:
   static constexpr std::size_t kMaxPictures = 1000;
-  static constexpr std::uintmax_t kMostBytes = std::uintmax_t{4} << 30;  ///< limit for the size of all images together
+  static constexpr std::uintmax_t kMostBytes = std::uintmax_t{4} << 30;  ///< all images together
 
-  /// `context` must outlive this object. most_bytes: limit for all images together.
+  /// `context` must outlive this object.
   explicit DroppedPictures(const Context& context, std::uintmax_t most_bytes = kMostBytes);
   ~DroppedPictures();
 
@@ -33,7 +31,7 @@ class DroppedPictures {
   /// Throws Error.
   void post(std::string_view path, const std::string& body);
 
-  /// Returns the object that answers requests for the images shown; null before any are shown.
+  /// Answers requests for the images shown; null before any are shown.
   std::shared_ptr<PageAnswers> shown() const;
 
  private:

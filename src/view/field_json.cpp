@@ -49,20 +49,19 @@ Json frame_json(const PageFrame& frame) {
   return json;
 }
 
-/// Describes the panel's image. For calibrated panels, includes which view each sub-pixel shows.
+/// For calibrated panels, includes which view each sub-pixel shows.
 Json panel_picture_json(const PageFacts& facts) {
   Json json{{"is", word_for(facts.panel)}, {"size", {facts.panel_size.x, facts.panel_size.y}}};
   if (facts.phases) json["panel"] = phases_json(*facts.phases);
   return json;
 }
 
-/// Returns the size of a view in the preview as JSON.
 Json preview_json(const PageFacts& facts) {
   const std::optional<Vec2i> size = preview_view_size(facts);
   return size ? Json{size->x, size->y} : Json();
 }
 
-/// Lists the kinds of provenance in the order of their numbers.
+/// in the order of their numbers
 Json provenance_json() {
   Json infos = Json::array();
   for (const ProvenanceInfo& info : kProvenanceInfos) infos.push_back({{"name", info.name}, {"missed", info.missed}});

@@ -10,7 +10,7 @@ namespace {
 
 using std::chrono::seconds;
 
-/// Time during which the rest of an unread body is discarded.
+/// time for discarding the rest of an unread body
 constexpr seconds kEndPatience{1};
 constexpr std::size_t kPiece = std::size_t{16} << 10;
 
@@ -53,7 +53,6 @@ void HttpConnection::receive() {
   if (state_ != State::kEnding) input_.append(piece.data(), bytes);
 }
 
-/// Reads a request from the bytes that were received.
 void HttpConnection::read_request() {
   if (state_ == State::kIdle && !input_.empty()) enter(State::kHead, terms_.head);
   if (state_ == State::kHead) {
@@ -74,7 +73,7 @@ void HttpConnection::read_request() {
 void HttpConnection::begin_body(const RequestHead& head) {
   head_ = head;
   if (const std::optional<PageAnswer> refusal = terms_.refusal(head_.page)) {
-    // The body is not read, so the beginning of a further request cannot be found.
+    // the start of the next request cannot be found in a body that is not read
     if (head_.body_bytes > 0 || head_.body_refusal != 0) head_.keeps_alive = false;
     begin_answer(*refusal);
     return;
@@ -85,7 +84,7 @@ void HttpConnection::begin_body(const RequestHead& head) {
   if (head_.awaits_continue && input_.size() < head_.body_bytes) socket_.send(go_on, false);
 }
 
-/// Sends a refusal and closes the connection, because further input cannot be parsed.
+/// Closes the connection, because further input cannot be parsed.
 void HttpConnection::refuse(const PageAnswer& refusal) {
   head_.keeps_alive = false;
   begin_answer(refusal);

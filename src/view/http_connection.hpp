@@ -1,7 +1,6 @@
 // Reads requests from one client and sends the answers, without blocking.
 //
-// The thread that polls the socket calls ready() after each event. Memory is bounded by the limits for the head and the body of
-// one request. A body is read only after the request's head has been accepted.
+// The thread that polls the socket calls ready() after each event. A body is read only after its head has been accepted.
 #pragma once
 
 #include <chrono>
@@ -21,12 +20,11 @@ class HttpConnection {
   using Clock = std::chrono::steady_clock;
 
   struct Terms {
-    std::chrono::seconds idle{15};  ///< time until the first byte of a request
-    std::chrono::seconds head{3};   ///< time from the first byte to the end of the head: one packet, also on a bad network
-    std::chrono::seconds body{10};  ///< time from the end of the head until the body is complete: 1 MB at 1 Mbit/s
-    std::chrono::seconds send{15};  ///< time without any progress in sending an answer; long, because browsers pause tabs
-    /// Returns the answer that refuses a request by its head alone, or nullopt for other requests. Called before the body is
-    /// read.
+    std::chrono::seconds idle{15};  ///< until the first byte of a request
+    std::chrono::seconds head{3};   ///< from the first byte to the end of the head, which is one packet
+    std::chrono::seconds body{10};  ///< for the body: 1 MB at 1 Mbit/s
+    std::chrono::seconds send{15};  ///< without progress in sending an answer; long, because browsers pause tabs
+    /// Refuses a request by its head, or returns nullopt. Called before the body is read.
     std::function<std::optional<PageAnswer>(const PageRequest&)> refusal;
   };
 
@@ -35,20 +33,20 @@ class HttpConnection {
   HttpConnection(const HttpConnection&) = delete;
   HttpConnection& operator=(const HttpConnection&) = delete;
 
-  /// Returns the socket and the event to wait for before ready() is called.
+  /// The socket, and the event to wait for before ready() is called.
   platform::WatchedSocket watched() const { return {socket_.handle(), event()}; }
 
-  /// Continues to read or send. Call after the event of watched(), or after a failure of the socket.
+  /// Continues to read or send. Call this after the event of watched(), or after a failure of the socket.
   void ready();
 
-  /// Returns each request once, when it is complete. The caller must then call answer().
+  /// Returns each complete request once. The caller must then call answer().
   std::optional<PageRequest> take_request();
   void answer(const PageAnswer& answer);
 
-  /// Returns whether to close the connection: the client closed it, an error occurred, or the client missed the deadline.
+  /// True if the client closed the connection or missed the deadline, or after an error.
   bool is_over() const { return state_ == State::kOver || (waits_for_client() && Clock::now() >= deadline_); }
 
-  /// Returns whether the connection waits for the client. since() returns when the current state began.
+  /// since() is when the current state began.
   bool waits_for_client() const { return state_ != State::kAnswering && state_ != State::kComplete; }
   Clock::time_point since() const { return since_; }
 
@@ -60,7 +58,7 @@ class HttpConnection {
     kComplete,  ///< the request waits for take_request()
     kAnswering,
     kSending,
-    kEnding,  ///< the answer is sent; further input is discarded, since closing at once could make the client lose the answer
+    kEnding,  ///< the answer is sent; closing at once could make the client lose it
     kOver,
   };
 
@@ -79,11 +77,11 @@ class HttpConnection {
   const Terms& terms_;
   State state_ = State::kIdle;
   Clock::time_point since_, deadline_;
-  std::string input_;  ///< received bytes that are not yet part of a request
+  std::string input_;  ///< received bytes after the last request
   RequestHead head_;
   std::string output_;  ///< status line and headers of the answer
   Bytes body_;
-  std::size_t sent_ = 0;  ///< number of bytes sent of the answer's head and body
+  std::size_t sent_ = 0;  ///< bytes sent of head and body
 };
 
 }  // namespace lippmann

@@ -10,8 +10,7 @@
 namespace lippmann {
 namespace {
 
-/// Headers of every answer. Pages of this server load only content of this server. Pages of other sites can neither embed nor
-/// read the answers.
+/// Pages of this server load only its content. Pages of other sites can neither embed nor read the answers.
 constexpr std::string_view kSafeHeaders =
     "Content-Security-Policy: default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob: data:; "
     "connect-src 'self'; frame-ancestors 'self'; base-uri 'none'; form-action 'none'\r\n"
@@ -49,7 +48,7 @@ Reason reason_of(int status) {
 
 bool is_letter_or_digit(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); }
 
-/// Returns whether the text is a token (RFC 9110, 5.6.2).
+/// token of RFC 9110, 5.6.2
 bool is_token(std::string_view text) {
   const auto allowed = [](char c) {
     return is_letter_or_digit(c) || std::string_view("!#$%&'*+-.^_`|~").find(c) != std::string_view::npos;
@@ -71,7 +70,6 @@ std::string_view trimmed(std::string_view text) {
   return from == std::string_view::npos ? std::string_view() : text.substr(from, text.find_last_not_of(" \t") - from + 1);
 }
 
-/// Removes the first line of `text` and returns it.
 std::string_view cut_line(std::string_view& text) {
   const std::size_t end = text.find("\r\n");
   const std::string_view line = text.substr(0, end);
@@ -98,7 +96,7 @@ std::optional<std::string> decoded(std::string_view path) {
 
 class Headers {
  public:
-  /// Parses the header lines. Returns whether all are well-formed.
+  /// Returns whether all lines are well-formed.
   bool read(std::string_view lines) {
     while (!lines.empty()) {
       const std::string_view line = cut_line(lines);
@@ -131,7 +129,7 @@ class Headers {
   std::vector<Field> fields_;
 };
 
-/// Reads the request line: method, target and version.
+/// method, target and version
 std::optional<PageAnswer> read_first_line(std::string_view line, RequestHead& head) {
   const std::size_t first = line.find(' '), last = line.rfind(' ');
   if (first == std::string_view::npos || first == last || !is_token(line.substr(0, first))) return refusal_of(400);
@@ -149,7 +147,7 @@ std::optional<PageAnswer> read_first_line(std::string_view line, RequestHead& he
   return std::nullopt;
 }
 
-/// Reads the length of the body from the headers. Returns whether the length is unambiguous.
+/// Returns whether the length is unambiguous.
 bool read_body_length(const Headers& headers, RequestHead& head) {
   if (headers.has("transfer-encoding")) {
     head.body_refusal = 411;

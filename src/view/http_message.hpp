@@ -1,8 +1,10 @@
 // Parses the heads of HTTP/1.1 requests and formats the heads of answers.
 //
 // Based on: RFC 9110 (HTTP semantics) and RFC 9112 (HTTP/1.1), 2022.
-// We deviate: 1. Bodies need a Content-Length and no coding; chunked bodies are refused with 411, compressed ones with 415. 2.
-// Folded header lines (RFC 9112, 5.2) and line ends without CR (2.2) are refused with 400, as the RFC permits.
+//
+// We deviate:
+// 1. Bodies need a Content-Length and no coding; chunked bodies are refused with 411, compressed ones with 415.
+// 2. Folded header lines (RFC 9112, 5.2) and line ends without CR (2.2) are refused with 400, as the RFC permits.
 #pragma once
 
 #include <cstddef>
@@ -14,29 +16,26 @@
 
 namespace lippmann {
 
-/// Largest head of a request. Servers limit heads to 8 KiB (Apache's LimitRequestFieldSize) or 16 KiB (Node's
-/// --max-http-header-size); browsers send about 1 KiB.
+/// Largest head. Browsers send about 1 KiB. Other servers limit heads to 8 KiB (Apache) or 16 KiB (Node).
 inline constexpr std::size_t kMaxHeadBytes = std::size_t{16} << 10;
-/// Largest body of a request. A calibration has about 10 kB, settings have less than 1 kB.
+/// Largest body. A calibration has about 10 kB.
 inline constexpr std::size_t kMaxBodyBytes = std::size_t{1} << 20;
 
 struct RequestHead {
-  PageRequest page;            ///< the request without its body
-  std::size_t body_bytes = 0;  ///< size of the body that follows; at most kMaxBodyBytes
-  int body_refusal = 0;        ///< status of the answer if the body is refused: 411, 413 or 415; 0: accepted
+  PageRequest page;            ///< without its body
+  std::size_t body_bytes = 0;  ///< size of the body that follows
+  int body_refusal = 0;        ///< status if the body is refused: 411, 413 or 415; 0: accepted
   bool keeps_alive = true;
-  bool awaits_continue = false;  ///< whether the client sends the body only after an answer "100 Continue"
+  bool awaits_continue = false;  ///< the client sends the body only after "100 Continue"
 };
 
-/// Parses the head of a request, without the empty line that ends it. Returns an answer with status 400 or 505 if the head is
-/// malformed.
+/// `head` lacks the empty line at its end. Returns an answer with status 400 or 505 if it is malformed.
 std::variant<RequestHead, PageAnswer> read_head(std::string_view head);
 
-/// Returns an answer with this status, which refuses a request in plain text.
+/// Refuses a request in plain text.
 PageAnswer refusal_of(int status);
 
-/// Returns the status line and headers of an answer, with the empty line after them. keeps_alive: whether the connection stays
-/// open.
+/// Returns the status line and headers, with the empty line after them. keeps_alive: the connection stays open.
 std::string head_of(const PageAnswer& answer, bool keeps_alive);
 
 }  // namespace lippmann

@@ -22,14 +22,13 @@
 namespace lippmann {
 namespace {
 
-/// Limit for open connections. A page opens six: RFC 9112, 9.4, leaves the number to browsers, which all use six.
+/// Largest number of open connections. A page opens six.
 constexpr std::size_t kMaxConnections = 128;
-/// Number of threads that answer requests. Up to eight of them wait for changes of a scene (live/live_page.cpp).
+/// Up to eight of these threads wait for changes of a scene (live/live_page.cpp).
 constexpr int kAnsweringThreads = 32;
-/// Interval at which deadlines and `stopped` are checked.
+/// how often deadlines and `stopped` are checked
 constexpr std::chrono::milliseconds kTick{50};
 
-/// A pool of threads that answer complete requests.
 class AnswerPool {
  public:
   /// `answers` must outlive this object.
@@ -37,7 +36,7 @@ class AnswerPool {
     try {
       for (int i = 0; i < kAnsweringThreads; ++i) threads_.emplace_back([this] { work(); });
     } catch (const std::system_error&) {
-      if (threads_.empty()) throw;  // if some threads were started, they are enough
+      if (threads_.empty()) throw;  // fewer threads are enough
     }
   }
 
@@ -58,7 +57,7 @@ class AnswerPool {
     changed_.notify_one();
   }
 
-  /// Returns a handle that becomes readable when answers are ready.
+  /// becomes readable when answers are ready
   std::intptr_t signal() const { return done_signal_.handle(); }
 
   std::vector<std::pair<std::uint64_t, PageAnswer>> take() {
@@ -84,8 +83,7 @@ class AnswerPool {
     }
   }
 
-  /// Returns the answer. A request that fails, for example for lack of memory, gets an error as answer instead of ending the
-  /// program.
+  /// A failing request, for example for lack of memory, gets an error as answer.
   PageAnswer answer_or_error(const PageRequest& request) {
     try {
       return answers_.answer(request);
@@ -104,13 +102,11 @@ class AnswerPool {
   std::vector<std::thread> threads_;
 };
 
-/// All open connections, by number. Numbers are never reused.
 class Connections {
  public:
   Connections(const platform::Socket& listener, HttpConnection::Terms terms, AnswerPool& pool)
       : listener_(listener), terms_(std::move(terms)), pool_(pool) {}
 
-  /// Waits for events and handles them.
   void step() {
     using platform::SocketEvent;
     std::vector<platform::WatchedSocket> watched{{listener_.handle(), SocketEvent::kReadable},
@@ -154,7 +150,7 @@ class Connections {
       std::this_thread::sleep_for(kTick);
   }
 
-  /// Closes the connection that has waited longest for its client. Returns false if no connection is waiting for its client.
+  /// Closes the connection that has waited longest for its client. Returns false if none waits.
   bool close_slowest() {
     auto slowest = open_.end();
     for (auto one = open_.begin(); one != open_.end(); ++one)

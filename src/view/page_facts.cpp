@@ -11,12 +11,12 @@
 namespace lippmann {
 namespace {
 
-/// Largest number of pixels in the views of all eyes of one frame. Computing these views takes a second or two.
+/// Pixels of all views of one frame together. Computing these views takes a second or two.
 constexpr double kMaxEyePixels = 6e6;
 constexpr int kMaxEyesAcross = 48, kMaxEyesUp = 9;
 
-/// Returns the arrangement of the views as tiles. It is at most about three times as wide as high, because textures have a
-/// maximum size. If it has more tiles than views, as for a prime number of views, the last tiles stay empty.
+/// Arranges the views as tiles, at most about three times as wide as high, because textures have a maximum size. The last tiles
+/// may stay empty.
 ViewGrid tiles_for(int views) {
   const ViewGrid full = squarest_tiles(views);
   if (full.columns <= 3 * full.rows) return full;
@@ -24,8 +24,8 @@ ViewGrid tiles_for(int views) {
   return {columns, (views + columns - 1) / columns};
 }
 
-/// Describes the views of a panel whose lenses are not a whole number of pixels wide: one view for each direction that the
-/// panel distinguishes. If all views together exceed kMaxEyePixels, their size is reduced.
+/// For lenses that are not a whole number of pixels wide: one view per direction that the panel distinguishes, of reduced size
+/// if they exceed kMaxEyePixels.
 void describe_eyes(const Optics& optics, PageFacts& facts) {
   const Vec2i counts = glm::min(view_counts(optics), Vec2i(kMaxEyesAcross, kMaxEyesUp));
   facts.grid = {counts.x, counts.y};
@@ -47,8 +47,7 @@ void describe_views(const Optics& optics, const ViewLayout& film, PageFacts& fac
   facts.lens_samples_up = lenses && lenses->row_pitch_mm > 0.0;
 }
 
-/// Returns whether every view has a pixel below every lens. In a print, some pixels may be missing, since a print may end
-/// within a lens.
+/// Returns whether every view has a pixel below every lens. A print may end within a lens.
 bool has_whole_lenses(const ViewLayout& film, Vec2i picture) {
   return film.kind != LayoutKind::kIntegral || (picture.x % film.grid.columns == 0 && picture.y % film.grid.rows == 0);
 }

@@ -1,8 +1,7 @@
 // Describes a light field for the page, and makes its views as one image (a quilt) from the panel's image.
 //
-// Panels with a whole number of pixels per lens contain the views as their own pixels. For slanted, hexagonal and fractional
-// lenses, `EyeSampler` computes what eyes in all distinguishable directions see, with one sample per pixel. The resolution of
-// these views is reduced so that computing them takes at most a second or two.
+// With a whole number of pixels per lens, views are the panel's own pixels. For slanted, hexagonal and fractional lenses,
+// `EyeSampler` computes what eyes in all distinguishable directions see, with one sample per pixel and reduced resolution.
 #pragma once
 
 #include <optional>
@@ -20,9 +19,9 @@ namespace lippmann {
 
 /// How the page derives the panel's image from the views.
 enum class PanelPicture {
-  kIntegral,  ///< one cell per lens, with one pixel from each view (kIntegral in layout/view_layout.hpp)
+  kIntegral,  ///< one cell per lens, with one pixel of each view
   kQuilt,     ///< the image is the quilt of the views
-  kOwn,       ///< the page cannot derive the image from the views and loads it
+  kOwn,       ///< the page cannot derive the image, and loads it
 };
 
 struct PageFrame {
@@ -35,31 +34,31 @@ struct PageFacts {
   ViewGrid grid;
   ViewGrid tiles;  ///< arrangement of the views in the quilt, view 0 at the bottom left
   Vec2i view_size{0, 0};
-  Window window;  ///< the part of the plane z = 0 that every view shows
+  Window window;  ///< part of the plane z = 0 that every view shows
   ViewAxes axes;
-  /// Whether one sample of a view covers a whole lens horizontally (across) and vertically (up).
+  /// A sample of a view covers a whole lens horizontally (across) or vertically (up).
   bool lens_samples_across = false, lens_samples_up = false;
   PanelPicture panel = PanelPicture::kOwn;
-  Vec2i panel_size{0, 0};            ///< size of the panel's image, in pixels
-  std::optional<ViewPhases> phases;  ///< which view each sub-pixel of the panel shows; none: the panel has no calibration
-  Vec3d eye_mm{0.0};                 ///< the eye position that the display is designed for
+  Vec2i panel_size{0, 0};            ///< size of the panel's image
+  std::optional<ViewPhases> phases;  ///< view that each sub-pixel shows; none without a calibration
+  Vec3d eye_mm{0.0};                 ///< eye position that the display is designed for
   double depth_budget_mm = 0.0;
   bool has_depth = false;
-  bool has_provenance = false;      ///< whether the provenance of every pixel of the views is known
+  bool has_provenance = false;      ///< the origin of every pixel (Provenance) is known
   double disparity_scale_mm = 1.0;  ///< scale of the disparity codes (view/disparity_codes.hpp)
   double frames_per_second = 25.0;
   std::vector<PageFrame> frames;
-  std::string assumption;  ///< a sentence on assumed cameras; empty: no cameras were assumed
+  std::string assumption;  ///< sentence on assumed cameras, or empty
 };
 
-/// Returns the facts that follow from the optics. All other members (title, frames, depth, frame rate) have their defaults.
+/// Members that do not follow from the optics (title, frames, depth, frame rate) have their defaults.
 PageFacts page_facts(const Optics& optics);
 
 Viewer eye_of_view(const PageFacts& facts, int view);
 
-/// Returns the views as a quilt in sRGB codes: facts.tiles tiles of facts.view_size. crosstalk_px: sigma of the crosstalk that
-/// eyes see (optics/crosstalk.hpp); ignored for views that are the panel's own pixels. Throws Error naming `where` if the image
-/// does not have the size of the optics.
+/// Returns a quilt in sRGB codes with facts.tiles tiles of facts.view_size. crosstalk_px: sigma of the blur between
+/// neighbouring views (optics/crosstalk.hpp); ignored for views that are the panel's own pixels. Throws Error naming `where` if
+/// the image does not have the size of the optics.
 Image8 views_quilt(const RenderedPanel& rendered, const PageFacts& facts, const ThreadPool& pool, const std::string& where,
                    double crosstalk_px = 0.0);
 

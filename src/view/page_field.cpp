@@ -48,7 +48,6 @@ FormatOptions options_with_depth(const LightFieldHints& hints) {
   return options;
 }
 
-/// Converts a layer of whole numbers from 0 to 255 to a grey image.
 Image8 grey(const Image& layer) {
   Image8 codes{layer.width, layer.height, std::vector<unsigned char>(3 * layer.data.size())};
   for (std::size_t i = 0; i < codes.rgb.size(); ++i)
@@ -144,8 +143,7 @@ RenderedPanel PageField::read(std::size_t frame) const {
   return coming_ ? find_light_field_frames(file, hints_).read(0) : frames_.read(frame);
 }
 
-/// Reads the views of a frame with their layers. If their grid or size differs from those of the first frame, layers are left
-/// out.
+/// Leaves out layers whose grid or size differs from the first frame.
 PageField::Layered PageField::layered(std::size_t frame) const {
   const fs::path file = file_of(frame);
   require_within(root_, file);

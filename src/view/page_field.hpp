@@ -1,7 +1,5 @@
-// A light field in files, as a page shows it. It consists of a description and, for each frame, the quilt of the views, their
-// disparities if depth is known, and the panel's image.
-//
-// Reads every input that find_light_field_frames accepts.
+// A light field in files, as a page shows it: a description and, for each frame, the quilt of the views, their disparities if
+// depth is known, and the panel's image. Reads every input that find_light_field_frames accepts.
 #pragma once
 
 #include <filesystem>
@@ -23,54 +21,51 @@ class RunningRender;
 
 class PageField {
  public:
-  /// Opens a light field. Throws Error naming the file, or the flag that must supply missing information. Depth that cannot be
-  /// read is left out with a warning. Links that lead out of the folder are refused. The frames are checked for links only when
-  /// they are read.
+  /// Throws Error naming the file, or the flag that must supply missing information. Depth that cannot be read is left out with
+  /// a warning. Links that lead out of the folder are refused.
   PageField(std::filesystem::path in, LightFieldHints hints, const Context& context);
 
-  /// Opens a render in progress. Its report describes the optics and the available layers. Throws Error naming the report.
-  /// Reading a frame that is not finished throws Error.
+  /// Opens a render in progress, whose report describes the optics and the layers. Throws Error naming the report. Reading an
+  /// unfinished frame throws Error.
   PageField(const std::filesystem::path& folder, std::shared_ptr<const RunningRender> coming, const Context& context);
 
   const PageFacts& facts() const { return facts_; }
-  /// Replaces the title, which is the file name by default.
+  /// The default title is the file name.
   void set_title(std::string title) { facts_.title = std::move(title); }
 
-  // The following functions return images of the frame with index `frame`, which must be below facts().frames.size(). Each
-  // throws Error naming the file. Thread-safe.
+  // The following functions return images of the frame with index `frame`. They throw Error naming the file, and are
+  // thread-safe.
 
-  /// Returns the views as a quilt in sRGB codes: facts().tiles tiles of facts().view_size. crosstalk_px: see views_quilt().
+  /// The views as a quilt in sRGB codes. crosstalk_px: see views_quilt().
   Image8 quilt(std::size_t frame, double crosstalk_px = 0.0) const;
-  /// Returns the disparity codes of the views as a quilt. Needs facts().has_depth.
+  /// The disparity codes of the views as a quilt. Needs facts().has_depth.
   Image8 disparities(std::size_t frame) const;
-  /// Returns the provenance of each pixel as a quilt. Red, green and blue all hold its number in Provenance. Needs
-  /// facts().has_provenance.
+  /// The Provenance number of each pixel in red, green and blue, as a quilt. Needs facts().has_provenance.
   Image8 provenance(std::size_t frame) const;
-  /// Returns the panel's image in sRGB codes, with size facts().panel_size.
+  /// The panel's image in sRGB codes.
   Image8 panel(std::size_t frame) const;
-  /// Returns the views with the samples stored in the files. Needs has_plain_views(). fit: as FormatOptions::fit_view.
+  /// The views with the samples in the files. Needs has_plain_views(). fit: as FormatOptions::fit_view.
   LightField views(std::size_t frame, const std::function<Picture(const Picture&, int view, ViewGrid grid)>& fit) const;
 
-  /// Returns whether the files contain two or more views, with every pixel of each view.
+  /// True if the files hold two or more views with all their pixels.
   bool has_plain_views() const;
   int threads() const { return pool_.threads(); }
 
  private:
   RenderedPanel read(std::size_t frame) const;
   std::filesystem::path file_of(std::size_t frame) const;
-  /// The views of a frame with all their layers.
+  /// The views of a frame with their layers.
   struct Layered;
   Layered layered(std::size_t frame) const;
-  /// Sets the members of facts_ about layers, from the first frame.
   void find_layers();
   Image8 in_quilt(const Image8& stack) const;
 
   LightFieldHints hints_;
-  std::filesystem::path root_;  ///< frames outside this folder are refused before they are read
+  std::filesystem::path root_;  ///< frames outside this folder are refused
   LightFieldFrames frames_;
   PageFacts facts_;
   ThreadPool pool_;
-  std::shared_ptr<const RunningRender> coming_;  ///< the render in progress; null: all files exist
+  std::shared_ptr<const RunningRender> coming_;  ///< the render in progress; null if all files exist
 };
 
 }  // namespace lippmann

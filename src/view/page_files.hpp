@@ -10,7 +10,7 @@ struct PageFile {
   std::string_view name, type, text;
 };
 
-/// Returns the files, with index.html first.
+/// index.html is first.
 std::span<const PageFile> page_files();
 
 }  // namespace lippmann

@@ -21,7 +21,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kPrintEffort = 0;  ///< compression effort for the views of a print: the lowest, since a client waits for them
+constexpr int kPrintEffort = 0;  ///< lowest compression effort, because a client waits for the views
 constexpr double kMaxShiftPx = 1e4;
 
 Display display_of_text(const JsonFields& file) {
@@ -86,7 +86,7 @@ Json PagePrints::make(const std::string& request) {
   if (wanted.frame >= field_.facts().frames.size()) throw usage_error("frame", "there is no such frame");
   {
     const std::lock_guard lock(mutex_);
-    last_.reset();  // release the last print first, since two prints might not fit into memory
+    last_.reset();  // releases the last print, because two might not fit into memory
   }
   const Display& display = wanted.display;
   const DisplayTarget target = display_target(display, own_format(display));

@@ -1,7 +1,5 @@
-// Makes prints for a page from the views of a frame. A print consists of the image for a display, as `lippmann convert` makes
-// it, and of the views that eyes see of this image through the display's lenses.
-//
-// Makes one print at a time, with at most kMaxPrintPixels pixels. Keeps only the last print. Thread-safe.
+// Makes prints for a page from the views of a frame: the image for a display, as `lippmann convert` makes it, and the views
+// that eyes see of it through the display's lenses. Keeps only the last print. Thread-safe.
 #pragma once
 
 #include <memory>
@@ -17,7 +15,7 @@
 
 namespace lippmann {
 
-/// Largest number of pixels of a print. An A4 page at 1000 dpi has 97 million pixels. Making a print takes 15 bytes per pixel.
+/// An A4 page at 1000 dpi has 97 million pixels. A print takes 15 bytes of memory per pixel.
 inline constexpr double kMaxPrintPixels = 100e6;
 
 struct PrintRequest {
@@ -27,8 +25,8 @@ struct PrintRequest {
   double view_shift_px = 0.0;         ///< see ViewFitter's constructor
 };
 
-/// Parses {"frame", "display", "file": {"name", "text"}, "fit", "view_shift_px"}. The display is given by its name, by the
-/// one-line description of a sheet, or by the text of a file, but never by the path of a file. Throws Error naming the key.
+/// Parses {"frame", "display", "file": {"name", "text"}, "fit", "view_shift_px"}. The display is a name, the one-line
+/// description of a sheet, or the text of a file, but never a path. Throws Error naming the key.
 PrintRequest read_print_request(const std::string& text);
 
 class PagePrints {
@@ -36,14 +34,13 @@ class PagePrints {
   /// `field` must outlive this object. Requires field.has_plain_views().
   explicit PagePrints(const PageField& field);
 
-  /// Makes a print. Returns its number `id`, its `description`, how its views were `fitted`, its `pixels`, and as `field` the
-  /// light field that eyes see of it (field_json). Throws Error.
+  /// Returns the print's `id`, `description`, how its views were `fitted`, its `pixels`, and as `field` the light field that
+  /// eyes see of it. Throws Error.
   nlohmann::ordered_json make(const std::string& request);
 
-  /// Returns an image of the print with number `id`: "views" (what eyes see), "panel" or "file" (the print itself). Null if
-  /// there is no such print.
+  /// `kind` is "views" (what eyes see), "panel" or "file" (the print itself). Null if there is no such print.
   Bytes picture(std::string_view kind, std::size_t id) const;
-  /// Returns whether a newer print has replaced the print with number `id`.
+  /// True if a newer print has replaced it.
   bool is_outdated(std::size_t id) const;
 
  private:

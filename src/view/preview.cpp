@@ -9,11 +9,10 @@
 namespace lippmann {
 namespace {
 
-/// Approximate number of pixels of a preview. Quilts with less than four times this number have no preview.
+/// approximate; quilts with less than four times this number of pixels have no preview
 constexpr double kPreviewPixels = 512.0 * 512.0;
 constexpr int kPreviewQuality = 60;
 
-/// Writes the mean sRGB codes of the pixels from `first` to before `last`.
 void write_mean(const Image8& quilt, Vec2i first, Vec2i last, unsigned char* out) {
   unsigned sum[3]{};
   for (int y = first.y; y < last.y; ++y)
@@ -24,7 +23,6 @@ void write_mean(const Image8& quilt, Vec2i first, Vec2i last, unsigned char* out
   for (int channel = 0; channel < 3; ++channel) out[channel] = static_cast<unsigned char>((sum[channel] + count / 2) / count);
 }
 
-/// Returns the first pixel of a block along one axis.
 int block_start(int block, int blocks, int pixels) { return static_cast<int>(static_cast<long long>(block) * pixels / blocks); }
 
 }  // namespace

@@ -9,14 +9,13 @@
 
 namespace lippmann {
 
-/// Returns the size of a view in the preview, in pixels; nullopt if the quilt is so small that it needs no preview.
+/// nullopt if the quilt is so small that it needs no preview.
 std::optional<Vec2i> preview_view_size(const PageFacts& facts);
 
-/// Returns a preview of the quilt that `facts` describes, in which each pixel is the mean of a block. Needs
-/// preview_view_size(facts).
+/// Each pixel is the mean of a block. Needs preview_view_size(facts).
 Image8 preview_of(const Image8& quilt, const PageFacts& facts);
 
-/// Returns preview_of() encoded as lossy WebP ("image/webp").
+/// as lossy WebP
 std::string encoded_preview(const Image8& quilt, const PageFacts& facts);
 
 }  // namespace lippmann

@@ -63,7 +63,7 @@ void RunningRender::take(const FolderJournal& journal) {
   }
 }
 
-/// Reads the state of the render. The caller must hold mutex_.
+/// The caller must hold mutex_.
 void RunningRender::update() {
   const auto now = std::chrono::steady_clock::now();
   if (now - updated_ < poll_interval_) return;

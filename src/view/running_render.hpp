@@ -1,7 +1,5 @@
-// Monitors a render that is running or was stopped: which frames are finished, the time left, and stopping or resuming it.
-//
-// All information comes from the folder's journal (folder/render_state.hpp). The render is a separate process, which may be
-// started from a terminal or from the page.
+// Watches a render that is running or was stopped, and stops or resumes it. All information comes from the folder's journal
+// (folder/render_state.hpp). The render is a separate process.
 #pragma once
 
 #include <chrono>
@@ -21,34 +19,32 @@
 
 namespace lippmann {
 
-/// Returns whether the folder has a render that is running or that lacks frames. False if the folder has no render, or if its
-/// journal is damaged.
+/// True if the folder has a render that is running or lacks frames. False if its journal is damaged.
 bool is_unfinished_render(const std::filesystem::path& folder);
 
 /// Thread-safe.
 class RunningRender {
  public:
-  /// resuming: the command that continues the folder's render. The folder is read at most once per poll_interval, however many
-  /// pages ask for its state. Throws Error if the journal is missing or damaged.
+  /// `resuming` is the command that continues the render. The folder is read at most once per poll_interval. Throws Error if
+  /// the journal is missing or damaged.
   RunningRender(std::filesystem::path folder, ToolCommand resuming,
                 std::chrono::milliseconds poll_interval = std::chrono::milliseconds(200));
 
-  /// Returns the frames that were requested when this object was made, in ascending order; at least one.
+  /// The frames that were requested when this object was made, ascending.
   const std::vector<int>& frames() const { return frames_; }
 
-  /// Returns the file of the frame frames()[index]; nullopt until the frame is finished.
+  /// nullopt until the frame frames()[index] is finished.
   std::optional<std::filesystem::path> file(std::size_t index) const;
 
-  /// Returns the state for the page. It lists the finished frames in the order in which they were found, and leaves out the
-  /// first `known` frames. web/README.md lists the keys.
+  /// Returns the state for the page: finished frames in the order in which they were found, without the first `known`.
+  /// web/README.md lists the keys.
   nlohmann::ordered_json state_after(std::size_t known);
 
-  /// Interrupts the processes on this machine that render into the folder, like Ctrl-C. Throws Error if there are no such
-  /// processes.
+  /// Interrupts all processes on this machine that render into the folder, like Ctrl-C. Throws Error if there are none.
   void stop();
 
   /// Continues the render in a child process, which ends with this object. Throws Error if a render is running, or if job.toml
-  /// was changed after the render wrote it.
+  /// was changed since.
   void resume();
 
  private:
@@ -69,9 +65,9 @@ class RunningRender {
   RenderState state_;
   std::chrono::steady_clock::time_point updated_;
   std::vector<int> frames_;
-  std::map<std::size_t, std::filesystem::path> files_;  ///< files of finished frames, by index in frames_
-  std::vector<Finished> finished_;                      ///< finished frames, in the order in which they were found
-  std::set<std::filesystem::path> interrupted_;         ///< the parts of the journal whose processes were already interrupted
+  std::map<std::size_t, std::filesystem::path> files_;  ///< finished frames, by index in frames_
+  std::vector<Finished> finished_;                      ///< in the order in which they were found
+  std::set<std::filesystem::path> interrupted_;         ///< parts of the journal whose processes were interrupted
   std::unique_ptr<ToolProcess> resumed_;
   std::string error_;
 };

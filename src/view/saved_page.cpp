@@ -20,9 +20,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Compression effort of saved images, which are encoded once and loaded often.
+/// Saved images are encoded once and loaded often.
 constexpr int kSavedEffort = 2;
-/// Attributes of index.html that determine where the page gets its data from.
+/// Attributes of index.html that state where the page gets its data.
 constexpr std::string_view kServed = "content=\"server\"", kScripts = "content=\"scripts\"", kWithin = "content=\"within\"";
 constexpr std::uintmax_t kMaxFileBytes = std::uintmax_t{1} << 30;
 
@@ -37,7 +37,7 @@ class PageFolder {
     files_.push_back(folder_ / name);
   }
 
-  /// Writes an image as a script that passes it to the page.
+  /// Writes a script that passes the image to the page.
   void write_picture(std::string_view name, const PagePicture& picture) {
     write(fmt::format("{}.js", name),
           fmt::format("lippmann_data(\"{}\",\"{}\",\"{}\")\n", name, picture.type, base64(picture.bytes)));
@@ -54,14 +54,14 @@ class PageFolder {
   std::vector<fs::path> files_;
 };
 
-/// Throws if `file` exists and is not a saved page, because saving would replace it.
+/// Saving would replace another file.
 void require_own_page(const fs::path& file, std::string_view mark, const char* accepted) {
   if (!is_regular_file_there(file)) return;
   if (read_file_text(file, kMaxFileBytes, "a page that was saved before").find(mark) == std::string::npos)
     throw Error(file.string(), "exists and is not a page of lippmann view, so it is not replaced", accepted);
 }
 
-/// Replaces `from`, which index.html contains once.
+/// index.html contains `from` once.
 void replace_once(std::string& text, std::string_view from, std::string_view to) {
   const std::size_t at = text.find(from);
   if (at == std::string::npos) throw Error("index.html", fmt::format("{} is missing in the embedded page", from));
@@ -80,8 +80,7 @@ std::string_view text_of_page_file(std::string_view name) {
   throw Error(std::string(name), "is not a file of the embedded page");
 }
 
-/// Escapes text for use inside a script element. The element would end at any closing tag, even one within a string. In
-/// JavaScript and JSON strings `<\/` means `</`.
+/// Any closing tag would end a script element, even within a string. In JavaScript and JSON strings, `<\/` means `</`.
 std::string within_script(std::string_view text) {
   std::string safe;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -91,8 +90,7 @@ std::string within_script(std::string_view text) {
   return safe;
 }
 
-/// Returns whether a saved page needs an image of this kind. The panel's image is needed only if the page cannot derive it from
-/// the views.
+/// The panel's image is needed only if the page cannot derive it from the views.
 bool needs(const PageFacts& facts, std::string_view kind, std::size_t frame) {
   if (kind == "preview") return frame == 0 && preview_view_size(facts);
   if (kind == "depth") return facts.has_depth;

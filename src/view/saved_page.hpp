@@ -1,7 +1,7 @@
-// Saves the page with its light fields: in a folder, which can be put on any web server or opened from disk, or in one file.
+// Saves the page with its light fields: in a folder, for any web server or for opening from disk, or in one file.
 //
-// Pages opened from disk cannot read the files beside them, but they can run scripts. Each image is therefore saved as a script
-// that passes the image's bytes to the page in base64. This adds a third to the size, but works on a server and from disk.
+// Pages opened from disk cannot read the files beside them, but can run scripts. Each image is therefore saved as a script that
+// passes the image's bytes to the page in base64.
 #pragma once
 
 #include <filesystem>
@@ -15,26 +15,24 @@
 namespace lippmann {
 
 struct SavedPage {
-  std::filesystem::path index;  ///< the file to open in a browser
-  std::uintmax_t bytes = 0;     ///< total size of all files
+  std::filesystem::path index;  ///< file to open in a browser
+  std::uintmax_t bytes = 0;     ///< of all files
   std::vector<std::filesystem::path> files = {};
 };
 
-/// Saves the page to a folder, which is created if necessary. Replaces the files of a page saved there before. Throws Error
-/// naming a file, also if the folder contains another page. If context.cancelled is set, stops between frames without writing
-/// index.html.
+/// Makes the folder if necessary, and replaces a page saved there before. Throws Error naming a file, also if the folder
+/// contains another page. If context.cancelled is set, stops without writing index.html.
 SavedPage save_page(const std::vector<std::unique_ptr<PageField>>& fields, const std::filesystem::path& folder,
                     const Context& context);
 
-/// Returns the page with all data as one document. Throws Error if it exceeds 1 GB, because browsers cannot open such files. If
-/// context.cancelled is set, stops between frames and returns an empty string.
+/// Throws Error above 1 GB, because browsers cannot open such files. If context.cancelled is set, returns an empty string.
 std::string page_as_file(const std::vector<std::unique_ptr<PageField>>& fields, const Context& context);
 
-/// Writes page_as_file() to a file. Throws Error naming the file, also if it exists and is not a saved page.
+/// Throws Error naming the file, also if it exists and is not a saved page.
 SavedPage save_page_file(const std::vector<std::unique_ptr<PageField>>& fields, const std::filesystem::path& file,
                          const Context& context);
 
-/// Saves the page of one light field, for example of a finished render.
+/// Saves one light field, for example a finished render.
 SavedPage save_page(const std::filesystem::path& in, const std::filesystem::path& folder, const Context& context);
 
 }  // namespace lippmann

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Makes an empty file for the child's messages. It is used instead of a pipe, which would have to be read continuously.
+/// A file receives the child's messages. A pipe would have to be read continuously.
 fs::path file_for_messages() {
   std::error_code problem;
   fs::path file = platform::make_unique_file(fs::temp_directory_path() / "lippmann-messages-", problem);
@@ -21,7 +21,7 @@ fs::path file_for_messages() {
   return file;
 }
 
-/// Removes the file of messages. Ignores failures, since the file is temporary.
+/// Ignores failures, because the file is temporary.
 void remove_messages(const fs::path& file) {
   std::error_code ignored;
   fs::remove(file, ignored);

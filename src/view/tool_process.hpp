@@ -1,4 +1,4 @@
-// Runs the command-line tool as a child process. Its standard output is discarded; its messages (stderr) are kept.
+// Runs the command-line tool as a child process. Discards its standard output and keeps its messages (stderr).
 #pragma once
 
 #include <filesystem>
@@ -11,26 +11,26 @@
 namespace lippmann {
 
 struct ToolCommand {
-  std::filesystem::path program;   ///< path of the command-line tool
-  std::vector<std::string> words;  ///< arguments of the tool
+  std::filesystem::path program;
+  std::vector<std::string> words;
 };
 
 /// Not thread-safe.
 class ToolProcess {
  public:
-  /// Starts the process. Throws Error if that fails.
+  /// Throws Error if the process cannot be started.
   explicit ToolProcess(const ToolCommand& command);
-  /// Interrupts the process and waits until it has ended.
+  /// Interrupts the process and waits for its end.
   ~ToolProcess();
   ToolProcess(const ToolProcess&) = delete;
   ToolProcess& operator=(const ToolProcess&) = delete;
 
   bool is_running();
 
-  /// Interrupts the process like Ctrl-C. Further calls have no effect.
+  /// Like Ctrl-C. Further calls have no effect.
   void interrupt();
 
-  /// Returns the end of the process's stderr if it failed. Empty while it runs, after success, and after interrupt().
+  /// The end of stderr if the process failed. Empty while it runs, after success, and after interrupt().
   std::string failure();
 
  private:
@@ -38,7 +38,7 @@ class ToolProcess {
 
   std::unique_ptr<platform::ChildProcess> process_;  ///< null after the process has ended
   bool is_interrupted_ = false;
-  std::filesystem::path messages_;  ///< the file that receives stderr
+  std::filesystem::path messages_;  ///< receives stderr
   std::string failure_;
 };
 

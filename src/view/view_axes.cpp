@@ -8,7 +8,6 @@
 namespace lippmann {
 namespace {
 
-/// Returns the axis for `count` views, from the slopes of the first and the last eye.
 ViewAxis axis_between(int count, double first_slope, double last_slope, bool by_angle, BeyondZone beyond) {
   const auto placed = [&](double slope) { return by_angle ? std::atan(slope) : slope; };
   ViewAxis axis{count, placed(first_slope), 0.0, by_angle, beyond};

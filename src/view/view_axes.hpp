@@ -1,7 +1,7 @@
 // The eyes of a page's views along one axis, equally spaced in slope or in angle.
 //
-// An eye is given by its slope at the middle of the display (optics/viewer.hpp), which also covers viewers at infinity. View i
-// has T(slope) = first + i step, where T is the arc tangent if by_angle, otherwise the identity.
+// An eye is given by its slope at the middle of the display (optics/viewer.hpp). View i has T(slope) = first + i step, where T
+// is the arc tangent if by_angle, otherwise the identity.
 #pragma once
 
 #include "lippmann/layout/view_layout.hpp"
@@ -10,7 +10,7 @@
 
 namespace lippmann {
 
-/// The views that an eye beyond the outermost views sees.
+/// What an eye beyond the outermost views sees.
 enum class BeyondZone {
   kRepeats,   ///< the views of the next cone
   kNextLens,  ///< the views of the neighbouring lens
@@ -31,8 +31,7 @@ struct ViewAxes {
   double vergence = 0.0;  ///< 1 / distance of the eyes, per mm
 };
 
-/// Returns the axes of the optics' views if the views consist of whole pixels. Otherwise returns the axes of eyes in all
-/// distinguishable directions.
+/// If views are not whole pixels, returns the axes of eyes in all distinguishable directions.
 ViewAxes view_axes(const Optics& optics, ViewGrid grid);
 
 }  // namespace lippmann

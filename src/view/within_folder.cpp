@@ -22,7 +22,7 @@ bool leads_out(const fs::path& root, const fs::path& file) {
   throw Error(file.string(), "is a link that leads out of " + root.string(), "files inside the shown folder");
 }
 
-/// Throws if the folder has a link that leads out of `root` and whose name satisfies `concerns`.
+/// Throws if a link whose name satisfies `concerns` leads out of `root`.
 template <class Concerns>
 void require_links_within(const fs::path& root, const fs::path& folder, const Concerns& concerns) {
   std::error_code ignored;
@@ -31,14 +31,13 @@ void require_links_within(const fs::path& root, const fs::path& folder, const Co
       refuse(root, entry.path());
 }
 
-/// Returns whether the file may describe images: report.json, job.toml, cameras.json, parameters.cfg or a side file.
+/// True for report.json, job.toml, cameras.json, parameters.cfg and side files.
 bool is_description(const fs::path& name) {
   const std::string extension = name.extension().string();
   return extension == ".json" || extension == ".toml" || extension == ".cfg";
 }
 
-/// Returns whether the file `name` is read together with an image or a folder of views: a side file or a layer, such as
-/// frame_0000.png.json or aov_0000.exr.
+/// True for side files and layers of the picture, such as frame_0000.png.json or aov_0000.exr.
 bool is_read_with(const fs::path& picture, const std::string& name) {
   const std::string stem = picture.stem().string();
   const std::size_t digits = std::min(stem.find_first_of("0123456789"), stem.size());
@@ -46,8 +45,8 @@ bool is_read_with(const fs::path& picture, const std::string& name) {
   return name.starts_with(stem + ".") || name.starts_with(stem + "_") || name.starts_with("aov_" + number);
 }
 
-/// Checks the reports that may describe `file`. Reports are also searched in the two folders above, which may be outside
-/// `root`. A report found there may be a link, as long as it does not lead out of the report's own folder.
+/// Reports are also searched in the two folders above, which may be outside `root`. A report may be a link within its own
+/// folder.
 void require_reports_within(const fs::path& root, const fs::path& file) {
   const fs::path parent = file.parent_path();
   for (const fs::path& folder : {file, parent, parent.parent_path()}) {
@@ -58,7 +57,7 @@ void require_reports_within(const fs::path& root, const fs::path& file) {
   }
 }
 
-/// Checks the files that describe `in`. The frames of a folder are checked when they are read.
+/// The frames of a folder are checked when they are read.
 void require_descriptions_within(const fs::path& root, const fs::path& in) {
   require_reports_within(root, in);
   std::error_code ignored;
