@@ -11,14 +11,14 @@
 
 namespace lippmann {
 
-/// Returns w at depth z. vergence: 1 / V, per mm. parallax: shown depth / true depth.
+/// Returns the disparity w (top of this file) at depth z. vergence: 1 / V, per mm. parallax: shown depth / true depth.
 double disparity_mm(double z_mm, double vergence, double parallax);
 
-/// Returns w of each pixel. depth: z in mm of the display frame. Pixels without a surface (z = -inf) move like infinitely far
-/// points: w = -V, or -inf if V is infinite.
+/// Returns the disparity w of each pixel. depth: z in mm of the display frame. Pixels without a surface (z = -inf) move like
+/// infinitely far points: w = -V, or -inf if V is infinite.
 Image disparities_mm(const Image& depth, double vergence, double parallax);
 
-/// Values that are not finite get code 0. scale_mm > 0.
+/// Encodes disparities. Values that are not finite get code 0. scale_mm > 0.
 Image8 disparity_codes(const Image& disparities, double scale_mm);
 
 }  // namespace lippmann

@@ -1,12 +1,11 @@
 // Makes training data: light fields of random scenes with depth, disparity, normals, motion and ids, as NumPy arrays.
 //
-// FOLDER/dataset.json      the parameters; a run with other parameters is refused
-// FOLDER/sample_000000/    views.npy, one array per layer, and sample.json (the cameras, and the sizes and checksums of the
-// files)
-// FOLDER/manifest.json     the contents of all sample.json files, written when every sample exists
+// FOLDER/dataset.json      the parameters; a run with other parameters is refused FOLDER/sample_000000/    views.npy, one array
+// per layer, and sample.json (the cameras, and the sizes and checksums of the files) FOLDER/manifest.json     the contents of
+// all sample.json files, written when every sample exists
 //
-// A sample's folder appears only when the sample is complete. An interrupted run can therefore continue with the next sample.
-// Samples can be divided into units, which different runs render. Two runs of the same unit must not overlap.
+// A sample's folder appears when the sample is complete, so an interrupted run continues with the next sample. Samples can be
+// divided into units for different runs.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +21,7 @@
 namespace lippmann {
 
 struct DatasetParams {
-  /// Names of built-in scenes or of scene files. Objects are made of their meshes, and also of spheres and boxes.
+  /// Names of built-in scenes or scene files. Objects are made of their meshes, and of spheres and boxes.
   std::vector<std::string> scenes = {};
   std::filesystem::path folder = {};
   int count = 1;
@@ -30,16 +29,16 @@ struct DatasetParams {
   ViewGrid grid{9, 9};
   Vec2i view_size{128, 128};
   int spp = 16;           ///< samples per pixel of path tracing
-  std::string unit = {};  ///< the part of the samples to make, such as "3/8", or "1-3,5/8" for several parts; empty: all
+  std::string unit = {};  ///< part of the samples to make: "3/8", or "1-3,5/8" for several parts; empty: all
 };
 
 struct DatasetReport {
-  int wanted = 0;  ///< number of samples in the units of this run
-  /// kept: number of samples that were already complete. made: number of rendered samples.
+  int wanted = 0;  ///< number of samples of this run's units
+  /// kept: samples that were complete before. made: rendered samples.
   int kept = 0, made = 0;
-  double seconds = 0.0;  ///< seconds of rendering and writing
+  double seconds = 0.0;  ///< time of rendering and writing
   std::uint64_t bytes = 0;
-  bool is_complete = false;  ///< whether every sample and the manifest exist
+  bool is_complete = false;  ///< every sample and the manifest exist
 };
 
 struct DatasetObserver {
@@ -47,8 +46,8 @@ struct DatasetObserver {
   std::function<void(int index, double seconds)> made = {};
 };
 
-/// Renders the missing samples. Stops soon after context.cancelled is set; the current sample then leaves no files. Throws
-/// Error if a scene cannot be read, if the folder holds other data, or if a file cannot be written.
+/// Renders the missing samples. Stops soon after context.cancelled is set. Throws Error if a scene cannot be read, if the
+/// folder holds other data, or if a file cannot be written.
 DatasetReport make_dataset(const DatasetParams& params, const Context& context, const DatasetObserver& observer = {});
 
 }  // namespace lippmann

@@ -1,5 +1,4 @@
 // Parameters for rendering the frames of a scene for given optics: the sampling of each frame, and the reuse between frames.
-// Scene names, folders and flags are not included.
 #pragma once
 
 #include <cstdint>
@@ -17,34 +16,34 @@
 
 namespace lippmann {
 
-/// Selects whether the noise of path tracing is removed (denoise/denoiser.hpp).
+/// Removal of the noise of path tracing.
 enum class Denoise {
-  /// Denoises path-traced frames with 2 or more samples per pixel (see is_denoised()).
+  /// Denoises path-traced frames with 2 or more samples per pixel.
   kAuto,
   kNone,  ///< does not denoise
 };
 
 /// How a frame is traced, and which layers it has.
 struct Sampling {
-  std::optional<Integrator> integrator{};  ///< if empty, completed() chooses it
+  std::optional<Integrator> integrator{};  ///< empty: chosen by completed()
   RayOrder order = RayOrder::kViewTiles;
-  /// Samples per pixel. If 0, completed() or the integrator chooses the number.
+  /// Samples per pixel. 0: chosen by completed() or the integrator.
   int spp = 0;
-  /// Filter over the angles of a view. If empty, quilts for displays with several samples per pixel use kBox (see
-  /// PlacedOptics), and all other pictures use none.
+  /// Filter over the angles of a view. Empty: kBox for quilts with several samples per pixel for displays, none for other
+  /// pictures.
   std::optional<AngularFilter> angular_filter{};
-  /// Depth of field of the views. Needs 2 or more samples per pixel.
+  /// Depth of field. Needs 2 or more samples per pixel.
   ViewLens lens{};
-  /// Motion blur: the fraction of the frame interval for which the shutter is open, 0 to 1. The open time is centred on the
+  /// Motion blur: fraction of the frame interval, 0 to 1, for which the shutter is open. The open time is centred on the
   /// frame's time.
   float shutter = 0.0f;
-  /// Maximum number of path vertices. 0 selects the limit of the scene.
+  /// Largest number of path vertices. 0: the limit of the scene.
   int max_depth = 0;
   std::uint32_t seed = 0;
-  /// Path tracing: upper limit of the indirect light that a path contributes, as linear light. 0 means no limit.
+  /// Path tracing: largest indirect light of a path, as linear light. 0: no limit.
   float clamp_indirect = 0.0f;
   Denoise denoise = Denoise::kAuto;
-  /// Adds an alpha channel to pictures. The background lights the scene but is invisible.
+  /// Adds an alpha channel. The background lights the scene but is invisible.
   bool transparent = false;
   std::vector<Aov> aov{};  ///< extra layers of each frame
 };
@@ -55,10 +54,8 @@ struct FrameParams {
   Reuse reuse{};
 };
 
-/// Returns `sampling` with an integrator. If `sampling` has none, it is chosen as follows. The tool, Renderer and the Python
-/// module all use this function.
-/// - Physical scenes: path tracing with 16 samples per pixel. If frames are interpolated: Whitted shading with 1 sample per
-///   pixel.
+/// Returns `sampling` with an integrator, which is chosen if `sampling` has none:
+/// - Physical scenes: path tracing with 16 samples per pixel, or Whitted shading with 1 if frames are interpolated.
 /// - Whitted scenes: Whitted shading with 1 sample per pixel.
 /// - Splats: Whitted shading with 4 samples per pixel, unless `sampling` sets spp.
 Sampling completed(Sampling sampling, SceneKind scene, bool interpolates);
@@ -70,24 +67,23 @@ inline int samples_per_pixel(const Sampling& sampling) {
   return sampling.spp > 0 ? sampling.spp : facts_of(sampling).default_samples;
 }
 
-/// Returns whether frames are denoised. Frames with one sample per pixel are never denoised, because their noise cannot be
-/// estimated.
+/// Frames with one sample per pixel are never denoised, because their noise cannot be estimated.
 inline bool is_denoised(const Sampling& sampling) {
   return sampling.denoise == Denoise::kAuto && facts_of(sampling).is_stochastic && samples_per_pixel(sampling) > 1;
 }
 
-/// Returns whether CopySettled can be used. It requires Whitted shading without motion blur and transparency, and without extra
-/// layers except provenance.
+/// Returns whether CopySettled can be used: with Whitted shading, without motion blur, transparency and extra layers other than
+/// provenance.
 bool can_copy_settled(const Sampling& sampling);
 
-/// Returns params.reuse, with AutoReuse replaced: by CopySettled if the sampling allows it, otherwise by TraceAll.
+/// Returns params.reuse. Replaces AutoReuse by CopySettled if the sampling allows it, otherwise by TraceAll.
 Reuse resolved_reuse(const FrameParams& params);
 
 /// Throws a usage Error if parameters are out of range, contradict each other, or do not apply to `optics`. The error names the
 /// parameter as in job files (min-psnr for min_psnr_db) and the accepted values.
 void check(const FrameParams& params, const Optics& optics);
 
-/// Makes only the checks that need no optics. Throws a usage Error like check(params, optics).
+/// Checks that need no optics. Throws a usage Error.
 void check(const FrameParams& params);
 
 }  // namespace lippmann

@@ -7,11 +7,11 @@
 
 namespace lippmann {
 
-/// The images of one frame, all in the native layout of the optics.
+/// All images are in the native layout of the optics.
 struct FramePictures {
   Image film{};      ///< linear light, RGB
   FrameAovs aovs{};  ///< the extra layers
-  Image8 codes{};    ///< 8-bit codes of the film for files and videos; empty if not needed
+  Image8 codes{};    ///< 8-bit codes of the film; empty if not needed
 };
 
 /// A frame and its report. The renderer leaves pictures.codes empty.

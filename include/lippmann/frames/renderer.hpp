@@ -1,5 +1,5 @@
-// The main interface for programs that hold a scene in memory. A renderer takes a scene, optics, sampling and reuse. It returns
-// frames with their layers and reports. Flags, job files and folders are handled by job/animation.hpp.
+// The main interface for programs that hold a scene in memory. A renderer takes a scene, optics, sampling and reuse, and
+// returns frames with their layers and reports.
 //
 //   const Context context;
 //   const Scene scene = load_scene("room", {}, context);
@@ -24,23 +24,22 @@
 
 namespace lippmann {
 
-/// Renders the frames of one scene for one set of optics. The bits of a frame do not depend on the number of threads or on
-/// other rendered frames. A renderer is not thread-safe. Different renderers are independent.
+/// Renders frames of one scene for one set of optics. Frames do not depend on the number of threads or on other rendered
+/// frames. A renderer is not thread-safe.
 class Renderer {
  public:
-  /// Builds the data structures for ray tracing on context.threads threads. If `params` has no integrator, completed() chooses
-  /// it. `context` must outlive this object. Throws Error if the scene does not pass validate(), if the scene has neither
-  /// shapes nor a sky, or if parameters are invalid.
+  /// `context` must outlive this object. If `params` has no integrator, completed() chooses it. Throws Error if the scene does
+  /// not pass validate(), if it has neither shapes nor a sky, or if parameters are invalid.
   Renderer(Scene scene, Placement placement, FrameParams params, const Context& context);
-  /// Takes ownership of the context. Use this for temporaries, such as Context{}.
+  /// Takes ownership of a temporary context, such as Context{}.
   Renderer(Scene scene, Placement placement, FrameParams params, Context&& context);
   ~Renderer();
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
 
-  /// Renders frame `index` of the scene's timeline, counted from 0. The film holds linear RGB light in the native layout of the
-  /// optics. With CopySettled and Interpolate, rendering frames in ascending order takes the least time. Returns nullopt if
-  /// context.cancelled is set meanwhile. Throws Error if the timeline does not have this frame.
+  /// Renders frame `index`, counted from 0. The film holds linear RGB light in the native layout of the optics. With
+  /// CopySettled and Interpolate, ascending order takes the least time. Returns nullopt if context.cancelled is set meanwhile.
+  /// Throws Error if the timeline does not have this frame.
   std::optional<RenderedFrame> frame(int index);
 
   const Scene& scene() const;

@@ -1,4 +1,4 @@
-// Selects how the frames of an animation reuse pixels of other frames. Each kind of reuse has its own parameters.
+// Selects how the frames of an animation reuse pixels of other frames.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace lippmann {
 
-/// Selects CopySettled if the sampling allows it, otherwise TraceAll (see resolved_reuse()).
+/// CopySettled if the sampling allows it, otherwise TraceAll.
 struct AutoReuse {};
 
 /// Traces every frame completely.
@@ -17,22 +17,20 @@ struct TraceAll {};
 /// Copies pixels from key frames where they provably do not change. Frames have the same bits as with TraceAll. Requires
 /// Whitted shading.
 struct CopySettled {
-  /// Number of frames from one key frame to the next. If empty, it is chosen automatically.
+  /// Distance between key frames. Empty: chosen automatically.
   std::optional<int> keyframes{};
 };
 
-/// Interpolates frames by the method of Eljdid, Aggoun and Youssef (README.md). Projects the points of key frames into the
-/// frames between them, and then fills the pixels that no point projects onto. Requires Whitted shading.
+/// Interpolates frames by the method of Eljdid, Aggoun and Youssef (README.md): projects the points of key frames into the
+/// frames between them, and fills pixels without a point. Requires Whitted shading.
 struct Interpolate {
-  /// Number of frames from one key frame to the next. If empty, it is kDefaultKeyframes, or chosen automatically with
-  /// min_psnr_db.
+  /// Distance between key frames. Empty: kDefaultKeyframes, or chosen automatically with min_psnr_db.
   std::optional<int> keyframes{};
-  /// Minimum PSNR of every frame, in dB, measured in 8-bit codes. Uncertain pixels are traced so that frames reach this
-  /// minimum. If empty, there is no minimum.
+  /// Lowest PSNR of every frame, in dB, measured in 8-bit codes. Uncertain pixels are traced to reach it. Empty: no limit.
   std::optional<double> min_psnr_db{};
   SplatMode splat = SplatMode::kView;
   MissedFill fill = MissedFill::kInterpolate;
-  /// Uses interpolated frames as sources, and not only key frames (reuse/frame_plan.hpp).
+  /// Makes frames from interpolated frames, and not only from key frames.
   bool halving = false;
   /// Lets points overwrite each other in pixel order. This gives wrong images and is for experiments only.
   bool no_z_buffer = false;
@@ -40,7 +38,7 @@ struct Interpolate {
 
 using Reuse = std::variant<AutoReuse, TraceAll, CopySettled, Interpolate>;
 
-/// Default number of frames from one key frame to the next for Interpolate.
+/// Default distance between key frames for Interpolate.
 inline constexpr int kDefaultKeyframes = 8;
 
 /// Returns "auto", "none", "copy" or "interpolate".

@@ -1,8 +1,7 @@
 // Converts linear film values to integer codes of image files.
 //
-// The result has 3 channels: the first three channels of the film, or three copies of its first channel if it has fewer than
-// three. Values below 0 and NaN give code 0. Values above 1 give the highest code. Other values v give, where max is 255 or
-// 65535:
+// The result has 3 channels: the first three of the film, or three copies of the first. Values below 0 and NaN give code 0,
+// values above 1 the highest code `max` (255 or 65535). Other values v give:
 //   kSrgb             code = floor(max srgb(v) + 1/2), computed in double precision
 //   kTachyonTruncate  code = trunc(max v), computed in single precision as in Tachyon
 #pragma once
@@ -14,19 +13,19 @@
 
 namespace lippmann {
 
-/// Return the integer codes of a film. If `nan_count` is not null, it receives the number of NaN samples in all channels.
+/// Return the codes of a film. `nan_count`, if not null, receives the number of NaN samples.
 Image8 to_codes(const Image& film, Encoding encoding, std::size_t* nan_count = nullptr);
 Image16 to_codes16(const Image& film, Encoding encoding, std::size_t* nan_count = nullptr);
 
-/// Return the codes of an alpha image (one channel): floor(max alpha + 1/2), where max is 255 or 65535.
+/// Return floor(max alpha + 1/2) for each alpha value, where max is 255 or 65535.
 std::vector<unsigned char> alpha_codes(const Image& alpha);
 std::vector<std::uint16_t> alpha_codes16(const Image& alpha);
 
-/// Divides premultiplied colours by alpha in place. Colours become 0 where alpha is 0. `alpha` has 1 channel. `film` has 3
-/// channels and the size of `alpha`.
+/// Divides premultiplied colours by alpha (1 channel). Colours become 0 where alpha is 0. `film` has 3 channels and the size of
+/// `alpha`.
 void divide_by_alpha(const Image& alpha, Image& film);
 
-/// The sRGB transfer curve of IEC 61966-2-1:1999 for linear values in [0, 1], and its inverse.
+/// sRGB transfer curve of IEC 61966-2-1:1999 for linear values in [0, 1], and its inverse.
 double srgb_from_linear(double linear);
 double linear_from_srgb(double srgb);
 

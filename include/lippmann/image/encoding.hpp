@@ -1,4 +1,4 @@
-// Encodings of linear film values as integer codes of an image file.
+// Encodings of linear light as integer codes.
 #pragma once
 
 namespace lippmann {

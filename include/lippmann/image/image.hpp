@@ -9,7 +9,7 @@ namespace lippmann {
 
 struct Image {
   int width = 0, height = 0, channels = 3;
-  std::vector<float> data;  ///< sample of channel c at (x, y): data[(y * width + x) * channels + c]
+  std::vector<float> data;  ///< channel c at (x, y): data[(y * width + x) * channels + c]
 
   Image() = default;
   Image(int w, int h, int c) : width(w), height(h), channels(c), data(static_cast<std::size_t>(w) * h * c) {}
@@ -18,14 +18,14 @@ struct Image {
   const float* pixel(int x, int y) const { return data.data() + (static_cast<std::size_t>(y) * width + x) * channels; }
 };
 
-/// 8-bit codes of an image with 3 channels, in the pixel order of Image.
+/// 8-bit codes with 3 channels, in the pixel order of Image.
 struct Image8 {
   int width = 0, height = 0;
   std::vector<unsigned char> rgb{};
-  std::vector<unsigned char> alpha{};  ///< one code per pixel, empty if opaque; colours are not premultiplied by alpha
+  std::vector<unsigned char> alpha{};  ///< one code per pixel, empty if opaque; colours are not premultiplied
 };
 
-/// 16-bit codes of an image with 3 channels, in the pixel order of Image.
+/// 16-bit codes with 3 channels, in the pixel order of Image.
 struct Image16 {
   int width = 0, height = 0;
   std::vector<std::uint16_t> rgb{};

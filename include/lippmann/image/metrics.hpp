@@ -28,12 +28,12 @@ struct ChannelErrors {
 };
 
 struct PictureMetrics {
-  ChannelErrors mse{}, rmse{};  ///< mse: mean of squared differences of codes; rmse: square root of mse
+  ChannelErrors mse{}, rmse{};  ///< mean of squared differences of codes, and its square root
   double psnr_db = 0.0;
   double ssim = 1.0;
   bool identical = true;
   double psnr_y_db = 0.0, psnr_yuv_db = 0.0;
-  std::optional<double> ms_ssim = {}, flip = {};  ///< no value if the metric was not requested
+  std::optional<double> ms_ssim = {}, flip = {};  ///< empty if not requested
 };
 
 /// Selects the slow metrics to compute.
@@ -41,10 +41,10 @@ struct SlowMetrics {
   bool ms_ssim = false, flip = false;
 };
 
-/// Compares two images. Throws Error if their sizes differ, if they have no pixels, or if samples are missing.
+/// Throws Error if the sizes differ, if there are no pixels, or if samples are missing.
 PictureMetrics measure_difference(const Image8& reference, const Image8& test, const SlowMetrics& wanted = {});
 
-/// Returns the PSNR of a mean squared error. Returns infinity for an error of 0.
+/// Returns infinity for an error of 0.
 double psnr_db(double mean_mse);
 
 }  // namespace lippmann

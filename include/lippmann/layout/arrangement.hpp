@@ -11,14 +11,14 @@ namespace lippmann {
 
 class Arrangement {
  public:
-  /// Prepares the mapping from the layout `from` to the layout `to`, for pictures of `picture` pixels. Throws Error naming
-  /// `where` if views in the layout `from` do not fill such a picture.
+  /// `picture` is the size of the pictures to rearrange. Throws Error naming `where` if views in the layout `from` do not fill
+  /// it.
   Arrangement(const ViewLayout& from, const ViewLayout& to, Vec2i picture, const std::string& where);
 
   Vec2i view_size() const { return view_; }
   Vec2i target_size() const { return to_size_; }
 
-  /// Returns the picture rearranged, with the same number of channels. Padding of a quilt is dropped.
+  /// Returns the rearranged picture. Padding of a quilt is dropped.
   Image apply(const Image& picture) const;
 
  private:

@@ -1,4 +1,4 @@
-// The coding of depth as grey levels in RGB-D pictures.
+// Depth as grey levels in RGB-D pictures.
 #pragma once
 
 namespace lippmann {
@@ -14,7 +14,7 @@ enum class DepthScale { kDisparity, kDepth };
 
 struct DepthCoding {
   DepthRange range{};
-  /// True: grey is linear in z. False: grey is linear in disparity, which is about 1 / distance from the eye.
+  /// True: grey is linear in z. False: grey is linear in disparity, about 1 / distance from the eye.
   bool even_in_depth = false;
   bool near_black = false;
 

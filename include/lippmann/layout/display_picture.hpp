@@ -1,11 +1,9 @@
 // Makes the pictures of a display from views of any size: the print for a lenticular sheet or microlens array, a quilt, or the
 // interlaced frame of a panel.
 //
-// Views are cropped or padded to the aspect ratio of the display. They are then resampled in linear light to its
-// resolution: reduced by area averaging, enlarged by a Lanczos filter (3 lobes).
-//
-// The views spread evenly over the viewing zone, with view 0 at the left. Below each lens of a sheet their order is
-// reversed: view N - 1 is at the left. Results do not depend on the number of threads.
+// Views are cropped or padded to the display's aspect ratio and resampled in linear light: reduced by area averaging, enlarged
+// by a Lanczos filter (3 lobes). They spread evenly over the viewing zone, with view 0 at the left. Below each lens of a sheet
+// their order is reversed.
 #pragma once
 
 #include <optional>
@@ -23,18 +21,18 @@ namespace lippmann {
 /// How a view of another aspect ratio fills the display.
 enum class AspectFit { kCrop, kPad, kStretch };
 
-/// A flip print, which shows one of several frames depending on the viewing angle. Below each lens, frame 0 lies at the left.
+/// A flip print shows one of several frames depending on the viewing angle. Below each lens, frame 0 is at the left.
 struct FlipParams {
-  std::vector<double> shares = {};  ///< width of each frame below a lens, > 0, in any common unit; empty: equal widths
+  std::vector<double> shares = {};  ///< width of each frame below a lens, in any common unit; empty: equal widths
   /// 0: hard transitions between frames. 1: each transition is as wide as the narrower of its two frames.
   double blend = 0.0;
 };
 
-/// Bleed and marks around the print for a sheet or an array, before it is cut.
+/// Bleed and marks around a print, before it is cut.
 struct PrintFinish {
-  double bleed_mm = 0.0;  ///< extension of the picture beyond each cut edge
+  double bleed_mm = 0.0;  ///< how far the picture extends beyond each cut edge
   bool marks = false;     ///< adds a 10 mm margin with crop marks, targets, text, and alignment bands
-  bool proof = false;     ///< true: makes only the middle square inch of the print, with unchanged pixels
+  bool proof = false;     ///< makes only the middle square inch of the print, with unchanged pixels
 
   bool is_plain() const { return bleed_mm == 0.0 && !marks && !proof; }
 };
@@ -47,48 +45,43 @@ struct DisplayPictureParams {
   double sigma_views = 0.5;             ///< standard deviation for kGaussian, in views
   std::optional<FlipParams> flip = {};  ///< only for lenticular sheets; none: a print with views
   bool mirror = false;                  ///< swaps left and right, for prints on the back of a sheet
-  int turn_deg = 0;                     ///< rotates the picture clockwise: 0, 90, 180 or 270 degrees
+  int turn_deg = 0;                     ///< clockwise: 0, 90, 180 or 270 degrees
   double view_shift_px = 0.0;           ///< see ViewFitter's constructor
   PrintFinish finish = {};              ///< only for lenticular sheets and microlens arrays
 };
 
-/// The kind of picture, named like the formats in layout/formats.hpp.
+/// Named like the formats in layout/formats.hpp.
 enum class DisplayTarget { kIntegral, kQuilt, kNative };
 
-/// Converts the name of a format, which is integral, quilt or native. Throws a usage Error naming `display` if the display has
-/// no picture of this format.
+/// Throws a usage Error naming `display` if `format` is not integral, quilt or native, or if the display has no such picture.
 DisplayTarget display_target(const Display& display, std::string_view format);
 
-/// Returns kStretch for native frames, because players of such panels sample views of any size. Returns kCrop for the other
-/// pictures.
+/// kStretch for native frames, because players of such panels sample views of any size; kCrop for other pictures.
 AspectFit default_fit(DisplayTarget target);
 
-/// Returns the format of the display's own picture: "native" for slanted panels, "integral" for other displays.
+/// "native" for slanted panels, "integral" for other displays.
 std::string_view own_format(const Display& display);
 
-/// Fits views, one at a time, to the resolution and aspect ratio of a display.
 class ViewFitter {
  public:
-  /// `view_shift_px` moves the plane with zero disparity by moving the window that is cut from each view. From one column
-  /// of views to the next, the window moves right by this many pixels; from one row to the next, it moves up. The window of
-  /// the middle view stays. Values above 0 bring the scene forward. kCrop and kStretch keep only the part that all shifted
-  /// windows share; kPad adds black edges.
+  /// `view_shift_px` moves the plane with zero disparity. The window that is cut from a view moves right by this many pixels
+  /// from one column of views to the next, and up from one row to the next. Values above 0 bring the scene forward. kCrop and
+  /// kStretch keep only the part that all windows share; kPad adds black edges.
   ///
-  /// The arguments must outlive this object. Throws a usage Error if the strips below the lenses are narrower than 2 pixels
-  /// or wider than the picture.
+  /// The arguments must outlive this object. Throws a usage Error if the strips below the lenses are narrower than 2 pixels or
+  /// wider than the picture.
   ViewFitter(const Display& display, DisplayTarget target, AspectFit fit, const ThreadPool& pool, double view_shift_px = 0.0);
 
-  /// Returns one view fitted to the display. `aspect`: width / height of the scene area that the view shows. `number`: the
-  /// view's number in `grid`, which determines its shift. Throws Error if the view's size differs from the first view's, and a
-  /// usage Error naming `view-shift` if the shifts leave less than half of the view.
+  /// `aspect` is width / height of the scene area that the view shows. `number` is the view's number in `grid`, which
+  /// determines its shift. Throws Error if the view's size differs from the first view's, and a usage Error naming `view-shift`
+  /// if the shifts leave less than half of the view.
   Picture fitted(const Picture& view, double aspect, int number = 0, ViewGrid grid = {1, 1});
   /// Fits all views of a light field in place.
   void fit(LightField& field);
 
   Vec2i size() const { return size_; }
   bool has_fitted() const { return original_.x > 0; }
-  /// Returns a description such as "cropped from 4000x3000 to 2250x3000, shifted by 1.5 pixels from view to view, resized to
-  /// 372x682".
+  /// Returns for example "cropped from 4000x3000 to 2250x3000, shifted by 1.5 pixels from view to view, resized to 372x682".
   std::string description() const;
 
  private:
@@ -101,18 +94,18 @@ class ViewFitter {
   const ThreadPool& pool_;
   double view_shift_px_;
   Vec2i size_{0, 0};
-  /// Left edge of the first sample (first_) and distance between samples (step_), as fractions of the display's width.
+  /// Left edge of the first sample and distance between samples, as fractions of the display's width.
   double first_ = 0.0, step_ = 1.0;
-  double aspect_ = 1.0;  ///< aspect ratio of the display, or of the quilt's views
+  double aspect_ = 1.0;  ///< of the display, or of the quilt's views
   Vec2i original_{0, 0};
   Vec2d window_{0.0};
 };
 
-/// Returns a display that is larger by bleed_mm on each side, with the lenses in the same places. If
-/// DisplayPictureParams::finish has a bleed, pass this larger display to ViewFitter and display_picture().
+/// Returns a display that is larger by bleed_mm on each side, with the lenses in the same places. Prints with a bleed pass it
+/// to ViewFitter and display_picture().
 Display with_bleed(const Display& display, double bleed_mm);
 
-/// Returns the picture of a display from views fitted by a ViewFitter. Throws a usage Error if
+/// Makes the picture from views that a ViewFitter has fitted. Throws a usage Error if
 ///   - there is only one view, or more than one row of views (microlens arrays excepted);
 ///   - FlipParams::shares is given and does not have one element per frame;
 ///   - `finish` is set for a picture that is not a print, or a print is too small for a proof.

@@ -1,6 +1,4 @@
-// The table of light field formats that `convert` reads and writes. The help text, messages and the conversion use this table.
-//
-// Each format has one file, NAME_format.cpp, with one reader and one writer.
+// The light field formats that `convert` reads and writes. Each has one file, NAME_format.cpp, with one reader and one writer.
 #pragma once
 
 #include <filesystem>
@@ -19,63 +17,60 @@
 
 namespace lippmann {
 
-/// Parallel cameras in a regular grid, for files without camera data. Lengths in mm.
+/// Parallel cameras in a regular grid, for files without camera data.
 struct StatedCameras {
-  double baseline_mm = 0.0;  ///< distance between neighbouring cameras of the file, including cameras whose views are dropped
+  double baseline_mm = 0.0;  ///< distance between neighbouring cameras of the file, dropped views included
   double focal_length_mm = 0.0;
   double sensor_width_mm = 35.0;   ///< width of the part of the sensor that an uncropped view covers
   double focus_distance_mm = 0.0;  ///< distance from the cameras to the plane with zero disparity
 };
 
-/// Options of the formats. Each format uses only those that apply to it.
+/// Each format uses only the options that apply to it.
 struct FormatOptions {
-  /// Number of views across and up; required if neither the file name nor a side file states it.
+  /// Views across and up; required if neither the file name nor a side file states them.
   std::optional<ViewGrid> views = {};
-  /// A quilt's tiles across and up. None: from the quilt's name, or the arrangement closest to a square.
+  /// A quilt's tiles across and up. None: from its name, or the arrangement closest to a square.
   std::optional<ViewGrid> tiles = {};
-  /// Width / height of the display, for a quilt's file name. None: the aspect ratio of the light field.
+  /// Width / height of the display, for a quilt's file name. None: of the light field.
   std::optional<double> aspect = {};
-  bool with_depth = false;                ///< true: also read a rendered picture's depth layer, if it exists
-                                          ///< (layout/rendered.hpp)
+  bool with_depth = false;                ///< also reads a rendered picture's depth layer, if it exists
   std::optional<int> bits = {};           ///< bits per sample of PPM files, 1 ... 16; none: as in the source
-  bool png = false;                       ///< true: the writer writes PNG instead of PPM files
-  std::optional<Display> display = {};    ///< display for a native picture
+  bool png = false;                       ///< writes PNG instead of PPM files
+  std::optional<Display> display = {};    ///< for a native picture
   std::optional<ViewFilter> filter = {};  ///< how native frames interpolate between views; none: kNearest
   std::optional<double> sigma_views = {};
   std::optional<StereoLayout> stereo = {};  ///< packing of two views in one picture; none: from its name, or side by side
-  /// The depths at the two ends of the grey scale. None: from the side file when reading, and the range of the light field's
-  /// depth when writing.
+  /// Depths at the ends of the grey scale. None: from the side file, or the light field's range.
   std::optional<DepthRange> depth_range = {};
-  std::optional<bool> even_in_depth = {}, near_black = {};  ///< See DepthCoding. None: from the side file.
-  std::optional<StatedCameras> cameras = {};                ///< cameras for files without camera data
-  std::optional<PlenopticCalibration> plenoptic = {};       ///< calibration of raw plenoptic pictures; none: from their files
-  /// Called for each view right after its file is read, to reduce large originals before all are held in memory. `view`: the
-  /// view's number in the grid.
+  std::optional<bool> even_in_depth = {}, near_black = {};  ///< see DepthCoding; none: from the side file
+  std::optional<StatedCameras> cameras = {};                ///< for files without camera data
+  std::optional<PlenopticCalibration> plenoptic = {};       ///< for raw plenoptic pictures; none: from their files
+  /// Called for each view after its file is read, to reduce large originals before all are in memory. `view` is the view's
+  /// number in the grid.
   std::function<Picture(Picture, int view, ViewGrid grid)> fit_view = {};
-  /// Called with a warning for unsupported metadata of pictures (image/picture_file.hpp).
+  /// Called with a warning for each ignored property of a picture.
   std::function<void(std::string_view)> warn = {};
 };
 
-/// The members of FormatOptions that a reader or a writer uses. `filter` includes sigma_views; `depth_coding` means
-/// depth_range, even_in_depth and near_black.
+/// The options that a reader or a writer uses. `filter` includes sigma_views; `depth_coding` means depth_range, even_in_depth
+/// and near_black.
 struct FormatUses {
   bool views = false, tiles = false, aspect = false, bits = false, display = false, filter = false, stereo = false,
        depth_coding = false, plenoptic = false;
 };
 
-/// A format for the light field of one moment. `path` is its picture or its folder.
+/// A format for one light field, in a picture or a folder `path`.
 struct LightFieldFormat {
   std::string_view name{};
-  std::string_view description{};  ///< one line of text for users
-  bool is_folder = false;          ///< true: a folder with one or more files per view; false: one picture
-  bool uses_cameras = false;       ///< true: the writer stores cameras and depth if the light field has them
-  bool keeps_positions = false;    ///< true: the files can hold camera positions without a unit
-  bool keeps_poses = false;        ///< true: the files can hold cameras that share no plane and window
-  bool states_cameras = false;     ///< true: the files contain cameras, so a report.json beside them is ignored
-  /// Reads a light field. Throws Error naming the file or the option.
+  std::string_view description{};  ///< one line for users
+  bool is_folder = false;          ///< a folder with one or more files per view; otherwise one picture
+  bool uses_cameras = false;       ///< the writer stores cameras and depth if the light field has them
+  bool keeps_positions = false;    ///< the files can hold camera positions without a unit
+  bool keeps_poses = false;        ///< the files can hold cameras that share no plane and window
+  bool states_cameras = false;     ///< the files contain cameras, so a report.json beside them is ignored
+  /// Throws Error naming the file or the option.
   LightField (*read)(const std::filesystem::path& path, const FormatOptions& options) = nullptr;
-  /// Writes a light field and returns the files written, pictures first. Creates folders. Throws Error naming the file or the
-  /// option.
+  /// Returns the written files, pictures first. Creates folders. Throws Error naming the file or the option.
   std::vector<std::filesystem::path> (*write)(const LightField& field, const std::filesystem::path& path,
                                               const FormatOptions& options) = nullptr;
   FormatUses reads = {}, writes = {};
@@ -101,10 +96,10 @@ LightFieldFormat rgbd_format();
 LightFieldFormat cvkit_format();
 LightFieldFormat lytro_format();
 
-/// Returns all formats in the order of --help.
+/// in the order of --help
 const std::vector<LightFieldFormat>& light_field_formats();
 
-/// Returns the format of this name. Throws a usage Error naming `flag` and listing the known names.
+/// Throws a usage Error naming `flag` and listing the known names.
 const LightFieldFormat& find_format(std::string_view name, std::string_view flag);
 
 }  // namespace lippmann

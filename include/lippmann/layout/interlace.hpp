@@ -13,11 +13,10 @@
 namespace lippmann {
 
 enum class ViewFilter {
-  kNearest,  ///< takes, unchanged, the sample of view floor(v N) that contains the panel pixel's centre
-  /// Mixes the two views whose centres are next to v, each interpolated bilinearly. Tools that weigh by fract(v N) are off by
-  /// half a view.
+  kNearest,  ///< takes the sample of view floor(v N) that contains the panel pixel's centre
+  /// Mixes the two views whose centres are next to v, each interpolated bilinearly.
   kLinear,
-  kGaussian,  ///< mixes the views around v with Gaussian weights; each view is interpolated bilinearly
+  kGaussian,  ///< mixes the views around v with Gaussian weights, each interpolated bilinearly
 };
 
 struct InterlaceParams {
@@ -25,18 +24,15 @@ struct InterlaceParams {
   double sigma_views = 0.5;  ///< standard deviation of kGaussian, in views, 0.1 ... 10
 };
 
-/// Throws a usage Error naming `display` unless it is a slanted panel, because only slanted panels have interlaced frames.
+/// Throws a usage Error naming `display` unless it is a slanted panel.
 void require_own_frame(const Display& display);
 
-/// Returns the panel's frame, of display.pixels pixels. Throws a usage Error if the display is not a slanted panel or the views
-/// form more than one row.
+/// Throws a usage Error if the display is not a slanted panel, or if the views form more than one row.
 Picture interlace(const LightField& field, const Display& display, const InterlaceParams& params, const ThreadPool& pool);
 
-/// Extracts `count` views of `view_size` pixels from a frame. Each sample of a view takes the value of the nearest
-/// sub-pixel, among those that lie within the sample and show this view. Most views have fewer sub-pixels than samples. A
-/// sample without a sub-pixel takes the value of the nearest sample in its row that has one. For frames made with kNearest,
-/// samples with a sub-pixel keep their original values. Throws Error naming `where` if the picture does not have the
-/// panel's size.
+/// Extracts `count` views of `view_size` pixels from a frame. Each sample takes the nearest sub-pixel that lies within it and
+/// shows its view, or else the value of the nearest sample in its row. Throws Error naming `where` if the picture does not have
+/// the panel's size.
 LightField deinterlace(const Picture& frame, const Display& display, int count, Vec2i view_size, const std::string& where,
                        const ThreadPool& pool);
 

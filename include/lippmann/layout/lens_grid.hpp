@@ -17,40 +17,39 @@ namespace lippmann {
 
 enum class LensArrangement {
   kSquare,
-  kHexagonal,         ///< every odd row is shifted by half a pitch
-  kHexagonalColumns,  ///< every odd column is shifted by half a pitch: x and y in the formula at the top are exchanged
+  kHexagonal,         ///< odd rows are shifted by half a pitch
+  kHexagonalColumns,  ///< odd columns are shifted by half a pitch: x and y in the formula at the top are exchanged
 };
 
 struct LensGrid {
-  double pitch_px = 10.0;      ///< distance between neighbouring lenses in a row
-  double row_pitch_px = 10.0;  ///< distance between neighbouring rows of lenses
+  double pitch_px = 10.0;      ///< between neighbouring lenses in a row
+  double row_pitch_px = 10.0;  ///< between neighbouring rows
   double rotation = 0.0;
-  Vec2d offset_px{5.0, 5.0};  ///< centre of any lens of the grid
+  Vec2d offset_px{5.0, 5.0};  ///< centre of any lens
   LensArrangement arrangement = LensArrangement::kSquare;
 
   bool operator==(const LensGrid&) const = default;
 };
 
-/// Returns a grid of equally spaced lenses: the row pitch is pitch_px for a square grid, pitch_px sqrt(3) / 2 for a hexagonal
-/// one.
+/// Equally spaced lenses: the row pitch is pitch_px for a square grid, pitch_px sqrt(3) / 2 for a hexagonal one.
 LensGrid lens_grid(double pitch_px, double rotation, Vec2d offset_px, LensArrangement arrangement);
 
-/// Returns the grid of a plenoptic camera's pictures; none for other optics.
+/// None for optics other than a plenoptic camera.
 std::optional<LensGrid> lens_grid_of(const Optics& optics);
 
-/// Returns the grid of the same lenses in the transposed picture (x and y exchanged).
+/// The same lenses in the picture with x and y exchanged.
 LensGrid transposed(const LensGrid& grid);
 
-/// Returns the centre of a lens. For kHexagonalColumns, call transposed() first.
+/// For kHexagonalColumns, call transposed() first.
 Vec2d lens_centre(const LensGrid& grid, int column, int row);
 
-/// The settings for turning a raw picture into views (FormatOptions::plenoptic).
+/// Settings for turning a raw picture into views.
 struct PlenopticCalibration {
-  std::optional<LensGrid> grid = {};  ///< none: the grid is read from the picture's container or side file
-  /// Relative illumination of each pixel, 1 channel, with 1 at the brightest pixel. Null: views keep their vignetting.
+  std::optional<LensGrid> grid = {};  ///< none: from the picture's container or side file
+  /// Relative illumination, 1 at the brightest pixel. Null: views keep their vignetting.
   std::shared_ptr<const Image> white = {};
-  bool lanczos = false;  ///< true: Lanczos interpolation between pixels, and between lenses of hexagonal grids; false: linear
-  /// True: the pixels below each lens are rotated by 180 degrees, as behind the lenses of a display.
+  bool lanczos = false;  ///< Lanczos interpolation between pixels, and between lenses of hexagonal grids; otherwise linear
+  /// The pixels below each lens are rotated by 180 degrees, as behind the lenses of a display.
   bool inverted = false;
 };
 

@@ -1,5 +1,4 @@
-// A light field in memory: the views of one moment, and their cameras if known. `convert` reads every format into this type and
-// writes every format from it (layout/formats.hpp).
+// A light field in memory: the views of one moment, and their cameras if known.
 //
 // Views are numbered as in layout/view_layout.hpp: column 0 is seen by the leftmost eye, row 0 by the lowest.
 #pragma once
@@ -17,21 +16,19 @@
 namespace lippmann {
 
 struct LightField {
-  Picture stack{};  ///< the views stacked vertically, view 0 on top
+  Picture stack{};  ///< views stacked vertically, view 0 on top
   ViewGrid grid{};
   Vec2i view_size{0, 0};
-  /// Width / height of the display that the views are made for. If the display is unknown, width / height of the source
-  /// picture.
+  /// Width / height of the display, or else of the source picture.
   double aspect = 1.0;
-  std::optional<ViewGrid> tiles = {};       ///< tile layout of the quilt that the views came from
-  int bits = 0;                             ///< significant bits per sample in the source; 0: all bits of the stack
-  std::optional<Image> depth = {};          ///< a stack of z in mm, above 0 in front of the plane z = 0; -inf: no surface
+  std::optional<ViewGrid> tiles = {};       ///< tiles of the quilt that the views came from
+  int bits = 0;                             ///< significant bits per sample in the source; 0: all
+  std::optional<Image> depth = {};          ///< stack of z in mm, above 0 in front of the plane z = 0; -inf: no surface
   std::optional<ViewCameras> cameras = {};  ///< none: unknown, or see `poses`
-  /// Position of each view's eye, x right and y up. The unit and the origin are unknown, because the file does not state
-  /// them (Stanford format).
+  /// Position of each view's eye, x right and y up. The file states neither unit nor origin (Stanford format).
   std::optional<std::vector<Vec2d>> positions = {};
-  /// One camera per view. Replaces `cameras` if the cameras are rotated or if their views do not show the same rectangle of a
-  /// plane. Depth is then z in each camera's own frame, in mm: the negative planar depth.
+  /// One camera per view, instead of `cameras`, if the cameras are rotated or do not show the same rectangle of a plane. Depth
+  /// is then z in each camera's own frame, in mm.
   std::optional<std::vector<PosedCamera>> poses = {};
 };
 
@@ -43,11 +40,10 @@ inline Vec2i stack_size(const LightField& field) { return {field.view_size.x, fi
 
 Vec2i size_of(const Picture& picture);
 
-/// Returns a black picture with the same type of samples.
+/// Returns a black picture with the sample type of `like`.
 Picture blank(const Picture& like, Vec2i size);
 
-/// Copies pixels: to[to_pixel[i]] = from[from_pixel[i]]. An empty list means 0, 1, 2, ... Both pictures have the same type of
-/// samples.
+/// Copies to[to_pixel[i]] = from[from_pixel[i]]. An empty list means 0, 1, 2, ... Both pictures have one sample type.
 void move_pixels(const Picture& from, const std::vector<std::uint32_t>& from_pixel, Picture& to,
                  const std::vector<std::uint32_t>& to_pixel);
 void move_pixels(const Image& from, const std::vector<std::uint32_t>& from_pixel, Image& to,
@@ -57,11 +53,11 @@ void move_pixels(const Image& from, const std::vector<std::uint32_t>& from_pixel
 Picture view_of(const LightField& field, int view);
 Image depth_of(const LightField& field, int view);
 
-/// Stores a picture (or a depth image of 1 channel) as a view. The picture must have the size and type of the field's views.
+/// `picture` must have the size and type of the field's views, or 1 channel of depth.
 void set_view(LightField& field, int view, const Picture& picture);
 void set_depth(LightField& field, int view, const Image& depth);
 
-/// Returns the index of view v in an order that begins at the top left and runs row by row, as in many other tools.
+/// Index of view v counted from the top left, row by row.
 inline int from_top_left(const ViewGrid& grid, int v) {
   return (grid.rows - 1 - v / grid.columns) * grid.columns + v % grid.columns;
 }

@@ -10,19 +10,19 @@
 namespace lippmann {
 
 struct PosedCamera {
-  Vec2i size{0, 0};  ///< size of the camera's picture, in pixels
+  Vec2i size{0, 0};  ///< size of the camera's picture
   Vec2d focal_px{0.0}, principal_px{0.0};
   glm::dmat3 rotation{1.0};  ///< columns: the camera's x, y and z axes in world coordinates
   Vec3d position_mm{0.0};
 };
 
-/// Returns the pixel of a world point. The result is meaningless for points behind the camera.
+/// Meaningless for points behind the camera.
 inline Vec2d projected(const PosedCamera& camera, Vec3d point_mm) {
   const Vec3d c = glm::transpose(camera.rotation) * (point_mm - camera.position_mm);
   return camera.principal_px + camera.focal_px * Vec2d(c.x, -c.y) / -c.z;
 }
 
-/// Returns the world point seen at a pixel, at a planar depth (measured along the camera's axis).
+/// The depth is measured along the camera's axis.
 inline Vec3d unprojected(const PosedCamera& camera, Vec2d pixel, double depth_mm) {
   const Vec2d slope = (pixel - camera.principal_px) / camera.focal_px * Vec2d(1.0, -1.0);
   return camera.position_mm + camera.rotation * (depth_mm * Vec3d(slope, -1.0));

@@ -19,24 +19,22 @@ struct QuiltName {
   double aspect = 1.0;
 };
 
-/// Returns the name of the quilt that a display uses.
+/// Quilt of the display.
 QuiltName quilt_name_of(const DisplayQuilt& quilt);
 
-/// Parses a path; none if its name has no quilt part. Throws Error for impossible values (zero tiles or aspect).
+/// Returns none if the name has no quilt part. Throws Error for zero tiles or aspect.
 std::optional<QuiltName> parse_quilt_name(const std::filesystem::path& path);
 
-/// Returns the numbers of tiles from a name that contains qs{columns}x{rows}, even if the rest of the name cannot be parsed.
-/// Used in messages.
+/// Returns the tiles in qs{columns}x{rows}, even if the rest of the name cannot be parsed.
 std::optional<ViewGrid> tiles_in_name(const std::filesystem::path& path);
 
-/// Returns the quilt part of a file name, such as _qs8x6a0.75.
+/// Returns for example _qs8x6a0.75.
 std::string quilt_ending(const QuiltName& quilt);
 
-/// Returns the path without the quilt part of its name, or unchanged if there is none. If nothing else is left of the name, it
-/// becomes "quilt".
+/// Removes the quilt part of the name. If nothing else is left, the name becomes "quilt".
 std::filesystem::path without_quilt_name(const std::filesystem::path& path);
 
-/// Returns the path with this quilt part before the ending. Replaces an existing quilt part.
+/// Adds or replaces the quilt part before the ending.
 std::filesystem::path with_quilt_name(const std::filesystem::path& path, const QuiltName& quilt);
 
 }  // namespace lippmann

@@ -22,47 +22,46 @@ namespace lippmann {
 
 enum class StereoPacking { kSideBySide, kHalfSideBySide, kOverUnder, kHalfOverUnder, kRows };
 
-/// Names of the packings, in the order of the enum.
+/// in the order of the enum
 inline constexpr std::array<std::string_view, 5> kStereoPackingNames{"sbs", "half-sbs", "over-under", "half-over-under",
                                                                      "rows"};
 
 struct StereoLayout {
   StereoPacking packing = StereoPacking::kSideBySide;
-  bool right_first = false;  ///< true: the right eye's view is at the left, on top, or in the first row
+  bool right_first = false;  ///< the right eye's view is at the left, on top, or in the first row
   bool operator==(const StereoLayout&) const = default;
 };
 
 inline constexpr double kDefaultIpdMm = 63.0;  ///< typical distance between an adult's pupils
 
-/// Returns the factor by which a packing reduces a view, across and down: (2, 1), (1, 2) or (1, 1).
+/// Factor by which a packing reduces a view: (2, 1), (1, 2) or (1, 1).
 inline Vec2i stereo_squeeze(StereoPacking packing) {
   return {packing == StereoPacking::kHalfSideBySide ? 2 : 1, packing == StereoPacking::kHalfOverUnder ? 2 : 1};
 }
 
-/// Returns the size of the picture. `stored`: the size of a view after squeezing. For kRows, `stored` is the size of a whole
-/// view, although the picture uses only every other row of it.
+/// Returns the size of the picture. `stored` is the size of a squeezed view; for kRows, of a whole view, of which the picture
+/// uses every other row.
 Vec2i stereo_picture_size(StereoPacking packing, Vec2i stored);
 
-/// Returns the size of a stored view; the inverse of stereo_picture_size(). Throws Error naming `where` if a side of the
-/// picture cannot be halved.
+/// The inverse of stereo_picture_size(). Throws Error naming `where` if a side cannot be halved.
 Vec2i stored_view_size(StereoPacking packing, Vec2i picture, const std::string& where);
 
-/// Returns the map for writing: pixel i of the picture takes pixel map[i] of a stack. The stack holds the left view above the
-/// right view, each of size `stored`.
+/// For writing: pixel i of the picture takes pixel map[i] of a stack of the left view above the right view, each of size
+/// `stored`.
 std::vector<std::uint32_t> stereo_pixels(const StereoLayout& layout, Vec2i stored);
 
-/// Returns the map for reading: pixel i of the stack takes pixel map[i] of the picture, which holds two views of size `stored`.
-/// The views in the stack have the size `stored`, or half its height for kRows.
+/// For reading: pixel i of the stack takes pixel map[i] of the picture, which holds two views of size `stored`. Views in the
+/// stack have half this height for kRows.
 std::vector<std::uint32_t> pixels_of_stereo(const StereoLayout& layout, Vec2i stored);
 
-/// Returns the stereo part of a file name: _2x1 or _half_2x1 (side by side, as Leia's programs name them), _ou or _half_ou
-/// (over-under, as headset players name them), or _rows. If the right eye is first, _rl follows.
+/// Returns the stereo part of a file name: _2x1 or _half_2x1 (side by side, as in Leia's programs), _ou or _half_ou
+/// (over-under, as in headset players), or _rows. If the right eye is first, _rl follows.
 std::string stereo_ending(const StereoLayout& layout);
 
-/// Parses the layout from the name of a path; none if the name has no stereo part.
+/// None if the name has no stereo part.
 std::optional<StereoLayout> parse_stereo_name(const std::filesystem::path& path);
 
-/// Return the path without the stereo part of its name, or with that part replaced by stereo_ending(layout).
+/// Remove the stereo part of a name, or replace it by stereo_ending(layout).
 std::filesystem::path without_stereo_name(const std::filesystem::path& path);
 std::filesystem::path with_stereo_name(const std::filesystem::path& path, const StereoLayout& layout);
 

@@ -8,7 +8,7 @@
 
 namespace lippmann {
 
-/// A window of a view, in pixels from its top left corner.
+/// in pixels from the top left corner of a view
 struct Crop {
   Vec2i size{0, 0}, offset{0, 0};
 };
@@ -18,7 +18,7 @@ struct ViewRange {
   int first = 0, last = -1, step = 1;
 };
 
-/// The columns of views to keep, counted from the left, and the rows, counted from the lowest.
+/// Columns of views from the left, and rows from the lowest.
 struct KeptViews {
   ViewRange columns{}, rows{};
 };
@@ -30,13 +30,13 @@ Crop read_crop(const std::string& text, const std::string& flag);
 /// Error naming `flag`.
 KeptViews read_kept_views(const std::string& text, const std::string& flag);
 
-/// kept_grid() returns the grid of the kept views. kept_number() returns the new number of a view of `grid`; none: the view is
-/// dropped. Both throw a usage Error naming `flag` if the selection exceeds the grid.
+/// kept_number() is the new number of a view of `grid`, or none if it is dropped. Both throw a usage Error naming `flag` if the
+/// selection exceeds the grid.
 ViewGrid kept_grid(ViewGrid grid, const KeptViews& kept, const std::string& flag);
 std::optional<int> kept_number(int view, ViewGrid grid, const KeptViews& kept, const std::string& flag);
 
-/// Crop all views, or drop the views that are not kept. Also change the depth and the cameras of the field. Both throw a usage
-/// Error naming `flag` if the selection exceeds the light field.
+/// Crop all views, or drop views, with their depth and cameras. Throw a usage Error naming `flag` if the selection exceeds the
+/// light field.
 void crop(LightField& field, const Crop& window, const std::string& flag);
 void keep(LightField& field, const KeptViews& kept, const std::string& flag);
 

@@ -32,28 +32,27 @@ enum class LayoutKind { kIntegral, kQuilt, kStack, kEslf };
 struct ViewLayout {
   LayoutKind kind = LayoutKind::kStack;
   ViewGrid grid{};
-  ViewGrid tiles{};  ///< a quilt's tiles across and up; their number equals the number of views
+  ViewGrid tiles{};  ///< tiles of a quilt across and up, as many as views
 };
 
-/// Returns the size of the whole picture for views of `view_size`.
+/// Size of the whole picture for views of `view_size`.
 Vec2i picture_size(const ViewLayout& layout, Vec2i view_size);
 
-/// Returns the size of one view in a picture. Throws Error naming `where` if the views do not fill the picture exactly. Quilts
-/// may have padding at the right and at the top: their tiles have floor(width / columns) x floor(height / rows) pixels.
+/// Size of one view. Throws Error naming `where` if the views do not fill the picture. Quilts may have padding at the right and
+/// at the top.
 Vec2i view_size(const ViewLayout& layout, Vec2i picture, const std::string& where);
 
-/// The position of one view's pixels. Pixel (x, y) of the view has the row-major index first + x * across + y * down in the
-/// picture.
+/// Pixel (x, y) of a view has the row-major index first + x * across + y * down in the picture.
 struct ViewPlace {
   std::ptrdiff_t first = 0, across = 0, down = 0;
 };
 
 ViewPlace place_of_view(const ViewLayout& layout, Vec2i view_size, Vec2i picture, int view);
 
-/// Returns the arrangement of tiles closest to a square, wider rather than higher: 8 x 6 for 48 views.
+/// The arrangement closest to a square, wider rather than higher: 8 x 6 for 48 views.
 ViewGrid squarest_tiles(int views);
 
-/// Returns, for each pixel of the stack, the row-major index of the same pixel in the picture.
+/// For each pixel of the stack: the row-major index of the same pixel in the picture.
 std::vector<std::uint32_t> pixels_of_views(const ViewLayout& layout, Vec2i view_size, Vec2i picture);
 
 }  // namespace lippmann

@@ -1,4 +1,4 @@
-// Samples what one eye, possibly at infinity, sees at points of the display plane. Eye views and epipolar-plane images use it.
+// Samples what one eye, possibly at infinity, sees at points of the display plane.
 #pragma once
 
 #include <memory>
@@ -9,7 +9,7 @@
 
 namespace lippmann {
 
-/// `rendered` must outlive this object. EyeView (replay/eye_view.hpp) describes `filter` and `crosstalk_px`.
+/// `rendered` must outlive this object. See EyeView for `filter` and `crosstalk_px`.
 class EyeSampler {
  public:
   EyeSampler(const RenderedPanel& rendered, SampleFilter filter, double crosstalk_px = 0.0);
@@ -26,8 +26,7 @@ class EyeSampler {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Returns the share, 0 to 1, of the lenses (for a quilt: of the points) through which the eye sees a view of a neighbouring
-/// viewing zone.
+/// Returns the fraction of the lenses (for a quilt: of the points) through which the eye sees a neighbouring viewing zone.
 double share_out_of_zone(const Optics& optics, const Viewer& viewer);
 
 }  // namespace lippmann

@@ -1,9 +1,9 @@
 // Finds the frames to replay, from a finished render or a light field in any format of `convert`, and reads each frame as a
 // panel with optics.
 //
-// A render's report.json contains the optics. If the render stored its views in another arrangement (--layout), they are moved
-// back to their place on the panel. Without a report, formats with cameras (HCI, MIV) define the optics, and the panel is a
-// quilt of the views. Otherwise the optics are assumed: see assumed_optics().
+// The optics are those in a render's report.json, or those of the cameras in the files (HCI, MIV), or assumed
+// (assumed_optics()). Rearranged views of a render are moved back to their place on the panel. Without a report, the panel is a
+// quilt of the views.
 #pragma once
 
 #include <filesystem>
@@ -20,20 +20,20 @@
 
 namespace lippmann {
 
-/// Light-field properties that the caller states, mostly from flags.
+/// Properties of a light field that the caller states, mostly from flags.
 struct LightFieldHints {
-  std::filesystem::path report = {};  ///< path of the report; empty: report.json beside the images
-  std::string from = {};              ///< a format of `convert`; empty: detected from file names and the report
+  std::filesystem::path report = {};  ///< empty: report.json beside the images
+  std::string from = {};              ///< a format of `convert`; empty: detected
   std::optional<ViewGrid> views = {};
-  std::optional<ViewGrid> tiles = {};               ///< number of columns and rows of a quilt's tiles
+  std::optional<ViewGrid> tiles = {};               ///< columns and rows of a quilt's tiles
   std::optional<double> view_angle_deg = {};        ///< full angle of the viewing zone, if the cameras are unknown
-  bool cone_ends = false;                           ///< true: the outermost views of a row are at the two ends of
-                                                    ///< view_angle_deg; false: half a step inside
-  std::function<void(std::string_view)> warn = {};  ///< called with each warning, as FormatOptions::warn
-  /// The display that shows the images. If it is set, images of the format `native` or of unknown format are frames of the
-  /// display's panel, and a row of views without cameras is a quilt for the display.
+  bool cone_ends = false;                           ///< true: the outermost views are at the two ends of view_angle_deg; false:
+                                                    ///< half a step inside
+  std::function<void(std::string_view)> warn = {};  ///< called with each warning
+  /// Display for the images. Images of the format `native` or of unknown format are then frames of its panel, and a row of
+  /// views without cameras is a quilt for it.
   std::optional<Display> display = {};
-  bool is_other_display = false;  ///< true: no error if the images are for another display than `display`
+  bool is_other_display = false;  ///< no error if the images are for another display
 };
 
 /// Returns the hints, with `warn` set to the `warn` of the context.
@@ -44,33 +44,31 @@ inline LightFieldHints with_warnings(LightFieldHints hints, const Context& conte
 
 struct LightFieldFrames {
   Optics optics{};
-  std::vector<std::filesystem::path> files{};  ///< images, or folders of views, in ascending order of frames
+  std::vector<std::filesystem::path> files{};  ///< images or folders of views, in the order of frames
   std::filesystem::path folder{};  ///< default folder for results: the input folder, or the one that contains the input
   double frames_per_second = 25.0;
-  bool is_panel = false;        ///< true: the images have no report and are frames of the panel of `optics`
-  std::string assumption = {};  ///< one sentence about the assumed cameras; empty: nothing was assumed
-  /// Reads the frame with this index. Throws Error naming the file, for example if its size is not the panel's.
+  bool is_panel = false;        ///< the images have no report and are frames of the panel of `optics`
+  std::string assumption = {};  ///< sentence about assumed cameras, or empty
+  /// Throws Error naming the file, for example if its size is not the panel's.
   std::function<RenderedPanel(std::size_t)> read{};
 };
 
-/// Finds the frames of a file or folder. Throws Error naming the file, a flag that is needed because the input lacks the
-/// information, or a flag that has no effect.
+/// Throws Error naming the file, a flag that is needed because the input lacks the information, or a flag that has no effect.
 LightFieldFrames find_light_field_frames(const std::filesystem::path& in, const LightFieldHints& hints);
 
-/// Arranges the views of a light field on the panel of `optics`, in linear light. Throws Error naming `where` if the optics
-/// have another grid or size of views, or if their views do not consist of whole pixels.
+/// Arranges the views on the panel of `optics`, in linear light. Throws Error naming `where` if the optics have another grid or
+/// size of views, or views that are not whole pixels.
 RenderedPanel panel_of(const LightField& field, const Optics& optics, const std::string& where);
 
-/// Returns the optics of a quilt of the views. Throws Error naming `where` unless the cameras form a regular grid centred on
-/// the display's axis.
+/// Throws Error naming `where` unless the cameras form a regular grid centred on the display's axis.
 Optics optics_of_cameras(const LightField& field, const std::string& where);
 
-/// Returns assumed optics for views with unknown cameras: a display 100 mm high, seen from 300 mm. A row of views spreads over
-/// view_angle_deg (default: 40 degrees). The outermost views are at the ends of this angle if `cone_ends`, otherwise half a
-/// step inside. A grid of cameras spans 10 degrees across by default.
+/// For views with unknown cameras: a display 100 mm high, seen from 300 mm. A row of views spreads over view_angle_deg
+/// (default: 40 degrees), with the outermost views at its ends if `cone_ends`, otherwise half a step inside. A grid of cameras
+/// spans 10 degrees across by default.
 Optics assumed_optics(const LightField& field, std::optional<double> view_angle_deg, bool cone_ends = false);
 
-/// Returns the model of assumed_optics().
+/// The model of assumed_optics().
 MultiView assumed_views(const LightField& field, std::optional<double> view_angle_deg, bool cone_ends = false);
 
 }  // namespace lippmann

@@ -8,9 +8,7 @@
 // Each pixel adds its colour at s, spread by a tent filter. The tent is as wide as the distance to the next sample of the
 // pixel's view (one lens, or one pixel if there are no lenses). The sum is divided by the weights.
 //
-// With a whole number of pixels per lens, all samples of a view shift by the same amount, so the result is the mean of shifted,
-// interpolated views. The method also holds for slanted, hexagonal and fractional arrays and for quilts. The sub-pixels of a
-// slanted panel carry one colour each, so each colour is averaged over its own rays.
+//  The sub-pixels of a slanted panel carry one colour each, so each colour is averaged over its own rays.
 #pragma once
 
 #include "lippmann/core/parallel.hpp"
@@ -22,11 +20,10 @@ namespace lippmann {
 /// Throws a usage Error naming `flag` if the depth is not finite or not in front of the design viewer.
 void validate_depth(const Optics& optics, double z_mm, const char* flag);
 
-/// Returns the image focused at z_mm, which must be valid: 3 channels, linear, black where no ray arrives. size: pixels over
-/// the display's window; {0, 0}: natural_view_size (optics/viewing.hpp). Images of all depths are aligned for the design
-/// viewer. The result does not depend on the number of threads. If `disagreement` is not null, it receives the variance of the
-/// colours of each pixel's rays, summed over the channels (1 channel, infinite where no ray arrives). Returns early, with an
-/// unfinished image, if `context` is cancelled.
+/// Returns the image focused at z_mm, which must be valid: linear, black where no ray arrives. `size` is in pixels over the
+/// display's window; {0, 0}: natural_view_size (optics/viewing.hpp). `disagreement`, if not null, receives the variance of the
+/// colours of each pixel's rays, summed over the channels (infinite where no ray arrives). The image is unfinished if `context`
+/// is cancelled.
 Image refocus(const RenderedPanel& rendered, double z_mm, Vec2i size, const ThreadPool& pool, Image* disagreement = nullptr,
               const Context& context = {});
 

@@ -8,11 +8,10 @@ namespace lippmann {
 
 struct RenderedPanel {
   Optics optics{};
-  Image picture{};  ///< 3 channels, linear; its size is picture_size(optics)
+  Image picture{};  ///< linear, of the size picture_size(optics)
 };
 
-/// Throws Error if the picture does not match the panel in size, channels or number of samples. All functions that take a
-/// RenderedPanel call validate().
+/// Throws Error if the picture does not match the panel in size, channels or number of samples.
 void validate(const RenderedPanel& rendered);
 
 }  // namespace lippmann

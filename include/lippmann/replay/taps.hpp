@@ -6,11 +6,11 @@
 namespace lippmann {
 
 enum class SampleFilter {
-  kNearest,  ///< takes the pixel that contains the point
-  kLinear,   ///< mixes the two pixels with the nearest centres, weighted by distance
+  kNearest,  ///< the pixel that contains the point
+  kLinear,   ///< the two pixels with the nearest centres, weighted by distance
 };
 
-/// Returns the pixels and weights at a position. Pixel i covers i ... i + 1. Indices may lie outside the image.
+/// Pixel i covers i ... i + 1. Indices may lie outside the image.
 Taps taps_at(double position_px, SampleFilter filter);
 
 }  // namespace lippmann

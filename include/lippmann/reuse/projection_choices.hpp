@@ -1,19 +1,19 @@
 // Options of the interpolation between key frames by Eljdid, Aggoun and Youssef, "Enhanced Techniques 3D Integral Images Video
-// Computer Generated" (the paper). Points of key frames are projected into in-between frames.
+// Computer Generated" (the paper).
 #pragma once
 
 namespace lippmann {
 
 enum class SplatMode {
-  /// A point is only projected to pixels below its own lens, as in the paper. A point that leaves the lens's cell is dropped.
+  /// A point is projected to pixels below its own lens, as in the paper. A point that leaves the lens's cell is dropped.
   kLens,
-  kView,  ///< a point is only projected to pixels of its own directional view
+  kView,  ///< a point is projected to pixels of its own directional view
 };
 
 enum class MissedFill {
-  kInterpolate,  ///< missed pixels get the colours of neighbouring pixels
-  kRetrace,      ///< missed pixels are traced
-  kBlack,        ///< missed pixels stay black, as in the paper's figures 4 and 5
+  kInterpolate,  ///< pixels without a point get the colours of their neighbours
+  kRetrace,      ///< pixels without a point are traced
+  kBlack,        ///< pixels without a point stay black, as in the paper's figures 4 and 5
 };
 
 }  // namespace lippmann

@@ -1,5 +1,4 @@
-// Selects the camera that defines the view, by name or by index. Also turns a scene so that the up axis of its file becomes
-// vertical.
+// Selects the camera that defines the view, and turns a scene so that its file's up axis becomes vertical.
 #pragma once
 
 #include <cstddef>
@@ -12,22 +11,20 @@ namespace lippmann {
 
 enum class UpAxis { kY, kX, kZ, kMinusX, kMinusY, kMinusZ };
 
-/// Returns the names of the scene's cameras in the order of the file. Cameras without a name have an empty string.
+/// Returns an empty string for a camera without a name.
 std::vector<std::string> camera_names(const Scene& scene);
 
-/// Returns a list of the values that choose_camera() accepts, such as "Front (0), Side (1)".
+/// Returns for example "Front (0), Side (1)".
 std::string list_cameras(const std::vector<std::string>& names);
 
-/// Moves a camera to the front of the scene's list of cameras. The first camera defines the view, even if the scene places its
-/// own lens array. `wanted` is the name of the camera, or its index if no camera has this name. An empty string changes
+/// Makes the camera called `wanted`, or with this index, the first camera, which defines the view. An empty string changes
 /// nothing. Throws a usage Error that lists the cameras.
 void choose_camera(Scene& scene, const std::string& wanted);
 
-/// Moves the camera with the index `index` to the front of the scene's list of cameras. Throws a usage Error that lists the
-/// cameras.
+/// Makes the camera with the index `index` the first one. Throws a usage Error that lists the cameras.
 void choose_camera(Scene& scene, std::size_t index);
 
-/// Rotates the whole scene about the origin so that the axis `up` of the file becomes +y.
+/// Rotates the scene about the origin so that the axis `up` of the file becomes +y.
 void turn_upright(Scene& scene, UpAxis up);
 
 }  // namespace lippmann

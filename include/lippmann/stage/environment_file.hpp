@@ -1,4 +1,4 @@
-// Reads a panorama that lights a scene from a file.
+// Reads a panorama that lights a scene.
 #pragma once
 
 #include <filesystem>
@@ -8,9 +8,8 @@
 
 namespace lippmann {
 
-/// Reads an equirectangular .hdr or .exr file with linear light. A grey image gets three equal channels. Negative samples
-/// become 0. `strength` is a factor for the light. `rotation_deg` is the rotation about the vertical. Warns about data of the
-/// file that is ignored. Throws Error that names the file.
+/// Reads an equirectangular .hdr or .exr file with linear light. Negative samples become 0. `strength` multiplies the light,
+/// and `rotation_deg` rotates it about the vertical. Warns about ignored data of the file. Throws Error naming the file.
 EnvironmentMap read_environment(const std::filesystem::path& path, float strength, float rotation_deg,
                                 const Context& context = Context());
 

@@ -19,11 +19,9 @@
 //
 // stage/subject.hpp defines the subject. stage/view_wish.hpp has the user's options.
 //
-// The array is fitted once. Afterwards it moves rigidly with the node of the camera or display, so its size stays constant. If
-// the view is fitted to the subject of a node, the subject is measured in the frame of the moving node.
+// The array is fitted once. Afterwards it moves rigidly with the node of the camera or display.
 //
-// Lengths are in world units at frame 0, regardless of the scale of nodes. An animated scale also scales the array. Of a node's
-// transform, only the rotation and one uniform scale are used; shear and non-uniform scale are ignored.
+// Lengths are in world units at frame 0. Shear and non-uniform scale of nodes are ignored.
 #pragma once
 
 #include <string>
@@ -39,45 +37,43 @@ namespace lippmann {
 
 struct FittedArray {
   enum class Origin { kPlaced, kFocus, kSceneCenter, kBounds };
-  /// How the plane was placed. kPlaced: by the author. kFocus: at the camera's focus. kSceneCenter: half way through the
-  /// visible part. kBounds: fitted to the bounds of the subject.
+  /// kPlaced: placed by the author. kFocus: at the camera's focus. kSceneCenter: half way through the visible part. kBounds:
+  /// fitted to the bounds of the subject.
   Origin origin = Origin::kPlaced;
-  /// Node that the array moves with. -1 if the array does not move.
+  /// Node that the array moves with, or -1.
   int node = -1;
-  /// Similarity transform from the frame of the plane to the frame of the node. In the frame of the plane, the plane is z = 0,
-  /// its centre is the origin, +z points towards the viewer, and +y points up.
+  /// Similarity transform. In the frame of the plane, the plane is z = 0, its centre is the origin, +z points towards the
+  /// viewer, and +y points up.
   Affine3f node_from_plane{};
   float plane_height = 1.0f;
-  float viewing_distance = kInfinity;  ///< distance from the plane to the viewer in front of it
-  /// Distance from the viewer to the near clipping plane of the camera. 0 without one.
+  float viewing_distance = kInfinity;  ///< from the plane to the viewer in front of it
+  /// From the viewer to the near clipping plane of the camera; 0 without one.
   float near_distance = 0.0f;
-  /// Nearest and farthest z that the display should show sharply. z > 0 is in front of the plane. Both are limited to positions
-  /// in front of the viewer. Both are 0 if there are no finite shapes. They are the range of:
+  /// Nearest and farthest z that the display should show sharply, above 0 in front of the plane. Both are 0 without finite
+  /// shapes. They are the range, in front of the viewer, of:
   /// - all finite shapes at frame 0, if the author placed the array,
   /// - the subject over the whole animation, and walls within one diagonal of it, if the view is fitted to the subject,
   /// - the visible subject at frame 0, and walls within one diagonal of it, otherwise.
   float depth_front = 0.0f, depth_back = 0.0f;
-  /// True if ground, walls and sky do not affect the position of the plane. Only near walls then affect the depth range.
+  /// Ground, walls and sky do not affect the position of the plane.
   bool leaves_out_surroundings = false;
-  /// One entry per instance: true if the instance belongs to the subject of the view. False if it belongs to the surroundings,
-  /// or to distant parts that are left out.
+  /// Per instance: true for the subject of the view, false for surroundings and distant parts.
   std::vector<bool> is_subject{};
-  /// One sentence that tells the user how the array was placed.
+  /// Sentence for the user on how the array was placed.
   std::string how{};
-  /// One sentence that names parts that are left out because they are far away. May be empty.
+  /// Sentence that names distant parts that are left out, or empty.
   std::string warning{};
 };
 
-/// Fits the array to a scene that passes validate() (scene/load.hpp). `aspect` is width / height of the image. Throws Error if
-/// the node of the camera or display has a scale of 0. Throws a usage Error for options that cannot be satisfied.
+/// `scene` must pass validate() (scene/load.hpp). `aspect` is width / height of the image. Throws Error if the node of the
+/// camera or display has a scale of 0, and a usage Error for options that cannot be satisfied.
 FittedArray fit_array(const Scene& scene, float aspect = 1.0f, const ViewWish& wish = {});
 
-/// Returns the world units per millimetre of the display frame. `height_mm` is the height of the visible rectangle in the plane
-/// z = 0. This rectangle is the panel, or one view of a quilt.
+/// World units per millimetre of the display frame. `height_mm` is the height of the panel, or of one view of a quilt.
 inline float scene_units_per_mm(const FittedArray& array, float height_mm) { return array.plane_height / height_mm; }
 
-/// Returns the transform from the display frame (mm) to the world at one time. It is a similarity transform. Throws Error if
-/// the array's node does not exist or has a scale of 0 at that time.
+/// Transform from the display frame (mm) to the world at one time. Throws Error if the array's node does not exist or has a
+/// scale of 0.
 Affine3f world_from_display(const FittedArray& array, float units_per_mm, const ResolvedScene& resolved);
 
 }  // namespace lippmann
