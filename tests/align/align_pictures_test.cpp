@@ -20,8 +20,7 @@ namespace fs = std::filesystem;
 using testing::AllOf;
 using testing::HasSubstr;
 
-/// Returns the transforms of five cameras held by hand in a row. The third camera is the reference, so its transform is the
-/// identity.
+/// Transforms of five hand-held cameras in a row, relative to the third one.
 std::vector<Similarity> hand_held() {
   return {moved_about_centre(0.8, 1.02, {9.0, -6.5}),
           moved_about_centre(-1.5, 0.985, {-4.0, 8.25}),
@@ -37,7 +36,6 @@ void write_shots(const fs::path& folder, const std::vector<Similarity>& cameras)
                   shot(static_cast<int>(i) - static_cast<int>(cameras.size() / 2), cameras[i]));
 }
 
-/// Holds the aligned pictures of `hand_held`, so that all tests share one alignment.
 struct AlignedShots {
   TempDir dir;
   AlignedPictures made;
@@ -115,8 +113,8 @@ TEST_F(Align, views_show_the_focus_at_one_place) {
             std::abs(view.rgb[3 * (static_cast<std::size_t>(y) * view.width + x)] - 20.0 - 215.0 * texture_at(place, 21));
         worst = std::max(worst, off), sum += off, ++count;
       }
-    // Limits in 8-bit codes. Rounding adds up to 1/2 code in the input and 1/2 code in the output. A misalignment of 0.1 px
-    // adds about 1 code where neighbouring pixels differ by 10 codes.
+    // In 8-bit codes: rounding adds up to 1/2 code in the input and 1/2 in the output, and a misalignment of 0.1 px about 1
+    // code.
     EXPECT_LT(sum / count, 1.5) << i;
     EXPECT_LT(worst, 12.0) << i;
   }

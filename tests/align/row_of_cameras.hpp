@@ -1,5 +1,4 @@
-// Simulates pictures of textured discs in front of a wall, taken by a row of cameras. Each camera may also be rotated, shifted
-// and zoomed.
+// Simulates pictures of textured discs in front of a wall, from a row of cameras that may be rotated, shifted and zoomed.
 #pragma once
 
 #include <array>
@@ -14,12 +13,12 @@
 namespace lippmann::test {
 
 inline constexpr Vec2i kSceneSize{640, 480};
-/// centre of the middle disc, which moves by kFocusMove from camera to camera
+/// centre of the middle disc in the reference picture
 inline constexpr Vec2d kSceneFocus{320.0, 240.0};
 /// shift in pixels to the right from one camera to the next
 inline constexpr double kNearMove = -6.0, kFocusMove = -2.0, kFarMove = 3.0;
 
-/// Returns smooth noise from 0 to 1. The noise has random values at multiples of `cell`, and is interpolated between them.
+/// Returns smooth noise from 0 to 1, interpolated between random values at multiples of `cell`.
 inline double noise_at(Vec2d place, double cell, std::uint32_t seed) {
   const Vec2d at = place / cell, low = glm::floor(at);
   const Vec2d t = at - low, s = t * t * (3.0 - 2.0 * t);
@@ -34,7 +33,7 @@ inline double texture_at(Vec2d place, std::uint32_t seed) {
   return (noise_at(place, 37.0, seed) + noise_at(place, 13.0, seed + 1) + noise_at(place, 6.0, seed + 2)) / 3.0;
 }
 
-/// Returns the brightness of the aligned picture of camera `k` at a point. Camera 0 is the middle camera of the row.
+/// Brightness of the aligned picture of camera `k`. Camera 0 is in the middle of the row.
 inline double scene_at(Vec2d place, int k) {
   const Vec2d near = place - Vec2d(kNearMove * k, 0.0), middle = place - Vec2d(kFocusMove * k, 0.0);
   for (const Vec2d centre : {Vec2d(120.0, 110.0), Vec2d(520.0, 370.0), Vec2d(140.0, 380.0)})
@@ -43,8 +42,7 @@ inline double scene_at(Vec2d place, int k) {
   return texture_at(place - Vec2d(kFarMove * k, 0.0), 31);
 }
 
-/// Returns a transform that rotates clockwise by `turn_deg` and scales about the centre of the picture, and then moves by
-/// `shift`.
+/// Rotates clockwise by `turn_deg` and scales about the centre of the picture, then moves by `shift`.
 inline Similarity moved_about_centre(double turn_deg, double scale, Vec2d shift) {
   const double angle = turn_deg * std::numbers::pi / 180.0;
   Similarity moved{scale * std::cos(angle), scale * std::sin(angle), 0.0, 0.0};
@@ -53,7 +51,7 @@ inline Similarity moved_about_centre(double turn_deg, double scale, Vec2d shift)
   return moved;
 }
 
-/// Returns the picture that camera `k` takes. `moved` maps pixels of this picture to pixels of the aligned picture.
+/// `moved` maps pixels of the result to pixels of the aligned picture.
 inline Image8 shot(int k, const Similarity& moved) {
   Image8 picture{kSceneSize.x, kSceneSize.y, {}};
   picture.rgb.reserve(std::size_t{3} * kSceneSize.x * kSceneSize.y);

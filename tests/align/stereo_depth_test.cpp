@@ -25,7 +25,7 @@ class StereoDepth : public testing::Test {
   std::string warnings_;
 };
 
-/// Returns the share of the pixels within `radius` of `centre` whose disparity differs from `wanted` by less than half a pixel.
+/// Returns the fraction of pixels within `radius` of `centre` whose disparity is within half a pixel of `wanted`.
 double share_right(const Image& disparity, Vec2d centre, double radius, double wanted) {
   int right = 0, all = 0;
   for (int y = 0; y < disparity.height; ++y)
@@ -51,8 +51,7 @@ TEST_F(StereoDepth, finds_disparities_in_both_pictures) {
 
 TEST_F(StereoDepth, hidden_parts_get_the_background) {
   const StereoDisparity found = disparity_of_pair(shot(0, {}), shot(1, {}), "pair", context_);
-  // From the left to the right picture, the disc moves 9 pixels further to the left than the wall. The tested pixel of the wall
-  // is therefore hidden in the right picture.
+  // The disc moves 9 pixels further to the left than the wall, and hides this pixel of the wall in the right picture.
   EXPECT_NEAR(found.of_left.pixel(520 - 70 - 5, 370)[0], -kFarMove, 1.0);
 }
 

@@ -1,4 +1,3 @@
-// Tests when the tool prints progress lines, and their text.
 #include "apps/lippmann/progress.hpp"
 
 #include <gtest/gtest.h>
@@ -32,7 +31,7 @@ TEST(LineSchedule, long_steps_are_due_after_30_s) {
   EXPECT_TRUE(schedule.is_due_within(61.0));
 }
 
-/// Returns the lines printed for a frame that lasts 120 s. If `knows_share`, the frame reports the finished share every 30 s.
+/// Returns the lines printed for a frame of 120 s that, with `knows_share`, reports its finished share every 30 s.
 std::string lines_of_a_long_frame(app::ProgressStyle style, bool knows_share) {
   app::Progress::Clock::time_point now{};
   testing::internal::CaptureStderr();
@@ -53,7 +52,7 @@ std::string lines_of_a_long_frame(app::ProgressStyle style, bool knows_share) {
   return testing::internal::GetCapturedStderr();
 }
 
-// A quarter of the first frame takes 30 s, so two frames take 240 s. After this quarter, 210 s (3:30) are left.
+// A quarter of the first frame takes 30 s, so two frames take 240 s, of which 210 s (3:30) are left.
 TEST(Progress, long_frames_print_lines_without_a_terminal) {
   for (const auto style : {app::ProgressStyle::kLines, app::ProgressStyle::kEveryLine})
     EXPECT_EQ(lines_of_a_long_frame(style, true),
@@ -71,7 +70,7 @@ TEST(Progress, unknown_shares_print_the_elapsed_time) {
             "[1/2] frame 7: 120 s; 2:00 left, files: about 3 MB\n");
 }
 
-/// Returns the lines printed after the first of two frames. This frame takes `frame_s` seconds.
+/// The first of two frames takes `frame_s` seconds.
 std::string printed_after_first_frame(double frame_s) {
   app::Progress::Clock::time_point now{};
   testing::internal::CaptureStderr();

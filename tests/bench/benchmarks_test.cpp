@@ -1,5 +1,3 @@
-// Runs benchmarks on a few frames of one scene. The tests check that every figure is reported, and properties that do not
-// depend on the machine's speed.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -19,8 +17,7 @@ namespace {
 using testing::HasSubstr;
 using Json = nlohmann::ordered_json;
 
-/// Returns a request for the first `frames` frames of a scene. Its folder of Tachyon scenes does not exist, so no Tachyon scene
-/// is run.
+/// The folder of Tachyon scenes does not exist, so that only `scene` is run.
 bench::Request small_request(const std::string& scene, int frames) {
   bench::Request request;
   request.scenes = {scene}, request.frames = frames, request.tachyon_scenes = "nowhere";
@@ -96,7 +93,6 @@ TEST(BenchReplay, all_eyes_see_orthoscopic_depth) {
   EXPECT_GT(near, beyond + 3.0);
 }
 
-// One test checks all outputs, because the benchmark runs for seconds.
 TEST(BenchPaper, json_text_and_plots_are_complete) {
   const TempDir dir;
   const bool draws = std::system("command -v gnuplot > /dev/null") == 0;
@@ -105,7 +101,7 @@ TEST(BenchPaper, json_text_and_plots_are_complete) {
   std::string said;
   request.csv = dir / "paper.csv", request.say = [&](std::string_view line) { said += line, said += '\n'; };
   const bench::Report report = run_benchmark("paper", request);
-  // one check for each key frame: the five runs have 2, 1, 1, 1 and 1 key frames
+  // one check per key frame: the five runs have 2, 1, 1, 1 and 1 key frames
   EXPECT_EQ(report.passed_checks, 2 + 1 + 1 + 1 + 1);
   ASSERT_EQ(report.rows.size(), 5u);
   for (const Json& row : report.rows) {
@@ -151,7 +147,7 @@ TEST(BenchPaper, unwritable_tables_are_refused_first) {
 TEST(BenchPaper, unknown_scenes_are_refused) {
   EXPECT_THAT(error_message([] { run_benchmark("paper", small_request("nothing", 0)); }), HasSubstr("gears"));
   bench::Request request = small_request("primitives", 2);
-  request.scenes.emplace_back("nothing");  // the request also names an existing scene
+  request.scenes.emplace_back("nothing");
   EXPECT_THAT(error_message([&] { run_benchmark("paper", request); }), HasSubstr("there is no animation 'nothing'"));
 }
 

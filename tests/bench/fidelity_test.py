@@ -50,9 +50,8 @@ class Flip(unittest.TestCase):
     def test_black_and_white_differ_in_lightness(self):
         most = float(flip.hyab(*flip.hunt_lab(np.array([[0.0, 1, 0], [0, 0, 1]])))**0.7)
         split = 0.4 * most
-        # `most` is the largest colour error. FLIP maps errors from `split` to `most` linearly to
-        # 0.95 .. 1. The error of black against white is 100^0.7, because their lightness L* differs
-        # by 100.
+        # `most` is the largest colour error. FLIP maps errors from `split` to `most` linearly to 0.95 .. 1. The error of black
+        # against white is 100^0.7, because their lightness differs by 100.
         expected = 0.95 + 0.05 * (100**0.7 - split) / (most - split)
         np.testing.assert_allclose(flip_of(BLACK, WHITE), expected, atol=1e-5)
         self.assertAlmostEqual(most, 41.277, delta=0.05)

@@ -1,4 +1,3 @@
-// Tests the error and flicker figures of path-traced frames on pictures of a few pixels.
 #include "bench/light_figures.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +19,7 @@ Image8 even(int width, int height, unsigned char grey) {
   return picture(width, height, std::vector<unsigned char>(static_cast<std::size_t>(width) * height, grey));
 }
 
-/// Returns references without noise. The two independent halves of each reference are equal.
+/// Returns references without noise, whose two halves are equal.
 References exact(const Frames& frames) {
   References references;
   for (const Image8& frame : frames) references.push_back({frame, frame});
@@ -39,26 +38,25 @@ TEST(LightFigures, error_is_the_mean_over_all_frames) {
 }
 
 TEST(LightFigures, noise_of_references_is_not_counted) {
-  // The true value is 100. The first half of the reference has errors of +-4 codes, the second half of +-6 codes. A test
-  // picture equal to the true value differs from the halves by -+4 and -+6, so the product of both differences is +24 or -24.
-  // Over the four pixels, these products sum to 0.
+  // The true value is 100. The errors of the two reference halves are +-4 and +-6 codes. A picture equal to the true value
+  // differs by -+4 and -+6, so the products of both differences are +24 or -24 and sum to 0 over the four pixels.
   const References references{{picture(4, 1, {104, 96, 104, 96}), picture(4, 1, {106, 106, 94, 94})}};
   EXPECT_DOUBLE_EQ(mean_squared_error(references, {picture(4, 1, {100, 100, 100, 100})}), 0.0);
   EXPECT_DOUBLE_EQ(mean_squared_error(references, {picture(4, 1, {103, 103, 103, 103})}), 9.0);
 }
 
 TEST(LightFigures, light_is_compared_with_the_mean_of_both_halves) {
-  // In linear light, 6 is the mean of 4 and 8, because codes up to 10 lie in the linear part of the sRGB curve.
+  // In linear light, 6 is the mean of 4 and 8: codes up to 10 are in the linear part of the sRGB curve.
   EXPECT_NEAR(mean_light_ratio({{picture(1, 1, {4}), picture(1, 1, {8})}}, {picture(1, 1, {6})}), 1.0, 1e-12);
 }
 
 TEST(LightFigures, blocks_stay_within_views) {
-  Image8 stack = even(12, 24, 0);  // two views of 12 x 12 pixels; each contains one block of 8 x 8 pixels
+  Image8 stack = even(12, 24, 0);  // two views of 12 x 12 pixels, each with one block of 8 x 8
   for (std::size_t c = 0; c < 3; ++c) {
-    stack.rgb[c] = 64;                       // in the first block
-    stack.rgb[3 * 8 + c] = 255;              // right of the first block
-    stack.rgb[3 * (8 * 12) + c] = 255;       // below the first block
-    stack.rgb[3 * (19 * 12 + 7) + c] = 128;  // last pixel of the second view's block
+    stack.rgb[c] = 64;
+    stack.rgb[3 * 8 + c] = 255;
+    stack.rgb[3 * (8 * 12) + c] = 255;
+    stack.rgb[3 * (19 * 12 + 7) + c] = 128;
   }
   const std::vector<double> means = block_means(stack, {12, 12});
   EXPECT_EQ(means, (std::vector<double>{1.0, 1.0, 1.0, 2.0, 2.0, 2.0}));
@@ -80,8 +78,8 @@ TEST(LightFigures, errors_without_blocks_are_nan) {
   EXPECT_TRUE(std::isnan(block_squared_error(exact({even(7, 7, 100)}), {even(7, 7, 102)}, {7, 7})));
 }
 
-// The picture stacks two views of 4 x 1 pixels. The first view has an edge between pixels 1 and 2, where the test's errors are
-// 1 and 3. The border between the views is not an edge.
+// Two views of 4 x 1 pixels. The first has an edge between pixels 1 and 2, where the errors are 1 and 3. The border between
+// views is not an edge.
 TEST(LightFigures, edge_errors_use_both_sides) {
   const Frames reference{picture(4, 2, {0, 0, 16, 16, 100, 100, 100, 100})};
   const Frames test{picture(4, 2, {9, 1, 19, 16, 100, 100, 100, 90})};
@@ -89,8 +87,7 @@ TEST(LightFigures, edge_errors_use_both_sides) {
   EXPECT_TRUE(std::isnan(edge_squared_error(exact({even(4, 2, 5)}), {even(4, 2, 6)}, {4, 1})));
 }
 
-// Four views of one pixel have the values 0, 0, 10 and 0. Their second differences are |0 - 2 * 0 + 10| = 10 and |0 - 2 * 10 +
-// 0| = 20.
+// Four views of one pixel with the values 0, 0, 10, 0: second differences |0 - 2 * 0 + 10| = 10 and |0 - 2 * 10 + 0| = 20.
 TEST(LightFigures, view_flicker_is_the_second_difference) {
   EXPECT_DOUBLE_EQ(view_flicker({picture(1, 4, {0, 0, 10, 0})}, {{4, 1}, {1, 1}}), (10.0 + 20.0) / 2.0);
 }

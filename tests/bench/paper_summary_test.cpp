@@ -8,8 +8,7 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-/// Returns a run with a key frame and an in-between frame. The in-between frame has a PSNR of 20 dB and takes `cost` times the
-/// time of tracing it.
+/// The in-between frame has a PSNR of 20 dB and takes `cost` times the time of tracing it.
 ReuseRun run_of(const char* scene, int keyframes, double cost, const char* method = "forward") {
   ReuseRun run{scene, method, keyframes, 1, {}};
   ReuseFrame key, between;
@@ -21,7 +20,7 @@ ReuseRun run_of(const char* scene, int keyframes, double cost, const char* metho
 }
 
 TEST(PaperSummary, takes_the_shortest_sufficient_interval) {
-  // For the scene "primitives", the paper states a saving of 1 - 333 / 1024 = 67.5 %.
+  // For "primitives", the paper states a saving of 1 - 333 / 1024 = 67.5 %.
   const auto rows = reproduced_figures({run_of("primitives", 2, 0.6), run_of("primitives", 4, 0.3),
                                         run_of("primitives", 8, 0.2), run_of("primitives", 4, 0.1, "forward, halving")});
   ASSERT_EQ(rows.size(), 1u);

@@ -1,4 +1,3 @@
-// Tests help, errors, JSON and interruption of the program lippmann-bench.
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 
@@ -34,7 +33,6 @@ void expect_wrong_usage(const std::vector<std::string>& arguments, const std::st
   EXPECT_THAT(result.err, testing::MatchesRegex("lippmann-bench: " + pattern + "\n"));
 }
 
-/// Returns every NAME of "lippmann-bench NAME" in the file `page`.
 std::set<std::string> benchmarks_named_in(const fs::path& page) {
   static const std::regex kNamed("lippmann-bench ([a-z]+)");
   const std::string text = file_bytes(page);
@@ -93,7 +91,7 @@ TEST(BenchProgram, json_holds_the_machine_and_the_rows) {
   EXPECT_EQ(report["bench"], "light");
   EXPECT_GT(report["machine"]["threads"], 0);
   EXPECT_EQ(report["rows"].size(), 1u);
-  EXPECT_EQ(report["passed_checks"], 3);  // Three checks: each of two samplings has no NaN, and their mean light is equal.
+  EXPECT_EQ(report["passed_checks"], 3);  // Two samplings without NaN, and their equal mean light.
 }
 
 TEST(BenchProgram, list_names_rows_and_measures_none) {

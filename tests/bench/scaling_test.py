@@ -25,10 +25,10 @@ class Scaling(unittest.TestCase):
         self.assertEqual(scaling.whole_seconds(SMALL), 3 + 10 * 2 + 3 * 1)
 
     def test_free_nodes_take_the_next_unit(self):
-        # one node runs 4.0 s; the other runs 1.0 + 1.0 + 5.0 s
+        # one node runs 4.0 s, the other 1.0 + 1.0 + 5.0 s
         self.assertEqual(scaling.scheduled_seconds([4.0, 1.0, 1.0, 5.0], 2), 7.0)
         self.assertEqual(scaling.scheduled_seconds([4.0, 1.0], 8), 4.0)
-        # The units take 12, 12 and 8 s. Two nodes run the first two units, and one of the nodes also runs the third.
+        # The units take 12, 12 and 8 s. Two nodes run the first two, and then one of them the third.
         self.assertEqual(scaling.simulated_seconds(SMALL, 2, 3, seed=1), 12 + 8)
 
     def test_the_simulation_is_within_its_bounds(self):

@@ -1,4 +1,3 @@
-// Checks that benchmark scenes do not depend on the default render parameters.
 #include "bench/scenes.hpp"
 
 #include <gtest/gtest.h>

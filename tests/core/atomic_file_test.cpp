@@ -104,7 +104,6 @@ TEST(WriteFileAtomically, full_disk_names_the_file_and_leaves_nothing) {
   EXPECT_TRUE(fs::is_empty(dir.path()));
 }
 
-/// Returns the id of a process that no longer exists.
 pid_t ended_process() {
   const pid_t child = fork();
   if (child == 0) _exit(0);

@@ -1,4 +1,3 @@
-// Tests the accepted values of JSON members, and the errors for other values.
 #include "core/json_fields.hpp"
 
 #include <gmock/gmock.h>

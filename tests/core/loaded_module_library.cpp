@@ -1,4 +1,4 @@
-// This shared library is linked with its own copy of load_module, as the Python module is.
+// A shared library with its own copy of load_module, like the Python module.
 #include "core/loaded_module.hpp"
 
 extern "C" bool is_installed_for_library(const char* file) {

@@ -16,7 +16,7 @@ using testing::HasSubstr;
 
 const std::vector<float> kSixNumbers{1, 2, 3, 4, 5, 6};
 
-/// Returns a .npy file of format version 1 with this header and data.
+/// format version 1
 std::vector<std::byte> npy_with(const std::string& header, std::span<const std::byte> data) {
   std::string head("\x93NUMPY\x01\0", 8);
   head += static_cast<char>(header.size()), head += '\0', head += header;
@@ -56,7 +56,7 @@ TEST(Npy, written_arrays_are_read_again) {
   const NpyArray again = parse_npy(file, "a");
   EXPECT_EQ(again.shape, (std::vector<std::size_t>{2, 3}));
   EXPECT_TRUE(std::ranges::equal(again.values, kSixNumbers));
-  // NumPy can map a file into memory if its data begins at a multiple of 64 bytes. Here the data occupies the last 24 bytes.
+  // NumPy maps files whose data begin at a multiple of 64 bytes. Here, the data are the last 24 bytes.
   EXPECT_EQ((file.size() - 24) % 64, 0U);
 }
 

@@ -38,7 +38,6 @@ TEST(ThreadPool, for_each_flushes_denormals_on_every_thread) {
   EXPECT_NE(tiny * 1e-10f, 0.0f) << "the caller's mode is unchanged";
 }
 
-/// Keeps the CPU busy until this thread has used `seconds` of CPU time.
 void spin(double seconds) {
   const auto cpu = [] {
     timespec time{};

@@ -1,4 +1,3 @@
-// Tests opening files, the resulting errors, and unique file names.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 

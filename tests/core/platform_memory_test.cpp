@@ -1,4 +1,4 @@
-// Tests how much memory is available to a process. The functions read imitations of the files in /proc and /sys.
+// Uses imitations of the files in /proc and /sys.
 #include "core/platform.hpp"
 
 #include <gtest/gtest.h>
@@ -50,7 +50,7 @@ TEST_F(AvailableMemory, is_limited_by_cgroups) {
 
 TEST_F(AvailableMemory, is_limited_by_version_1_cgroups_and_containers) {
   write("proc/self/cgroup", "5:cpu,cpuacct:/docker/abc\n4:memory:/docker/abc\nbroken\n");
-  // inside a container, the container's own cgroup is mounted as the root cgroup
+  // a container sees its own cgroup as the root cgroup
   write("cgroup/memory/memory.limit_in_bytes", "9000\n");
   write("cgroup/memory/memory.usage_in_bytes", "1000\n");
   EXPECT_EQ(available(), 8000.0);

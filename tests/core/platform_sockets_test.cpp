@@ -1,4 +1,3 @@
-// Tests sockets over loopback: the received bytes, and connections that either side closes.
 #include <gtest/gtest.h>
 #include <sys/socket.h>
 

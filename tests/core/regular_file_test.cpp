@@ -17,7 +17,7 @@ using test::error_message;
 using test::TempDir;
 using ::testing::HasSubstr;
 
-// Opening a FIFO blocks until another process opens its other end. If this test fails, it hangs.
+// Opening a FIFO blocks until another process opens it, so a failure would hang.
 TEST(RegularFile, everything_else_is_refused_without_waiting) {
   const TempDir dir;
   ASSERT_EQ(mkfifo((dir / "fifo").c_str(), 0600), 0);

@@ -14,7 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Sets the environment variable TMPDIR, and restores its value when destroyed.
 class OtherTmpdir {
  public:
   explicit OtherTmpdir(const std::string& value) {

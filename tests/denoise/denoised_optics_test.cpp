@@ -1,4 +1,4 @@
-// Tests the denoiser with every kind of optics, on synthetic frames of uniformly lit planes.
+// Synthetic frames of uniformly lit planes, for every kind of optics.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -10,7 +10,7 @@
 namespace lippmann {
 namespace {
 
-/// A plane that faces the viewer: its depth z in mm and the light that it emits.
+/// z: depth in mm. light: emitted light.
 struct Plane {
   float z, light;
 };
@@ -19,8 +19,8 @@ struct Frame {
   Image film, noise, seen, albedo, normal, z, met, truth;
 };
 
-/// Returns a frame of planes with noise. Its samples form two halves; the mean of each half has a standard deviation of 0.5
-/// times the light. set() in denoiser_test.cpp explains the factor 0.7 of `noise`.
+/// The two halves of a pixel's samples have a standard deviation of 0.5 times the light. set() in denoiser_test.cpp explains
+/// the factor 0.7 of `noise`.
 Frame noisy_frame(const Optics& optics, const std::function<Plane(Vec2f place)>& plane_at) {
   const Vec2i size = film_size(optics);
   const Image three(size.x, size.y, 3), one(size.x, size.y, 1);
@@ -47,7 +47,7 @@ Image denoised(const Optics& optics, Frame frame, int threads = 2) {
   return Denoiser(optics).denoise({frame.film, frame.noise, frame.seen, frame.albedo, frame.normal, frame.z, frame.met}, pool);
 }
 
-/// Errors of a film: the mean squared error relative to the true light, and the mean ratio of denoised to true light.
+/// Mean squared error relative to the true light, and mean ratio of denoised to true light.
 struct Errors {
   double squared = 0.0, mean = 0.0;
 };
@@ -62,13 +62,11 @@ Errors errors_of(const Image& film, const Image& truth, int channel) {
   return {errors.squared / pixels, errors.mean / pixels};
 }
 
-/// Variance of a pixel relative to its squared light. A pixel is the mean of two halves with the variance 0.5^2, so its
-/// variance is 0.5^2 / 2.
+/// Variance of a pixel relative to its squared light: the mean of two halves has 0.5^2 / 2.
 constexpr double kVariance = 0.125;
 
-/// Share of the variance that may be left. The denoiser's 5 x 5 filter has the weights (1, 4, 6, 4, 1) / 16 in each direction.
-/// One pass leaves the sum of their squares in each direction, 70 / 256. The factor 2 allows for narrow views, which have fewer
-/// neighbours.
+/// Part of the variance that may be left. One pass of the denoiser's filter with the weights (1, 4, 6, 4, 1) / 16 leaves the
+/// sum of their squares, 70 / 256, per direction. The factor 2 allows for narrow views.
 constexpr double kLeft = 2.0 * (70.0 / 256.0) * (70.0 / 256.0);
 
 TEST(DenoisedOptics, uniform_light_loses_only_its_noise) {
@@ -85,8 +83,7 @@ TEST(DenoisedOptics, uniform_light_loses_only_its_noise) {
     }
 }
 
-// The filter must not mix light from the bright plane into the dark plane beside the edge. Such light would raise the mean of
-// the dark plane.
+// Light from the bright plane must not raise the mean of the dark plane.
 TEST(DenoisedOptics, light_does_not_cross_edges_in_depth) {
   for (const OpticsCase& kind : optics_cases()) {
     const float width = window_size_mm(kind.optics).x / 8.0f;
@@ -103,10 +100,10 @@ TEST(DenoisedOptics, light_does_not_cross_edges_in_depth) {
   }
 }
 
-/// Returns a tilted plane whose light increases with y.
+/// A tilted plane whose light increases with y.
 Plane tilted(Vec2f place) { return {0.2f * place.x, 1.0f + 0.02f * place.y}; }
 
-/// Returns rows `first` to `end` - 1 of the image.
+/// Returns rows `first` to `end` - 1.
 Image rows_of(const Image& image, int first, int end) {
   Image rows(image.width, end - first, image.channels);
   const std::ptrdiff_t row = static_cast<std::ptrdiff_t>(image.width) * image.channels;

@@ -1,5 +1,4 @@
-// Tests the denoiser on synthetic frames. A frame consists of four views of 24 x 16 pixels. Unless a test says otherwise, the
-// views show a plane at z = 0.
+// Synthetic frames of four views of 24 x 16 pixels, which show a plane at z = 0 unless stated otherwise.
 #include "denoise/denoiser.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +14,6 @@ Optics four_views() {
   return {{kWidth, kHeight, 0.25f}, MultiView{.columns = 4, .rows = 1, .view_cone = 0.4f, .distance_mm = 60.0f}};
 }
 
-/// Input pictures of the denoiser. Initially all pixels are equal and have no noise.
 struct Made {
   Image film{kWidth, kHeight, 3}, noise{kWidth, kHeight, 3}, seen{kWidth, kHeight, 3}, albedo{kWidth, kHeight, 3},
       normal{kWidth, kHeight, 3}, z{kWidth, kHeight, 1}, met{kWidth, kHeight, 1};
@@ -30,9 +28,8 @@ struct Made {
       }
   }
 
-  /// Sets a pixel to the mean of `even` and `odd_half`, the means of the two halves of its samples. `noise` is 0.5 * sqrt(2) =
-  /// 0.7 times the difference of these means. The factor sqrt(2) is right for the renderer's stratified samples: halves of
-  /// stratified samples differ about sqrt(2) times as much as halves of independent samples with the same error.
+  /// Sets a pixel from the means of the two halves of its samples. `noise` is 0.5 sqrt(2) = 0.7 times their difference, because
+  /// halves of stratified samples differ sqrt(2) times as much as independent ones of the same error.
   void set(int x, int y, float even, float odd_half) {
     for (int c = 0; c < 3; ++c) {
       film.pixel(x, y)[c] = 0.5f * (even + odd_half);
@@ -48,7 +45,7 @@ Image denoised(Made made, int threads = 2) {
   return Denoiser(four_views()).denoise(made.input(), pool);
 }
 
-/// Returns a frame with the light 1. The mean of each half of the samples has a standard deviation of 0.5.
+/// The light is 1; each half of the samples has a standard deviation of 0.5.
 Made noisy(unsigned seed) {
   Made made;
   std::mt19937 random(seed);
@@ -67,8 +64,8 @@ double mean_squared_error(const Image& film, float truth) {
   return sum / static_cast<double>(film.data.size());
 }
 
-// A pixel is the mean of two halves with the variance 0.5^2, so its squared error is 0.125. The mean of n pixels has the
-// squared error 0.125 / n. The denoiser's widest filter covers 17 x 16 pixels, so less than 1/50 of the error must be left.
+// A pixel has the squared error 0.5^2 / 2 = 0.125, and a mean of n pixels 0.125 / n. The widest filter covers 17 x 16 pixels,
+// so less than 1/50 must be left.
 TEST(Denoiser, noise_decreases_and_the_mean_stays) {
   const Made made = noisy(1);
   EXPECT_NEAR(mean_squared_error(made.film, 1.0f), 0.125, 0.02);
@@ -88,8 +85,7 @@ TEST(Denoiser, noise_free_light_keeps_its_shadows) {
   for (std::size_t i = 0; i < film.data.size(); ++i) ASSERT_NEAR(film.data[i], made.film.data[i], 1e-3f) << i;
 }
 
-// The values differ by 2 %, which is about kRelativeSpread, so the filter averages them. find_blur() must detect this blur and
-// undo it.
+// The filter averages values that differ by 2 %, about kRelativeSpread. find_blur() must detect and undo this blur.
 TEST(Denoiser, slight_differences_without_noise_are_not_blurred) {
   Made made;
   for (int y = 0; y < kHeight; ++y)
@@ -99,7 +95,7 @@ TEST(Denoiser, slight_differences_without_noise_are_not_blurred) {
   for (std::size_t i = 0; i < film.data.size(); ++i) ASSERT_NEAR(film.data[i], made.film.data[i], 1e-4f) << i;
 }
 
-/// Returns the largest difference from 1 among pixels that are more than `away` columns from column `x`.
+/// Ignores pixels within `away` columns of column `x`.
 float farthest_from_one(const Image& film, int x, int away) {
   float farthest = 0.0f;
   for (int j = 0; j < kHeight; ++j)
@@ -127,7 +123,6 @@ TEST(Denoiser, an_isolated_bright_surface_stays) {
   EXPECT_GT(denoised(made).pixel(36, 8)[0], 10.0f);
 }
 
-/// The highlight has 3 x 3 pixels. In each pixel, one half of the samples has nearly all of the light.
 TEST(Denoiser, highlights_do_not_spread_into_their_surroundings) {
   Made made;
   for (int j = 7; j <= 9; ++j)

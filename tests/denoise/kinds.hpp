@@ -1,4 +1,4 @@
-// Test cases of the denoiser: one film of each kind of optics.
+// One small film of each kind of optics, for tests of the denoiser.
 #pragma once
 
 #include <vector>
@@ -13,7 +13,7 @@ struct OpticsCase {
   bool whole_views;  ///< each view consists of whole film pixels, so that film_layout() accepts the optics
 };
 
-/// Returns optics of all kinds with small films. `rows` multiplies the height of every film.
+/// `rows` multiplies the height of every film.
 inline std::vector<OpticsCase> optics_cases(int rows = 1) {
   const MultiView quilt{.columns = 3, .rows = 2, .view_cone = 0.5f, .distance_mm = 60.0f, .pixel_height = 1.5f};
   MultiView grid = quilt;

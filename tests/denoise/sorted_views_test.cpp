@@ -11,7 +11,7 @@
 namespace lippmann {
 namespace {
 
-constexpr float kRounding = 2e-3f;  ///< tolerance in pixels for rounding in single precision, at distances of up to 60 mm
+constexpr float kRounding = 2e-3f;  ///< rounding in single precision at distances of up to 60 mm, in pixels
 
 Ray ray_of(const Optics& optics, std::uint32_t pixel) {
   const auto width = static_cast<std::uint32_t>(film_size(optics).x);
@@ -20,7 +20,6 @@ Ray ray_of(const Optics& optics, std::uint32_t pixel) {
 
 SortedViews all_views(const Optics& optics) { return {optics, {0, film_size(optics).y}}; }
 
-/// Calls fn(view, column, row, film pixel) for every pixel of every view.
 template <class Fn>
 void for_each_pixel(const SortedViews& views, const Fn& fn) {
   for (int view = 0; view < views.views(); ++view)
@@ -29,8 +28,7 @@ void for_each_pixel(const SortedViews& views, const Fn& fn) {
         if (const std::uint32_t p = views.row(view, y)[x]; p != SortedViews::kNoPixel) fn(view, x, y, p);
 }
 
-/// Returns how many film pixels belong to no view, and how many belong to one view. Throws std::out_of_range if a film pixel
-/// belongs to several views.
+/// Returns how many film pixels belong to no view and to one view. Throws std::out_of_range if one belongs to several.
 std::array<int, 2> pixels_by_places(const Optics& optics) {
   const Vec2i film = film_size(optics);
   std::vector<std::size_t> places(static_cast<std::size_t>(film.x * film.y));
@@ -66,8 +64,7 @@ TEST(SortedViews, views_of_whole_pixels_match_the_layout) {
   }
 }
 
-/// Returns the error of SortedViews::Sight, which maps a point to a pixel of a view, in columns and rows. The point is where
-/// `ray` reaches depth z, and the correct pixel is (x, y).
+/// Maps the point where `ray` reaches depth z to a pixel of a view, and returns its distance from the correct pixel (x, y).
 Vec2f off(const SortedViews& views, const Ray& ray, float z, int view, int x, int y) {
   const Vec2f point = Vec2f(ray.origin) + Vec2f(ray.direction) * ((z - ray.origin.z) / ray.direction.z);
   const SortedViews::Sight& sight = views.sight(view);
@@ -88,9 +85,8 @@ TEST(SortedViews, sights_find_points_at_their_pixels) {
   }
 }
 
-// Each view has a single Sight, although the directions of its pixels differ slightly. They differ by less than the angle of
-// one pixel, so a point at half of the depth budget is mapped to within one pixel. On the panel with diamond-shaped pixels, a
-// few pixels belong to a neighbouring view.
+// The directions of a view's pixels differ by less than one pixel's angle, so a point at half the depth budget is mapped to
+// within one pixel. With diamond-shaped pixels, a few pixels belong to a neighbouring view.
 TEST(SortedViews, sights_are_accurate_to_one_pixel) {
   for (const OpticsCase& kind : optics_cases()) {
     const SortedViews views = all_views(kind.optics);

@@ -1,4 +1,4 @@
-// Tests invalid calibrations and display files. One error must name the file and the key, and state the accepted values.
+// Each error must name the file, the key and the accepted values.
 #include <gmock/gmock.h>
 
 #include <cmath>

@@ -8,7 +8,7 @@ using Json = nlohmann::ordered_json;
 
 inline Json wrapped(double value) { return {{"value", value}}; }
 
-/// Returns a calibration as devices write it: each number is an object {"value": x}.
+/// Devices write each number as an object {"value": x}.
 inline Json portrait_calibration() {
   return {{"configVersion", "3.0"},        {"serial", "LKG-P12345"},      {"pitch", wrapped(52.5)},
           {"slope", wrapped(-7.25)},       {"center", wrapped(0.125)},    {"viewCone", wrapped(40.0)},

@@ -1,5 +1,3 @@
-// Compares the optics of calibrated panels with the interlacing formula. Expected values come from calculations by hand and
-// from a second implementation of the formula.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,8 +7,7 @@
 namespace lippmann {
 namespace {
 
-/// Returns the view coordinate v of a sub-pixel, from 0 to 1 across the view cone. v is derived from the point where the ray of
-/// the sub-pixel meets the plane of the eyes.
+/// View coordinate of a sub-pixel, 0 to 1 across the view cone, from the point where its ray meets the plane of the eyes.
 double view_of(const Optics& optics, int i, int j, int color) {
   const auto& slanted = std::get<SlantedPanel>(optics.model);
   const Ray ray = ray_of_pixel(optics, {3 * i + color + 0.5f, j + 0.5f});
@@ -18,12 +15,11 @@ double view_of(const Optics& optics, int i, int j, int color) {
   return 0.5 + std::atan((ray.origin.x + to_eye * ray.direction.x) / slanted.distance_mm) / slanted.view_cone;
 }
 
-/// Tolerance of v. Rays in single precision meet the plane of the eyes with an error of 3e-5 mm. The views are spread over
-/// about 800 mm, so the error of v is much smaller than this tolerance.
+/// In single precision, rays meet the plane of the eyes with an error of 3e-5 mm, and the views are spread over about 800 mm.
 constexpr double kView = 1e-6;
 
 TEST(SlantedDisplay, portrait_has_the_published_periods_and_tilt) {
-  // Lens periods across the panel: pitch * width / dpi * cos(atan(1 / slope)) = 52 * 1536 / 324 * cos(atan(-1 / 7)) = 246.5185
+  // Lens periods across the panel = pitch * width / dpi * cos(atan(1 / slope)) = 52 * 1536 / 324 * cos(atan(-1 / 7)) = 246.5185
   // * 0.989949 = 244.0409. Tilt: height / (width * slope) = 2048 / (1536 * -7) = -0.1904762.
   const Display portrait = load_display("looking-glass-portrait");
   EXPECT_NEAR(periods_of(portrait), 244.041, 5e-4);
@@ -31,9 +27,8 @@ TEST(SlantedDisplay, portrait_has_the_published_periods_and_tilt) {
 }
 
 TEST(SlantedDisplay, portrait_sub_pixel_table_by_hand) {
-  // Views v of sub-pixels c (0 red, 1 green, 2 blue) of the pixels (i, j). Position: x = (i + 1/2) / 1536, y = 1 - (j + 1/2) /
-  // 2048.
-  // Phase: z = (x + c / 4608 - 0.19047619 y) 244.0408826 - 0.5. View: v = 1 - fract(z).
+  // Views v of sub-pixels c (0 red, 1 green, 2 blue) of the pixels (i, j), with the position x = (i + 1/2) / 1536, y = 1 - (j +
+  // 1/2) / 2048, the phase z = (x + c / 4608 - 0.19047619 y) 244.0408826 - 0.5 and v = 1 - fract(z):
   //   i     j     c   x           y           z           v
   //   0     0     0   0.00032552  0.99975586  -46.893189  0.893189
   //   0     0     1                           -46.840228  0.840228
@@ -111,7 +106,7 @@ TEST(SlantedDisplay, flipping_only_the_slope_keeps_steps) {
   EXPECT_NEAR(view_of(native_optics(d), 0, 0, 1), 0.224616, kView);
 }
 
-/// Computes v by the formula that is documented at Calibration.
+/// the formula in the documentation of Calibration
 double formula(const Display& d, int i, int j, int color, int cell) {
   const Calibration& c = d.calibration;
   const double w = d.pixels.x, h = d.pixels.y;

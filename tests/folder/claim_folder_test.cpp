@@ -1,4 +1,3 @@
-// Tests how a render takes an output folder: which folders are refused, which files are removed, and what a check reports.
 #include "folder/claim_folder.hpp"
 
 #include <gmock/gmock.h>
@@ -28,7 +27,7 @@ void make_file(const fs::path& path, const std::string& bytes = "bytes") {
   std::ofstream(path) << bytes;
 }
 
-/// Makes a render of `job` that requested frames 0 to 2. Each frame in `finished` has a picture and a file of layers.
+/// Makes a render of frames 0 to 2, of which those in `finished` have a picture and layers.
 void make_render(const fs::path& folder, const std::string& job, const std::vector<int>& finished) {
   fs::create_directories(folder);
   RenderFolder journal(folder, job);
@@ -49,10 +48,9 @@ void make_video(const fs::path& folder, const std::string& job, const fs::path& 
   RenderFolder(folder, job).add_video(video, frames);
 }
 
-/// Returns the journal file of the folder's first run.
 fs::path part_of(const fs::path& folder) { return read_journal(folder)->parts.front(); }
 
-/// Returns the error message for a new render of `job` in the folder, or an empty string if the folder is free.
+/// Returns the error of a new render of `job` in the folder, or an empty string.
 std::string refusal(const fs::path& folder, const std::string& job, const std::vector<std::string>& videos = {},
                     const std::vector<int>& frames = {0, 1, 2}) {
   try {
@@ -91,8 +89,7 @@ TEST(ClaimFolder, renders_with_frames_are_refused) {
   EXPECT_EQ(refusal(dir / "none", "b"), "");
 }
 
-/// Makes the journal file of a run on another machine. The run has no finished frames. Unless `has_ended`, the run has written
-/// no final line, as if it were still running.
+/// Writes the journal of a run on another machine without finished frames. Unless `has_ended`, its final line is missing.
 fs::path make_remote_run(const fs::path& folder, const std::string& job, bool has_ended = false) {
   fs::create_directories(folder / ".lippmann");
   const fs::path part = folder / ".lippmann/01700000000-elsewhere-7.jsonl";
@@ -168,8 +165,8 @@ TEST(ClaimFolder, kill_while_making_room_keeps_the_old_render) {
   EXPECT_TRUE(fs::exists(dir / "frame_0000.png"));
 }
 
-/// Gives all files in the folder to an unprivileged user, and changes the process to that user while this object exists. Root
-/// could remove files in spite of their permissions.
+/// Becomes an unprivileged user who owns the files in the folder, because root could remove files in spite of their
+/// permissions.
 class WithoutRoot {
  public:
   explicit WithoutRoot(const fs::path& folder) {
@@ -295,7 +292,7 @@ TEST(ClaimFolder, foreign_files_stay_with_a_warning_unless_forced) {
   const test::TempDir dir;
   make_render(dir.path(), "a", {0});
   make_file(dir / "aov_0000.png");
-  // a killed render leaves such a picture: the frame is requested but not recorded as finished
+  // a killed render leaves such a picture
   make_file(dir / "frame_0001.png");
   EXPECT_THAT(cleared(dir.path(), "a", false, {0, 1, 2}), ElementsAre(HasSubstr("aov_0000.png")));
   EXPECT_TRUE(fs::exists(dir / "aov_0000.png"));
@@ -367,7 +364,7 @@ TEST(CheckFolder, finds_damaged_missing_foreign_and_unrendered_files) {
   make_file(dir / "a.mp4", "");
   make_file(folder / "report.json", "{}");
   make_file(folder / "frame_0001_qs8x6a1.png");
-  make_file(folder / "frame_0002.png");  // as left by a killed render
+  make_file(folder / "frame_0002.png");  // left by a killed render
   const FolderCheck check = check_folder(folder);
   EXPECT_THAT(check.damaged, ElementsAre("frame_0000.png", "aov_0001.exr", "report.json", "../a.mp4"));
   EXPECT_THAT(check.missing, ElementsAre("aov_0000.exr"));

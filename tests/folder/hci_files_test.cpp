@@ -1,4 +1,4 @@
-// Tests frames written in the format of the HCI light field data sets. Pictures, disparities and parameters must be consistent.
+// Pictures, disparities and parameters in the format of the HCI light field data sets must be consistent.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -28,7 +28,7 @@ View read_view(const fs::path& folder, int number) {
   return {read_image(folder / ("input_Cam00" + name + ".png")), read_pfm(folder / ("gt_disp_lowres_Cam00" + name + ".pfm"))};
 }
 
-/// The upper left of four neighbouring pixels, and the interpolation weights of the right column and the lower row.
+/// The upper left of four pixels, and the weights of the right column and the lower row.
 struct Neighbours {
   int x, y;
   float right, below;
@@ -50,9 +50,8 @@ struct Agreement {
   double psnr_db = 0.0, visible = 0.0;
 };
 
-/// Reconstructs view B from view A, and returns the PSNR in dB and the share of visible pixels. The eyes of A and B are
-/// `across` and `up` baselines apart. Each pixel of B reads A at the position given by the disparity of B. The pixel counts as
-/// visible in A if the disparities of A and B differ there by less than 0.1 pixel.
+/// Makes view B from view A by the disparity of B, and returns the PSNR in dB and the fraction of visible pixels. The eyes are
+/// `across` and `up` baselines apart. A pixel is visible in A if both disparities differ by less than 0.1 pixel.
 Agreement warp(const View& a, const View& b, int across, int up) {
   double sum = 0.0;
   int count = 0;
@@ -70,7 +69,7 @@ Agreement warp(const View& a, const View& b, int across, int up) {
   return {-10.0 * std::log10(sum / (3.0 * count)), static_cast<double>(count) / (b.colour.width * b.colour.height)};
 }
 
-/// Places an array of 3 x 3 eyes at the scene's camera. The outer eyes are about 1 degree apart, seen from the array.
+/// Places 3 x 3 eyes at the scene's camera, the outer ones about 1 degree apart as seen from the array.
 Placement place_grid(const Scene& scene) {
   Optics optics{.panel = {576, 432, 0.125f}, .model = MultiView{.columns = 3, .rows = 3, .baseline_mm = 1.0f}};
   const PlacementWish as_deep_as_it_is{.fit_depth = false};
@@ -81,8 +80,7 @@ Placement place_grid(const Scene& scene) {
   return place(scene, optics, as_deep_as_it_is);
 }
 
-/// Writes a frame of 3 x 3 views of 192 x 144 pixels, and returns the folder of the frame. Disparities between neighbouring
-/// views reach 5 pixels.
+/// Writes 3 x 3 views of 192 x 144 pixels with disparities of up to 5 pixels.
 fs::path make_data_set(const test::TempDir& dir, const char* scene_name) {
   const Context context;
   const Scene scene = load_scene(scene_name, {}, context);

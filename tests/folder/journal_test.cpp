@@ -1,4 +1,3 @@
-// Tests journals as renders write them, and journals with wrong or malicious content.
 #include "folder/journal.hpp"
 
 #include <gmock/gmock.h>
@@ -30,7 +29,6 @@ std::string sound_journal() {
          run_line({.host = "a", .cpu = "p", .unit = "1/2", .frames = {4}, .setup_seconds = 0.5, .threads = 2});
 }
 
-/// Writes the text to a journal file, and returns the journal read from it.
 FolderJournal journal_of(const std::string& text) {
   const test::TempDir dir;
   std::filesystem::create_directory(journal_folder(dir.path()));
@@ -159,8 +157,7 @@ TEST(FolderJournal, combines_runs_of_one_job) {
   EXPECT_THAT(read_journal(dir.path())->problem, HasSubstr("line 1 of '2.jsonl'"));
 }
 
-// Changes, cuts, doubles and moves bytes of a journal at random. The damaged journal must not contain a file name outside the
-// folder.
+// Damages bytes of a journal at random. It must not name a file outside the folder.
 TEST(FolderJournal, noise_names_only_files_of_frames) {
   const std::string sound = sound_journal();
   std::mt19937 random(20);

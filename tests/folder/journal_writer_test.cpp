@@ -1,4 +1,3 @@
-// Tests how lippmann finds the process that is writing a journal file.
 #include "folder/journal_writer.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +19,7 @@ namespace fs = std::filesystem;
 
 fs::path only_file_in(const fs::path& folder) { return fs::directory_iterator(folder)->path(); }
 
-/// A child process that writes a journal file and waits for a signal. SIGINT ends it with exit code 7.
+/// A child process that writes a journal and ends with exit code 7 on SIGINT.
 class Writing {
  public:
   explicit Writing(const fs::path& folder) {
@@ -64,7 +63,7 @@ TEST(JournalWriter, names_of_parts_state_the_writer) {
   EXPECT_TRUE(writer->is_of_this_machine());
   EXPECT_EQ(writer->process, 4321);
   EXPECT_EQ(writer->began, 1764104700.0);
-  // the suffix -2 marks the second journal file that this process began in the same second
+  // -2 is the second journal that this process began in the same second
   EXPECT_EQ(writer_of("01764104700-" + platform::host_name() + "-4321-2.jsonl")->process, 4321);
 }
 
@@ -94,8 +93,8 @@ TEST(JournalWriter, interrupting_does_what_ctrl_c_does) {
   EXPECT_EQ(writing.wait(), 7);
 }
 
-// The name of the journal file contains the id of this process, as if the system had reused the id of a writer that has ended.
-// This process counts as the writer only while it has the file open for writing.
+// The journal's name contains the id of this process, as if the id of an ended writer were reused. Only a process that has the
+// file open for writing is the writer.
 TEST(JournalWriter, reused_process_ids_are_not_writers) {
   const test::TempDir dir;
   const fs::path part = dir / ("01764104700-" + platform::host_name() + "-" + std::to_string(getpid()) + ".jsonl");

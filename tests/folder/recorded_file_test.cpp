@@ -1,4 +1,4 @@
-// Tests that files of a render are compared with the journal's checksums when they are opened.
+// Opened files of a render are compared with the journal's checksums.
 #include "core/recorded_file.hpp"
 
 #include <gmock/gmock.h>
@@ -25,7 +25,7 @@ void make_render_file(const fs::path& path, const std::string& bytes) {
   std::ofstream(path) << bytes;
 }
 
-/// Makes a render with a frame of one picture and a file of layers, a frame of two views, and a report.
+/// Makes one frame of a picture and a file of layers, one frame of two views, and a report.
 void make_render(const fs::path& folder) {
   fs::create_directories(folder);
   RenderFolder render(folder, "job");

@@ -1,4 +1,3 @@
-// Tests the progress of renders. It is determined from their journals, and from whether their processes are alive.
 #include "folder/render_state.hpp"
 
 #include <gmock/gmock.h>
@@ -24,7 +23,7 @@ std::string line_of_frame(int frame) {
   return frame_line(report, {{"frame_000" + std::to_string(frame) + ".png", kRecorded}});
 }
 
-/// A folder whose journal is being written by this process while `part` exists.
+/// This process writes the folder's journal while `part` exists.
 struct Watched {
   test::TempDir dir;
   std::optional<JournalPart> part;
@@ -38,9 +37,8 @@ struct Watched {
   RenderActivity activity() { return reader.read()->activity; }
 };
 
-// One run has finished 3 frames in 30 s, the other 1 frame in 20 s. Together they finish 0.1 + 0.05 = 0.15 frames/s, so the
-// remaining 6 frames take 6 / 0.15 = 40 s. The last frame was finished at 130 s, 4 s before the current time of 134 s, so 36 s
-// are left.
+// One run finishes 3 frames in 30 s, the other 1 frame in 20 s, together 0.15 frames/s, so the remaining 6 frames take 40 s.
+// The last frame was finished at 130 s, 4 s ago, so 36 s are left.
 TEST(RenderState, time_left_combines_all_runs) {
   const std::array runs{RunPace{100.0, 130.0, 3}, RunPace{100.0, 120.0, 1}};
   EXPECT_NEAR(*estimated_seconds_left(runs, 6, 134.0), 36.0, 1e-9);
@@ -66,7 +64,7 @@ TEST(RenderState, frames_count_once_recorded) {
 TEST(RenderState, ended_run_without_all_frames_is_stopped) {
   Watched render;
   render.part->add(line_of_frame(0));
-  render.part.reset();  // ends the run without a final line, as a killed run does
+  render.part.reset();  // ends the run without a final line, as if killed
   EXPECT_EQ(render.activity(), RenderActivity::kStopped);
   EXPECT_FALSE(render.reader.read()->seconds_left);
 }
@@ -74,7 +72,7 @@ TEST(RenderState, ended_run_without_all_frames_is_stopped) {
 TEST(RenderState, finished_needs_all_frames_and_an_ended_process) {
   Watched render;
   for (const int frame : {0, 1, 2}) render.part->add(line_of_frame(frame));
-  EXPECT_EQ(render.activity(), RenderActivity::kRunning);  // the process may still be writing videos
+  EXPECT_EQ(render.activity(), RenderActivity::kRunning);  // the process may still write videos
   render.part.reset();
   EXPECT_EQ(render.activity(), RenderActivity::kFinished);
 }

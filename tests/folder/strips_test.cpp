@@ -1,4 +1,4 @@
-// Tests the files of strips. A strip holds some rows of a frame. A file must restore every bit, and journals list the strips.
+// A strip holds some rows of a frame. Its file must restore every bit.
 #include "folder/strips.hpp"
 
 #include <gmock/gmock.h>
@@ -17,7 +17,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Returns a film with all layers. Every value is different, and some values are not finite.
+/// Every value is different, and some are not finite.
 FramePictures pictures_of(int width, int rows) {
   FramePictures pictures;
   pictures.film = Image(width, rows, 3);
@@ -34,7 +34,7 @@ FramePictures pictures_of(int width, int rows) {
   return pictures;
 }
 
-/// Returns `rows` rows of the image, beginning with row `first`.
+/// Returns `rows` rows, beginning with row `first`.
 Image rows_of(const Image& image, int first, int rows) {
   Image part(image.width, rows, image.channels);
   const auto row = static_cast<std::ptrdiff_t>(image.width * image.channels);

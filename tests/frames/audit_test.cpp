@@ -1,4 +1,3 @@
-// Tests the estimated error in the reports of path-traced frames.
 #include "frames/audit.hpp"
 
 #include <gtest/gtest.h>
@@ -27,8 +26,7 @@ TEST(ErrorInterval, starts_at_0_without_a_positive_mean) {
   EXPECT_DOUBLE_EQ(interval.high, 2.0);
 }
 
-/// Returns parameters of path tracing without denoising. With 2 samples per pixel, the error is far above the noise of its
-/// estimate, so that every frame has an estimate.
+/// With 2 samples per pixel and no denoising, the error is far above the noise of its estimate.
 RenderParams noisy_paths() {
   RenderParams params = small_scene();
   params.optics.lenses = {8, 0};
@@ -55,8 +53,8 @@ TEST(Audit, does_not_depend_on_threads_or_range) {
   EXPECT_LT(one.estimated_psnr_db, one.psnr_at_most_db);
 }
 
-// Compares frames of 20 random seeds with a reference of 128 times as many samples. If each interval contains the true error
-// with probability 0.9, the probability that fewer than 12 of the 20 intervals contain it is 7e-5.
+// References have 128 times as many samples. If intervals contain the truth with probability 0.9, fewer than 12 of 20 contain
+// it with probability 7e-5.
 TEST(Audit, intervals_mostly_contain_the_truth) {
   constexpr int kSeeds = 20, kLeastHeld = 12;
   RenderParams params = noisy_paths();

@@ -1,4 +1,3 @@
-// Tests frames whose unchanged pixels are copied from key frames. They must have the same bits as traced frames.
 #include <gtest/gtest.h>
 
 #include "frames/made_frames.hpp"

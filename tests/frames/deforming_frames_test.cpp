@@ -1,4 +1,3 @@
-// Tests frames of glTF scenes whose meshes deform, from files with several animations.
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -16,8 +15,8 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Returns a glTF file with two strips of 8 squares. A skin bends the first strip, because its upper end follows a joint. A
-/// morph target deforms the second strip. The animation "Bend" lasts 2 seconds, and the animation "Rest" is empty.
+/// Two strips of 8 squares: a skin bends the first, a morph target deforms the second. The animation "Bend" lasts 2 seconds,
+/// "Rest" is empty.
 GltfBuilder strips() {
   GltfBuilder b;
   std::vector<Vec3f> corners, lifted;
@@ -62,7 +61,7 @@ class DeformingFrames : public testing::Test {
     file.write(reinterpret_cast<const char*>(glb.data()), static_cast<std::streamsize>(glb.size()));
   }
 
-  /// Returns parameters for eight frames: 2 seconds at 4 frames per second.
+  /// Eight frames: 2 seconds at 4 frames per second.
   RenderParams params(ReuseChoice reuse, std::optional<int> keyframes = {}, std::optional<Integrator> integrator = {}) const {
     RenderParams params = small_scene();
     params.scene.name = (dir_ / "strips.glb").string();

@@ -1,4 +1,3 @@
-// Tests frames for a display with slanted lenses, both as its native pixels and as a quilt.
 #include <gtest/gtest.h>
 
 #include "frames/made_frames.hpp"
@@ -32,7 +31,7 @@ TEST_F(DisplayFrames, of_native_pixels_are_copied_exactly) {
   EXPECT_EQ(copied.films(), traced.films());
 }
 
-// The interpolated frames have a PSNR of 30.9 dB. Frames that repeat the key frame would have 27.9 dB.
+// Interpolated frames have 30.9 dB; copies of the key frame would have 27.9 dB.
 TEST_F(DisplayFrames, of_native_pixels_interpolate_accurately) {
   const MadeFrames traced = make_frames(on_panel("teapot", PictureLayout::kNative, {.choice = ReuseChoice::kNone}), {1, 2, 3});
   const MadeFrames made =

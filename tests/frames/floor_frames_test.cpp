@@ -1,5 +1,3 @@
-// Tests interpolated frames with a minimum PSNR. They must reach this PSNR, and must not depend on the number of threads or on
-// which frames are requested.
 #include <gtest/gtest.h>
 
 #include "frames/made_frames.hpp"
@@ -15,8 +13,7 @@ struct PredictedFrames {
   int all = 0, kept = 0;
 };
 
-/// Counts the in-between frames in `made`, and how many of them have at least the PSNR `floor`. Other frames are fully traced
-/// and must equal those of `traced`.
+/// Counts the in-between frames, and those with at least `floor` dB. All other frames must equal those of `traced`.
 void count_predicted(const MadeFrames& traced, const MadeFrames& made, double floor, PredictedFrames& count) {
   for (const auto& [number, frame] : made.frames) {
     const FrameReport& report = frame.report;
@@ -43,7 +40,7 @@ TEST(FloorFrames, reach_the_goal_in_95_percent_of_frames) {
       count_predicted(traced, make_frames(floored(scene, floor), frames_from(40, 48)), floor, count);
     }
   }
-  EXPECT_GT(count.all, 50);  // with fewer predicted frames, the test would prove nothing
+  EXPECT_GT(count.all, 50);  // otherwise the test would prove nothing
   EXPECT_GE(100 * count.kept, 95 * count.all) << count.kept << " of " << count.all;
   RecordProperty("predicted", count.all);
   RecordProperty("kept", count.kept);
@@ -78,7 +75,7 @@ TEST(FloorFrames, are_traced_once_if_prediction_never_pays) {
   EXPECT_EQ(made.films(), make_frames(small_scene("gears"), frames_from(0, 20)).films());
 }
 
-// Frame 1 is traced in full, so that the error of interpolation can be measured.
+// Frame 1 is traced, so that the error of interpolation can be measured.
 TEST(FloorFrames, keep_requested_keys) {
   const MadeFrames made = make_frames(floored(small_scene(), 30.0, 2), frames_from(0, 4));
   for (const int key : {0, 2, 4}) EXPECT_EQ(made.report(key).kind, "key") << key;

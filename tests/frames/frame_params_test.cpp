@@ -1,4 +1,3 @@
-// Tests the default reuse of each kind of sampling, and refused combinations of parameters.
 #include "lippmann/frames/frame_params.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +12,7 @@ namespace {
 
 const Sampling kPaths{.integrator = Integrator::kPath, .spp = 32};
 
-/// Returns the parameter name in the error that check() throws, or an empty string if it throws none.
+/// Returns the parameter that check() refuses, or an empty string.
 std::string refused(const FrameParams& params) {
   try {
     check(params);

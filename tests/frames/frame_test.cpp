@@ -1,4 +1,3 @@
-// Tests rendering one frame of built-in scenes and of scenes built in code.
 #include "frames/frame.hpp"
 #include "job/job_stage.hpp"
 

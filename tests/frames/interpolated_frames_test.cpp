@@ -1,5 +1,3 @@
-// Tests frames interpolated between key frames: which frames are traced, and that frames do not depend on the number of threads
-// or on which frames are requested.
 #include <gtest/gtest.h>
 
 #include "frames/made_frames.hpp"
@@ -36,8 +34,8 @@ TEST(InterpolatedFrames, any_thread_count_gives_the_same_bits) {
             make_frames(interpolated(4), frames_from(0, 4), 4).films());
 }
 
-// Frame 3 is interpolated between frames 0 and 4, and frame 5 between frames 4 and 8. With halving, frame 3 is interpolated
-// between frames 2 and 4, and frame 5 between frames 4 and 6.
+// Frame 3 is made from frames 0 and 4, and frame 5 from 4 and 8. With halving, frame 3 is made from 2 and 4, and frame 5 from 4
+// and 6.
 TEST(InterpolatedFrames, of_a_part_equal_the_whole) {
   const std::vector<std::pair<ReuseParams, std::size_t>> ways{{{.fill = MissedFill::kInterpolate}, 2},
                                                               {{.fill = MissedFill::kRetrace, .halving = true}, 4}};
@@ -50,12 +48,11 @@ TEST(InterpolatedFrames, of_a_part_equal_the_whole) {
     EXPECT_EQ(part.sources.size(), sources);
     std::uint64_t rays = part.report(4).rays.primary;
     for (const FrameReport& source : part.sources) rays += source.rays.primary;
-    EXPECT_GE(rays, 3u * 128 * 128);  // frames 0, 4 and 8 are fully traced
+    EXPECT_GE(rays, 3u * 128 * 128);  // frames 0, 4 and 8 are traced
   }
 }
 
-/// Returns frame 8, interpolated between frames 0 and 16. The gears turn so far between these frames that frame 8 has missed
-/// pixels.
+/// The gears turn so far between frames 0 and 16 that frame 8 has missed pixels.
 MadeFrames turned_gears(const ReuseParams& how) { return make_frames(interpolated(16, how, small_scene("gears")), {8}); }
 
 TEST(InterpolatedFrames, retracing_missed_pixels_reduces_the_error) {

@@ -20,7 +20,6 @@ struct MadeFrames {
   const FrameReport& report(int number) const { return frames.at(number).report; }
   const std::vector<float>& film(int number) const { return frames.at(number).pictures.film.data; }
 
-  /// Returns the pixel values of all frames by frame number.
   std::map<int, std::vector<float>> films() const {
     std::map<int, std::vector<float>> all;
     for (const auto& [number, frame] : frames) all[number] = frame.pictures.film.data;
@@ -28,7 +27,7 @@ struct MadeFrames {
   }
 };
 
-/// Renders `frames`, which must be in ascending order, as the tool does.
+/// `frames` must be ascending.
 inline MadeFrames make_frames(const RenderParams& given, const std::vector<int>& frames, int threads = 2) {
   const ResolvedJob job(given);
   const Context context;
@@ -48,7 +47,7 @@ inline std::vector<int> frames_from(int first, int last) {
   return frames;
 }
 
-/// Returns parameters of a scene that is recorded through 16 lenses of 8 pixels: 128 x 128 pixels. Every frame is traced.
+/// 16 lenses of 8 pixels; every frame is traced.
 inline RenderParams small_scene(const char* name = "teapot") {
   RenderParams params;
   params.scene.name = name;
@@ -62,7 +61,7 @@ inline RenderParams with_reuse(RenderParams params, const ReuseParams& reuse) {
   return params;
 }
 
-/// Returns the PSNR in dB between the sRGB codes of frame `number` in both animations. Equal frames give infinity.
+/// PSNR in dB between the sRGB codes of frame `number`. Equal frames give infinity.
 inline double psnr_between(const MadeFrames& reference, const MadeFrames& made, int number) {
   const auto codes = [&](const MadeFrames& of) { return to_codes(of.frames.at(number).pictures.film, Encoding::kSrgb); };
   return measure_difference(codes(reference), codes(made)).psnr_db;

@@ -1,5 +1,4 @@
-// Renders with an integrator that is defined only in this test, because renderers must work with any implementation of the
-// integrator interface.
+// Renderers must work with an integrator that only this test defines.
 #include <gmock/gmock.h>
 
 #include "lippmann/core/error.hpp"
@@ -18,8 +17,7 @@ using testing::HasSubstr;
 
 constexpr float kLight = 0.25f, kNoise = 0.125f;
 
-/// Gives all covered pixels the same light. The light alternates between kLight + kNoise and kLight - kNoise from sample to
-/// sample.
+/// All covered pixels have the same light, which alternates between kLight + kNoise and kLight - kNoise from sample to sample.
 class Silhouette final : public FrameIntegrator {
  public:
   Silhouette(const Integration& from) : film_(from.film), weight_(1.0f / static_cast<float>(from.params.spp)) {}
@@ -63,7 +61,7 @@ TEST(OtherIntegrator, renders_frames_with_its_own_number_of_samples) {
   ASSERT_TRUE(frame);
   EXPECT_EQ(frame->report.rays.primary, 3u * 64u * 64u);
   EXPECT_FALSE(frame->report.estimated_psnr_db) << "it has no noise";
-  // Samples 0 and 2 have the light 0.25 + 0.125, and sample 1 has 0.25 - 0.125. Their mean is 0.25 + 0.125 / 3.
+  // Samples 0 and 2 have the light 0.25 + 0.125, sample 1 has 0.25 - 0.125. Their mean is 0.25 + 0.125 / 3.
   EXPECT_NEAR(*std::max_element(frame->pictures.film.data.begin(), frame->pictures.film.data.end()), 0.2916667f, 1e-6f);
 }
 

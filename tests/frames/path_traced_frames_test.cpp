@@ -1,5 +1,3 @@
-// Tests path-traced frames, with and without denoising. They must not depend on the number of threads, on which frames are
-// requested, or on the requested layers. They must report their error.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,7 +15,6 @@ RenderParams paths(int spp, Denoise denoise = Denoise::kAuto, const char* name =
   return params;
 }
 
-/// Expects that the frames in `part` have the same light and alpha as in `whole`.
 void expect_the_same(const MadeFrames& part, const MadeFrames& whole) {
   for (const auto& [number, frame] : part.frames) {
     EXPECT_EQ(frame.pictures.film.data, whole.film(number)) << number;
@@ -31,15 +28,14 @@ double squared_error(const std::vector<float>& reference, const std::vector<floa
   return sum / static_cast<double>(film.size());
 }
 
-/// Returns frame `frame` with 512 samples per pixel, another random seed and no denoising.
+/// 512 samples per pixel, another seed, no denoising.
 MadeFrames reference_of(RenderParams params, int frame) {
   params.sampling.spp = 512, params.sampling.seed = 1, params.sampling.denoise = Denoise::kNone;
   return make_frames(params, {frame});
 }
 
-/// Expects that denoising at least halves the squared error. The threshold has a large margin, because the denoiser removes
-/// much more than half. The squared errors are means over more than 10,000 values, so their standard errors are a few per cent.
-/// The reference has 1/128 of the noise of 4 samples.
+/// Denoising removes much more than half of the squared error. Means over more than 10,000 values have standard errors of a few
+/// per cent, and the reference has 1/128 of the noise of 4 samples.
 void expect_less_noise(const RenderParams& params, int frame) {
   RenderParams noisy = params;
   noisy.sampling.denoise = Denoise::kNone;

@@ -1,4 +1,3 @@
-// Tests warnings about frames that show nothing. The warning must state the reason, and other frames must give no warning.
 #include "frames/picture_check.hpp"
 
 #include <gmock/gmock.h>
@@ -63,7 +62,7 @@ class PictureCheck : public testing::Test {
     scene.cameras.push_back(camera);
   }
 
-  /// Returns the warnings for the first frame, one per line.
+  /// Warnings for the first frame, one per line.
   std::string warnings(Integrator integrator = Integrator::kPath) const {
     std::string all;
     Context context;

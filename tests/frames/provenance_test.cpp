@@ -1,5 +1,3 @@
-// Tests the provenance layer, which states the origin of each pixel. The layer must be right for every kind of reuse, and must
-// not change the frames.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -16,7 +14,7 @@ RenderParams with_provenance(RenderParams params) {
 
 const Image& provenance(const MadeFrames& made, int frame) { return made.frames.at(frame).pictures.aovs[Aov::kProvenance]; }
 
-/// Returns the number of pixels of each origin, indexed by Provenance.
+/// Number of pixels of each origin, indexed by Provenance.
 std::array<std::uint64_t, std::size(kProvenanceInfos)> count(const MadeFrames& made, int frame) {
   std::array<std::uint64_t, std::size(kProvenanceInfos)> counts{};
   for (const float code : provenance(made, frame).data) ++counts.at(static_cast<std::size_t>(code));
@@ -29,7 +27,6 @@ std::uint64_t count(const MadeFrames& made, int frame, Provenance from) {
 
 constexpr std::uint64_t kPixels = 128 * 128;
 
-/// Renders frames with the provenance layer, and checks that their pixels equal those of frames without the layer.
 MadeFrames frames_with_provenance(const RenderParams& params, const std::vector<int>& frames, int threads = 2) {
   const MadeFrames made = make_frames(with_provenance(params), frames, threads);
   EXPECT_EQ(made.films(), make_frames(params, frames).films());
@@ -49,8 +46,7 @@ TEST(Provenance, of_traced_frames_is_traced) {
   EXPECT_EQ(count(made, 1, Provenance::kTraced), kPixels);
 }
 
-// A pixel is copied if no ray was traced for it. The counts must match the report, and copied pixels must equal the key
-// frame's.
+// A pixel without new rays is copied. The counts must match the report, and copied pixels must equal the key frame's.
 TEST(Provenance, of_copied_frames_marks_copied_pixels) {
   const MadeFrames made =
       frames_with_provenance(with_reuse(small_scene(), {.choice = ReuseChoice::kCopy, .keyframes = 4}), frames_from(0, 3));
@@ -111,7 +107,7 @@ TEST(Provenance, of_frames_with_min_psnr_marks_traced_pixels) {
       predicted += frame.report.kind == "in-between" ? 1 : 0;
     }
   }
-  EXPECT_GT(predicted, 0);  // without predicted pixels, the test would prove nothing
+  EXPECT_GT(predicted, 0);  // otherwise the test would prove nothing
 }
 
 TEST(Provenance, of_denoised_frames_equals_noisy_frames) {
@@ -123,7 +119,7 @@ TEST(Provenance, of_denoised_frames_equals_noisy_frames) {
   EXPECT_EQ(count(made, 1, Provenance::kTraced), provenance(made, 1).data.size());
 }
 
-// Unlike other layers, the provenance layer is possible with every kind of reuse.
+// All other layers require that every pixel is traced.
 TEST(Provenance, does_not_change_reuse) {
   const FrameParams params{with_provenance(small_scene()).sampling, AutoReuse{}};
   EXPECT_STREQ(name_of(resolved_reuse(params)), "copy");

@@ -1,4 +1,4 @@
-// Tests Renderer as another program uses it: with a scene in memory, and without flags, job files or folders.
+// Uses Renderer as another program does, without flags, job files or folders.
 #include "lippmann/frames/renderer.hpp"
 
 #include <gmock/gmock.h>
@@ -52,8 +52,7 @@ TEST(Renderer, places_optics_at_the_cameras_height) {
   EXPECT_EQ(placement.placed.depth_scale, 1.0f);
 }
 
-/// Renders a mesh at the position `where`, with a camera 6 units in front of it. Single precision represents all coordinates
-/// exactly.
+/// Single precision represents all coordinates exactly. The camera is 6 units in front of the mesh.
 Image picture_of_mesh_at(Vec3f where) {
   Scene scene;
   Mesh mesh;
@@ -74,8 +73,8 @@ Image picture_of_mesh_at(Vec3f where) {
 }
 
 TEST(Renderer, scene_far_from_the_origin_is_exact) {
-  // move_near_origin() rounds the middle of the scene to multiples of 2, which gives exactly the position of the mesh. The mesh
-  // then has the same coordinates as the mesh at the origin, so no bit of the pictures differs.
+  // move_near_origin() rounds the middle of the scene to multiples of 2, here exactly to the mesh's position, so no bit
+  // differs.
   EXPECT_EQ(picture_of_mesh_at({4'194'304, 1024, -2'097'152}).data, picture_of_mesh_at(Vec3f(0)).data);
 }
 
@@ -121,7 +120,7 @@ TEST(Renderer, traces_but_does_not_interpolate_ray_tables) {
   };
   const Image traced = film_of(as_view, {}), from_rays = film_of(as_rays, {});
   ASSERT_EQ(traced.data.size(), from_rays.data.size());
-  std::size_t different = 0;  // the rays differ in their last bits, so that at an edge they may hit another surface
+  std::size_t different = 0;  // at an edge, rays that differ in their last bits may hit another surface
   for (std::size_t i = 0; i < traced.data.size(); ++i) different += std::abs(traced.data[i] - from_rays.data[i]) > 1e-3f;
   EXPECT_LE(different, traced.data.size() / 100);
   EXPECT_NO_THROW(film_of(as_rays, {.reuse = CopySettled{}}));
@@ -134,7 +133,7 @@ TEST(Renderer, traces_but_does_not_interpolate_ray_tables) {
   }
 }
 
-/// The walls of the scene "room" fill the view, so that only pixels outside of the camera's aperture are black.
+/// The walls of the scene "room" fill the view, so only pixels outside the camera's aperture are black.
 TEST(Renderer, leaves_pixels_beside_the_aperture_black) {
   const Context context;
   const Scene scene = built_in("room");

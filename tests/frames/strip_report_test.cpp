@@ -1,4 +1,3 @@
-// Tests how the reports of a frame's strips are combined to the report of the frame.
 #include "frames/strip_maker.hpp"
 
 #include <gtest/gtest.h>
@@ -8,7 +7,7 @@
 namespace lippmann {
 namespace {
 
-/// Returns a report with an estimate of 40 dB and an interval of 37 to 43 dB.
+/// 40 dB, with an interval of 37 to 43 dB.
 FrameReport strip_of_40_db() {
   FrameReport strip;
   strip.estimated_psnr_db = 40.0, strip.psnr_at_least_db = 37.0, strip.psnr_at_most_db = 43.0;
@@ -25,7 +24,7 @@ TEST(StripReport, sums_rays_and_time) {
   EXPECT_FALSE(frame.estimated_psnr_db || frame.psnr_at_least_db || frame.psnr_at_most_db);
 }
 
-// Errors of strips are independent, so the interval of two equal strips is narrower by the factor sqrt(2): 3 dB / sqrt(2).
+// Errors of strips are independent, so the interval of two equal strips is narrower by sqrt(2).
 TEST(StripReport, interval_narrows_by_the_root_of_the_number) {
   const FrameReport frame = report_of_strips({strip_of_40_db(), strip_of_40_db()}, {16, 16});
   EXPECT_NEAR(frame.estimated_psnr_db.value(), 40.0, 1e-9);
@@ -33,8 +32,8 @@ TEST(StripReport, interval_narrows_by_the_root_of_the_number) {
   EXPECT_NEAR(frame.psnr_at_most_db.value(), 40.0 + 3.0 / std::sqrt(2.0), 1e-9);
 }
 
-// The first strip has 8 of 32 rows, and the second strip has no error. The squared error of the frame and its standard error
-// are therefore a quarter of the first strip's, which raises the PSNR by 10 log10(4) dB.
+// The first strip has 8 of 32 rows, the second no error. The frame's squared error and its standard error are a quarter of the
+// first strip's, so the PSNR rises by 10 log10(4) dB.
 TEST(StripReport, exact_strips_add_no_error) {
   const FrameReport frame = report_of_strips({strip_of_40_db(), FrameReport{}}, {8, 24});
   const double quarter_db = 10.0 * std::log10(4.0);

@@ -1,4 +1,3 @@
-// Tests fully traced frames: their size, and that their bits depend neither on the number of threads nor on the order of rays.
 #include <gtest/gtest.h>
 
 #include "frames/made_frames.hpp"

@@ -1,5 +1,4 @@
-// Tests all readable picture formats: the decoded samples, recognition of a format by the file's content instead of its name,
-// and damaged files. A damaged file must give a picture or an Error.
+// A damaged file must give a picture or an Error. Formats are recognised by the content, not by the name.
 #include "image/decode.hpp"
 
 #include <gmock/gmock.h>
@@ -71,7 +70,6 @@ Bytes own_tiff_file() {
   return bytes_of_file(dir / "a.tif");
 }
 
-/// Returns the TIFF file that libtiff makes when `write` sets its fields and samples.
 Bytes tiff_file(const std::function<void(TIFF*)>& write) {
   const TempDir dir;
   TIFF* tiff = TIFFOpen((dir / "a.tif").c_str(), "w");
@@ -102,7 +100,7 @@ Bytes palette_tiff_file() {
   });
 }
 
-/// Returns a tiled TIFF file of 3 x 2 float pixels in one tile of 16 x 16 pixels.
+/// 3 x 2 float pixels in one tile of 16 x 16.
 Bytes tiled_float_tiff_file() {
   return tiff_file([](TIFF* tiff) {
     set_tiff_size(tiff, 3, 2, 32);
@@ -116,8 +114,7 @@ Bytes tiled_float_tiff_file() {
   });
 }
 
-/// Returns a TIFF file of 2 x 1 pixels of 16 bits. The file stores all red samples, then all green samples, then all blue
-/// samples.
+/// 2 x 1 pixels of 16 bits, stored as red samples, green samples, blue samples.
 Bytes planar_word_tiff_file() {
   return tiff_file([](TIFF* tiff) {
     set_tiff_size(tiff, 2, 1, 16);
@@ -141,7 +138,7 @@ Bytes webp_file(bool alpha) {
   return file;
 }
 
-/// Returns a run-length encoded Radiance HDR file of 8 x 2 pixels. Both rows are equal.
+/// Run-length encoded, 8 x 2 pixels, with equal rows.
 Bytes hdr_file() {
   std::string text = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 8\n";
   const char row[] = {2, 2, 0, 8, '\x88', '\x40', 3, 1, 2, 3, '\x85', 9, '\x88', 0, '\x84', '\x81', '\x84', '\x80'};
@@ -149,26 +146,26 @@ Bytes hdr_file() {
   return bytes_of(text);
 }
 
-/// Returns a TGA file of 2 x 2 pixels whose bottom row is stored first.
+/// 2 x 2 pixels, the bottom row first.
 Bytes tga_file() {
   const char file[] = {0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 2, 0, 24, 0, 7, 8, 9, 10, 11, 12, 1, 2, 3, 4, 5, 6};
   return bytes_of(std::string(file, sizeof file));
 }
 
-/// Returns a run-length encoded TGA file of 4 x 1 grey pixels: a run of three pixels and a single pixel.
+/// 4 x 1 grey pixels: a run of three and a single one.
 Bytes tga_run_file() {
   const char file[] = {0, 0, 11, 0, 0, 0, 0, 0, 0, 0, 0, 0, 4, 0, 1, 0, 8, 0, '\x82', 50, 0, 60};
   return bytes_of(std::string(file, sizeof file));
 }
 
-/// Returns a BMP file of 3 x 2 pixels of 24 bits. The bottom row is stored first, and zeros pad each row to 12 bytes.
+/// 3 x 2 pixels of 24 bits, the bottom row first, with rows padded to 12 bytes.
 Bytes bmp_file() {
   const char header[] = {'B', 'M', 78, 0, 0, 0, 0, 0, 0, 0, 54, 0, 0, 0, 40, 0, 0, 0, 3, 0, 0, 0, 2, 0, 0, 0, 1, 0, 24, 0};
   const std::string rows = std::string("abcdefghi\0\0\0jklmnopqr\0\0\0", 24);
   return bytes_of(std::string(header, sizeof header) + std::string(24, '\0') + rows);
 }
 
-/// Returns an EXR file with alpha and grey. Its data window is partly outside of the display window.
+/// The data window is partly outside the display window.
 Bytes exr_windows_file() {
   return test::exr_file({{1, 1, 3, 2}, {0, 0, 2, 2}, {{"A", {1, 1, 1, 1, 1, 1}}, {"Y", {1, 2, 3, 4, 5, 6}}}});
 }
@@ -181,8 +178,7 @@ Bytes exr_parts_file() {
   return test::exr_file(std::vector{part, other});
 }
 
-/// Returns a Radiance HDR file without the run-length encoding of newer files: it has plain pixels and a run in the old
-/// encoding. Pixels are stored column by column.
+/// Plain pixels and a run in the old encoding, stored column by column.
 Bytes hdr_plain_file() {
   using namespace std::literals;
   return bytes_of(
@@ -191,8 +187,7 @@ Bytes hdr_plain_file() {
       "abc\x80"s);
 }
 
-/// Returns a GIF file of 2 x 2 pixels in four colours. Its LZW codes have 3 bits: 4 (clear), 0, 1, 2. The last two codes have 4
-/// bits: 3 and 5 (end).
+/// 2 x 2 pixels in four colours. LZW codes of 3 bits: 4 (clear), 0, 1, 2; of 4 bits: 3 and 5 (end).
 Bytes gif_file() {
   using namespace std::literals;
   return bytes_of(
@@ -217,7 +212,6 @@ struct Case {
 
 const std::vector<std::string> kGrey{"Y"}, kRgb{"R", "G", "B"}, kRgba{"R", "G", "B", "A"};
 
-/// Returns samples that increase slowly, so that they can be compressed.
 std::vector<std::uint8_t> slopes(int channels) {
   std::vector<std::uint8_t> samples;
   for (int i = 0; i < kWidth * kHeight * channels; ++i) samples.push_back(static_cast<std::uint8_t>(i / channels * 2));
@@ -281,8 +275,7 @@ TEST_P(EveryFormat, is_recognised_by_its_first_bytes) {
   EXPECT_EQ(read.data.size(), static_cast<std::size_t>(read.width) * read.height * expected.channels.size());
 }
 
-/// Returns true if the file is decoded to a picture with all samples, and false if decoding throws an Error that names the
-/// file. Any other exception fails the test.
+/// Returns whether the file is decoded to all samples. Otherwise, decoding must throw an Error naming the file.
 bool decodes_or_throws(const Bytes& file) {
   try {
     const DecodedPicture picture = decode_picture(file, "the file");
@@ -339,8 +332,8 @@ TEST(DecodeTiff, planes_are_interleaved) {
   EXPECT_THAT(samples_of<std::uint16_t>(planar_word_tiff_file()), ElementsAre(1, 300, 65535, 2, 400, 7));
 }
 
-// Mantissas of a row: red is a run of 0x40; green is 1, 2, 3 and a run of 9; blue is 0. A pixel's value is its mantissa times
-// 2^-7 for the exponent 129, and times 2^-8 for the exponent 128.
+// Mantissas of a row: red is a run of 0x40; green is 1, 2, 3 and a run of 9; blue is 0. A value is its mantissa times 2^-7 for
+// the exponent 129, and times 2^-8 for 128.
 TEST(DecodeHdr, runs_and_dumps_with_their_exponents) {
   const std::vector<float> samples = samples_of<float>(hdr_file());
   ASSERT_EQ(samples.size(), 48u);
@@ -362,7 +355,7 @@ TEST(DecodeGif, colours_of_the_table) {
 
 TEST(DecodeTga, runs) { EXPECT_THAT(samples_of<std::uint8_t>(tga_run_file()), ElementsAre(50, 50, 50, 60)); }
 
-// Adobe stores CMYK with inverted inks, so that 255 means no ink. A pixel without ink is white.
+// Adobe stores inverted inks: 255 means no ink.
 TEST(DecodeJpeg, cmyk_without_ink_is_white) {
   EXPECT_THAT(samples_of<std::uint8_t>(bytes_of(encode_jpeg(8, 8, 4, std::vector<std::uint8_t>(256, 255)))), Each(255));
 }
@@ -374,14 +367,13 @@ TEST(DecodePicture, unsupported_formats_list_the_supported_ones) {
                 AllOf(HasSubstr("a.png: cannot be read as a picture"), HasSubstr("PNG, JPEG, TIFF, OpenEXR")));
 }
 
-/// Returns the offset at which the value of an attribute begins in an EXR file.
+/// Offset of an attribute's value in an EXR file.
 std::size_t value_of_attribute(const Bytes& file, std::string_view name_and_type) {
   const std::string_view text(reinterpret_cast<const char*>(file.data()), file.size());
   return text.find(name_and_type) + name_and_type.size() + 4;
 }
 
-// A file of a few hundred bytes states a size of 60000 x 60000 pixels. It must be refused before memory of that size is
-// allocated, which would take seconds and gigabytes.
+// A few hundred bytes state 60000 x 60000 pixels, and must be refused before memory is allocated.
 TEST(DecodeExr, small_file_with_huge_size_is_refused) {
   using namespace std::literals;
   Bytes file = exr_file(ExrCompression::kZip);
@@ -393,7 +385,7 @@ TEST(DecodeExr, small_file_with_huge_size_is_refused) {
   EXPECT_THAT(error_message([&] { decode_picture(file, "a.exr"); }), HasSubstr("a.exr: cannot be read as a picture: "));
 }
 
-// An EXR file has an offset table with 8 bytes for each tile. The table of 10000 x 10000 tiles would be larger than this file.
+// The offset table, with 8 bytes for each of 10000 x 10000 tiles, would be larger than the file.
 TEST(DecodeExr, small_file_with_many_tiles_is_refused) {
   using namespace std::literals;
   const std::string_view tiles = "tiles\0tiledesc\0\x09\0\0\0\x01\0\0\0\x01\0\0\0\0"sv;
@@ -402,7 +394,7 @@ TEST(DecodeExr, small_file_with_many_tiles_is_refused) {
   std::memcpy(file.data() + value_of_attribute(file, "dataWindow\0box2i\0"sv), size, sizeof size);
   const Bytes attribute = bytes_of(tiles);
   file.insert(file.begin() + 8, attribute.begin(), attribute.end());
-  file[5] |= std::byte{0x02};  // sets the flag of tiled files in the version field
+  file[5] |= std::byte{0x02};  // flag of tiled files
   EXPECT_THAT(error_message([&] { decode_picture(file, "a.exr"); }), HasSubstr("truncated in its header"));
 }
 
@@ -414,8 +406,7 @@ TEST(DecodeExr, attribute_longer_than_the_file_is_truncated) {
   EXPECT_THAT(error_message([&] { decode_picture(file, "a.exr"); }), HasSubstr("truncated in its header"));
 }
 
-// The attribute states a size other than the 4 bytes of a float. OpenEXR ignores this size and would misread the following
-// bytes as the next attribute.
+// The attribute does not have the 4 bytes of a float. OpenEXR ignores the size and would read the rest as the next attribute.
 TEST(DecodeExr, attribute_of_wrong_size_is_an_error) {
   using namespace std::literals;
   Bytes file = exr_file(ExrCompression::kZip);

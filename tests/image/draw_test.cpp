@@ -16,7 +16,7 @@ Picture white_picture(int width, int height) {
   return picture;
 }
 
-/// Returns the picture as text, row by row: '#' for ink and '.' for paper.
+/// '#' is ink and '.' paper.
 std::string drawing_of(const Picture& picture) {
   const auto& image = std::get<Image8>(picture);
   std::string text;

@@ -1,4 +1,3 @@
-// Tests the metadata of EXR files: display and data windows, channel names, chromaticities, and files of several parts.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -31,7 +30,7 @@ std::vector<float> exr_samples(const std::vector<std::byte>& file) {
 Names exr_channels(const ExrPart& part) { return picture_header(exr_file(part), "a.exr").channels; }
 Names exr_notices(const std::vector<std::byte>& file) { return picture_header(file, "a.exr").notices; }
 
-/// Returns a picture of one pixel with the channels `names`. The channels have the values 1, 2, 3, ... in this order.
+/// The channels `names` have the values 1, 2, 3, ...
 ExrPart one_pixel(const Names& names) {
   ExrPart part;
   for (const std::string& name : names) part.channels.push_back({name, {1.0f + static_cast<float>(part.channels.size())}});
@@ -144,7 +143,7 @@ TEST(ExrChannels, luminance_and_chroma_become_colours) {
   }
 }
 
-// The chromaticities of red and green are exchanged, so their samples must be exchanged. The white point does not change.
+// The chromaticities of red and green are exchanged, so their samples must be exchanged.
 TEST(ExrChromaticities, exchanged_primaries_exchange_colours) {
   ExrPart part = one_pixel({"B", "G", "R"});
   part.attributes = exr_chromaticities({0.30f, 0.60f, 0.64f, 0.33f, 0.15f, 0.06f, 0.3127f, 0.3290f});
@@ -194,8 +193,7 @@ TEST(ExrParts, leading_part_of_one_channel_is_skipped) {
   }
 }
 
-// OpenEXR 3.4 reads zeros beyond the end of a truncated uncompressed file. check_exr_file() must therefore detect every
-// truncation.
+// OpenEXR 3.4 reads zeros beyond the end of a truncated file, so check_exr_file() must find every truncation.
 TEST(ExrFile, every_cut_is_found_by_the_chunks) {
   const ExrPart part{{0, 0, 3, 2}, {0, 0, 3, 2}, {{"Y", {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}}}};
   ExrPart named = part, second = part;
@@ -208,15 +206,14 @@ TEST(ExrFile, every_cut_is_found_by_the_chunks) {
   }
 }
 
-// The file is complete, but its first chunk states a size that reaches beyond the end of the file.
+// The first chunk states a size that reaches beyond the end of the file.
 TEST(ExrFile, chunk_beyond_the_file_is_an_error) {
   std::vector<std::byte> file = exr_file(ExrPart{{0, 0, 0, 1}, {0, 0, 0, 1}, {{"Y", {1, 2}}}});
   file[file.size() - 2 * 12 + 5] = std::byte{1};  // changes the size of the first chunk from 4 to 256 + 4
   EXPECT_THAT(error_message([&] { decode_picture(file, "a.exr"); }), HasSubstr("the file is truncated"));
 }
 
-// A tiled file with two resolution levels of one tile each: 2 x 2 pixels and their mean. The decoded picture is the level with
-// 2 x 2 pixels.
+// Two levels of one tile each: 2 x 2 pixels and their mean. The first one is decoded.
 TEST(ExrFile, tiles_of_smaller_levels_are_counted) {
   using test::bytes_of_value;
   const std::vector<std::byte> scan_lines =
@@ -226,7 +223,7 @@ TEST(ExrFile, tiles_of_smaller_levels_are_counted) {
                        1.0f,
                        test::exr_attribute("tiles", "tiledesc", bytes_of_value(2) + bytes_of_value(2) + '\x01')});
   std::string file(reinterpret_cast<const char*>(scan_lines.data()), scan_lines.size() - 2 * 8 - 2 * 16);
-  file[5] = '\x02';  // sets the flag of tiled files in the version field
+  file[5] = '\x02';  // flag of tiled files
   const auto tile = [](int level, const std::vector<float>& values) {
     std::string chunk;
     for (const int word : {0, 0, level, level, static_cast<int>(4 * values.size())}) chunk += bytes_of_value(word);

@@ -1,4 +1,4 @@
-// Tests that a failed write at any position of a file throws an Error and leaves no file.
+// A failed write at any position of a file must throw an Error and leave no file.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -20,7 +20,7 @@ namespace {
 
 using Write = std::function<void(const std::filesystem::path&)>;
 
-/// While this object exists, writing beyond the first `bytes` bytes of any file fails, as on a full disk.
+/// Writing beyond the first `bytes` bytes of any file fails, as on a full disk.
 class FileSizeLimit {
  public:
   explicit FileSizeLimit(rlim_t bytes) : old_handler_(std::signal(SIGXFSZ, SIG_IGN)) {

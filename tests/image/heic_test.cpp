@@ -1,5 +1,4 @@
-// Tests HEIC and AVIF pictures. The pictures in tests/image/pictures were encoded by heif-enc and ffmpeg. Each has four
-// quarters, and each quarter has one colour.
+// heif-enc and ffmpeg encoded tests/image/pictures. Each picture has four quarters of one colour each.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -27,8 +26,7 @@ constexpr std::array<std::array<int, 3>, 4> kQuarters{{{200, 60, 40}, {40, 180, 
 
 fs::path picture(const char* name) { return fs::path(LIPPMANN_SOURCE) / "tests/image/pictures" / name; }
 
-/// Compares the pixel in the middle of each quarter with the quarter's colour. `code` is the difference between two successive
-/// 8-bit codes: 1 in 8-bit images, 257 in 16-bit images.
+/// `code` is the distance between successive 8-bit codes: 1 in 8-bit images, 257 in 16-bit images.
 template <class AnyImage>
 void expect_quarters(const AnyImage& image, double code, double tolerance) {
   ASSERT_EQ(image.width, kWidth);
@@ -49,8 +47,8 @@ TEST(Heic, pictures_of_10_bits_become_16) {
   expect_quarters(std::get<Image16>(read_picture(picture("quarters_10bit.heic"))), 257.0, 1.0);
 }
 
-// quarters_depth.heic also stores a grey picture of half the size as its depth map. The file marks it by an auxl reference and
-// the auxC property urn:mpeg:hevc:2015:auxid:2.
+// The depth map is a grey picture of half the size, marked by an auxl reference and the auxC property
+// urn:mpeg:hevc:2015:auxid:2.
 TEST(Heic, depth_image_beside_the_picture) {
   expect_quarters(std::get<Image8>(read_picture(picture("quarters_depth.heic"))), 1.0, 2.0);
   const std::optional<StoredDepth> depth = read_stored_depth(picture("quarters_depth.heic"));

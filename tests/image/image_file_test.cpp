@@ -1,5 +1,3 @@
-// Tests PNG, TIFF and EXR files. Files that were written must be read without change. Files that cannot be read or written must
-// give an error.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -36,7 +34,7 @@ std::string file_bytes(const fs::path& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// Copies the first part of a file to a new file, and returns its path. `share` is the copied share of the file's size.
+/// Copies the first `share` of a file's bytes, and returns the path of the copy.
 fs::path truncated(const fs::path& whole, double share) {
   const std::string bytes = file_bytes(whole);
   const fs::path path = whole.parent_path() / ("truncated" + whole.extension().string());
@@ -93,8 +91,7 @@ TEST(Png, size_outside_the_limits_is_an_error) {
               HasSubstr("65537 x 1"));
 }
 
-// A TIFF file begins with "II" and a version number. The number is 42 in a classic file, and 43 in a BigTIFF file, whose
-// offsets have 8 bytes.
+// The version number after "II" is 42 in a classic TIFF, and 43 in a BigTIFF, whose offsets have 8 bytes.
 TEST(Tiff, big_tiff_has_the_same_codes) {
   const test::TempDir dir;
   const Image8 codes = noise_codes(33, 17);
@@ -228,7 +225,7 @@ TEST(ReadImage, eight_bit_codes_are_code_over_255) {
 
 TEST(ReadImage8, sixteen_bit_codes_are_rounded_to_eight) {
   const TempDir dir;
-  // a 16-bit code is rounded to the nearest k = code / 257, so the result changes at 257 k + 128.5
+  // a 16-bit code is rounded to the nearest k = code / 257, which changes at 257 k + 128.5
   write_png(dir / "a.png", Image16{2, 1, {0, 128, 129, 65535, 65407, 65406}});
   EXPECT_THAT(read_image8(dir / "a.png").rgb, ElementsAre(0, 0, 1, 255, 255, 254));
 }

@@ -25,7 +25,7 @@ Image8 flat(int width, int height, unsigned char code) {
   return {width, height, std::vector<unsigned char>(std::size_t{3} * width * height, code)};
 }
 
-/// Computes SSIM directly from its definition, with a two-dimensional window and variances about the local mean.
+/// SSIM by its definition, with a two-dimensional window and variances about the local mean.
 double ssim_by_definition(const Image8& a, const Image8& b) {
   const auto luma = [](const Image8& image, int x, int y) {
     const unsigned char* p = &image.rgb[3 * (std::size_t(y) * image.width + x)];
@@ -127,8 +127,8 @@ TEST(Metrics, luma_psnr_equals_ffmpegs_psnr_filter) {
   const PictureMetrics m = measure_difference(a, b);
   const double y = test::number_after(output, "PSNR y:"), u = test::number_after(output, " u:"),
                v = test::number_after(output, " v:");
-  // ffmpeg converts code c to 256 c in 16 bits, but computes the PSNR with a peak of 65535 instead of 256 * 255. The tolerance
-  // allows for its conversion, which has a precision of 15 bits.
+  // ffmpeg converts code c to 256 c in 16 bits, but uses a peak of 65535 instead of 256 * 255. Its conversion has a precision
+  // of 15 bits.
   const double peak_db = 20.0 * std::log10(65535.0 / (256.0 * 255.0));
   EXPECT_NEAR(m.psnr_y_db + peak_db, y, 0.005);
   EXPECT_NEAR(m.psnr_yuv_db + peak_db, (6.0 * y + u + v) / 8.0, 0.005);

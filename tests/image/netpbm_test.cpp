@@ -1,4 +1,3 @@
-// Tests the bytes of PPM and PFM files, and damaged or malicious files of both formats.
 #include "image/netpbm.hpp"
 
 #include <gmock/gmock.h>
@@ -20,8 +19,8 @@ std::vector<std::byte> bytes(const std::string& text) {
   return {all.begin(), all.end()};
 }
 
-/// A grey PFM file of 2 x 2 pixels. The bottom row (3, 4) is stored before the top row (1, 2). Floats are little endian: 1.0f
-/// is 3f800000, 2.0f is 40000000, 3.0f is 40400000 and 4.0f is 40800000.
+/// Grey, 2 x 2 pixels, with the bottom row (3, 4) before the top row (1, 2). In little endian, 1.0f is 3f800000, 2.0f is
+/// 40000000, 3.0f is 40400000 and 4.0f is 40800000.
 const std::string kPfm(
     "Pf\n2 2\n-1\n"
     "\x00\x00\x40\x40\x00\x00\x80\x40"

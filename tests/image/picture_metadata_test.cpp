@@ -1,4 +1,3 @@
-// Tests picture metadata: orientation, exposure, gamma, colour profiles and the aspect of pixels.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <tiffio.h>
@@ -49,7 +48,7 @@ Bytes to_bytes(const Range& range) {
   return {bytes.begin(), bytes.end()};
 }
 
-/// Returns EXIF data whose only entry is the orientation.
+/// EXIF data whose only entry is the orientation.
 std::string exif_with(char orientation) {
   return std::string("MM\0\x2a\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0"sv) + orientation + std::string(6, '\0');
 }
@@ -61,9 +60,7 @@ std::vector<Sample> decoded_as(const Bytes& file) {
   return std::get<std::vector<Sample>>(decode_picture(file, "the file").samples);
 }
 
-// ---- Orientation --------------------------------------------------------------------------------------------------------
-
-// The stored picture has two rows: 1 2 3 and 4 5 6.
+// The stored rows are 1 2 3 and 4 5 6.
 TEST(Orientation, all_eight_are_as_in_tiff) {
   const std::vector<std::vector<std::uint8_t>> expected{{1, 2, 3, 4, 5, 6}, {3, 2, 1, 6, 5, 4}, {6, 5, 4, 3, 2, 1},
                                                         {4, 5, 6, 1, 2, 3}, {1, 4, 2, 5, 3, 6}, {4, 1, 5, 2, 6, 3},
@@ -110,9 +107,7 @@ TEST(Exif, turns_jpeg_png_and_webp) {
   EXPECT_EQ(header_in(to_bytes(webp)).width, 8);
 }
 
-// ---- PNG ----------------------------------------------------------------------------------------------------------------
-
-/// Computes the CRC-32 checksum of a PNG chunk bit by bit.
+/// CRC-32 of a PNG chunk, bit by bit.
 std::uint32_t png_checksum(std::string_view bytes) {
   std::uint32_t sum = 0xffffffff;
   for (const char c : bytes) {
@@ -122,7 +117,7 @@ std::uint32_t png_checksum(std::string_view bytes) {
   return ~sum;
 }
 
-/// Returns a grey PNG file with these chunks after its header.
+/// a grey file with these chunks after its header
 Bytes png_with(const std::vector<std::pair<std::string, std::string>>& chunks) {
   std::string file;
   for (const unsigned char c : test::encode_png(4, 2, 3, std::vector<std::uint8_t>(24, 100))) file += static_cast<char>(c);
@@ -176,8 +171,6 @@ TEST(PngNotices, are_warned_about_once_with_the_file) {
   EXPECT_THAT(warnings, ElementsAre(HasSubstr("a.png: its gamma (gAMA 1) is not applied")));
 }
 
-// ---- Colour profiles ----------------------------------------------------------------------------------------------------
-
 TEST(ColorProfile, srgb_is_silent_and_others_are_named) {
   EXPECT_EQ(color_profile_notice({}), "");
   EXPECT_EQ(color_profile_notice(to_bytes(profile_with(kSrgbPrimaries, 2.2))), "");
@@ -186,7 +179,7 @@ TEST(ColorProfile, srgb_is_silent_and_others_are_named) {
 }
 
 TEST(ColorProfile, damaged_profiles_are_not_srgb) {
-  constexpr std::size_t kHeader = 132;  // bytes of the profile's header and the number of tags
+  constexpr std::size_t kHeader = 132;  // header of the profile and number of tags
   const std::string whole = profile_with(kP3Primaries, 2.2);
   for (std::size_t size = 0; size < kHeader; ++size) EXPECT_EQ(color_profile_notice(to_bytes(whole.substr(0, size))), "");
   for (std::size_t size = kHeader; size < whole.size(); ++size)
@@ -217,8 +210,8 @@ std::vector<Code> by_profile(const std::string& profile, int channels, std::vect
   return std::get<std::vector<Code>>(samples);
 }
 
-// Expected codes. They are computed from the XYZ values of the primaries under D50. The P3 colour (100, 150, 120) is (82.9,
-// 153.1, 118.3) in sRGB. With a gamma of 1.8, the code c represents the light (c / largest code)^1.8.
+// Expected codes follow from the XYZ values of the primaries under D50: the P3 colour (100, 150, 120) is (82.9, 153.1, 118.3)
+// in sRGB. With a gamma of 1.8, code c is the light (c / largest code)^1.8.
 TEST(ApplyColorProfile, codes_become_those_of_srgb) {
   using testing::AllOf, testing::Ge, testing::Le;
   const auto near = [](int value, int error) { return AllOf(Ge(value - error), Le(value + error)); };
@@ -257,7 +250,7 @@ TEST(ApplyColorProfile, files_are_read_as_srgb_without_notice) {
   EXPECT_NEAR(std::get<std::vector<std::uint8_t>>(picture.samples)[0], 83, 3) << "JPEG changes codes by one or two";
 }
 
-/// The three pixels are magenta at half strength, magenta at full strength, and paper without ink.
+/// magenta at half strength, magenta at full strength, and paper without ink
 TEST(RgbOfInks, by_the_profile_of_a_press) {
   const std::vector<std::uint8_t> inks{0, 128, 0, 0, 0, 255, 0, 0, 0, 0, 0, 0};
   const std::optional<Samples> samples = rgb_of_inks(to_bytes(press_profile()), inks);
@@ -307,10 +300,8 @@ TEST(RgbOfInks, tiff_by_its_profile_or_an_estimate) {
 #endif
 }
 
-// ---- Chromaticities -----------------------------------------------------------------------------------------------------
-
-// The matrix columns for X and Y must equal those of the standard matrix from XYZ to sRGB, (3.2406, -0.9689, 0.0557) and
-// (-1.5372, 1.8758, -0.2040). The column for X is scaled by 0.3127 / 0.3290 = 0.9505, because the D65 white has X = 0.9505.
+// The columns for X and Y are those of the standard matrix from XYZ to sRGB, (3.2406, -0.9689, 0.0557) and (-1.5372, 1.8758,
+// -0.2040). X is scaled by 0.3127 / 0.3290 = 0.9505, the X of the D65 white.
 TEST(Chromaticities, xyz_under_d65_gives_the_usual_matrix) {
   Chromaticities xyz = kXyz;
   xyz.xy[6] = 0.3127, xyz.xy[7] = 0.3290;
@@ -323,8 +314,7 @@ TEST(Chromaticities, xyz_under_d65_gives_the_usual_matrix) {
   EXPECT_NEAR((*matrix)[1][1], 1.8758, 2e-3);
 }
 
-// The white points differ, but the matrix must map white to white. In each row of the matrix, the weights of red, green and
-// blue therefore sum to 1.
+// The white points differ, but white must stay white: the weights of red, green and blue in each row sum to 1.
 TEST(Chromaticities, white_of_another_colour_stays_white) {
   const auto matrix = rec709_from({{0.713, 0.293, 0.165, 0.830, 0.128, 0.044, 0.32168, 0.33767}});  // chromaticities of ACEScg
   ASSERT_TRUE(matrix);
@@ -333,9 +323,7 @@ TEST(Chromaticities, white_of_another_colour_stays_white) {
   EXPECT_NEAR((*matrix)[1][0], -0.6218, 2e-3);
 }
 
-// ---- Radiance HDR -------------------------------------------------------------------------------------------------------
-
-/// Returns a Radiance HDR file of grey pixels. The exponent is 129, so the mantissa 128 represents the light 1.
+/// Grey pixels with the exponent 129: the mantissa 128 is the light 1.
 Bytes grey_hdr(const std::string& variables, const std::string& resolution, const std::vector<std::uint8_t>& mantissas) {
   std::string text = "#?RADIANCE\n" + variables + "\n" + resolution + "\n";
   for (const std::uint8_t mantissa : mantissas) text += std::string(3, static_cast<char>(mantissa)) + '\x81';
@@ -356,8 +344,7 @@ TEST(DecodeHdr, exposures_and_colour_corrections_are_undone) {
               ElementsAre(0.5f, 0.5f, 0.5f));
   EXPECT_THAT(decoded_as<float>(grey_hdr(format + "COLORCORR= 1 2 4\n", "-Y 1 +X 1", {128})), ElementsAre(1, 0.5f, 0.25f));
   EXPECT_THAT(decoded_as<float>(grey_hdr("\tEXPOSURE=2\n# EXPOSURE=3\n" + format, "-Y 1 +X 1", {128})),
-              // EXPOSURE is ignored in indented lines, which repeat the headers of input pictures, and in comments, which begin
-              // with #.
+              // EXPOSURE is ignored in indented lines, which repeat the headers of input pictures, and in comments.
               ElementsAre(1, 1, 1));
   for (const char* exposure : {"0", "-1", "nan", "many", "1e-40"})
     EXPECT_THAT(
@@ -386,7 +373,7 @@ TEST(DecodeHdr, resolution_sets_the_order_of_pixels) {
 
 TEST(DecodeHdr, old_runs_repeat_a_pixel) {
   std::string text = "#?RGBE\n\n-Y 1 +X 300\n";
-  // The pixels are: one pixel of light 1, two runs that repeat it 42 and 256 times, and one pixel of light 0.5.
+  // one pixel of light 1, two runs that repeat it 42 and 256 times, and one pixel of light 0.5
   text += "\x80\x80\x80\x81\x01\x01\x01\x2a\x01\x01\x01\x01\x40\x40\x40\x81"s;
   const std::vector<float> greys = greys_of(to_bytes(text));
   ASSERT_EQ(greys.size(), 300u);
@@ -407,8 +394,6 @@ TEST(DecodeHdr, ignored_properties_are_reported) {
   EXPECT_THAT(notices("SOFTWARE=x\nVIEW= -vtv\nPIXASPECT=1\nGAMMA=1\n"), IsEmpty());
 }
 
-// ---- TGA and BMP --------------------------------------------------------------------------------------------------------
-
 TEST(DecodeTga, columns_from_the_right) {
   const auto file = "\0\0\x03\0\0\0\0\0\0\0\0\0\x03\0\x01\0\x08\x30\x0a\x0b\x0c"sv;
   EXPECT_THAT(decoded_as<std::uint8_t>(to_bytes(file)), ElementsAre(12, 11, 10));
@@ -420,7 +405,7 @@ TEST(DecodeBmp, rows_from_the_bottom_or_the_top) {
     for (int i = 0; i < 4; ++i) file += static_cast<char>(static_cast<std::uint32_t>(height) >> 8 * i & 0xff);
     return to_bytes(file + "\x01\0\x18\0"s + std::string(24, '\0') + std::string(rows));
   };
-  const auto rows = "\x01\x02\x03\0\x04\x05\x06\0"sv;  // blue, green, red and a byte of padding for each row
+  const auto rows = "\x01\x02\x03\0\x04\x05\x06\0"sv;  // each row is padded by a byte
   EXPECT_THAT(decoded_as<std::uint8_t>(bmp(2, rows)), ElementsAre(6, 5, 4, 3, 2, 1));
   EXPECT_THAT(decoded_as<std::uint8_t>(bmp(-2, rows)), ElementsAre(3, 2, 1, 6, 5, 4));
   EXPECT_THAT(error_message([&] { decode_picture(bmp(2, rows.substr(0, 5)), "a.bmp"); }), HasSubstr("truncated"));
@@ -429,12 +414,9 @@ TEST(DecodeBmp, rows_from_the_bottom_or_the_top) {
   EXPECT_THAT(error_message([&] { decode_picture(to_bytes(old), "a.bmp"); }), HasSubstr("truncated"));
 }
 
-// ---- GIF ----------------------------------------------------------------------------------------------------------------
-
 const std::string kGifHeader = "GIF89a\2\0\1\0\x80\0\0\x0a\x0b\x0c\x14\x15\x16"s;
 
-/// Returns a GIF picture of 1 or 2 pixels at column `x`. All pixels have the second colour. The LZW codes have 3 bits: 4
-/// (clear), 1 for each pixel, and 5 (end).
+/// 1 or 2 pixels of the second colour at column `x`. LZW codes of 3 bits: 4 (clear), 1 per pixel, and 5 (end).
 std::string gif_picture(char x, char width) {
   return "\x2c"s + x + "\0\0\0"s + width + "\0\1\0\0\2\2"s + (width == 2 ? "\x4c\x0a"s : "\x4c\x01"s) + '\0';
 }
@@ -460,8 +442,6 @@ TEST(DecodeGif, missing_or_too_large_picture_is_refused) {
   EXPECT_THAT(message("GIF89a\xff\xff\xff\xff\0\0\0;"s), HasSubstr("65535 x 65535 pixels"));
   EXPECT_THAT(message("GIF89a\xff\x3f\xff\x3f\0\0\0;"s), HasSubstr("cannot hold"));
 }
-
-// ---- Files that are not images ------------------------------------------------------------------------------------------
 
 TEST(Resolution, tiff_has_dots_per_inch) {
   const TempDir dir;

@@ -1,5 +1,3 @@
-// Tests picture files for printing: their resolution, their bits per sample, and the conversion of colours to a printer's
-// profile.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <tiffio.h>
@@ -19,7 +17,7 @@ namespace fs = std::filesystem;
 using test::error_message;
 using testing::ElementsAre, testing::HasSubstr;
 
-/// A picture of four pixels: white, black, a grey and a colour.
+/// white, black, a grey and a colour
 const Image8 kCodes{2, 2, {255, 255, 255, 0, 0, 0, 119, 119, 119, 100, 150, 120}};
 
 class PrintFile : public testing::Test {
@@ -49,7 +47,7 @@ TEST_F(PrintFile, colours_are_converted_to_the_profile) {
   const OutputProfile p3(file_with("p3.icc", test::profile_with(test::kP3Primaries, 2.2)));
   for (const char* name : {"a.png", "a.tiff"}) {
     write_print(dir_ / name, kCodes, 300.0, &p3);
-    // the reader converts the colours back by the embedded profile
+    // the reader converts back by the embedded profile
     const auto read = std::get<Image8>(read_picture(dir_ / name));
     for (std::size_t i = 0; i < kCodes.rgb.size(); ++i) EXPECT_NEAR(read.rgb[i], kCodes.rgb[i], 1) << name << " " << i;
     std::vector<std::string> notices;

@@ -34,8 +34,7 @@ TEST(ResampledLight, reduces_by_area) {
   EXPECT_FLOAT_EQ(row[1], (2 + 0.5f * 7) / 1.5f);
 }
 
-// Expected weights halfway between two samples. The Lanczos filter is sinc(x) sinc(x / 3), at the distances x = 1/2, 3/2 and
-// 5/2 on both sides.
+// Halfway between two samples, the Lanczos filter sinc(x) sinc(x / 3) has the distances x = 1/2, 3/2 and 5/2 on both sides.
 TEST(ResampledLight, enlarges_by_lanczos) {
   const auto lobe = [](double x) {
     const double a = std::numbers::pi * x;

@@ -28,7 +28,7 @@ TEST(Resample, twice_the_size_repeats) {
 }
 
 TEST(Resample, partly_covered_pixels_are_weighted) {
-  // Each output pixel covers 1.5 input pixels. The first is (1 + 2 / 2) / 1.5 = 4/3, and the second is (2 / 2 + 3) / 1.5 = 8/3.
+  // Each output pixel covers 1.5 input pixels: (1 + 2 / 2) / 1.5 = 4/3 and (2 / 2 + 3) / 1.5 = 8/3.
   EXPECT_THAT(resampled(grey(3, 1, {1, 2, 3}), {2, 1}).data, ElementsAre(FloatEq(4.0f / 3.0f), FloatEq(8.0f / 3.0f)));
 }
 

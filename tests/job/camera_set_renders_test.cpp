@@ -1,4 +1,3 @@
-// Tests renders of data sets: pictures from many cameras around a scene.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -25,8 +24,8 @@ class CameraSetRenders : public Renders {
   }
 };
 
-/// Projects the points that view `from` sees into view `to`. Returns the share of points that are consistent: view `to` sees
-/// either the point or a nearer surface there.
+/// Projects the points of view `from` into view `to`, and returns the fraction for which `to` sees the point or a nearer
+/// surface.
 double consistent_share(const LightField& field, const std::vector<PosedCamera>& cameras, int from, int to) {
   const Image depth = depth_of(field, from), other = depth_of(field, to);
   const PosedCamera &a = cameras[static_cast<std::size_t>(from)], &b = cameras[static_cast<std::size_t>(to)];
@@ -40,7 +39,7 @@ double consistent_share(const LightField& field, const std::vector<PosedCamera>&
       const Vec2d pixel = projected(b, point);
       const Vec2i at(glm::floor(pixel));
       if (at.x < 1 || at.y < 1 || at.x > other.width - 2 || at.y > other.height - 2) continue;
-      double nearest = INFINITY;  // the nearest depth of nine pixels, because the point may be at an edge
+      double nearest = INFINITY;  // nearest of nine pixels, because the point may be at an edge
       for (int i = 0; i < 9; ++i)
         nearest = std::min(nearest, planar_depth_mm(field, *other.pixel(at.x - 1 + i % 3, at.y - 1 + i / 3)));
       ++points;

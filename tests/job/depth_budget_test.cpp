@@ -10,8 +10,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Returns an array in a scene that reaches `half_depth` units in front of the array and as far behind it. One unit is 10 mm,
-/// and the array is as high as 64 lenses of 1 mm.
+/// The scene reaches `half_depth` units of 10 mm in front of and behind the array, which is as high as 64 lenses of 1 mm.
 FittedArray array_of_depth(float half_depth) {
   FittedArray array;
   array.plane_height = 6.4f;
@@ -20,7 +19,7 @@ FittedArray array_of_depth(float half_depth) {
   return array;
 }
 
-/// Returns the sentence about the depth of a scene, for an array of 64 lenses with 8 pixels each. Its depth budget is 16 mm.
+/// The sentence on the depth of a scene for 64 lenses of 8 pixels, whose depth budget is 16 mm.
 std::string budget_for(float half_depth) {
   const Optics optics{.panel = {}, .model = LenticularSheet{}};
   return depth_budget_sentence(shown_depth(array_of_depth(half_depth), 0.1f, 1.0f, optics), optics);
@@ -43,9 +42,9 @@ TEST(DepthBudget, single_view_has_no_budget) {
 }
 
 TEST(DepthBudget, views_are_a_pixel_apart_at_it) {
-  // Two views are 20 degrees apart at a distance of 500 mm, so the eyes are at e = -+500 tan(10 degrees) = -+88.163 mm. The eye
-  // at e sees a point (x, z) at x - z (e - x) / (500 - z) in the plane z = 0. For x = 0 the positions of both eyes are 2 z *
-  // 88.163 / (500 - z) apart. This distance is one pixel, 0.5 mm, for z = 1.4138 mm.
+  // Two views 20 degrees apart at 500 mm have eyes at e = -+500 tan(10 degrees) = -+88.163 mm. The eye at e sees a point (x, z)
+  // at x - z (e - x) / (500 - z) in the plane z = 0. For x = 0, both positions are 2 z * 88.163 / (500 - z) apart, which is one
+  // pixel (0.5 mm) for z = 1.4138 mm.
   const Optics optics{.panel = {200, 100, 0.5f}, .model = MultiView{2, 1, radians(40.0f), false, 500.0f}};
   EXPECT_NEAR(depth_budget_mm(optics), 1.4138f, 1e-4f);
   std::vector<Vec2f> pixels;
@@ -112,8 +111,8 @@ TEST(FitDepth, optics_do_not_depend_on_depth) {
 }
 
 TEST(FitDepth, middle_of_the_zone_is_unchanged) {
-  // There is a single lens, which covers all 512 pixels. with_parallax() must keep the ray of the central pixel, and multiply
-  // the slopes of all rays by the parallax of 0.5.
+  // A single lens covers all 512 pixels. The parallax of 0.5 must keep the ray of the central pixel and halve the slopes of all
+  // rays.
   Optics optics{.panel = {512, 1, 0.125f},
                 .model = LenticularSheet{.lens_pitch_mm = 64.0f, .gap_mm = 100.0f, .offset_mm = 0.0f}};
   for (const auto& [pixel, slope] : {std::pair(256.0f, 0.0f), std::pair(264.0f, -0.01f)}) {
@@ -124,8 +123,7 @@ TEST(FitDepth, middle_of_the_zone_is_unchanged) {
 }
 
 TEST(FitDepth, quilt_eyes_move_together) {
-  // The two views are 20 degrees apart at 500 mm, so the eyes are at -+500 tan(10 degrees) = -+88.163 mm. Reducing the parallax
-  // multiplies their positions by `parallax`.
+  // Two views 20 degrees apart at 500 mm have eyes at -+500 tan(10 degrees) = -+88.163 mm, which `parallax` multiplies.
   const Optics quilt{.panel = {200, 100, 0.5f}, .model = MultiView{2, 1, radians(40.0f), false, 500.0f}};
   for (const float parallax : {1.0f, 0.25f}) {
     const Ray ray = ray_of_pixel(with_parallax(quilt, parallax), {50.0f, 50.0f});

@@ -1,4 +1,3 @@
-// Tests renders for a display. The display sets the size, the optics and the layout, and its crosstalk is corrected.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -21,7 +20,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using Json = nlohmann::ordered_json;
 
-/// Provides a small display with slanted lenses, and a lenticular sheet on a print of 2 x 1 inches.
+/// A small display with slanted lenses, and a lenticular sheet on a print of 2 x 1 inches.
 class DisplayRenders : public Renders {
  protected:
   DisplayRenders() {
@@ -54,7 +53,7 @@ TEST_F(DisplayRenders, slanted_panel_gets_its_quilt) {
   EXPECT_EQ(optics["kind"], "multiview");
   EXPECT_EQ(optics["width"], 129);
   EXPECT_NEAR(optics["view_cone_deg"].get<double>(), 40.0, 1e-4);
-  // A tile of 32 x 64 pixels covers a display of 48 x 64 pixels. A pixel of the tile is 48 / 32 = 1.5 display pixels wide and 1
+  // A tile of 32 x 64 pixels covers a display of 48 x 64 pixels, so its pixels are 48 / 32 = 1.5 display pixels wide and 1
   // high.
   EXPECT_NEAR(optics["pixel_height"].get<double>(), 2.0 / 3.0, 1e-6);
 }
@@ -66,8 +65,8 @@ TEST_F(DisplayRenders, native_frame_has_the_panels_pixels) {
   EXPECT_TRUE(are_identical("out", "a.mkv"));
 }
 
-/// Returns the numerator and the denominator of XResolution in a TIFF file. The entry has the tag 282 = 0x011a, the type 5
-/// (rational), a count of 1, and the offset of the value.
+/// Numerator and denominator of XResolution in a TIFF file. The entry has tag 282 = 0x011a, type 5 (rational), count 1, and the
+/// offset of the value.
 std::pair<std::uint32_t, std::uint32_t> resolution_of(const std::string& tiff) {
   const std::size_t at = tiff.find(std::string("\x1a\x01\x05\x00\x01\x00\x00\x00", 8));
   const auto word = [&](std::size_t i) {
@@ -124,9 +123,7 @@ TEST_F(DisplayRenders, unsupported_parameters_are_refused) {
   EXPECT_THAT(refusal(teapot("out", "0", {{"layout", "native"}})), HasSubstr("display"));
 }
 
-// ---- Crosstalk ----------------------------------------------------------------------------------------------------------
-
-// There are nine pixels below a lens, so an eye in the middle sees the centre of the fifth pixel.
+// With nine pixels below a lens, an eye in the middle sees the centre of the fifth.
 TEST_F(DisplayRenders, precompensated_picture_looks_plain_through_crosstalk) {
   const Settings sheet{{"lenses", "24"}, {"lens-pixels", "9"}, {"format", "exr"}};
   render(teapot("plain", "3", sheet));
@@ -143,7 +140,7 @@ TEST_F(DisplayRenders, precompensated_picture_looks_plain_through_crosstalk) {
                  undone = seen("shown", "c", sigma_px);
   const auto rmse = [&](const fs::path& picture) { return compare(wanted, picture, context_).mean_rmse.mean; };
   EXPECT_GE(rmse(leaking), 0.5);
-  EXPECT_LE(rmse(undone), 0.5 * rmse(leaking));  // the correction is incomplete because some values are clipped
+  EXPECT_LE(rmse(undone), 0.5 * rmse(leaking));  // some values are clipped
 }
 
 TEST_F(DisplayRenders, crosstalk_has_pixels_or_views_as_unit) {
@@ -152,8 +149,8 @@ TEST_F(DisplayRenders, crosstalk_has_pixels_or_views_as_unit) {
   leaky.replace(leaky.find("129, 128"), 3, "128");
   std::ofstream(dir_ / "leaky.toml") << leaky;
   const Json quilt = report_of(teapot_on("leaky.toml", {{"precompensate", "true"}}));
-  // The quilt has 8 views. The slanted lenses are 324 dpi / 52 lpi = 6.23 pixels wide; measured along a row of pixels they are
-  // 6.29 pixels wide. Crosstalk of 0.2 views is converted to pixels by 8 views per 6.29 pixels.
+  // The lenses are 324 dpi / 52 lpi = 6.23 pixels wide, or 6.29 along a row, for 8 views. Light that leaks over 0.2 views thus
+  // leaks over 0.2 / 8 of 6.29 pixels.
   EXPECT_NEAR(quilt["precompensation"]["crosstalk_px"].get<double>(), 0.2 * 8 / (324 / 52.0 / std::cos(std::atan(1 / 7.0))),
               1e-6);
   const Json native = report_of(teapot_on("leaky.toml", {{"precompensate", "true"}, {"layout", "native"}}, "native"));

@@ -1,5 +1,3 @@
-// Tests output folders of renders. A folder holds only one render, so other renders into it are refused. The tests also cover
-// which files remain, and resuming.
 #include <gmock/gmock.h>
 
 #include <fstream>

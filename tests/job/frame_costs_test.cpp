@@ -48,15 +48,15 @@ TEST(JobCosts, first_frames_files_and_set_up_count) {
 TEST(JobCosts, keys_of_copies_count_for_sixteen_frames) {
   const MeasuredRun run{
       {made(0, 1.0), made(1, 9.0, "key"), made(30, 9.0, "key"), made(31, 1.0, "in-between")}, {}, 0.0, 20.0, 0};
-  // A frame takes 1 s. A key frame takes (9 - 1) s more, and 16 frames share this cost.
+  // A frame takes 1 s. A key frame takes (9 - 1) s more, which 16 frames share.
   EXPECT_DOUBLE_EQ(frame_costs(run, frames_from(0, 60), 1).at.at(0), 1.5);
   const MeasuredRun only_a_key{{made(0, 9.0, "key")}, {}, 0.0, 9.0, 0};
   EXPECT_DOUBLE_EQ(frame_costs(only_a_key, {0}, 1).at.at(0), 9.0);
 }
 
 TEST(JobCosts, sources_exclude_later_frames_of_the_unit) {
-  // Frames 0, 8 and 16 are key frames. Rendering frames 0 and 1 also rendered frames 2 and 4 and key frame 8. Rendering frame 9
-  // also rendered key frame 16, which is outside of the job.
+  // Frames 0, 8 and 16 are key frames. Frames 0 and 1 also needed frames 2, 4 and 8, and frame 9 also needed frame 16, which is
+  // outside the job.
   const MeasuredRun run{
       {made(0, 1.0), made(1, 1.0), made(8, 1.0), made(9, 1.0)}, {made(2, 4.0), made(4, 4.0), made(16, 6.0)}, 0.0, 18.0, 0};
   const JobCosts costs = frame_costs(run, frames_from(0, 16), 8);

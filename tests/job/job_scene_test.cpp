@@ -1,4 +1,3 @@
-// Tests loading the scene of a job, and default parameters that depend on the scene's file format.
 #include "job/job_scene.hpp"
 
 #include <gmock/gmock.h>
@@ -16,7 +15,7 @@ namespace {
 
 class JobScene : public testing::Test {
  protected:
-  /// Writes a scene file with these contents, and returns parameters that name it.
+  /// Writes a scene file, and returns parameters that name it.
   RenderParams params_of(const std::string& name, const std::string& contents) const {
     std::ofstream(dir_ / name, std::ios::binary) << contents;
     RenderParams params;
@@ -70,7 +69,7 @@ TEST_F(JobScene, camera_names_are_in_the_files_order) {
   EXPECT_THAT(load_scene_of(ResolvedJob(params), {}).notes.camera_names, testing::ElementsAre("Front", "Side"));
 }
 
-// The file has a sphere 3 units from the origin on the file's up axis. After loading, the sphere must be on +y.
+// A sphere is 3 units from the origin on the file's up axis, and must be on +y after loading.
 TEST_F(JobScene, up_axis_of_the_file_becomes_y) {
   const std::pair<UpAxis, const char*> axes[] = {{UpAxis::kX, "3 0 0"},       {UpAxis::kY, "0 3 0"},
                                                  {UpAxis::kZ, "0 0 3"},       {UpAxis::kMinusX, "-3 0 0"},

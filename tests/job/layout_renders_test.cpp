@@ -1,5 +1,4 @@
-// Tests renders in every layout and file format. The pictures must equal those of a conversion of the render in its default
-// layout.
+// The pictures of every layout must equal those converted from a render in its default layout.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
@@ -27,12 +26,12 @@ Image8 codes_of(const fs::path& path) { return std::get<Image8>(read_picture(pat
 
 class LayoutRenders : public Renders {
  protected:
-  /// Returns a job of two frames through 8 lenses of 4 x 4 pixels each, which give 16 views of 8 x 8 pixels.
+  /// Two frames through 8 lenses of 4 x 4 pixels: 16 views of 8 x 8 pixels.
   RenderParams array(const std::string& folder, const Settings& more = {}) const {
     return teapot(folder, "3-4", Settings{{"optics", "microlens"}, {"lenses", "8"}, {"lens-pixels", "4"}} + more);
   }
 
-  /// Returns a job of a stereo picture for a screen that is seen from 600 mm.
+  /// A stereo picture for a screen that is seen from 600 mm.
   RenderParams pair(const std::string& folder, const Settings& more) const {
     return job("teapot", folder, Settings{{"layout", "stereo"}, {"frames", "3"}, {"viewing-distance", "600"}} + more);
   }
@@ -133,8 +132,6 @@ TEST_F(LayoutRenders, ffv1_video_has_the_pictures_codes) {
   EXPECT_TRUE(are_identical("a", "a.mkv"));
 }
 
-// ---- Two eyes -----------------------------------------------------------------------------------------------------------
-
 TEST_F(LayoutRenders, every_stereo_packing_equals_conversion) {
   render(pair("sbs", {{"size", "128x36"}}));
   render(pair("ou", {{"size", "64x72"}, {"stereo", "over-under"}, {"right-first", "true"}}));
@@ -149,8 +146,7 @@ TEST_F(LayoutRenders, every_stereo_packing_equals_conversion) {
 }
 
 TEST_F(LayoutRenders, quilt_shows_eyes_their_rendered_views) {
-  // The quilt has 16 eyes in a row, 10 mm apart. The two eyes of the stereo picture, at -25 and +25 mm, are among them, so no
-  // view is interpolated.
+  // The quilt has 16 eyes in a row, 10 mm apart. The stereo eyes at -25 and +25 mm are among them, so no view is interpolated.
   render(job("teapot", "q",
              {{"optics", "multiview"},
               {"camera-grid", "true"},
@@ -172,8 +168,6 @@ TEST_F(LayoutRenders, stereo_is_part_of_video_names) {
   EXPECT_EQ(report.videos, std::vector<std::string>{dir_ / "a_2x1.mkv"});
 }
 
-// ---- Colours and depth ------------------------------------------------------------------------------------------------
-
 TEST_F(LayoutRenders, rgbd_is_one_view_with_depth) {
   const Settings room{{"size", "64x48"}, {"frames", "0"}};
   render(job("room", "a", room + Settings{{"layout", "rgbd"}}));
@@ -185,7 +179,6 @@ TEST_F(LayoutRenders, rgbd_is_one_view_with_depth) {
   EXPECT_EQ(codes_of(dir_ / "a/frame_0000_rgbd.png").width, 128);
 }
 
-/// Returns the JSON file beside the picture, which states the range and the coding of the depth.
 RgbdSideFile side_of(const fs::path& picture) { return read_rgbd_side_file(picture).value(); }
 
 TEST_F(LayoutRenders, rgbd_range_covers_the_whole_animation) {
@@ -201,7 +194,7 @@ TEST_F(LayoutRenders, rgbd_range_covers_the_whole_animation) {
   render(job("room", "plain",
              {{"optics", "multiview"}, {"views", "3x1"}, {"size", "192x48"}, {"aov", "depth"}, {"frames", "0,100,200"}}));
   convert("plain", "each", "rgbd");
-  for (const int frame : {0, 100, 200}) {  // the depth range of a single frame lies within the range of the whole animation
+  for (const int frame : {0, 100, 200}) {  // a frame's depth range lies within that of the animation
     const DepthRange own = side_of(dir_ / "each" / fmt::format("frame_{:04}_rgbd.png", frame)).coding.range;
     EXPECT_LE(own.near_mm, side.coding.range.near_mm + 1e-3) << frame;
     EXPECT_GE(own.far_mm, side.coding.range.far_mm - 1e-3) << frame;

@@ -1,4 +1,3 @@
-// Tests renders that are written as light fields, and the description of the render in their files.
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfInputFile.h>
 #include <OpenEXR/ImfStringAttribute.h>
@@ -64,8 +63,7 @@ TEST_F(LightFieldRenders, damaged_side_files_are_written_again) {
   EXPECT_EQ(pictures_below(dir_ / "a"), whole);
 }
 
-/// Compares two depth or disparity maps. They were converted from millimetres in single precision, so they may differ by
-/// rounding.
+/// Both were converted from millimetres in single precision, so they differ by rounding.
 void expect_same_depth(const fs::path& one, const fs::path& other) {
   const Image a = read_pfm(one), b = read_pfm(other);
   for (std::size_t i = 0; i < a.data.size(); ++i)

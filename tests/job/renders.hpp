@@ -1,4 +1,4 @@
-// A test fixture that renders jobs into folders, within the test process.
+// Renders jobs into folders, within the test process.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -20,7 +20,6 @@
 
 namespace lippmann::test {
 
-/// Keys and values of a job file.
 using Settings = std::vector<std::pair<std::string, std::string>>;
 
 inline Settings operator+(Settings a, const Settings& b) {
@@ -35,7 +34,7 @@ class Renders : public testing::Test {
     context_.warn = [this](std::string_view text) { warnings_.append(text).append("\n"); };
   }
 
-  /// Returns a job whose scene is built in or a file in the test's folder. The job is rendered into the subfolder `folder`.
+  /// `scene` is built in or a file in the test's folder. `folder` is a subfolder.
   RenderParams job(const std::string& scene, const std::string& folder, const Settings& settings) const {
     RenderParams params;
     params.scene.name = scene;
@@ -44,12 +43,11 @@ class Renders : public testing::Test {
     return params;
   }
 
-  /// Returns a job that renders fast: by default through 16 lenses of 8 pixels.
+  /// Renders fast: by default through 16 lenses of 8 pixels.
   RenderParams teapot(const std::string& folder, const std::string& frames, const Settings& settings = {}) const {
     return job("teapot", folder, Settings{{"lenses", "16"}, {"frames", frames}} + settings);
   }
 
-  /// Reads the job file of the rendered folder `folder`.
   RenderParams job_of(const std::string& folder) const {
     RenderParams params;
     read_job(dir_ / folder / "job.toml", params);
@@ -61,13 +59,12 @@ class Renders : public testing::Test {
     return render_animation(ResolvedJob(params), context_, {}, run);
   }
 
-  /// Renders the job, and returns its pictures.
   Files rendered(const RenderParams& params) {
     render(params);
     return files_in(params.output.folder, ".png");
   }
 
-  /// Returns how many frames a resumed render kept from the earlier run.
+  /// Frames that a resumed render kept from the earlier run.
   static std::size_t kept(const RenderReport& report) {
     std::size_t count = 0;
     for (const FrameReport& frame : report.frames) count += frame.kept ? 1 : 0;
@@ -94,7 +91,7 @@ class Renders : public testing::Test {
   bool exists(const std::string& file) const { return std::filesystem::exists(dir_ / file); }
 
   TempDir dir_;
-  std::string warnings_;  ///< warnings of the last render, one per line
+  std::string warnings_;  ///< of the last render, one per line
   Context context_;
 };
 

@@ -1,4 +1,3 @@
-// Tests `replay` with the folder of a render, in every layout and in the formats to which a render can be converted.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -39,7 +38,7 @@ class ReplayedRenders : public Renders {
     return error_message([&] { seen(params, "out", "never"); });
   }
 
-  /// Returns the PNG file of what one eye sees of a light field.
+  /// PNG file of what one eye sees of a light field.
   std::string eye_view_of(const std::string& in, ReplayParams params = {}) {
     fs::remove_all(dir_ / "eye");
     return file_bytes(seen(params, in, "eye").written.at(0));
@@ -117,7 +116,7 @@ TEST_F(ReplayedRenders, impossible_parameters_are_refused) {
 
 TEST_F(ReplayedRenders, missing_report_or_foreign_pictures_are_refused) {
   render_teapot();
-  fs::remove_all(dir_ / "out/.lippmann");  // removes the journal, which would detect the changed pictures
+  fs::remove_all(dir_ / "out/.lippmann");  // the journal would detect the changed pictures
   EXPECT_THAT(error_message([&] { seen({}, "none", "never"); }), HasSubstr("none"));
   write_png(dir_ / "out/frame_0004.png", Image8{8, 8, std::vector<unsigned char>(192)});
   EXPECT_THAT(error_message([&] { seen({}, "out/frame_0004.png", "never"); }), HasSubstr("has 8x8 pixels"));
@@ -235,7 +234,7 @@ TEST_F(ReplayedRenders, quilt_is_recognised_by_its_name) {
 }
 
 TEST_F(ReplayedRenders, converted_cameras_keep_their_positions) {
-  // Returns how far the second camera is to the right of the first one. The y axis of the MIV format points to the left.
+  // How far the second camera is to the right of the first one. MIV's y axis points to the left.
   const auto camera_step = [&](const std::string& folder) {
     convert(folder + "/frame_0000.png", folder + "-miv", "miv");
     const auto cameras = nlohmann::json::parse(bytes(folder + "-miv/cameras.json"))["cameras"];

@@ -1,4 +1,3 @@
-// Tests how parameters select the kind of reuse between frames, and the sentence that describes it.
 #include "job/reuse_params.hpp"
 
 #include <gmock/gmock.h>
@@ -38,7 +37,7 @@ RenderParams with_reuse(const ReuseParams& reuse) {
 
 TEST(ReuseParams, auto_ignores_key_frames_for_paths) {
   RenderParams paths = params_with(ReuseChoice::kAuto, Integrator::kPath);
-  paths.reuse.keyframes = 5;  // `keyframes` may be set because a job can serve several scenes
+  paths.reuse.keyframes = 5;  // a job can serve several scenes, so `keyframes` may be set
   EXPECT_STREQ(name_of(frame_params(ResolvedJob(paths)).reuse), "none");
   RenderParams whitted = params_with(ReuseChoice::kAuto);
   whitted.reuse.keyframes = 5;

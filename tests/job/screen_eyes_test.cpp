@@ -1,4 +1,3 @@
-// Tests the eye positions of a job's optics: eyes at the ends of the viewing zone, and eyes above or below the display.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -28,7 +27,7 @@ Optics optics_of(const RenderParams& params, const Display* display = nullptr) {
   return test::optics_on(array, params, display).optics;
 }
 
-/// Returns parameters of 23 views of 40 x 30 pixels, which are spread over 45 degrees and seen from 500 mm.
+/// 23 views of 40 x 30 pixels over 45 degrees, seen from 500 mm.
 RenderParams sweep_params() {
   RenderParams params;
   params.optics.kind = OpticsKind::kMultiview;
@@ -76,8 +75,7 @@ TEST(ScreenEyes, quilt_of_a_display_has_cone_ends) {
   EXPECT_THAT(error_message([&] { optics_of(params, &portrait); }), HasSubstr("--cone-ends"));
 }
 
-/// Returns the height in mm at which a point appears in the plane z = 0. The height must be the same in all pixels that see the
-/// point.
+/// Height in mm at which a point appears in the plane z = 0, which must be equal in all pixels that see the point.
 double height_mm(const Optics& optics, Vec3f point) {
   std::vector<Vec2f> pixels;
   pixels_seeing(optics, point, pixels);
@@ -92,8 +90,8 @@ double height_mm(const Optics& optics, Vec3f point) {
 }
 
 TEST(ScreenEyes, eye_above_moves_depth_by_its_height) {
-  // Height of the display: H = 2048 / 324 * 25.4 = 160.553 mm. Viewing distance: D = H / 2 / tan(7 degrees) = 653.800 mm.
-  // Height of an eye that is 30 degrees above the middle: y_e = D tan(30 degrees) = 377.472 mm.
+  // Height of the display: 2048 / 324 * 25.4 = 160.553 mm. Viewing distance: D = 160.553 / 2 / tan(7 degrees) = 653.800 mm.
+  // Height of an eye 30 degrees above the middle: y_e = D tan(30 degrees) = 377.472 mm.
   const Display portrait = load_display("portrait");
   const double y_e = 377.472, d = 653.800;
   for (const char* kind : {"quilt", "native", "single", "stereo"}) {

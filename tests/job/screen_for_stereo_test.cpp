@@ -1,5 +1,5 @@
-// Tests disparities on a screen that both eyes see from the distance D. By similar triangles, a point at the depth d behind the
-// screen has the disparity ipd * d / (D + d), where ipd is the distance between the eyes.
+// Both eyes, `ipd` apart, see the screen from distance D. By similar triangles, a point at depth d behind the screen has the
+// disparity ipd * d / (D + d).
 #include "job/screen_for_stereo.hpp"
 
 #include <gmock/gmock.h>
@@ -16,7 +16,7 @@ namespace {
 using test::error_message;
 using testing::HasSubstr;
 
-/// Returns parameters of two views of 600 x 300 pixels on a screen that is 600 mm wide and seen from 600 mm.
+/// Two views of 600 x 300 pixels on a screen 600 mm wide, seen from 600 mm.
 RenderParams stereo_params() {
   RenderParams params;
   params.output.pictures.layout = PictureLayout::kStereo;
@@ -31,7 +31,7 @@ Optics optics_for(const RenderParams& params, const Display* display = nullptr) 
   return test::optics_on(array, params, display).optics;
 }
 
-/// Returns the disparity of a point in mm on the screen: its position in the right view minus its position in the left view.
+/// Position of a point on the screen in the right view minus that in the left view, in mm.
 Vec2d disparity_mm(const Optics& optics, Vec3f point) {
   std::vector<Vec2f> pixels;
   pixels_seeing(optics, point, pixels);

@@ -13,7 +13,7 @@ namespace {
 
 using test::optics_on;
 
-/// Returns an array that is 8 scene units high and seen from a distance of 24 units.
+/// 8 scene units high, seen from 24 units.
 FittedArray placed_array() {
   FittedArray array;
   array.plane_height = 8.0f;
@@ -57,8 +57,7 @@ RenderParams plenoptic_params() {
   return params;
 }
 
-/// The scene is in metres, so the plane at 24 units is 24,000 mm away and 8,000 mm high. It appears 36 mm high on the sensor,
-/// 108 mm behind the main lens.
+/// The scene is in metres: the plane at 24,000 mm is 8,000 mm high, and 36 mm high on the sensor, 108 mm behind the main lens.
 TEST(ScreenOfParams, plenoptic_camera_sees_the_fitted_plane) {
   const PlacedOptics placed = optics_on(placed_array(), plenoptic_params());
   const auto& camera = std::get<PlenopticCamera>(placed.optics.model);
@@ -69,7 +68,7 @@ TEST(ScreenOfParams, plenoptic_camera_sees_the_fitted_plane) {
   EXPECT_FLOAT_EQ(placed.optics.panel.pixel_pitch_mm, 36.0f / 512.0f);
 }
 
-/// Changing the focal length must keep the camera's position, and changes which part of the plane it sees.
+/// The focal length changes which part of the plane the camera sees, but not its position.
 TEST(ScreenOfParams, plenoptic_camera_stays_in_its_place) {
   RenderParams params = plenoptic_params();
   params.optics.viewing_distance_mm = 300.0f;
@@ -124,7 +123,7 @@ TEST(ScreenOfParams, viewer_too_close_for_lenses_is_refused) {
   for (const OpticsKind kind : {OpticsKind::kLenticular, OpticsKind::kMicrolens}) {
     RenderParams params;
     params.optics.kind = kind;
-    // The viewer is 0.1 mm in front of the lenses, and the panel is 2 mm behind them. The lens pitch would be 0.1 / (0.1 + 2) =
+    // With the viewer 0.1 mm in front of the lenses and the panel 2 mm behind them, the lens pitch would be 0.1 / (0.1 + 2) =
     // 1/21 of a cell.
     params.optics.viewing_distance_mm = 0.1f;
     try {

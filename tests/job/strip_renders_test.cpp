@@ -1,5 +1,4 @@
-// Tests frames that are rendered in strips. A strip holds some rows of a frame. The joined strips must have the same bytes as a
-// frame rendered as a whole, in one run as well as in several.
+// A strip holds some rows of a frame. Joined strips must have the bytes of a frame rendered as a whole.
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -25,8 +24,7 @@ using testing::Not;
 
 class StripRenders : public Renders {
  protected:
-  /// Returns a job of a single frame of 184 rows. Its strips consist of bands of 16 rows, so there are 12 bands and the last
-  /// band has only 8 rows.
+  /// A frame of 184 rows: strips consist of bands of 16 rows, the last with only 8.
   RenderParams still(const std::string& folder, const Settings& settings = {}) const {
     return job("teapot", folder, Settings{{"size", "64x184"}, {"lenses", "8x23"}, {"frames", "3"}} + settings);
   }
@@ -42,11 +40,10 @@ class StripRenders : public Renders {
     return finish_animation(dir_ / folder, join, context_);
   }
 
-  /// Returns the pictures of a folder. Hidden files are left out.
   Files pictures(const std::string& folder) const { return pictures_below(dir_ / folder); }
 };
 
-/// Settings of optics and shading. With each of them, a render in strips has the same bits as a render of whole frames.
+/// With each of these settings, strips have the same bits as whole frames.
 const std::vector<Settings>& kinds() {
   static const std::vector<Settings> all{
       {},
@@ -102,7 +99,7 @@ TEST_F(StripRenders, units_have_the_bytes_of_one_run) {
     EXPECT_EQ(report["frames"][0]["rays"]["primary"], 64 * 184);
     EXPECT_EQ(report["interrupted"], false);
     EXPECT_EQ(report["runs"].size(), static_cast<std::size_t>(count) + 2);
-    // names of the strips of frame 3 in the order of the runs; the order is arbitrary among runs that began in the same second
+    // in the order of the runs, which is arbitrary among runs that began in the same second
     std::vector<std::string> strips;
     for (const auto& run : report["runs"])
       if (run.contains("strips")) strips.push_back(run.at("strips").at("3").get<std::string>());
@@ -176,7 +173,7 @@ TEST_F(StripRenders, strips_in_several_folders_are_joined) {
   EXPECT_EQ(files_in(dir_ / "part1", ".exr").size(), 2u) << "parts stay";
 }
 
-/// Simulates the first of two MPI processes, while the second stops before it renders anything.
+/// The first of two MPI processes, while the second stops before it renders anything.
 class RankOfStoppedJob : public Ranks {
  public:
   int rank() const override { return 0; }
@@ -243,12 +240,10 @@ TEST_F(StripRenders, plan_has_every_strip_once) {
   EXPECT_FALSE(exists("out"));
 }
 
-// If whole frames would exceed the available memory, the renderer uses bands of rows. A band is like a strip, but it is kept in
-// memory instead of a file.
+// If frames do not fit into memory, they are rendered in bands of rows in memory.
 
-// Memory per pixel, including the codes and the picture file: with `copy`, a frame and its key frame take 31 bytes and bands at
-// least 19. A denoised frame takes 123 bytes. Bands of a denoised frame take at least 66 bytes, because the rows around each
-// band are traced again.
+// Memory per pixel: with `copy`, a frame and its key frame take 31 bytes and bands at least 19; a denoised frame takes 123
+// bytes, and its bands, with the rows around them, at least 66.
 TEST_F(StripRenders, bands_have_the_bytes_of_whole_frames) {
   const std::pair<Settings, double> kinds[] = {{{{"frames", "3-4"}, {"reuse", "copy"}}, 31.0},
                                                {{{"integrator", "path"}, {"spp", "2"}}, 130.0}};

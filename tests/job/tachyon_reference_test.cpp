@@ -1,4 +1,4 @@
-// Compares pictures of Tachyon scenes with pictures that Debian's program tachyon renders during the test.
+// Compares pictures of Tachyon scenes with those of Debian's program tachyon.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 const fs::path kScenes = "/usr/share/doc/tachyon/examples/scenes";
 
-/// Renders frame `frame` of the scene with one pinhole camera, and returns its 8-bit codes.
+/// One pinhole camera, 8-bit codes.
 Image8 our_picture(const fs::path& scene, Vec2i size, const fs::path& camera_path = {}, int frame = 0) {
   RenderParams params;
   params.scene.name = scene.string();
@@ -32,8 +32,7 @@ Image8 our_picture(const fs::path& scene, Vec2i size, const fs::path& camera_pat
   return to_codes(render_frame(stage, params.sampling, frame, pool, context).pictures.film, stage.scene.encoding);
 }
 
-/// Runs tachyon in the scene's folder, because it searches images in its working directory. Writes the output to `picture`.
-/// With a camera path, `picture` is a file name pattern.
+/// Runs tachyon in the scene's folder, where it searches images. With a camera path, `picture` is a file name pattern.
 void run_tachyon(const fs::path& scene, Vec2i size, const fs::path& picture, const std::string& options = {}) {
   const std::string command = "cd '" + scene.parent_path().string() + "' && tachyon '" + scene.filename().string() + "' -res " +
                               std::to_string(size.x) + " " + std::to_string(size.y) +
@@ -50,8 +49,6 @@ Image8 tachyon_picture(const fs::path& scene, Vec2i size) {
 
 bool tachyon_is_missing() { return !test::program_exists("tachyon"); }
 
-// ---- Debian's own scenes ----
-
 struct Example {
   const char* name;
   double least_db;
@@ -60,9 +57,8 @@ void PrintTo(const Example& example, std::ostream* out) { *out << example.name; 
 
 class TachyonReference : public testing::TestWithParam<Example> {};
 
-/// The PSNR must be at least 64 dB for the three scenes of the paper, and at least 49 dB for the others. Errors remain at
-/// silhouettes that rounding moves by a pixel, in chains of mirrors that amplify rounding, and in images on spheres that are
-/// too large for single precision.
+/// At least 64 dB for the three scenes of the paper, and 49 dB for the others. Rounding moves silhouettes by a pixel, is
+/// amplified by chains of mirrors, and affects images on huge spheres.
 TEST_P(TachyonReference, picture_agrees) {
   if (tachyon_is_missing()) GTEST_SKIP() << "the program tachyon is not installed";
   const fs::path scene = kScenes / (std::string(GetParam().name) + ".dat");
@@ -88,8 +84,6 @@ INSTANTIATE_TEST_SUITE_P(Others, TachyonReference,
                                          Example{"texfree", 30.0}, Example{"tpolytest", 30.0}, Example{"transtest", 30.0},
                                          Example{"trypsin4pti", 30.0}, Example{"umr", 30.0}, Example{"umrfrustum", 30.0}),
                          [](const auto& example) { return "scene_" + std::string(example.param.name); });
-
-// ---- One rule at a time ----
 
 const std::string kCamera =
     "CAMERA ZOOM 1 ASPECTRATIO 1 ANTIALIASING 0 RAYDEPTH 6 CENTER 0 2 -6 VIEWDIR 0 -0.3 1 UPDIR 0.1 1 0 END_CAMERA\n";
@@ -117,12 +111,10 @@ class TachyonRule : public testing::TestWithParam<Rule> {
   test::TempDir dir_;
 };
 
-/// Codes may differ by 2, because the programs compute in single and in double precision. One pixel in 200 may differ more, at
-/// silhouettes.
+/// Codes may differ by 2, between single and double precision, and one pixel in 200 by more, at silhouettes.
 constexpr test::ImageTolerance kTolerance{.per_pixel = 2, .share = 0.005};
 
-/// Returns a PPM image of 13 x 6 different pixels. The sides are not powers of two, so that the test covers how Tachyon handles
-/// the remaining rows.
+/// 13 x 6 different pixels. The sides are not powers of two, to test how Tachyon handles the remaining rows.
 std::string small_ppm() {
   std::string ppm = "P6\n13 6\n255\n";
   for (int i = 0; i < 13 * 6; ++i)
@@ -130,7 +122,7 @@ std::string small_ppm() {
   return ppm;
 }
 
-/// Returns a TGA image of 16 x 8 pixels. Its descriptor is 0, so the bottom row is stored first.
+/// 16 x 8 pixels, the bottom row first (descriptor 0).
 std::string small_tga() {
   std::string tga(18, '\0');
   tga[2] = 2, tga[12] = 16, tga[14] = 8, tga[16] = 24;
@@ -262,8 +254,6 @@ const Rule kRules[] = {
 
 INSTANTIATE_TEST_SUITE_P(All, TachyonRule, testing::ValuesIn(kRules),
                          [](const auto& rule) { return std::string(rule.param.name); });
-
-// ---- Camera paths ----
 
 TEST_F(TachyonRule, camera_path_gives_the_same_frames) {
   const fs::path scene = dir_ / "scene.dat", path = dir_ / "scene.cam";

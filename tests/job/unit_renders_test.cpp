@@ -1,5 +1,3 @@
-// Tests jobs that are rendered in parts: by several processes or as lists of frames, into one folder or several. The parts are
-// joined at the end.
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
@@ -30,7 +28,7 @@ class UnitRenders : public Renders {
   }
 };
 
-/// Settings for 24 frames through 8 lenses. With each kind of reuse, the animation may be cut at different frames.
+/// 24 frames through 8 lenses. Each kind of reuse may cut the animation at different frames.
 const std::vector<Settings>& kinds() {
   static const std::vector<Settings> all{{{"reuse", "copy"}, {"keyframes", "5"}},
                                          {{"reuse", "interpolate"}, {"keyframes", "4"}},
@@ -83,8 +81,7 @@ TEST_F(UnitRenders, missing_frames_are_named_and_resumed) {
   EXPECT_TRUE(finish("a").report) << "a second time";
 }
 
-// With `copy`, each run chooses other source frames (docs/lab/decisions/0050), so the provenance layer differs between runs and
-// is not compared.
+// With `copy`, runs choose different source frames (docs/lab/decisions/0050), so their provenance differs and is not compared.
 TEST_F(UnitRenders, provenance_equals_that_of_one_run) {
   const std::vector<Settings> ways{{{"reuse", "interpolate"}, {"keyframes", "4"}},
                                    {{"reuse", "interpolate"}, {"keyframes", "2"}, {"min-psnr", "40"}},
