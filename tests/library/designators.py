@@ -9,7 +9,7 @@ import re
 import sys
 
 
-# These structs are large arrays that inner loops fill completely. Default values would cost time.
+# Inner loops fill these large arrays completely, so default values would cost time.
 LEFT_OUT = {"Tap", "Taps"}
 
 
@@ -28,7 +28,7 @@ def without_braces(text):
 def members(body):
     """Yields the names of the data members in the body of a struct."""
     body = without_braces(re.sub(r"//[^\n]*", "", body))
-    # The body of a function also ends a statement, as a semicolon does.
+    # The body of a function ends a statement, as a semicolon does.
     for statement in re.split(r";|\)[^;{}=]*\{\}", body):
         head = re.sub(r"<[^;]*>", "", statement.split("=")[0].replace("{}", ""))
         words = re.findall(r"\w+", statement)

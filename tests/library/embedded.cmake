@@ -23,9 +23,8 @@ endif()
 execute_process(COMMAND ${CMAKE_COMMAND} -G Ninja -S ${WORK} -B ${WORK}/build -D CMAKE_CXX_COMPILER=${CXX}
   -D CMAKE_BUILD_TYPE=Release -D LIPPMANN_PCH=OFF COMMAND_ERROR_IS_FATAL ANY)
 
-# Checks with a dry run (-n) that the build has rules for everything that the program needs. The library is not compiled
-# again.
+# A dry run (-n) checks that the build has rules for everything, without compiling the library again.
 execute_process(COMMAND ${CMAKE_COMMAND} --build ${WORK}/build --target program -- -n COMMAND_ERROR_IS_FATAL ANY)
-# Compiles the program's source with the include directories and options that the library exports.
+# Compiles with the include directories and options that the library exports.
 execute_process(COMMAND ${CMAKE_COMMAND} --build ${WORK}/build --target CMakeFiles/program.dir${SOURCE}/examples/library/look.cpp.o
   COMMAND_ERROR_IS_FATAL ANY)

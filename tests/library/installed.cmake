@@ -19,14 +19,13 @@ set(examples ${work}/build)
 file(REMOVE_RECURSE ${work})
 run(${CMAKE_COMMAND} --install ${BUILD} --component development --prefix ${work}/prefix)
 
-# The programs are a separate project that does not see the sources of the library, so the installed
-# headers must be self-contained.
+# This separate project does not see the library's sources, so installed headers must be self-contained.
 run(${CMAKE_COMMAND} -G ${GENERATOR} -S ${SOURCE}/examples/library -B ${examples} -D CMAKE_PREFIX_PATH=${work}/prefix
   -D CMAKE_CXX_COMPILER=${CXX} "-DCMAKE_CXX_FLAGS=${FLAGS}" "-DCMAKE_EXE_LINKER_FLAGS=${FLAGS}")
 run(${CMAKE_COMMAND} --build ${examples})
 
-# Check that the program that renders a denoised path-traced quilt has at most 20 lines of code, and
-# that its picture equals the tool's default render.
+# The program that renders a denoised path-traced quilt must have at most 20 lines of code, and its picture must equal the
+# tool's.
 file(READ ${SOURCE}/examples/library/quilt.cpp text)
 string(REGEX REPLACE "(^|\n)//[^\n]*" "" text "${text}")
 string(REGEX MATCHALL "\n[^\n]" lines "${text}")
@@ -58,8 +57,7 @@ foreach(file input_Cam000.png input_Cam008.png gt_depth_lowres.pfm parameters.cf
   require_file(${work}/data/${file})
 endforeach()
 
-# Runs a program with missing or wrong arguments. It must exit with `code` and print a message that matches `pattern`,
-# instead of ending by a signal.
+# A program with missing or wrong arguments must exit with `code` and a message that matches `pattern`.
 function(run_refused code pattern)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE result ERROR_VARIABLE said OUTPUT_QUIET)
   if(NOT result STREQUAL code OR NOT said MATCHES "${pattern}")
@@ -77,8 +75,7 @@ run_refused(1 "no-such-file" ${examples}/look no-such-file ${work}/seen)
 run_refused(1 "CMakeLists.txt" ${examples}/own_scene ${SOURCE}/CMakeLists.txt/below)
 run_refused(1 "CMakeLists.txt" ${examples}/data_set ${SOURCE}/CMakeLists.txt/below)
 
-# Build a project in which warnings are errors. Every public struct must support designated
-# initialisers. Install the project's program `triangle`, which must find the library.
+# Builds and installs a project in which warnings are errors. Every public struct must support designated initialisers.
 set(outside ${work}/outside)
 run(${PYTHON} -B ${CMAKE_CURRENT_LIST_DIR}/designators.py ${work}/prefix/include)
 file(WRITE ${work}/designators.cpp "${output}")

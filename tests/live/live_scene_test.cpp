@@ -17,8 +17,7 @@ using Json = nlohmann::ordered_json;
 using test::TempDir;
 using testing::HasSubstr;
 
-/// Returns a render of 270 million paths. The tiles of the picture are fast enough that a change can interrupt the work between
-/// two tiles.
+/// 270 million paths, in tiles that are fast enough for a change to interrupt the work between two of them.
 RenderParams slow_room() {
   RenderParams params = test::small_room();
   params.optics.size = {2048, 512};
@@ -27,7 +26,7 @@ RenderParams slow_room() {
   return params;
 }
 
-/// Expects that the final live picture, after these changes, has the same codes as a render of the saved job.
+/// The final live picture after the changes must have the codes of a render of the saved job.
 void expect_render(const RenderParams& params, const Json& changes) {
   const TempDir dir;
   const auto scene = test::live_scene(params, dir.path() / "job.toml");
@@ -64,7 +63,7 @@ TEST(LiveScene, lenses_and_cones_equal_the_render) {
   expect_render(params, {{"settings", {{"view-angle", "35"}}}});
 }
 
-/// Writes a calibration file to the folder, and returns its path for use as the job's display.
+/// Writes a calibration file, and returns its path.
 std::string calibrated_panel(const TempDir& dir) {
   const std::filesystem::path file = dir.path() / "visual.json";
   std::ofstream(file) << R"({"pitch":52.3,"slope":-7.2,"center":0.37,"DPI":324,"screenW":60,"screenH":45,"viewCone":40})";
@@ -127,7 +126,6 @@ TEST(LiveScene, a_coarse_picture_with_depth_comes_first) {
   EXPECT_EQ(scene->picture("views", 12345), nullptr);
 }
 
-// Without cancellation, the test would wait many minutes for the current work.
 TEST(LiveScene, changes_cancel_running_work) {
   const auto scene = test::live_scene(slow_room());
   test::wait_for(*scene, [](const Json& now) { return now["pass"] == "final"; });
@@ -159,7 +157,7 @@ TEST(LiveScene, changes_are_atomic) {
   EXPECT_EQ(scene->state_after(0, std::chrono::milliseconds(0))["settings"]["zoom"], "1");
 }
 
-// Moves the plane of the display to the point that was 10 mm in front of it. The viewer must not move.
+// Moves the display's plane to a point 10 mm in front of it. The viewer must not move.
 TEST(LiveScene, the_plane_moves_to_a_depth) {
   const auto scene = test::live_scene(test::small_room());
   const Json before = test::wait_for_rest(*scene);

@@ -1,4 +1,3 @@
-// Tests the frames of a live scene. They must equal those of the render, and must not be rendered more often than necessary.
 #include "live/live_stage.hpp"
 
 #include <gtest/gtest.h>
@@ -11,16 +10,16 @@
 namespace lippmann {
 namespace {
 
-/// Returns a render with more samples per pixel than a draft has.
+/// More samples per pixel than a draft has.
 RenderParams room_of_paths() {
   RenderParams params = test::small_room();
   params.sampling.integrator = Integrator::kPath;
   params.sampling.spp = 24;
-  params.threads = 1;  // with one thread, the progress within a frame never decreases
+  params.threads = 1;  // with one thread, a frame's progress never decreases
   return params;
 }
 
-/// Counts the frames that have begun. A frame begins when the reported progress does not increase.
+/// A frame begins when the reported progress does not increase.
 class BegunFrames {
  public:
   explicit BegunFrames(Context& context) {
@@ -30,7 +29,7 @@ class BegunFrames {
     };
   }
 
-  /// Returns the number of frames that have begun since the last call.
+  /// Frames that have begun since the last call.
   int count() { return std::exchange(begun_, 0); }
 
  private:

@@ -13,7 +13,7 @@ Optics quilt_of(int columns, int rows, Vec2i view) {
   return optics;
 }
 
-// 48000 samples for 48 square views are 1000 samples per view, so a view has sqrt(1000) = 31.6 pixels per side.
+// 48000 samples for 48 square views are 1000 per view, so a view has sqrt(1000) = 31.6 pixels per side.
 TEST(ViewRays, coarse_views_share_the_samples) {
   EXPECT_EQ(coarse_view_size(page_facts(quilt_of(8, 6, {128, 128})), 48e3), Vec2i(31, 31));
   EXPECT_EQ(coarse_view_size(page_facts(quilt_of(8, 6, {128, 64})), 24e3), Vec2i(31, 15));
@@ -36,9 +36,8 @@ TEST(ViewRays, full_views_have_the_panels_rays) {
     }
 }
 
-// Hexagonal lenses do not cover whole pixels, so view k is rendered from the k-th eye instead of from the panel's rays. The ray
-// through a point of the plane z = 0 must have the slope from the eye to that point. The eye's slope is multiplied by the
-// parallax of 0.5.
+// Hexagonal lenses do not cover whole pixels, so view k is seen by the k-th eye. A ray through a point of the plane z = 0 has
+// the slope from the eye to that point. The parallax of 0.5 multiplies the eye's slope.
 TEST(ViewRays, other_optics_use_rays_of_eyes) {
   MicrolensArray array;
   array.packing = LensPacking::kHexagonal;

@@ -9,8 +9,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// A Gaussian with a sigma of 1/2 has the weight 0.15730 between 1/2 and 3/2, that is, between 1 and 3 sigma. Tables of the
-// normal distribution give 0.99865 - 0.84134.
+// A Gaussian with a sigma of 1/2 has this weight between 1/2 and 3/2, which is between 1 and 3 sigma.
 TEST(Crosstalk, neighbour_share_matches_tables) {
   EXPECT_NEAR(neighbour_share(0.5), 0.99865 - 0.84134, 1e-5);
   EXPECT_EQ(neighbour_share(0.0), 0.0);
@@ -22,7 +21,7 @@ TEST(Crosstalk, neighbour_share_matches_tables) {
       EXPECT_DOUBLE_EQ(tap.weight, neighbour_share(0.5));
     }
   }
-  EXPECT_NEAR(sum, 1.0, 1e-4);  // the filter is cut off at 4 sigma
+  EXPECT_NEAR(sum, 1.0, 1e-4);  // the filter ends at 4 sigma
 }
 
 TEST(Crosstalk, parses_a_share_as_sigma) {

@@ -1,4 +1,3 @@
-// Compares the rays of each optics model with values computed by hand, and with simpler models in special cases.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,20 +12,16 @@ namespace {
 using test::at_depth;
 using test::OpticsSampler;
 
-// Tolerances. In single precision, positions of a few hundred mm are exact to about 1e-5 mm, and slopes of about 1 are exact to
-// about 1e-6.
+// In single precision, positions of a few hundred mm are exact to 1e-5 mm, and slopes of about 1 to 1e-6.
 constexpr float kPositionMm = 1e-4f, kSlope = 2e-6f;
 
 Vec2f slope(const Ray& ray) { return {ray.direction.x / ray.direction.z, ray.direction.y / ray.direction.z}; }
 
 using test::expect_near;
 
-// ---- Lenticular sheet -------------------------------------------------------------------------------------------------
-
 TEST(Lenticular, first_pixel_of_a_lens_goes_right) {
-  // The panel has 512 pixels of 0.125 mm, with 8 pixels per lens of 1 mm and a gap of 2 mm. Pixel (256, 256) is at x = 0.0625,
-  // y = -0.0625, below the lens at x = 0.5. Slope of its ray: dx/dz = (0.5 - 0.0625) / 2 = 0.21875. Position 8 mm in front of
-  // the lens: 0.5 + 8 * 0.21875 = 2.25.
+  // 512 pixels of 0.125 mm, 8 per lens of 1 mm, gap 2 mm. Pixel (256, 256) is at x = 0.0625, y = -0.0625, below the lens at x =
+  // 0.5. Its slope is (0.5 - 0.0625) / 2 = 0.21875. At 8 mm, x = 0.5 + 8 * 0.21875 = 2.25.
   const Optics optics{.panel = {}, .model = LenticularSheet{}, .z_front_mm = 8.0f};
   const Ray ray = ray_of_pixel(optics, {256.5f, 256.5f});
   EXPECT_EQ(ray.origin, Vec3f(2.25f, -0.0625f, 8.0f));
@@ -40,7 +35,7 @@ TEST(Lenticular, cell_centres_converge_to_the_eye) {
   sheet.viewing_distance_mm = 500.0f, sheet.eye_height_mm = 20.0f;
   const Optics optics{.panel = {}, .model = sheet};
   EXPECT_EQ(whole_pixels_per_lens(optics), Vec2i(8, 1));
-  // The centre of a cell is the edge between pixels 3 and 4 of a lens. Its ray meets the eye at (0, 20, 500).
+  // The ray of the edge between pixels 3 and 4 of a lens meets the eye at (0, 20, 500).
   for (int lens : {0, 7, 31, 32, 63})
     for (float row : {0.5f, 100.5f, 511.5f})
       expect_near(at_depth(ray_of_pixel(optics, {8 * lens + 4.0f, row}), 500.0f), {0.0f, 20.0f, 500.0f}, kPositionMm);
@@ -54,18 +49,16 @@ TEST(Lenticular, slanted_rows_converge_to_eye_height) {
     sheet.viewing_distance_mm = 400.0f;
     const Vec2f pixel(random.uniform(0, film_size(optics).x), random.uniform(0, optics.panel.height));
     EXPECT_NEAR(at_depth(ray_of_pixel(optics, pixel), 400.0f).y, sheet.eye_height_mm, kPositionMm);
-    // In the plane of the sheet, the ray passes through the axis of a lens. There, the distance from the axis of lens 0 is a
-    // whole number of pitches.
+    // Rays pass through lens axes, which are a whole number of pitches from the axis of lens 0.
     const Vec3f p = at_depth(ray_of_pixel(optics, pixel), 0.0f);
     const float lens = (p.x * std::cos(sheet.slant) + p.y * std::sin(sheet.slant) - sheet.offset_mm) / sheet.lens_pitch_mm;
-    // tolerance: kPositionMm, 1e-4 mm, divided by the smallest pitch of 0.1 mm
+    // kPositionMm, 1e-4 mm, divided by the smallest pitch of 0.1 mm
     EXPECT_NEAR(lens, std::round(lens), 1e-3f);
   }
 }
 
 TEST(Lenticular, rays_of_one_view_are_parallel) {
-  // There are 5 pixels per lens, and the pitch is no binary fraction. In spite of rounding, the cells must be 5 whole pixels
-  // wide.
+  // The pitch is no binary fraction. In spite of rounding, cells must be 5 whole pixels wide.
   const Optics optics{.panel = {1000, 4, 0.1f},
                       .model = LenticularSheet{.lens_pitch_mm = 0.5f, .gap_mm = 1.0f, .offset_mm = 0.25f}};
   ASSERT_EQ(whole_pixels_per_lens(optics), Vec2i(5, 1));
@@ -87,8 +80,8 @@ TEST(Lenticular, cells_are_half_open) {
 }
 
 TEST(Lenticular, one_lens_is_two_pinholes) {
-  // A single lens covers the whole panel. Horizontally, all rays pass through the lens centre, which is `gap` in front of the
-  // panel. Vertically, all rays pass through the eye.
+  // A single lens covers the panel. Horizontally, all rays pass through the lens centre, `gap` in front of the panel;
+  // vertically, through the eye.
   for (const float viewing_distance : {300.0f, 1000.0f}) {
     const Panel panel{80, 60, 0.1f};
     const float gap = 12.0f;
@@ -104,7 +97,7 @@ TEST(Lenticular, one_lens_is_two_pinholes) {
     for (int sample = 0; sample < 50; ++sample) {
       const Vec2f pixel(random.uniform(0, 80), random.uniform(0, 60));
       const Ray ray = ray_of_pixel(optics, pixel);
-      // A ray from the panel through the lens has the same slope as a ray from the single view's eye through its picture plane.
+      // A ray from the panel through the lens has the slope of a ray from the single view's eye through its picture plane.
       EXPECT_NEAR(slope(ray).x, slope(ray_of_pixel(across, pixel)).x, kSlope);
       EXPECT_NEAR(slope(ray).y, slope(ray_of_pixel(along, pixel)).y, kSlope);
       EXPECT_NEAR(at_depth(ray, 0.0f).x, 0.0f, kPositionMm);
@@ -113,10 +106,8 @@ TEST(Lenticular, one_lens_is_two_pinholes) {
   }
 }
 
-// ---- Microlens array --------------------------------------------------------------------------------------------------
-
 TEST(Microlens, corner_pixel_goes_through_lens_centre) {
-  // Pixel (256, 255) is at x = y = 0.0625, below the lens at (0.5, 0.5). The slope is 0.21875 in both directions.
+  // Pixel (256, 255) is at x = y = 0.0625, below the lens at (0.5, 0.5), so both slopes are 0.21875.
   const Optics optics{.panel = {}, .model = MicrolensArray{}, .z_front_mm = 8.0f};
   const Ray ray = ray_of_pixel(optics, {256.5f, 255.5f});
   EXPECT_EQ(ray.origin, Vec3f(2.25f, 2.25f, 8.0f));
@@ -139,13 +130,13 @@ TEST(Microlens, one_near_lens_is_a_pinhole) {
     const Vec2f pixel(random.uniform(0, 64), random.uniform(0, 64));
     const Ray lens = ray_of_pixel(optics, pixel), eye = ray_of_pixel(pinhole, pixel);
     expect_near(lens.direction, eye.direction, kSlope);
-    // The pinhole of the single view is `gap` in front of the plane z = 0, but the lens is in that plane.
+    // The single view's pinhole is `gap` in front of the plane z = 0, but the lens is in that plane.
     expect_near(at_depth(lens, -20.0f), at_depth(eye, gap - 20.0f) - Vec3f(0, 0, gap), kPositionMm);
   }
 }
 
 TEST(Microlens, hexagonal_rows_are_shifted_and_closer) {
-  // With a pitch of 1 mm, lens (0, 0) is at the origin, and neighbours in the rows above and below are at (1/2, +-sqrt(3) / 2).
+  // With a pitch of 1 mm, lens (0, 0) is at the origin, and its neighbours above and below are at (1/2, +-sqrt(3) / 2).
   const MicrolensArray array{
       .packing = LensPacking::kHexagonal, .lens_pitch_mm = 1.0f, .gap_mm = 2.0f, .offset_mm = {0.0f, 0.0f}};
   const Optics optics{.panel = {128, 128, 0.0625f}, .model = array};
@@ -157,7 +148,7 @@ TEST(Microlens, hexagonal_rows_are_shifted_and_closer) {
   expect_near(lens_of(0.4f, 0.8f), {0.5f, row, 0}, kPositionMm);
   expect_near(lens_of(-0.4f, -0.8f), {-0.5f, -row, 0}, kPositionMm);
   expect_near(lens_of(0.02f, 1.7f), {0, 2 * row, 0}, kPositionMm);
-  // The upper corner of a lens's hexagon is 1 / sqrt(3) = 0.577 above the lens centre.
+  // The upper corner of a hexagon is 1 / sqrt(3) = 0.577 above the lens centre.
   expect_near(lens_of(0.0f, 0.56f), {0, 0, 0}, kPositionMm);
   expect_near(lens_of(0.02f, 0.59f), {0.5f, row, 0}, kPositionMm);
   EXPECT_EQ(whole_pixels_per_lens(optics), Vec2i(0, 0));
@@ -165,17 +156,15 @@ TEST(Microlens, hexagonal_rows_are_shifted_and_closer) {
 
 TEST(Microlens, hexagonal_offset_shifts_the_lattice) {
   MicrolensArray array{.packing = LensPacking::kHexagonal, .lens_pitch_mm = 1.0f, .gap_mm = 2.0f, .offset_mm = {0.0f, 0.0f}};
-  // Row 0 moves to the position of an odd row, so the row at y = 0 becomes an odd row.
+  // Row 0 moves up by an odd number of rows, so the row at y = 0 becomes odd.
   array.offset_mm = {0.0f, 3.0f * std::sqrt(0.75f)};
   const Optics optics{.panel = {128, 128, 0.0625f}, .model = array};
   expect_near(at_depth(ray_of_pixel(optics, {64 + 0.4f / 0.0625f, 64.0f}), 0.0f), {0.5f, 0.0f, 0.0f}, kPositionMm);
 }
 
-// ---- Views ------------------------------------------------------------------------------------------------------------
-
 TEST(SingleView, centre_of_the_first_pixel_by_hand) {
-  // The view has 4 x 2 pixels of 10 mm, and the eye is at 100 mm. The centre of pixel (0, 0) is (-15, 5, 0), so the ray leaves
-  // the eye along (-15, 5, -100).
+  // 4 x 2 pixels of 10 mm, with the eye at 100 mm. The centre of pixel (0, 0) is (-15, 5, 0), so its ray leaves the eye along
+  // (-15, 5, -100).
   const Optics optics{.panel = {4, 2, 10.0f}, .model = SingleView{100.0f}};
   const Ray ray = ray_of_pixel(optics, {0.5f, 0.5f});
   EXPECT_EQ(ray.origin, Vec3f(0, 0, 100));
@@ -216,7 +205,7 @@ TEST(MultiView, view_is_off_axis) {
 }
 
 TEST(MultiView, pixels_may_be_higher_than_wide) {
-  // A tile has 10 x 10 pixels, each 1 mm wide and 1.5 mm high. The top edge of the tile is 7.5 mm above its centre.
+  // Tiles of 10 x 10 pixels, 1 mm wide and 1.5 mm high: the top edge of a tile is 7.5 mm above its centre.
   const Optics quilt{.panel = {20, 20, 1.0f},
                      .model = MultiView{.columns = 2, .rows = 2, .distance_mm = 300.0f, .pixel_height = 1.5f}};
   expect_near(at_depth(ray_of_pixel(quilt, {10.0f, 0.0f}), 0.0f), {-5.0f, 7.5f, 0.0f}, kPositionMm);
@@ -243,8 +232,7 @@ TEST(MultiView, views_run_from_bottom_left_upwards) {
 }
 
 TEST(MultiView, camera_grid_eyes_are_a_baseline_apart) {
-  // There are 3 x 2 tiles of 30 x 20 pixels, and the baseline is 12 mm. The columns of eyes are at -12, 0 and 12 mm. The lower
-  // row is at -6 mm and the upper row at 6 mm.
+  // 3 x 2 tiles with a baseline of 12 mm: columns of eyes at -12, 0 and 12 mm, rows at -6 (lower) and 6 mm.
   MultiView views{.columns = 3, .rows = 2, .distance_mm = 300.0f};
   views.baseline_mm = 12.0f;
   const Optics grid{.panel = {90, 40, 1.0f}, .model = views}, single{.panel = {30, 20, 1.0f}, .model = SingleView{300.0f}};
@@ -270,8 +258,7 @@ TEST(MultiView, two_view_camera_grid_is_a_cone) {
 }
 
 TEST(MultiView, odd_sizes_leave_padding) {
-  // A picture of 43 x 32 pixels has 4 x 3 tiles of 10 x 10 pixels. The 3 columns at the right and the 2 rows at the top are
-  // padding.
+  // 43 x 32 pixels hold 4 x 3 tiles of 10 x 10. The 3 columns at the right and the 2 rows at the top are padding.
   const Optics quilt{.panel = {43, 32, 1.0f}, .model = MultiView{4, 3, radians(40.0f), false, 500.0f}};
   std::vector<Vec2f> seeing;
   pixels_seeing(quilt, {0, 0, 0}, seeing);
@@ -282,8 +269,7 @@ TEST(MultiView, odd_sizes_leave_padding) {
 }
 
 TEST(MultiView, eyes_are_exact_over_the_widest_cone) {
-  // The tangent is computed by a continued fraction, which is exact to 2e-8. Towards 90 degrees, an error of the angle is
-  // multiplied by 1 / cos^2(angle).
+  // The tangent is exact to 2e-8. Towards 90 degrees, an error of the angle is multiplied by 1 / cos^2(angle).
   for (const float cone : {0.1f, 1.0f, 2.0f, 3.0f}) {
     const Optics quilt{.panel = {400, 1, 1.0f}, .model = MultiView{400, 1, cone, true, 1.0f}};
     for (int v = 0; v < 400; ++v) {
@@ -293,10 +279,7 @@ TEST(MultiView, eyes_are_exact_over_the_widest_cone) {
   }
 }
 
-// ---- Slanted panel ----------------------------------------------------------------------------------------------------
-
-/// Returns the view coordinate v of a sub-pixel, from 0 to 1 across the view cone. v is derived from the point where the ray of
-/// the sub-pixel meets the plane of the eyes.
+/// View coordinate of a sub-pixel, 0 to 1 across the view cone, from the point where its ray meets the plane of the eyes.
 double view_of(const Optics& optics, Vec2f pixel) {
   const auto& slanted = std::get<SlantedPanel>(optics.model);
   const double eye = at_depth(ray_of_pixel(optics, pixel), slanted.distance_mm).x;
@@ -319,13 +302,13 @@ TEST(SlantedPanel, sub_pixel_table_by_hand) {
     double v;
   } table[] = {{0, 0, 0, 25 / 48.0}, {0, 0, 1, 21 / 48.0}, {0, 0, 2, 17 / 48.0}, {3, 0, 1, 33 / 48.0},
                {1, 3, 0, 43 / 48.0}, {1, 3, 1, 39 / 48.0}, {1, 3, 2, 35 / 48.0}, {7, 2, 2, 17 / 48.0}};
-  // Tolerance of v. The eye is up to 130 mm from the middle, and single precision gives its position with an error of 1e-5 mm.
-  // The views are spread over 240 mm, so the error of v is about 1e-5 / 240.
+  // The eye is up to 130 mm from the middle, with an error of 1e-5 mm in single precision. The views are spread over 240 mm, so
+  // the error is about 1e-5 / 240.
   constexpr double kView = 1e-6;
   for (const auto& [i, j, color, v] : table) {
     const Vec2f centre(3 * i + color + 0.5f, j + 0.5f);
     EXPECT_NEAR(view_of(optics, centre), v, kView) << i << " " << j << " " << color;
-    // The ray crosses the plane of the panel at the sub-pixel. A sub-pixel is 0.1 mm wide and 0.3 mm high.
+    // The ray crosses the panel at the sub-pixel, which is 0.1 mm wide and 0.3 mm high.
     expect_near(at_depth(ray_of_pixel(optics, centre), 0.0f), {(3 * i + color + 0.5f - 12) * 0.1f, (1.5f - j) * 0.3f, 0},
                 kPositionMm);
   }
@@ -347,9 +330,9 @@ TEST(SlantedPanel, blue_first_swaps_red_and_blue) {
 }
 
 TEST(SlantedPanel, cells_repeat_by_2_columns_4_rows) {
-  // Only the blue sub-pixels in odd columns of rows 1, 5, 9, counted from the bottom, are displaced: half a pixel to the right
-  // of the pixel's centre, and a quarter of a pixel up. With 10 rows, row 4 from the top is row 5 from the bottom. Pixels are
-  // 0.3 mm wide and high, so x = (7.5 + 0.5 - 10) * 0.3 = -0.6 mm and y = (5.5 + 0.25 - 5) * 0.3 = 0.225 mm.
+  // Blue sub-pixels in odd columns of rows 1, 5, 9 from the bottom are half a pixel to the right of the pixel's centre and a
+  // quarter up. With 10 rows, row 4 from the top is row 5 from the bottom. Pixels are 0.3 mm wide, so x = (7.5 + 0.5 - 10) *
+  // 0.3 = -0.6 mm and y = (5.5 + 0.25 - 5) * 0.3 = 0.225 mm.
   SlantedPanel slanted{.periods = 8.0};
   slanted.sub_pixels[1][1][2] = {0.5f, 0.25f};
   const Optics optics{.panel = {20, 10, 0.3f}, .model = slanted},
@@ -365,14 +348,11 @@ TEST(SlantedPanel, cells_repeat_by_2_columns_4_rows) {
 }
 
 TEST(SlantedPanel, last_lens_is_as_exact_as_first) {
-  // 24576 sub-pixels lie below 2048 lenses, so every lens has 12 sub-pixels. The first and the last lens must show the same
-  // views.
+  // 24576 sub-pixels lie below 2048 lenses, 12 each. The first and the last lens must show the same views.
   const Optics optics{.panel = {8192, 6, 0.06f}, .model = SlantedPanel{.periods = 2048.0, .tilt = 0.0, .center = 0.3}};
   for (int in_lens = 0; in_lens < 12; ++in_lens)
     EXPECT_NEAR(view_of(optics, {in_lens + 0.5f, 2.5f}), view_of(optics, {24564 + in_lens + 0.5f, 2.5f}), 1e-6) << in_lens;
 }
-
-// ---- RayGenerator -----------------------------------------------------------------------------------------------------
 
 TEST(RayGenerator, similarity_gives_the_transformed_ray) {
   OpticsSampler random(21);
@@ -386,7 +366,7 @@ TEST(RayGenerator, similarity_gives_the_transformed_ray) {
     const Vec2f pixel(random.uniform(0, film_size(optics).x), random.uniform(0, optics.panel.height));
     const Ray local = ray_of_pixel(optics, pixel), ray = generator.ray(pixel);
     const float size = scale * (glm::length(local.origin) + 10.0f);
-    // tolerance for a few rounding errors of 6e-8 each
+    // a few rounding errors of 6e-8 each
     expect_near(ray.origin, transform_point(world, local.origin), 1e-6f * size);
     expect_near(ray.direction, glm::normalize(transform_vector(world, local.direction)), 1e-6f);
     EXPECT_NEAR(glm::length(ray.direction), 1.0f, 1e-6f);

@@ -22,7 +22,7 @@ Json some_optics() { return optics_json(Optics{}); }
 TEST(OpticsJson, round_trip_keeps_rays_of_every_model) {
   test::OpticsSampler random(11);
   for (int i = 0; i < 200; ++i) {
-    // the JSON does not store the parallax, because it belongs to a render instead of a display
+    // the parallax belongs to a render, not to a display, so JSON does not store it
     const Optics optics = with_parallax(random.every(i), 1.0f);
     const Json json = optics_json(optics);
     const Optics back = optics_from_json(Json::parse(json.dump()), "report.json");

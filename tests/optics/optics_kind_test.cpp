@@ -1,4 +1,3 @@
-// Tests the kinds of optics that can be selected by flags and job files.
 #include "optics/optics_kind.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,3 @@
-// Tests properties computed from optics, and the errors of validate().
 #include "lippmann/optics/optics.hpp"
 
 #include <gmock/gmock.h>
@@ -20,8 +19,6 @@ Optics with(Model model, Panel panel = {}) {
   return {.panel = panel, .model = model};
 }
 
-// ---- Whole pixels per lens --------------------------------------------------------------------------------------------
-
 TEST(WholePixels, defaults_have_eight_per_lens) {
   EXPECT_EQ(whole_pixels_per_lens(with(LenticularSheet{})), Vec2i(8, 1));
   EXPECT_EQ(whole_pixels_per_lens(with(MicrolensArray{})), Vec2i(8, 8));
@@ -42,16 +39,14 @@ TEST(WholePixels, fractions_slant_and_misaligned_cells_have_none) {
 }
 
 TEST(WholePixels, converging_cells_count_by_their_own_width) {
-  // Lenses are 1 mm wide. Their cells converge to a viewer at 500 mm and are therefore 1 + 2 / 500 = 1.004 mm or 8.032 pixels
-  // wide.
+  // Cells of 1 mm lenses that converge to a viewer at 500 mm are 1 + 2 / 500 = 1.004 mm or 8.032 pixels wide.
   EXPECT_EQ(whole_pixels_per_lens(with(LenticularSheet{.viewing_distance_mm = 500.0f})), Vec2i(0, 0));
   const LenticularSheet matched{.lens_pitch_mm = 1.0f / 1.004f, .offset_mm = 0.5f / 1.004f, .viewing_distance_mm = 500.0f};
   EXPECT_EQ(whole_pixels_per_lens(with(matched)), Vec2i(8, 1));
 }
 
 TEST(WholePixels, lens_and_view_follow_the_pixel_grid) {
-  // The pitch is no binary fraction and the panel is wide. In spite of rounding, pixel i must lie below lens floor(i / N),
-  // where N is the number of pixels per lens.
+  // The pitch is no binary fraction. In spite of rounding, pixel i must lie below lens floor(i / N), with N pixels per lens.
   const Optics optics = with(LenticularSheet{.lens_pitch_mm = 0.7f, .gap_mm = 1.3f, .offset_mm = 0.35f}, {7000, 2, 0.1f});
   ASSERT_EQ(whole_pixels_per_lens(optics), Vec2i(7, 1));
   Optics at_lenses = optics;
@@ -61,8 +56,6 @@ TEST(WholePixels, lens_and_view_follow_the_pixel_grid) {
     EXPECT_NEAR(ray_of_pixel(at_lenses, {i + 0.5f, 0.5f}).origin.x, lens, 1e-4) << "pixel " << i;
   }
 }
-
-// ---- Derived figures --------------------------------------------------------------------------------------------------
 
 TEST(Derived, default_sheet_has_28_degrees_and_16mm) {
   // Viewing zone: 2 atan(pitch / (2 gap)) = 2 atan(1 / 4) = 28.07 degrees. Depth budget: pitch * gap / pixel = 1 * 2 / 0.125 =
@@ -75,9 +68,9 @@ TEST(Derived, default_sheet_has_28_degrees_and_16mm) {
 }
 
 TEST(Derived, slanted_panel_with_20_sub_pixels) {
-  // Lens width: 20 sub-pixels of 0.1 mm = 2 mm. The cone of 2 atan(1/2) is divided into 20 directions, so neighbouring rays are
-  // 1/20 mm per mm of depth apart. Depth budget: 2 mm / (1/20) = 40 mm. A sub-pixel covers 1 mm at a depth of 20 mm, and less
-  // than a pixel of 0.3 mm at 4 mm. The viewer at 500 mm sees this width in perspective.
+  // A lens is 20 sub-pixels of 0.1 mm wide. The cone of 2 atan(1/2) has 20 directions, 1/20 mm per mm of depth apart, so the
+  // depth budget is 2 mm / (1/20) = 40 mm. A sub-pixel covers 1 mm at a depth of 20 mm, and less than a pixel of 0.3 mm at 4
+  // mm. The viewer at 500 mm sees this in perspective.
   const Optics panel = with(SlantedPanel{.periods = 30.0, .view_cone = 2.0f * std::atan(0.5f)}, {200, 100, 0.3f});
   EXPECT_NEAR(depth_budget_mm(panel), 40.0f, 1e-4f);
   EXPECT_EQ(viewing_zone(panel), 2.0f * std::atan(0.5f));
@@ -113,8 +106,7 @@ TEST(Footprint, of_a_view_shrinks_towards_the_eye) {
 }
 
 TEST(Footprint, is_the_distance_between_neighbouring_rays) {
-  // Compares the rays of two pixels that are one lens apart in the same view, or one row apart, at depths in front of and
-  // behind the display.
+  // Compares rays of pixels one lens apart in a view, or one row apart, in front of and behind the display.
   const LenticularSheet matched{.lens_pitch_mm = 1.0f / 1.004f, .offset_mm = 0.5f / 1.004f, .viewing_distance_mm = 500.0f};
   for (const float z : {-10.0f, 10.0f}) {
     Optics optics = with(matched);
@@ -138,8 +130,6 @@ TEST(ZFront, views_never_start_behind_their_eye) {
   EXPECT_EQ(resolved_z_front_mm(sheet), 1000.0f);
   EXPECT_EQ(resolved_z_front_mm(view), 300.0f);
 }
-
-// ---- Validation -------------------------------------------------------------------------------------------------------
 
 struct BadCase {
   const char* name;

@@ -1,4 +1,4 @@
-// Compares pixels_seeing() with a search over the rays of all pixels. No pixel may be missing, and none may be wrong.
+// Compares pixels_seeing() with a search over the rays of all pixels.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,8 +14,7 @@ namespace {
 using test::at_depth;
 using test::OpticsSampler;
 
-/// Returns the step, in pixels, from the pixel with the ray `ray` to the pixel whose ray passes through `wanted`. Both pixels
-/// must be below the same lens or in the same view.
+/// Returns the step in pixels to the pixel whose ray passes through `wanted`, below the same lens or in the same view.
 Vec2f pixel_step(const Optics& optics, const Ray& ray, Vec3f wanted) {
   const Vec3f passed = at_depth(ray, wanted.z), at_z0 = at_depth(ray, 0.0f);
   const float m = optics.panel.pixel_pitch_mm / sub_pixels_per_pixel(optics), z = wanted.z;
@@ -29,11 +28,10 @@ Vec2f pixel_step(const Optics& optics, const Ray& ray, Vec3f wanted) {
   if (const auto* a = std::get_if<MicrolensArray>(&optics.model))
     return Vec2f(-miss.x, miss.y) * (a->gap_mm / (a->parallax * z * m));
   if (const auto* p = std::get_if<SlantedPanel>(&optics.model)) {
-    // First, a step `dy` along the column corrects y. It also moves the eye to which the ray points. Then a step `dx` along the
-    // row corrects x, including the effect of `dy`.
+    // A step `dy` along the column corrects y and moves the eye. Then a step `dx` along the row corrects x, with the effect of
+    // `dy`.
     const float shrink = 1.0f - z / p->distance_mm, pitch = film_size(optics).x / static_cast<float>(p->periods) * m;
-    // x of the eye to which the ray points. It follows from x(z) = x(0) (1 - z / D) + eye z / D, where D is the viewing
-    // distance.
+    // x of the eye follows from x(z) = x(0) (1 - z / D) + eye z / D, with the viewing distance D.
     const float eye = (passed.x - at_z0.x * shrink) * p->distance_mm / z;
     const float reach = p->parallax * p->distance_mm;
     // derivative of the eye's position by the view v
@@ -56,8 +54,8 @@ bool on_panel(const Optics& optics, Vec2f p) {
   return p.x >= 0 && p.x < right && p.y >= top && p.y < optics.panel.height;
 }
 
-/// Returns all points of the panel whose rays pass through `point`. The search begins at 9 points in every pixel, because a
-/// cell that the panel's edge cuts off may contain no pixel centre. From each point it takes a step of at most a pixel.
+/// Returns all points of the panel whose rays pass through `point`. Starts at 9 points per pixel, because a cell at the panel's
+/// edge may contain no pixel centre.
 std::vector<Vec2f> search(const Optics& optics, const RayGenerator& generator, Vec3f point) {
   std::vector<Vec2f> found;
   for (int j = 0; j < 3 * optics.panel.height; ++j)
@@ -67,10 +65,10 @@ std::vector<Vec2f> search(const Optics& optics, const RayGenerator& generator, V
       Vec2f there = start + step;
       if (std::abs(step.x) > 1.0f || std::abs(step.y) > 1.0f || !on_panel(optics, there)) continue;
       Vec2f left = pixel_step(optics, generator.ray(there), point);
-      // The eye of a slanted panel depends on the tangent of its angle, so one linear step is not exact. Take a second step.
+      // The eye of a slanted panel depends on a tangent, so one linear step is not exact.
       if (glm::length(left) < 0.2f && on_panel(optics, there + left))
         there += left, left = pixel_step(optics, generator.ray(there), point);
-      if (glm::length(left) > 0.02f) continue;  // this point belongs to another lens or view
+      if (glm::length(left) > 0.02f) continue;  // another lens or view
       const auto same = [&](Vec2f p) { return glm::distance(p, there) < 0.05f; };
       if (std::none_of(found.begin(), found.end(), same)) found.push_back(there);
     }
@@ -81,9 +79,8 @@ bool contains(const std::vector<Vec2f>& pixels, Vec2f p) {
   return std::any_of(pixels.begin(), pixels.end(), [p](Vec2f q) { return glm::distance(p, q) < 0.03f; });
 }
 
-/// Returns a distance in pixels. Points nearer to the edge of a cell, a tile or the panel are not compared, because rounding
-/// decides on which side of the edge they are. The distance is larger for slanted panels, because the steps of their search are
-/// less exact.
+/// Points nearer than this to the edge of a cell, a tile or the panel are not compared, because rounding decides their side.
+/// The search is less exact for slanted panels.
 float edge_px(const Optics& optics) { return std::holds_alternative<SlantedPanel>(optics.model) ? 0.05f : 0.02f; }
 
 bool near_an_edge(const Optics& optics, const RayGenerator& generator, Vec2f p, Vec3f point) {
@@ -145,8 +142,8 @@ INSTANTIATE_TEST_SUITE_P(Models, PixelsSeeing, testing::Range(0, OpticsSampler::
 
 // ---- In the lens plane ------------------------------------------------------------------------------------------------
 
-/// Returns the centres of all pixels below the lenses nearest to the point. For a lenticular sheet, returns only pixels in the
-/// rows that contain the point.
+/// Returns the centres of all pixels below the lenses nearest to the point; for a lenticular sheet, only in the rows that
+/// contain it.
 std::vector<Vec2f> search_in_lens_plane(const Optics& optics, Vec3f point) {
   const RayGenerator generator(optics);
   const auto* sheet = std::get_if<LenticularSheet>(&optics.model);
@@ -182,7 +179,7 @@ TEST_P(LensPlane, all_pixels_of_the_lens_see_it) {
     optics.panel.width = random.integer(50, 90), optics.panel.height = random.integer(50, 70);
     optics.z_front_mm = 30.0f;
     const Panel& panel = optics.panel;
-    // The point is far from the panel's edges, so that its lens has pixels.
+    // Far from the panel's edges, so that its lens has pixels.
     const Vec3f point(random.uniform(-0.2f, 0.2f) * panel.width * panel.pixel_pitch_mm,
                       random.uniform(-0.2f, 0.2f) * panel.height * panel.pixel_pitch_mm, 0.0f);
     std::vector<Vec2f> seeing;
@@ -202,8 +199,8 @@ TEST(PixelsSeeingOrder, lenses_come_in_ascending_order) {
   ASSERT_EQ(n, Vec2i(8, 8));
   std::vector<int> lenses;
   for (const Vec2f& p : seeing) lenses.push_back(static_cast<int>(p.y) / n.y * 12 + static_cast<int>(p.x) / n.x);
-  // Number of lenses in each direction: |Z| N m / (g p). N pixels of the width m are as wide as the lens pitch p, so the number
-  // is |Z| / g = 6 mm / 2 mm = 3.
+  // Lenses in each direction: |Z| N m / (g p), where N pixels of width m are as wide as the pitch p. This is |Z| / g = 6 mm / 2
+  // mm = 3.
   EXPECT_EQ(lenses.size(), 9u);
   EXPECT_TRUE(std::is_sorted(lenses.begin(), lenses.end()));
 }

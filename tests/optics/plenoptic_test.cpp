@@ -1,5 +1,4 @@
-// Compares the rays of a plenoptic camera with values computed by hand. A ray runs from a pixel through a microlens and the
-// main lens into the scene.
+// Compares rays from a pixel through a microlens and the main lens with values computed by hand.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -15,12 +14,9 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Returns a camera with the focal length f = 100 mm that is focused at the distance Zf = 300 mm.
-/// The array is s = 1 / (1 / 100 - 1 / 300) = 150 mm behind the main lens. The plane in focus, z = 0, is Zf / s = 2 times as
-/// large as its image on the array.
-/// The gap between array and sensor is b = 1.5 mm, so s / b = 100.
-/// The 10 x 10 lenses have a pitch of 0.1 mm. Their images on the sensor are 0.1 (1 + 1.5 / 150) = 0.101 mm apart, which is 10
-/// pixels of 0.0101 mm.
+/// Focal length f = 100 mm, focused at Zf = 300 mm: the array is s = 1 / (1 / 100 - 1 / 300) = 150 mm behind the main lens, and
+/// the plane in focus, z = 0, is Zf / s = 2 times as large as its image on the array. The gap to the sensor is b = 1.5 mm, so s
+/// / b = 100. 10 x 10 lenses of 0.1 mm have images 0.1 (1 + 1.5 / 150) = 0.101 mm apart, which is 10 pixels of 0.0101 mm.
 PlenopticCamera some_camera() {
   return {.lens_pitch_mm = 0.1f,
           .gap_mm = 1.5f,
@@ -32,7 +28,7 @@ PlenopticCamera some_camera() {
 
 Optics optics_of(const PlenopticCamera& camera) { return {.panel = {100, 100, 0.0101f}, .model = camera}; }
 
-/// Returns the point where the ray of a pixel is at the distance `z` in front of the main lens.
+/// Point of a pixel's ray at the distance `z` in front of the main lens.
 Vec2d place_at(const Optics& optics, Vec2f pixel, double z) {
   const Ray ray = ray_of_pixel(optics, pixel);
   const double distance = static_cast<double>(std::get<PlenopticCamera>(optics.model).distance_mm);
@@ -45,27 +41,26 @@ void expect_at(Vec2d place, Vec2d expected, double tolerance = 1e-4) {
   EXPECT_NEAR(place.y, expected.y, tolerance);
 }
 
-/// The image of the lens at l = (0.05, 0.05) mm is centred at the pixel coordinates (55, 45). Pixel (57.5, 42.5) is 2.5 pixels
-/// of 0.0101 mm to the right of this centre and 2.5 pixels above it. Its ray meets the main lens at A = 2.5 * 0.0101 * 150 /
-/// 1.5 = 2.525 mm in x and y, and the plane in focus at 2 l = 0.1 mm.
+/// The image of the lens at l = (0.05, 0.05) mm is centred at pixel (55, 45). Pixel (57.5, 42.5) is 2.5 pixels of 0.0101 mm to
+/// the right and above, so its ray meets the main lens at A = 2.5 * 0.0101 * 150 / 1.5 = 2.525 mm in x and y, and the plane in
+/// focus at 2 l = 0.1 mm.
 TEST(Plenoptic, rays_cross_main_lens_and_focus) {
   const Optics optics = optics_of(some_camera());
   expect_at(place_at(optics, {57.5f, 42.5f}, 0.0), {2.525, 2.525});
   expect_at(place_at(optics, {57.5f, 42.5f}, 300.0), {0.1, 0.1});
-  // At twice the focus distance, the ray is at A (1 - 600 / 300) + l * 600 / 150 = -2.525 + 0.05 * 4 = -2.325 mm.
+  // At twice the focus distance: A (1 - 600 / 300) + l * 600 / 150 = -2.525 + 0.05 * 4 = -2.325 mm.
   expect_at(place_at(optics, {57.5f, 42.5f}, 600.0), {-2.325, -2.325});
 }
 
-/// The sensor is 151.5 mm behind the main lens. By the lens equation, the sensor is the image of a plane at 151.5 * 100 / 51.5
-/// mm in front of the lens. The pixel is 7.5 pixels off the axis. It is the image of a point in that plane, through which its
-/// ray must pass.
+/// The sensor, 151.5 mm behind the main lens, is the image of a plane 151.5 * 100 / 51.5 mm in front of it. The ray of a pixel
+/// 7.5 pixels off the axis must pass through the point whose image it is.
 TEST(Plenoptic, rays_meet_the_image_of_their_pixel) {
   const double z = 151.5 * 100.0 / 51.5, x = 7.5 * 0.0101 * z / 151.5;
   expect_at(place_at(optics_of(some_camera()), {57.5f, 42.5f}, z), {x, x});
 }
 
-/// The ray of pixel (57.5, 42.5) meets the main lens |A| = 2.525 sqrt(2) = 3.571 mm from the axis. The radius of the aperture
-/// is f / (2 N), with the focal length f and the f-number N. It is 3.125 mm for N = 16 and 4.167 mm for N = 12.
+/// The ray of pixel (57.5, 42.5) meets the main lens |A| = 2.525 sqrt(2) = 3.571 mm from the axis. The aperture's radius is f /
+/// (2 N): 3.125 mm for the f-number N = 16 and 4.167 mm for 12.
 TEST(Plenoptic, rays_beside_the_aperture_are_blocked) {
   PlenopticCamera camera = some_camera();
   camera.f_number = 16.0f;
@@ -76,9 +71,8 @@ TEST(Plenoptic, rays_beside_the_aperture_are_blocked) {
   EXPECT_FALSE(is_blocked({.panel = {8, 8, 0.1f}, .model = SingleView{}}, {0.5f, 0.5f}));
 }
 
-/// If the f-number is f b / (s c), the images of the aperture below neighbouring lenses touch. f is the focal length, s / b =
-/// 100 the ratio of distance and gap of the array, and c = 0.101 mm the distance between the images. Here it is 100 / (100 *
-/// 0.101) = 100 / 10.1. Each image is a disc with a diameter of 10 pixels, which contains 80 of 100 pixel centres.
+/// Images of the aperture below neighbouring lenses touch at the f-number f b / (s c) = 100 / (100 * 0.101), with s / b = 100
+/// and images c = 0.101 mm apart. An image is a disc of 10 pixels, which contains 80 of 100 pixel centres.
 TEST(Plenoptic, equal_f_numbers_fill_the_cells) {
   PlenopticCamera camera = some_camera();
   camera.f_number = 100.0f / 10.1f;
@@ -89,9 +83,8 @@ TEST(Plenoptic, equal_f_numbers_fill_the_cells) {
   EXPECT_EQ(lit, 100 * 80);
 }
 
-/// A point at the position X and the distance Z, seen through the point A of the main lens, appears on the lens array at l = s
-/// (X / Z + A (1 / Zf - 1 / Z)). s is the distance of the array, and Zf the distance in focus. The loop compares l with the
-/// lens through which the ray runs.
+/// Through the point A of the main lens, a point X at distance Z appears on the lens array at l = s (X / Z + A (1 / Zf - 1 /
+/// Z)), with the array at s and the focus at Zf. The loop compares l with the lens of the ray.
 TEST(Plenoptic, parallax_is_that_of_thin_lenses) {
   PlenopticCamera camera = some_camera();
   camera.distance_mm = 2000.0f;
@@ -104,9 +97,8 @@ TEST(Plenoptic, parallax_is_that_of_thin_lenses) {
   }
 }
 
-/// In a focused plenoptic camera, the main lens projects the plane z = 0 to a plane that is e = 3 mm in front of the lens
-/// array. The point 2 I has its image at I. A lens at l projects this image to l + (l - I) b / e on the sensor, with the gap b
-/// = 1.5 mm. So each lens shows the point again.
+/// In a focused plenoptic camera, the plane z = 0 is imaged e = 3 mm in front of the array. The point 2 I has its image at I,
+/// which a lens at l shows at l + (l - I) b / e on the sensor, with the gap b = 1.5 mm. So each lens shows the point again.
 TEST(Plenoptic, focused_camera_repeats_points_below_lenses) {
   PlenopticCamera camera = some_camera();
   camera.array_shift_mm = 3.0f;
@@ -185,27 +177,24 @@ PlenopticCamera camera_of(const OpticsParams& params, float f_number = 0.0f) {
   return std::get<PlenopticCamera>(plenoptic_kind.make_model({params, panel, {360, 240, 10.0f}, 1000.0f, {}, 50.0f, f_number}));
 }
 
-/// The plenoptic camera has the same field of view as the scene's camera, a pinhole 50 mm in front of the sensor.
+/// The field of view is that of the scene's camera, a pinhole 50 mm in front of the sensor.
 TEST(Plenoptic, parameters_make_a_camera) {
   OpticsParams params;
   const PlenopticCamera matched = camera_of(params);
   EXPECT_EQ(matched.f_number, 2.0f);
-  // Expected values. Cells are c = 10 pixels of 0.1 mm = 1 mm wide, the f-number is N = 2, and the plane in focus is at 1000
-  // mm.
-  // Gap: b = c N (1 + 50 / 1000) / (1 + c N / 1000) = 2.0958 mm. Distance of the array: s = 50 mm - b. Focal length: f = 1 / (1
-  // / s + 1 / 1000).
-  // With this gap, the images below neighbouring lenses touch: b = N s c / f.
+  // Cells are c = 1 mm wide, the f-number is N = 2, and the focus is at 1000 mm. Gap: b = c N (1 + 50 / 1000) / (1 + c N /
+  // 1000) = 2.0958 mm. Array: s = 50 mm - b. Focal length: f = 1 / (1 / s + 1 / 1000). Images below neighbouring lenses then
+  // touch: b = N s c / f.
   EXPECT_NEAR(matched.gap_mm, 2.095808f, 1e-5f);
   EXPECT_NEAR(matched.focal_length_mm, 45.7143f, 1e-3f);
   EXPECT_NEAR(2.0f * (50.0f - matched.gap_mm) / matched.focal_length_mm, matched.gap_mm, 1e-5f);
   params.gap_mm = 1.0f;
-  // With a gap of b = 1 mm, the array is at s = 49 mm, the focal length is f = 46.711 mm and the f-number is f b / (s c), with
+  // With a gap of b = 1 mm, the array is at s = 49 mm, the focal length is f = 46.711 mm, and the f-number is f b / (s c) with
   // cells of c = 1 mm.
   EXPECT_NEAR(camera_of(params).focal_length_mm, 46.71115f, 1e-3f);
   EXPECT_NEAR(camera_of(params).f_number, 46.71115f / 49.0f, 1e-5f);
   EXPECT_EQ(camera_of(params, 4.0f).f_number, 4.0f);
-  // The focal length of the microlenses is 0.75 mm and the gap is 1 mm. The array is shifted by e = 3 mm, because 1 / e = 1 /
-  // 0.75 - 1 / gap.
+  // 1 / e = 1 / 0.75 - 1 / gap: with microlenses of 0.75 mm and a gap of 1 mm, the array is shifted by e = 3 mm.
   params.lens_focal_length_mm = 0.75f;
   EXPECT_NEAR(camera_of(params).array_shift_mm, 3.0f, 1e-5f);
   params.lens_focal_length_mm = 1.25f;
@@ -221,9 +210,8 @@ TEST(Plenoptic, parameters_without_a_camera_are_refused) {
   params = {};
   params.gap_mm = 60.0f;
   EXPECT_THAT(test::error_message([&] { camera_of(params); }), HasSubstr("gap"));
-  // With a gap of 0.1 mm, the array is 49.9 mm behind the main lens, and the focal length is 47.5 mm. At the f-number 8, the
-  // aperture is 47.5 mm / 8 wide. Its image below a microlens is 0.1 / 49.9 times as wide: an eighth of a pixel, which is too
-  // small.
+  // With a gap of 0.1 mm, the array is 49.9 mm behind the main lens of 47.5 mm. At f/8, the aperture's image below a microlens
+  // is 47.5 / 8 * 0.1 / 49.9 mm wide: an eighth of a pixel.
   params.gap_mm = 0.1f;
   EXPECT_THAT(test::error_message([&] { camera_of(params, 8.0f); }), HasSubstr("f-number: is 8: the image below each"));
 }

@@ -1,5 +1,4 @@
-// Makes random but plausible optics for tests of properties that hold for all optics. The random seeds are fixed. The optics
-// include every model, and whole and fractional numbers of pixels per lens.
+// Makes random but plausible optics of every model, with whole and fractional numbers of pixels per lens. Seeds are fixed.
 #pragma once
 
 #include <random>
@@ -64,8 +63,7 @@ class OpticsSampler {
     return o;
   }
 
-  /// Returns a slanted panel with 2 to 20 sub-pixels per lens. The sub-pixels form stripes or have random positions within
-  /// their pixel.
+  /// 2 to 20 sub-pixels per lens, as stripes or at random positions in their pixel.
   Optics slanted_panel() {
     Optics o{.panel = panel(), .model = {}};
     o.panel.width /= 3, o.panel.pixel_pitch_mm *= 3.0f;
@@ -77,7 +75,7 @@ class OpticsSampler {
     s.sub_pixels = striped_sub_pixels(coin());
     s.parallax = parallax();
     s.eye_height_mm = eye_height();
-    if (coin())  // each sub-pixel stays within its third of the pixel, because sub-pixels must not overlap
+    if (coin())  // sub-pixels stay in their third of the pixel, because they must not overlap
       for (auto& row : s.sub_pixels)
         for (auto& column : row)
           for (Vec2f& offset : column) offset += Vec2f(uniform(-0.02f, 0.02f), uniform(-0.3f, 0.3f));
@@ -85,7 +83,7 @@ class OpticsSampler {
     return o;
   }
 
-  /// Returns optics of kind `which` modulo 6. These kinds are supported by all parts of the library.
+  /// Kind `which` modulo 6; all parts of the library support these kinds.
   Optics any(int which) {
     switch (which % 6) {
       case 0:
@@ -103,7 +101,6 @@ class OpticsSampler {
     }
   }
 
-  /// Returns optics of kind `which` modulo 7.
   Optics every(int which) { return which % kKinds == 6 ? slanted_panel() : any(which % kKinds); }
   static constexpr int kKinds = 7;
 
@@ -111,7 +108,7 @@ class OpticsSampler {
   float eye_height() { return coin() ? 0.0f : uniform(-50.0f, 50.0f); }
   float parallax() { return coin() ? 1.0f : uniform(0.2f, 1.0f); }
 
-  /// Returns the lens pitch for 2 to 20 pixels per lens. In half of the cases, the number of pixels is whole.
+  /// 2 to 20 pixels per lens, a whole number in half of the cases.
   float lens_pitch(const Panel& p, float gap, float viewing_distance) {
     const float pixels = coin() ? static_cast<float>(integer(2, 20)) : uniform(2.0f, 20.0f);
     return pixels * p.pixel_pitch_mm / (1.0f + gap / viewing_distance);
@@ -125,7 +122,7 @@ inline const char* model_name(const Optics& o) {
   return kNames[o.model.index()];
 }
 
-/// Returns the part of a test's name that states the kind.
+/// For the names of tests.
 inline const char* name_of_kind(int kind) {
   constexpr const char* kNames[] = {"lenticular", "slanted",     "square_microlens", "hexagonal_microlens",
                                     "multi_view", "single_view", "slanted_panel"};
@@ -135,8 +132,8 @@ inline const char* name_of_kind(int kind) {
 /// INSTANTIATE_TEST_SUITE_P calls this overload.
 inline std::string name_of_param(const testing::TestParamInfo<int>& kind) { return name_of_kind(kind.param); }
 
-/// Returns a depth in mm from which tests derive their test depths. For lens arrays it is the gap. For a slanted panel it is a
-/// multiple of the depth at which a lens shows a single point over its full width.
+/// A depth in mm from which tests derive depths: the gap, or for a slanted panel a multiple of the depth at which a lens shows
+/// one point over its full width.
 inline float gap_of(const Optics& optics) {
   if (const auto* s = std::get_if<LenticularSheet>(&optics.model)) return s->gap_mm / s->parallax;
   if (const auto* a = std::get_if<MicrolensArray>(&optics.model)) return a->gap_mm / a->parallax;
@@ -146,7 +143,7 @@ inline float gap_of(const Optics& optics) {
   return 8.0f * optics.panel.pixel_pitch_mm;
 }
 
-/// Returns the point at which a ray has the depth z.
+/// The point at which a ray has the depth z.
 inline Vec3f at_depth(const Ray& ray, float z) { return ray.origin + ray.direction * ((z - ray.origin.z) / ray.direction.z); }
 
 }  // namespace lippmann::test

@@ -1,5 +1,4 @@
-// Tests optics that are defined by a table of rays. The rays must be returned unchanged. Operations that need an inverse
-// mapping or views must fail.
+// Rays of a table must be returned unchanged. Operations that need an inverse mapping or views must fail.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -20,7 +19,6 @@ using testing::HasSubstr;
 
 constexpr Panel kPanel{6, 4, 0.5f};
 
-/// Returns a ray whose start and direction depend on the pixel.
 Ray some_ray(Vec2f pixel) {
   return {{pixel.x, -pixel.y, 10.0f + pixel.x}, glm::normalize(Vec3f(0.1f * pixel.x, 0.05f * pixel.y, -1.0f))};
 }
@@ -55,7 +53,7 @@ TEST(RayTable, blocks_are_bit_identical_in_any_frame) {
   generator.rays(px, py, 16, {out[0], out[1], out[2], out[3], out[4], out[5]});
   EXPECT_EQ(Vec3f(out[0][7], out[1][7], out[2][7]), ray.origin);
   EXPECT_EQ(Vec3f(out[3][7], out[4][7], out[5][7]), ray.direction);
-  // The transform maps x to y and y to -x, and scales by 2.
+  // maps x to y and y to -x, and scales by 2
   const Ray there = some_ray({2.75f, 1.25f});
   expect_same_ray(ray, {2.0f * Vec3f(-there.origin.y, there.origin.x, there.origin.z) + Vec3f(1, 2, 3),
                         {-there.direction.y, there.direction.x, there.direction.z}});

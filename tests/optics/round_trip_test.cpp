@@ -1,5 +1,4 @@
-// Tests a round trip: from a pixel to its ray, to a point on this ray, and by pixels_seeing() back to the pixel. No pixel may
-// be missing, and none may be wrong.
+// From a pixel to its ray, to a point on this ray, and by pixels_seeing() back to the pixel.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,17 +17,16 @@ float distance_to_nearest(const std::vector<Vec2f>& pixels, Vec2f wanted) {
   return nearest;
 }
 
-/// Returns the rounding error of pixels_seeing() in pixels: how far the result moves if the coordinates change by one unit in
-/// the last place. Near the plane of a lens array, an error in mm is multiplied by g / (|Z| m). Far from the plane and for
-/// pinholes, it is multiplied by about 1 / m. (g is the gap and m the width of a pixel.)
+/// Rounding error of pixels_seeing() in pixels. Near a lens array, an error in mm is multiplied by g / (|Z| m), with the gap g
+/// and the pixel width m; far from it and for pinholes, by about 1 / m.
 float rounding_px(const Optics& optics, const Ray& ray, float z) {
   const float m = optics.panel.pixel_pitch_mm;
   const float size = std::abs(ray.origin.x) + std::abs(ray.origin.y) + std::abs(z);
   float per_mm = 1.0f / m;
   if (const auto* s = std::get_if<LenticularSheet>(&optics.model)) per_mm += s->gap_mm / (std::abs(z) * m);
   if (const auto* a = std::get_if<MicrolensArray>(&optics.model)) per_mm += a->gap_mm / (std::abs(z) * m);
-  // The error grows near the depth at which a lens of a slanted panel shows a single point over its full width. The test depths
-  // differ from this depth by at least half of it, so a factor of 2 is sufficient.
+  // The error grows near the depth at which a lens of a slanted panel shows one point over its full width. The test depths
+  // differ from it by at least half, so a factor of 2 is enough.
   if (std::holds_alternative<SlantedPanel>(optics.model)) per_mm *= 2.0f;
   return 6e-8f * size * per_mm;
 }
@@ -48,7 +46,7 @@ void check_round_trip(OpticsSampler& random, int model, float sign) {
     const bool padding = views != nullptr && (pixel.x >= film_size(optics).x / views->columns * views->columns ||
                                               pixel.y < optics.panel.height % views->rows);
     if (padding) continue;
-    // About 16 rounding errors add up in the round trip. The interface promises 1e-2 pixel.
+    // About 16 rounding errors add up. The interface promises 1e-2 pixel.
     const float tolerance = std::min(1e-2f, 16.0f * rounding_px(optics, ray, z) + 1e-4f);
     EXPECT_LT(distance_to_nearest(seeing, pixel), tolerance)
         << test::model_name(optics) << " (kind " << model << "), pixel " << pixel.x << " " << pixel.y << ", z " << z
@@ -72,7 +70,7 @@ TEST_P(RoundTrip, rays_of_pixels_match_ray_of_pixel) {
   OpticsSampler random(3000 + GetParam());
   for (int trial = 0; trial < 20; ++trial) {
     const Optics optics = random.every(GetParam());
-    constexpr int kCount = 53;  // three vectors of 16 rays and 5 more rays
+    constexpr int kCount = 53;  // three vectors of 16 rays, and 5 more rays
     float px[kCount], py[kCount], out[6][kCount];
     for (int i = 0; i < kCount; ++i)
       px[i] = random.uniform(0.0f, film_size(optics).x), py[i] = random.uniform(0.0f, optics.panel.height);
@@ -95,7 +93,7 @@ TEST_P(RoundTrip, rays_start_on_z_front) {
           ray_of_pixel(optics, {random.uniform(0.0f, film_size(optics).x), random.uniform(0.0f, optics.panel.height)});
       EXPECT_EQ(ray.origin.z, resolved_z_front_mm(optics));
       EXPECT_LT(ray.direction.z, 0.0f);
-      EXPECT_NEAR(glm::length(ray.direction), 1.0f, 3e-7f);  // tolerance for a few rounding errors of 6e-8
+      EXPECT_NEAR(glm::length(ray.direction), 1.0f, 3e-7f);  // a few rounding errors of 6e-8
     }
   }
 }
@@ -109,8 +107,7 @@ TEST_P(RoundTrip, z_front_does_not_change_the_line) {
       const Vec2f pixel(random.uniform(0.0f, film_size(near).x), random.uniform(0.0f, near.panel.height));
       const Ray a = ray_of_pixel(near, pixel), b = ray_of_pixel(far, pixel);
       EXPECT_EQ(a.direction, b.direction);
-      // Tolerance for rounding: the positions are up to 1000 mm, and an error of the direction acts over 140 mm. Both have
-      // relative errors of 6e-8.
+      // Positions are up to 1000 mm, and an error of the direction acts over 140 mm, both with relative errors of 6e-8.
       EXPECT_LT(glm::distance(test::at_depth(b, 10.0f), a.origin), 5e-4f);
     }
   }

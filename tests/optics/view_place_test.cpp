@@ -10,12 +10,12 @@ namespace {
 using test::at_depth;
 using test::OpticsSampler;
 
-/// Returns the position of `point` in the view that contains `pixel`.
+/// Position of `point` in the view that contains `pixel`.
 Vec2f place(const Optics& optics, Vec2f pixel, Vec3f point) {
   return ViewPlaces(optics).place_in_view(ray_of_pixel(optics, pixel), point).value();
 }
 
-/// Returns the position of the pixel in its own view.
+/// Position of the pixel in its own view.
 Vec2f own_place(const Optics& optics, Vec2f pixel) { return place(optics, pixel, at_depth(ray_of_pixel(optics, pixel), 0.0f)); }
 
 std::vector<Optics> all_kinds(unsigned seed) {
@@ -37,7 +37,7 @@ TEST(ViewPlace, all_points_of_a_ray_coincide) {
       const Vec2f at = own_place(optics, pixel);
       for (const float z : {-40.0f, -3.0f, 5.0f, 50.0f}) {
         const Vec2f there = place(optics, pixel, at_depth(ray, z));
-        // The tolerance allows for single-precision rays that begin up to about 1000 mm away.
+        // Rays in single precision begin up to 1000 mm away.
         EXPECT_NEAR(there.x, at.x, 2e-2f) << seed << ": " << optics.model.index() << " at " << z;
         EXPECT_NEAR(there.y, at.y, 2e-2f) << seed << ": " << optics.model.index() << " at " << z;
       }
@@ -60,8 +60,8 @@ TEST(ViewPlace, neighbours_are_one_sample_apart) {
   }
 }
 
-// The viewer is 100 mm in front of the lenses, and the panel is 2 mm behind them. Seen by the viewer through the plane of the
-// lenses, rows of pixels are 100 / 102 of the pixel pitch apart there. A view has one sample per row.
+// The viewer is 100 mm in front of the lenses, the panel 2 mm behind them. In the plane of the lenses, rows of pixels are 100 /
+// 102 of the pixel pitch apart. A view has one sample per row.
 TEST(ViewPlace, sheet_rows_meet_at_the_viewer) {
   const Optics sheet{{64, 50, 0.0625f}, LenticularSheet{.gap_mm = 2.0f, .viewing_distance_mm = 100.0f}};
   const Vec2f a = own_place(sheet, {20.5f, 10.5f}), b = own_place(sheet, {20.5f, 40.5f});

@@ -16,7 +16,6 @@ Pixels walked(const ViewSteps& steps, std::uint32_t pixel, StepDirection directi
   return pixels;
 }
 
-/// Returns a lenticular sheet with 4 lenses of 4 pixels, and 3 rows of pixels.
 Optics sheet() {
   Optics optics;
   optics.panel = {16, 3, 0.25f};
@@ -69,7 +68,7 @@ TEST(ViewSteps, quilt_views_end_at_their_tile) {
   optics.panel = {8, 6, 1.0f};
   optics.model = MultiView{.columns = 2, .rows = 2};
   const ViewSteps steps(optics, StepsWithin::kView);
-  const std::uint32_t pixel = 1 * 8 + 5;  // a pixel of the top right tile; tiles have 4 x 3 pixels
+  const std::uint32_t pixel = 1 * 8 + 5;  // a pixel of the top right tile of 4 x 3 pixels
   EXPECT_EQ(walked(steps, pixel, StepDirection::kLeft), (Pixels{1 * 8 + 4}));
   EXPECT_EQ(walked(steps, pixel, StepDirection::kRight), (Pixels{1 * 8 + 6, 1 * 8 + 7}));
   EXPECT_EQ(walked(steps, pixel, StepDirection::kUp), (Pixels{5}));
@@ -78,7 +77,7 @@ TEST(ViewSteps, quilt_views_end_at_their_tile) {
 
 TEST(ViewSteps, padding_belongs_to_the_adjacent_tile) {
   Optics optics;
-  optics.panel = {9, 7, 1.0f};  // the tiles have 4 x 3 pixels, so one column at the right and one row at the top are left over
+  optics.panel = {9, 7, 1.0f};  // tiles of 4 x 3 pixels leave a column at the right and a row at the top
   optics.model = MultiView{.columns = 2, .rows = 2};
   const ViewSteps steps(optics, StepsWithin::kView);
   EXPECT_EQ(walked(steps, 1 * 9 + 7, StepDirection::kRight), (Pixels{1 * 9 + 8}));

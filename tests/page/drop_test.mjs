@@ -1,4 +1,4 @@
-// Pictures that are dropped on the page, or chosen in a dialog, become the views of a light field, in natural order of their names.
+// Pictures that are dropped on the page or chosen in a dialog become views, in natural order of their names.
 import assert from "node:assert/strict";
 import { copyFileSync, mkdirSync, readFileSync } from "node:fs";
 import { test } from "node:test";

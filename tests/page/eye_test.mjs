@@ -1,4 +1,4 @@
-// The page's picture for an eye matches `lippmann replay`, with a PSNR of 40 dB at the eye of a view and 30 dB between views.
+// The picture for an eye matches `lippmann replay` with 40 dB at the eye of a view, and 30 dB between views.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { closeAfterEach, eyeOfView, fractional, grid, lenslets, open, psnrBeside, quilt, replay, set, sheet, view } from "./support.mjs";
@@ -24,7 +24,7 @@ test("an array of lenslets", () => compare("lenslets", lenslets, [[0, 0], [2, 1]
 test("a quilt", () => compare("quilt", quilt, [[0, 0], [6, 0], [11, 0], [4.5, 0], [9.7, 0]]));
 test("a grid of cameras", () => compare("grid", grid, [[0, 0], [2, 2], [4, 1], [1.5, 2.5], [3.2, 0.7]]));
 
-// If the number of pixels per lens is not an integer, a view is not made of whole pixels of the panel.
+// With a fractional number of pixels per lens, a view is not made of whole panel pixels.
 test("fractional lenses", () => compare("fractional", fractional, [[0, 0], [3, 0], [5, 0]]));
 
 test("eyes outside the zone match replay, too", async () => {
@@ -37,7 +37,7 @@ test("eyes outside the zone match replay, too", async () => {
   }
 });
 
-// Interpolating two views by depth predicts the view between them better than blending does.
+// Interpolating two views by depth predicts the view between them better than blending.
 test("depth interpolates views better than blending", async () => {
   const { lippmann } = await import("./support.mjs");
   lippmann("render", "room", "--optics", "multiview", "--camera-grid", "--views", "9x1", "--size", "1152x128", "--view-angle", "20", "--frames", "0", "--aov", "depth", "-o", "row", "-q");

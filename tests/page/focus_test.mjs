@@ -45,7 +45,7 @@ test("a click focuses, with and without depth", async () => {
     }
     console.log(`${name}: at ${depth.toFixed(1)} mm`);
   }
-  // Without depth, the page finds the depth of a click by comparing views.
+  // Without depth, the page compares views.
   const { lippmann, inFolder } = await import("./support.mjs");
   const { rmSync } = await import("node:fs");
   await page.evaluate((place) => window.lippmann.focusAt(...place), places.clock);
@@ -63,7 +63,7 @@ test("a click focuses, with and without depth", async () => {
   assert.ok(Math.abs(found - known) < 0.25 * Math.abs(known) + 5, `${found} mm, in truth ${known} mm`);
 });
 
-// By default, a lens array compresses depth to its depth budget. A click finds the compressed depth, at which the point appears.
+// A lens array compresses depth to its depth budget. A click finds the compressed depth, at which the point appears.
 test("a click finds the fitted depth", async () => {
   const { lippmann } = await import("./support.mjs");
   const depths = [];

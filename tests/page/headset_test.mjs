@@ -1,4 +1,4 @@
-// In a headset (a mock of WebXR), each eye sees the light field as the page shows it to an eye at the same place.
+// In a headset (a mock of WebXR), each eye sees what the page shows to an eye at the same place.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { closeAfterEach, open, set, sheet, view } from "./support.mjs";
@@ -20,7 +20,7 @@ function mock(refusal) {
   /** Returns the projection matrix of an eye, by columns: a frustum through the window's edges. eye: position in the headset's space. */
   const frustum = (eye) => {
     const { centre, size } = window_mm();
-    const [x, y, z] = [0, 1, 2].map((i) => (home()[i] * scale()) + eye[i]); // from the display, metres
+    const [x, y, z] = [0, 1, 2].map((i) => (home()[i] * scale()) + eye[i]); // from the display, in metres
     const at = (i, sign) => centre[i] * scale() + (sign * size[i] * scale()) / 2 - [x, y][i];
     const near = 0.01;
     const [left, right, below, above] = [at(0, -1), at(0, 1), at(1, -1), at(1, 1)].map((edge) => (edge * near) / z);

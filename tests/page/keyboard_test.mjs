@@ -1,5 +1,4 @@
-// All controls can be reached with the keyboard and have a name for screen readers; phones show the page without horizontal
-// scrolling.
+// The keyboard reaches all controls, screen readers know their names, and phones need no horizontal scrolling.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { closeAfterEach, grid, open, set, sheet, view } from "./support.mjs";

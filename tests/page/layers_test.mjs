@@ -1,4 +1,4 @@
-// Quilts that exceed the GPU's texture size are stored in layers of whole tiles. The page shows the same pictures.
+// Quilts that exceed the GPU's texture size are stored in layers of whole tiles, and look the same.
 import assert from "node:assert/strict";
 import { readdirSync, writeFileSync } from "node:fs";
 import { test } from "node:test";
@@ -41,7 +41,7 @@ test("layers look like one texture", async () => {
     }
   for (const page of [whole, layered]) await set(page, { show: "panel", aperture: 0 });
   assert.equal(most(await panelCodes(whole), await panelCodes(layered)), 0, "what the panel shows");
-  // Tiles have 96x128 pixels, and a layer has 2x1 tiles, so 4x3 tiles need 6 layers of 192x128 pixels.
+  // A layer holds 2x1 tiles of 96x128 pixels, so 4x3 tiles need 6 layers of 192x128.
   const layers = await layered.evaluate(() => window.layers);
   assert.deepEqual([...new Set(layers.map(String))], ["192,128,6"]);
   assert.equal(layers.length % 2, 0, "colours and depth alike");

@@ -1,5 +1,5 @@
-// Effects of the lenses on an eye's view. Crosstalk matches `lippmann replay --crosstalk` with a PSNR of 40 dB, and 30 dB outside the
-// viewing zone. The page warns of flips.
+// Views with light that leaks between pixels match `lippmann replay --crosstalk` with 40 dB, and 30 dB outside the viewing
+// zone. The page warns of flips.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { closeAfterEach, codesOf, drawn, eyeOfView, grid, inFolder, lenslets, lippmann, only, open, psnrBeside, quilt, replay, set, sheet, view } from "./support.mjs";
@@ -27,7 +27,7 @@ test("an array of lenslets, across and up", () => compare("lenslets", lenslets, 
 test("a quilt, whose outermost views have one neighbour", () => compare("quilt", quilt, [[6, 0, 1], [0, 0, 1.5], [9.7, 0, 3]]));
 test("a grid of cameras", () => compare("grid", grid, [[2, 2, 0.75], [4, 0, 1], [1.5, 2.5, 2]]));
 
-// The views of these panels are not made of whole pixels, so the server computes the views with crosstalk.
+// The server computes these views, because they are not made of whole pixels.
 const slanted = () => lippmann("render", "room", "--optics", "lenticular", "--size", "212x160", "--lens-pixels", "5.3", "--slant", "-9.46", "--frames", "0", "-o", "slanted", "-q");
 const hexagonal = () => lippmann("render", "room", "--optics", "microlens", "--packing", "hexagonal", "--size", "192x160", "--lens-pixels", "5", "--frames", "0", "-o", "hexagonal", "-q");
 test("a slanted panel", () => compare("slanted", slanted, [[2, 0, 0.4], [4, 0, 1.5]]));

@@ -1,5 +1,5 @@
-// Setting up a scene while a calibrated panel shows it. When the final picture is rendered, the panel's frame equals `lippmann convert
-// --to native` of the saved job's quilt, or the native frame that the job renders.
+// A calibrated panel shows a scene that is being set up. Its final frame equals `lippmann convert --to native` of the saved
+// job's quilt, or the native frame that the job renders.
 import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";
 import { test } from "node:test";

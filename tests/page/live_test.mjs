@@ -1,5 +1,5 @@
-// Setting up a scene in the page: dragging the plane renders the scene again, the saved job renders the same picture, a render can be
-// started and cancelled, and the keyboard reaches all controls.
+// Setting up a scene: dragging the plane renders again, the saved job renders the same picture, a render can be cancelled, and
+// the keyboard reaches all controls.
 import assert from "node:assert/strict";
 import { existsSync, writeFileSync } from "node:fs";
 import { test } from "node:test";
@@ -30,7 +30,7 @@ async function dragBy(x, y) {
 test("dragging moves the plane and the camera", async () => {
   await atRest();
   const before = await scene();
-  // Moving the plane does not change the view from the middle, but it does change views from the side.
+  // Moving the plane changes views from the side, but not from the middle.
   await page.evaluate(() => window.lippmann.set({ drag: "plane", eye: [25, 0, window.lippmann.fields[0].eye_mm[2]] }));
   const seen = await codes(page);
   await dragBy(0, -90);
@@ -110,7 +110,7 @@ test("a render shows progress and can be cancelled", async () => {
   await page.waitForFunction(() => window.lippmann.scene.render?.state === "finished");
   assert.ok(existsSync(inFolder("out/room/frame_0002.png")));
   await atRest();
-  // Slow settings, because a finished render cannot be cancelled.
+  // slow, because a finished render cannot be cancelled
   await page.evaluate(() => window.lippmann.setUp({ integrator: "path", spp: "512" }));
   await page.waitForFunction(() => window.lippmann.scene.settings.spp === "512");
   await page.getByRole("button", { name: "Render all frames" }).click();
@@ -122,7 +122,8 @@ test("a render shows progress and can be cancelled", async () => {
   await atRest();
 });
 
-// With a view cone of 2 degrees the whole room is sharp and tinted green. With 90 degrees most of it is blurred and tinted red.
+// With a view cone of 2 degrees, the whole room is sharp and tinted green; with 90 degrees, most of it is blurred and tinted
+// red.
 test("the depth budget tints the picture", async () => {
   const excess = () => page.evaluate(async () => (await window.lippmann.picture(64, 64)).reduce((sum, code, i) => sum + (i % 4 === 1 ? 2 * code : i % 4 === 3 ? 0 : -code), 0));
   for (const [angle, sign] of [["2", 1], ["90", -1]]) {
@@ -156,11 +157,11 @@ test("the keyboard reaches controls and moves the plane", async () => {
   await page.keyboard.press("ArrowRight");
   await renderedAfter(before.version);
   assert.ok((await scene()).plane.distance > before.plane.distance);
-  // The browser also logs refused settings (422) and closed idle connections to its console.
+  // The console also shows refused settings (422) and closed idle connections.
 });
 
-// The scene is a tilted square in front of an infinitely distant background. From eyes at views and between views, each row of the
-// picture shows the square as one connected part.
+// A tilted square in front of an infinitely distant background. Seen from any eye, each row shows the square as one connected
+// part.
 test("edges before a far background stay in place", async () => {
   writeFileSync(inFolder("sheet.obj"), "v 0 1 0\nv 1 0.1 0\nv 0 -1 0\nv -1 -0.1 0\nf 1 4 3 2\n");
   const page = await open(await view("sheet.obj", "--spp", "8", "--environment", "#ffffff", "--size", "512x128"));

@@ -1,4 +1,4 @@
-// A large light field appears at once as a preview, one line shows the progress of loading, and the page can be saved.
+// A large light field appears at once as a preview, one line shows the progress, and the page can be saved.
 import assert from "node:assert/strict";
 import { readFileSync, statSync } from "node:fs";
 import { test } from "node:test";
@@ -34,7 +34,7 @@ test("a preview precedes the full picture", async () => {
   await page.evaluate(() => window.lippmann.set({ eye: [20, 0, window.lippmann.fields[0].eye_mm[2]] }));
   await page.waitForFunction((small) => document.querySelector("canvas").toDataURL() !== small, small);
   assert.equal(await page.getAttribute("#stage", "data-drawn"), "false");
-  // Requests the preview again, because the browser may no longer have the body of its response.
+  // The browser may no longer have the body of the first response.
   const bytes = (await (await page.request.get((await preview).url())).body()).length;
   assert.ok(bytes > 1000 && bytes < 64e3, `${bytes} bytes`);
   release();

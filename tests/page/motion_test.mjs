@@ -1,5 +1,4 @@
-// The eye sways until the user touches the page, and follows the mouse, so that the picture looks three-dimensional. The mouse and
-// fingers zoom, pan and open the help.
+// The eye sways until the user touches the page, and follows the mouse. Mouse and fingers zoom, pan and open the help.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { closeAfterEach, open, sheet, view } from "./support.mjs";

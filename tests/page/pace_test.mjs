@@ -50,7 +50,7 @@ test("a coarse picture shows the same scene", async () => {
       return context.getImageData(0, 0, width, height).data;
     };
   });
-  // Moves the eye without a pause, because a pause would draw a picture at full resolution.
+  // A pause would draw a picture at full resolution.
   const divisor = await page.evaluate(async () => {
     const [x, y, z] = window.lippmann.fields[0].eye_mm;
     for (let i = 1; i <= 30; i++) {

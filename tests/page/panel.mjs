@@ -1,4 +1,4 @@
-// Shared helpers for tests of calibrated panels: compare the page's panel with a picture file, and drop files on the page.
+// Compares the page's panel with a picture file, and drops files on the page.
 import { codesOf, inFolder } from "./support.mjs";
 
 /** Compares the page's panel with a picture file. Returns the greatest difference of a channel in codes, and the share of channels that

@@ -1,4 +1,4 @@
-// A light field on a calibrated panel: the page's canvas equals the output of `lippmann convert --to native` within one code.
+// On a calibrated panel, the canvas equals `lippmann convert --to native` within one code.
 import assert from "node:assert/strict";
 import { readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { test } from "node:test";
@@ -41,7 +41,7 @@ test("filtered views", async () => {
   await compare("gaussian", quilts[0], display, ["--filter", "gaussian", "--sigma", "0.8"]);
 });
 
-// The phase of lenses must be exact across the whole panel. In single precision, hundreds of sub-pixels would show a wrong view.
+// In single precision, hundreds of sub-pixels would show a wrong view.
 test("a preset at full size", () => compare("portrait", quilts[0], "portrait"));
 
 test("a render behind a lenticular sheet", async () => {
@@ -87,7 +87,7 @@ test("frames play in a loop, loaded once", async () => {
   });
   assert.ok(!shown.includes("none"), `nothing is shown between ${shown}`);
   assert.equal(pictures().length, 4, "frames are loaded again");
-  // Each played frame equals the frame that `lippmann convert` makes.
+  // Each played frame equals that of `lippmann convert`.
   lippmann("convert", quilts[2], "loop.png", "--to", "native", "--display", "loop-panel.json");
   await page.evaluate(() => window.lippmann.pause());
   await set(page, { frame: 2 });

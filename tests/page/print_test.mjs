@@ -1,5 +1,5 @@
-// Prints: the saved file equals the output of `lippmann convert`, the view through the sheet matches `lippmann replay` with a PSNR of
-// 40 dB, and the zero plane moves to the clicked point.
+// The saved print equals that of `lippmann convert`, the view through the sheet matches `lippmann replay` with 40 dB, and the
+// zero plane moves to the clicked point.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
@@ -87,11 +87,11 @@ test("a click moves the zero plane", async () => {
   const field = await page.evaluate(() => window.lippmann.fields[0]);
   await see(page);
   const eyes = [await eyeOfView(page, 2, 0), await eyeOfView(page, 7, 0)];
-  const place = [0.7, 0.34];  // the clock
+  const place = [0.7, 0.34];  // the clock in the scene
   const before = await apart(page, place, eyes);
   await page.getByRole("button", { name: "Zero plane on the picture" }).click();
   await page.waitForSelector('#stage[data-print=""][data-drawn="true"]');
-  // Finds the clicked point on the canvas. The picture is in the middle of the canvas and has the aspect of the display's window.
+  // The picture is in the middle of the canvas and has the aspect of the display's window.
   const box = await page.locator("#canvas").boundingBox();
   const aspect = field.window_mm.size[0] / field.window_mm.size[1];
   const width = Math.min(box.width, box.height * aspect);
@@ -105,7 +105,7 @@ test("a click moves the zero plane", async () => {
   const slope = (view) => (field.across.by === "angle" ? Math.tan : (x) => x)(field.across.first + view * field.across.step);
   const distance = field.eye_mm[2];
   const wanted = (((-z * distance) / (distance - z)) * (slope(6) - slope(0)) * field.view_size[0]) / 6 / field.window_mm.size[0];
-  // Shifting the views crops them to their common middle part, which enlarges the picture.
+  // Shifting the views crops them to their common part, which enlarges the picture.
   const scale = field.view_size[0] / (field.view_size[0] - 6 * Math.abs(shift));
   const after = await apart(page, place.map((share) => 0.5 + scale * (share - 0.5)), eyes);
   console.log(`z ${z} mm: ${shift.toFixed(2)} px a view, ${wanted.toFixed(2)} by hand; two eyes differ by ${before.toFixed(1)} codes before, ${after.toFixed(1)} after`);

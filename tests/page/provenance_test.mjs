@@ -1,5 +1,4 @@
-// The overlay that tints pixels by their origin (how they were made). Exactly the pixels that the render reports are tinted, and the
-// legend shows their shares.
+// An overlay tints pixels by their origin (how they were made). It tints exactly the pixels that the render reports.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
@@ -59,7 +58,7 @@ test("the legend has the frame's shares", async () => {
   await set(page, { overlay: "provenance" });
   assert.deepEqual(await legend(page), ["traced 100.0\u2009%"]);
   await page.getByLabel("Overlay").selectOption("none");
-  // Changes of a select box are drawn with the next frame of the screen, for which only set() waits.
+  // Only set() waits for the next frame of the screen, which shows changes of a select box.
   await page.locator("#legend").waitFor({ state: "hidden" });
 });
 

@@ -1,4 +1,4 @@
-// The page of figures opens from a disk, draws its charts, and fits windows of any width.
+// The page of results opens from disk, draws its charts, and fits windows of any width.
 import assert from "node:assert/strict";
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { test } from "node:test";

@@ -1,5 +1,5 @@
-// The page of a running render: finished frames appear, the page stops and resumes the render, the resumed render writes the same bytes
-// as an undisturbed one, and a killed render is not reported as running.
+// Page of a running render: finished frames appear, it stops and resumes the render, and the resumed render writes the same
+// bytes. A killed render is not reported as running.
 import assert from "node:assert/strict";
 import { once } from "node:events";
 import { existsSync, readdirSync, readFileSync, writeFileSync } from "node:fs";

@@ -1,4 +1,4 @@
-// A saved page opens from a disk and from any web server, and shows the same as the served one.
+// A saved page opens from disk and from any web server, and shows the same as the served one.
 import assert from "node:assert/strict";
 import { createReadStream, existsSync, writeFileSync } from "node:fs";
 import { createServer } from "node:http";

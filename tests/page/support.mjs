@@ -1,6 +1,6 @@
-// Shared helpers of the page's tests: the browser, servers of `lippmann view`, small light fields, and comparison of pictures.
+// Shared helpers: the browser, servers of `lippmann view`, small light fields, and comparison of pictures.
 //
-// A test is skipped with a message (exit code 77) if Chromium, playwright-core or the tool is missing.
+// A test is skipped (exit code 77) if Chromium, playwright-core or the tool is missing.
 import assert from "node:assert/strict";
 import { execFileSync, spawn } from "node:child_process";
 import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync } from "node:fs";
@@ -43,8 +43,7 @@ export async function end() {
 }
 after(end);
 
-// Errors and warnings in the console of any page, and exceptions of its scripts, fail the running test. Closing an idle
-// connection is no error.
+// Errors and warnings in the console, and exceptions of scripts, fail the test. Closing an idle connection is no error.
 const kUsual = /SOCKET_NOT_CONNECTED/;
 const complaints = [];
 let expected = [];
@@ -117,7 +116,7 @@ async function serve(...words) {
   server.stderr.on("data", (text) => (errors += text));
   return new Promise((resolve, reject) => {
     server.stdout.once("data", (text) => resolve(String(text).trim()));
-    // Waits for "close", because output may still arrive after "exit".
+    // Output may still arrive after "exit".
     server.once("close", () => reject(new Error(errors)));
   });
 }
@@ -217,7 +216,7 @@ export const eyeOfView = (page, across, up) =>
     [across, up],
   );
 
-// Small light fields, each rendered once.
+// small light fields, rendered once each
 export const sheet = () => lippmann("render", "teapot", "--size", "256x256", "--lenses", "32", "--frames", "0-5", "-o", "sheet", "-q");
 export const fractional = () => lippmann("render", "teapot", "--size", "212x160", "--lens-pixels", "5.3", "--frames", "0", "-o", "fractional", "-q");
 export const lenslets = () => lippmann("render", "room", "--optics", "microlens", "--size", "256x256", "--lenses", "64x64", "--lens-pixels", "4x4", "--frames", "0", "-o", "lenslets", "-q");

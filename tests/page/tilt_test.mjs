@@ -1,4 +1,4 @@
-// Tilting a device moves the eye if the device reports its orientation.
+// Tilting a device moves the eye, if it reports its orientation.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { closeAfterEach, lenslets, open, view } from "./support.mjs";
@@ -36,7 +36,7 @@ test("the eye stays fixed while the device turns", async () => {
   await press(page);
   await hold(page, 10, 40, 0);
   near(await slopes(page), [0, 0]);
-  // The right edge moves away from the eye, which is then on the left.
+  // The right edge moves away from the eye, which is then at the left.
   await hold(page, 10, 40, 5);
   near(await slopes(page), [-Math.tan(5 * kDegree), 0]);
   // The upper edge moves towards the eye, which is then above the middle.
@@ -80,7 +80,7 @@ for (const [answer, isOn] of [["granted", "true"], ["denied", "false"]])
     if (answer === "denied") await page.waitForFunction(() => /does not let this page read the device's orientation/.test(document.querySelector("#notice").textContent));
     else await page.waitForSelector(`button[aria-pressed="true"]:not(.icon)`);
     assert.equal(await button(page).getAttribute("aria-pressed"), isOn);
-    // If permission was granted, the page waits for the sensor, which reports nothing in this test.
+    // After a granted permission, the page waits for the sensor, which is silent here.
     if (answer === "granted") await page.waitForFunction(() => /does not report its orientation/.test(document.querySelector("#notice").textContent));
     if (answer === "granted") assert.equal(await button(page).isVisible(), false);
   });

@@ -1,4 +1,4 @@
-// Time: scrubbing, stepping and playing show the right frames, and the first picture appears soon.
+// Scrubbing, stepping and playing show the right frames, and the first picture appears soon.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { closeAfterEach, open, psnrBeside, replay, set, sheet, view } from "./support.mjs";
@@ -43,7 +43,7 @@ test("buttons and keys step and play", async () => {
   await page.getByRole("button", { name: "Pause" }).click();
 });
 
-// The time stamp of the first frame of the screen after a click may be before the click.
+// The screen's first time stamp after a click may be before the click.
 test("a lagging clock plays from the shown frame", async () => {
   const ahead = "const now = performance.now.bind(performance); performance.now = () => now() + 200;";
   const page = await open(address, { script: ahead });

@@ -8,8 +8,7 @@
 namespace lippmann {
 namespace {
 
-/// Returns a panel that shows two planes. The right half of the picture shows a plane at z = 6 mm, and the left half shows a
-/// plane behind it at z = -8 mm.
+/// The right half shows a plane at z = 6 mm, the left half a plane behind it at z = -8 mm.
 RenderedPanel two_depths(const Optics& optics) {
   RenderedPanel panel = test::record(optics, -8.0, test::waves);
   for (int y = 0; y < panel.picture.height; ++y)
@@ -33,8 +32,7 @@ TEST(AllInFocus, halves_take_their_own_depths) {
       const Image picture = refocus(panel, z, size, pool, &disagreement);
       sharpest.add(picture, disagreement, z);
     }
-    // Leaves out 4 lenses at each edge of the picture and on both sides of the boundary between the planes. The tolerance is
-    // one depth step of 2 mm.
+    // Leaves out 4 lenses at the edges and at the boundary between the planes. The tolerance is one depth step of 2 mm.
     int right = 0, count = 0;
     for (int y = 4; y < size.y - 4; ++y)
       for (int x = 4; x < size.x - 4; ++x) {

@@ -1,5 +1,3 @@
-// Tests views that are made from pictures with depth. The expected shifts are computed by hand. The tests also cover parts that
-// become hidden or visible.
 #include "replay/depth_views.hpp"
 
 #include <gmock/gmock.h>
@@ -9,11 +7,11 @@
 namespace lippmann {
 namespace {
 
-/// Tolerance in pixels. Each of the four pixels around a position receives a weight of at least 1e-6.
+/// Each of the four pixels around a position has a weight of at least 1e-6.
 constexpr double kWeights = 1e-5;
 
-/// Returns a picture of a plane at the depth `z` mm, with a bright column at x = `lit`. The screen has 40 x 4 pixels of 1 mm
-/// and is seen from 100 mm.
+/// A plane at the depth `z` mm, with a bright column at x = `lit`. The screen has 40 x 4 pixels of 1 mm, and is seen from 100
+/// mm.
 LightField plane(int lit, float z) {
   LightField field;
   field.grid = {1, 1}, field.view_size = {40, 4}, field.aspect = 10.0;
@@ -26,8 +24,7 @@ LightField plane(int lit, float z) {
   return field;
 }
 
-/// Returns optics of 3 eyes that are 20 mm apart at a distance of 100 mm. The slopes of their lines of sight are -0.2, 0 and
-/// 0.2.
+/// 3 eyes 20 mm apart at 100 mm, with the slopes -0.2, 0 and 0.2.
 Optics three_eyes() {
   MultiView eyes{3, 1};
   eyes.baseline_mm = 20.0f, eyes.distance_mm = 100.0f;
@@ -39,7 +36,7 @@ DepthViews shown(const LightField& source, const Optics& optics = three_eyes(), 
   return views_from_depth(source, optics, scale, pool);
 }
 
-/// Returns the mean x of the light in row 1 of a view, in pixels.
+/// Mean x of the light in row 1 of a view, in pixels.
 double lit_at(const DepthViews& made, int view) {
   const Image image = std::get<Image>(view_of(made.field, view));
   double sum = 0.0, weight = 0.0;
@@ -48,13 +45,13 @@ double lit_at(const DepthViews& made, int view) {
 }
 
 TEST(DepthViews, plane_shifts_by_its_disparity) {
-  // Disparity: z / (1 - z / 100) = -25 / (1 + 1/4) = -20 mm. The eye at the slope 0.2 sees the plane 0.2 * 20 = 4 mm further to
-  // the right, and the eye at the slope -0.2 sees it 4 mm further to the left.
+  // Disparity: z / (1 - z / 100) = -25 / (1 + 1/4) = -20 mm. The eye with slope 0.2 sees the plane 0.2 * 20 = 4 mm further
+  // right, the eye with slope -0.2 sees it 4 mm further left.
   const DepthViews behind = shown(plane(20, -25.0f));
   EXPECT_NEAR(lit_at(behind, 0), 16.0, kWeights);
   EXPECT_NEAR(lit_at(behind, 1), 20.0, kWeights);
   EXPECT_NEAR(lit_at(behind, 2), 24.0, kWeights);
-  // Disparity: 20 / (1 - 1/5) = 25 mm. The plane moves by 0.2 * 25 = 5 mm, in the opposite directions.
+  // Disparity: 20 / (1 - 1/5) = 25 mm. The plane moves by 0.2 * 25 = 5 mm the other way.
   const DepthViews before = shown(plane(20, 20.0f));
   EXPECT_NEAR(lit_at(before, 0), 25.0, kWeights);
   EXPECT_NEAR(lit_at(before, 2), 15.0, kWeights);
@@ -78,7 +75,7 @@ TEST(DepthViews, middle_view_is_the_picture) {
 }
 
 TEST(DepthViews, shifts_of_a_fraction_are_interpolated) {
-  // Disparity: -12.5 / 1.125 = -11.1 mm. The shift is 0.2 * 11.1 = 2.22 pixels, so the column lies between two pixels.
+  // Disparity: -12.5 / 1.125 = -11.1 mm. The shift of 0.2 * 11.1 = 2.22 pixels puts the column between two pixels.
   EXPECT_NEAR(lit_at(shown(plane(20, -12.5f)), 2), 20.0 + 0.2 * 12.5 / 1.125, 1e-5);
 }
 
@@ -94,7 +91,7 @@ TEST(DepthViews, depth_scale_scales_shifts) {
   EXPECT_NEAR(lit_at(shown(plane(20, -25.0f), three_eyes(), 0.5), 2), 22.0, kWeights);
 }
 
-/// Returns a picture of a blue wall 25 mm behind the screen. A red board in the plane of the screen covers columns 15 to 24.
+/// A blue wall 25 mm behind the screen. A red board in the plane of the screen covers columns 15 to 24.
 LightField board() {
   LightField field = plane(0, -25.0f);
   Image& colours = std::get<Image>(field.stack);
@@ -116,8 +113,8 @@ TEST(DepthViews, disoccluded_pixels_are_filled_from_behind) {
     EXPECT_EQ(right.pixel(x, 2)[0], front ? 1.0f : 0.0f) << x;
     EXPECT_EQ(right.pixel(x, 2)[2], front ? 0.0f : 1.0f) << x << ": the wall, also where it was hidden";
   }
-  // In the right view, 4 columns of the wall are newly visible to the right of the board, and the 4 columns at the edge lie
-  // outside of the picture. The left view is symmetric. In total, 8 of 40 columns are filled in two of three views.
+  // In the right view, 4 columns right of the board are newly visible, and 4 at the edge are outside the picture. The left view
+  // is symmetric: 8 of 40 columns are filled in two of three views.
   EXPECT_NEAR(made.filled_share, 16.0 / 120.0, 1e-9);
 }
 
@@ -131,8 +128,8 @@ TEST(DepthViews, other_pictures_fill_hidden_parts) {
   const DepthViews made = views_from_depths(std::vector{left, right}, three_eyes(), 1.0, pool);
   EXPECT_EQ(made.filled_share, 0.0);
   const Image middle = std::get<Image>(view_of(made.field, 1));
-  // From the left picture to the middle view, the wall moves by 4 pixels. Therefore 4 columns at the edge and 4 columns beside
-  // the board come from the other picture.
+  // From the left picture to the middle view, the wall moves by 4 pixels, so 4 columns at the edge and 4 beside the board come
+  // from the other picture.
   for (int x = 0; x < 40; ++x) EXPECT_EQ(middle.pixel(x, 2)[1], x < 4 || (x >= 25 && x < 29) ? 1.0f : 0.0f) << x;
   EXPECT_EQ(std::get<Image>(view_of(made.field, 0)).pixel(26, 2)[1], 0.0f);
   EXPECT_EQ(std::get<Image>(view_of(made.field, 2)).pixel(26, 2)[1], 1.0f);

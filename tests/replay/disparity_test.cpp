@@ -1,4 +1,3 @@
-// Tests refocusing on planes whose position is given as a disparity.
 #include "replay/disparity.hpp"
 
 #include <gmock/gmock.h>
@@ -19,15 +18,13 @@ using testing::HasSubstr;
 
 constexpr Vec2i kViewSize{480, 360};
 
-/// Returns the texture of the plane at a point, in pixels of the middle view. It consists of waves with periods of at least 24
-/// pixels.
+/// Waves of at least 24 pixels, at a position in pixels of the middle view.
 double wave_at(double x, double y) {
   return 0.5 + 0.2 * std::sin(2.0 * M_PI * x / 29.0) * std::sin(2.0 * M_PI * y / 37.0) +
          0.15 * std::sin(2.0 * M_PI * (x + y) / 51.0);
 }
 
-/// Returns grey views of 5 x 5 parallel cameras. The cameras see a plane that moves by `disparity_px` pixels between
-/// neighbouring views.
+/// 5 x 5 parallel cameras see a plane that moves by `disparity_px` pixels between neighbouring views.
 LightField plane_seen(double disparity_px) {
   LightField field;
   field.grid = {5, 5}, field.view_size = kViewSize;
@@ -36,7 +33,7 @@ LightField plane_seen(double disparity_px) {
   for (int view = 0; view < 25; ++view)
     for (int y = 0; y < kViewSize.y; ++y)
       for (int x = 0; x < kViewSize.x; ++x) {
-        // From an eye further to the right and further up, the plane appears further to the left and further down.
+        // From an eye further right and up, the plane appears further left and down.
         const double u = x + disparity_px * (view % 5 - 2), v = y - disparity_px * (view / 5 - 2);
         const auto grey = static_cast<float>(wave_at(u, v));
         float* pixel = stack.pixel(x, view * kViewSize.y + y);
@@ -46,7 +43,7 @@ LightField plane_seen(double disparity_px) {
   return field;
 }
 
-/// Returns the PSNR in dB between a refocused picture and the texture of the plane.
+/// PSNR in dB between a refocused picture and the plane's texture.
 double psnr_of_plane(const Image& picture) {
   double squares = 0.0;
   for (int y = 0; y < picture.height; ++y)
@@ -54,7 +51,7 @@ double psnr_of_plane(const Image& picture) {
   return -10.0 * std::log10(squares / (picture.width * picture.height));
 }
 
-// Disparity of a plane at 130 mm: focal length / pixel * baseline / distance = 8 mm / 0.0024 mm * 6.25 mm / 130 mm.
+// Plane at 130 mm: focal length / pixel * baseline / distance = 8 mm / 0.0024 mm * 6.25 mm / 130 mm.
 constexpr double kTrialPx = 8.0 / 0.0024 * 6.25 / 130.0;
 
 TEST(Disparity, near_plane_is_refocused) {

@@ -21,8 +21,8 @@ TEST(EpipolarImage, row_of_whole_pixels_is_exact) {
   const Image epi = epipolar_row(panel, 4, SampleFilter::kNearest);
   ASSERT_EQ(Vec2i(epi.width, epi.height), Vec2i(30, 7));
   for (int eye = 0; eye < 7; ++eye)
-    // The eyes are on the line that pixel row 3 below the lenses of lens row 4 shows. The leftmost eye sees the rightmost pixel
-    // below each lens.
+    // The eyes are on the line that pixel row 3 below the lenses of row 4 shows. The leftmost eye sees the rightmost pixel of
+    // each lens.
     for (int lens = 0; lens < 30; ++lens)
       ASSERT_EQ(epi.pixel(lens, eye)[1], panel.picture.pixel(7 * lens + 6 - eye, 7 * 4 + 3)[1]) << lens << " " << eye;
 }
@@ -32,7 +32,7 @@ TEST(EpipolarImage, column_of_whole_pixels_is_exact) {
   const Image epi = epipolar_column(panel, 11, SampleFilter::kNearest);
   ASSERT_EQ(Vec2i(epi.width, epi.height), Vec2i(7, 30));
   for (int eye = 0; eye < 7; ++eye)
-    for (int lens = 0; lens < 30; ++lens)  // the lowest eye sees the topmost pixel below each lens
+    for (int lens = 0; lens < 30; ++lens)  // the lowest eye sees the topmost pixel of each lens
       ASSERT_EQ(epi.pixel(eye, lens)[1], panel.picture.pixel(7 * 11 + 3, 7 * lens + eye)[1]) << lens << " " << eye;
 }
 

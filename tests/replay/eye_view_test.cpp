@@ -20,19 +20,18 @@ Image view_from(const RenderedPanel& panel, Vec3d eye_mm, Vec2i size, SampleFilt
   return eye_view(panel, view, pool);
 }
 
-/// Returns the PSNR in dB of the eye's view of the plane `z`, compared with the plane seen without lenses. The pictures have
-/// one pixel per lens. Three pixels at each edge are left out, because an eye at the side sees past the panel there.
+/// PSNR in dB of the eye's view of the plane `z`, compared with the plane seen without lenses, at one pixel per lens. Leaves
+/// out three pixels at the edges, where an eye at the side sees past the panel.
 double psnr_of_plane(const Optics& optics, Vec3d eye_mm, double z) {
   const RenderedPanel panel = record(optics, z, waves);
   const Vec2i size = lens_grid(optics);
   return linear_psnr(view_from(panel, eye_mm, size), seen_directly(optics, size, eye_mm, z, waves), 3);
 }
 
-// In the plane z = 0, all pixels below a lens show the same point. The error comes from rounding and, in a sheet, from linear
-// interpolation between rows. For a wave of 0.7 rad/mm at 9 rows per mm it is at most (0.7 / 9)^2 / 8 = 8e-4, which is 62 dB.
+// In the plane z = 0, all pixels below a lens show the same point. Linear interpolation between 9 rows per mm of a sheet
+// changes a wave of 0.7 rad/mm by at most (0.7 / 9)^2 / 8 = 8e-4, which is 62 dB.
 TEST(EyeView, plane_of_lenses_equals_direct_view) {
-  // A sheet shows rows at their right height only to eyes at the height and distance of its design. Therefore these eyes do not
-  // move vertically or in depth.
+  // A sheet shows rows at their right height only to eyes at the height and distance of its design.
   for (const Vec3d eye : {Vec3d(0, 0, 100), Vec3d(15, 0, 100), Vec3d(-17, 0, 100)})
     EXPECT_GE(psnr_of_plane(test::sheet(100.0f), eye, 0.0), 60.0) << eye.x;
   for (const Vec3d eye : {Vec3d(0, 0, 100), Vec3d(15, 4, 100), Vec3d(-17, -8, 100), Vec3d(3, 2, 140)}) {
@@ -52,8 +51,8 @@ TEST(EyeView, slanted_and_hexagonal_lenses_equal_direct_view) {
     const ThreadPool pool(1);
     const EyeSampler sampler(panel, SampleFilter::kLinear);
     for (int k = -8; k <= 8; ++k) {
-      // Compare at points on lens axes. For the slanted sheet, these are the points with y = 1.3 mm on the axes (k + 1/2)
-      // pitch. For the hexagonal lenses, they are the lens centres in the row of lens (0, 0).
+      // Compares points on lens axes: at y = 1.3 mm on the axes (k + 1/2) pitch of the slanted sheet, or the centres of
+      // hexagonal lenses in the row of lens (0, 0).
       const auto* s = std::get_if<LenticularSheet>(&optics.model);
       const float pitch = s ? s->lens_pitch_mm : std::get<MicrolensArray>(optics.model).lens_pitch_mm;
       const Vec2d at =
@@ -66,8 +65,8 @@ TEST(EyeView, slanted_and_hexagonal_lenses_equal_direct_view) {
   }
 }
 
-// At the depth z, a pixel of width m is magnified to w = |z| m / g, where g is the gap. The relative error of a wave of 1
-// rad/mm is about w^2 / 8, with w in mm.
+// At depth z, a pixel of width m is magnified to w = |z| m / g, with the gap g. The relative error of a wave of 1 rad/mm is
+// about w^2 / 8.
 TEST(EyeView, error_grows_with_depth_within_magnified_pixel) {
   const Vec3d eye(6, 0, 100);
   for (const Optics& optics : {test::sheet(100.0f), test::lenslets(100.0f)}) {
@@ -75,21 +74,20 @@ TEST(EyeView, error_grows_with_depth_within_magnified_pixel) {
                  far = psnr_of_plane(optics, eye, -14.0);
     EXPECT_GT(near, mid);
     EXPECT_GT(mid, far);
-    // half of the enlarged pixel: 2 mm * (1/7) / 2 = 0.14 mm; error: 0.14^2 / 8 = 2.5e-3, which is 52 dB
+    // half of a magnified pixel: 2 mm * (1/7) / 2 = 0.14 mm; error: 0.14^2 / 8 = 2.5e-3, which is 52 dB
     EXPECT_GT(near, 45.0);
     EXPECT_GT(psnr_of_plane(optics, eye, 6.0), 30.0);
   }
 }
 
-/// Returns a panel on which all pixels below lens k have the value k + 0.5, for k from -20 to 20.
+/// All pixels below lens k have the value k + 0.5, for k from -20 to 20.
 RenderedPanel numbered_lenses(const Optics& optics) {
   return record(optics, 0.0, [](Vec2d p) { return Vec3f(std::floor(p.x) + 0.5); });
 }
 
 TEST(EyeView, neighbour_pixels_are_seen_beyond_the_zone) {
-  // The gap is 2 mm and lenses are 1 mm wide. From the direction (0.2, 0), an eye at infinity sees the point l - 2 * 0.2 = l -
-  // 0.4 below the lens at l, which is in this lens's cell. From the direction (0.3, 0) it sees l - 0.6, which is in the cell of
-  // the left neighbour.
+  // Gap 2 mm, lenses 1 mm wide. An eye at infinity with slope 0.2 sees l - 2 * 0.2 = l - 0.4 below the lens at l, in its own
+  // cell. With slope 0.3 it sees l - 0.6, in the cell of the left neighbour.
   const RenderedPanel panel = numbered_lenses(test::sheet());
   const EyeSampler sampler(panel, SampleFilter::kLinear);
   const Vec2d at(3.5, 0.0);
@@ -110,7 +108,7 @@ TEST(EyeView, zone_has_no_flipped_lens) {
 }
 
 TEST(EyeView, eyes_see_their_pixel_columns_from_right) {
-  // Nine columns of pixels lie below every lens. Each column has its own value.
+  // Each of the nine columns of pixels below a lens has its own value.
   Optics optics = test::sheet(100.0f);
   RenderedPanel panel{optics, Image(360, 120, 3)};
   for (int y = 0; y < 120; ++y)
@@ -123,7 +121,7 @@ TEST(EyeView, eyes_see_their_pixel_columns_from_right) {
 }
 
 TEST(EyeView, linear_filter_never_mixes_two_lenses) {
-  // At the edge of a cell, the colour is that of the cell's last pixel. It is not interpolated with the neighbouring cell.
+  // At the edge of a cell, the colour is not interpolated with the neighbouring cell.
   const RenderedPanel panel = numbered_lenses(test::sheet());
   const EyeSampler sampler(panel, SampleFilter::kLinear);
   EXPECT_EQ(sampler.color({{0.2499, 0.0}, 0.0}, {3.5, 0.0}).x, 3.5f);
@@ -135,7 +133,7 @@ TEST(EyeView, quilt_interpolates_between_two_views) {
   RenderedPanel panel{optics, Image(180, 120, 3)};
   for (int y = 0; y < 120; ++y)
     for (int x = 0; x < 180; ++x)
-      // the value of each tile is the number of its view
+      // the number of the view
       panel.picture.pixel(x, y)[0] = static_cast<float>((2 - y / 40) * 3 + x / 60);
   const Viewer eye = viewer_in_zone(optics, (4.3 + 0.5) / 9);
   EXPECT_NEAR(EyeSampler(panel, SampleFilter::kNearest).color(eye, {0, 0}).x, 4.0f, 1e-5);
@@ -145,7 +143,7 @@ TEST(EyeView, quilt_interpolates_between_two_views) {
 }
 
 TEST(EyeView, camera_grid_interpolates_across_and_up) {
-  // There are 3 x 3 eyes, 8 mm apart, at a distance of 100 mm. The tile of each view has the value column + 10 * row.
+  // 3 x 3 eyes, 8 mm apart, at 100 mm. The tile of each view has the value column + 10 * row.
   Optics optics = test::quilt();
   std::get<MultiView>(optics.model).baseline_mm = 8.0f;
   RenderedPanel panel{optics, Image(180, 120, 3)};
@@ -173,8 +171,8 @@ TEST(EyeView, single_view_is_the_same_from_everywhere) {
 }
 
 TEST(EyeView, crosstalk_is_a_gaussian_below_the_lens) {
-  // Only one column below the lens is bright. Nine eyes, one for each column, see weights that sum to 1. The second moment of
-  // the weights is sigma^2 of the Gaussian plus 1/12 for the width of a pixel.
+  // Only one column below the lens is bright. The weights that nine eyes, one per column, see sum to 1. Their second moment is
+  // sigma^2 of the Gaussian plus 1/12 for the width of a pixel.
   const Optics optics = test::sheet(100.0f);
   RenderedPanel panel{optics, Image(360, 120, 3)};
   for (int y = 0; y < 120; ++y) panel.picture.pixel(9 * 20 + 4, y)[0] = 1.0f;
@@ -190,7 +188,7 @@ TEST(EyeView, crosstalk_is_a_gaussian_below_the_lens) {
 }
 
 TEST(EyeView, pupil_averages_the_eyes_within_it) {
-  // Seen through a pupil of 30 mm at 100 mm, a plane 2.5 mm behind the display is blurred by 30 * 2.5 / 100 = 0.75 mm.
+  // Through a pupil of 30 mm at 100 mm, a plane 2.5 mm behind the display is blurred by 30 * 2.5 / 100 = 0.75 mm.
   const RenderedPanel panel = record(test::sheet(100.0f), -2.5, waves);
   const ThreadPool pool(1);
   EyeView view;
@@ -211,8 +209,8 @@ TEST(EyeView, pupil_averages_the_eyes_within_it) {
 }
 
 TEST(EyeView, pupil_focuses_at_the_given_depth) {
-  // A plane is 12 mm behind the display, and the pupil is 40 mm wide. If the eye focuses on the display, the plane is blurred
-  // by 40 * 12 / 100 = 4.8 mm. If it focuses on the plane, the blur is at most a lens wide, 1 mm.
+  // A plane is 12 mm behind the display, the pupil 40 mm wide. Focused on the display, the plane is blurred by 40 * 12 / 100 =
+  // 4.8 mm; focused on the plane, by at most a lens of 1 mm.
   const RenderedPanel panel = record(test::lenslets(100.0f), -12.0, waves);
   const ThreadPool pool(1);
   EyeView view;
@@ -250,7 +248,7 @@ TEST(EyeView, cancelling_stops_before_the_next_pixel) {
 
 TEST(EyeView, coarse_pictures_average_all_lenses) {
   const RenderedPanel panel = numbered_lenses(test::sheet());
-  EXPECT_NEAR(view_from(panel, {0, 0, 4000}, {2, 1}).pixel(1, 0)[0], 10.0, 0.01);  // the mean of the lenses from 0.5 to 19.5
+  EXPECT_NEAR(view_from(panel, {0, 0, 4000}, {2, 1}).pixel(1, 0)[0], 10.0, 0.01);  // mean of the lenses from 0.5 to 19.5
 }
 
 TEST(EyeView, eyes_that_see_nothing_are_refused) {

@@ -1,5 +1,3 @@
-// Tests the picture of a panel behind lenses that is made from views. The expected view and position of each pixel are computed
-// by hand.
 #include "layout/lens_interlace.hpp"
 
 #include <gmock/gmock.h>
@@ -20,8 +18,7 @@
 namespace lippmann {
 namespace {
 
-/// Returns a display of 80 x 6 pixels of 1 mm. Ten vertical lenses of 8 mm are in front of the pixels, and the display is seen
-/// from 1 m.
+/// 80 x 6 pixels of 1 mm behind ten vertical lenses of 8 mm, seen from 1 m.
 Display sheet_of_ten() {
   Display sheet;
   sheet.name = "sheet", sheet.kind = DisplayKind::kLenticularSheet;
@@ -30,13 +27,13 @@ Display sheet_of_ten() {
   return sheet;
 }
 
-/// Returns the gap g in mm. The width of a cell is 8 (1 + g / 1000). It spans 30 degrees, so it is also 2 g tan(15 degrees).
+/// Gap g in mm. A cell is 8 (1 + g / 1000) wide and spans 30 degrees, so it is also 2 g tan(15 degrees) wide.
 double gap_mm() { return 8.0 / (2.0 * std::tan(15.0 * std::numbers::pi / 180.0) - 8.0 / 1000.0); }
 
-/// Returns the width of a cell in mm. Cells converge to the viewer, so they are wider than the lenses: 8 (1 + g / 1000).
+/// Width of a cell in mm. Cells converge to the viewer, so they are wider than the lenses.
 double cell_mm() { return 8.0 * (1.0 + gap_mm() / 1000.0); }
 
-/// Returns views for the display in which each sample has the value code(view, column, row).
+/// Each sample has the value code(view, column, row).
 LightField coded(const Display& display, const std::function<int(int view, int x, int y)>& code) {
   const Optics optics = lens_views(display, {});
   const RenderedViews rendered = *rendered_views(optics);
@@ -73,7 +70,7 @@ TEST(LensInterlace, pixel_shows_the_view_opposite_to_it) {
   const double cell = cell_mm();
   int compared = 0;
   for (int i = 0; i < 80; ++i) {
-    // A cell edge is at the middle of the panel, x = 0. The pixel at the right end of a cell is seen from the left.
+    // A cell edge is at x = 0, the middle of the panel. The pixel at the right end of a cell is seen from the left.
     const double x = i + 0.5 - 40.0, share = 1.0 - (x / cell - std::floor(x / cell)), view = 9.0 * share;
     if (std::abs(view - std::round(view)) < 1e-3) continue;  // rounding decides between two views
     EXPECT_EQ(code_at(picture, i, 3), static_cast<int>(view)) << i;
@@ -86,8 +83,8 @@ TEST(LensInterlace, pixel_shows_the_sample_at_its_lens) {
   const Image16 picture =
       behind_lenses(coded(sheet_of_ten(), [](int, int x, int y) { return 1000 * x + 10 * y; }), sheet_of_ten());
   const double cell = cell_mm();
-  // The viewer at the distance V = 1000 mm sees the panel through a window in the plane of the lenses. With the gap g, the
-  // window is V / (V + g) times as wide as the panel. The ten samples of a view fill this window.
+  // The viewer at V = 1000 mm sees the panel through a window in the plane of the lenses that is V / (V + g) times as wide,
+  // with the gap g. The ten samples of a view fill this window.
   const double window = 80.0 * 1000.0 / (1000.0 + gap_mm());
   for (int i = 0; i < 80; ++i) {
     const double lens = 8.0 * (std::floor((i + 0.5 - 40.0) / cell) + 0.5);
@@ -124,7 +121,7 @@ TEST(LensInterlace, screen_plane_looks_the_same_from_everywhere) {
   DepthViews views = views_from_depth(source, lens_views(sheet_of_ten(), {}), 1.0, pool);
   const Picture picture = interlace_behind_lenses(views.field, sheet_of_ten(), pool);
   const auto& film = std::get<Image>(picture);
-  // The test skips the pixels near the edge at pixel 40: the ten columns of a view are interpolated, which blurs the edge.
+  // Skips pixels near the edge at pixel 40, which the interpolation of a view's ten columns blurs.
   for (const int i : {0, 7, 15, 20, 60, 65, 72, 79}) EXPECT_NEAR(film.pixel(i, 2)[0], i < 40 ? 0.0 : 1.0, 1e-3) << i;
 }
 

@@ -1,4 +1,3 @@
-// Tests the optics that are derived from views with known cameras.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -11,7 +10,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Returns the cameras of 3 x 1 views of 40 x 30 pixels, without pictures. A pixel is 0.5 mm wide and the distance is 300 mm.
+/// Cameras of 3 x 1 views of 40 x 30 pixels of 0.5 mm at 300 mm, without pictures.
 LightField field_of_grid(float eye_height_mm) {
   MultiView views{.columns = 3, .rows = 1, .distance_mm = 300.0f};
   views.baseline_mm = 12.0f, views.eye_height_mm = eye_height_mm;

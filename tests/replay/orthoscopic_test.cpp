@@ -1,4 +1,3 @@
-// Tests the conversion of pseudoscopic pictures: rotated elemental images, SPOC, and the order of depth that eyes see.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -27,8 +26,7 @@ RenderedPanel rotated(const RenderedPanel& panel) {
   return with(panel.optics, rotated_elemental_images(panel.optics, "test"), panel);
 }
 
-/// Records a bright spot. It is wide enough to be sampled by lenses and pixels: the conversions copy nearest pixels and could
-/// miss a point.
+/// The spot is wide enough for lenses and pixels: the conversions copy nearest pixels and could miss a point.
 RenderedPanel record_spot(const Optics& optics, Vec3d point_mm) {
   return record(optics, point_mm.z, [&](Vec2d p) {
     const Vec2d from = p - Vec2d(point_mm);
@@ -58,7 +56,7 @@ Peak peak_of(const RenderedPanel& panel, double step, int count) {
   return peak;
 }
 
-constexpr double kDepthStep = 2.0;  ///< the gap in mm; kStep in refocus_test.cpp explains this value
+constexpr double kDepthStep = 2.0;  ///< the gap in mm; see kStep in refocus_test.cpp
 
 TEST(RotateElemental, point_then_peaks_at_the_opposite_depth) {
   Optics lenslets = test::lenslets();
@@ -103,8 +101,7 @@ TEST(Spoc, depth_z_becomes_distance_minus_z) {
   const Optics recorded = test::sheet();
   for (const double distance : {10.0, 20.0})
     for (const double z : {8.0, 14.0, 20.0, 26.0}) {
-      // Skip points near the display, which is at `distance` from the recording array. Only one lens of the display would show
-      // them.
+      // Only one lens would show points near the display, which is at `distance` from the recording array.
       if (std::abs(distance - z) < 2 * kDepthStep) continue;
       const PixelMap map = spoc(recorded, recorded, {distance, z});
       const Peak peak = peak_of(with(recorded, map, record_spot(recorded, {1.37, 0.61, z})), kDepthStep, 11);
@@ -126,14 +123,11 @@ TEST(Spoc, other_lenses_keep_the_point_in_place) {
 }
 
 TEST(Spoc, index_worked_out_by_hand) {
-  // The sheet has 40 lenses of 1 mm with 9 pixels of 1/9 mm, and a gap of 2 mm. The centre of lens 20 is at x = 0.5 mm.
-  // Pixel 184 is the middle pixel of lens 20. Its ray stays at x = 0.5 mm and meets the middle of recorded lens 20, so the
-  // source of pixel 184 is itself.
-  // Pixel 187 is 3/9 mm beside the lens centre, so its ray has the slope -1/6. In the plane of the recording array, at 12 mm,
-  // it is at x = 0.5 - 2 = -1.5 mm, the centre of recorded lens 18. In the reference plane, at 6 mm, it is at x = 0.5 - 1 =
-  // -0.5 mm.
-  // Recorded lens 18 sees the reference point at the offset -(-0.5 + 1.5) * 2 / 6 = -1/3 mm, which is -3 pixels. The source is
-  // pixel 18 * 9 + 4 - 3 = 163.
+  // The sheet has 40 lenses of 1 mm with 9 pixels each and a gap of 2 mm; lens 20 is at x = 0.5 mm. Its middle pixel 184 has a
+  // ray that stays at x = 0.5 mm and meets the middle of recorded lens 20, so its source is itself. Pixel 187 is 3/9 mm beside
+  // the centre, so its slope is -1/6: at the recording array (12 mm), x = 0.5 - 2 = -1.5 mm, the centre of recorded lens 18; at
+  // the reference plane (6 mm), x = -0.5 mm. Recorded lens 18 sees that point at the offset -(-0.5 + 1.5) * 2 / 6 = -1/3 mm or
+  // -3 pixels. The source is pixel 18 * 9 + 4 - 3 = 163.
   const PixelMap map = spoc(test::sheet(), test::sheet(), {12.0, 6.0});
   EXPECT_EQ(map.source[50 * 360 + 184], 50u * 360u + 184u);
   EXPECT_EQ(map.source[50 * 360 + 187], 50u * 360u + 163u);
@@ -149,9 +143,7 @@ TEST(Spoc, impossible_planes_are_refused) {
   EXPECT_THAT(test::error_message([] { spoc(test::quilt(), test::quilt(), {}); }), HasSubstr("lens array"));
 }
 
-// ---- Two tiers: an array records a scene from behind, the display shows it from the front --------------------------------
-
-/// Returns a picture of a wall of waves at `wall_z`. A bar at `bar_z` hides a part of the wall from every lens.
+/// A bar at `bar_z` hides a part of a wall of waves at `wall_z` from every lens.
 RenderedPanel bar_before_wall(const Optics& optics, double bar_z, double wall_z) {
   RenderedPanel panel = record(optics, wall_z, waves);
   for (int y = 0; y < panel.picture.height; ++y)
@@ -174,15 +166,12 @@ TEST(Spoc, two_tiers_show_correct_depth) {
     view.eye_mm = {zone_x_mm(optics, across, 2000.0), 0.0, 2000.0}, view.size = size;
     const Image seen = eye_view(converted, view, pool), should = eye_view(truth, view, pool);
     const Image one_tier = eye_view(recorded, view, pool);
-    // The wall is at z = 16 mm, where lenses and pixels sample it in steps of 0.9 mm, so positions are wrong by up to 0.45 mm.
-    // This changes a wave with amplitude 0.4 and 0.95 rad/mm by up to 0.4 * 0.95 * 0.45 = 0.17, which is 15 dB. The mean error
-    // is smaller.
+    // At z = 16 mm, lenses and pixels sample the wall in steps of 0.9 mm, so positions err by up to 0.45 mm. A wave with
+    // amplitude 0.4 and 0.95 rad/mm changes by up to 0.4 * 0.95 * 0.45 = 0.17, which is 15 dB; the mean error is smaller.
     EXPECT_GE(test::linear_psnr(seen, should, 5), 17.0) << across;
     EXPECT_LT(test::linear_psnr(one_tier, should, 5), 14.0) << across;
   }
 }
-
-// ---- The order of depth -----------------------------------------------------------------------------------------------
 
 TEST(DepthOrder, rotation_inverts_a_recorded_plane) {
   const Optics optics = test::lenslets(150.0f);

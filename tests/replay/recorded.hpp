@@ -1,5 +1,4 @@
-// Records the pictures of panels without a renderer. Each pixel's ray meets a plane, and the pixel takes the plane's known
-// colour at that point.
+// Records panels without a renderer: a pixel takes the known colour where its ray meets a plane.
 #pragma once
 
 #include <cmath>
@@ -10,18 +9,18 @@
 
 namespace lippmann::test {
 
-/// Returns the colour of a plane with waves. The position is in mm, and the channels are between 0 and 1.
+/// Position in mm; channels between 0 and 1.
 inline Vec3f waves(Vec2d p) {
   return {0.5 + 0.4 * std::sin(0.9 * p.x + 0.3 * p.y), 0.5 + 0.4 * std::cos(0.7 * p.y), 0.5 + 0.3 * std::sin(0.5 * p.x - p.y)};
 }
 
-/// Returns the point at which the ray of a pixel's centre meets the plane `z`.
+/// Where the ray of a pixel's centre meets the plane `z`.
 inline Vec2d meets(const Optics& optics, int x, int y, double z) {
   const Ray ray = ray_of_pixel(optics, Vec2f(x, y) + 0.5f);
   return Vec2d(ray.origin) + Vec2d(ray.direction) * ((z - ray.origin.z) / ray.direction.z);
 }
 
-/// Records the plane at depth `z`, which may be behind or in front of the display. color(point) is the colour of the plane.
+/// color(point) is the colour of the plane at depth `z`.
 template <class Color>
 RenderedPanel record(const Optics& optics, double z, const Color& color) {
   RenderedPanel panel{optics, Image(film_size(optics).x, film_size(optics).y, 3)};
@@ -33,7 +32,7 @@ RenderedPanel record(const Optics& optics, double z, const Color& color) {
   return panel;
 }
 
-/// Records a bright point. All other pixels are black.
+/// All other pixels are black.
 inline RenderedPanel record_point(const Optics& optics, Vec3f point_mm) {
   RenderedPanel panel{optics, Image(optics.panel.width, optics.panel.height, 3)};
   std::vector<Vec2f> pixels;
@@ -42,7 +41,7 @@ inline RenderedPanel record_point(const Optics& optics, Vec3f point_mm) {
   return panel;
 }
 
-/// Returns what an eye sees of the plane through the window of the display, as if there were no lenses.
+/// What an eye sees of the plane through the display's window, without lenses.
 template <class Color>
 Image seen_directly(const Optics& optics, Vec2i size, Vec3d eye_mm, double z, const Color& color) {
   const Window window = display_window(optics);
@@ -56,7 +55,7 @@ Image seen_directly(const Optics& optics, Vec2i size, Vec3d eye_mm, double z, co
   return picture;
 }
 
-/// Returns the PSNR in dB of linear values with the peak 1. Leaves out `border` pixels at each edge.
+/// PSNR in dB of linear values with the peak 1, without `border` pixels at the edges.
 inline double linear_psnr(const Image& a, const Image& b, int border = 0) {
   double sum = 0.0;
   std::size_t count = 0;
@@ -66,7 +65,7 @@ inline double linear_psnr(const Image& a, const Image& b, int border = 0) {
   return -10.0 * std::log10(std::max(sum / static_cast<double>(count), 1e-30));
 }
 
-/// Returns a lenticular sheet with 40 lenses, each 1 mm and 9 pixels wide, and 120 rows.
+/// 40 lenses, 1 mm and 9 pixels wide, and 120 rows.
 inline Optics sheet(float viewing_distance_mm = kInfinity, float slant = 0.0f) {
   Optics optics;
   const float gap = 2.0f, spread = 1.0f + gap / viewing_distance_mm;
@@ -81,7 +80,7 @@ inline Optics sheet(float viewing_distance_mm = kInfinity, float slant = 0.0f) {
   return optics;
 }
 
-/// Returns a microlens array of 30 x 30 square lenses with 7 x 7 pixels each, or of hexagonal lenses that are 7 pixels wide.
+/// 30 x 30 square lenses of 7 x 7 pixels, or hexagonal lenses 7 pixels wide.
 inline Optics lenslets(float viewing_distance_mm = kInfinity, LensPacking packing = LensPacking::kSquare) {
   Optics optics;
   const float gap = 2.0f, spread = 1.0f + gap / viewing_distance_mm;
@@ -96,7 +95,7 @@ inline Optics lenslets(float viewing_distance_mm = kInfinity, LensPacking packin
   return optics;
 }
 
-/// Returns a quilt of 9 views of 60 x 40 pixels.
+/// 9 views of 60 x 40 pixels.
 inline Optics quilt() {
   Optics optics;
   optics.panel = {180, 120, 0.5f};

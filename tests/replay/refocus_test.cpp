@@ -15,7 +15,7 @@ using test::linear_psnr, test::record, test::seen_directly, test::waves;
 
 float brightest(const Image& picture) { return *std::max_element(picture.data.begin(), picture.data.end()); }
 
-/// Refocuses at the depths i * step for i from -count to count. Returns the depth at which the picture has the highest peak.
+/// Depth i * step, for i from -count to count, at which the refocused picture has the highest peak.
 double depth_of_peak(const RenderedPanel& panel, double step, int count) {
   const ThreadPool pool(1);
   double best = 0.0, depth = 0.0;
@@ -26,12 +26,12 @@ double depth_of_peak(const RenderedPanel& panel, double step, int count) {
   return depth;
 }
 
-// Depth step in mm. N pixels of width m lie below a lens of pitch p = N m, and g is the gap. A depth step dz changes the shift
-// of the outermost views by (p / 2) dz / g. This is half a lens if dz = g = 2 mm.
+// Depth step dz in mm. With N pixels of width m below a lens of pitch p = N m and the gap g, dz changes the shift of the
+// outermost views by (p / 2) dz / g, which is half a lens for dz = g = 2 mm.
 constexpr double kStep = 2.0;
 
-/// Tests 10 depths behind the display and 10 in front of it. Skips the depths nearer than 2 kStep: such points are seen through
-/// a single lens, and one ray does not determine a depth.
+/// Tests depths on both sides of the display. Points nearer than 2 kStep are seen through a single lens, and one ray does not
+/// determine a depth.
 void expect_peaks_at(const std::function<RenderedPanel(Vec3f)>& recorded) {
   for (int i = -11; i <= 11; ++i) {
     if (std::abs(i) < 2) continue;
@@ -76,8 +76,8 @@ TEST(Refocus, blob_keeps_the_design_viewers_position) {
       const double w = std::max(0.0f, picture.pixel(x, y)[0] - half);
       sum += w * Vec2d(x + 0.5, y + 0.5), weight += w;
     }
-  // The expected position is on the line from the point to the viewer at 150 mm: (3.2, -4.1) * 150 / 161. Lenses and pixels of
-  // 0.8 mm sample a spot with a sigma of 1 mm well enough for an accuracy of 0.1 mm.
+  // The position is on the line from the point to the viewer at 150 mm: (3.2, -4.1) * 150 / 161. Lenses and pixels of 0.8 mm
+  // locate a spot with a sigma of 1 mm to 0.1 mm.
   const Vec2d at = display_window(optics).point_at(sum / weight, size);
   EXPECT_NEAR(at.x, 3.2 * 150 / 161, 0.1);
   EXPECT_NEAR(at.y, -4.1 * 150 / 161, 0.1);

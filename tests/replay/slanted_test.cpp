@@ -1,5 +1,4 @@
-// Tests panels behind slanted lenses, where each sub-pixel has its own direction. Pixel 3 i + c of the film is the colour c of
-// the panel's pixel i.
+// Each sub-pixel behind slanted lenses has its own direction. Pixel 3 i + c of the film is the colour c of the panel's pixel i.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,8 +10,7 @@
 namespace lippmann {
 namespace {
 
-/// Returns a panel of 240 x 160 pixels of 0.2 mm. There are 30.3 lenses across the panel. Over the height of the panel the
-/// lenses shift by three lens widths.
+/// 240 x 160 pixels of 0.2 mm below 30.3 lenses, which shift by three lens widths over the panel's height.
 Optics slanted_panel() {
   Optics optics;
   optics.panel = {240, 160, 0.2f};
@@ -35,7 +33,7 @@ RenderedPanel record_sub_pixels(const Optics& optics, double z, const Color& col
   return panel;
 }
 
-/// Returns the colour at a point of a pattern of waves. The waves are as long as 19 lenses are wide.
+/// Waves as long as 19 lenses.
 Vec3f long_waves(Vec2d p) { return test::waves(0.22 * p); }
 
 Image view_from(const RenderedPanel& panel, Vec3d eye_mm) {
@@ -45,9 +43,8 @@ Image view_from(const RenderedPanel& panel, Vec3d eye_mm) {
   return eye_view(panel, view, pool);
 }
 
-// All sub-pixels below a lens show the same position. With lenses 1.6 mm wide, this position is up to 0.8 mm beside the correct
-// point. The waves have an amplitude of 0.4 and a frequency of 0.2 rad/mm, so the largest error is 0.4 * 0.2 * 0.8 = 0.06, a
-// PSNR of 24 dB. The mean error is half as large: 30 dB.
+// All sub-pixels below a lens show one position, with lenses of 1.6 mm up to 0.8 mm beside the right point. For waves of
+// amplitude 0.4 and 0.2 rad/mm, the largest error is 0.4 * 0.2 * 0.8 = 0.06 (24 dB), and the mean error half of it (30 dB).
 TEST(SlantedSight, scenes_equal_direct_views_within_a_lens) {
   const Optics optics = slanted_panel();
   for (const double z : {-8.0, 0.0, 8.0}) {
@@ -60,7 +57,7 @@ TEST(SlantedSight, scenes_equal_direct_views_within_a_lens) {
 }
 
 TEST(SlantedSight, eye_sees_its_own_direction) {
-  // The colour of each sub-pixel is its position in the view cone, from 0 at the left to 1 at the right.
+  // The colour of each sub-pixel is its position in the view cone, from 0 (left) to 1 (right).
   const Optics optics = slanted_panel();
   const Vec2i size = picture_size(optics);
   RenderedPanel panel{optics, Image(size.x, size.y, 3)};
@@ -76,7 +73,7 @@ TEST(SlantedSight, eye_sees_its_own_direction) {
     const Viewer eye = viewer_in_zone(optics, share);
     for (int i = -10; i <= 10; ++i) {
       const Vec3f seen = sampler.color(eye, {1.37 * i, 0.9 * i});
-      // The nearest sub-pixel of a colour is up to half a pixel away, which is 0.5 * 30.3 / 240 of the cone.
+      // The nearest sub-pixel of a colour is up to half a pixel away: 0.5 * 30.3 / 240 of the cone.
       for (int c = 0; c < 3; ++c) EXPECT_NEAR(seen[c], share, 0.064) << share << " " << i << " " << c;
     }
   }
@@ -84,9 +81,8 @@ TEST(SlantedSight, eye_sees_its_own_direction) {
   EXPECT_EQ(share_out_of_zone(optics, viewer_in_zone(optics, 1.1)), 1.0);
 }
 
-// The waves are 19 lenses long, and 7.9 pixels lie below a lens. The refocused picture is sharp at the depth of the plane. At
-// other depths, the rays from both ends of the zone are 2 tan(20 degrees) mm per mm of depth apart. The waves are blurred where
-// this distance is about half a wave.
+// Waves are 19 lenses long. At other depths than the plane's, rays from both ends of the zone are 2 tan(20 degrees) mm per mm
+// of depth apart, and the picture is blurred where this is about half a wave.
 TEST(SlantedSight, refocused_colours_are_sharp_at_their_depth) {
   const Optics optics = slanted_panel();
   const ThreadPool pool(1);
@@ -102,7 +98,7 @@ TEST(SlantedSight, refocused_colours_are_sharp_at_their_depth) {
       };
       const double sharp = test::linear_psnr(only(refocus(panel, z, size, pool)), only(truth), 16);
       EXPECT_GE(sharp, 35.0) << z << " " << c;
-      if (c == 1) continue;  // green waves run along the rows, so horizontal parallax does not blur them
+      if (c == 1) continue;  // green waves run along the rows, where parallax does not blur them
       EXPECT_LE(test::linear_psnr(only(refocus(panel, -z, size, pool)), only(truth), 16), sharp - 10.0) << z << " " << c;
     }
   }

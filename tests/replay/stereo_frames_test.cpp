@@ -12,10 +12,10 @@ namespace {
 
 using test::record;
 
-/// Returns the light of a bright bar at x = 0. Its edges are soft, so that sampling does not shift its centre.
+/// A bar at x = 0, with soft edges, so that sampling does not shift its centre.
 Vec3f bar(Vec2d at) { return Vec3f(static_cast<float>(std::exp(-at.x * at.x / 8.0))); }
 
-/// Returns the centre of brightness of a view, in mm from the middle of the display.
+/// In mm from the middle of the display.
 double centre_mm(const LightField& field, int view, double width_mm) {
   const Image image = std::get<Image>(view_of(field, view));
   double sum = 0.0, weight = 0.0;
@@ -35,8 +35,8 @@ double disparity_of_plane(const Optics& optics, double z, double ipd) {
   return centre_mm(pair, 1, width) - centre_mm(pair, 0, width);
 }
 
-// If the eyes are at the viewing distance D of the quilt, a bar at depth z has the disparity -ipd z / (D - z). The tolerance is
-// a tenth of a view's pixel, because views are interpolated.
+// From the viewing distance D of the quilt, a bar at depth z has the disparity -ipd z / (D - z). The tolerance is a tenth of a
+// pixel, because views are interpolated.
 TEST(StereoFrames, eyes_see_the_disparity_of_similar_triangles) {
   const Optics optics = test::quilt();
   const double distance = viewing_distance_mm(optics), pixel = optics.panel.pixel_pitch_mm, ipd = 20.0;

@@ -1,4 +1,4 @@
-// Compares what an eye sees of a rendered panel with a picture rendered from the position of the eye.
+// Compares an eye's view of a rendered panel with a picture rendered from the position of the eye.
 #include <gtest/gtest.h>
 
 #include "lippmann/replay/eye_view.hpp"
@@ -8,7 +8,6 @@
 namespace lippmann {
 namespace {
 
-/// Returns a scene of squares in several colours in the plane z = 0.
 Scene tiles() {
   test::SmallScene s;
   for (int j = 0; j < 5; ++j)
@@ -21,7 +20,7 @@ Scene tiles() {
   return s.scene;
 }
 
-/// Returns a picture that consists of the middle pixel column below every lens.
+/// The middle pixel column below every lens.
 Image at_lens_centres(const Image& picture, int pixels) {
   Image columns(picture.width / pixels, picture.height, 3);
   for (int y = 0; y < columns.height; ++y)

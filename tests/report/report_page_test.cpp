@@ -19,7 +19,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-/// Returns the report of three frames. The first is a key frame; the others have estimated PSNRs of 36 and 37 dB.
+/// A key frame, and two frames with estimated PSNRs of 36 and 37 dB.
 test::OrderedJson interpolated() {
   test::OrderedJson report =
       test::report_of_frames("interpolate", {test::key_frame(0), test::in_between_frame(1), test::in_between_frame(2)});
@@ -31,7 +31,7 @@ test::OrderedJson interpolated() {
 
 std::string page_of(const std::vector<fs::path>& inputs) { return make_report_page(inputs, Context()).html; }
 
-/// Returns the script data of the first chart with this title.
+/// Script data of the first chart with this title.
 std::string chart_data(const std::string& page, const std::string& title) {
   const std::string begin = "<figcaption><b>" + title + "</b>";
   const std::size_t from = page.find(begin);
@@ -80,7 +80,7 @@ TEST(ReportPage, units_of_one_machine_share_a_row) {
   for (int i = 0; i < 40; ++i) report["runs"].push_back(report["runs"][0]);
   report["runs"].push_back(report["runs"][0]);
   report["runs"].back()["host"] = "another";
-  report["runs"].back().erase("cpu");  // reports of earlier versions do not state the processor
+  report["runs"].back().erase("cpu");  // earlier versions do not state the processor
   const std::string page = page_of({test::write_report_text(dir / "film", report.dump())});
   EXPECT_THAT(page, HasSubstr("<th scope=\"row\">workbench</th><td>Example 9000</td><td>2</td><td>41</td><td>123</td>"));
   EXPECT_THAT(page, HasSubstr("<th scope=\"row\">another</th><td>–</td>"));
@@ -180,7 +180,7 @@ TEST(ReportPage, foreign_files_are_kept) {
   const test::TempDir dir;
   const ReportPage page = make_report_page({test::write_report_text(dir / "film", interpolated().dump())}, Context());
   write_report_page(page, dir / "new" / "page.html");
-  write_report_page(page, dir / "new" / "page.html");  // the second call replaces the page that the first call wrote
+  write_report_page(page, dir / "new" / "page.html");  // replaces the page of the first call
   EXPECT_EQ(test::file_bytes(dir / "new" / "page.html"), page.html);
   std::ofstream(dir / "thesis.html") << "mine";
   EXPECT_THAT(test::error_message([&] { write_report_page(page, dir / "thesis.html"); }),

@@ -11,7 +11,7 @@ namespace {
 
 using test::at_depth;
 
-/// Returns a lenticular sheet of 16 lenses that are 1 mm and 6 pixels wide.
+/// 16 lenses, 1 mm and 6 pixels wide.
 Optics sheet(float viewing_distance) {
   Optics optics;
   optics.panel = {96, 4, 0.0f};
@@ -23,8 +23,7 @@ Optics sheet(float viewing_distance) {
   return optics;
 }
 
-/// Returns a colour that is linear in x, so that its interpolation is exact. It changes by 0.2 per lens, which is enough
-/// contrast for the sampler to search neighbouring views.
+/// Linear in x, so that interpolation is exact. A step of 0.2 per lens is enough contrast to search neighbouring views.
 float ramp(float x) { return 2.0f + 0.2f * x; }
 
 using test::centre_of;
@@ -47,14 +46,14 @@ TEST(EpipolarSampler, linear_colours_are_interpolated_exactly) {
       const test::KnownMotion motion({test::shift(0.3f, 0, 0)});
       const Splatter splatter(optics, {});
       const EpipolarSampler sampler(optics, Encoding::kSrgb);
-      // Pixels near the edges of the panel are left out, because they have no neighbours for the interpolation.
+      // Pixels near the edges have no neighbours for the interpolation.
       for (std::uint32_t p = 96 + 24; p < 96 + 72; ++p) {
         const auto target = splatter.landing(p, z, 0, motion.motion);
         ASSERT_TRUE(target);
         float color[3];
         sampler.colors(image, motion.motion, {&p, 1}, color);
         const float x = at_depth(ray_of_pixel(optics, centre_of(optics, *target)), z).x;
-        // Tolerance: coordinates of up to 50 pixels are rounded in single precision, and the colour changes by 0.02 per mm.
+        // Coordinates of up to 50 pixels are in single precision, and the colour changes by 0.02 per mm.
         EXPECT_NEAR(color[0], 0.1f * ramp(x - 0.3f), 1e-5f) << "z " << z << ", pixel " << p;
       }
     }
@@ -77,9 +76,8 @@ TEST(EpipolarSampler, contrast_is_measured_within_the_view) {
 }
 
 TEST(EpipolarSampler, background_does_not_mix_with_the_foreground) {
-  // A white object (0) covers the left half in front of a black object (1). Only the black object moves, by 0.4 mm to the
-  // right, so that its samples lie between pixels. Apart from the pixels next to the edge, which are left out, no black pixel
-  // may become grey.
+  // A white object (0) covers the left half in front of a black object (1). Only the black object moves, by 0.4 mm, so that its
+  // samples lie between pixels. Away from the edge, no black pixel may become grey.
   const Optics optics = sheet(kInfinity);
   PointImage image = test::empty_points(optics.panel);
   for (std::uint32_t p = 0; p < image.points.z.size(); ++p) {

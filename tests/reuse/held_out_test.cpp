@@ -20,8 +20,7 @@ TEST(HeldOut, levels_follow_uncertainty) {
 }
 
 TEST(HeldOut, every_run_of_a_level_gives_one_patch) {
-  // Patches alternate between two levels of uncertainty. hold_out() draws one of 30 patches, which is then traced to measure
-  // the error.
+  // Patches alternate between two levels of uncertainty. hold_out() draws one of 30 patches of each level.
   std::vector<std::uint8_t> uncertainty(12000);
   for (std::size_t p = 0; p < uncertainty.size(); ++p) uncertainty[p] = p % 2 ? 30 : 0;
   ASSERT_EQ(patches_per_sample(uncertainty.size()), 30u);
@@ -31,7 +30,7 @@ TEST(HeldOut, every_run_of_a_level_gives_one_patch) {
   for (std::size_t i = 0; i < held_out.patches.size(); ++i) {
     const std::uint32_t patch = held_out.patches[i], odd = patch % 2;
     EXPECT_EQ(held_out.levels[i], level_of(uncertainty[patch]));
-    // Every second patch belongs to this level, so one of 60 patches in a row is drawn for the level.
+    // Every second patch has this level, so one of 60 patches in a row is drawn.
     EXPECT_EQ(patch / 60, drawn[odd]++);
   }
   EXPECT_EQ(held_out.population[0], 6000u);
@@ -48,8 +47,7 @@ TEST(HeldOut, other_frames_and_seeds_draw_other_patches) {
   EXPECT_NE(hold_out(uncertainty, 2, 2).patches, first.patches);
 }
 
-/// Returns held-out patches of a frame. Level 0 has 100 patches, of which 4 are held out. Level 2 has 50 patches, of which 2
-/// are held out.
+/// Level 0: 100 patches, 4 held out. Level 2: 50 patches, 2 held out.
 HeldOut drawn_by_hand() {
   HeldOut held_out{};
   held_out.population[0] = 100, held_out.population[2] = 50;
@@ -68,17 +66,16 @@ Evidence evidence_of(const HeldOut& held_out, std::span<const double> squared_er
 TEST(HeldOut, errors_are_weighted_by_untraced_patches) {
   const HeldOut held_out = drawn_by_hand();
   const auto errors = estimate_errors(held_out, evidence_of(held_out, std::vector<double>{0.0, 0.0, 0.0, 5.0, 200.0, 400.0}));
-  // The frame has 150 patches. Level 0 has 96 patches that are not traced, with a mean error of 5/4. Level 2 has 48, with a
-  // mean error of 300.
+  // Of 150 patches, 96 of level 0 are not traced, with a mean error of 5/4, and 48 of level 2, with a mean error of 300.
   EXPECT_NEAR(errors[0].mse, 96.0 / 150.0 * 1.25, 1e-12);
   EXPECT_NEAR(errors[1].mse, errors[0].mse, 1e-12);
   EXPECT_NEAR(errors[2].mse, errors[0].mse + 48.0 / 150.0 * 300.0, 1e-12);
-  // Upper bound of level 0, at 2.326 standard deviations. Each of its 4 samples has the weight w = 96 / (150 * 4) = 0.16. Their
-  // squared deviations sum to 25 - 4 (5/4)^2 = 18.75. The bound adds a sample that was not drawn, with the smallest assumed
-  // squared error, 12^2 = 144.
+  // Upper bound of level 0, at 2.326 standard deviations. Each of 4 samples has the weight w = 96 / (150 * 4) = 0.16; their
+  // squared deviations sum to 25 - 4 (5/4)^2 = 18.75. A sample that was not drawn has the smallest assumed squared error, 12^2
+  // = 144.
   const double w = 0.16, not_drawn = w * 144.0;
   EXPECT_NEAR(errors[0].bound, 0.8 + not_drawn + 2.326 * std::sqrt(w * w * 18.75 + not_drawn * not_drawn), 1e-9);
-  // Upper bound of levels 0 and 2 together. The sample that was not drawn has the largest known squared error, 400.
+  // For levels 0 and 2, the sample that was not drawn has the largest known squared error, 400.
   const double both = w * 400.0;
   EXPECT_NEAR(errors[2].bound, errors[2].mse + both + 2.326 * std::sqrt(w * w * (18.75 + 20000.0) + both * both), 1e-9);
 }
@@ -86,11 +83,11 @@ TEST(HeldOut, errors_are_weighted_by_untraced_patches) {
 TEST(HeldOut, learned_errors_count_like_own_samples) {
   const HeldOut held_out = drawn_by_hand();
   Evidence evidence = evidence_of(held_out, std::vector<double>{0.0, 0.0, 0.0, 4.0, 0.0, 0.0}), learned;
-  learned.levels[0] = {36.0, 36.0, 72.0, 2.0};  // in 36 patches, 18 have an error of 2: the sum is 36, the sum of squares 72
+  learned.levels[0] = {36.0, 36.0, 72.0, 2.0};  // of 36 patches, 18 have an error of 2: the sum is 36, the sum of squares 72
   evidence.add(learned);
   const auto errors = estimate_errors(held_out, evidence);
-  // Level 0 has 96 patches that are not traced, of 150. Its 4 + 36 = 40 samples have the sum 4 + 36 = 40 and the sum of squares
-  // 16 + 72 = 88.
+  // Of 150 patches, 96 of level 0 are not traced. Its 4 + 36 = 40 samples have the sum 4 + 36 = 40 and the sum of squares 16 +
+  // 72 = 88.
   EXPECT_NEAR(errors[0].mse, 96.0 / 150.0, 1e-12);
   const double w = 96.0 / (150.0 * 40.0), not_drawn = w * 144.0;
   EXPECT_NEAR(errors[0].bound, 0.64 + not_drawn + 2.326 * std::sqrt(w * w * 48.0 + not_drawn * not_drawn), 1e-9);
@@ -104,7 +101,7 @@ TEST(HeldOut, level_without_samples_uses_its_uncertainty) {
   held_out.population[3] = 50;
   const auto errors = estimate_errors(held_out, evidence_of(held_out, std::vector<double>(6, 0.0)));
   EXPECT_EQ(errors[2].mse, 0.0);
-  // the level has no samples, so its uncertainty of 3 codes is taken as its error
+  // without samples, the error is the level's uncertainty of 3 codes
   EXPECT_NEAR(errors[3].mse, 50.0 / 200.0 * 9.0, 1e-12);
 }
 
@@ -118,8 +115,8 @@ TEST(HeldOut, trust_ends_at_the_first_failing_level) {
 }
 
 TEST(HeldOut, bound_holds_in_95_percent_of_samples) {
-  // The squared errors of the 16,000 patches have a log-normal distribution over four decades. All patches have one level, so
-  // that the test covers only the bound.
+  // The squared errors have a log-normal distribution over four decades. All patches have one level, so that only the bound is
+  // tested.
   constexpr int kTrials = 400;
   const std::vector<std::uint8_t> uncertainty(16000, 5);
   std::mt19937 random(3);

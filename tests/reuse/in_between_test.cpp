@@ -1,4 +1,3 @@
-// Tests in-between frames of small traced animations. The expected results follow from the geometry of the scenes.
 #include "reuse/in_between.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +14,7 @@ namespace {
 
 using namespace test;
 
-/// Traces frames of a scene, and makes in-between frames from them. `display` returns the placement of the display at a time.
+/// `display` returns the placement of the display at a time.
 class Animation {
  public:
   Animation(const Scene& scene, const Optics& optics, const ForwardParams& params, int threads = 1)
@@ -23,7 +22,7 @@ class Animation {
 
   std::function<Affine3f(double)> display = [](double) { return Affine3f{}; };
   InBetweenCounts counts;
-  Image memory;  ///< content of the film before a frame is made; the frame must not depend on it
+  Image memory;  ///< the film's content before a frame is made must not matter
 
   PointImage traced(double time) {
     PointImage frame;
@@ -48,7 +47,7 @@ class Animation {
     return frame;
   }
 
-  /// Returns the in-between frame of time 0.5, made from the traced frames of the times 0 and 1.
+  /// The in-between frame of time 0.5, made from traced frames of the times 0 and 1.
   PointImage middle() { return made(traced(0.0), traced(1.0), 0.5); }
 
  private:
@@ -67,7 +66,7 @@ class Animation {
   InBetweenMaker maker_;
 };
 
-/// Returns a view of 32 x 32 pixels. A pixel is 1 mm wide in the plane z = 0.
+/// 32 x 32 pixels, which are 1 mm wide in the plane z = 0.
 Optics view32() {
   Optics optics;
   optics.panel = {32, 32, 1.0f};
@@ -95,8 +94,8 @@ ForwardParams with_sampling(SplatSampling sampling) {
 
 constexpr Vec3f kWall(0.5f, 0.25f, 0.125f), kSquare(0.75f);
 
-/// Returns a square of 8 x 8 pixels in front of a wall. Both are very near the plane z = 0. The square is in the middle at the
-/// times 0 and 1, and `x` pixels further to the right at the time 0.5.
+/// A square of 8 x 8 pixels in front of a wall, both near the plane z = 0. It is in the middle at times 0 and 1, and `x` pixels
+/// further right at time 0.5.
 SmallScene square_that_leaves_and_returns(float x) {
   SmallScene s;
   s.add(square(200, -0.001f), s.material(glowing(kWall)));
@@ -164,8 +163,8 @@ TEST(InBetween, colours_are_weighted_by_nearness_in_time) {
   const PointImage a = animation.traced(0.0), b = animation.traced(1.0);
   for (const float time : {0.25f, 0.5f}) {
     const PointImage frame = animation.made(a, b, time);
-    // By nearness in time alone, the following frame would have the weight 0.25 at time 0.25. Only 0.7 of the distance from
-    // equal weights is used: 0.5 + 0.7 (0.25 - 0.5) = 0.325.
+    // At time 0.25, the following frame has the weight 0.5 + 0.7 (0.25 - 0.5) = 0.325, because the preference for nearness in
+    // time is 0.7.
     const float weight = time == 0.5f ? 0.5f : 0.325f;
     for (std::size_t k = 0; k < frame.film.data.size(); ++k)
       ASSERT_FLOAT_EQ(frame.film.data[k], (1 - weight) * a.film.data[k] + weight * b.film.data[k]);
@@ -183,13 +182,12 @@ TEST(InBetween, made_frames_have_correct_points) {
     if (frame.points.object[p] == kMissedObject) continue;
     if (frame.points.object[p] == 1) ++on_square;
     if (frame.points.object[p] != truth.points.object[p]) continue;
-    EXPECT_NEAR(frame.points.z[p], truth.points.z[p], 1e-3f) << p;  // the precision is limited by the distance of the wall
+    EXPECT_NEAR(frame.points.z[p], truth.points.z[p], 1e-3f) << p;  // limited by the distance of the wall
   }
   EXPECT_GT(on_square, 60u);  // the square covers 64 pixels
 }
 
-/// Returns a scene of spheres and boxes in front of a checkered wall, with a fixed light. If `moving`, each object has its own
-/// motion.
+/// Spheres and boxes in front of a checkered wall, with a fixed light. If `moving`, each object has its own motion.
 SmallScene busy_scene(bool moving) {
   SmallScene s;
   s.scene.max_depth = 3;
@@ -279,7 +277,7 @@ double squared_error(const Image& a, const Image& b) {
 }
 
 TEST(InBetween, interpolating_views_beats_whole_pixels) {
-  // The scene consists of stripes that are 2 lenses wide.
+  // Stripes that are 2 lenses wide.
   SmallScene s;
   const int material = s.material(glowing(Vec3f(0.8f)));
   for (float x = -3.0f; x < 3.0f; x += 1.0f) s.add(Boxes{{{x, -3, -1}, {x + 0.5f, 3, -0.9f}}}, material);

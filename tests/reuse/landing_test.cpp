@@ -1,6 +1,5 @@
-// Tests where a moved point is projected: onto the pixel of the same view, or onto the pixel below the same lens.
-// reuse/landing.hpp defines both projections. The expected pixel is computed in double precision or found by search. The
-// points, motions, pixels and arrays are random, with every optics model.
+// A moved point must land on the pixel of the same view, or below the same lens (reuse/landing.hpp). The expected pixel is
+// computed in double precision or found by search, for random points, motions and optics.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -20,7 +19,7 @@ using test::at_depth;
 using test::KnownMotion;
 using test::OpticsSampler;
 
-/// A position on the panel in continuous pixel coordinates. It is empty if the point is not visible.
+/// Position on the panel in continuous pixel coordinates; empty if the point is not visible.
 using Place = std::optional<glm::dvec2>;
 
 using test::centre_of;
@@ -29,10 +28,8 @@ bool on_panel(const Optics& optics, glm::dvec2 p) {
   return p.x >= 0 && p.y >= 0 && p.x < film_size(optics).x && p.y < optics.panel.height;
 }
 
-// ---- Same lens: of all pixels that see the point, the one below the same lens -------------------------------------------
-
-/// Returns where the rays of the lens above this point of the panel cross z = 0. For a microlens this is the lens centre. For a
-/// sheet, x is the distance of the lens axis from the slanted axis through the origin, and y is 0.
+/// Where the rays of a lens cross z = 0: the centre of a microlens; for a sheet, x is the distance of its axis from the slanted
+/// axis through the origin, and y is 0.
 glm::dvec2 lens_above(const Optics& optics, Vec2f pixel) {
   const Vec3f p = at_depth(ray_of_pixel(optics, pixel), 0.0f);
   const auto* sheet = std::get_if<LenticularSheet>(&optics.model);
@@ -49,8 +46,7 @@ bool same_lens(const Optics& optics, Vec2f a, Vec2f b) {
 }
 
 Place seen_below_lens(const Optics& optics, Vec2f from, Vec3f point) {
-  // Search a panel with a margin. Where the panel's edge cuts a cell, the image of the point in that cell may lie outside of
-  // the panel.
+  // Where the panel's edge cuts a cell, the point's image may lie outside the panel, so a larger panel is searched.
   constexpr float kMargin = 8.0f;
   Optics wide = optics;
   wide.z_front_mm = resolved_z_front_mm(optics);
@@ -62,19 +58,17 @@ Place seen_below_lens(const Optics& optics, Vec2f from, Vec3f point) {
     if (!same_lens(wide, p, from + kMargin)) continue;
     const Vec2f place = p - kMargin;
     if (!sheet) return place;
-    // A pixel of a sheet shows points of its whole row, so move the place along the lens axis to the centre of the row.
+    // A pixel of a sheet shows points of its whole row, so the place moves along the lens axis to the centre of the row.
     const float row = std::floor(place.y) + 0.5f;
     return glm::dvec2(place.x + (row - place.y) * std::tan(sheet->slant), row);
   }
   return std::nullopt;
 }
 
-// ---- Same view ----------------------------------------------------------------------------------------------------------
-
 struct Lattice {
   double pitch, row_pitch;  ///< in mm; row_pitch is 0 for a sheet
-  glm::dvec2 offset;        ///< position of the centre of lens 0
-  double spread;            ///< ratio of the cell width to the lens width, 1 + gap / viewing distance
+  glm::dvec2 offset;        ///< centre of lens 0
+  double spread;            ///< cell width / lens width = 1 + gap / viewing distance
   glm::dvec2 eye;           ///< point to which the cells converge
   bool hexagonal = false;
 };
@@ -98,12 +92,11 @@ Lattice lattice_of(const Optics& optics) {
           hexagonal};
 }
 
-/// Returns the centre of the lens nearest to the point `p` in the plane z = 0, in mm.
+/// Centre of the lens nearest to the point `p` in the plane z = 0, in mm.
 glm::dvec2 nearest_lens(const Lattice& lattice, glm::dvec2 p) {
   const auto nearest = [](double x, double first, double pitch) { return first + std::round((x - first) / pitch) * pitch; };
   if (lattice.row_pitch == 0.0) return {nearest(p.x, lattice.offset.x, lattice.pitch), 0.0};
-  // Rows count downwards from lens (0, 0), and every second row of hexagonal lenses is shifted. Several rows near the point are
-  // therefore compared.
+  // Every second row of hexagonal lenses is shifted, so several rows near the point are compared.
   const double row = std::round((lattice.offset.y - p.y) / lattice.row_pitch);
   glm::dvec2 best(1e30);
   for (double r = row - 2; r <= row + 2; ++r) {
@@ -115,8 +108,7 @@ glm::dvec2 nearest_lens(const Lattice& lattice, glm::dvec2 p) {
   return best;
 }
 
-/// Returns the position that shows the point in the view of `from`. In its cell, this position has the same offset from the
-/// cell's centre as `from`. Of all such positions, its ray passes nearest to the point.
+/// Of all positions with the offset of `from` in their cells, returns the one whose ray passes nearest to the point.
 Place seen_in_lens_view(const Optics& optics, Vec2f from, Vec3f point) {
   const Lattice lattice = lattice_of(optics);
   const double m = optics.panel.pixel_pitch_mm, w = optics.panel.width, h = optics.panel.height;
@@ -132,23 +124,22 @@ Place seen_in_lens_view(const Optics& optics, Vec2f from, Vec3f point) {
     p = {p.x * cosine + p.y * sine, 0.0};
   }
   const auto cell_centre = [&](glm::dvec2 lens) { return lens + (lens - lattice.eye) * (lattice.spread - 1.0); };
-  // Find the lens above the pixel, whose cell centre is nearest to the pixel. At the offset o from the cell centre, the ray has
-  // the slope -parallax o / gap - (l - e) / V. l is the position of the lens, e the point to which the cells converge, and V
-  // the viewing distance.
+  // The lens above the pixel is the one with the nearest cell centre. At offset o from it, the ray has the slope -parallax o /
+  // gap - (l - e) / V, with the lens position l, the viewing distance V, and the point e to which the cells converge.
   const glm::dvec2 own = nearest_lens(lattice, (panel_mm + lattice.eye * (lattice.spread - 1.0)) / lattice.spread);
   const glm::dvec2 o = panel_mm - cell_centre(own);
   const glm::dvec2 through = (p + (parallax * o / gap - lattice.eye * vergence) * double{point.z}) / from_eye;
   const glm::dvec2 landed = cell_centre(nearest_lens(lattice, through)) + o;
   if (!sheet) return glm::dvec2(landed.x / m + w / 2, h / 2 - landed.y / m);
-  // Finds the row of pixels that shows the point. Parallel to the lenses, the rays of a row run towards the eye.
+  // The row of pixels that shows the point. Parallel to the lenses, its rays run towards the eye.
   const double y_eye = sheet->eye_height_mm, v = sheet->viewing_distance_mm;
   const double y = std::isinf(v) ? point.y : (point.y * (v + gap) - y_eye * (point.z + gap)) / (v - point.z);
   const double row = std::floor(h / 2 - y / m);
   return glm::dvec2((landed.x + (row + 0.5 - h / 2) * m * sine) / cosine / m + w / 2, row + 0.5);
 }
 
-/// For quilts and single views: returns the pixel of the same view whose ray passes nearest to the point. The point may be up
-/// to half a pixel beyond the edge of the picture.
+/// For quilts and single views: the pixel of the same view whose ray passes nearest to the point, which may be half a pixel
+/// beyond the edge.
 Place seen_in_picture(const Optics& optics, Vec2f from, Vec3f point) {
   const auto* views = std::get_if<MultiView>(&optics.model);
   const float distance = views ? views->distance_mm : std::get<SingleView>(optics.model).distance_mm;
@@ -183,18 +174,16 @@ Place expected_place(const Optics& optics, SplatMode mode, Vec2f from, Vec3f poi
   return mode == SplatMode::kLens ? seen_below_lens(optics, from, point) : seen_in_lens_view(optics, from, point);
 }
 
-/// Returns the pixel at the position, or no value if the position is not on the panel.
 std::optional<std::uint32_t> pixel_at(const Optics& optics, const Place& place) {
   if (!place || !on_panel(optics, *place)) return std::nullopt;
   return static_cast<std::uint32_t>(place->y) * static_cast<std::uint32_t>(film_size(optics).x) +
          static_cast<std::uint32_t>(place->x);
 }
 
-/// Returns whether the coordinate is less than 1e-3 pixel from a pixel edge.
+/// Less than 1e-3 pixel from a pixel edge.
 bool is_on_pixel_edge(double place) { return std::abs(place - std::round(place)) < 1e-3; }
 
-/// Returns whether rounding can change the expected pixel: whether a shift of the point by a thousandth of a pixel's footprint
-/// changes it.
+/// Returns whether a shift of the point by a thousandth of a pixel's footprint changes the expected pixel.
 bool is_close_call(const Optics& optics, SplatMode mode, Vec2f from, Vec3f point) {
   const Vec2f footprint = sample_footprint_mm(optics, point.z);
   const float step = 1e-3f * std::min(footprint.x, optics.panel.pixel_pitch_mm);
@@ -206,9 +195,8 @@ bool is_close_call(const Optics& optics, SplatMode mode, Vec2f from, Vec3f point
   return false;
 }
 
-/// Returns whether `landed` is an acceptable result for the position `place` in the cell of `lens`. At the edge of a cell, the
-/// position may lie in a pixel whose centre belongs to the neighbouring cell. In this case, two results are acceptable: none,
-/// or a pixel of the lens's own cell at most 1.5 pixels away.
+/// At the edge of a cell, the position may lie in a pixel whose centre belongs to the neighbouring cell. Acceptable results are
+/// then none, or a pixel of the lens's own cell at most 1.5 pixels away.
 bool is_own_neighbour(const Optics& optics, glm::dvec2 place, glm::dvec2 lens, std::optional<std::uint32_t> landed) {
   if (!landed) return true;
   const Vec2f centre = centre_of(optics, *landed);
@@ -239,15 +227,14 @@ void check(const Optics& optics, SplatMode mode, OpticsSampler& random) {
          << ", landed on " << (landed ? std::to_string(*landed) : "nothing") << ", expected ";
     (place ? what << place->x << " " << place->y : what << "nothing");
     ASSERT_TRUE(place && lenses) << what.str();
-    // Find the lens below which the point must land: with kLens the lens above the original pixel, with kView the lens above
-    // the expected position.
+    // The point must land below the lens above the original pixel (kLens), or above the expected position (kView).
     const Vec2f floor_centre(std::floor(place->x) + 0.5, std::floor(place->y) + 0.5);
     const glm::dvec2 lens = mode == SplatMode::kLens ? lens_above(optics, from) : lens_above(optics, Vec2f(*place));
     EXPECT_TRUE(glm::distance(lens_above(optics, floor_centre), lens) > 0.25 * lens_pitch(optics) || !on_panel(optics, *place))
         << what.str();
     EXPECT_TRUE(is_own_neighbour(optics, *place, lens, landed)) << what.str();
   }
-  // more than 100 of the 250 random points must not be close calls
+  // at least 100 of the 250 random points must not be close calls
   EXPECT_GT(compared, 100) << test::model_name(optics);
 }
 
@@ -277,7 +264,7 @@ TEST(Landing, static_points_stay_in_their_pixels) {
   }
 }
 
-/// Returns a random slanted panel whose sub-pixels form stripes.
+/// Sub-pixels form stripes.
 Optics slanted_panel(OpticsSampler& random) {
   Optics optics = random.slanted_panel();
   std::get<SlantedPanel>(optics.model).sub_pixels = striped_sub_pixels(random.coin());
@@ -290,8 +277,7 @@ TEST(Landing, slanted_panels_keep_the_direction) {
     const Optics optics = slanted_panel(random);
     const auto& slanted = std::get<SlantedPanel>(optics.model);
     const Splatter splatter(optics, {SplatMode::kView, true});
-    // Returns the angle of the eye as a share of the view cone. From sub-pixel to sub-pixel, it changes by 1 / (sub-pixels per
-    // lens).
+    // The eye's angle as a fraction of the view cone. It changes by 1 / (sub-pixels per lens) from sub-pixel to sub-pixel.
     const auto view_of = [&](Vec2f pixel) {
       const Vec3f eye = at_depth(ray_of_pixel(optics, pixel), slanted.distance_mm);
       return std::atan(eye.x / (slanted.parallax * slanted.distance_mm)) / slanted.view_cone;
@@ -312,8 +298,8 @@ TEST(Landing, slanted_panels_keep_the_direction) {
       ++seen;
       const Vec2f centre = centre_of(optics, *landed);
       const Vec3f place = at_depth(ray_of_pixel(optics, centre), 0.0f);
-      // Tolerances. y: half a row and rounding. x: half a lens and half a sub-pixel. View: half of the step from sub-pixel to
-      // sub-pixel. Differences by a whole view cone are ignored, because the views repeat from lens to lens.
+      // Tolerances: half a row in y; half a lens and half a sub-pixel in x; half the step from sub-pixel to sub-pixel for the
+      // view. Views repeat from lens to lens.
       const double pitch = optics.panel.pixel_pitch_mm / 3.0;
       EXPECT_LE(std::abs(place.y - in_plane.y), 1.51 * pitch);
       EXPECT_LE(std::abs(place.x - in_plane.x), (0.5 * sub_pixels + 0.51) * pitch);
@@ -361,7 +347,7 @@ TEST(Landing, unsupported_modes_of_slanted_panels_are_refused) {
   EXPECT_EQ(refused(SplatMode::kView), "reuse");
 }
 
-/// Projects a whole frame. Each pixel must show the nearest of all points that are projected onto it one by one.
+/// Each pixel must show the nearest of all points that land on it one by one.
 TEST(Landing, whole_splat_equals_single_points) {
   OpticsSampler random(4);
   for (int k = 0; k < 24; ++k) {
@@ -369,7 +355,7 @@ TEST(Landing, whole_splat_equals_single_points) {
     const SplatMode mode = random.coin() ? SplatMode::kView : SplatMode::kLens;
     PointImage image = test::empty_points(optics.panel);
     const auto pixels = static_cast<std::uint32_t>(image.points.z.size());
-    // Uses few different depths, so that some points have equal depths.
+    // Few different depths, so that some are equal.
     for (std::uint32_t p = 0; p < pixels; ++p)
       test::set_point(image, p, 0.5f * static_cast<float>(random.integer(-20, 20)), static_cast<std::uint32_t>(p % 3));
     const KnownMotion motion({test::shift(1.0f, 0.2f, 0), test::shift(-2.0f, 3.0f, 0), Affine3f{}});

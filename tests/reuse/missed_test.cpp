@@ -1,5 +1,4 @@
-// Tests the colours of missed pixels, and the reasons why they were missed. Expected values are computed by hand, for one row
-// of 9 pixels that are 1 mm wide and seen from far away.
+// One row of 9 pixels, 1 mm wide and seen from far away.
 #include "reuse/missed.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +17,7 @@ Optics row_of_pixels() {
   return optics;
 }
 
-/// The points and colours of the previous and the following key frame. fill() moves them to the frame in between.
+/// Points and colours of the previous and the following key frame. fill() moves them to the frame in between.
 struct Row {
   Optics optics = row_of_pixels();
   PointImage previous = test::empty_points(optics.panel), following = previous;
@@ -59,8 +58,7 @@ TEST(Missed, neighbours_are_weighted_by_inverse_distance) {
   test::set_point(row.previous, 2, 0.0f);
   test::set_point(row.previous, 5, 0.0f);
   row.fill(3, kStill, kStill);
-  // The colour of a pixel is its number. Pixel 2 is one pixel away and has the weight 1; pixel 5 is two pixels away and has the
-  // weight 1/2.
+  // A pixel's colour is its number. Pixel 2 is one pixel away (weight 1), pixel 5 two pixels away (weight 1/2).
   EXPECT_FLOAT_EQ(row.shown(3), (2.0f + 0.5f * 5.0f) / 1.5f);
 }
 
@@ -87,21 +85,21 @@ TEST(Missed, neighbours_count_with_their_shown_colour) {
   test::set_point(row.following, 2, 0.0f);
   row.following.film.data[3 * 2] = 12.0f;
   row.fill(3, kStill, kStill);
-  EXPECT_EQ(row.shown(3), 7.0f);  // the mean of 2 in the previous frame and 12 in the following frame
+  EXPECT_EQ(row.shown(3), 7.0f);  // mean of 2 in the previous frame and 12 in the following frame
 }
 
 TEST(Missed, without_neighbours_both_frames_are_averaged) {
   Row row;
   row.following.film.data[3 * 3] = 13.0f;
   row.fill(3, kStill, kStill);
-  EXPECT_EQ(row.shown(3), 8.0f);  // the mean of 3 in the previous frame and 13 in the following frame
+  EXPECT_EQ(row.shown(3), 8.0f);  // mean of 3 in the previous frame and 13 in the following frame
   EXPECT_EQ(row.causes.not_covered, 1u);
   EXPECT_EQ(row.causes.newly_visible, 0u);
 }
 
 TEST(Missed, surface_inside_a_frame_was_hidden) {
   Row row;
-  test::set_point(row.previous, 2, 0.0f);  // the object moves by 2 pixels, so the point at pixel 7 was at pixel 5 before
+  test::set_point(row.previous, 2, 0.0f);  // the object moves by 2 pixels, so the point at pixel 7 was at pixel 5
   row.fill(7, {test::shift(2, 0, 0)}, {test::shift(4, 0, 0)});
   EXPECT_EQ(row.causes.newly_visible, 1u);
 }

@@ -40,8 +40,7 @@ TEST(Motion, lights_are_numbered_after_instances) {
 TEST(Motion, objects_move_in_display_units) {
   SmallScene s;
   s.add(test::square(1, 0), s.material(test::glowing(Vec3f(1.0f))), s.moving_node({0, 0, 0}, {4, 0, 0}));
-  // A millimetre of the display is half a world unit. The display is rotated by a quarter turn about z, so the world's x axis
-  // is the display's -y axis.
+  // A millimetre of the display is half a world unit. A quarter turn about z makes the world's x axis the display's -y axis.
   const Affine3f display{0.5f * Mat3f(Vec3f(0, 1, 0), Vec3f(-1, 0, 0), Vec3f(0, 0, 1)), Vec3f(7, 8, 9)};
   const MotionGroups groups = make_motion_groups(s.scene);
   const Motion motion = motion_between(groups, moment_at(s.scene, 0.25, display), moment_at(s.scene, 0.75, display));
@@ -74,7 +73,7 @@ TEST(Motion, objects_back_at_their_start_are_static) {
 TEST(Motion, distant_worlds_keep_precision) {
   SmallScene s;
   s.add(test::square(1, 0), s.material(test::glowing(Vec3f(1.0f))));
-  // The display is 1e5 units from the world's origin. It moves by 1/4 of a unit, which is 1 mm of the display.
+  // The display is 1e5 units from the world's origin, and moves by 1/4 of a unit, which is 1 mm of the display.
   const Affine3f from{Mat3f(0.25f), Vec3f(1e5f, 0, 0)}, to{Mat3f(0.25f), Vec3f(1e5f + 0.25f, 0, 0)};
   const Motion motion = motion_between(make_motion_groups(s.scene), {evaluate(s.scene, 0), from}, {evaluate(s.scene, 0), to});
   EXPECT_EQ(motion.groups[0].rows[3], -1.0f);

@@ -1,5 +1,4 @@
-// Makes point images and motions by hand, for tests of reuse. A point image holds the depth, the object and the colour of the
-// first hit of every pixel.
+// Makes point images (depth, object and colour of each pixel's first hit) and motions by hand.
 #pragma once
 
 #include <vector>
@@ -10,7 +9,7 @@
 
 namespace lippmann::test {
 
-/// Returns a point image in which no pixel has a point. Pixel i has the colour (i, 0, 0).
+/// No pixel has a point. Pixel i has the colour (i, 0, 0).
 inline PointImage empty_points(const Panel& panel) {
   const auto pixels = static_cast<std::size_t>(panel.width) * static_cast<std::size_t>(panel.height);
   PointImage image;
@@ -36,8 +35,7 @@ inline GroupMotion group_motion(const Affine3f& a) {
   return motion;
 }
 
-/// A motion in which object i moves by transform i, in mm of the display. It holds pointers into itself and cannot be copied or
-/// moved.
+/// Object i moves by transform i, in mm of the display. Cannot be copied or moved, because it points into itself.
 struct KnownMotion {
   std::vector<std::uint32_t> group_of_object;
   Motion motion;
@@ -55,7 +53,7 @@ struct KnownMotion {
 
 inline Affine3f shift(float x, float y, float z) { return {Mat3f(1.0f), Vec3f(x, y, z)}; }
 
-/// Returns the centre of a film pixel.
+/// centre of a film pixel
 inline Vec2f centre_of(const Optics& optics, std::uint32_t pixel) {
   const auto width = static_cast<std::uint32_t>(film_size(optics).x);
   return {static_cast<float>(pixel % width) + 0.5f, static_cast<float>(pixel / width) + 0.5f};

@@ -17,8 +17,8 @@ SettledBlocks planner(std::optional<int> every = {}) {
   return {nothing, -1, every};
 }
 
-/// Returns blocks of one ray each. Horizon h is 2^(h+1) frames long. `lowest_horizon` contains, for each block, the first h in
-/// which something moving meets the block. The block must be traced from frame 2^h on.
+/// Blocks of one ray each. Horizon h is 2^(h+1) frames long. `lowest_horizon` is the first h in which something moving meets a
+/// block, which must be traced from frame 2^h on.
 TouchedBlocks blocks_with(const std::vector<std::uint8_t>& lowest_horizon) {
   return {{}, lowest_horizon, std::vector<std::uint32_t>(lowest_horizon.size(), 1)};
 }
@@ -57,8 +57,8 @@ TEST(SettledBlocks, given_interval_is_kept) {
   EXPECT_EQ(planner(5).choose_span(blocks_with({0, 0}), 0, 2), 3);
 }
 
-/// Adds two deforming squares. The first has a skin, and two of its corners follow a joint that moves to `to`. The second has a
-/// morph target that moves one corner to the same point.
+/// Adds two deforming squares: a skin moves two corners of the first one with a joint to `to`, and a morph target moves one
+/// corner of the second one there.
 void add_deforming(SmallScene& s, Vec3f to, int material) {
   Mesh skinned = test::square(0.5f, 0), morphing = test::square(0.4f, 1);
   skinned.skin = {1, {0, 0, 1, 1}, {1, 1, 1, 1}};
@@ -72,8 +72,7 @@ void add_deforming(SmallScene& s, Vec3f to, int material) {
   s.add(morphing, material, node);
 }
 
-/// Returns a scene with two lights and a few shapes of every kind at random positions. A third of the shapes move at random.
-/// Some materials are mirrors or glass.
+/// Two lights and a few random shapes of every kind, some of them mirrors or glass. A third of them move.
 SmallScene random_scene(std::uint32_t seed) {
   std::mt19937 random(seed);
   const auto number = [&](float from, float to) { return std::uniform_real_distribution<float>(from, to)(random); };
@@ -143,8 +142,7 @@ void expect_settled_blocks_as_traced(const Optics& optics) {
       ASSERT_EQ(made.data, traced.data) << "scene " << seed << ", frame " << frame;
     }
   }
-  // The test does not check the exact number of settled blocks. The random scenes depend on the order in which the compiler
-  // evaluates arguments, so the number of settled blocks differs between compilers.
+  // The number differs between compilers, because random scenes depend on the order in which arguments are evaluated.
   EXPECT_GT(settled_blocks, 0u);
 }
 

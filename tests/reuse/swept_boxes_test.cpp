@@ -9,8 +9,8 @@ namespace {
 
 using test::SmallScene;
 
-// Tests boxes around everything that moves until frame 2 or 4. The scene has one frame per second, so frame f is at f seconds.
-// Nodes of moving_node() move from frame 0 to frame 1 and then stay.
+// Boxes around everything that moves until frame 2 or 4, at one frame per second. Nodes of moving_node() move from frame 0 to
+// frame 1 and then stay.
 constexpr int kHorizons[] = {2, 4};
 
 SmallScene one_frame_a_second() {
@@ -59,7 +59,7 @@ TEST(SweptBoxes, later_motion_belongs_to_later_horizons) {
 
 TEST(SweptBoxes, boxes_contain_only_changing_parts) {
   SmallScene s = one_frame_a_second();
-  Mesh two = test::square(0.5f, 0);  // two squares; in the right square, one corner is lifted
+  Mesh two = test::square(0.5f, 0);  // two squares, the right one with a lifted corner
   const Mesh other = test::square(0.5f, 0);
   for (const Vec3f& p : other.positions) two.positions.push_back(p + Vec3f(100, 0, 0));
   two.uvs.clear();
@@ -100,7 +100,7 @@ TEST(SweptBoxes, frames_after_the_last_do_not_count) {
 
 TEST(SweptBoxes, boxes_contain_turning_rings_but_not_holes) {
   SmallScene s = one_frame_a_second();
-  Mesh ring;  // a ring of 600 thin triangles around the z axis, with a radius of 10
+  Mesh ring;  // a ring of 600 thin triangles around the z axis, with radius 10
   for (int i = 0; i < 600; ++i) {
     const float a = 2.0f * kPi * static_cast<float>(i) / 600.0f;
     for (const Vec3f offset : {Vec3f(0, 0, 0), Vec3f(0.1f, 0, 0), Vec3f(0, 0.1f, 0.1f)})

@@ -7,7 +7,7 @@
 namespace lippmann {
 namespace {
 
-/// Returns two instances of a shape of 8 spheres, so the scene has 16 spheres.
+/// Two instances of 8 spheres.
 Scene spheres() {
   Scene scene;
   scene.shapes.push_back(Spheres(8, Sphere{}));
@@ -22,7 +22,7 @@ TEST(TracingCosts, rays_cost_by_the_fourth_root_of_all_primitives) {
 TEST(TracingCosts, prediction_cost_is_relative_to_tracing) {
   RayCounts rays;
   rays.primary = 1000, rays.shadow = 500, rays.reflection = 500;
-  // Tracing 2000 rays takes 2000 * 21 ns = 42 us. Predicting 420 pixels takes 420 * 50 ns = 21 us. The ratio is 0.5.
+  // Tracing 2000 rays takes 2000 * 21 ns = 42 us, predicting 420 pixels takes 420 * 50 ns = 21 us.
   EXPECT_NEAR(prediction_cost(spheres(), rays, 420), 0.5, 1e-12);
 }
 

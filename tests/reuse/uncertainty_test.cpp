@@ -1,4 +1,3 @@
-// Tests the estimated uncertainty of predicted frames in 8-bit codes, on predictions made by hand.
 #include "reuse/uncertainty.hpp"
 
 #include <gtest/gtest.h>
@@ -6,7 +5,7 @@
 namespace lippmann {
 namespace {
 
-/// Returns a single view of 16 x 8 pixels, so that neighbouring pixels of the view are also neighbouring pixels of the panel.
+/// A view of 16 x 8 pixels whose neighbours are also neighbours on the panel.
 Optics small_view() {
   Optics optics;
   optics.panel = {16, 8, 1.0f};
@@ -18,8 +17,8 @@ constexpr std::size_t kWidth = 16, kPixels = 16 * 8;
 
 std::size_t pixel(std::size_t x, std::size_t y) { return y * kWidth + x; }
 
-/// The two key frames and the predicted film. Values are display-referred, so a code is 255 times a value. Initially everything
-/// is black, and each pixel has received points from both key frames.
+/// Two key frames and the predicted film, all black at first. A code is 255 times a value. Each pixel has points from both key
+/// frames.
 struct Case {
   Image previous{16, 8, 3}, following{16, 8, 3}, film{16, 8, 3};
   SplatBuffer landed_previous{std::vector<std::uint64_t>(kPixels, 1)}, landed_following = landed_previous;
@@ -41,8 +40,7 @@ TEST(Uncertainty, disagreement_spreads_to_neighbours) {
   Case c;
   Case::paint(c.following, pixel(5, 3), 40.0f / 255.0f);
   const auto uncertainty = c.uncertainty();
-  // The first 40 is the pixel's own difference. The 20 is half of the largest difference in its neighbourhood, which includes
-  // the pixel itself.
+  // 40 is the pixel's own difference, and 20 half of the largest difference in its neighbourhood, which includes itself.
   EXPECT_EQ(uncertainty[pixel(5, 3)], 40 + 20);
   EXPECT_EQ(uncertainty[pixel(6, 3)], 20 + 20);  // 20 as a neighbour in the view, and 20 as an adjacent pixel of the panel
   EXPECT_EQ(uncertainty[pixel(5, 4)], 20);
@@ -77,7 +75,7 @@ TEST(Uncertainty, pixels_with_few_points_are_uncertain) {
 
 TEST(Uncertainty, linear_film_is_compared_by_square_roots) {
   Case c;
-  Case::paint(c.following, pixel(5, 3), 0.25f);  // compared by its square root, which is a half
+  Case::paint(c.following, pixel(5, 3), 0.25f);  // compared by its square root, 1/2
   UncertaintyEstimator estimator(small_view(), Encoding::kSrgb);
   std::vector<std::uint8_t> uncertainty;
   estimator.estimate({c.previous, c.landed_previous}, {c.following, c.landed_following}, c.film, ThreadPool(1), uncertainty);
@@ -96,9 +94,9 @@ TEST(Uncertainty, lenses_separate_neighbours_and_views) {
   UncertaintyEstimator estimator(optics, Encoding::kTachyonTruncate);
   std::vector<std::uint8_t> uncertainty;
   estimator.estimate({c.previous, c.landed_previous}, {c.following, c.landed_following}, c.film, ThreadPool(1), uncertainty);
-  EXPECT_EQ(uncertainty[pixel(9, 3)], 20);  // the pixel of the same view below the next lens
+  EXPECT_EQ(uncertainty[pixel(9, 3)], 20);  // same view, next lens
   EXPECT_EQ(uncertainty[pixel(1, 4)], 20);
-  EXPECT_EQ(uncertainty[pixel(6, 3)], 20);  // the pixel of the next view below the same lens
+  EXPECT_EQ(uncertainty[pixel(6, 3)], 20);  // same lens, next view
   EXPECT_EQ(uncertainty[pixel(7, 3)], 0);
   EXPECT_EQ(uncertainty[pixel(6, 4)], 0);
 }

@@ -20,12 +20,12 @@ LensSpec thickness(double mm) {
   return spec;
 }
 
-/// Returns a sheet with lenses of 24 pixels. The viewer is so far away that the printed strips are as wide as the lenses.
+/// Lenses of 24 pixels. From so far away, the printed strips are as wide as the lenses.
 Display sheet_of_whole_pixels() { return load_display("lpi=60 dpi=1440 paper=240x6px viewing-distance=10000000"); }
 
 TEST(LensShapes, radius_follows_from_thickness_and_index) {
   // Radius: r = thickness (index - 1) / index = 0.9 (1.5 - 1) / 1.5 = 0.3 mm. Height of the cap: s = 0.3 - sqrt(0.3^2 - 0.2^2)
-  // = 0.0763932 mm. Half angle: sin b = 1.5 sin(atan(0.2 / 0.9)), so b = 18.9895 degrees.
+  // = 0.0763932 mm. Half angle b: sin b = 1.5 sin(atan(0.2 / 0.9)), so b = 18.9895 degrees.
   const LensShape shape = lens_shape(0.4, thickness(0.9));
   EXPECT_NEAR(shape.radius_mm, 0.3, 1e-12);
   EXPECT_NEAR(shape.height_mm, 0.07639320225, 1e-10);
@@ -64,13 +64,13 @@ TEST(LensHeights, follow_a_cylinder) {
   for (int x = 0; x < 240; ++x) {
     const double from_axis = (x % 24 - 11.5) * 25.4 / 1440.0;
     const double expected = 65535.0 * (std::sqrt(0.09 - from_axis * from_axis) - edge) / (0.3 - edge);
-    // The viewer is at 10 km, so strips deviate from lenses by 1e-7 of the pitch. This changes the height by at most one code.
+    // From 10 km, strips deviate from lenses by 1e-7 of the pitch, which changes the height by at most one code.
     EXPECT_NEAR(map.codes[static_cast<std::size_t>(x)], expected, 1.0) << x;
     EXPECT_EQ(map.codes[static_cast<std::size_t>(x) + 240 * 5], map.codes[static_cast<std::size_t>(x)]);
   }
 }
 
-// The lenses are narrower than the strips below them, so the print has fewer strips than lenses.
+// Lenses are narrower than the strips below them, so there are fewer strips than lenses.
 TEST(LensHeights, lenses_have_the_pitch_of_the_sheet) {
   const ThreadPool pool(1);
   const Display sheet = load_display("lpi=20 dpi=400 paper=4000x2px viewing-distance=60");

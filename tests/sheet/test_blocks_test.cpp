@@ -1,4 +1,3 @@
-// Tests printed test patterns that consist of black bars. The value of every pixel is known.
 #include "sheet/test_blocks.hpp"
 
 #include <gmock/gmock.h>
@@ -22,7 +21,7 @@ bool is_black_at(const BlockTest& test, int x, int y) {
          0;
 }
 
-/// Returns the number of black bars along a line through the middle of a block.
+/// Number of black bars along a line through the middle of a block.
 int bars_of(const BlockTest& test, const TestBlock& block, BarDirection direction) {
   const Vec2i middle = (block.bars.from + block.bars.to) / 2;
   const bool is_vertical = direction == kVertical;

@@ -1,5 +1,5 @@
-// Replaces system calls of the C library. Calls with paths below /sim/ go to the simulated world, and all others go to the
-// operating system. The C++ library (streams, std::filesystem) also uses the replaced calls.
+// Replaces system calls of the C library, also for the C++ library. Paths below /sim/ go to the simulated world, all others to
+// the operating system.
 #include <dirent.h>
 #include <dlfcn.h>
 #include <fcntl.h>
@@ -42,14 +42,14 @@ std::array<OpenFile, 1024> open_files;
 struct OpenFolder {
   bool is_used = false;
   int descriptor = -1;
-  std::vector<std::pair<std::string, bool>> entries;  ///< name of the entry, and whether it is a folder
+  std::vector<std::pair<std::string, bool>> entries;  ///< name, and whether it is a folder
   std::size_t next = 0;
   dirent entry{};
 };
 
 std::array<OpenFolder, 64> folders;
 
-/// Returns the simulated file that was opened with this descriptor, or null for a real descriptor.
+/// Returns null for a real descriptor.
 OpenFile* file_of(int descriptor) {
   const int index = descriptor - kFirstDescriptor;
   return index >= 0 && index < static_cast<int>(open_files.size()) ? &open_files[static_cast<std::size_t>(index)] : nullptr;
@@ -78,7 +78,7 @@ int fail(int error) {
 
 int result(int error) { return error < 0 ? fail(-error) : 0; }
 
-/// Returns `failure` from the calling function if the simulation lets this system call fail.
+/// Makes the calling function return `failure` if the simulation lets this call fail.
 #define LIPPMANN_CALL(kind, failure) \
   if (const int problem = world()->before(World::Call::kind)) return errno = problem, failure
 
@@ -209,8 +209,7 @@ extern "C" {
 LIPPMANN_OPEN(open)
 LIPPMANN_OPEN(open64)
 
-/// Code compiled with _FORTIFY_SOURCE calls this function instead of `open` if the flags are not constant. __openat_2 below
-/// replaces `openat` in the same way.
+/// Code compiled with _FORTIFY_SOURCE calls this instead of `open`, and __openat_2 instead of `openat`.
 int __open_2(const char* path, int flags) { return open(path, flags); }
 
 int openat(int folder, const char* path, int flags, ...) {

@@ -7,8 +7,7 @@
 namespace lippmann::test {
 namespace {
 
-/// Returns the bytes of a file after a failure. `safe` are the synced bytes. The end that was not synced may be lost, cut or
-/// replaced by zeros. Programs only append to files.
+/// Bytes of a file after a failure. `safe` are the synced bytes. The rest, at the end, may be lost, cut or replaced by zeros.
 std::string torn(const std::string& safe, const std::string& bytes, Random& random) {
   if (safe == bytes) return bytes;
   const std::size_t begin = bytes.starts_with(safe) ? safe.size() : 0;

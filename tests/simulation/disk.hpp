@@ -1,8 +1,8 @@
 // Simulates a disk that keeps only synced data when the power fails.
 //
-// The bytes of a file are safe after sync() of the file. The name of a file is safe after sync() of its folder. When the power
-// fails, each change that is not safe survives, is lost or is partly lost at random. For example, a renamed file may be empty,
-// the end of a file may be zeros, or a file may have its old name.
+// The bytes of a file are safe after sync() of the file, its name after sync() of its folder. Each change that is not safe
+// survives, is lost or is partly lost at random: a renamed file may be empty, its end may be zeros, or it may have its old
+// name.
 //
 // Functions return negative errno values as errors.
 #pragma once
@@ -20,8 +20,8 @@ namespace lippmann::test {
 struct Inode {
   bool is_folder = false;
   int machine = -1;          ///< machine that wrote last
-  std::int64_t written = 0;  ///< time of the last write, in nanoseconds since 1970
-  std::string bytes, safe;   ///< `bytes` are seen by programs; `safe` survives a power failure
+  std::int64_t written = 0;  ///< last write, in nanoseconds since 1970
+  std::string bytes, safe;   ///< programs see `bytes`; `safe` survives a power failure
   std::map<std::string, int> entries, safe_entries;
 };
 
@@ -40,9 +40,9 @@ class Disk {
   Inode& at(int inode) { return inodes_[static_cast<std::size_t>(inode)]; }
   void sync(int inode);
 
-  /// Simulates a power failure: keeps or loses each change that is not safe, at random.
+  /// Keeps or loses each change that is not safe, at random.
   void lose_power(Random& random);
-  /// Simulates the failure of a machine that uses this shared disk: keeps or loses its bytes that were not synced, at random.
+  /// Keeps or loses the bytes that a failing machine did not sync, at random.
   void lose_machine(int machine, Random& random);
 
  private:

@@ -1,4 +1,4 @@
-// Random numbers for a simulated story. All numbers follow from the seed.
+// Random numbers that all follow from a seed.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@ class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(seed * 0x9e3779b97f4a7c15u + 0x2545f4914f6cdd1du) {}
 
-  /// Returns the next number of the SplitMix64 generator.
+  /// SplitMix64
   std::uint64_t next() {
     std::uint64_t z = (state_ += 0x9e3779b97f4a7c15u);
     z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
@@ -18,10 +18,9 @@ class Random {
     return z ^ (z >> 31);
   }
 
-  /// Returns a number from 0 to count - 1. `count` must be at least 1.
+  /// Returns 0 to count - 1.
   std::size_t below(std::size_t count) { return static_cast<std::size_t>(next() % count); }
 
-  /// Returns true with the probability 1 / count, and never if `count` is 0.
   bool once_in(std::size_t count) { return count > 0 && below(count) == 0; }
 
  private:

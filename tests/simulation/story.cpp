@@ -48,10 +48,10 @@ struct Work {
 };
 
 using FolderFrame = std::pair<fs::path, int>;
-/// A folder, and the number of a strip among the strips of all frames (see parts_of()).
+/// A folder, and the number of a strip among those of all frames (parts_of()).
 using FolderPart = std::pair<fs::path, int>;
 
-/// While this object exists, the frame or strip counts as being written.
+/// A frame or strip counts as being written while this exists.
 class Making {
  public:
   Making(std::multiset<FolderFrame>& all, FolderFrame own) : all_(all), own_(all.insert(std::move(own))) {}
@@ -64,8 +64,7 @@ class Making {
   std::multiset<FolderFrame>::iterator own_;
 };
 
-/// Returns the bytes that stand for a rendered picture. They are different for every file and job, and the same in every
-/// run.
+/// Bytes in place of a picture. They differ for every file and job, and are the same in every run.
 std::string picture_bytes(const std::string& name, const std::string& job = kJob) {
   Random random(std::hash<std::string>()(job == kJob ? name : job + name));
   std::string bytes(20 + random.below(200), '\0');
@@ -110,8 +109,6 @@ class Teller {
   void complain(const std::string& problem) {
     if (problem_.empty()) problem_ = fmt::format("step {}: {}", world_.steps, problem);
   }
-
-  // ---- Actions of a run ------------------------------------------------------------------------------------------------
 
   std::vector<std::string> names_of(int frame) const {
     const std::string picture = fmt::format("frame_{:04}", frame);
@@ -205,7 +202,7 @@ class Teller {
     return true;
   }
 
-  /// Reads the strips of a frame as joining does. Complains if a strip that would be joined has wrong bytes.
+  /// Reads the strips of a frame as joining does. Complains about wrong bytes.
   void join_strips(int frame, const RenderFolder& folder) {
     finished_strips(folder, frame, strips_);
     for (int strip = 0; strip < strips_; ++strip) {
@@ -223,8 +220,7 @@ class Teller {
     if (strips_ == 1) return;
     forget_strips_of(folder, frame);
     remove_strips(folder, frame, strips_);
-    // While remove_strips() ran, another task may have finished a strip of this frame. This strip has been removed too, so
-    // forget it.
+    // While remove_strips() ran, another task may have finished a strip of this frame, which is now removed too.
     forget_strips_of(folder, frame);
   }
 
@@ -246,7 +242,7 @@ class Teller {
     return true;
   }
 
-  /// Finishes the job. The job was rendered in one folder, or in several folders that are joined.
+  /// Finishes the job, whose frames are in one folder, or in several that are joined.
   std::optional<RenderReport> finish(const Work& work) {
     std::vector<fs::path> parts;
     if (apart_)
@@ -264,17 +260,14 @@ class Teller {
   bool is_alive() { return !world_.current() || !world_.current()->is_dead; }
   bool has_misread() { return world_.current() && world_.current()->has_misread; }
 
-  // ---- Invariants ------------------------------------------------------------------------------------------------------
-
-  /// Complains if a run renders a frame or a strip that was finished before the run started. Runs that failed to read a file
-  /// are exempt.
+  /// Complains if a run renders something that was finished before it started, unless it failed to read a file.
   void expect_unfinished(const std::map<FolderFrame, std::uint64_t>& finished, const FolderFrame& thing, const char* kind) {
     const auto found = finished.find(thing);
     if (!is_alive() || has_misread() || found == finished.end() || found->second >= world_.current()->began) return;
     complain(fmt::format("{} {} was finished at step {} and is rendered again", kind, thing.second, found->second));
   }
 
-  /// While a run holds the folder, the frames in the folder must be those of its job.
+  /// While a run holds the folder, its frames must be those of the run's job.
   void expect_own_frames(const Work& work, const RenderReport& report) {
     const Process* process = world_.current();
     if (!process || process->is_dead || process->has_misread || world_.last_flip >= process->began) return;
@@ -294,9 +287,8 @@ class Teller {
                        [&](const std::string& name) { return world_.disk.find((of.first / name).string()) == inode; });
   }
 
-  /// Called when a byte of a file is to be damaged. Removes the file's frame or strip from the finished ones, and returns true
-  /// if the damage is allowed. A file that is being written must not be damaged, because damage before the checksum is taken
-  /// cannot be detected. In joined folders a file may have two names, so files are compared by their inodes.
+  /// Returns whether a byte of the file may be damaged, and then takes the file from the finished ones. Damage to a file that
+  /// is being written cannot be detected. In joined folders a file may have two names, so inodes are compared.
   bool forget(const std::string& path) {
     const int inode = world_.disk.find(path);
     for (const FolderFrame& made : being_made_) {
@@ -336,11 +328,8 @@ class Teller {
                          names));
   }
 
-  // ---- Events ----------------------------------------------------------------------------------------------------------
-
   fs::path part(int unit) const { return fmt::format("/sim/part-{}", unit); }
 
-  /// Prepares the content of the folder before the job begins.
   void prepare() {
     if (!random_.once_in(3)) return;
     const auto before = static_cast<Before>(1 + random_.below(3));
@@ -413,14 +402,14 @@ class Teller {
     world_.calm();
   }
 
-  /// The competing job runs on its own machine. Processes on the same machine would detect each other by calls that are not
+  /// The competing job has its own machine, because processes on one machine would detect each other by calls that are not
   /// simulated.
   int machine_for(const Work& work) {
     if (!has_rival_) return static_cast<int>(random_.below(kMachines));
     return work.job == kJob ? static_cast<int>(random_.below(kMachines - 1)) : kMachines - 1;
   }
 
-  /// Runs the task. If it fails, usually queues it again, for up to four attempts.
+  /// A failed task is usually queued again, for up to four attempts.
   void attempt(Work work) {
     const bool is_done = try_to(work);
     if (++work.attempts < 4 && !is_done && !random_.once_in(4)) queue_.push_back(work);
@@ -439,8 +428,7 @@ class Teller {
     return false;
   }
 
-  /// Recovers as a user would when all machines work again: finishes the job, or renders the missing frames and then finishes
-  /// it.
+  /// Finishes the job as a user would when all machines work again, after rendering missing frames.
   void recover() {
     if (has_rival_) world_.pass(static_cast<std::int64_t>(2e9 * kLeaseSeconds));
     if (has_rival_ && finished_.empty()) complete({.folder = folder_, .units = Units{{1}, 1}, .force = true});
@@ -461,10 +449,10 @@ class Teller {
     return is_done;
   }
 
-  static constexpr int kAllFrames = 100;  // number of frames of the scene
+  static constexpr int kAllFrames = 100;  // of the scene
 
   bool shares_a_name_;
-  int strips_;  ///< number of strips per frame; with 1, frames are rendered as a whole
+  int strips_;  ///< strips per frame; 1: whole frames
   World world_;
   Random& random_;
   Kind kind_ = Kind::kPicture;
@@ -474,9 +462,9 @@ class Teller {
   bool has_rival_ = false;  ///< a competing job starts in the same folder at the same time
   fs::path folder_ = "/sim/film";
   std::deque<Work> queue_;
-  /// frames that were finished and recorded, and the step of the simulation in which this happened
+  /// finished and recorded frames, with the step of the simulation
   std::map<FolderFrame, std::uint64_t> finished_;
-  /// strips that were finished and recorded, with the step of the simulation; removed when their frame is finished
+  /// finished and recorded strips, with the step of the simulation; removed when their frame is finished
   std::map<FolderPart, std::uint64_t> finished_parts_;
   std::multiset<FolderFrame> being_made_;
   std::string problem_;

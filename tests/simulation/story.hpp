@@ -1,5 +1,5 @@
-// Simulates the life of a job. The job is planned, processes render its units, processes are killed, machines fail, and finally
-// the job is finished. The output folder and its journal are handled by the real code. The pictures are a few bytes each.
+// Simulates the life of a job: planning, processes that render its units, killed processes, failing machines, and the end of
+// the job. The real code handles the output folder. Pictures are a few bytes each.
 #pragma once
 
 #include <cstdint>
@@ -8,11 +8,11 @@
 namespace lippmann::test {
 
 struct Story {
-  /// what went wrong, such as a wrong or lost frame or a folder that cannot be finished; empty on success
+  /// what went wrong, such as a lost frame; empty on success
   std::string problem;
-  std::string log;  ///< list of events, for people to read
+  std::string log;  ///< list of events for people
   int frames = 0, runs = 0;
-  std::uint64_t calls = 0;  ///< number of simulated system calls
+  std::uint64_t calls = 0;  ///< simulated system calls
 };
 
 Story tell_story(std::uint64_t seed);

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kStackBytes = std::size_t{1} << 20;
 constexpr std::int64_t kSecond = 1'000'000'000;
 
-/// Returns the stacks of ended processes. New processes reuse these stacks.
+/// New processes reuse the stacks of ended ones.
 std::vector<std::unique_ptr<std::byte[]>>& free_stacks() {
   static std::vector<std::unique_ptr<std::byte[]>> stacks;
   return stacks;
@@ -67,7 +67,7 @@ void World::enter() {
   _longjmp(world()->scheduler_, 1);
 }
 
-/// Switches to a process with longjmp, which needs no system call. swapcontext would make two.
+/// longjmp needs no system call; swapcontext would make two.
 void World::go_to(Process& process) {
   if (_setjmp(scheduler_) != 0) return;
   if (process.has_begun) _longjmp(process.place, 1);
@@ -97,7 +97,7 @@ Process& World::start(int machine, std::function<void()> body) {
   return *processes_.back();
 }
 
-/// Runs the process until its next system call or until it ends.
+/// Runs the process until its next system call or its end.
 void World::resume(Process& process) {
   void* exceptions = abi::__cxa_get_globals();
   std::array<std::byte, 16> own{};

@@ -1,8 +1,7 @@
-// Simulates machines that share a disk, their clocks, and processes. Processes run real code. Before each system call for a
-// file below /sim/ (calls.cpp), another process may continue. A random seed determines which process runs next, and which
-// failures happen when.
+// Simulates machines that share a disk, their clocks, and processes that run real code. Before each system call for a file
+// below /sim/ (calls.cpp), another process may continue. A seed determines which process runs next, and which failures happen.
 //
-// A killed process has no further effect: its system calls fail, so that it soon ends and frees its memory.
+// The system calls of a killed process fail, so that it soon ends without effect.
 #pragma once
 
 #include <ucontext.h>
@@ -21,11 +20,11 @@
 
 namespace lippmann::test {
 
-/// How often failures happen: once in this many system calls, or never if 0.
+/// Once in this many system calls, or never if 0.
 struct Faults {
   std::size_t kill = 0, machine_loss = 0, power_loss = 0;
   std::size_t disk_full = 0;  ///< the disk is full for a while
-  std::size_t error = 0;      ///< a call that writes fails with EIO or ENOSPC
+  std::size_t error = 0;      ///< a write fails with EIO or ENOSPC
   std::size_t read_error = 0;
   std::size_t interrupted = 0;  ///< a call fails with EINTR, or reads or writes only a part
   std::size_t clock_jump = 0;
@@ -39,9 +38,9 @@ struct Process {
   std::uint64_t began = 0;   ///< step of the simulation at which the process began
   std::function<void()> body;
   bool has_begun = false;
-  ucontext_t context{};                    ///< state in which the process begins
-  std::jmp_buf place{};                    ///< state in which the process continues
-  std::array<std::byte, 16> exceptions{};  ///< exceptions that the process is handling, a copy of the C++ run-time's state
+  ucontext_t context{};                    ///< where the process begins
+  std::jmp_buf place{};                    ///< where the process continues
+  std::array<std::byte, 16> exceptions{};  ///< exceptions that the process is handling, from the C++ run-time
   std::unique_ptr<std::byte[]> stack;
 };
 
@@ -52,7 +51,7 @@ class World {
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
-  /// Runs all processes until they have ended. Calls `ready` between system calls. `ready` may start processes.
+  /// Runs all processes to their end. Calls `ready`, which may start processes, between system calls.
   void run(const std::function<void()>& ready = {});
   Process& start(int machine, std::function<void()> body);
 
@@ -61,13 +60,12 @@ class World {
   enum class Call { kRead, kWrite, kOther };
   int before(Call call);
 
-  /// Disables all failures from now on.
+  /// No failures from now on.
   void calm() { faults = {}, full_until_ = 0; }
 
-  /// Sets all clocks forward.
   void pass(std::int64_t nanoseconds);
 
-  /// Returns how many of `bytes` bytes this call reads or writes.
+  /// How many of `bytes` bytes this call reads or writes.
   std::size_t moved(std::size_t bytes);
 
   Process* current() { return current_; }
@@ -80,9 +78,9 @@ class World {
   Random random;
   Faults faults;
   std::uint64_t steps = 0, last_flip = 0;
-  /// is called with a path, and returns whether a byte of this file may be damaged
+  /// returns whether a byte of the file may be damaged
   std::function<bool(const std::string&)> flips;
-  std::string log;  ///< list of the failures that happened, for people to read
+  std::string log;  ///< list of failures for people
 
  private:
   void resume(Process& process);
@@ -103,7 +101,7 @@ class World {
   int next_id_ = 0;
 };
 
-/// Returns the world that system calls go to. If it is null, all calls go to the operating system.
+/// If null, all calls go to the operating system.
 World*& world();
 
 }  // namespace lippmann::test

@@ -13,7 +13,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// tolerance for a few rounding errors of lengths up to 100
+// a few rounding errors of lengths up to 100
 constexpr float kRounding = 2e-5f;
 
 void expect_near(Vec3f a, Vec3f b) {
@@ -49,8 +49,6 @@ Affine3f plane_in_world(const Scene& scene, const FittedArray& array) {
 }
 
 Transform at(Vec3f position) { return {position, Quatf(1, 0, 0, 0), Vec3f(1.0f)}; }
-
-// ---- The rules, in order ----------------------------------------------------------------------------------------------
 
 TEST(FitArray, a_placed_display_is_used_unchanged) {
   Scene scene;
@@ -88,7 +86,7 @@ TEST(FitArray, focus_distance_places_the_plane_there) {
 TEST(FitArray, default_plane_goes_through_the_centre) {
   Scene scene;
   add_box(scene, {-1, -1, -3}, {1, 1, 1});
-  // The camera looks along +x and is not on the axis of the box. Only the distance along its view direction counts.
+  // The camera looks along +x, beside the box. Only the distance along its view direction counts.
   add_camera(scene, {{-10, 0.5f, 0}, glm::angleAxis(radians(-90.0f), Vec3f(0, 1, 0)), Vec3f(1.0f)});
   const FittedArray array = fit_array(scene);
   EXPECT_EQ(array.origin, FittedArray::Origin::kSceneCenter);
@@ -124,7 +122,7 @@ Camera& add_orthographic(Scene& scene, Vec3f position, float height) {
 TEST(FitArray, orthographic_cameras_frame_their_volume) {
   Scene scene;
   add_box(scene, Vec3f(-1), Vec3f(1));
-  // This box is outside of the orthographic view. A perspective view that is equally high at the first box would show it.
+  // This box is outside the orthographic view, but inside a perspective view that is equally high at the first box.
   add_box(scene, {4, -1, -90}, {5, 1, -30});
   add_orthographic(scene, {0.5f, 0, 20}, 3.0f);
   const FittedArray array = fit_array(scene);
@@ -147,13 +145,13 @@ TEST(FitArray, orthographic_height_ignores_position_and_focus) {
     EXPECT_NEAR(focused.plane_height, 3.0f, kRounding) << away;
     scene.cameras[0].focus_distance = 1.5f;
     EXPECT_NEAR(fit_array(scene).plane_height, 3.0f, kRounding) << away;
-    // The viewer would be at the camera, but is moved away so far that the picture is at most 45 degrees high.
+    // The viewer moves away from the camera until the picture is at most 45 degrees high.
     EXPECT_NEAR(fit_array(scene).viewing_distance, 1.5f / std::tan(radians(22.5f)), kRounding) << away;
   }
 }
 
-// The subject is 2 units wide, and the volume of the camera is 6 units wide and 3 high. With a margin of a twentieth, the
-// subject needs a picture that is 2.1 units wide. The picture is half as wide as high.
+// The subject is 2 units wide, the camera's volume 6 wide and 3 high. With a margin of a twentieth, the picture must be 2.1
+// units wide. It is half as wide as high.
 TEST(FitArray, narrow_orthographic_pictures_keep_the_subject) {
   Scene scene;
   add_box(scene, Vec3f(-1), Vec3f(1));
@@ -168,32 +166,32 @@ TEST(FitArray, inside_cameras_focus_half_way) {
   add_box(scene, {-5, -5, -8}, {5, 5, 6});
   add_camera(scene, at({0, 0, 4}));
   const FittedArray array = fit_array(scene);
-  // The far wall is 12 units away. The side walls are in view from a distance of 5 / tan(30 degrees).
+  // The far wall is 12 units away. The side walls come into view at 5 / tan(30 degrees).
   const float nearest = 5.0f / std::tan(radians(30.0f)), distance = 0.5f * (nearest + 12.0f);
   EXPECT_NEAR(array.viewing_distance, distance, kRounding);
   expect_near(plane_in_world(scene, array).translation, {0, 0, 4.0f - distance});
-  // Parts of the scene outside of the view do not count as depth.
+  // Parts outside the view do not count as depth.
   EXPECT_NEAR(array.depth_front, distance - nearest, kRounding);
   EXPECT_NEAR(array.depth_back, distance - 12.0f, kRounding);
 }
 
 TEST(FitArray, scenes_behind_cameras_get_a_default) {
   Scene scene;
-  add_box(scene, {-1, -2, 4}, {1, 2, 8});  // the diagonal of this box is 6 units
+  add_box(scene, {-1, -2, 4}, {1, 2, 8});  // this box has a diagonal of 6 units
   add_camera(scene, at({0, 0, 0}));
   const FittedArray array = fit_array(scene);
   EXPECT_NEAR(array.viewing_distance, 0.3f, kRounding);
   EXPECT_LE(array.depth_front, array.viewing_distance);
 }
 
-/// Returns how far the corners of the box are from the centre of the picture, at most. The edge of the picture is at 1.
+/// Largest distance of the box's corners from the centre of the picture, whose edge is at 1.
 Vec2f seen_extent(const Scene& scene, const FittedArray& array, float aspect, Vec3f lower, Vec3f upper) {
   const Affine3f plane_from_world = inverse(plane_in_world(scene, array));
   Vec2f extent(0.0f);
   for (int corner = 0; corner < 8; ++corner) {
     const Vec3f world(corner & 1 ? upper.x : lower.x, corner & 2 ? upper.y : lower.y, corner & 4 ? upper.z : lower.z);
     const Vec3f p = transform_point(plane_from_world, world);
-    // `shrink` projects the corner to the display's plane, as the viewer sees it.
+    // Projects the corner to the display's plane, as the viewer sees it.
     const float shrink = array.viewing_distance / (array.viewing_distance - p.z);
     extent = glm::max(extent, glm::abs(Vec2f(p.x / aspect, p.y)) * shrink / (0.5f * array.plane_height));
   }
@@ -222,8 +220,7 @@ TEST(FitArray, scenes_without_cameras_are_framed) {
   }
 }
 
-/// Returns the margins around the box in the order left, right, below, above. They are relative to half the width or half the
-/// height of the picture.
+/// Margins around the box: left, right, below, above, relative to half the picture's width or height.
 Vec4f margins(const Scene& scene, const FittedArray& array, float aspect, Vec3f lower, Vec3f upper) {
   const Affine3f plane_from_world = inverse(plane_in_world(scene, array));
   Vec2f least(kInfinity), most(-kInfinity);
@@ -237,8 +234,7 @@ Vec4f margins(const Scene& scene, const FittedArray& array, float aspect, Vec3f 
   return {1.0f + least.x, 1.0f - most.x, 1.0f + least.y, 1.0f - most.y};
 }
 
-// A flat plate is seen from above, so its near edge appears larger than its far edge. It must still be in the middle of the
-// picture.
+// A flat plate is seen from above, so its near edge appears larger. It must still be in the middle.
 TEST(FitArray, scenes_without_cameras_are_centred) {
   const Vec3f lower(-4, 0, -4), upper(4, 0.5f, 4);
   Scene scene;
@@ -300,8 +296,6 @@ TEST(FitArray, infinite_scenes_get_an_array) {
   EXPECT_EQ(array.depth_back, 0.0f);
 }
 
-// ---- How it moves -----------------------------------------------------------------------------------------------------
-
 TEST(FitArray, array_moves_rigidly_with_its_camera) {
   Scene scene;
   add_box(scene, Vec3f(-1), Vec3f(1));
@@ -316,8 +310,7 @@ TEST(FitArray, array_moves_rigidly_with_its_camera) {
 }
 
 TEST(FitArray, scaled_parent_keeps_the_array_in_world_units) {
-  // The same camera is at (0, 0, 10) in one scene. In the other scene it is at (0, 0, 5) below a parent node that doubles all
-  // lengths.
+  // One camera is at (0, 0, 10), the other at (0, 0, 5) below a parent node that doubles all lengths.
   Scene plain, scaled;
   add_box(plain, Vec3f(-1), Vec3f(1));
   add_box(scaled, Vec3f(-1), Vec3f(1));
@@ -336,8 +329,7 @@ TEST(FitArray, scaled_parent_keeps_the_array_in_world_units) {
   EXPECT_EQ(a.how, b.how);
 }
 
-/// Fits the array to a scene of a box. A camera at (0, 0, 10) sees the box. `add` adds this camera below a parent node with the
-/// scale `scale`.
+/// A camera at (0, 0, 10) sees a box. `add` adds it below a parent node with the scale `scale`.
 template <class F>
 FittedArray fitted_below(float scale, const ViewWish& wish, const F& add) {
   Scene scene;

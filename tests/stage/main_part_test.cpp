@@ -1,5 +1,4 @@
-// Tests scenes with parts that are very far away. A view of the whole scene would show nothing, so such parts are left out of
-// the view and a warning is given.
+// Very distant parts are left out of the view, with a warning, because a view of everything would show nothing.
 #include "stage/main_part.hpp"
 
 #include <gmock/gmock.h>

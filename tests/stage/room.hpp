@@ -1,11 +1,10 @@
-// Makes a closed room for tests of light.
 #pragma once
 
 #include "lippmann/scene/scene.hpp"
 
 namespace lippmann::test {
 
-/// Returns a cube of six white walls with the centre `center`. Its sides are 2 * size long, and each wall is an instance.
+/// A closed cube of six white walls, 2 * size wide. Each wall is an instance.
 inline Scene room_of_six_walls(float size = 1.0f, Vec3f center = Vec3f(0.0f)) {
   Mesh square;
   square.positions = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}};

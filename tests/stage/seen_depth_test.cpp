@@ -9,14 +9,14 @@
 namespace lippmann {
 namespace {
 
-/// An eye 300 mm in front of a window of 100 x 100 mm. A world unit is 1 mm, and the origin is the centre of the window.
+/// An eye 300 mm in front of a window of 100 x 100 mm around the origin. A world unit is 1 mm.
 constexpr EyeAtWindow kEye{{0.0f, 0.0f, 300.0f}, {100.0f, 100.0f}};
 
 std::optional<SeenDepth> seen(const Scene& scene, const EyeAtWindow& eye = kEye, int threads = 1) {
   return seen_depth(scene, FittedArray{}, 1.0f, eye, ThreadPool(threads));
 }
 
-/// Returns a square that faces the eye. Its sides are 2 * half long.
+/// Faces the eye; its sides are 2 * half long.
 Scene square_at(Vec3f center, float half = 5.0f) {
   Scene scene;
   Mesh square;
@@ -46,8 +46,8 @@ TEST(SeenDepth, counts_only_shapes_in_the_window) {
 }
 
 TEST(SeenDepth, of_a_room_is_cut_by_the_window) {
-  // The room reaches from z = -100 to -300 mm and 100 mm to each side of the axis. The view through the window reaches 67 mm to
-  // each side at z = -100 mm, and 100 mm at z = -300 mm.
+  // The room reaches from z = -100 to -300 mm and 100 mm to each side. The view through the window reaches 67 mm to each side
+  // at z = -100 mm, and 100 mm at z = -300 mm.
   const auto depth = seen(test::room_of_six_walls(100.0f, {0, 0, -200}));
   ASSERT_TRUE(depth);
   EXPECT_NEAR(depth->far_mm, -300.0, 1e-3);
@@ -61,7 +61,7 @@ TEST(SeenDepth, of_a_room_is_cut_by_the_window) {
 }
 
 TEST(SeenDepth, of_off_axis_views_uses_their_eye) {
-  // The eye is 150 mm to the right. It sees a point at z = -300 mm in the middle of the window if the point is at x = -150 mm.
+  // The eye is 150 mm to the right, so the middle of the window shows x = -150 mm at z = -300 mm.
   const Scene scene = square_at({-150, 0, -300}, 1.0f);
   EXPECT_FALSE(seen(scene));
   EXPECT_TRUE(seen(scene, {{150.0f, 0.0f, 300.0f}, {100.0f, 100.0f}}));
@@ -86,10 +86,10 @@ TEST(SeenDepth, of_infinite_planes_reaches_the_horizon) {
   scene.shapes[0] = Planes{{Vec3f(0, -20, 40), Vec3f(0, 1, 0)}};  // the plane is 20 mm below the axis
   const auto ground = seen(scene);
   ASSERT_TRUE(ground);
-  // The lowest rays fall by 50 mm per 300 mm. They hit the plane 120 mm in front of the eye, at z = 180 mm.
+  // The lowest rays fall by 50 mm per 300 mm, and hit the plane 120 mm in front of the eye, at z = 180 mm.
   EXPECT_NEAR(ground->near_mm, 180.0, 1e-3);
   EXPECT_EQ(ground->far_mm, -INFINITY);
-  scene.shapes[0] = Planes{{Vec3f(0, 0, 20), Vec3f(0, 0, 1)}};  // this plane is perpendicular to the view direction
+  scene.shapes[0] = Planes{{Vec3f(0, 0, 20), Vec3f(0, 0, 1)}};  // perpendicular to the view direction
   EXPECT_NEAR(seen(scene)->near_mm, -20.0, 1e-3);
   EXPECT_NEAR(seen(scene)->far_mm, -20.0, 1e-3);
 }

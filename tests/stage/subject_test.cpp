@@ -1,4 +1,3 @@
-// Tests which objects of a scene are its subject, and that the picture shows the whole subject.
 #include "stage/subject.hpp"
 
 #include <gmock/gmock.h>
@@ -28,7 +27,7 @@ int add_node(Scene& scene, const std::string& name, Vec3f at = Vec3f(0.0f), int 
   return static_cast<int>(scene.nodes.size()) - 1;
 }
 
-/// Adds a shape, and returns the index of its instance.
+/// Returns the index of the instance.
 std::size_t add_shape(Scene& scene, const std::string& name, Shape shape) {
   Instance instance;
   instance.name = name;
@@ -43,7 +42,7 @@ std::size_t add_box(Scene& scene, const std::string& name, Vec3f lower, Vec3f up
   return add_shape(scene, name, Boxes{{lower, upper}});
 }
 
-/// Adds a mesh of one quad, and returns the index of its instance.
+/// Adds one quad, and returns the index of its instance.
 std::size_t add_sheet(Scene& scene, const std::string& name, Vec3f corner, Vec3f u, Vec3f v) {
   Mesh mesh;
   mesh.positions = {corner, corner + u, corner + u + v, corner + v};
@@ -55,7 +54,7 @@ void add_ground(Scene& scene, float side) {
   add_sheet(scene, "Plane", {-0.5f * side, 0, -0.5f * side}, {0, 0, side}, {side, 0, 0});
 }
 
-/// Adds a desk that is 1.6 m wide and 0.75 m high.
+/// 1.6 m wide and 0.75 m high.
 void add_desk(Scene& scene) {
   add_box(scene, "Top", {-0.8f, 0.7f, -0.4f}, {0.8f, 0.75f, 0.4f});
   for (const float x : {-0.75f, 0.7f})
@@ -93,8 +92,7 @@ void add_travel(Scene& scene, std::size_t instance, Vec3f from, Vec3f to) {
   scene.timeline.frame_count = 26;
 }
 
-/// The bounding rectangle of instances in the picture over all frames. Positions are from -1 to 1 on both axes, as the viewer
-/// sees them.
+/// Bounding rectangle of instances in the picture over all frames, from -1 to 1 on both axes.
 struct Seen {
   Vec2f lower{kInfinity}, upper{-kInfinity};
   float filled() const { return 0.5f * std::max(upper.x - lower.x, upper.y - lower.y); }
@@ -131,8 +129,6 @@ void expect_whole(const Scene& scene, const std::vector<std::string>& names, con
     EXPECT_GE(seen.filled(), 0.85f) << aspect;
   }
 }
-
-// ---- What the subject is ------------------------------------------------------------------------------------------------
 
 TEST(Subject, ground_below_a_desk_is_left_out) {
   Scene scene;
@@ -217,8 +213,6 @@ TEST(Subject, plate_slightly_wider_than_its_load_stays) {
   EXPECT_EQ(subject_of(scene).size(), 2u);
 }
 
-// ---- Without a camera ---------------------------------------------------------------------------------------------------
-
 TEST(FitToSubject, desk_on_a_wide_ground_fills_the_picture) {
   Scene scene;
   add_ground(scene, 240.0f);
@@ -242,7 +236,7 @@ TEST(FitToSubject, ball_just_fits) {
   Scene scene;
   add_shape(scene, "Ball", Spheres{{Vec3f(5, 0, 0), 2.0f}});
   const FittedArray array = fit_array(scene);
-  // the viewing distance ends at the centre of the ball, because the plane of the display goes through it
+  // the viewing distance ends at the centre of the ball, through which the display's plane goes
   const float sine = 2.0f / array.viewing_distance;
   EXPECT_NEAR(std::tan(std::asin(sine)) / (0.5f * array.plane_height / array.viewing_distance), 1.0f / 1.05f, kSubjectRounding);
 }
@@ -265,8 +259,6 @@ TEST(FitToSubject, wall_right_behind_counts_as_depth) {
   add_sheet(far, "Wall", {-30, 0, -100}, {60, 0, 0}, {0, 30, 0});
   EXPECT_LT(fit_array(near).depth_back, fit_array(far).depth_back - 0.3f);
 }
-
-// ---- With a camera ------------------------------------------------------------------------------------------------------
 
 TEST(FitToSubject, cameras_keep_their_view) {
   Scene scene;
@@ -309,8 +301,6 @@ TEST(FitToSubject, cameras_with_a_resolution_keep_their_height) {
   const FittedArray array = fit_array(scene, 1.0f);
   EXPECT_NEAR(array.plane_height / array.viewing_distance, 2.0f * std::tan(radians(15.0f)), kSubjectRounding);
 }
-
-// ---- Wishes -------------------------------------------------------------------------------------------------------------
 
 ViewWish focus(const std::string& text) { return {text, {}, 1.0f, {}}; }
 ViewWish fit_to(const std::string& name) { return {{}, name, 1.0f, {}}; }

@@ -1,4 +1,4 @@
-// Encodes small 8-bit pictures as PNG, JPEG or WebP files, for tests of the readers.
+// Encodes small 8-bit pictures for tests of the readers.
 #pragma once
 
 #include <cstdint>
@@ -7,14 +7,14 @@
 
 namespace lippmann::test {
 
-/// Returns a PNG file. `channels` is 1 for grey, 2 for grey and alpha, 3 for RGB, or 4 for RGBA.
+/// `channels`: 1 grey, 2 grey and alpha, 3 RGB, 4 RGBA.
 std::vector<unsigned char> encode_png(int width, int height, int channels, const std::vector<std::uint8_t>& samples);
 
-/// Returns a JPEG file. `channels` is 1 for grey, 3 for RGB, or 4 for CMYK with inverted inks, as Adobe stores it.
+/// `channels`: 1 grey, 3 RGB, 4 CMYK with inverted inks, as Adobe stores it.
 std::vector<unsigned char> encode_jpeg(int width, int height, int channels, const std::vector<std::uint8_t>& samples,
                                        bool progressive = false);
 
-/// Returns a lossless WebP file of RGBA samples.
+/// Lossless, RGBA.
 std::vector<unsigned char> encode_webp(int width, int height, const std::vector<std::uint8_t>& samples);
 
 }  // namespace lippmann::test

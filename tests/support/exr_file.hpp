@@ -1,5 +1,4 @@
-// Writes OpenEXR files byte by byte. The files have uncompressed scan lines of floats, and any windows, channels and
-// attributes.
+// Writes OpenEXR files byte by byte: uncompressed scan lines of floats, with any windows, channels and attributes.
 #pragma once
 
 #include <array>
@@ -14,17 +13,17 @@
 namespace lippmann::test {
 
 struct ExrWindow {
-  std::int32_t left = 0, top = 0, right = 0, bottom = 0;  // `right` and `bottom` are the last column and row of the window
+  std::int32_t left = 0, top = 0, right = 0, bottom = 0;  // last column and row of the window
 };
 
 struct ExrPart {
   ExrWindow data, display;
-  /// Names and values of the channels, sorted by name as the format requires. The values cover the data window row by row.
+  /// Sorted by name, as the format requires. Values cover the data window row by row.
   std::vector<std::pair<std::string, std::vector<float>>> channels;
   float pixel_aspect = 1.0f;
   std::string attributes{};  ///< further attributes, encoded
-  std::string name{};        ///< name of the part; required in files with several parts
-  int chroma_sampling = 1;   ///< RY and BY have one sample for each block of this many columns and rows
+  std::string name{};        ///< name of the part; required with several parts
+  int chroma_sampling = 1;   ///< RY and BY have one sample per block of this many columns and rows
 };
 
 inline int exr_sampling(const ExrPart& part, const std::string& channel) {
@@ -54,7 +53,7 @@ inline std::string exr_header(const ExrPart& part, bool several) {
     channels += name;
     channels += '\0';
     const int sampling = exr_sampling(part, name);
-    // each channel: its sample type (2: float), whether its values are perceptually linear (0: no), and its sampling in x and y
+    // sample type (2: float), perceptually linear (0: no), sampling in x and y
     for (const std::int32_t word : {2, 0, sampling, sampling}) channels += bytes_of_value(word);
   }
   channels += '\0';

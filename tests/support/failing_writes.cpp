@@ -1,12 +1,11 @@
 // A library for LD_PRELOAD that makes system calls fail as on a full disk.
 //
 // LIPPMANN_FAIL_CALL selects the kind of call: write (to a regular file), open (for writing), rename, remove, mkdir, fsync or
-// allocate (memory). Call number LIPPMANN_FAIL_NUMBER of this kind fails. If LIPPMANN_FAIL_ALL is set, all later calls of the
-// kind fail too. After a failure, the file LIPPMANN_FAILED exists. Writes to pipes never fail, so the tests can read the
-// program's output.
+// allocate (memory). Call number LIPPMANN_FAIL_NUMBER fails, and with LIPPMANN_FAIL_ALL all later ones. After a failure, the
+// file LIPPMANN_FAILED exists. Writes to pipes never fail, so that tests can read the output.
 //
-// Allocations are counted from the start of main(), except within dlopen(). Before main() and within dlopen(), constructors of
-// libraries run, which cannot report a failure. For example, the constructor of libhwy, which video encoders use, aborts.
+// Allocations count from the start of main(), except within dlopen(), because constructors of libraries cannot report a
+// failure.
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -28,7 +27,7 @@ bool is_wanted(const char* call) {
   return std::strcmp(wanted ? wanted : "write", call) == 0;
 }
 
-/// Counts the call if it is of the selected kind, and returns whether it must fail.
+/// Counts calls of the selected kind, and returns whether this one must fail.
 bool fails(const char* call) {
   static std::atomic<long> calls{0};
   static const long failing = std::getenv("LIPPMANN_FAIL_NUMBER") ? std::atol(std::getenv("LIPPMANN_FAIL_NUMBER")) : 0;
@@ -83,7 +82,7 @@ Function* next(const char* name) {
 
 extern "C" {
 
-// The C library exports its allocator under these names, so that programs that replace malloc and so on can still call it.
+// Programs that replace malloc() call the C library's allocator by these names.
 void* __libc_malloc(size_t bytes);
 void* __libc_calloc(size_t count, size_t bytes);
 void* __libc_realloc(void* old, size_t bytes);

@@ -7,7 +7,7 @@
 
 namespace lippmann::test {
 
-/// Returns the bytes of the file, or an empty string if the file does not exist.
+/// Returns an empty string if the file does not exist.
 inline std::string file_bytes(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};

@@ -1,4 +1,3 @@
-// Reads all files of a folder into memory.
 #pragma once
 
 #include <filesystem>
@@ -10,9 +9,8 @@
 
 namespace lippmann::test {
 
-using Files = std::map<std::string, std::string>;  ///< contents of files by their names
+using Files = std::map<std::string, std::string>;  ///< contents by name
 
-/// Returns the files in the folder whose names end with `ending`.
 inline Files files_in(const std::filesystem::path& folder, std::string_view ending) {
   Files files;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
@@ -20,8 +18,7 @@ inline Files files_in(const std::filesystem::path& folder, std::string_view endi
   return files;
 }
 
-/// Returns all files below the folder. The keys are paths relative to the folder. Returns no files if the folder does not
-/// exist.
+/// All files below the folder, by relative path; none if it does not exist.
 inline Files all_files(const std::filesystem::path& folder) {
   Files files;
   if (!std::filesystem::exists(folder)) return files;
@@ -30,7 +27,7 @@ inline Files all_files(const std::filesystem::path& folder) {
   return files;
 }
 
-/// Returns the files below the folder except journals, report.json and job.toml, whose contents differ from run to run.
+/// Leaves out journals, report.json and job.toml, which differ from run to run.
 inline Files pictures_below(const std::filesystem::path& folder) {
   Files files = all_files(folder);
   std::erase_if(files, [](const auto& file) {

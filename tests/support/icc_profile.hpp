@@ -1,4 +1,3 @@
-// Makes small ICC profiles byte by byte.
 #pragma once
 
 #include <array>
@@ -13,12 +12,11 @@ using Primaries = std::array<std::array<double, 3>, 3>;
 inline constexpr Primaries kSrgbPrimaries{{{0.4361, 0.2225, 0.0139}, {0.3851, 0.7169, 0.0971}, {0.1431, 0.0606, 0.7139}}};
 inline constexpr Primaries kP3Primaries{{{0.5151, 0.2412, -0.0011}, {0.2920, 0.6922, 0.0419}, {0.1571, 0.0666, 0.7841}}};
 
-/// Returns an RGB profile with three primaries under D50 and a gamma. Its name is "Mine".
+/// An RGB profile called "Mine", with three primaries under D50 and a gamma.
 std::string profile_with(const Primaries& primaries, double gamma);
 
-/// Returns a CMYK profile of an imaginary press. Paper without ink is white, and any ink at full strength is black. From Lab,
-/// the press prints every colour as grey, with the share 1 - L* / 100 of black ink. Its tables have two nodes per channel, in
-/// 8-bit Lab.
+/// A CMYK profile of an imaginary press. Paper is white, and any ink at full strength is black. From Lab, every colour becomes
+/// grey, printed with 1 - L* / 100 of black ink. Its tables have two nodes per channel, in 8-bit Lab.
 std::string press_profile();
 
 }  // namespace lippmann::test

@@ -1,7 +1,7 @@
-// Compares a picture with a reference picture by three thresholds, and saves both pictures if they differ.
+// Compares a picture with a reference by three thresholds, and saves both if they differ.
 //
-// The comparison is for pictures without noise whose edges may move by rounding. Most pixels must agree closely, a given share
-// of pixels may differ, and no pixel may differ much. Needs lippmann::image.
+// This is for pictures without noise whose edges may move by rounding: most pixels must agree closely, a given fraction may
+// differ, and no pixel may differ much. Needs lippmann::image.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -16,15 +16,14 @@
 namespace lippmann::test {
 
 struct ImageTolerance {
-  int per_pixel = 0;     ///< largest difference of a pixel's channels in codes
-  double share = 0.0;    ///< share of pixels whose difference may exceed `per_pixel`
-  int hard_limit = 255;  ///< largest difference of any pixel in codes
+  int per_pixel = 0;     ///< largest difference of a channel, in codes
+  double share = 0.0;    ///< fraction of pixels that may exceed `per_pixel`
+  int hard_limit = 255;  ///< largest difference of any pixel, in codes
 };
 
 namespace detail {
 
-/// Creates and returns the folder for pictures of failed comparisons. It is a subfolder of $LIPPMANN_TEST_OUTPUT, or of
-/// test-failures in the current folder.
+/// Creates a folder for pictures of failed comparisons, in $LIPPMANN_TEST_OUTPUT or in test-failures in the current folder.
 inline std::filesystem::path evidence_folder() {
   const char* given = std::getenv("LIPPMANN_TEST_OUTPUT");
   const testing::TestInfo* info = testing::UnitTest::GetInstance()->current_test_info();
@@ -34,7 +33,7 @@ inline std::filesystem::path evidence_folder() {
   return folder;
 }
 
-/// Returns min(255, gain |a - b|) for each code. The result is black where the pictures agree.
+/// min(255, gain |a - b|) of each code.
 inline Image8 difference_picture(const Image8& a, const Image8& b, int gain) {
   Image8 difference = a;
   std::transform(a.rgb.begin(), a.rgb.end(), b.rgb.begin(), difference.rgb.begin(),
@@ -42,7 +41,7 @@ inline Image8 difference_picture(const Image8& a, const Image8& b, int gain) {
   return difference;
 }
 
-/// Writes the picture, the reference and their difference. Returns a message that states the folder.
+/// Writes picture, reference and difference. Returns a message that names the folder.
 inline std::string leave_evidence(const Image8& image, const Image8& reference) {
   const std::filesystem::path folder = evidence_folder();
   write_png(folder / "image.png", image);
@@ -59,8 +58,7 @@ inline int pixel_difference(const Image8& a, const Image8& b, std::size_t pixel)
 
 }  // namespace detail
 
-/// Returns whether the pictures agree within the tolerance. Example:
-/// EXPECT_TRUE(images_match(image, reference, {.per_pixel = 2, .share = 0.01, .hard_limit = 40}));
+/// Example: EXPECT_TRUE(images_match(image, reference, {.per_pixel = 2, .share = 0.01, .hard_limit = 40}));
 inline testing::AssertionResult images_match(const Image8& image, const Image8& reference,
                                              const ImageTolerance& tolerance = {}) {
   if (image.width != reference.width || image.height != reference.height)

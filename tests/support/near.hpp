@@ -1,4 +1,3 @@
-// Expects that two vectors are equal up to a tolerance for rounding.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Makes pictures from formulas, for tests that need pictures but no renderer.
+// Pictures from formulas, for tests without a renderer.
 #pragma once
 
 #include <cmath>
@@ -9,7 +9,7 @@
 
 namespace lippmann::test {
 
-/// Returns a picture of independent random codes, which cannot be compressed.
+/// Independent random codes, which cannot be compressed.
 inline Image8 noise_codes(int width, int height, std::uint32_t seed = 1) {
   Image8 image{width, height, {}};
   image.rgb.resize(std::size_t{3} * width * height);
@@ -17,7 +17,7 @@ inline Image8 noise_codes(int width, int height, std::uint32_t seed = 1) {
   return image;
 }
 
-/// Returns a picture of slow waves of colour. `phase` moves the waves.
+/// Slow waves of colour, which `phase` moves.
 inline Image8 smooth_codes(int width, int height, double phase = 0.0) {
   Image8 image{width, height, {}};
   for (int y = 0; y < height; ++y)
@@ -28,7 +28,7 @@ inline Image8 smooth_codes(int width, int height, double phase = 0.0) {
   return image;
 }
 
-/// Returns an image of random values from 0 up to but not including 1.
+/// Random values in [0, 1).
 inline Image noise_image(int width, int height, int channels, std::uint32_t seed = 1) {
   Image image(width, height, channels);
   for (std::size_t i = 0; i < image.data.size(); ++i) image.data[i] = unit_float(hash(seed, static_cast<std::uint32_t>(i)));

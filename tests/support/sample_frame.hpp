@@ -1,4 +1,3 @@
-// Makes a frame report with given figures, for tests that write reports.
 #pragma once
 
 #include "lippmann/frames/frame_report.hpp"

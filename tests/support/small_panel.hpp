@@ -1,4 +1,3 @@
-// Writes the display file of a small slanted panel, with a quilt of 4 x 2 views.
 #pragma once
 
 #include <filesystem>
@@ -6,8 +5,8 @@
 
 namespace lippmann::test {
 
-/// Writes the file of a panel of 48 x 64 pixels. Its lenses do not cover whole pixels. The last pixel column of its quilt
-/// belongs to no view.
+/// A slanted panel of 48 x 64 pixels, whose lenses do not cover whole pixels, with a quilt of 4 x 2 views. The last column of
+/// the quilt belongs to no view.
 inline void write_small_panel(const std::filesystem::path& file) {
   std::ofstream(file) << R"(description = "small"
 kind = "slanted-panel"

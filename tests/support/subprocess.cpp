@@ -23,7 +23,7 @@ std::array<int, 2> make_pipe() {
   return ends;
 }
 
-/// Called in the child process: replaces it by the program, or exits with 127 if this fails.
+/// Replaces the child process by the program, or exits with 127.
 [[noreturn]] void become(const std::vector<char*>& arguments, const RunOptions& options, int out, int err) {
   if (options.file_size_limit > 0) {
     const rlimit limit{options.file_size_limit, options.file_size_limit};
@@ -39,8 +39,7 @@ std::array<int, 2> make_pipe() {
 
 enum class Until { kLine, kEnd };
 
-/// Reads stdout and stderr into `result`. Returns when stdout contains a line (kLine), or when the program has closed both
-/// (kEnd).
+/// Reads stdout and stderr until stdout contains a line (kLine), or until both are closed (kEnd).
 void drain(int out, int err, Until until, RunResult& result) {
   std::array<pollfd, 2> ends{pollfd{out, POLLIN, 0}, pollfd{err, POLLIN, 0}};
   const std::array<std::string*, 2> texts{&result.out, &result.err};

@@ -1,4 +1,4 @@
-// Runs a program as a shell does. Its stdout and stderr are kept separately.
+// Runs a program as a shell does. Keeps stdout and stderr separately.
 #pragma once
 
 #include <sys/types.h>
@@ -10,17 +10,16 @@
 namespace lippmann::test {
 
 struct RunResult {
-  int exit_code = -1;  ///< 128 + n if signal n ended the program; 127 if the program could not be started
+  int exit_code = -1;  ///< 128 + n if signal n ended the program; 127 if it could not be started
   std::string out, err;
 };
 
 struct RunOptions {
-  std::string working_folder;       ///< if empty, the folder of this process
-  std::size_t file_size_limit = 0;  ///< in bytes; writing more fails as on a full disk; 0 means no limit
+  std::string working_folder;       ///< empty: the folder of this process
+  std::size_t file_size_limit = 0;  ///< in bytes; writing more fails as on a full disk; 0: no limit
 };
 
-/// A program that runs at the same time as the test. Its stdin is empty. The destructor kills the program if wait() was not
-/// called.
+/// Runs at the same time as the test, with an empty stdin. The destructor kills the program unless wait() was called.
 class Subprocess {
  public:
   explicit Subprocess(const std::vector<std::string>& command, const RunOptions& options = {});
@@ -29,7 +28,7 @@ class Subprocess {
   Subprocess& operator=(const Subprocess&) = delete;
 
   void signal(int number) const;
-  /// Waits until the program has printed a line on stdout or has closed stdout.
+  /// Waits until the program has printed a line on stdout or closed it.
   void wait_for_line();
   RunResult wait();
 
@@ -39,7 +38,6 @@ class Subprocess {
   int out_ = -1, err_ = -1;
 };
 
-/// Runs a program and waits for its end.
 RunResult run(const std::vector<std::string>& command, const RunOptions& options = {});
 
 }  // namespace lippmann::test

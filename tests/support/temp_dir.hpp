@@ -1,4 +1,4 @@
-// Makes a new folder. The destructor removes the folder with its contents.
+// Makes a new folder. The destructor removes it with its contents.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// Renders a triangle that is made in memory. Prints the version of the library and the colour in the middle of the picture.
+// Renders a triangle in memory. Prints the version of the library and the colour in the middle.
 #include <cstdio>
 #include <exception>
 #include <lippmann/lippmann.hpp>

@@ -1,5 +1,5 @@
-# Checks the example of docs/develop/add-an-optics-model.md. Applies parallel_view.patch to a copy of the sources, and
-# runs the test of the new model. If the patch does not apply or the page names other files, both must be updated.
+# Checks the example of docs/develop/add-an-optics-model.md: applies parallel_view.patch to a copy of the sources, and runs the
+# test of the new model.
 #   cmake -D SOURCE=... -D WORK=... -D CXX=... -D LAUNCHER=... -P check.cmake
 cmake_minimum_required(VERSION 3.25)
 
@@ -13,8 +13,7 @@ set(file ${CMAKE_CURRENT_LIST_DIR}/parallel_view.patch)
 execute_process(COMMAND ${patch} -p1 --forward --no-backup-if-mismatch -i ${file} WORKING_DIRECTORY ${tree}
   COMMAND_ERROR_IS_FATAL ANY)
 
-# The page must name each file that the patch changes. The page writes NAME instead of parallel_view. The patch leaves
-# out CHANGELOG.md.
+# The page must name each file of the patch, with NAME in place of parallel_view. The patch leaves out CHANGELOG.md.
 file(STRINGS ${file} touched REGEX "^\\+\\+\\+ b/")
 list(LENGTH touched count)
 if(count GREATER 6)
