@@ -1,5 +1,5 @@
-// Passes bytes to the readers of displays. Text that begins with '{' is a calibration in JSON. Other text is a display in TOML.
-// The readers must throw Error, or return a display whose optics pass validate() and can be written as JSON.
+// Reads text that begins with '{' as a calibration in JSON, and other text as a display in TOML. The readers must throw Error,
+// or return a display whose optics pass validate() and can be written as JSON.
 //
 // fuzz/display_seeds SEEDS && fuzz_display -dict=fuzz/display.dict CORPUS SEEDS; or scripts/fuzz display.
 #include <cstdlib>

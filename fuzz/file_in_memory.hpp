@@ -1,4 +1,4 @@
-// A file in memory with a path that readers can open. It holds one input at a time.
+// A file in memory with a path that readers can open.
 #pragma once
 
 #include <sys/mman.h>
@@ -20,7 +20,7 @@ class FileInMemory {
   FileInMemory(const FileInMemory&) = delete;
   FileInMemory& operator=(const FileInMemory&) = delete;
 
-  /// Replaces the content of the file, and returns its path.
+  /// Replaces the content, and returns the path.
   std::filesystem::path with(const unsigned char* data, std::size_t size) const {
     if (ftruncate(descriptor_, 0) != 0 || pwrite(descriptor_, data, size, 0) != static_cast<ssize_t>(size)) std::abort();
     return "/proc/self/fd/" + std::to_string(descriptor_);

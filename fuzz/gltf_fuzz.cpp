@@ -1,6 +1,5 @@
-// Passes bytes to the glTF reader. If the first byte is 'W', the other bytes are a whole .glb or .gltf file. Otherwise they
-// become the two chunks of a .glb file with correct lengths: JSON up to the first zero byte, and then binary data. Accepted
-// scenes must pass validate().
+// After a first byte 'W', the input is a whole .glb or .gltf file. Otherwise it becomes the two chunks of a .glb file: JSON up
+// to the first zero byte, and then binary data. Accepted scenes must pass validate().
 //
 // fuzz_gltf_seeds SEEDS && fuzz_gltf -dict=fuzz/gltf.dict CORPUS SEEDS
 #include <cstdint>
@@ -75,7 +74,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   } catch (const lippmann::Error&) {
     return 0;
   }
-  lippmann::validate(scene, "a.glb");  // not in the try block: an Error here is a defect of the reader and must stop the fuzzer
+  lippmann::validate(scene, "a.glb");  // not in the try block: an Error here is a defect of the reader
   for (const double time : {0.0, 0.37, 1e9}) {
     const lippmann::ResolvedScene resolved = lippmann::evaluate(scene, time);
     lippmann::finite_bounds(scene, resolved);

@@ -1,4 +1,4 @@
-// Writes seeds for fuzz_gltf to a folder. The small documents reach every part of the reader, in both forms of input.
+// Writes seeds for fuzz_gltf: small documents that reach every part of the reader.
 #include <draco/compression/encode.h>
 #include <draco/mesh/triangle_soup_mesh_builder.h>
 #include <meshoptimizer.h>
@@ -122,7 +122,7 @@ GltfBuilder lights_and_cameras() {
   return b;
 }
 
-/// Returns a triangle that is compressed with meshoptimizer and used by two nodes.
+/// A triangle that meshoptimizer compressed, used by two nodes.
 GltfBuilder packed_by_meshopt() {
   GltfBuilder b;
   const std::vector<Vec3f> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
@@ -142,7 +142,6 @@ GltfBuilder packed_by_meshopt() {
   return b;
 }
 
-/// Returns a triangle that is compressed with Draco.
 GltfBuilder packed_by_draco(int method) {
   draco::TriangleSoupMeshBuilder builder;
   builder.Start(1);
@@ -182,7 +181,7 @@ GltfBuilder splats() {
   return b;
 }
 
-/// Returns a JSON file whose buffer is a data URI. It contains the triangle (0, 0, 0), (1, 0, 0), (0, 1, 0).
+/// A JSON file whose buffer is a data URI with the triangle (0, 0, 0), (1, 0, 0), (0, 1, 0).
 std::string data_uri() {
   GltfBuilder b;
   b.add_node({{"mesh", b.add_triangle()}});

@@ -1,5 +1,5 @@
-// Passes bytes to the reader of IES photometric files. It must throw Error, or return a light distribution that is finite and
-// not negative in every direction.
+// The reader of IES photometric files must throw Error, or return a light distribution that is finite and not negative in every
+// direction.
 //
 // fuzz/ies_seeds SEEDS && fuzz_ies -dict=fuzz/ies.dict CORPUS SEEDS; or scripts/fuzz ies.
 #include <cmath>

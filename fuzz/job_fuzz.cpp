@@ -1,5 +1,5 @@
-// Passes bytes to the reader of job files. It must throw Error, or return parameters that stay the same when they are written
-// to a job file and read again.
+// The reader of job files must throw Error, or return parameters that stay the same when they are written to a job file and
+// read again.
 //
 // fuzz/job_seeds SEEDS && fuzz_job -dict=fuzz/job.dict CORPUS SEEDS; or scripts/fuzz job.
 #include <cstdlib>
@@ -13,7 +13,7 @@ using namespace lippmann;
 
 namespace {
 
-/// Reads a job file and returns it as text again. Paths are relative to the folder of the input file. Throws Error.
+/// Returns the job file as text again. Paths are relative to the folder of the input file. Throws Error.
 std::string read(const std::filesystem::path& file) {
   RenderParams params;
   read_job(file, params);

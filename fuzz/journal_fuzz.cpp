@@ -1,5 +1,5 @@
-// Passes bytes to the reader of journals. Every file in the result must be inside the journal's folder, every number must be in
-// its range, and it must be possible to write the result again.
+// Every file in a journal that was read must be inside its folder, and every number in its range. Writing it again must be
+// possible.
 //
 // fuzz/journal_seeds SEEDS && fuzz_journal -dict=fuzz/journal.dict CORPUS SEEDS; or scripts/fuzz journal.
 #include <cstdlib>

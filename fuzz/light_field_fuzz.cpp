@@ -1,5 +1,5 @@
-// Passes bytes to the readers of light field metadata and pictures that this project implements itself. The reader must throw
-// Error, or return a result that stays the same when it is written and read again. The first byte selects the reader:
+// A reader of this project for light field metadata or pictures must throw Error, or return a result that stays the same when
+// it is written and read again. The first byte selects the reader:
 //   'h' HCI's parameters.cfg
 //   'H' attributes of HCI's HDF5 files
 //   'v' cvkit's NAME_param.txt
@@ -62,7 +62,7 @@ void hci(const std::string& text) {
   require(hci_parameters_text(parse_hci_parameters(again, "a")) == again);
 }
 
-/// Passes numbers as HDF5 attributes, without a file. Files are read by the HDF5 library, which is not tested here.
+/// Passes numbers as HDF5 attributes, without the HDF5 library.
 void hdf5_cameras(std::span<const std::byte> numbers) {
   constexpr std::array kNames{"dH", "dV", "focalLength", "shift"};
   std::map<std::string, double> attributes;
@@ -99,7 +99,7 @@ void miv(const std::string& text) {
   require(miv_cameras_text(parse_miv_cameras(again, "a"), "a", true) == again);
 }
 
-/// Adds missing values to the cameras, so that they can be written, and then writes and reads them.
+/// Adds the values that writing requires, and then writes and reads the cameras.
 void transforms(const std::string& text) {
   std::vector<PosedPicture> pictures = parse_transforms(text, "a");
   for (PosedPicture& picture : pictures) {
@@ -136,7 +136,7 @@ void llff(std::span<const std::byte> file) {
 
 void npy(std::span<const std::byte> file) {
   const NpyArray array = parse_npy(file, "a");
-  if (array.shape.empty()) return;  // a single number without dimensions cannot be written as an array
+  if (array.shape.empty()) return;  // a number without dimensions cannot be written as an array
   const NpyArray again = parse_npy(encode_npy(std::span<const double>(array.values), array.shape), "a");
   require(again.shape == array.shape && again.values.size() == array.values.size());
   for (std::size_t i = 0; i < array.values.size(); ++i)

@@ -1,4 +1,4 @@
-// Passes bytes to the NFF reader. It must throw Error, or return a scene that passes validate().
+// The NFF reader must throw Error, or return a scene that passes validate().
 //
 // fuzz/nff_seeds SEEDS && fuzz_nff -dict=fuzz/nff.dict CORPUS SEEDS; or scripts/fuzz nff.
 #include <cstdlib>

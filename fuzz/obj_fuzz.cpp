@@ -1,4 +1,4 @@
-// Passes bytes to the OBJ reader. It must throw Error, or return a scene that passes validate().
+// The OBJ reader must throw Error, or return a scene that passes validate().
 //
 // The bytes before the first zero byte are the scene. The bytes after it are the material file a.mtl. The folder also contains
 // a texture, a.ppm.
@@ -22,7 +22,6 @@ namespace fs = std::filesystem;
 
 void write(const fs::path& file, const std::string& contents) { std::ofstream(file, std::ios::binary) << contents; }
 
-/// A temporary folder for the files of this process.
 class Folder {
  public:
   Folder() : folder_((fs::temp_directory_path() / "lippmann-fuzz-XXXXXX").string()) {

@@ -1,5 +1,4 @@
-// Passes bytes to the readers of pictures. They must throw Error, or return as many samples as the header of the picture
-// states.
+// The readers of pictures must throw Error, or return as many samples as the header states.
 //
 // fuzz_picture_seeds SEEDS && fuzz_picture -dict=fuzz/picture.dict CORPUS SEEDS; or scripts/fuzz picture.
 #include <cstdlib>
@@ -12,7 +11,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
   using namespace lippmann;
   const FileBytes file = std::as_bytes(std::span(data, size));
-  if (is_heic(file)) return 0;  // HEIC files are read by libheif, which has its own fuzzers
+  if (is_heic(file)) return 0;  // libheif has its own fuzzers
   try {
     const DecodedPicture picture = decode_picture(file, "picture");
     const PictureHeader& header = picture.header;

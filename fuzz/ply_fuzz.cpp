@@ -1,4 +1,4 @@
-// Passes bytes to the PLY reader. It must throw Error, or return a scene that passes validate().
+// The PLY reader must throw Error, or return a scene that passes validate().
 //
 // fuzz/ply_seeds SEEDS && fuzz_ply -dict=fuzz/ply.dict CORPUS SEEDS; or scripts/fuzz ply.
 #include <cstdlib>

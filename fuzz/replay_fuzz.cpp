@@ -1,5 +1,5 @@
-// Passes bytes to the reader of the optics in report.json. It must throw Error, or return valid optics. With these optics, a
-// panel of a few pixels must support eye views from anywhere, the viewing zone, refocusing and conversions.
+// The reader of the optics in report.json must throw Error, or return valid optics, with which eye views, refocusing and
+// conversions of a small panel must not fail.
 //
 // fuzz/replay_seeds SEEDS && fuzz_replay -dict=fuzz/replay.dict CORPUS SEEDS; or scripts/fuzz replay.
 #include <cmath>
@@ -38,7 +38,7 @@ void look(const RenderedPanel& rendered) {
     const double share = share_out_of_zone(rendered.optics, viewer_at(at));
     if (!(share >= 0.0 && share <= 1.0)) std::abort();
   }
-  // pictures of slanted panels, whose samples are sub-pixels, cannot be refocused
+  // slanted panels, whose samples are sub-pixels, cannot be refocused
   if (sub_pixels_per_pixel(rendered.optics) > 1) return;
   for (const double z : {-1e3, 0.0, 7.0}) {
     try {

@@ -1,6 +1,5 @@
-// Fuzzes the HTML page of figures. The bytes are read as a report.json, and as the result of a benchmark. Making the page must
-// throw Error, or give a page into which no name in the input has injected a script, a picture or a link. The page has one
-// script of its own, and data for this script.
+// The bytes are a report.json, and the result of a benchmark. Making an HTML page of it must throw Error, or give a page into
+// which the input has injected no script, picture or link.
 //
 // fuzz/report_seeds SEEDS && fuzz_report -dict=fuzz/report.dict CORPUS SEEDS; or scripts/fuzz report.
 #include <cstdlib>

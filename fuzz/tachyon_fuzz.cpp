@@ -1,4 +1,4 @@
-// Passes bytes to the Tachyon reader. It must throw Error, or return a scene that passes validate().
+// The Tachyon reader must throw Error, or return a scene that passes validate().
 //
 // The bytes before the first zero byte are the scene. The bytes after it are its camera path. The folder also contains a file
 // of every kind that a scene can refer to.
@@ -22,7 +22,6 @@ namespace fs = std::filesystem;
 
 void write(const fs::path& file, const std::string& contents) { std::ofstream(file, std::ios::binary) << contents; }
 
-/// A temporary folder for the files that scenes refer to.
 class SideFiles {
  public:
   SideFiles() : folder_((fs::temp_directory_path() / "lippmann-fuzz-XXXXXX").string()) {

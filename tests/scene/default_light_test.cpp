@@ -68,7 +68,7 @@ TEST(OwnLight, of_phong_scenes_is_what_paths_find) {
   EXPECT_EQ(own_light(scene_of(backdrop)), OwnLight::kNotNeeded);
 }
 
-/// Returns a scene of two triangles: one of area 50 with the default surface, and one of area 0.5 with `surface`.
+/// A triangle of area 50 with the default surface, and one of area 0.5 with `surface`.
 Scene large_and_small(const MetallicRoughness& surface) {
   Scene scene;
   scene.materials = {{"", MetallicRoughness{}}, {"", surface}};
@@ -116,9 +116,9 @@ TEST(DefaultLight, comes_from_above_left_of_the_viewer) {
   Scene scene = scene_of(MetallicRoughness{});
   add_default_light(scene);
   const Vec3f direction = glm::inverse(default_view()) * direction_of_light(scene);  // in the viewer's frame
-  EXPECT_GT(direction.x, 0.0f);                                                      // towards the right
-  EXPECT_LT(direction.y, 0.0f);                                                      // down
-  EXPECT_LT(direction.z, 0.0f);                                                      // away from the viewer
+  EXPECT_GT(direction.x, 0.0f);
+  EXPECT_LT(direction.y, 0.0f);
+  EXPECT_LT(direction.z, 0.0f);
   EXPECT_GT(scene.background.horizon.x, 0.0f);
   EXPECT_NO_THROW(validate(scene, "scene"));
 }
@@ -141,8 +141,8 @@ TEST(DefaultLight, comes_from_above_left_of_the_camera) {
   scene.cameras.emplace_back().node = 0;
   add_default_light(scene);
   const Vec3f direction = direction_of_light(scene);
-  EXPECT_LT(direction.x, 0.0f);  // away from the viewer
-  EXPECT_LT(direction.y, 0.0f);  // down
+  EXPECT_LT(direction.x, 0.0f);
+  EXPECT_LT(direction.y, 0.0f);
   EXPECT_LT(direction.z, 0.0f);  // to the right, which is -z for this viewer
 }
 

@@ -1,4 +1,3 @@
-// Tests the vertices of skinned and morphed meshes against values calculated by hand.
 #include "scene/deform.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +9,7 @@
 namespace lippmann {
 namespace {
 
-/// A few rounding errors of floats of about 10.
+/// a few rounding errors of floats of about 10
 constexpr float kRounding = 1e-5f;
 
 void expect_near(Vec3f actual, Vec3f expected) {
@@ -19,7 +18,7 @@ void expect_near(Vec3f actual, Vec3f expected) {
 
 Quatf quarter_about_z() { return {std::sqrt(0.5f), 0, 0, std::sqrt(0.5f)}; }
 
-/// Returns a scene of one triangle (0, 0, 0), (1, 0, 0), (0, 1, 0) at node 0. It faces +z, and its tangents point along x.
+/// Triangle (0, 0, 0), (1, 0, 0), (0, 1, 0) at node 0. It faces +z, and its tangents point along x.
 Scene triangle() {
   Scene scene;
   scene.nodes.resize(1);
@@ -37,8 +36,8 @@ Scene triangle() {
 
 Mesh& mesh_of(Scene& scene) { return std::get<Mesh>(scene.shapes[0]); }
 
-/// Returns the triangle with two morph targets of the weights `lift` and `move`. The first target adds (0, 0, 2) to vertex 1
-/// and (1, 0, 0) to its normal. The second target adds (3, 0, 0) to vertex 2.
+/// The first morph target adds (0, 0, 2) to vertex 1 and (1, 0, 0) to its normal. The second adds (3, 0, 0) to vertex 2. `lift`
+/// and `move` are their weights.
 Scene morphing(float lift, float move) {
   Scene scene = triangle();
   mesh_of(scene).targets = {{{{0, 0, 0}, {0, 0, 2}, {0, 0, 0}}, {{0, 0, 0}, {1, 0, 0}, {0, 0, 0}}, {}},
@@ -47,9 +46,8 @@ Scene morphing(float lift, float move) {
   return scene;
 }
 
-/// Returns the triangle with a skin of two joints. Joint 0 is node 1, which translates by (10, 0, 0). Joint 1 is node 2, which
-/// rotates x to y; its inverse bind matrix translates by (0, 0, 1). Vertex 0 follows joint 0, vertex 1 follows joint 1, and
-/// vertex 2 follows both equally.
+/// Joint 0 (node 1) translates by (10, 0, 0). Joint 1 (node 2) rotates x to y; its inverse bind matrix translates by (0, 0, 1).
+/// Vertices 0 and 1 follow joints 0 and 1, and vertex 2 follows both equally.
 Scene skinned() {
   Scene scene = triangle();
   scene.nodes.resize(3);
@@ -83,7 +81,7 @@ TEST(MeshPose, skin_follows_joints_only) {
   const Scene scene = skinned();
   expect_near(vertex_of(scene, 0).position, {10, 0, 0});
   expect_near(vertex_of(scene, 1).position, {0, 1, 1});  // (1, 0, 0) + (0, 0, 1) = (1, 0, 1), rotated: (0, 1, 1)
-  // Vertex 2 at (0, 1, 0): joint 0 moves it to (10, 1, 0), joint 1 to (-1, 0, 1). The result is the mean.
+  // Joint 0 moves vertex 2 at (0, 1, 0) to (10, 1, 0), joint 1 to (-1, 0, 1). The result is the mean.
   expect_near(vertex_of(scene, 2).position, {4.5f, 0.5f, 0.5f});
   expect_near(vertex_of(scene, 1).normal, {0, 0, 1});
   expect_near(Vec3f(vertex_of(scene, 1).tangent), {0, 1, 0});
@@ -94,8 +92,7 @@ TEST(MeshPose, morph_comes_before_the_skin) {
   Scene scene = skinned();
   mesh_of(scene).targets = {{{{0, 0, 0}, {1, 0, 0}, {0, 0, 0}}, {}, {}}};
   scene.nodes[0].morph_weights = {3.0f};
-  // The target moves (1, 0, 0) to (4, 0, 0). The inverse bind matrix moves this to (4, 0, 1). The joint rotates it to
-  // (0, 4, 1).
+  // The target moves (1, 0, 0) to (4, 0, 0), the inverse bind matrix to (4, 0, 1), the joint to (0, 4, 1).
   expect_near(vertex_of(scene, 1).position, {0, 4, 1});
 }
 
@@ -118,7 +115,7 @@ TEST(MeshPose, mirrored_normals_follow_the_order_of_corners) {
   scene.nodes[0].local.scale = {-1, 1, 1};
   const ResolvedScene resolved = evaluate(scene, 0.0);
   EXPECT_TRUE(MeshPose(scene, scene.instances[0], resolved).mirrors());
-  // After mirroring, the corners (0, 0), (-1, 0), (0, 1) are counter-clockwise as seen from -z.
+  // After mirroring, (0, 0), (-1, 0), (0, 1) are counter-clockwise as seen from -z.
   expect_near(vertex_of(scene, 0).normal, {0, 0, -1});
 }
 
@@ -129,8 +126,6 @@ TEST(MeshPose, clamps_huge_coordinates) {
   mesh_of(scene).positions[0] = {100, -100, 0};
   EXPECT_EQ(vertex_of(scene, 0).position, Vec3f(MeshPose::kReach, -MeshPose::kReach, 0.0f));
 }
-
-// ---- Over time ------------------------------------------------------------------------------------------------------
 
 NodeAnimation weights(Interpolation interpolation, std::vector<float> values) {
   NodeAnimation animation;

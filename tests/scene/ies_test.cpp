@@ -1,4 +1,3 @@
-// Tests photometric files (IES LM-63): conversion to PhotometricWeb, and errors for invalid files.
 #include "scene/ies.hpp"
 
 #include <fmt/core.h>
@@ -17,19 +16,18 @@ namespace {
 using test::error_message;
 using testing::HasSubstr;
 
-/// Returns the text of a photometric file. `counts` contains the numbers of vertical and horizontal angles. `rest` is the text
-/// after the ballast line.
+/// `counts` has the numbers of vertical and horizontal angles. `rest` follows the ballast line.
 std::string ies(int type, const std::string& counts, const std::string& rest, const std::string& multiplier = "1") {
   return fmt::format("IESNA:LM-63-2002\n[TEST] 1\nTILT=NONE\n1 1000 {} {} {} 2 0 0 0\n1 1 50\n{}\n", multiplier, counts, type,
                      rest);
 }
 
-/// Returns the intensity of a profile in candela. `direction` is in the light's frame.
+/// Intensity in candela. `direction` is in the light's frame.
 float candelas(const IesProfile& profile, Vec3f direction) {
   return profile.mean_candela * intensity(profile.web, glm::normalize(direction));
 }
 
-/// Returns the direction of a vertical and a horizontal angle of type C. The angles are in degrees.
+/// Direction of a vertical and a horizontal angle of type C, in degrees.
 Vec3f type_c(float vertical, float horizontal) {
   const float v = radians(vertical), h = radians(horizontal);
   return {std::sin(v) * std::cos(h), std::sin(v) * std::sin(h), -std::cos(v)};
@@ -45,8 +43,8 @@ TEST(Ies, one_horizontal_angle_is_alike_all_around) {
   EXPECT_EQ(candelas(p, type_c(91, 10)), 0.0f) << "above what was measured";
 }
 
-// A uniform intensity of I candela over the sphere has a flux of 4 pi I lumens. Over one hemisphere, the flux is 2 pi I lumens.
-// The mean intensity is flux / (4 pi): I for the sphere, I / 2 for the hemisphere.
+// A uniform intensity of I candela has a flux of 4 pi I lumens over the sphere, and 2 pi I over a hemisphere. The mean
+// intensity is flux / (4 pi): I or I / 2.
 TEST(Ies, the_mean_is_that_of_the_flux) {
   EXPECT_NEAR(parse_ies("a.ies", ies(1, "2 1", "0 180\n0\n50 50")).mean_candela, 50.0f, 1e-3f);
   EXPECT_NEAR(parse_ies("a.ies", ies(1, "2 1", "0 90\n0\n50 50")).mean_candela, 25.0f, 1e-3f);
@@ -55,8 +53,8 @@ TEST(Ies, the_mean_is_that_of_the_flux) {
   EXPECT_NEAR(parse_ies("a.ies", ies(3, "2 2", "-90 90\n-90 90\n50 50 50 50")).mean_candela, 25.0f, 1e-3f);
 }
 
-// The intensity I cos(theta) over a hemisphere has a flux of pi I, so the mean is I / 4 = 800 / 4. The tolerance allows for the
-// linear interpolation of the cosine in steps of a degree.
+// The intensity I cos(theta) over a hemisphere has a flux of pi I, so the mean is I / 4 = 800 / 4. The tolerance covers linear
+// interpolation of the cosine in steps of a degree.
 TEST(Ies, lambertian_mean_is_a_quarter_of_peak) {
   std::string angles, values;
   for (int v = 0; v <= 90; ++v) angles += fmt::format("{} ", v), values += fmt::format("{} ", 800.0 * std::cos(v * M_PI / 180));
@@ -85,8 +83,7 @@ TEST(Ies, a_circle_that_ends_early_is_closed) {
   EXPECT_NEAR(candelas(p, type_c(90, 315)), 25.0f, 0.01f);
 }
 
-// For both types, horizontal angles grow towards +x, and vertical angles towards +y. They differ in the polar axis: x for type
-// B, y for type A.
+// Horizontal angles grow towards +x, vertical angles towards +y. The polar axis is x for type B, and y for type A.
 TEST(Ies, types_a_b_point_along_minus_z) {
   const std::string rest = "-90 0 90\n-90 0 90\n0 1 2  3 40 5  6 7 8";
   for (const int type : {2, 3}) {

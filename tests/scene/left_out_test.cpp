@@ -1,5 +1,4 @@
-// Gives every importer unknown properties, elements, extensions and keywords. The importer must throw or warn, and the message
-// must contain the unknown name.
+// Every importer meets unknown properties, elements, extensions and keywords. It must throw or warn, and name them.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -15,9 +14,9 @@ namespace lippmann {
 namespace {
 
 struct UnknownThing {
-  std::string name;                                           ///< name of the test
+  std::string name;
   std::string scene;                                          ///< name of the scene file
-  std::string text;                                           ///< contents of the scene file
+  std::string text;                                           ///< its contents
   std::string met = "frog";                                   ///< unknown name, which the message must contain
   std::vector<std::pair<std::string, std::string>> beside{};  ///< names and contents of other files
 };
@@ -47,8 +46,6 @@ TEST_P(Unknown, named_by_an_error_or_warning) {
   EXPECT_THAT(messages, testing::Contains(testing::HasSubstr(GetParam().met)));
 }
 
-// ---- PLY ----
-
 std::string ply(const std::string& vertex, const std::string& face, const std::string& more = {}, const std::string& v = {},
                 const std::string& f = {}, const std::string& m = {}) {
   std::string text = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n" +
@@ -66,9 +63,7 @@ std::string splat_ply(const std::string& property, const std::string& element, c
   return text + property + element + "end_header\n0 0 0 0 0 0 0 0 0 0 1 0 0 0 " + value + "\n" + row;
 }
 
-// ---- glTF ----
-
-/// Returns a glTF file with one triangle. Its accessor has no buffer view, so all vertices are zero.
+/// The accessor has no buffer view, so all vertices are zero.
 std::string gltf(const std::string& root, const std::string& primitive = {}, const std::string& attributes = {},
                  const std::string& material = {}) {
   return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"materials":[{)" + material +
@@ -85,8 +80,6 @@ std::string lamp(const std::string& file) {
 std::string ies(const std::string& keyword, const std::string& tilt = "TILT=NONE\n", const std::string& end = {}) {
   return "IESNA:LM-63-2002\n[TEST] 1\n[_MINE] 2\n" + keyword + tilt + "1 1000 1 2 1 1 2 0 0 0\n1 1 50\n0 90\n0\n100 50\n" + end;
 }
-
-// ---- Tachyon ----
 
 std::string dat(const std::string& statements, const std::string& camera = {}) {
   return "BEGIN_SCENE RESOLUTION 4 4 CAMERA " + camera +
@@ -157,7 +150,7 @@ const UnknownThing kThings[] = {
 
 INSTANTIATE_TEST_SUITE_P(All, Unknown, testing::ValuesIn(kThings), [](const auto& thing) { return thing.param.name; });
 
-/// Tests common contents that must not cause a warning.
+/// Common contents must not cause a warning.
 TEST(LeftOut, usual_files_warn_of_nothing) {
   const test::TempDir dir;
   std::ofstream(dir / "a.mtl") << "newmtl m\nKa 1 1 1\nKd 1 0 0\nKs 0.5 0.5 0.5\nNs 10\nNi 1.5\nd 1\nillum 2\n";

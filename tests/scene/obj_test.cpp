@@ -41,7 +41,7 @@ class Obj : public testing::Test {
     return "no error";
   }
 
-  /// Returns the surface of a triangle whose material has the given .mtl statements.
+  /// Surface of a triangle whose material has these .mtl statements.
   MetallicRoughness surface_of(const std::string& statements) {
     write("a.mtl", "newmtl the one\n" + statements + "\n");
     const Scene scene = load("mtllib a.mtl\n" + kTriangle + "usemtl the one\nf 1 2 3\n");
@@ -80,7 +80,7 @@ TEST_F(Obj, triangulates_concave_faces) {
 }
 
 TEST_F(Obj, accepts_utf_16_and_byte_order_marks) {
-  const std::string text = kTriangle + "o \xc3\xa9\nf 1 2 3\n";  // U+00E9, an e with an acute accent, in UTF-8
+  const std::string text = kTriangle + "o \xc3\xa9\nf 1 2 3\n";  // e with an acute accent (U+00E9) in UTF-8
   const auto utf16 = [&](bool low_first) {
     std::string wide;
     for (const char c : kTriangle + "o \xe9\nf 1 2 3\n") wide += low_first ? std::string{c, '\0'} : std::string{'\0', c};
@@ -133,7 +133,7 @@ TEST_F(Obj, material_becomes_a_physical_surface) {
   const MetallicRoughness s = surface_of("Kd 0.1 0.2 0.3\nKe 4 5 6\nNs 30\nNi 1.4\nd 0.25\nillum 2\nKa 1 1 1");
   EXPECT_EQ(s.base_color, Vec4f(0.1f, 0.2f, 0.3f, 0.25f));
   EXPECT_EQ(s.emissive, Vec3f(4, 5, 6));
-  // Ns = 30: alpha^2 = 2 / (30 + 2) = 1/16, and the roughness is sqrt(alpha) = 1/2.
+  // Ns = 30: alpha^2 = 2 / (30 + 2) = 1/16, and the roughness is sqrt(alpha) = 1/2
   EXPECT_FLOAT_EQ(s.roughness, 0.5f);
   EXPECT_EQ(s.ior, 1.4f);
   EXPECT_TRUE(s.blend);

@@ -1,4 +1,4 @@
-// Tests scenes that are far from the origin of their coordinates, for example in map coordinates.
+// Scenes that are far from the origin, for example in map coordinates.
 #include "lippmann/scene/origin.hpp"
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@
 namespace lippmann {
 namespace {
 
-/// A point in map coordinates. Floats of this size have a spacing of half a unit.
+/// floats of this size have a spacing of half a unit
 const Vec3d kPlace(4512345.125, 320.5, -5400000.25);
 
 std::string text_of(Vec3d p) { return fmt::format("{} {} {}", p.x, p.y, p.z); }
@@ -35,15 +35,15 @@ class FarScene : public testing::Test {
   test::TempDir folder_;
 };
 
-/// Returns a point of the scene in the coordinates of the file.
+/// In the coordinates of the file.
 Vec3d in_file(const Scene& scene, Vec3f p) { return scene.origin + Vec3d(p); }
 
 void expect_near(Vec3d a, Vec3d b, double tolerance) {
   EXPECT_LE(glm::length(a - b), tolerance) << text_of(a) << " and " << text_of(b);
 }
 
-/// Tolerance: coordinates below 16 have rounding errors of at most 2^-21. Points of two scenes then differ by at most
-/// sqrt(3) * 2 * 2^-21 = 1.7e-6.
+/// Coordinates below 16 have rounding errors of at most 2^-21, so points of two scenes differ by at most sqrt(3) * 2 * 2^-21 =
+/// 1.7e-6.
 constexpr double kOriginRounding = 2e-6;
 
 const std::vector<Vec3d> kCorners{{0.1, 0.2, 0.3}, {1.1, 0.2, 0.3}, {0.1, 1.3, 0.3}, {0.7, 0.9, -0.4}};
@@ -54,7 +54,7 @@ std::string obj_at(Vec3d place) {
   return text + "f 1 2 3\nf 1 2 4\n";
 }
 
-/// Returns a file of one splat at place + kCorners[0]. In the file, z points up if `z_up` is true, and -y otherwise.
+/// One splat at place + kCorners[0]. In the file, z points up, or -y without `z_up`.
 std::string splat_at(Vec3d place, bool z_up) {
   const Vec3d at = place + kCorners[0], in_file = z_up ? Vec3d(at.x, -at.z, at.y) : Vec3d(at.x, -at.y, -at.z);
   return fmt::format(
@@ -145,7 +145,7 @@ TEST_F(FarScene, warnings_are_given_once) {
 
 TEST_F(FarScene, near_scenes_keep_their_origin) {
   for (const double away : {0.0, 10.0, 60.0}) EXPECT_EQ(load("a.obj", obj_at(Vec3d(away, 0, 0))).origin, Vec3d(0.0)) << away;
-  // The diagonal of the corners' bounds is 1.66 units. The limit is 64 diagonals = 106 units.
+  // The diagonal of the corners' bounds is 1.66 units, and the limit 64 diagonals = 106 units.
   EXPECT_NE(load("a.obj", obj_at(Vec3d(120.0, 0, 0))).origin, Vec3d(0.0));
 }
 
@@ -153,10 +153,8 @@ TEST_F(FarScene, origin_is_part_of_the_fingerprint) {
   EXPECT_NE(fingerprint(load("a.obj", obj_at(kPlace))), fingerprint(load("b.obj", obj_at(kPlace + Vec3d(1024.0, 0, 0)))));
 }
 
-// ---- Scenes in memory ---------------------------------------------------------------------------------------------------
-
-/// Returns a scene in map coordinates with two instances of a mesh, a sphere, a camera and two lights. Node 1, which shows the
-/// mesh, has a parent that rotates and scales.
+/// Two instances of a mesh, a sphere, a camera and two lights. Node 1, which shows the mesh, has a parent that rotates and
+/// scales.
 Scene scene_on_a_map() {
   Scene scene;
   const Vec3f far(kPlace);
@@ -201,7 +199,7 @@ TEST(Origin, meshes_below_nodes_are_not_rounded) {
   move_near_origin(scene);
   const ResolvedScene rest = evaluate(scene, 0.0);
   const Bounds3f below = finite_bounds(scene, scene.instances[0], rest), at = finite_bounds(scene, scene.instances[1], rest);
-  // The mesh at node 1 is scaled by 0.5 * 2 and rotated by 90 degrees about x. Its size of 1 x 1 is then along x and z.
+  // The mesh at node 1 is scaled by 0.5 * 2 and rotated by 90 degrees about x, so its size of 1 x 1 is along x and z.
   expect_near(Vec3d(below.size()), Vec3d(1, 0, 1), kOriginRounding);
   expect_near(Vec3d(at.size()), Vec3d(1, 1, 0), kOriginRounding);
   expect_near(Vec3d(below.lower), Vec3d(at.lower), 1e-5);
@@ -260,7 +258,7 @@ TEST(Origin, shape_of_several_nodes_is_copied) {
   expect_near(middle(4), middle(2), kOriginRounding);
 }
 
-/// Adds a box with sides of length `size` at the position `x` on the x axis.
+/// A box with sides of length `size`, at `x` on the x axis.
 void add_box(Scene& scene, float size, float x) {
   scene.nodes.emplace_back().local.translation = {x, 0, 0};
   scene.instances.push_back({"box", static_cast<int>(scene.shapes.size()), 0, static_cast<int>(scene.nodes.size()) - 1});

@@ -1,4 +1,3 @@
-// Tests PLY files of splats (3D Gaussians).
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -21,14 +20,14 @@ namespace {
 using test::TempDir;
 using ::testing::HasSubstr;
 
-/// A file in the usual layout of splats, one row per splat.
+/// The usual layout of splats, one row per splat.
 struct SplatFile {
   std::vector<std::string> properties = {"x",       "y",      "z",      "nx",      "ny",      "nz",
                                          "f_dc_0",  "f_dc_1", "f_dc_2", "opacity", "scale_0", "scale_1",
                                          "scale_2", "rot_0",  "rot_1",  "rot_2",   "rot_3"};
   std::vector<std::vector<float>> rows = {{1, 2, 3, 0, 0, 0, 0.5f, 0.25f, -0.5f, 0, -1, -2, -3, 2, 0, 0, 0}};
   std::string format = "binary_little_endian", type = "float";
-  int claimed = -1;  ///< number of rows that the header states; -1: the actual number
+  int claimed = -1;  ///< number of rows in the header; -1: the actual number
 
   void with_rest(int count) {
     for (int k = 0; k < count; ++k) {
@@ -121,7 +120,7 @@ TEST(PlySplats, opacities_without_end_are_opaque_or_nothing) {
   EXPECT_EQ(splats(scene).opacities, (std::vector<float>{1.0f, 0.0f}));
 }
 
-/// Returns a text file of one splat. `properties` are additional properties of any type, and `row` contains their values.
+/// A text file of one splat, with additional properties and their values in `row`.
 std::string text_splats(const std::string& properties, const std::string& row) {
   return "ply\nformat ascii 1.0\nelement camera 1\nproperty float f\nelement vertex 1\nproperty float x\nproperty float y\n"
          "property double z\nproperty float opacity\n" +

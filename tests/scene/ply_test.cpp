@@ -37,7 +37,7 @@ std::string header(const std::string& format, const std::string& more = {}) {
          "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
 }
 
-/// Returns the bytes of the vertices (0, 0, 0), (2, 0, 0), (0, 2, 0) and of their face. The float 2 has the bytes 40 00 00 00.
+/// The vertices (0, 0, 0), (2, 0, 0), (0, 2, 0) and their face. The float 2 has the bytes 40 00 00 00.
 std::string binary_triangle(bool big_endian) {
   std::string bytes;
   const auto add = [&](std::string value) {
@@ -125,7 +125,7 @@ TEST(Ply, other_elements_are_left_out) {
   EXPECT_EQ(mesh(scene).triangles.size(), 1u);
 }
 
-/// A file with a square of two triangles. Tests can add properties to its vertices and faces.
+/// A square of two triangles, to whose vertices and faces tests can add properties.
 struct Square {
   std::string comments{}, vertex_properties{}, face_properties{};
   std::array<std::string, 4> vertex_values{};
@@ -181,7 +181,7 @@ TEST(Ply, vertex_colours_override_face_colours) {
               testing::ElementsAre("a.ply: element 'face': the properties 'red', 'green' and 'blue' are left out."));
 }
 
-/// Provides two images of one texel that a file can refer to: a red one and a blue one.
+/// Provides a red and a blue image of one texel.
 class PlyTextures : public testing::Test {
  protected:
   PlyTextures() {
@@ -192,7 +192,7 @@ class PlyTextures : public testing::Test {
     write_png(dir_ / name, Image8{1, 1, std::move(rgb)});
   }
   PlyOptions here() const { return {{dir_.path(), {}}}; }
-  /// Returns the red byte of an instance's texture, or 1 if the instance has no texture.
+  /// Red byte of an instance's texture, or 1 without a texture.
   static std::uint8_t red_of(const Scene& scene, std::size_t instance) {
     const auto material = static_cast<std::size_t>(scene.instances.at(instance).material);
     const auto& surface = std::get<MetallicRoughness>(scene.materials.at(material).surface);

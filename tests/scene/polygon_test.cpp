@@ -11,8 +11,8 @@ glm::dvec3 area_vector(const std::vector<Vec3f>& p, const Triangle& t) {
   return 0.5 * glm::cross(glm::dvec3(p[t[1]] - p[t[0]]), glm::dvec3(p[t[2]] - p[t[0]]));
 }
 
-/// Checks that the triangles fill a polygon in a plane z = const without overlap. This holds if no triangle is clockwise and
-/// the areas add up to `area`. The coordinates are small whole numbers so that floats are exact.
+/// The triangles fill a polygon in a plane z = const if none is clockwise and their areas add up to `area`. Coordinates are
+/// small whole numbers, so that floats are exact.
 void expect_fills(const std::vector<Vec3f>& polygon, double area) {
   const std::vector<Triangle> triangles = triangulate(polygon);
   EXPECT_EQ(triangles.size(), polygon.size() - 2);
@@ -31,12 +31,12 @@ TEST(Polygon, convex_ones_become_fans) {
 }
 
 TEST(Polygon, notch_stays_open) {
-  // A square of 4 x 4 minus the triangle (0, 4), (2, 1), (4, 4) of area 6.
+  // 4 x 4 minus the triangle (0, 4), (2, 1), (4, 4) of area 6
   expect_fills({{0, 0, 5}, {4, 0, 5}, {4, 4, 5}, {2, 1, 5}, {0, 4, 5}}, 10.0);
 }
 
 TEST(Polygon, comb_is_filled_from_any_corner) {
-  // A bar of 7 x 1 with four teeth of 1 x 3 each.
+  // a bar of 7 x 1 with four teeth of 1 x 3
   std::vector<Vec3f> teeth = {{0, 0, 0}, {7, 0, 0}, {7, 4, 0}, {6, 4, 0}, {6, 1, 0}, {5, 1, 0}, {5, 4, 0}, {4, 4, 0},
                               {4, 1, 0}, {3, 1, 0}, {3, 4, 0}, {2, 4, 0}, {2, 1, 0}, {1, 1, 0}, {1, 4, 0}, {0, 4, 0}};
   for (std::size_t i = 0; i < teeth.size(); ++i) {
@@ -46,13 +46,13 @@ TEST(Polygon, comb_is_filled_from_any_corner) {
 }
 
 TEST(Polygon, hole_may_use_coincident_edges) {
-  // A square of 6 x 6 minus a hole of 2 x 2. A cut from (0, 0) to (2, 2) connects both outlines.
+  // 6 x 6 minus a hole of 2 x 2. A cut from (0, 0) to (2, 2) connects both outlines.
   expect_fills({{0, 0, 0}, {6, 0, 0}, {6, 6, 0}, {0, 6, 0}, {0, 0, 0}, {2, 2, 0}, {2, 4, 0}, {4, 4, 0}, {4, 2, 0}, {2, 2, 0}},
                32.0);
 }
 
 TEST(Polygon, winding_is_kept_in_any_plane) {
-  // The square with a notch in the plane x = 0. It is clockwise as seen from +x.
+  // The notched square in the plane x = 0, clockwise as seen from +x.
   const std::vector<Vec3f> polygon = {{0, 0, 0}, {0, 0, 4}, {0, 4, 4}, {0, 1, 2}, {0, 4, 0}};
   glm::dvec3 sum(0.0);
   for (const Triangle& t : triangulate(polygon)) {

@@ -11,7 +11,7 @@ namespace {
 
 constexpr Quatf kStraight{1.0f, 0.0f, 0.0f, 0.0f};
 
-/// The direction of a texel of an EnvironmentMap, and the solid angle that the texel covers.
+/// A direction, and the solid angle of its texel.
 struct Texel {
   Vec3f direction;
   float steradians;
@@ -25,7 +25,7 @@ Texel texel_at(const EnvironmentMap& map, int x, int y) {
   return {{sine * std::cos(azimuth), std::cos(polar), sine * std::sin(azimuth)}, area * sine};
 }
 
-/// Returns the radiance of a white diffuse surface with the normal `normal` in the studio's light.
+/// Radiance of a white diffuse surface in the studio's light.
 float shown_by_white(const EnvironmentMap& map, Vec3f normal) {
   double sum = 0.0;
   for (int y = 0; y < map.radiance.height; ++y)
@@ -49,8 +49,8 @@ TEST(StudioLight, is_grey) {
   }
 }
 
-// White that faces the viewer must have a radiance above 0.5, and the brightest white a radiance below 1. If white has radiance
-// 0.5, greys with reflectances 0.18 and 0.5 have sRGB codes 85 and 137. If white has radiance 1, they have 118 and 188.
+// White that faces the viewer must have a radiance above 0.5, and the brightest white one below 1. At 0.5, greys with
+// reflectances 0.18 and 0.5 have sRGB codes 85 and 137; at 1, they have 118 and 188.
 TEST(StudioLight, grey_and_white_are_well_exposed) {
   const EnvironmentMap map = studio_environment(kStraight);
   float most = 0.0f, least = 1e9f;

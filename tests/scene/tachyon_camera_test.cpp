@@ -1,4 +1,3 @@
-// Tests CAMERA, camera paths, lights, and statements that affect the whole scene.
 #include <cmath>
 
 #include "lippmann/scene/timeline.hpp"
@@ -17,7 +16,7 @@ std::string camera(const std::string& pose, const std::string& zoom = "ZOOM 1") 
   return "CAMERA " + zoom + " ASPECTRATIO 1 ANTIALIASING 0 RAYDEPTH 12 " + pose + " END_CAMERA\n";
 }
 
-/// The origin and the axes of the camera's node. The axes are rounded to 6 digits to remove rounding errors of the rotation.
+/// The camera's node. Axes are rounded to 6 digits.
 struct CameraFrame {
   Vec3f origin, right, up, forward;
 };
@@ -53,9 +52,8 @@ TEST_F(Tachyon, up_is_made_orthogonal_to_view) {
   EXPECT_EQ(xyz(frame.up), (std::array{0.0f, 1.0f, 0.0f}));
 }
 
-/// Tachyon's leftmost column samples points one pixel to the right of the picture's left edge. They are half a pixel to the
-/// right of the centres of our leftmost pixels. Tachyon's bottom row samples points one pixel above the bottom edge, half a
-/// pixel above the centres of our bottom row.
+/// Tachyon samples its leftmost column one pixel to the right of the picture's edge, half a pixel to the right of our pixel
+/// centres, and its bottom row half a pixel above ours.
 TEST_F(Tachyon, pixel_offset_is_half_right_and_up) {
   const Scene scene = files.load_statements("");
   EXPECT_EQ(scene.cameras[0].pixel_offset.x, 0.5f);
@@ -64,7 +62,7 @@ TEST_F(Tachyon, pixel_offset_is_half_right_and_up) {
 
 TEST_F(Tachyon, zoom_1_sees_half_at_distance_1) {
   const Scene scene = files.load_statements("");
-  EXPECT_NEAR(std::tan(scene.cameras[0].vertical_fov / 2), 0.5f, 1e-6f);  // tolerance: the angle is rounded to float
+  EXPECT_NEAR(std::tan(scene.cameras[0].vertical_fov / 2), 0.5f, 1e-6f);  // the angle is rounded to float
 }
 
 TEST_F(Tachyon, zoom_2_halves_the_picture) {
@@ -117,8 +115,6 @@ TEST_F(Tachyon, what_the_render_decides_is_a_warning) {
       "CAMERA ZOOM 1 ASPECTRATIO 2 ANTIALIASING 8 RAYDEPTH 1 CENTER 0 0 0 VIEWDIR 0 0 1 UPDIR 0 1 0 END_CAMERA");
   EXPECT_THAT(files.warnings, ElementsAre(HasSubstr("scene.dat:4: ASPECTRATIO 2"), HasSubstr("scene.dat:4: ANTIALIASING 8")));
 }
-
-// ---- Files of Jmol and VMD ----
 
 TEST_F(Tachyon, shader_mode_that_changes_nothing_is_read) {
   files.load_statements("SHADER_MODE FULL SHADOW_FILTER_ON TRANS_ORIG Fog_VMD END_SHADER_MODE");
@@ -199,8 +195,8 @@ TEST_F(Tachyon, depth_of_field_is_ignored) {
   EXPECT_THAT(files.warnings, ElementsAre(HasSubstr("the depth of field of PERSPECTIVE_DOF is left out")));
 }
 
-/// The gradient covers the heights -1 to 3. The camera is at the height 1, in the middle. Both ends of the gradient are half a
-/// picture height away from it, and the assumed viewer sees them at 22.5 degrees.
+/// The gradient covers the heights -1 to 3, with the camera in the middle, at 1. Both ends are half a picture height away, and
+/// the assumed viewer sees them at 22.5 degrees.
 TEST_F(Tachyon, orthographic_gradient_becomes_directions) {
   const Scene scene = files.load_statements(
       camera("CENTER 0 1 0 VIEWDIR 0 0 1 UPDIR 0 1 0", "PROJECTION ORTHOGRAPHIC ZOOM 0.25") +
@@ -208,8 +204,6 @@ TEST_F(Tachyon, orthographic_gradient_becomes_directions) {
   EXPECT_NEAR(scene.background.zenith_at, std::sin(radians(22.5f)), 1e-5f);
   EXPECT_NEAR(scene.background.horizon_at, -std::sin(radians(22.5f)), 1e-5f);
 }
-
-// ---- Lights ----
 
 TEST_F(Tachyon, light_is_a_visible_sphere) {
   const Scene scene = files.load_statements("LIGHT CENTER 1 2 3 RAD 0.25 COLOR 0.1 0.2 0.3");
@@ -234,8 +228,8 @@ TEST_F(Tachyon, light_without_attenuation_does_not_fade) {
   EXPECT_EQ(xyz(scene.lights[0].attenuation), (std::array{1.0f, 0.0f, 0.0f}));
 }
 
-/// The top colour is reached where dot(direction, UPDIR) = TOPVAL = 1.5. As |UPDIR| = 2, the component along UPDIR is 1.5 / 2 =
-/// 0.75 there.
+/// The top colour is reached where dot(direction, UPDIR) = TOPVAL = 1.5. As |UPDIR| = 2, the component along UPDIR is 0.75
+/// there.
 TEST_F(Tachyon, gradient_overrides_background) {
   const Scene scene = files.load_statements(
       "BACKGROUND_GRADIENT SKY_SPHERE UPDIR 0 0 2 TOPVAL 1.5 BOTTOMVAL -1 TOPCOLOR 0 0 1 BOTTOMCOLOR 1 0 0 BACKGROUND 1 1 1");
@@ -252,7 +246,7 @@ TEST_F(Tachyon, spotlight_shines_along_its_mirrored_direction) {
   const Light& light = scene.lights[0];
   EXPECT_EQ(light.kind, LightKind::kSpot);
   const Vec3f direction = transform_vector(evaluate(scene, 0.0).of(light.node), {0, 0, -1});
-  EXPECT_LT(glm::length(direction - Vec3f(0.0f, 0.6f, -0.8f)), 1e-6f);  // tolerance: rounding errors of a rotation
+  EXPECT_LT(glm::length(direction - Vec3f(0.0f, 0.6f, -0.8f)), 1e-6f);  // rounding errors of a rotation
   EXPECT_NEAR(degrees(light.inner_cone), 20.0f, 1e-5f);
   EXPECT_NEAR(degrees(light.outer_cone), 45.0f, 1e-5f);
   EXPECT_EQ(light.visible_radius, 0.5f);
@@ -273,8 +267,6 @@ TEST_F(Tachyon, directional_light_in_any_direction_keeps_it) {
     EXPECT_LT(glm::length(direction - expected), 1e-6f) << d.x << " " << d.y << " " << d.z;  // rounding errors of a rotation
   }
 }
-
-// ---- Camera paths ----
 
 TEST_F(Tachyon, path_of_two_lines_is_three_frames) {
   files.write("scene.cam", "0 0 1  0 1 0  1 2 3\n3 0 0  0 0 2  4 5 6\n");

@@ -1,4 +1,4 @@
-// Tests the error messages of the Tachyon importer. They name the file, the line, the keyword and the accepted values.
+// Errors name the file, the line, the keyword and the accepted values.
 #include "tachyon_support.hpp"
 
 namespace lippmann {
@@ -13,7 +13,7 @@ using ::testing::StartsWith;
 struct BadStatement {
   const char* name;
   const char* text;
-  const char* problem;  ///< beginning of the message after "scene.dat:"
+  const char* problem;  ///< message after "scene.dat:"
   const char* accepted;
 };
 void PrintTo(const BadStatement& bad, std::ostream* out) { *out << bad.name; }
@@ -32,7 +32,7 @@ const char* const kTexture = "TEXDEF a AMBIENT 0 DIFFUSE 1 SPECULAR 0 ";
 #define CAMERA_WITH(text) "CAMERA\n" text " CENTER 0 0 0 VIEWDIR 0 0 1 UPDIR 0 1 0 END_CAMERA"
 
 const BadStatement kBad[] = {
-    // Statements and options that Tachyon supports but a Scene cannot express.
+    // Supported by Tachyon, but not by a Scene.
     {"cylinder", "CYLINDER CENTER 0 0 0", "4: CYLINDER is not supported", "FCYLINDER"},
     {"clip", "\n\nSTART_CLIPGROUP NUMPLANES 1", "6: START_CLIPGROUP is not supported", "SPHERE"},
     {"fog", "FOG SMOKE", "4: FOG 'SMOKE' is not known", "LINEAR, EXP, EXP2, OFF"},
@@ -55,7 +55,7 @@ const BadStatement kBad[] = {
     {"shader_option", "SHADER_MODE FULL TRANS_VIP END_SHADER_MODE", "4: 'TRANS_VIP' is not an option of SHADER_MODE",
      "TRANS_VMD"},
 
-    // Unknown and misspelt words.
+    // unknown and misspelt words
     {"unknown", "FROG", "4: 'FROG' is not a statement of a scene", "SPHERE"},
     {"misspelt", "SPEHRE CENTER", "4: 'SPEHRE' is not a statement of a scene (did you mean SPHERE?)", "TEXDEF"},
     {"binary", "\x01\xff\x02", "4: '?\?\?' is not a statement", "BOX"},
@@ -74,7 +74,7 @@ const BadStatement kBad[] = {
      "IMAGEDEF a FORMAT RGB24 RESOLUTION 1 1 1 ENCODING HEX 123 IMAGEDEF a FORMAT RGB24 RESOLUTION 1 1 1 ENCODING HEX 123",
      "4: the image 'a' is already defined", ""},
 
-    // Invalid numbers.
+    // invalid numbers
     {"nan", "SPHERE CENTER 0 nan 0 RAD 1 a", "4: expected a number for CENTER, found 'nan'", "a finite decimal number"},
     {"inf", "SPHERE CENTER 0 0 0 RAD inf a", "4: expected a number for RAD, found 'inf'", "finite"},
     {"overflow", "SPHERE CENTER 0 0 0 RAD 1e39 a", "4: expected a number for RAD, found '1e39'", "finite"},
@@ -121,7 +121,7 @@ const BadStatement kBad[] = {
     {"negative_index", "VERTEXARRAY NUMVERTS 3 COORDS 0 0 0 1 0 0 0 1 0 NORMALS 0 0 1 0 0 1 0 0 1 TRIMESH 1 0 1 -1",
      "4: -1 is out of range for TRIMESH", "from 0"},
 
-    // Counts that exceed the file. Reading must fail at the end of the file without allocating memory for the count.
+    // Counts that exceed the file must fail at its end, without allocating memory for the count.
     {"huge_points", "POLYCYLINDER POINTS 2000000000 0 0 0", "5: expected a number for POLYCYLINDER's points, found 'END_SCENE'",
      ""},
     {"huge_vertices", "VERTEXARRAY NUMVERTS 2000000000 COORDS 0 0 0", "5: expected a number for COORDS, found 'END_SCENE'", ""},
@@ -130,7 +130,7 @@ const BadStatement kBad[] = {
     {"huge_strip", "VERTEXARRAY NUMVERTS 1 COORDS 0 0 0 NORMALS 0 0 1 TRISTRIP 2000000000 0 0 0",
      "5: expected a whole number for TRISTRIP, found 'END_SCENE'", ""},
 
-    // Files that the scene refers to.
+    // files that the scene refers to
     {"include_missing", "INCLUDE no.inc", "4: no.inc does not exist", ""},
     {"include_outside", "INCLUDE ../a.dat", "4: '../a.dat' is outside the scene's folder", "`asset-root` DIR"},
     {"include_folder", "INCLUDE .", "4: . is not a regular file", ""},
@@ -161,7 +161,7 @@ TEST_F(Tachyon, what_follows_end_scene_is_ignored) {
   EXPECT_EQ(files.error_of(TachyonFiles::kPrelude + "END_SCENE FROG"), "no error");
 }
 
-/// Tests a scene that is cut off at any position. Loading it gives an error, or none if the cut is after END_SCENE.
+/// A scene that is cut off gives an error, unless the cut is after END_SCENE.
 TEST_F(Tachyon, scene_cut_anywhere_is_an_error) {
   files.write("a.tpoly", "3 0 0 0 1 0 0 0 1 0");
   const std::string scene = TachyonFiles::kPrelude + kTexture +

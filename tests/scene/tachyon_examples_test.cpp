@@ -1,4 +1,4 @@
-// Tests the scenes of Debian's package tachyon-doc: each must load, or stop at the expected unsupported keyword.
+// The scenes of Debian's package tachyon-doc must load, or stop at the expected unsupported keyword.
 #include <cctype>
 #include <cstring>
 

@@ -1,4 +1,3 @@
-// Tests all shape statements: z is mirrored, values are in the right order, and shapes are grouped by material.
 #include "tachyon_support.hpp"
 
 namespace lippmann {
@@ -34,7 +33,7 @@ TEST_F(Tachyon, plane_normal_becomes_a_unit_vector) {
 TEST_F(Tachyon, tiny_normal_keeps_its_direction) {
   const Scene scene = files.load_statements("PLANE CENTER 0 0 0 NORMAL 0 3e-30 4e-30" + white);
   const Vec3f normal = only_shape<Planes>(scene)[0].normal;
-  EXPECT_NEAR(normal.y, 0.6f, 1e-6f);  // tolerance: the numbers are rounded to floats
+  EXPECT_NEAR(normal.y, 0.6f, 1e-6f);  // numbers are rounded to floats
   EXPECT_NEAR(normal.z, -0.8f, 1e-6f);
 }
 
@@ -132,8 +131,6 @@ TEST_F(Tachyon, empty_shapes_give_one_warning) {
   EXPECT_THAT(files.warnings, ElementsAre("scene.dat: 6 shapes without extent are left out."));
 }
 
-// ---- VERTEXARRAY ----
-
 const std::string kQuad =
     "VERTEXARRAY NUMVERTS 4 COORDS 0 0 0 1 0 0 0 1 0 1 1 0 NORMALS 0 0 1 0 0 1 0 0 2 0 0 1 TEXTURE AMBIENT 0 DIFFUSE 1 "
     "SPECULAR 0 OPACITY 1 COLOR 1 1 1 TEXFUNC 0 ";
@@ -205,10 +202,8 @@ TEST_F(Tachyon, vcstri_has_colours_and_no_texture) {
   EXPECT_EQ(test::phong(scene.materials[0]).highlight_size, 40.0f);
 }
 
-// ---- SCAPE ----
-
-/// With two grid points per side, the landscape consists of its four corners. The height of a corner is a random number of
-/// Tachyon: x <- 1099087573 x mod 2^32, starting from x = 4, divided by 2^32.
+/// With two grid points per side, the landscape is its four corners. Heights are Tachyon's random numbers: x <- 1099087573 x
+/// mod 2^32, starting from x = 4, divided by 2^32.
 TEST_F(Tachyon, smallest_landscape_has_two_triangles) {
   const Scene scene = files.load_statements("SCAPE RES 2 2 SCALE 4 6 CENTER 1 2 3" + white);
   const Mesh& mesh = only_shape<Mesh>(scene);
@@ -217,7 +212,7 @@ TEST_F(Tachyon, smallest_landscape_has_two_triangles) {
   std::uint32_t x = 4;
   std::vector<float> heights;
   for (int i = 0; i < 4; ++i) heights.push_back(2.0f + static_cast<float>((x *= 1099087573u) / 4294967296.0));
-  // Vertices are in the order in which triangles use them: grid points (0, 0), (1, 1), (1, 0), (0, 1).
+  // In the order in which triangles use them: grid points (0, 0), (1, 1), (1, 0), (0, 1).
   EXPECT_EQ(xyz(mesh.positions[0]), (std::array{-1.0f, heights[0], 0.0f}));
   EXPECT_EQ(xyz(mesh.positions[1]), (std::array{3.0f, heights[3], -6.0f}));
   EXPECT_EQ(xyz(mesh.positions[2]), (std::array{3.0f, heights[1], 0.0f}));
@@ -232,8 +227,6 @@ TEST_F(Tachyon, landscape_is_never_below_its_center) {
   for (const Vec3f p : mesh.positions) EXPECT_GE(p.y, -4.0f);
 }
 
-// ---- TPOLYFILE ----
-
 TEST_F(Tachyon, tpolyfile_scales_rotates_and_moves) {
   files.write("models/a.tpoly", "3\n1 0 0\n0 1 0\n0 0 1\n");
   // Each corner is scaled by 2, rotated by 90 degrees about z, which turns (x, y) to (-y, x), and moved by 10 in x.
@@ -242,12 +235,11 @@ TEST_F(Tachyon, tpolyfile_scales_rotates_and_moves) {
   ASSERT_EQ(mesh.positions.size(), 3u);
   // The second corner comes first, as in Tachyon. z is mirrored.
   const Vec3f expected[] = {{8, 0, 0}, {10, 2, 0}, {10, 0, -2}};
-  for (std::size_t i = 0; i < 3; ++i)
-    EXPECT_LT(glm::length(mesh.positions[i] - expected[i]), 1e-6f) << i;  // tolerance: rounding errors
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_LT(glm::length(mesh.positions[i] - expected[i]), 1e-6f) << i;  // rounding errors
 }
 
-/// Tachyon's matrix for rotations about y has +sin in its third row, where a proper rotation has -sin. It turns
-/// (1, 0, 0) to (cos, 0, +sin).
+/// Tachyon's rotation about y has +sin in its third row, where a proper rotation has -sin. It turns (1, 0, 0) to (cos, 0,
+/// +sin).
 TEST_F(Tachyon, tpolyfile_turns_about_y_as_tachyon_does) {
   files.write("a.tpoly", "3 0 0 0 1 0 0 0 1 0");
   const Scene scene = files.load_statements("TPOLYFILE SCALE 1 1 1 ROT 0 30 0 CENTER 0 0 0 FILE a.tpoly" + white);
@@ -273,8 +265,6 @@ TEST_F(Tachyon, tpolyfile_out_of_range_is_an_error) {
   EXPECT_THAT(files.error_of_statements("TPOLYFILE SCALE 1e30 1 1 ROT 0 0 0 CENTER 0 0 0 FILE a.tpoly" + white),
               HasSubstr("a.tpoly:1: SCALE puts a corner out of range"));
 }
-
-// ---- INCLUDE ----
 
 TEST_F(Tachyon, include_continues_where_it_was) {
   files.write("parts/ball.inc", "SPHERE CENTER 1 0 0 RAD 1 a\n# no END_SCENE here\n");

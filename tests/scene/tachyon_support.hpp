@@ -1,4 +1,3 @@
-// Helpers for the tests of the Tachyon importer. They write scenes to a new folder and load them.
 #pragma once
 
 #include <gmock/gmock.h>
@@ -15,7 +14,7 @@
 
 namespace lippmann::test {
 
-/// A temporary folder with the scene file scene.dat and the files that a test adds.
+/// A temporary folder with scene.dat and the files that a test adds.
 class TachyonFiles {
  public:
   void write(const std::string& name, const std::string& contents) const {
@@ -24,7 +23,7 @@ class TachyonFiles {
   }
   std::filesystem::path path(const std::string& name) const { return dir_ / name; }
 
-  /// Loads scene.dat, validates the scene, and collects warnings.
+  /// Loads and validates scene.dat, and collects warnings.
   Scene load(double frames_per_second = kTachyonFramesPerSecond) {
     Context context;
     context.warn = [this](std::string_view text) { warnings.push_back(without_folder(std::string(text))); };
@@ -33,17 +32,16 @@ class TachyonFiles {
     return scene;
   }
 
-  /// Returns the scene of the given statements with an image of 4 x 3 pixels. The file begins with a prelude of three lines, so
-  /// the statements begin in line 4.
+  /// Loads the statements, which begin in line 4, with an image of 4 x 3 pixels.
   Scene load_statements(const std::string& statements) {
     write("scene.dat", kPrelude + statements + "\nEND_SCENE\n");
     return load();
   }
 
-  /// Returns the error message for the given statements, without the folder's name.
+  /// Without the folder's name.
   std::string error_of_statements(const std::string& statements) { return error_of(kPrelude + statements + "\nEND_SCENE\n"); }
 
-  /// Returns the error message for a whole file, without the folder's name.
+  /// For a whole file, without the folder's name.
   std::string error_of(const std::string& text) {
     write("scene.dat", text);
     try {
@@ -78,7 +76,7 @@ class Tachyon : public testing::Test {
   const std::string white = TachyonFiles::kWhite;
 };
 
-/// Returns the only shape of a scene. It must be of type S.
+/// The only shape of a scene, which must be of type S.
 template <class S>
 const S& only_shape(const Scene& scene) {
   if (scene.shapes.size() != 1) throw std::logic_error("not one shape but " + std::to_string(scene.shapes.size()));
@@ -87,7 +85,7 @@ const S& only_shape(const Scene& scene) {
 
 inline const PhongSurface& phong(const Material& material) { return std::get<PhongSurface>(material.surface); }
 
-/// Returns a Vec3f as an array, which googletest can print.
+/// googletest can print arrays
 inline std::array<float, 3> xyz(Vec3f v) { return {v.x, v.y, v.z}; }
 
 }  // namespace lippmann::test

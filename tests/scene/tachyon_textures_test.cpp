@@ -1,4 +1,3 @@
-// Tests TEXDEF, TEXALIAS, TEXTURE, IMAGEDEF and image maps.
 #include "tachyon_support.hpp"
 
 namespace lippmann {
@@ -83,22 +82,20 @@ TEST_F(Tachyon, undefined_texture_is_white) {
               ElementsAre(HasSubstr("scene.dat:4: the texture 'nowhere' (and possibly others) is not defined")));
 }
 
-// ---- Image maps ----
-
 const std::string kMapping = " CENTER 1 2 3 ROTATE 4 5 6 SCALE 7 8 9 UAXIS 1 0 2 VAXIS 0 1 3 ";
 
 std::string planar(const std::string& file) {
   return "TEXDEF t AMBIENT 0 DIFFUSE 1 SPECULAR 0 OPACITY 1 COLOR 1 1 1 TEXFUNC 9 " + file + kMapping;
 }
 
-/// A PPM picture of 1 x 2 pixels: red above blue.
+/// 1 x 2 pixels: red above blue.
 const std::string kPpm = std::string("P6\n1 2\n255\n") + "\xff" + std::string(2, '\0') + std::string(2, '\0') + "\xff";
 
-/// Returns the picture of kPpm as a 24-bit TGA without compression. The top row or the bottom row comes first in the file.
+/// The picture of kPpm, 24 bits, not compressed, with the top or the bottom row first.
 std::string tga(bool top_first) {
   std::string header(18, '\0');
   header[2] = 2, header[12] = 1, header[14] = 2, header[16] = 24, header[17] = top_first ? 0x20 : 0;
-  const std::string red("\0\0\xff", 3), blue("\xff\0\0", 3);  // in the order blue, green, red
+  const std::string red("\0\0\xff", 3), blue("\xff\0\0", 3);  // blue, green, red
   return header + (top_first ? red + blue : blue + red);
 }
 

@@ -20,19 +20,19 @@ Texture of_codes(Vec2i size, std::vector<std::uint8_t> rgba, bool srgb) {
 }
 
 TEST(TextureBudget, textures_that_fit_stay_as_they_are) {
-  const std::vector<TextureExtent> two{{{8, 8}, false}, {{4, 4}, true}};  // two textures of 256 and 64 bytes
+  const std::vector<TextureExtent> two{{{8, 8}, false}, {{4, 4}, true}};  // textures of 256 and 64 bytes
   EXPECT_THAT(halvings_within(320, two), ElementsAre(0, 0));
 }
 
 TEST(TextureBudget, the_largest_is_halved_first) {
-  // three textures of 64, 1024 and 64 bytes
+  // textures of 64, 1024 and 64 bytes
   const std::vector<TextureExtent> three{{{4, 4}, true}, {{16, 16}, false}, {{4, 4}, true}};
   EXPECT_THAT(halvings_within(1151, three), ElementsAre(0, 1, 0));
   EXPECT_THAT(halvings_within(383, three), ElementsAre(0, 2, 0));  // one halving leaves 64 + 256 + 64 = 384 bytes
 }
 
 TEST(TextureBudget, equal_sizes_reduce_data_and_later_first) {
-  // four textures of 64 bytes each
+  // textures of 64 bytes each
   const std::vector<TextureExtent> four{{{4, 4}, true}, {{4, 4}, false}, {{4, 4}, true}, {{4, 4}, false}};
   EXPECT_THAT(halvings_within(255, four), ElementsAre(0, 0, 1, 0));
   EXPECT_THAT(halvings_within(207, four), ElementsAre(1, 0, 1, 0));
@@ -50,8 +50,7 @@ TEST(TextureBudget, long_textures_are_halved_on_both_sides) {
 }
 
 TEST(HalvedTexture, averages_colours_linearly_and_alpha_directly) {
-  // Red: one texel of linear value 1 and three of 0 have the mean 1/4, which is sRGB code 137. The mean of the bytes would be
-  // 64.
+  // Red: one texel of linear value 1 and three of 0 have the mean 1/4, the sRGB code 137. The mean of the bytes would be 64.
   Texture texture = of_codes({2, 2}, {255, 0, 255, 255, 0, 0, 255, 0, 0, 0, 255, 0, 0, 0, 255, 0}, true);
   lippmann::halve(texture);
   EXPECT_EQ(Vec2i(texture.width, texture.height), Vec2i(1, 1));

@@ -9,7 +9,7 @@
 namespace lippmann {
 namespace {
 
-// A few rounding errors of floats of about 1.
+// a few rounding errors of floats of about 1
 constexpr float kRounding = 2e-6f;
 
 void expect_near(Vec3f a, Vec3f b, float tolerance = kRounding) {
@@ -149,8 +149,7 @@ TEST(Evaluate, cubic_spline_rotation_is_normalised) {
   NodeAnimation turn;
   const Quatf none(0, 0, 0, 0);
   turn.rotation = {{0, 1}, {none, about_y(0), none, none, about_y(90), none}, Interpolation::kCubicSpline};
-  // Without tangents, the value half-way is the mean of both quaternions. After normalisation, it is the rotation by 45
-  // degrees.
+  // Without tangents, the value half-way is the mean of both quaternions, normalised: the rotation by 45 degrees.
   expect_near(moved(one_node(turn), 0.5, {1, 0, 0}), {std::sqrt(0.5f), 0, -std::sqrt(0.5f)});
 }
 
@@ -241,7 +240,7 @@ TEST(FiniteBounds, turned_sphere_does_not_grow) {
 }
 
 TEST(FiniteBounds, slanted_cylinder_is_exact) {
-  // Each end disc has radius 5 and the normal (3, 4, 0) / 5. It extends 4 along x, 3 along y and 5 along z.
+  // Each end disc has radius 5 and the normal (3, 4, 0) / 5, so it extends 4 along x, 3 along y and 5 along z.
   const Bounds3f b = bounds_of(Cylinders{{{0, 0, 0}, {3, 4, 0}, 5.0f}});
   expect_near(b.lower, {-4, -3, -5});
   expect_near(b.upper, {7, 7, 5});
@@ -277,7 +276,7 @@ TEST(FiniteBounds, along_another_frames_axes_are_as_tight) {
   scene.nodes[0].local = {{5, 0, 0}, about_y(45), Vec3f(1)};
   scene.instances[0].node = 0;
   const ResolvedScene resolved = evaluate(scene, 0);
-  // Along the world's axes, the rotated box extends sqrt(2) to either side. Along its own axes, it extends 1.
+  // The rotated box extends sqrt(2) along the world's axes, and 1 along its own.
   EXPECT_NEAR(finite_bounds(scene, resolved).upper.x, 5.0f + std::sqrt(2.0f), 1e-5f);
   const Bounds3f own = finite_bounds(scene, resolved, inverse(resolved.of(0)));
   expect_near(own.lower, Vec3f(-1), 1e-5f);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
-/// Returns a valid scene that contains one of every kind of element.
+/// One of every kind of element.
 Scene good_scene() {
   Scene scene;
   scene.nodes.resize(3);

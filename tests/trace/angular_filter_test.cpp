@@ -1,4 +1,4 @@
-// Views whose samples are seen from several eye positions (AngularFilter).
+// Views whose samples are seen from several eye positions.
 #include "lippmann/optics/angular_filter.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ using namespace test;
 constexpr double kDistance = 20.0, kBaseline = 0.8, kPitch = 0.1;
 constexpr int kViews = 5, kWidth = 80, kHeight = 4;
 
-/// Five eye positions, 0.8 mm apart.
+/// Five eyes, 0.8 mm apart.
 Optics camera_row() {
   Optics optics;
   optics.panel = {kViews * kWidth, kHeight, static_cast<float>(kPitch)};
@@ -46,24 +46,19 @@ TEST(AngularFilter, objects_in_the_displays_plane_stay_sharp) {
   EXPECT_EQ(trace(edge_at(0.0f), camera_row(), filtered(16)).film.data, trace(edge_at(0.0f), camera_row(), plain).film.data);
 }
 
-// Let D = 20 mm be the distance of the eyes. An eye at e sees the edge (X, z) in the display plane at e (1 - m) + X m, with m =
-// D / (D - z).
-// Shift per eye: at z = -20, m = 1/2. Eyes 0.8 mm apart shift the edge by 0.4 mm = 4 pixels.
-// Variance of the ramp: the filter spreads eye positions over 0.8 mm, which gives a ramp of 4 pixels with variance 4^2 / 12 =
-// 16/12.
-// Variance of the measurement: averages over a pixel and differences of neighbouring pixels are boxes one pixel wide. Each has
-// variance 1/12, so they add 1/6.
+// With the eyes at D = 20 mm, an eye at e sees the edge (X, z) in the display plane at e (1 - m) + X m, with m = D / (D - z) =
+// 1/2 for z = -20. Eyes 0.8 mm apart thus shift the edge by 0.4 mm = 4 pixels. The filter spreads eyes over 0.8 mm, which gives
+// a ramp of 4 pixels with variance 4^2 / 12 = 16/12. Averages over a pixel and differences of neighbours are boxes one pixel
+// wide of variance 1/12 each, which add 1/6.
 TEST(AngularFilter, far_edges_become_ramps) {
   const int spp = 256;
   const Picture sharp = trace(edge_at(-20.0f), camera_row(), {.spp = spp});
   const Picture ramp = trace(edge_at(-20.0f), camera_row(), filtered(spp));
   for (int view = 0; view < kViews; ++view) {
     const double eye = kBaseline * (view - 2), place = 0.5 * kWidth + (0.5 * eye + 0.5 * 0.03) / kPitch;
-    // Tolerances: 256 samples resolve a pixel's area to 2/256.
-    // Place: the ramp has six pixels, so the error is at most 12/256 = 0.047.
-    // Variance: the error of a pixel counts d times, where d is its distance from the middle. The six pixels give 2 (2.5 + 1.5
-    // + 0.5) * 2/256 = 0.07.
-    // The measured errors are less than half of these bounds.
+    // 256 samples resolve a pixel's area to 2/256. Place: the ramp has six pixels, so the error is at most 12/256 = 0.047.
+    // Variance: a pixel at distance d from the middle counts d times, so the error is at most 2 (2.5 + 1.5 + 0.5) * 2/256 =
+    // 0.07.
     EXPECT_NEAR(edge_in(sharp, view * kWidth, kWidth).place_px, place, 0.01) << view;
     EXPECT_NEAR(edge_in(ramp, view * kWidth, kWidth).place_px, place, 0.02) << view;
     EXPECT_LE(edge_in(sharp, view * kWidth, kWidth).variance_px2, 0.25 + 0.01)

@@ -1,5 +1,4 @@
-// Layers of a frame, compared with values worked out by hand. The camera of a single view is at (0, 0, 10). It sees the square
-// from -2 to 2 in x and y at z = 0, with 32 pixels of width 1/8.
+// The camera at (0, 0, 10) sees the square from -2 to 2 in x and y at z = 0, with 32 pixels of width 1/8.
 #include <gtest/gtest.h>
 
 #include <tuple>
@@ -12,9 +11,9 @@ namespace {
 using namespace test;
 
 constexpr int kAovSize = 32;
-constexpr float kPlaceRounding = 1e-4f;  ///< in pixels: rounding of float positions about 10 mm from the origin
+constexpr float kPlaceRounding = 1e-4f;  ///< in pixels: rounding of positions about 10 mm from the origin
 
-/// Returns the layers at time `now`, with motion since time `before`.
+/// Layers at time `now`, with motion since time `before`.
 FrameAovs step(const Scene& scene, const Optics& optics, double before, double now, const Affine3f& display_before = {},
                const Affine3f& display_now = {}) {
   const ThreadPool pool(1);
@@ -34,14 +33,12 @@ void expect_motion(const FrameAovs& aovs, int x, int y, Vec2f expected) {
   EXPECT_NEAR(motion[1], expected.y, kPlaceRounding) << x << ", " << y;
 }
 
-/// A square at depth z that moves by `shift` during the first second.
+/// A square that moves by `shift` during the first second.
 Scene sliding(float z, Vec3f shift) {
   SmallScene s;
   s.add(square(1, z), s.material(glowing(Vec3f(1.0f))), s.moving_node(Vec3f(0.0f), shift));
   return s.scene;
 }
-
-// ---- Motion ---------------------------------------------------------------------------------------------------------
 
 TEST(Aovs, motion_of_a_square_is_in_pixels) {
   expect_motion(step(sliding(0.0f, {0.375f, -0.25f, 0.0f}), single_view(kAovSize), 0.0, 1.0), 16, 16, {3, 2});
@@ -78,8 +75,8 @@ TEST(Aovs, motion_below_lenses_is_in_view_samples) {
     }
 }
 
-// Let o be the offset of a view's pixel from the centre of its lens, in pixels. The view's rays have the slope -o / 16. A point
-// that comes nearer by z = 1 moves by o / 16 mm, which is o / 16 / 0.5 lenses.
+// A pixel at the offset o from the centre of its lens has a ray of slope -o / 16. A point that comes nearer by z = 1 moves by o
+// / 16 mm, which is o / 16 / 0.5 lenses.
 TEST(Aovs, motion_towards_viewers_depends_on_the_view) {
   const FrameAovs aovs = step(sliding(0.0f, {0.0f, 0.0f, 1.0f}), lenticular_view(), 0.0, 1.0);
   for (int x = 24; x < 40; ++x) {
@@ -103,9 +100,7 @@ TEST(Aovs, motion_follows_deforming_meshes) {
   expect_motion(aovs, 9, 20, {-0.5f * 6.5f, 0.5f * 4.5f});
 }
 
-// ---- Albedo and coverage --------------------------------------------------------------------------------------------
-
-/// Four texels in a row. Their red values are 0, 85, 170 and 255. Their alpha values are `alpha`.
+/// Red values 0, 85, 170 and 255.
 Texture four_texels(std::array<int, 4> alpha) {
   Texture t;
   t.width = 4, t.height = 1, t.srgb = false;
@@ -115,7 +110,7 @@ Texture four_texels(std::array<int, 4> alpha) {
   return t;
 }
 
-/// A textured square of a metallic-roughness material, in front of a square of albedo 0.25.
+/// A textured square in front of a square of albedo 0.25.
 Scene textured(std::array<int, 4> alpha, const MetallicRoughness& kind) {
   SmallScene s;
   s.scene.textures.push_back(four_texels(alpha));
@@ -132,8 +127,8 @@ TEST(Aovs, albedo_is_the_textured_base_colour) {
   for (const Integrator integrator : {Integrator::kWhitted, Integrator::kPath}) {
     const Picture p = trace(textured({255, 255, 255, 255}, half), single_view(kAovSize), {}, 1, 0.0, {}, integrator);
     for (const auto& [x, red] : {std::pair(4, 0.0f), {12, 85 / 510.0f}, {20, 170 / 510.0f}, {28, 0.5f}}) {
-      // The four texels are 8 pixels wide each. Their centres are between pixels 3 and 4, 11 and 12, and so on. The tested
-      // pixels are half a pixel, 1/16 of a texel, from such a centre.
+      // Each texel is 8 pixels wide, with its centre between two pixels. The tested pixels are half a pixel, 1/16 of a texel,
+      // from a centre.
       EXPECT_NEAR(p.aovs[Aov::kAlbedo].pixel(x, 16)[0], red, 85 / 510.0f / 15.0f);
       EXPECT_NEAR(p.aovs[Aov::kAlbedo].pixel(x, 16)[1], 0.5f, 1e-5f);
     }
@@ -144,7 +139,7 @@ TEST(Aovs, pixels_of_low_alpha_are_empty) {
   MetallicRoughness mask, blend, glass;
   mask.alpha_cutoff = 0.75f;
   blend.blend = true;
-  glass.blend = true, glass.transmission = 1.0f;  // has full alpha and full transmission, so it counts as covered
+  glass.blend = true, glass.transmission = 1.0f;  // full alpha and full transmission count as covered
   for (const auto& [kind, alpha, id] : {std::tuple(mask, 180, 1.0f), {mask, 200, 0.0f}, {blend, 120, 1.0f}, {blend, 140, 0.0f}})
     for (const Integrator integrator : {Integrator::kWhitted, Integrator::kPath}) {
       const Picture p = trace(textured({alpha, alpha, alpha, alpha}, kind), single_view(kAovSize), {}, 1, 0.0, {}, integrator);
@@ -158,14 +153,11 @@ TEST(Aovs, pixels_of_low_alpha_are_empty) {
 
 TEST(Aovs, ray_depth_is_measured_along_the_ray) {
   const Picture p = trace(sliding(1.0f, Vec3f(0.0f)), single_view(kAovSize));
-  // Pixel (19, 16) would see the point (x, y, 0), whose distance in z from the eye is 10. The square is at z = 1, so the ray
-  // ends after 0.9 of the way.
+  // Pixel (19, 16) would see the point (x, y, 0), 10 away in z. The square is at z = 1, so the ray ends after 0.9 of the way.
   const float x = 3.5f / 8.0f, y = 0.5f / 8.0f;
   EXPECT_NEAR(p.aovs[Aov::kRayDepth].pixel(19, 16)[0], 0.9f * std::sqrt(x * x + y * y + 100.0f), 1e-5f);
   EXPECT_EQ(p.aovs[Aov::kRayDepth].pixel(0, 0)[0], kInfinity);
 }
-
-// ---- Parts of the light ---------------------------------------------------------------------------------------------
 
 TEST(Aovs, direct_and_indirect_light_sum_to_the_film) {
   SmallScene s = busy_scene(3);

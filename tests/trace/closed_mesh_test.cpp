@@ -1,4 +1,3 @@
-// Detection of closed meshes, and sampling of closed lamps.
 #include "shading/closed_mesh.hpp"
 
 #include <gtest/gtest.h>
@@ -15,8 +14,7 @@ namespace {
 
 using namespace test;
 
-/// Adds a face of the cube from -half to half. The face's outward normal is `axis` times `sign`, and its triangles are
-/// counter-clockwise seen from outside.
+/// A face of the cube from -half to half, with the outward normal `axis` times `sign`, counter-clockwise seen from outside.
 void add_face(Mesh& mesh, int axis, float sign, float half) {
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
   for (const auto& [u, v] : {std::pair{-1.0f, -1.0f}, {1.0f, -1.0f}, {1.0f, 1.0f}, {-1.0f, 1.0f}}) {
@@ -28,7 +26,7 @@ void add_face(Mesh& mesh, int axis, float sign, float half) {
   mesh.triangles.push_back({first, first + 2, first + 3});
 }
 
-/// Returns a cube with four separate vertices for each face.
+/// Four separate vertices per face.
 Mesh cube(float half) {
   Mesh mesh;
   for (int axis = 0; axis < 3; ++axis)
@@ -84,7 +82,7 @@ TEST(ClosedMesh, open_and_inconsistent_meshes_are_not_closed) {
   }
 }
 
-/// A floor below a glowing cube. The cube is one closed mesh, or six separate squares. Both give the same picture.
+/// The cube is one closed mesh, or six separate squares, which give the same picture.
 SmallScene below_cube(bool is_closed, bool is_mirrored = false) {
   SmallScene s;
   MetallicRoughness floor, shines;
@@ -108,7 +106,7 @@ SmallScene below_cube(bool is_closed, bool is_mirrored = false) {
   return s;
 }
 
-// Places the eye at (0, 0, 1); it sees the square from -0.2 to 0.2 in x and y at z = 0.
+// The eye at (0, 0, 1) sees the square from -0.2 to 0.2 in x and y at z = 0.
 const Affine3f kEye{Mat3f(0.1f), Vec3f(0.0f)};
 
 Image floor_below(const SmallScene& s, int spp) { return trace_paths(s.scene, single_view(16), spp, {}, 1, kEye).film; }
@@ -122,7 +120,7 @@ double squared_error(const Image& film, const Image& truth) {
   return sum;
 }
 
-// About half of a cube's faces point away from a point of the floor. These faces are rarely sampled if the lamp is closed.
+// About half of a cube's faces point away from a point of the floor. A closed lamp rarely samples these.
 TEST(ClosedMesh, closed_lamps_have_less_noise) {
   const Image truth = floor_below(below_cube(false), 4096);
   for (const bool is_mirrored : {false, true}) {
@@ -163,8 +161,7 @@ TEST(ClosedMesh, inward_glowing_rooms_give_light) {
   shines.base_color = Vec4f(0, 0, 0, 1), shines.emissive = Vec3f(1.0f);
   s.add(square(0.5f, 0), s.material(grey));
   s.add(cube(3.0f), s.material(shines));
-  // In uniform light from all sides, a matte floor shows its albedo times the radiance of the light. The flat floor does not
-  // shade itself.
+  // In uniform light, a matte floor shows its albedo times the radiance of the light.
   const auto albedo = static_cast<double>(grey.base_color.x);
   EXPECT_NEAR(mean(floor_below(s, 256)), albedo, 0.01 * albedo);
 }

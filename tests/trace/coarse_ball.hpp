@@ -8,8 +8,7 @@
 
 namespace lippmann::test {
 
-/// Returns a closed mesh of a ball with few facets and smooth normals. It has two poles, and between them `rings` rings of 2 *
-/// rings vertices.
+/// A closed ball with smooth normals: two poles, and between them `rings` rings of 2 * rings vertices.
 inline Mesh coarse_ball(float radius, std::uint32_t rings) {
   const float step = std::numbers::pi_v<float> / static_cast<float>(rings + 1);
   const std::uint32_t corners = 2 * rings;

@@ -51,7 +51,7 @@ TEST(EmbreeDevice, reports_the_memory_of_scenes) {
   rtcAttachGeometry(scene.get(), triangles.get());
   rtcCommitScene(scene.get());
   check_embree(device.get(), "building the scene", memory);
-  EXPECT_GT(memory.wanted_bytes(), 4'800'000u);  // lower bound: the buffers alone have 48 bytes per triangle
+  EXPECT_GT(memory.wanted_bytes(), 4'800'000u);  // the buffers alone have 48 bytes per triangle
 }
 
 TEST(EmbreeDevice, throws_each_failure_once) {

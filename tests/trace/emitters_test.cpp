@@ -1,4 +1,4 @@
-// Meshes that emit light by a texture: the estimated luminance of each triangle, and the noise of pictures.
+// Meshes that emit light by a texture.
 #include "shading/emitters.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ Texture bright_corner(int bright = kBrightTexels, int size = kCornerTexels) {
   return texture;
 }
 
-/// The square of test::square(), divided into cells x cells squares of two triangles each.
+/// cells x cells squares of two triangles each
 Mesh grid(float half, float z, int cells) {
   Mesh mesh;
   for (int row = 0; row <= cells; ++row)
@@ -80,8 +80,8 @@ TEST(Emitters, triangles_average_their_part_of_the_texture) {
   }
 }
 
-// The texture is a ramp from 0 to 1 along u. Triangle (0,0), (0,1), (1,1) has the mean of its corners' u, 1/3. The other
-// triangle has 2/3. Four lookups next to the texture's clamped edges deviate by a few hundredths.
+// The texture is a ramp from 0 to 1 along u. Triangle (0,0), (0,1), (1,1) has the mean of its corners' u, 1/3; the other has
+// 2/3. Four lookups at the texture's clamped edges deviate by a few hundredths.
 TEST(Emitters, large_triangles_are_sampled_everywhere) {
   Texture ramp{"", 256, 256, {}, false, Wrap::kClamp, Wrap::kClamp};
   for (int i = 0; i < 256 * 256; ++i)
@@ -123,9 +123,9 @@ TEST(Emitters, instances_share_their_meshs_estimate) {
   EXPECT_EQ(emitters.of(3), nullptr);
 }
 
-/// Height and radiance of a lamp of 2 x 2 above a white floor.
+/// A lamp of 2 x 2 above a white floor.
 constexpr float kGridHeight = 2.0f, kGridRadiance = 10.0f;
-/// Places the eye at (0, 0, 1). It sees the square from -0.2 to 0.2 in x and y at z = 0.
+/// The eye at (0, 0, 1) sees the square from -0.2 to 0.2 in x and y at z = 0.
 const Affine3f kEyeBelowGrid{Mat3f(0.1f), Vec3f(0.0f)};
 
 Scene below_bright_corner() {
@@ -136,12 +136,11 @@ Scene below_bright_corner() {
   return s.scene;
 }
 
-/// Returns the interpolated texture along one axis. It is 1 up to the centre of the last white texel, and 0 from the centre of
-/// the first black texel on.
+/// The interpolated texture along one axis: 1 up to the centre of the last white texel, and 0 from the centre of the first
+/// black one.
 double shown_along(double u) { return std::clamp((kBrightTexels + 0.5) - kCornerTexels * u, 0.0, 1.0); }
 
-/// Returns the radiance of the floor at a point, irradiance / pi. Integrates over the lamp's white part and its edge by the
-/// midpoint rule.
+/// Radiance of the floor, irradiance / pi, by the midpoint rule over the lamp's white part and its edge.
 double floor_radiance(double x, double y) {
   constexpr int kSteps = 136;  // 8 steps for each of 17 texels
   constexpr double kStep = 17.0 / kCornerTexels / kSteps;
@@ -156,7 +155,7 @@ double floor_radiance(double x, double y) {
   return 10.0 / M_PI * sum * 4.0 * kStep * kStep;  // area of a step: the lamp is 2 wide, so a step is 2 kStep long
 }
 
-/// Returns the floor's radiance at the centres of all pixels.
+/// Radiance at the centres of all pixels.
 std::vector<double> floor_reference(int size) {
   std::vector<double> reference;
   for (int y = 0; y < size; ++y)
@@ -165,8 +164,8 @@ std::vector<double> floor_reference(int size) {
   return reference;
 }
 
-// The limit 0.06 requires that bright triangles are preferred. With equal probabilities for all triangles, 15 of 16 shadow rays
-// would go to black triangles, and the error would be 0.18.
+// 0.06 requires that bright triangles are preferred. With equal probabilities, 15 of 16 shadow rays would go to black
+// triangles, and the error would be 0.18.
 TEST(Emitters, shadow_rays_prefer_bright_triangles) {
   const Picture picture = trace_paths(below_bright_corner(), single_view(16), 64, {}, 1, kEyeBelowGrid);
   const std::vector<double> reference = floor_reference(16);
@@ -179,7 +178,7 @@ TEST(Emitters, shadow_rays_prefer_bright_triangles) {
   EXPECT_NEAR(sum, expected, 0.01 * expected);
 }
 
-// A white ball is invisible in front of a uniformly glowing dome. The dome's emission is a grey texture.
+// A white ball is invisible in front of a uniformly glowing dome, whose emission is a grey texture.
 TEST(Emitters, textured_furnaces_are_uniform) {
   SmallScene s;
   s.scene.max_depth = 8;

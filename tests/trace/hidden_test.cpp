@@ -1,5 +1,5 @@
-// Meshes that cameras do not see, or that cast no shadow. The camera is at (0, 0, 10) and sees the square from -2 to 2 in x and
-// y at z = 0.
+// Meshes that cameras do not see, or that cast no shadow. The camera at (0, 0, 10) sees the square from -2 to 2 in x and y at z
+// = 0.
 #include <gtest/gtest.h>
 
 #include "trace/small_scene.hpp"
@@ -18,8 +18,7 @@ Picture seen(const SmallScene& s, Integrator integrator, int spp = 1) {
   return trace(s.scene, single_view(32), params, 2, 0.0, {}, integrator);
 }
 
-/// A blue wall at z = -1, with a hidden red square in front of it at z = 0. The square belongs to node `moving`, or to no node
-/// if it is -1.
+/// A blue wall at z = -1 behind a hidden red square at z = 0. The square belongs to node `moving`, or to none (-1).
 SmallScene hidden_before_wall(int moving = -1) {
   SmallScene s;
   s.scene.max_depth = 4;
@@ -79,7 +78,7 @@ TEST(Hidden, mirrors_and_panes_show_hidden_meshes) {
   for (const Integrator integrator : kEitherLight) EXPECT_GT(seen(s, integrator).at(16, 16).x, 0.9f);
 }
 
-/// A matte floor at z = -1 below a lamp at z = 5. A square between them is hidden from cameras.
+/// A matte floor at z = -1, a lamp at z = 5, and between them a square that is hidden from cameras.
 SmallScene shaded_floor(bool casts_no_shadow) {
   SmallScene s;
   s.scene.max_depth = 2;
@@ -98,12 +97,12 @@ TEST(Hidden, shadows_follow_their_own_flag) {
     SmallScene open = shaded_floor(true);
     open.scene.instances.pop_back();
     EXPECT_GT(lit, 0.0f);
-    // The hidden roof does not change the light at all, because paths that hit it get no light from its black surface.
+    // Paths that hit the hidden roof get no light from its black surface.
     EXPECT_EQ(lit, seen(open, integrator).at(16, 16).x);
   }
 }
 
-/// A lamp that shines down gives the floor the same light whether the lamp is visible or hidden.
+/// A lamp that shines down gives the floor the same light whether it is visible or hidden.
 TEST(Hidden, hidden_lamps_give_light) {
   SmallScene s;
   s.scene.max_depth = 2;

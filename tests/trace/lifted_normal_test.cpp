@@ -13,7 +13,7 @@ using namespace test;
 
 Vec3f mirrored_at(Vec3f normal, Vec3f view) { return 2.0f * glm::dot(normal, view) * normal - view; }
 
-/// Returns a random direction with z > 0, uniform over the hemisphere.
+/// uniform over the hemisphere z > 0
 Vec3f upwards(std::mt19937& random) {
   std::uniform_real_distribution<float> in_unit(1e-3f, 1.0f), turn(0.0f, 2.0f * std::numbers::pi_v<float>);
   const float z = in_unit(random), r = std::sqrt(1.0f - z * z), phi = turn(random);
@@ -28,9 +28,9 @@ TEST(LiftedNormal, stays_if_its_mirror_direction_is_valid) {
 }
 
 TEST(LiftedNormal, lifts_a_normal_as_computed_by_hand) {
-  // All angles are measured from the facet's normal. The view is at -60 degrees and the given normal at 80 degrees, so the
-  // normal faces away from the view. Mirror directions must be 0.01 above the facet, at acos(0.01) = 89.427 degrees. The normal
-  // that mirrors the view to this direction is half-way between both: (89.427 - 60) / 2 = 14.7135 degrees.
+  // Angles from the facet's normal: the view is at -60 degrees and the given normal at 80 degrees, facing away from the view.
+  // Mirror directions must be 0.01 above the facet, at acos(0.01) = 89.427 degrees. The normal that mirrors the view there is
+  // half-way between both: (89.427 - 60) / 2 = 14.7135 degrees.
   const auto at = [](float degrees) {
     const float a = degrees * std::numbers::pi_v<float> / 180.0f;
     return Vec3f(std::sin(a), 0.0f, std::cos(a));
@@ -44,7 +44,7 @@ TEST(LiftedNormal, mirrors_any_view_above_the_facet) {
   for (int i = 0; i < 2000; ++i) {
     const Vec3f view = upwards(random), normal = upwards(random), z(0, 0, 1), got = lifted_normal(normal, {0, 0, 0.1f}, view);
     const float height = std::min(0.9f * view.z, 0.01f);
-    EXPECT_GE(mirrored_at(got, view).z, height - 1e-6f);  // tolerance: single precision
+    EXPECT_GE(mirrored_at(got, view).z, height - 1e-6f);  // single precision
     EXPECT_GT(glm::dot(got, view), 0.0f);
     EXPECT_NEAR(glm::length(got), 1.0f, 1e-5f);
     if (got == normal) continue;
@@ -64,7 +64,7 @@ TEST(LiftedNormal, degenerate_normals_become_the_facets) {
   EXPECT_EQ(lifted_normal({1, 0, 0}, {0, 0, 0}, view), Vec3f(1, 0, 0));
 }
 
-/// Renders a coarse ball in a uniform white sky.
+/// A coarse ball in a uniform white sky.
 Image in_white_furnace(const MetallicRoughness& surface, int size) {
   SmallScene s;
   surround(s, Vec3f(1.0f));
@@ -78,9 +78,8 @@ MetallicRoughness of(float metallic, float roughness) {
   return surface;
 }
 
-// The gloss would take all light from the paint below it where the smooth normal faces away from the view. Lifting the normal
-// avoids this. The darkest of every 500 pixels has 0.82 of the sky's light without lifting, and 0.91 with it. Surfaces with
-// rare layers (LayeredBsdf) must reach the same limit.
+// Where the smooth normal faces away from the view, the gloss would take all light from the paint below it. The darkest of
+// every 500 pixels has 0.82 of the sky's light without lifting the normal, and 0.91 with it.
 TEST(LiftedNormal, glossy_coarse_balls_have_no_dark_rim) {
   for (const bool layered : {false, true}) {
     MetallicRoughness paint = of(0.0f, 0.3f);
@@ -92,8 +91,8 @@ TEST(LiftedNormal, glossy_coarse_balls_have_no_dark_rim) {
   }
 }
 
-// The mean may lose a share of 10^-4: a mirrored ray that starts on a facet's edge may hit the adjacent facet. This depends on
-// the processor. With AVX-512, it happened to 7 of 830,000 samples. A dark rim would lose all light of its pixels.
+// A mirrored ray that starts on a facet's edge may hit the adjacent facet, so the mean may lose 10^-4. A dark rim would lose
+// all light of its pixels.
 TEST(LiftedNormal, coarse_mirror_balls_have_no_dark_rim) {
   const std::vector<float> values = in_white_furnace(of(1.0f, 0.0f), 32).data;
   double sum = 0.0;

@@ -1,4 +1,4 @@
-// Lights of every kind that are too weak or too strong for single precision. Rendering them must give finite pictures.
+// Lights that are too weak or too strong for single precision must give finite pictures.
 #include "transport/light_range.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,4 @@
-// Pictures with so many lamps that a tree chooses among them, compared with sums of pictures with one lamp each, which need no
-// tree.
+// With many lamps, a tree chooses among them. Pictures are compared with sums of pictures with one lamp each.
 #include <gtest/gtest.h>
 
 #include "shading/shaded_scene.hpp"
@@ -10,7 +9,7 @@ namespace {
 
 using namespace test;
 
-/// Places the eye at (0, 0, 1). It sees the square from -0.2 to 0.2 in x and y at z = 0.
+/// The eye at (0, 0, 1) sees the square from -0.2 to 0.2 in x and y at z = 0.
 const Affine3f kNearEye{Mat3f(0.1f), Vec3f(0.0f)};
 constexpr int kCount = 40;
 
@@ -23,8 +22,8 @@ MetallicRoughness floor_of(float metallic, float roughness) {
 enum class LampKind { kPoint, kSpot, kBall, kSquare };
 constexpr LampKind kLampKinds[] = {LampKind::kPoint, LampKind::kSpot, LampKind::kBall, LampKind::kSquare};
 
-/// Adds lamp l of a spiral above the eye, which rises from z = 1.3 to 3.2. Square lamps are all at z = 2, so that none occludes
-/// another. Every third lamp is ten times as strong as the others. Spots point in all directions.
+/// Lamp l of a spiral above the eye, from z = 1.3 to 3.2. Square lamps are all at z = 2, so that none occludes another. Every
+/// third lamp is ten times as strong. Spots point in all directions.
 void add_lamp(SmallScene& s, LampKind kind, int l) {
   const float angle = 2.4f * static_cast<float>(l), share = static_cast<float>(l) / kCount, strength = l % 3 == 0 ? 2.0f : 0.2f;
   const Vec3f at{1.8f * std::sqrt(share) * std::cos(angle), 1.8f * std::sqrt(share) * std::sin(angle), 1.3f + 1.9f * share};
@@ -69,8 +68,7 @@ TEST(ManyLamps, light_is_the_sum_over_lamps) {
     }
 }
 
-// A mirror shows a lamp with a size only if a reflected ray hits the lamp. Each ray searches the tree for the lamps that it
-// hits.
+// A mirror shows a lamp with a size only if a reflected ray hits it. Each ray searches the tree for such lamps.
 TEST(ManyLamps, a_mirror_shows_each_ball_once) {
   const MetallicRoughness mirror = floor_of(1.0f, 0.0f);
   Image sum;
@@ -111,7 +109,7 @@ auto ask(const Scene& scene, const Ask& question) {
   return question(*device.shaded().path->lights);
 }
 
-// Up to four lamps are chosen by power alone, so the probability is the same at both points. Five lamps are chosen by a tree.
+// Up to four lamps are chosen by power alone, with the same probability at both points. Five are chosen by a tree.
 TEST(ManyLamps, few_lamps_are_drawn_by_power) {
   for (const int lamps : {4, 5}) {
     const SmallScene s = below(LampKind::kBall, floor_of(0.0f, 1.0f), 0, lamps);

@@ -1,5 +1,4 @@
-// Path-traced volumes, prisms and leaves, compared with theory. The camera is at (0, 0, 10) and sees the square from -2 to 2 in
-// x and y at z = 0.
+// Volumes, prisms and leaves, compared with theory. The camera at (0, 0, 10) sees the square from -2 to 2 in x and y at z = 0.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,7 +10,7 @@ namespace {
 
 using namespace test;
 
-/// A smooth transmissive surface. The default index of refraction is that of air, without refraction and reflection.
+/// A smooth transmissive surface. The default index is that of air.
 MetallicRoughness clear(const Volume& volume, float ior = 1.0f) {
   MetallicRoughness m;
   m.metallic = 0.0f, m.roughness = 0.0f, m.ior = ior;
@@ -75,7 +74,7 @@ TEST(MaterialExtensions, layered_white_spheres_vanish_in_furnaces) {
     s.scene.max_depth = 64;
     surround(s, Vec3f(1.0f));
     s.add(Spheres{{{0, 0, 0}, 3.0f}}, s.material(m));
-    // Tolerance: noise, which is larger with dispersion because each path has only one colour.
+    // Noise is larger with dispersion, because each path has only one colour.
     EXPECT_NEAR(mean(trace_paths(s.scene, single_view(8), 1024).film), 1.0, 0.01) << "kind " << kind;
   }
 }

@@ -1,4 +1,3 @@
-// Lookups of metallic-roughness surfaces on meshes: maps with transforms and sets of coordinates, vertex colours, and alphas.
 #include <gtest/gtest.h>
 
 #include "trace/small_scene.hpp"
@@ -12,7 +11,7 @@ using test::SmallScene;
 using test::square;
 using test::trace;
 
-/// Returns a texture of one row, with the given greys and one alpha for all texels.
+/// One row with the given greys and one alpha for all texels.
 Texture row_of(std::initializer_list<int> greys, int alpha = 255) {
   Texture t;
   t.width = static_cast<int>(greys.size()), t.height = 1;
@@ -28,7 +27,7 @@ MetallicRoughness unlit() {
   return s;
 }
 
-/// The pixels in the middle of the left and right half of a square that fills the picture. The background is 1.
+/// The middle of the left and right half of a square that fills the picture. The background is 1.
 struct Halves {
   float left, right;
 };
@@ -49,7 +48,7 @@ TEST(MeshMaterial, maps_follow_their_transform) {
   const Halves as_it_is = render(square(2, 0), s, row_of({0, 0, 255, 255}));
   EXPECT_EQ(as_it_is.left, 0.0f);
   EXPECT_EQ(as_it_is.right, 1.0f);
-  s.base_color_map.offset = {0.5f, 0.0f};  // shifted by half of the texture, which repeats
+  s.base_color_map.offset = {0.5f, 0.0f};  // half of the texture, which repeats
   const Halves moved = render(square(2, 0), s, row_of({0, 0, 255, 255}));
   EXPECT_EQ(moved.left, 1.0f);
   EXPECT_EQ(moved.right, 0.0f);
@@ -65,7 +64,7 @@ TEST(MeshMaterial, footprint_grows_with_the_scale_of_the_transform) {
   s.base_color_map.texture = 0;
   s.base_color_map.matrix[0].x = 64.0f;  // 64 periods of black and white on 32 pixels, so only their mean is visible
   const Halves blurred = render(square(2, 0), s, row_of({0, 0, 255, 255}));
-  EXPECT_NEAR(blurred.left, 0.5f, 1e-3f);  // rounding of the 16-bit codes in the coarsest level
+  EXPECT_NEAR(blurred.left, 0.5f, 1e-3f);  // 16-bit codes in the coarsest level
   EXPECT_NEAR(blurred.right, 0.5f, 1e-3f);
 }
 
@@ -100,13 +99,13 @@ TEST(MeshMaterial, blend_multiplies_all_alphas) {
   s.base_color = Vec4f(0, 0, 0, 0.5f);
   s.base_color_map.texture = 0;
   s.blend = true;
-  // A black surface with alpha 0.5 (material) x 0.5 (vertices) x 128/255 (texture) in front of white.
+  // Black with alpha 0.5 (material) x 0.5 (vertices) x 128/255 (texture), in front of white.
   EXPECT_NEAR(render(mesh, s, row_of({255}, 128)).left, 1.0f - 0.25f * 128.0f / 255.0f, 1e-5f);
 }
 
 TEST(MeshMaterial, mask_compares_the_product_of_alphas) {
   Mesh mesh = square(2, 0);
-  mesh.alphas = {0.4f, 0.8f, 0.8f, 0.4f};  // grows from left to right: 0.5 at 1/4 and 0.7 at 3/4 of the width
+  mesh.alphas = {0.4f, 0.8f, 0.8f, 0.4f};  // from left to right: 0.5 at 1/4 and 0.7 at 3/4 of the width
   MetallicRoughness s = unlit();
   s.base_color = Vec4f(0, 0, 0, 0.5f);
   s.alpha_cutoff = 0.3f;
@@ -132,7 +131,7 @@ TEST(MeshMaterial, vertex_colours_multiply_base_colour_and_texture) {
   EXPECT_NEAR(render(mesh, s, row_of({51})).left, 0.5f * 0.5f * 0.2f, 1e-5f);
 }
 
-/// Path traces brushed metal below a lamp. The metal is brushed along x and then rotated by `turned` radians.
+/// The metal below a lamp is brushed along x and then rotated by `turned` radians.
 Picture brushed(float strength, float turned, const Texture* map = nullptr) {
   SmallScene s;
   MetallicRoughness metal;
@@ -154,7 +153,7 @@ TEST(MeshMaterial, map_rotates_and_scales_anisotropy) {
   EXPECT_GT(std::abs(along.at(8, 8).x / by_numbers.at(8, 8).x - 1.0f), 0.1f);
 }
 
-/// A normal map with one normal, which leans to the right by `degrees`.
+/// One normal, which leans to the right by `degrees`.
 Texture leaning(float degrees) {
   const float a = radians(degrees);
   Texture map = row_of({0});
@@ -163,8 +162,8 @@ Texture leaning(float degrees) {
   return map;
 }
 
-/// A clear-coated surface with normal maps for base and coat. If `layered`, it has a sheen too faint to be visible, so that
-/// LayeredBsdf is used.
+/// A coated surface with normal maps for base and coat. `layered` adds a sheen too faint to be visible, so that LayeredBsdf is
+/// used.
 MetallicRoughness coated(bool layered) {
   MetallicRoughness m;
   m.clearcoat = 1.0f;
@@ -173,8 +172,8 @@ MetallicRoughness coated(bool layered) {
   return m;
 }
 
-/// Returns the radiance of a surface's middle, seen perpendicularly. The normals of base and coat lean to the right by
-/// `base_degrees` and `coat_degrees`, and the direction to the lamp leans by `lamp_degrees`.
+/// Radiance of the middle, seen perpendicularly. The normals of base and coat lean to the right by `base_degrees` and
+/// `coat_degrees`, and the direction to the lamp by `lamp_degrees`.
 float lit_from(MetallicRoughness m, float base_degrees, float coat_degrees, float lamp_degrees) {
   SmallScene s;
   s.scene.textures = {leaning(base_degrees), leaning(coat_degrees)};
@@ -184,8 +183,7 @@ float lit_from(MetallicRoughness m, float base_degrees, float coat_degrees, floa
   return test::trace_paths(s.scene, single_view(33), 16).at(16, 16).x;
 }
 
-// The base reflects a lamp at twice the angle of the base's normal, and the coat reflects a lamp at twice the angle of the
-// coat's normal.
+// Base and coat each reflect a lamp at twice the angle of their normal.
 TEST(MeshMaterial, coat_and_base_use_separate_normal_maps) {
   for (const bool layered : {false, true}) {
     MetallicRoughness m = coated(layered);
@@ -216,8 +214,8 @@ TEST(MeshMaterial, rough_coats_show_lamps_behind_the_base) {
   }
 }
 
-// The base is black, so only the coat reflects light. Its light must not change if the normal of the base leans by 60 degrees.
-// The tolerance of 1 % covers noise.
+// Only the coat reflects light, because the base is black. Its light must not change, up to noise of 1 %, if the base's normal
+// leans by 60 degrees.
 TEST(MeshMaterial, rough_coats_keep_their_albedo) {
   const auto in_white_furnace = [](const MetallicRoughness& m, float base_degrees) {
     SmallScene s;

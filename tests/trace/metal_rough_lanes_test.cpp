@@ -1,5 +1,4 @@
-// Sixteen surfaces at once, compared with MetalRoughBsdf for each surface. The results must be bit-identical. MetalRoughBsdf
-// has its own tests.
+// Sixteen surfaces at once must give the same bits as MetalRoughBsdf for each.
 #include "shading/metal_rough_lanes.hpp"
 
 #include <gtest/gtest.h>
@@ -17,10 +16,10 @@ const GgxAlbedo& albedo() {
   return tables;
 }
 
-/// kAny: all supported surfaces, including glass.
+/// kAny: all supported surfaces, including glass
 enum class Kind { kLambert, kGloss, kAny };
 
-/// Sixteen surfaces, each with its own view. In some, the gloss has a separate normal.
+/// Each surface has its own view. In some, the gloss has a separate normal.
 struct Points {
   Points(unsigned seed, Kind kind) : random(seed) {
     for (std::size_t i = 0; i < kLanes; ++i) {

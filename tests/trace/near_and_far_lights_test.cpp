@@ -1,5 +1,5 @@
-// A floor below near lights (with falloff by distance) and far lights (without). The eye is at (0, 0, 1) and sees the square
-// from -0.2 to 0.2 in x and y at z = 0, so that the floor always fills the picture.
+// Near lights fall off with distance, far lights do not. The eye at (0, 0, 1) sees the floor from -0.2 to 0.2 in x and y at z =
+// 0.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -48,7 +48,7 @@ SmallScene floor_below(Near near, Far far, float half_size, float roughness = 1.
   return s;
 }
 
-/// Returns the standard deviation of all values, relative to their mean.
+/// Standard deviation of all values, relative to their mean.
 double noise(const Image& film) {
   const double average = mean(film);
   double squares = 0.0;
@@ -76,7 +76,7 @@ double light_below(Near near, Far far, float roughness) {
   return mean(trace_paths(floor_below(near, far, 5.0f, roughness).scene, single_view(16), 512, {}, 1, kNearby).film);
 }
 
-// On diffuse floors, shadow rays find most of the light. On glossy floors, reflected rays do.
+// On diffuse floors, shadow rays find most of the light; on glossy floors, reflected rays do.
 TEST(NearAndFarLights, light_is_the_sum_of_both) {
   for (const float roughness : {1.0f, 0.3f})
     for (const Near near : kNears)

@@ -1,5 +1,5 @@
-// Path-traced light, compared with theory. The camera is at (0, 0, 10) and sees the square from -2 to 2 in x and y at z = 0.
-// kNearby scales the camera's distance and the square by 1/10.
+// Path-traced light, compared with theory. The camera at (0, 0, 10) sees the square from -2 to 2 in x and y at z = 0. kNearby
+// scales both by 1/10.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,7 +18,7 @@ MetallicRoughness rough(Vec3f color, float metallic, float roughness) {
   return m;
 }
 
-/// A cube from -half to half with inward normals, for cameras inside.
+/// A cube with inward normals, for cameras inside.
 Mesh room(float half) {
   Mesh m;
   for (int corner = 0; corner < 8; ++corner)
@@ -32,15 +32,13 @@ Mesh room(float half) {
   return m;
 }
 
-// ---- Furnaces: in uniform light, white objects are invisible -----------------------------------------------------------
-
 TEST(PathTracer, white_spheres_vanish_in_a_white_furnace) {
   for (const float metallic : {0.0f, 1.0f})
     for (int r = 0; r <= 10; ++r) {
       SmallScene s;
       surround(s, Vec3f(1.0f));
       s.add(Spheres{{{0, 0, 0}, 3.0f}}, s.material(rough(Vec3f(1.0f), metallic, 0.1f * static_cast<float>(r))));
-      // Tolerance: error of the tables of multiple scattering. The picture has 64 pixels x 256 samples.
+      // The tables of multiple scattering have this error. The picture has 64 pixels x 256 samples.
       EXPECT_NEAR(mean(trace_paths(s.scene, single_view(8), 256).film), 1.0, 0.005)
           << "metallic " << metallic << ", roughness 0." << r;
     }
@@ -69,14 +67,14 @@ TEST(PathTracer, rough_glass_vanishes_in_a_white_furnace) {
     s.scene.max_depth = 64;
     surround(s, Vec3f(1.0f));
     s.add(Spheres{{{0, 0, 0}, 3.0f}}, s.material(glass));
-    // Tolerance: error of the tables of multiple scattering. Single scattering alone would lose 37 % at roughness 0.7, and 66 %
-    // at roughness 1.
+    // The tables of multiple scattering have this error. Single scattering alone would lose 37 % at roughness 0.7, and 66 % at
+    // roughness 1.
     EXPECT_NEAR(mean(trace_paths(s.scene, single_view(8), 1024).film), 1.0, 0.01) << "roughness " << roughness;
   }
 }
 
-// Radiance of a room with emission e and albedo a: L = e + a L. Paths of at most n vertices see the sum of e a^k for k = 0 ...
-// n. With a = 1/2, this is e (2 - 1/2^n).
+// A room with emission e and albedo a has the radiance L = e + a L. Paths of at most n vertices see the sum of e a^k for k = 0
+// ... n, which is e (2 - 1/2^n) for a = 1/2.
 TEST(PathTracer, glowing_rooms_follow_the_geometric_series) {
   for (const int depth : {1, 2, 8}) {
     SmallScene s;
@@ -90,14 +88,12 @@ TEST(PathTracer, glowing_rooms_follow_the_geometric_series) {
   }
 }
 
-// ---- Lights ---------------------------------------------------------------------------------------------------------
-
 TEST(PathTracer, lambert_matches_whitted) {
   SmallScene s;
   s.add(square(2, 0), s.material(matte({0.5f, 0.25f, 1.0f})));
   s.point_light({3, 0, 4}, {1.0f, 0.5f, 0.25f});
   const Vec3f whitted = trace(s.scene, single_view(33)).at(16, 16), path = trace_paths(s.scene, single_view(33), 4).at(16, 16);
-  // Tolerance: samples are spread over the pixel.
+  // Samples are spread over the pixel.
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(path[c], whitted[c], 0.01f * whitted[c]);
 }
 
@@ -111,8 +107,8 @@ TEST(PathTracer, a_metallic_roughness_surface_divides_by_pi) {
   EXPECT_NEAR(trace_paths(s.scene, single_view(33), 4).at(16, 16).x, 0.5f / kPi * 8.0f / 16.0f, 5e-4f);
 }
 
-/// Returns the form factor from a point to a parallel square of half side a at height h. It is four times the form factor of a
-/// square of side a with one corner above the point (Howell, configuration B-3).
+/// From a point to a parallel square of half side a at height h: four times the form factor of a square of side a with one
+/// corner above the point (Howell, configuration B-3).
 double form_factor(double a, double h) {
   const double x = a / h, r = std::sqrt(1.0 + x * x);
   return 4.0 / M_PI * x / r * std::atan(x / r);
@@ -148,20 +144,20 @@ TEST(PathTracer, panorama_spots_act_as_distant_lamps) {
   SmallScene s;
   s.scene.background.map.emplace().radiance = Image(64, 32, 3);
   // One texel around +x, 30 degrees above the horizon, is bright. The square faces +x.
-  const int row = 10;  // this row has polar angles from 56.25 to 61.875 degrees
+  const int row = 10;  // polar angles from 56.25 to 61.875 degrees
   std::fill_n(s.scene.background.map->radiance.pixel(32, row), 3, 1000.0f);
   const Mat3f towards_x(Vec3f(0, 0, -1), Vec3f(0, 1, 0), Vec3f(1, 0, 0));
   s.add(square(2, 0), s.material(matte(Vec3f(1.0f))), s.node({towards_x, Vec3f(0.0f)}));
-  // Irradiance / pi of the texel: radiance x solid angle x cosine / pi. Bilinear interpolation spreads the texel over two
-  // texels in width and height, with a mean weight of 1/4. The effective solid angle is that of one texel.
+  // Irradiance / pi of the texel: radiance x solid angle x cosine / pi. Bilinear interpolation spreads the texel over 2 x 2
+  // texels with a mean weight of 1/4.
   const double step = M_PI / 32, polar = (row + 0.5) * step, azimuth = 0.5 * step;
   const double cosine = std::sin(polar) * std::cos(azimuth), expected = 1000.0 * step * step * std::sin(polar) * cosine / M_PI;
   const Picture p = trace_paths(s.scene, single_view(5), 4096, {}, 1, {0.1f * towards_x, Vec3f(0.0f)});
   EXPECT_NEAR(p.at(2, 2).x, expected, 0.01 * expected);
 }
 
-// Radiance of the floor: 2 cos / pi from the sun, and 0.25 from the sky. Tolerance: the sun's texel may be 0.7 degrees from
-// `toward`, which changes the cosine by 1 %.
+// Radiance of the floor: 2 cos / pi from the sun, and 0.25 from the sky. The sun's texel may be 0.7 degrees from `toward`,
+// which changes the cosine by 1 %.
 TEST(PathTracer, suns_in_the_sky_give_their_irradiance) {
   SmallScene s;
   s.scene.max_depth = 3;
@@ -171,8 +167,6 @@ TEST(PathTracer, suns_in_the_sky_give_their_irradiance) {
   const double expected = 2.0 * static_cast<double>(toward.z) / M_PI + 0.25;
   EXPECT_NEAR(mean(trace_paths(s.scene, single_view(32), 256).film), expected, 0.01 * expected);
 }
-
-// ---- What light passes ----------------------------------------------------------------------------------------------
 
 TEST(PathTracer, partial_coverage_passes_light_and_views) {
   SmallScene s;
@@ -203,11 +197,11 @@ TEST(PathTracer, cut_out_leaves_cast_shaped_shadows) {
     chalk.specular = 0.0f;
     s.add(square(2, 0), s.material(chalk));
     Light& light = s.point_light({0, 0, 0}, Vec3f(kPi));
-    light.kind = LightKind::kDirectional;                   // shines along -z
-    const Affine3f below{0.5f * Mat3f(1.0f), Vec3f(0.0f)};  // the eye is at (0, 0, 5) and sees the square from -1 to 1
+    light.kind = LightKind::kDirectional;                   // along -z
+    const Affine3f below{0.5f * Mat3f(1.0f), Vec3f(0.0f)};  // the eye at (0, 0, 5) sees the square from -1 to 1
     const Picture p =
         by_paths ? trace_paths(s.scene, single_view(9), 1, {}, 1, below) : trace(s.scene, single_view(9), {}, 1, 0.0, below);
-    EXPECT_NEAR(p.at(1, 4).x, 1.0f, 0.02f) << by_paths;  // tolerance: Whitted shading adds a weak highlight
+    EXPECT_NEAR(p.at(1, 4).x, 1.0f, 0.02f) << by_paths;  // Whitted shading adds a weak highlight
     EXPECT_NEAR(p.at(7, 4).x, 0.0f, 1e-3f) << by_paths;
   }
 }
@@ -220,8 +214,7 @@ TEST(PathTracer, light_through_a_clear_pane_counts_once) {
   surround(s, Vec3f(1.0f));
   s.add(square(200, 3), s.material(pane));
   s.add(square(20, 0), s.material(matte(Vec3f(0.8f))));
-  // The camera is between pane and floor. Half of the sky's light reaches the floor through the pane. A little light also comes
-  // from the sides.
+  // The camera is between pane and floor. Half of the sky's light passes the pane, and a little comes from the sides.
   EXPECT_NEAR(mean(trace_paths(s.scene, single_view(5), 1024, {}, 1, kNearby).film), 0.8 * 0.5, 0.008);
 }
 
@@ -232,8 +225,6 @@ TEST(PathTracer, bulbs_are_seen_but_counted_once) {
   EXPECT_NEAR(trace_paths(s.scene, single_view(5), 512, {}, 1, kNearby).at(2, 2).x, 0.5, 0.005);
   EXPECT_NEAR(trace_paths(s.scene, single_view(33), 16).at(16, 16).x, 0.5, 1e-4) << "the bulb itself, from afar";
 }
-
-// ---- Normal maps ----------------------------------------------------------------------------------------------------
 
 TEST(PathTracer, normal_maps_change_the_shading) {
   SmallScene s;
@@ -248,14 +239,12 @@ TEST(PathTracer, normal_maps_change_the_shading) {
   s.add(square(2, 0), s.material(chalk));
   Light& light = s.point_light({0, 0, 0}, Vec3f(kPi));
   light.kind = LightKind::kDirectional;
-  // The light comes from between +x and +z, at 45 degrees. u grows along +x.
+  // The light comes from between +x and +z. u grows along +x.
   const float c = std::sqrt(0.5f);
   s.scene.nodes.back().matrix = Affine3f{Mat3f(Vec3f(c, 0, -c), Vec3f(0, 1, 0), Vec3f(c, 0, c)), Vec3f(0.0f)};
   const Vec3f normal = glm::normalize(Vec3f(1.0f, 1.0f / 255, 1.0f / 255));
   EXPECT_NEAR(trace_paths(s.scene, single_view(33), 1).at(16, 16).x, glm::dot(normal, Vec3f(c, 0, c)), 2e-3f);
 }
-
-// ---- Numbers --------------------------------------------------------------------------------------------------------
 
 TEST(PathTracer, threads_do_not_change_bits) {
   SmallScene s = busy_scene(3);
@@ -276,7 +265,7 @@ TEST(PathTracer, noise_depends_on_frame_and_seed) {
   EXPECT_NE(a.data, trace_paths(s.scene, lenticular_view(), 2, third).film.data);
 }
 
-// Neighbouring pixels below a lens belong to neighbouring views. Their noise must be independent.
+// Neighbouring pixels below a lens belong to neighbouring views, whose noise must be independent.
 TEST(PathTracer, noise_of_neighbouring_views_is_uncorrelated) {
   SmallScene s;
   PhongSurface lamp = matte(Vec3f(0.0f));
@@ -293,7 +282,7 @@ TEST(PathTracer, noise_of_neighbouring_views_is_uncorrelated) {
       variance += a * a, covariance += a * b;
     }
   EXPECT_GT(variance, 0.0);
-  EXPECT_LT(std::abs(covariance / variance), 4.0 / std::sqrt(pairs));  // limit: four standard deviations for independent noise
+  EXPECT_LT(std::abs(covariance / variance), 4.0 / std::sqrt(pairs));  // four standard deviations for independent noise
 }
 
 TEST(PathTracer, clamping_dims_only_indirect_light) {
@@ -304,8 +293,8 @@ TEST(PathTracer, clamping_dims_only_indirect_light) {
   s.add(room(20.0f), s.material(wall));
   TraceParams params;
   params.clamp_indirect = 0.05f;
-  // The emission 1 and the direct light 0.5 are not clamped. The light of the two bounces after them is 0.25 and 0.125, and
-  // each of its contributions is limited to 0.05.
+  // The emission 1 and the direct light 0.5 are not clamped. The two bounces after them have 0.25 and 0.125, and each of their
+  // contributions is limited to 0.05.
   const double clamped = mean(trace_paths(s.scene, single_view(5), 256, params).film);
   EXPECT_GT(clamped, 1.495);
   EXPECT_LT(clamped, 1.5 + 4 * 0.05 + 0.005);

@@ -11,7 +11,7 @@ namespace {
 
 using namespace test;
 
-/// Two squares side by side, the right one at z = 1 and the left one at z = 0. There is nothing at x > 1.
+/// The right square is at z = 1, the left one at z = 0. There is nothing at x > 1.
 SmallScene two_squares() {
   SmallScene s;
   const int material = s.material(matte(Vec3f(0.5f)));
@@ -20,7 +20,7 @@ SmallScene two_squares() {
   return s;
 }
 
-/// Returns ray r, which points down from z = 5. Rays hit in turn the left square, the right square, and nothing.
+/// Points down from z = 5. Rays hit in turn the left square, the right square, and nothing.
 PathRay ray_down(std::uint32_t r) {
   PathRay ray;
   ray.origin = {static_cast<float>(r % 3) - 0.5f, 0.1f, 5.0f};

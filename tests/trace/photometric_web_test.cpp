@@ -1,4 +1,4 @@
-// Lamps with measured light distributions (photometric webs): pictures below such lamps, and the choice among them.
+// Lamps with measured light distributions (photometric webs).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,12 +12,11 @@ namespace {
 
 using namespace test;
 
-/// Places the eye at (0, 0, 1). It sees the square from -0.2 to 0.2 in x and y at z = 0.
+/// The eye at (0, 0, 1) sees the square from -0.2 to 0.2 in x and y at z = 0.
 const Affine3f kEyeBelowWeb{Mat3f(0.1f), Vec3f(0.0f)};
 constexpr float kWebHeight = 2.0f;
 
-/// Returns a web with the intensity cos^n a, where a is the angle to -z, and 0 for a > 90 degrees. It is sampled in steps of
-/// half a degree and divided by its mean.
+/// Intensity cos^n a, where a is the angle to -z, and 0 for a > 90 degrees, in steps of half a degree, divided by its mean.
 PhotometricWeb cosine_web(double n) {
   PhotometricWeb web;
   for (int step = 0; step <= 180; ++step) {
@@ -31,7 +30,7 @@ PhotometricWeb cosine_web(double n) {
   return web;
 }
 
-/// Returns the peak intensity of cosine_web(n). The mean of cos^n a over the sphere is 1 / (2 (n + 1)).
+/// The mean of cos^n a over the sphere is 1 / (2 (n + 1)).
 double cosine_peak(double n) { return 2.0 * (n + 1.0); }
 
 MetallicRoughness white_floor() {
@@ -40,7 +39,7 @@ MetallicRoughness white_floor() {
   return m;
 }
 
-/// A floor below a lamp of radiant intensity `color`. The lamp points down, tilted towards +x.
+/// `color` is the lamp's radiant intensity. It points down, tilted towards +x.
 SmallScene below_lamp(Vec3f color, float tilt) {
   SmallScene s;
   s.add(square(2, 0), s.material(white_floor()));
@@ -61,7 +60,7 @@ void expect_same_light(const Image& a, const Image& b, float tolerance) {
   for (std::size_t i = 0; i < a.data.size(); ++i) ASSERT_NEAR(a.data[i], b.data[i], tolerance * b.data[i]) << i;
 }
 
-// The intensity of a spot with an inner cone of 0 and an outer cone of 90 degrees is proportional to the squared cosine.
+// A spot with an inner cone of 0 and an outer cone of 90 degrees falls off with the squared cosine.
 TEST(PhotometricWeb, squared_cosine_matches_a_spot) {
   for (const float tilt : {0.0f, 0.6f})
     for (const Integrator integrator : {Integrator::kPath, Integrator::kWhitted}) {
@@ -86,7 +85,7 @@ TEST(PhotometricWeb, light_below_is_peak_over_squared_distance) {
   }
 }
 
-// The mean irradiance over a sphere of radius 1 around the lamp equals the lamp's colour, 1, so that its flux is 4 pi.
+// The mean irradiance on a sphere of radius 1 around the lamp equals the lamp's colour, 1: its flux is 4 pi.
 TEST(PhotometricWeb, flux_equals_an_isotropic_lamps) {
   SmallScene s = below_lamp(Vec3f(1.0f), 0.3f);
   s.scene.webs.push_back(cosine_web(5));
@@ -106,7 +105,7 @@ TEST(PhotometricWeb, flux_equals_an_isotropic_lamps) {
   EXPECT_NEAR(sum / (kSteps * kSteps), 1.0, 2e-3);
 }
 
-// Forty lamps point in all directions. A tree chooses one of them.
+// A tree chooses one of forty lamps, which point in all directions.
 TEST(PhotometricWeb, many_webs_are_sampled_without_bias) {
   for (const float radius : {0.0f, 0.1f}) {
     const auto lamps = [&](int first, int end) {

@@ -1,4 +1,3 @@
-// Pictures of meshes with skins and morph targets.
 #include <gtest/gtest.h>
 
 #include "trace/small_scene.hpp"
@@ -14,8 +13,8 @@ using test::trace;
 
 constexpr int kPosedSize = 32;
 
-/// A red square of half size 1, whose joint moves from (-1, 0, 0) to (1, 0, 0) within a second. Behind it, a green square grows
-/// to twice its size.
+/// A red square of half size 1, whose joint moves from (-1, 0, 0) to (1, 0, 0) within a second, in front of a green square that
+/// grows to twice its size.
 SmallScene deforming() {
   SmallScene s;
   const int red = s.material(test::glowing({1, 0, 0})), green = s.material(test::glowing({0, 1, 0}));
@@ -38,7 +37,7 @@ SmallScene deforming() {
 TEST(PosedMesh, follows_joints_and_weights) {
   const Scene scene = deforming().scene;
   const Picture before = trace(scene, single_view(kPosedSize)), after = trace(scene, single_view(kPosedSize), {}, 1, 1.0);
-  // The picture is 4 wide with 32 pixels. Pixel 8 is at x = -0.94, pixel 23 at x = 0.94, and row 22 at y = -0.81.
+  // The picture is 4 wide with 32 pixels: pixel 8 is at x = -0.94, pixel 23 at x = 0.94, and row 22 at y = -0.81.
   EXPECT_EQ(before.at(8, 16), Vec3f(1, 0, 0));
   EXPECT_EQ(before.at(23, 16), Vec3f(0, 0, 0));
   EXPECT_EQ(after.at(8, 16), Vec3f(0, 1, 0));

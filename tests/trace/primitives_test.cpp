@@ -37,7 +37,7 @@ TEST(CylinderDistance, side_is_open_at_both_ends) {
   EXPECT_FLOAT_EQ(distance(c, ray({0, 1, 0}, {0, 0, -1})), 0.5f) << "from inside";
   EXPECT_EQ(distance(c, ray({0, 2.1f, 3}, {0, 0, -1})), kInfinity);
   EXPECT_EQ(distance(c, ray({0, 5, 0}, {0, -1, 0})), kInfinity) << "along the axis";
-  // The ray enters through the open top at 45 degrees. It passes over the near wall and hits the far wall.
+  // The ray enters through the open top at 45 degrees, passes over the near wall and hits the far wall.
   const float h = std::sqrt(0.5f);
   EXPECT_NEAR(distance(c, ray({0, 3, 1}, {0, -h, -h})), 1.5f / h, 1e-5f);
 }
@@ -73,7 +73,7 @@ TEST(BoxNormal, elongated_box_faces_differ_from_tachyons_rule) {
   EXPECT_EQ(tachyon_box_normal(b, on_top), Vec3f(1, 0, 0)) << "|x| is the largest component";
 }
 
-/// Steps along the ray in double precision until an implicit function changes its sign. Returns the parameter t of this point.
+/// Steps along the ray until an implicit function changes its sign. Returns the ray's parameter t there.
 template <class F>
 float march(const F& f, Vec3f o, Vec3f d, float end) {
   double before = f(glm::dvec3(o));
@@ -99,7 +99,7 @@ TEST(Distances, random_rays_agree_with_marching) {
     const float expected_sphere =
         march([](glm::dvec3 p) { return glm::length(p - glm::dvec3(0.1, -0.2, 0.3)) - 0.6; }, o, d, 6.0f);
     const float got_sphere = distance(sphere, ray(o, d));
-    // A marching step is 3e-4 long. Chords shorter than a step may be missed.
+    // A step is 3e-4 long, so shorter chords may be missed.
     if (expected_sphere < kInfinity) {
       EXPECT_NEAR(got_sphere, expected_sphere, 4e-4f);
     }

@@ -7,14 +7,14 @@
 namespace lippmann {
 namespace {
 
-// Rounding error of one arc tangent and one division.
+// one arc tangent and one division
 constexpr float kProjectionRounding = 1e-6f;
 
 struct ProjectedPoint {
   float u, v, blur;
 };
 
-/// Projects one point in lane kLane. The other lanes are not wanted.
+/// Projects one point in lane kLane.
 ProjectedPoint project(const ImageProjection& projection, Vec3f point, float path_length) {
   constexpr int kLane = 5;
   Lanes3 points;
@@ -68,7 +68,7 @@ TEST(Project, cylinder_uses_height_and_distance) {
   p.scale = {2.0f, 3.0f, 0.0f};
   // The point is 3 from the axis of the cylinder and 4.1 along it.
   const ProjectedPoint at = project(p, {13, 24.1f, 30}, 40.0f);
-  // v is the fraction of 4.1 x scale.y = 12.3. A float keeps only about 6 digits of it.
+  // v is the fraction of 4.1 x scale.y = 12.3, of which a float keeps about 6 digits.
   EXPECT_NEAR(at.v, 0.3f, 1e-5f);
   EXPECT_NEAR(at.blur, 0.05f * 40.0f / (8.0f * std::hypot(3.0f, 4.1f)) * 3.0f, kProjectionRounding);
 }

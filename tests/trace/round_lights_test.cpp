@@ -1,5 +1,5 @@
-// Lamps with a size, compared with the geometry of their light and shadows. The camera is at (0, 0, 10) and sees the square
-// from -2 to 2 in x and y at z = 0. kNearby scales the camera's distance and the square by 1/10.
+// Lamps with a size, compared with the geometry of their light and shadows. The camera at (0, 0, 10) sees the square from -2 to
+// 2 in x and y at z = 0. kNearby scales both by 1/10.
 #include "shading/round_lights.hpp"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ Light& ball(SmallScene& s, Vec3f position, float intensity, float radius) {
   return light;
 }
 
-/// Adds a sun in the direction `toward`, as seen from the origin.
+/// `toward` is seen from the origin.
 Light& sun(SmallScene& s, Vec3f toward, float illuminance, float angular_diameter) {
   Light& light = s.point_light(Vec3f(0.0f), Vec3f(illuminance));
   const Vec3f z = glm::normalize(toward), x = glm::normalize(glm::cross(Vec3f(0, 1, 0), z));
@@ -42,13 +42,13 @@ Light& sun(SmallScene& s, Vec3f toward, float illuminance, float angular_diamete
   return light;
 }
 
-/// Returns the irradiance in the middle of a white floor.
+/// In the middle of a white floor.
 float irradiance(SmallScene s, int spp = 256) {
   s.add(square(2, 0), s.material(chalk()));
   return kPi * trace_paths(s.scene, single_view(5), spp, {}, 1, kNearby).at(2, 2).x;
 }
 
-// A sphere that is completely above the horizon gives the light of a point lamp at its centre: intensity x cosine / distance^2.
+// A sphere above the horizon gives the light of a point lamp at its centre: intensity x cosine / distance^2.
 TEST(RoundLight, spheres_give_the_irradiance_of_points) {
   for (const float radius : {0.1f, 1.0f, 3.5f}) {
     SmallScene s;
@@ -66,8 +66,8 @@ TEST(RoundLight, spheres_light_their_inside_uniformly) {
   EXPECT_NEAR(irradiance(s), 50.0f / 25.0f, 0.01f);
 }
 
-// Half of the sphere is above the horizon, on which its centre lies. Let s = radius / distance. The irradiance is (intensity /
-// (pi radius^2)) (asin s - s sqrt(1 - s^2)).
+// The sphere's centre is on the horizon. With s = radius / distance, the irradiance is (intensity / (pi radius^2)) (asin s - s
+// sqrt(1 - s^2)).
 TEST(RoundLight, half_of_spheres_on_the_horizon_counts) {
   SmallScene s;
   ball(s, {4, 0, 0}, 8.0f, 2.0f);
@@ -85,8 +85,7 @@ TEST(RoundLight, suns_give_illuminance_times_cosine) {
   }
 }
 
-/// Returns the share of a lamp's light that passes an edge at x = 0, 2 above a white floor. The shares are for 64 pixels along
-/// y = 0, at x = -1 + (i + 0.5) / 16.
+/// Fraction of a lamp's light that passes an edge at x = 0, 2 above a white floor, for 64 pixels at x = -1 + (i + 0.5) / 16.
 std::vector<float> past_an_edge(const SmallScene& lit) {
   constexpr int kPixels = 64;
   const Affine3f view{Mat3f(1.0f), {1.0f, 0.0f, 0.0f}};
@@ -106,9 +105,9 @@ std::vector<float> past_an_edge(const SmallScene& lit) {
 }
 int pixel_at(double x) { return static_cast<int>((x + 1.0) * 16.0); }
 
-// From the edge at (0, 0, 2), the lamp's centre is at 45 degrees from the vertical, at a distance of sqrt(8). The lamp's sides
-// are at 45 degrees +- asin(0.5 / sqrt(8)) = 45 +- 10.2 degrees. The floor is 2 below the edge, so the penumbra extends from x
-// = 2 tan(34.8 deg) = 1.391 to 2 tan(55.2 deg) = 2.876.
+// From the edge at (0, 0, 2), the lamp's centre is at 45 degrees from the vertical, at a distance of sqrt(8), and its sides at
+// 45 degrees +- asin(0.5 / sqrt(8)) = 45 +- 10.2 degrees. The floor is 2 below, so the penumbra extends from x = 2 tan(34.8
+// deg) = 1.391 to 2 tan(55.2 deg) = 2.876.
 TEST(RoundLight, sphere_penumbra_matches_its_tangents) {
   SmallScene s;
   ball(s, {-2, 0, 4}, 100.0f, 0.5f);
@@ -120,8 +119,8 @@ TEST(RoundLight, sphere_penumbra_matches_its_tangents) {
   EXPECT_NEAR(light[pixel_at(2.876) + 1], 1.0f, 1e-5f);
 }
 
-// From the edge, the sun's disc is at 45 +- 5 degrees from the vertical. The floor is 2 below the edge, so the penumbra extends
-// from x = 2 tan(40 deg) = 1.678 to 2 tan(50 deg) = 2.384.
+// From the edge, the sun's disc is at 45 +- 5 degrees from the vertical. The floor is 2 below, so the penumbra extends from x =
+// 2 tan(40 deg) = 1.678 to 2 tan(50 deg) = 2.384.
 TEST(RoundLight, sun_penumbra_matches_its_disc) {
   SmallScene s;
   sun(s, {-1, 0, 1}, 1.0f, radians(10.0f));
@@ -133,7 +132,7 @@ TEST(RoundLight, sun_penumbra_matches_its_disc) {
   EXPECT_NEAR(light[pixel_at(2.384) + 1], 1.0f, 1e-5f);
 }
 
-// The lamp is compared with a glowing sphere of the same size, which paths find only by chance. Both are above the view.
+// The lamp is compared with a glowing sphere of the same size, which paths find only by chance.
 TEST(RoundLight, lamps_are_counted_once) {
   constexpr float kRadius = 0.8f, kIntensity = 4.0f;
   const Vec3f at{0.3f, 0.2f, 2.5f};
@@ -141,7 +140,7 @@ TEST(RoundLight, lamps_are_counted_once) {
     SmallScene lamp, shape;
     ball(lamp, at, kIntensity, kRadius);
     PhongSurface shines = matte(Vec3f(0.0f));
-    // The lamp's radiance. In scenes with Phong surfaces lamps are pi times as bright, but glowing shapes are not.
+    // The lamp's radiance. In scenes with Phong surfaces, lamps are pi times as bright, but glowing shapes are not.
     shines.emission = Vec3f(kIntensity / (kPi * kRadius * kRadius));
     shape.add(Spheres{{at, kRadius}}, shape.material(shines));
     double light[2];
@@ -177,8 +176,8 @@ TEST(RoundLight, lamps_do_not_occlude) {
   EXPECT_NEAR(irradiance(s, 4096), kPi, 0.01f);
 }
 
-// The outer and inner cones of the spot have the cosines 0.5 and 1, and the direction to the point has the cosine 0.75. Its
-// share of the way between the cones is t = 1/2. The squared edge is t^2 = 1/4, and the smooth edge is 3 t^2 - 2 t^3 = 1/2.
+// The outer and inner cones have the cosines 0.5 and 1, and the direction to the point 0.75, half-way (t = 1/2). The squared
+// edge is t^2 = 1/4, the smooth edge 3 t^2 - 2 t^3 = 1/2.
 TEST(RoundLight, spot_edges_are_smooth_or_squared) {
   for (const Integrator integrator : {Integrator::kWhitted, Integrator::kPath}) {
     for (const bool smooth : {false, true}) {
@@ -240,8 +239,8 @@ TEST(RoundLight, phong_highlights_show_lamps) {
   EXPECT_NEAR(light(0.2f), light(0.0f), 0.01 * light(0.0f));
 }
 
-// The directions are uniform in the cone, so 1 / density is the cone's solid angle, 2 pi (1 - cos). Here sin = radius /
-// distance = 1/2, so cos = sqrt(3/4).
+// Directions are uniform in the cone, so 1 / density is its solid angle, 2 pi (1 - cos). Here sin = radius / distance = 1/2, so
+// cos = sqrt(3/4).
 TEST(RoundLight, directions_cover_the_cone_uniformly) {
   WhittedLight light;
   light.position = {1, 2, 3};
@@ -266,7 +265,7 @@ TEST(RoundLight, directions_cover_the_cone_uniformly) {
   // The mean of uniform directions in a cone is (1 + cos) / 2 along its axis.
   EXPECT_NEAR(sum.z / (kSteps * kSteps), 0.5f * (1.0f + std::sqrt(0.75f)), 1e-4f);
   EXPECT_NEAR(sum.x / (kSteps * kSteps), 0.0f, 1e-4f);
-  // This direction is 31 degrees from the axis. It is outside the lamp's cone of 30 degrees.
+  // 31 degrees from the axis, outside the lamp's cone of 30 degrees.
   EXPECT_FALSE(see_round(light, 1.0f, from, glm::normalize(Vec3f(0.6f, 0.0f, 1.0f))));
   EXPECT_FALSE(see_round(light, 1.0f, from, Vec3f(0, 0, -1)));
 }

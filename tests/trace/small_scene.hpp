@@ -1,4 +1,4 @@
-// Helpers for tests of tracing: scenes of a few shapes, and pictures of a few pixels.
+// Scenes of a few shapes, and pictures of a few pixels.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ class SmallScene {
     return static_cast<int>(scene.nodes.size()) - 1;
   }
 
-  /// Adds a node that moves from `position` at time 0 to `position_after_a_second` at time 1. Returns the node's index.
+  /// Moves from `position` at time 0 to `position_after_a_second` at time 1. Returns the node's index.
   int moving_node(Vec3f position, Vec3f position_after_a_second) {
     scene.nodes.push_back({"", -1, {}, {}});
     NodeAnimation animation;
@@ -40,7 +40,7 @@ class SmallScene {
     return static_cast<int>(scene.materials.size()) - 1;
   }
 
-  /// Adds an instance of the shape. Returns its object id.
+  /// Returns the object id of the instance.
   int add(Shape shape, int material_index, int node_index = -1) {
     scene.shapes.push_back(std::move(shape));
     scene.instances.push_back({"", static_cast<int>(scene.shapes.size()) - 1, material_index, node_index});
@@ -65,7 +65,7 @@ inline void expect_color(Vec3f got, Vec3f expected, float tolerance = 2e-5f) {
 
 inline void surround(SmallScene& s, Vec3f light) { s.scene.background.horizon = s.scene.background.zenith = light; }
 
-/// Returns a surface that shows its colour regardless of the light.
+/// Shows its colour regardless of the light.
 inline PhongSurface glowing(Vec3f color) {
   PhongSurface s;
   s.color = color;
@@ -88,8 +88,8 @@ inline PhongSurface mirror(float share) {
   return s;
 }
 
-/// A uniform sky of `light` with a sun. The sun is one texel, 1.4 degrees wide, close to the direction `toward`, whose z must
-/// be > 0. It adds `irradiance` to surfaces that face it.
+/// A uniform sky of `light`, and a sun of one texel, 1.4 degrees wide, close to the direction `toward` with z > 0. The sun adds
+/// `irradiance` to surfaces that face it.
 inline EnvironmentMap sunny_sky(Vec3f light, Vec3f toward, Vec3f irradiance) {
   constexpr int kWidth = 256, kHeight = 128;
   constexpr double kStep = M_PI / kHeight;
@@ -98,15 +98,13 @@ inline EnvironmentMap sunny_sky(Vec3f light, Vec3f toward, Vec3f irradiance) {
   const Vec3f d = glm::normalize(toward);
   const auto x = static_cast<int>((0.5 + std::atan2(static_cast<double>(d.z), static_cast<double>(d.x)) * 0.5 / M_PI) * kWidth);
   const auto y = static_cast<int>(std::acos(static_cast<double>(d.y)) / kStep);
-  // Bilinear interpolation spreads the texel over two texels in width and height, with a mean weight of 1/4. The effective
-  // solid angle is that of one texel.
+  // Bilinear interpolation spreads the texel over 2 x 2 texels with a mean weight of 1/4.
   const auto inverse = static_cast<float>(1.0 / (kStep * kStep * std::sin((y + 0.5) * kStep)));
   for (int c = 0; c < 3; ++c) map.radiance.pixel(x, y)[c] += irradiance[c] * inverse;
   return map;
 }
 
-/// A square of two triangles from -half to half in x and y, in the plane z, facing +z. uv is (0, 0) at the top left and (1, 1)
-/// at the bottom right.
+/// Two triangles from -half to half in x and y, in the plane z, facing +z. uv is (0, 0) at the top left.
 inline Mesh square(float half, float z) {
   Mesh m;
   m.positions = {{-half, half, z}, {half, half, z}, {half, -half, z}, {-half, -half, z}};
@@ -115,7 +113,7 @@ inline Mesh square(float half, float z) {
   return m;
 }
 
-/// Adds a square lamp at height z that faces -z. Returns its object id.
+/// Faces -z. Returns the object id.
 inline int add_lamp_facing_down(SmallScene& s, float half, float z, Vec3f light) {
   MetallicRoughness shining;
   shining.emissive = light;
@@ -123,8 +121,7 @@ inline int add_lamp_facing_down(SmallScene& s, float half, float z, Vec3f light)
   return s.add(square(half, 0), s.material(shining), s.node(turned));
 }
 
-/// Matte, mirroring and glass spheres at random positions that depend on `seed`, on a long box below one light. Pictures of it
-/// need rays of every kind. The materials are 0 (matte), 1 (mirror) and 2 (glass).
+/// Matte (material 0), mirroring (1) and glass (2) spheres at random positions on a long box below one light.
 inline SmallScene busy_scene(unsigned seed) {
   SmallScene s;
   s.scene.max_depth = 4;
@@ -142,7 +139,7 @@ inline SmallScene busy_scene(unsigned seed) {
   return s;
 }
 
-/// A lenticular sheet of 8 lenses with 8 pixels each, and 50 rows. It shows the same square as single_view().
+/// 8 lenses with 8 pixels each, and 50 rows. Shows the same square as single_view().
 inline Optics lenticular_view() {
   Optics optics;
   optics.panel = {64, 50, 4.0f / 64};
@@ -155,7 +152,7 @@ inline Optics lenticular_view() {
   return optics;
 }
 
-/// A single view with `size` x `size` pixels. The camera is at (0, 0, 10) and sees the square from -2 to 2 in x and y at z = 0.
+/// The camera at (0, 0, 10) sees the square from -2 to 2 in x and y at z = 0.
 inline Optics single_view(int size) {
   Optics optics;
   optics.panel = {size, size, 4.0f / static_cast<float>(size)};
@@ -189,7 +186,7 @@ inline Picture trace(const Scene& scene, const Optics& optics, TraceParams param
   return picture;
 }
 
-/// Scales the display by 1/10: the eye of a single view is at (0, 0, 1) and sees the square from -0.2 to 0.2 in x and y.
+/// Scales the display by 1/10: the eye at (0, 0, 1) sees the square from -0.2 to 0.2 in x and y.
 inline const Affine3f kNearby{Mat3f(0.1f), Vec3f(0.0f)};
 
 inline Picture trace_paths(const Scene& scene, const Optics& optics, int spp, TraceParams params = {}, int threads = 1,

@@ -1,4 +1,3 @@
-// Light at grazing angles on coarse meshes with smooth normals.
 #include "shading/smooth_lift.hpp"
 
 #include "trace/coarse_ball.hpp"
@@ -9,9 +8,9 @@ namespace {
 
 using namespace test;
 
-// The corners are the ends of a quarter of the unit circle, and their normals point away from its centre. The point half-way
-// between the corners lies 1 - 1/2 = 1/2 below the tangent plane of each corner. Each tangent plane moves the point by this
-// distance along its normal, weighted by 1/2. The lift is 1/4 along x and y.
+// The corners are the ends of a quarter of the unit circle, with normals away from its centre. The point half-way between them
+// lies 1/2 below the tangent plane of each. Each plane moves the point by this distance along its normal with the weight 1/2,
+// so the lift is 1/4 along x and y.
 TEST(SmoothLift, half_way_along_chords_matches_by_hand) {
   const SmoothTriangle chord{{{{1, 0, 0}, {0, 1, 0}, {0, 1, 0}}}, {{{1, 0, 0}, {0, 3, 0}, {0, 1, 0}}}, {0.5f, 0.5f, 0.0f}};
   expect_color(smooth_lift(chord, 1.0f), {0.25f, 0.25f, 0.0f});
@@ -26,7 +25,7 @@ TEST(SmoothLift, corners_and_flat_triangles_are_not_lifted) {
   EXPECT_EQ(smooth_lift(bent, 1.0f), Vec3f(0.0f));
 }
 
-/// A ball that fills most of the view, lit by a lamp far to the right and slightly in front.
+/// Fills most of the view, lit by a lamp far to the right and slightly in front.
 template <class Shape>
 SmallScene lit_ball(const Shape& ball) {
   SmallScene s;
@@ -36,7 +35,7 @@ SmallScene lit_ball(const Shape& ball) {
   return s;
 }
 
-/// Returns the largest difference of two pictures in the middle, away from the ball's outline.
+/// In the middle, away from the ball's outline.
 float largest_difference(const Image& a, const Image& b) {
   float most = 0.0f;
   for (int y = 0; y < a.height; ++y)

@@ -1,5 +1,5 @@
-// Splats along rays, compared with values worked out by hand, and with a reference in double precision that evaluates every
-// splat for every ray. The camera is at (0, 0, 10) and sees the square from -2 to 2 in x and y at z = 0.
+// Splats along rays, compared with a reference in double precision that evaluates every splat for every ray. The camera at (0,
+// 0, 10) sees the square from -2 to 2 in x and y at z = 0.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace {
 
 using namespace test;
 
-/// Returns the coefficient of degree 0 for a constant colour.
+/// Coefficient of degree 0 for a constant colour.
 Vec3f harmonic_of(Vec3f color) { return (color - 0.5f) / 0.2820947917738781f; }
 
 void add_splat(Splats& splats, Vec3f center, Vec3f deviations, float opacity, Vec3f color,
@@ -41,7 +41,7 @@ Splats linear_splats() {
   return splats;
 }
 
-/// Returns splats around the origin with random rotations and colours of the given degree. Some are flat.
+/// Around the origin, with random rotations and colours of the given degree. Some are flat.
 Splats random_cloud(unsigned seed, int count, int degree, bool is_linear) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<float> uniform(-1.0f, 1.0f);
@@ -59,15 +59,12 @@ Splats random_cloud(unsigned seed, int count, int degree, bool is_linear) {
   return splats;
 }
 
-// ---- The reference --------------------------------------------------------------------------------------------------
-
 struct ReferenceHit {
   double t, alpha;
   Vec3d color;
 };
 
-/// Returns the associated Legendre function P_l^m(z) for 0 <= m <= l <= 3, with the Condon-Shortley phase. It is computed by
-/// recurrence, independently of the tested polynomials.
+/// Associated Legendre function P_l^m(z) for 0 <= m <= l <= 3, with the Condon-Shortley phase, by recurrence.
 double legendre(int l, int m, double z) {
   double pmm = 1.0;
   for (int i = 1; i <= m; ++i) pmm *= -(2.0 * i - 1.0) * std::sqrt(1.0 - z * z);
@@ -98,7 +95,7 @@ Vec3d reference_color(const Splats& splats, std::size_t i, Vec3d direction) {
   return glm::max(color, Vec3d(0.0));
 }
 
-/// Returns the hits of a ray in world space, with origin o and unit direction d.
+/// Hits of a ray in world space, with origin o and unit direction d.
 std::vector<ReferenceHit> reference_hits(const Splats& splats, const Affine3f& place, Vec3d o, Vec3d d) {
   std::vector<ReferenceHit> hits;
   const Vec3d local = glm::normalize(glm::inverse(glm::dmat3(place.linear)) * d);
@@ -115,7 +112,7 @@ std::vector<ReferenceHit> reference_hits(const Splats& splats, const Affine3f& p
   return hits;
 }
 
-/// Returns the radiance of all hits, without the background.
+/// Radiance of all hits, without the background.
 Vec3d reference_radiance(const std::vector<ReferenceHit>& hits, bool is_linear) {
   double left = 1.0;
   Vec3d sum(0.0);
@@ -125,8 +122,7 @@ Vec3d reference_radiance(const std::vector<ReferenceHit>& hits, bool is_linear) 
   return sum;
 }
 
-/// Renders a picture by the reference. `wall_z` is the height of a black wall that hides everything behind it. Rays start above
-/// the wall.
+/// `wall_z` is the height of a black wall that hides everything behind it. Rays start above the wall.
 Image reference_picture(const Splats& splats, const Affine3f& place, const Optics& optics, double wall_z = -1e9) {
   const PacketSource source(optics, {}, RayOrder::kRows, SubPixel{});
   const Vec2i size = film_size(optics);
@@ -173,8 +169,6 @@ void expect_like_reference(const Splats& splats, const Affine3f& place, const Op
   }
 }
 
-// ---- By hand --------------------------------------------------------------------------------------------------------
-
 TEST(Splat, opacity_is_the_gaussian_at_closest_approach) {
   SmallScene s;
   Splats splats = linear_splats();
@@ -185,8 +179,8 @@ TEST(Splat, opacity_is_the_gaussian_at_closest_approach) {
   EXPECT_NEAR(p.at(16, 16).x, 0.8f + 0.2f * 0.1f, 1e-4f);
   EXPECT_NEAR(p.at(16, 16).z, 0.8f * 0.25f + 0.2f * 0.1f, 1e-4f);
   // Pixel 24 is 8 pixels of 4/33 right of the middle, at x = a in the plane z = 0. Its ray is x = a (1 - z / 10). The squared
-  // distance from the splat's centre in standard deviations is (a (1 - z / 10) / 0.5)^2 + (z / 2)^2. It is smallest at z = 0.4
-  // a^2 / (1/4 + 0.04 a^2).
+  // distance from the splat's centre in standard deviations, (a (1 - z / 10) / 0.5)^2 + (z / 2)^2, is smallest at z = 0.4 a^2 /
+  // (1/4 + 0.04 a^2).
   const double a = 8.0 * 4.0 / 33.0, z = 0.4 * a * a / (0.25 + 0.04 * a * a);
   const double d2 = std::pow(a * (1.0 - z / 10.0) / 0.5, 2) + z * z / 4.0;
   const double alpha = 0.8 * std::exp(-0.5 * d2);
@@ -251,8 +245,7 @@ TEST(Splat, layers_use_the_median_depth) {
   const int id = add_splats(s, splats);
   const int back = s.add(square(2, -1.5f), s.material(matte(Vec3f(0.5f))));
   const Picture p = trace(s.scene, single_view(33));
-  // One splat transmits 0.6 of the light, and two transmit 0.36. This is less than half, so the depth is that of the second
-  // splat.
+  // One splat transmits 0.6 of the light, two transmit 0.36, which is less than half, so the depth is that of the second.
   EXPECT_NEAR(p.aovs[Aov::kDepth].pixel(16, 16)[0], 0.0f, 1e-4f);
   EXPECT_EQ(p.aovs[Aov::kId].pixel(16, 16)[0], static_cast<float>(id));
   EXPECT_NEAR(p.aovs[Aov::kDepth].pixel(2, 2)[0], -1.5f, 1e-4f);
@@ -287,8 +280,6 @@ TEST(Splat, mirrors_show_them) {
   expect_color(trace(s.scene, single_view(33)).at(16, 16), {0.5f, 0.25f, 0.0f}, 1e-3f);
 }
 
-// ---- Against the reference ------------------------------------------------------------------------------------------
-
 TEST(Splat, clouds_match_the_reference) {
   for (int degree = 0; degree <= 3; ++degree)
     expect_like_reference(random_cloud(static_cast<unsigned>(degree), 300, degree, degree % 2 == 0), {}, single_view(40), 55.0);
@@ -306,7 +297,7 @@ Optics hexagonal_view() {
   return optics;
 }
 
-/// A slanted panel. Each panel pixel has three film pixels, each with its own ray.
+/// Each panel pixel has three film pixels, each with its own ray.
 Optics slanted_view() {
   Optics optics;
   optics.panel = {16, 32, 4.0f / 32};
@@ -355,8 +346,6 @@ TEST(Splat, moved_ones_equal_rebuilt_ones) {
   add_splats(still, splats, still.node({Mat3f(1.0f), {0.5f, -0.25f, 0.5f}}));
   EXPECT_EQ(trace(moving.scene, single_view(32), {}, 1, 1.0).film.data, trace(still.scene, single_view(32)).film.data);
 }
-
-// ---- Degenerate sizes -----------------------------------------------------------------------------------------------
 
 TEST(Splat, extreme_sizes_give_finite_pictures) {
   for (const Vec3f deviations : {Vec3f(1e-14f), Vec3f(1e17f), Vec3f(1e-4f, 1.0f, 1.0f), Vec3f(1e17f, 1e13f, 1e13f)}) {

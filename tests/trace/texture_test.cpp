@@ -5,7 +5,7 @@
 namespace lippmann {
 namespace {
 
-constexpr float kStep = 1.0f / 65535.0f;  // difference between two adjacent 16-bit codes
+constexpr float kStep = 1.0f / 65535.0f;  // difference between adjacent 16-bit codes
 
 Texture gray(int width, int height, const std::vector<int>& bytes) {
   Texture t;
@@ -19,7 +19,7 @@ Texture gray(int width, int height, const std::vector<int>& bytes) {
 const Vec2f kNone(0.0f);
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
-/// Lookups use only this lane of a packet.
+/// the only lane that is used
 constexpr int kLane = 5;
 
 LaneMask one_lane() {
@@ -92,7 +92,7 @@ TEST(SampleUv, wide_footprint_averages_a_checkerboard) {
 }
 
 TEST(SampleUv, anisotropic_footprint_blurs_along_its_axis) {
-  // The texture has horizontal stripes of 8 texels. A footprint of 16 texels along u must leave them sharp.
+  // Horizontal stripes of 8 texels, which a footprint of 16 texels along u must leave sharp.
   std::vector<int> bytes;
   for (int y = 0; y < 64; ++y)
     for (int x = 0; x < 64; ++x) bytes.push_back((y / 8) % 2 ? 255 : 0);
@@ -114,21 +114,20 @@ TEST(SampleUv, extreme_coordinates_give_a_texel) {
 }
 
 TEST(SampleProjected, coordinates_fraction_and_level_by_hand) {
-  // A texture of 4 x 4 texels has levels of 4, 2 and 1 texels. Except for the first row, all texels of a row are equal.
+  // 4 x 4 texels have levels of 4, 2 and 1 texels. Except for the first row, all texels of a row are equal.
   const DeviceTexture t =
       make_device_texture(gray(4, 4, {0, 51, 102, 255, 60, 60, 60, 60, 120, 120, 120, 120, 180, 180, 180, 180}), true);
   ImageProjection m;
   m.center = {1, 0, 0};
   m.scale = {0.5f, 0.25f, 0.0f};
-  // Coordinates: u = 0.5 (x - 1) and v = 0.25 y. A path length of 0 selects level 0. Interpolation is over (resolution - 1) = 3
-  // texels, so u = 1/6 is half-way from the first to the second texel.
+  // u = 0.5 (x - 1) and v = 0.25 y. A path length of 0 selects level 0. Interpolation is over (resolution - 1) = 3 texels, so u
+  // = 1/6 is half-way from the first to the second texel.
   EXPECT_NEAR(sample_projected(t, m, {1, 0, 0}, 0.0f).r, 0.0f, kStep);
   EXPECT_NEAR(sample_projected(t, m, {1 + 1 / 3.0f, 0, 0}, 0.0f).r, 0.1f, kStep);
   EXPECT_NEAR(sample_projected(t, m, {1 / 3.0f, 0, 0}, 0.0f).r, 0.4f, kStep) << "-1/3 wraps to 2/3: the third texel";
   EXPECT_NEAR(sample_projected(t, m, {1, 2 / 3.0f, 0}, 0.0f).r, 30 / 255.0f, kStep) << "v = 1/6: half-way down to 60";
-  // Level: min(1, 0.05 x path x 0.5) x (3 - 0.9999). Path length 20 gives 1.00005, so only the 1 x 1 level is used. Texel of
-  // level 1: truncated means of 2 x 2 texels are 42, 119, 150 and 150. Texel of level 2: (42 + 119 + 150 + 150) / 4 = 115,
-  // truncated.
+  // Level: min(1, 0.05 x path x 0.5) x (3 - 0.9999). A path of 20 gives 1.00005, so only the 1 x 1 level is used. Level 1 has
+  // the truncated means of 2 x 2 texels 42, 119, 150 and 150, and level 2 (42 + 119 + 150 + 150) / 4 = 115, truncated.
   EXPECT_NEAR(sample_projected(t, m, {1, 0, 0}, 20.0f).r, 115 / 255.0f, kStep);
   EXPECT_NEAR(sample_projected(t, m, {1, 0, 0}, 10.0f).r, 0.500025f * 42 / 255.0f, 2 * kStep) << "half-way to level 1";
 }

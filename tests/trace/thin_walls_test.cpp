@@ -1,5 +1,5 @@
-// Straight transmission through thin walls of glass, compared with Fresnel's equations, and with paths that find lamps by
-// chance. The eye is at (0, 0, 1) and sees the middle of a floor at z = 0. Walls are above the eye.
+// Straight transmission through thin walls of glass. The eye at (0, 0, 1) sees the middle of a floor at z = 0. Walls are above
+// the eye.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,10 +14,9 @@ using namespace test;
 
 const Integrator kIntegrators[] = {Integrator::kWhitted, Integrator::kPath};
 const Affine3f kCloseUp{Mat3f(0.1f), Vec3f(0.0f)};
-// Transmittance of a thin wall with index of refraction n = 1.5.
-// At normal incidence: 1 - ((n - 1) / (n + 1))^2 = 0.96.
-// At 60 degrees: the cosine inside is sqrt(1 - 0.75 / 2.25) = 0.81650. The reflectances are s: ((0.5 - 1.22474) / 1.72474)^2 =
-// 0.17657 and p: ((0.75 - 0.81650) / 1.56650)^2 = 0.00180. Their mean, 0.0891866, is reflected.
+// Transmittance of a thin wall with index n = 1.5. At normal incidence: 1 - ((n - 1) / (n + 1))^2 = 0.96. At 60 degrees, the
+// cosine inside is sqrt(1 - 0.75 / 2.25) = 0.81650. The reflectances s, ((0.5 - 1.22474) / 1.72474)^2 = 0.17657, and p, ((0.75
+// - 0.81650) / 1.56650)^2 = 0.00180, have the mean 0.0891866.
 constexpr float kAtNormal = 0.96f, kAtSixty = 1.0f - 0.0891866f;
 const Vec3f kGreenish(0.5f, 0.9f, 0.25f);
 
@@ -41,7 +40,7 @@ MetallicRoughness pane(Vec3f color = Vec3f(1.0f), float roughness = 0.0f) {
   return m;
 }
 
-/// A wall that tints light equally at all angles.
+/// Tints light equally at all angles.
 MetallicRoughness tinted_foil(Vec3f color) {
   MetallicRoughness m = pane(color);
   m.ior = 1.0f, m.specular = 0.0f;
@@ -63,7 +62,7 @@ Vec3f middle_of(const Scene& scene, Integrator integrator, int spp) {
   return trace(scene, single_view(5), params, 1, 0.0, kCloseUp, integrator).at(2, 2);
 }
 
-/// Returns the share of a point lamp's light that passes the walls.
+/// Fraction of a point lamp's light that passes the walls.
 Vec3f share_left(SmallScene s, Vec3f lamp, Integrator integrator, const std::vector<MetallicRoughness>& walls, int spp = 4) {
   point_lamp(s, lamp);
   const Vec3f free = middle_of(s.scene, integrator, spp);
@@ -102,7 +101,7 @@ TEST(ThinWalls, combine_alpha_and_glass) {
     expect_color(share_left(floor_scene(), kAbove, integrator, {veil}), Vec3f(0.75f) + 0.25f * kAtNormal * kGreenish, 1e-4f);
 }
 
-/// A texture of four stripes from left to right: white, blue, white with alpha 0, and black.
+/// From left to right: white, blue, white with alpha 0, and black.
 Texture stripes() {
   Texture t;
   t.width = 64, t.height = 1;
@@ -112,7 +111,7 @@ Texture stripes() {
   return t;
 }
 
-/// Returns the shares of light that pass a wall of four stripes, one pixel per stripe. A distant lamp is straight above.
+/// Light that passes a wall of four stripes, one pixel per stripe, from a distant lamp straight above.
 std::vector<Vec3f> below_stripes(const MetallicRoughness& wall, Integrator integrator) {
   SmallScene s = floor_scene();
   s.scene.textures.push_back(stripes());
@@ -128,7 +127,7 @@ std::vector<Vec3f> below_stripes(const MetallicRoughness& wall, Integrator integ
   return shares;
 }
 
-// The tolerance is 0.03, because texels at the ends of stripes mix with their neighbours.
+// 0.03, because texels at the ends of stripes mix with their neighbours.
 TEST(ThinWalls, colours_come_from_their_textures) {
   MetallicRoughness wall = pane();
   wall.base_color_map.texture = 0;
@@ -166,7 +165,7 @@ TEST(ThinWalls, films_pass_the_remaining_light) {
   expect_color(share, Vec3f(1.0f - std::max({mirrored.x, mirrored.y, mirrored.z})), 1e-3f);
 }
 
-// A rough wall scatters light. Shadow rays do not pass the wall, but paths of two vertices find the light.
+// A rough wall scatters light. Shadow rays do not pass it, but paths of two vertices find the light.
 TEST(ThinWalls, rough_walls_stop_shadow_rays) {
   expect_color(share_left(floor_scene(), kAbove, Integrator::kPath, {pane(Vec3f(1.0f), 0.03f)}), Vec3f(kAtNormal), 1e-4f);
   EXPECT_EQ(share_left(floor_scene(), kAbove, Integrator::kPath, {pane(Vec3f(1.0f), 0.04f)}).x, 0.0f);
@@ -192,7 +191,7 @@ TEST(ThinWalls, moving_walls_use_world_angles) {
   s.scene.nodes.back().local.rotation = glm::angleAxis(radians(60.0f), Vec3f(0, 1, 0));
   s.scene.nodes.back().local.scale = {3.0f, 5.0f, 0.25f};
   s.add(square(1, 0), s.material(pane(kGreenish)), moving);
-  for (const int i : {0, 1})  // tolerance: samples are spread around the pixel's centre
+  for (const int i : {0, 1})  // samples are spread around the pixel's centre
     expect_color(middle_of(s.scene, kIntegrators[i], 4) / free[i], kAtSixty * kGreenish, 5e-4f);
 }
 
@@ -208,8 +207,8 @@ TEST(ThinWalls, vanish_in_a_white_furnace) {
   }
 }
 
-// Straight transmission does not count as a path vertex. Even behind more panes than the maximum number of vertices, the floor
-// is lit and visible.
+// Straight transmission is no path vertex: even behind more panes than the maximum number of vertices, the floor is lit and
+// visible.
 TEST(ThinWalls, are_not_path_vertices) {
   SmallScene s = floor_scene();
   s.scene.max_depth = 1;
@@ -220,7 +219,7 @@ TEST(ThinWalls, are_not_path_vertices) {
   expect_color(middle_of(s.scene, Integrator::kPath, 16384) / free, Vec3f(once * once), 0.02f);
 }
 
-/// Returns the light with a tinting foil divided by the light without the foil.
+/// Light with a tinting foil, divided by the light without it.
 float left_below_foil(const SmallScene& lit, int spp) {
   SmallScene s = lit;
   const float free = middle_of(s.scene, Integrator::kPath, spp).x;
@@ -228,8 +227,7 @@ float left_below_foil(const SmallScene& lit, int spp) {
   return middle_of(s.scene, Integrator::kPath, spp).x / free;
 }
 
-// Each light is found both by shadow rays and by scattered rays. Behind a wall, as without a wall, their weights must add up to
-// one.
+// Shadow rays and scattered rays both find each light. Behind a wall, too, their weights must add up to one.
 TEST(ThinWalls, split_light_between_rays_without_loss) {
   for (const MetallicRoughness& surface : {plaster(), brushed_steel()}) {
     SmallScene ball = floor_scene(surface), sun = ball, lamp = ball, sky = ball;
@@ -246,8 +244,7 @@ TEST(ThinWalls, split_light_between_rays_without_loss) {
   }
 }
 
-/// A floor, a wall and a lamp from -1 to 1 at z = 3. The lamp is a mesh, which shadow rays sample, or a box, which paths hit
-/// only by chance.
+/// The lamp from -1 to 1 at z = 3 is a mesh, which shadow rays sample, or a box, which paths hit only by chance.
 Scene lit_through_a_wall(const MetallicRoughness& surface, const MetallicRoughness& wall, bool by_chance, int depth) {
   SmallScene s = floor_scene(surface);
   s.scene.max_depth = depth;
@@ -279,7 +276,7 @@ Estimate estimate(const Scene& scene) {
   return {of_mean, (squares / kSeeds - of_mean * of_mean) / (kSeeds - 1)};
 }
 
-// The limit is 4.5 standard errors. With 11 degrees of freedom, one of 1,000 correct pairs exceeds it. The seeds are fixed.
+// 4.5 standard errors: with 11 degrees of freedom, one of 1,000 correct pairs exceeds it. The seeds are fixed.
 TEST(ThinWalls, light_matches_random_paths) {
   MetallicRoughness plain = pane(kGreenish), layered = pane(kGreenish);
   layered.clearcoat = 0.8f, layered.clearcoat_roughness = 0.3f, layered.transmission = 0.7f;
@@ -314,8 +311,7 @@ TEST(ThinWalls, show_the_visible_background) {
   }
 }
 
-// Light through a pane is direct light, whether shadow rays or scattered rays find it, and from whichever side the pane is
-// seen.
+// Light through a pane is direct light, whichever rays find it, and from whichever side the pane is seen.
 TEST(ThinWalls, transmitted_direct_light_stays_direct) {
   SmallScene s = floor_scene();
   s.scene.max_depth = 1;

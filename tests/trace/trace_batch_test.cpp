@@ -1,4 +1,3 @@
-// trace_batch() and for_each_batch(), with an integrator defined in this test.
 #include "trace/trace_batch.hpp"
 
 #include <gtest/gtest.h>
@@ -31,7 +30,7 @@ struct CountingIntegrator {
 
 class TraceBatch : public ::testing::Test {
  protected:
-  /// The square fills the left half of a picture of 20 x 20 pixels. 20 is not a multiple of a packet's 16 lanes.
+  /// The square fills the left half of 20 x 20 pixels. 20 is not a multiple of a packet's 16 lanes.
   TraceBatch() {
     s_.add(square(0.5f, 0.0f), s_.material(matte(Vec3f(0.5f))), s_.node({Mat3f(1.0f), {-0.5f, 0.0f, 0.0f}}));
     device_.emplace(s_.scene, pool_);
@@ -82,7 +81,7 @@ TEST(FrameWork, wanted_packets_form_batches) {
   for_each_batch({FrameWork::Unit::kPackets, wanted}, 1, 40, keep);
   EXPECT_EQ(batches, (std::vector<std::vector<int>>{{1, 5, 39}}));
 
-  std::vector<std::uint8_t> blocks(2 * 3, 0);  // a strip of 40 packets has three blocks, of 16, 16 and 8 packets
+  std::vector<std::uint8_t> blocks(2 * 3, 0);  // a strip of 40 packets has blocks of 16, 16 and 8 packets
   blocks[5] = 1;
   batches.clear();
   std::size_t block = 0;

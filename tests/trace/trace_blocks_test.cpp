@@ -1,5 +1,4 @@
-// Blocks of a frame. A block traced alone equals the same block of the whole frame. Each block records which boxes its rays
-// hit.
+// A block traced alone equals the same block of the whole frame. Each block records which boxes its rays hit.
 #include <gtest/gtest.h>
 
 #include "lippmann/optics/optics.hpp"
@@ -138,8 +137,7 @@ INSTANTIATE_TEST_SUITE_P(Orders, TraceBlocks, testing::Values(RayOrder::kRows, R
                            return std::string(order.param == RayOrder::kViewTiles ? "view_tiles" : to_string(order.param));
                          });
 
-/// Returns the lowest horizon of each block of a 64 x 64 view for one box with horizon 1: 1 if a ray of the block hits the box,
-/// otherwise kNever. A block is 4 rows.
+/// For each block of 4 rows of a 64 x 64 view: 1 if a ray hits the box, otherwise kNever.
 std::vector<std::uint8_t> blocks_that_meet(SmallScene& s, const Bounds3f& box) {
   const ThreadPool pool(1);
   const Context context;
@@ -155,8 +153,8 @@ std::vector<std::uint8_t> blocks_that_meet(SmallScene& s, const Bounds3f& box) {
   return touched.lowest_horizon;
 }
 
-/// Expects that the given blocks and no others have hit the box. With RayOrder::kRows, a block is 4 rows of 64 pixels. Block b
-/// shows 2 - b / 4 > y > 2 - (b + 1) / 4 in the plane z = 0.
+/// Only the given blocks must have hit the box. With RayOrder::kRows, block b of 64 x 4 pixels shows 2 - b / 4 > y > 2 - (b +
+/// 1) / 4 in the plane z = 0.
 void expect_met(const std::vector<std::uint8_t>& lowest_horizon, const std::set<std::size_t>& expected) {
   ASSERT_EQ(lowest_horizon.size(), 16u);
   for (std::size_t b = 0; b < 16; ++b)
@@ -174,7 +172,7 @@ TEST(TouchProbe, shadow_rays_touch_boxes_before_the_light) {
   SmallScene s;
   s.add(square(3, 0), s.material(matte(Vec3f(1.0f))));
   s.point_light({0, 40, 4});
-  // Shadow rays run to the light at y = 40. They pass the first box, from y = 20 to 24, where no view rays are.
+  // Shadow rays to the light at y = 40 pass the first box, from y = 20 to 24, where no view rays are.
   expect_met(blocks_that_meet(s, {{-50, 20, 1}, {50, 24, 3}}), {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15});
   expect_met(blocks_that_meet(s, {{-50, 41, 1}, {50, 44, 3}}), {});
 }
@@ -183,9 +181,8 @@ TEST(TouchProbe, mirror_rays_touch_reflected_boxes) {
   SmallScene s;
   s.scene.max_depth = 2;
   s.add(square(3, 0), s.material(mirror(0.5f)));
-  s.add(square(3, 30), s.material(glowing(Vec3f(1.0f))));  // behind the camera, which is at z = 10
-  // A mirror ray that leaves (y, 0) is at 3 y at z = 20, because it is then three times as far from the eye's mirror image at z
-  // = -10.
+  s.add(square(3, 30), s.material(glowing(Vec3f(1.0f))));  // behind the camera at z = 10
+  // A mirror ray that leaves (y, 0) is at 3 y at z = 20, three times as far from the eye's mirror image at z = -10.
   expect_met(blocks_that_meet(s, {{-9, 3 * 0.3f, 19.99f}, {9, 3 * 0.45f, 20.0f}}), {6});
 }
 

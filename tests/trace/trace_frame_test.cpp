@@ -64,14 +64,13 @@ TEST(TraceFrame, moving_objects_equal_static_ones) {
     const double d = fixed.film.data[i] - moved.film.data[i];
     squares += d * d;
   }
-  // Tolerance: rounding of the transform may move an edge across a pixel's centre, in at most a few of the 3,200 pixels.
+  // Rounding of the transform may move an edge across the centres of a few of the 3,200 pixels.
   EXPECT_LT(squares / static_cast<double>(fixed.film.data.size()), 1e-4);
   EXPECT_NE(trace(build(true).scene, lenticular_view(), {}, 1, 0.0).film.data, moved.film.data);
 }
 
 TEST(TraceFrame, instanced_meshes_equal_flattened_ones) {
-  // A mesh becomes an Embree instance if its copies have more than 200,000 triangles in total. A finely divided square exceeds
-  // this limit, and a coarse one does not.
+  // A mesh becomes an Embree instance if its copies have more than 200,000 triangles in total.
   const auto build = [&](int cuts) {
     SmallScene s;
     Mesh grid;

@@ -1,4 +1,3 @@
-// Tracing of single pixels into a frame, and the first hits recorded during tracing.
 #include "trace/trace_pixels.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +9,7 @@ namespace {
 
 using namespace test;
 
-/// A scene with a visible light and a background.
+/// with a visible light and a background
 SmallScene scene_of_everything() {
   SmallScene s = busy_scene(7);
   s.scene.background.horizon = {0.2f, 0.3f, 0.5f};
@@ -39,7 +38,7 @@ class TracePixels : public testing::Test {
     return t;
   }
 
-  /// Returns random pixels of every strip, in ascending order.
+  /// Random pixels of every strip, ascending.
   std::vector<std::uint32_t> some_pixels() const {
     std::vector<std::uint32_t> pixels;
     std::mt19937 random(11);

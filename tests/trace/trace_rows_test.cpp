@@ -1,4 +1,4 @@
-// Tracing of some rows of a film. Light and first hits are bit-identical to those of the whole film.
+// Some rows of a film must have the same bits as in the whole film.
 #include <gtest/gtest.h>
 
 #include "trace/small_scene.hpp"

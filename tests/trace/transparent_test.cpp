@@ -1,5 +1,5 @@
-// Films with alpha: the background lights the scene but is invisible. The camera is at (0, 0, 10) and sees the square from -2
-// to 2 in x and y at z = 0.
+// With alpha, the background lights the scene but is invisible. The camera at (0, 0, 10) sees the square from -2 to 2 in x and
+// y at z = 0.
 #include <gtest/gtest.h>
 
 #include "trace/small_scene.hpp"
@@ -47,13 +47,13 @@ TEST(Transparent, hits_are_unchanged_and_misses_empty) {
   }
 }
 
-// The square's edge is at x = 1.05. Pixel 24 extends from x = 1 to 1.125, so the square covers 0.4 of it.
+// The square's edge at x = 1.05 covers 0.4 of pixel 24, from x = 1 to 1.125.
 TEST(Transparent, edges_have_partial_alpha) {
   SmallScene s;
   s.add(square(1.05f, 0), s.material(glowing(Vec3f(1.0f))));
   for (const Integrator integrator : kBoth) {
     const Picture p = traced(s.scene, integrator, 64);
-    EXPECT_NEAR(alpha(p, 24, 16), 0.4f, 1.0f / 64);  // tolerance: the x of samples are 1/64 of a pixel apart
+    EXPECT_NEAR(alpha(p, 24, 16), 0.4f, 1.0f / 64);  // the samples are 1/64 of a pixel apart
     EXPECT_NEAR(p.at(24, 16).x, alpha(p, 24, 16), 1e-5f) << "colours are multiplied by alpha";
   }
 }

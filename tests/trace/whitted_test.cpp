@@ -1,5 +1,5 @@
-// Whitted shading, compared with values worked out by hand. The camera is at (0, 0, 10) and sees the square from -2 to 2 in x
-// and y at z = 0. Its central rays run along -z.
+// Whitted shading, compared with values worked out by hand. The camera at (0, 0, 10) sees the square from -2 to 2 in x and y at
+// z = 0. Its central rays run along -z.
 #include <gtest/gtest.h>
 
 #include "lippmann/core/error.hpp"
@@ -12,7 +12,7 @@ using namespace test;
 
 // With an odd size, the centre of a pixel is on the camera's axis.
 constexpr int kSize = 33, kMiddle = 16;
-// Rounding of single-precision shading along one path.
+// single-precision shading along one path
 constexpr float kRounding = 2e-5f;
 
 TEST(Whitted, empty_scenes_show_the_background) {
@@ -87,8 +87,8 @@ TEST(Whitted, blinn_highlight_has_value_and_tint) {
   const int material = s.material(surface);
   s.add(square(2, 0), material);
   s.point_light({3, 0, 4});
-  // The normal and the direction to the viewer are (0, 0, 1). The direction to the light is (3, 0, 4) / 5. The half vector H is
-  // (0.6, 0, 1.8) divided by its length.
+  // The normal and the direction to the viewer are (0, 0, 1), the direction to the light (3, 0, 4) / 5. The half vector H is
+  // (0.6, 0, 1.8), normalised.
   const float n_h = 1.8f / std::sqrt(0.36f + 3.24f);
   const float lobe = 0.75f * std::pow(n_h, 20.0f);
   expect_color(trace(s.scene, single_view(kSize)).at(kMiddle, kMiddle), lobe * Vec3f(0.5f, 0.25f, 1.0f), kRounding);
@@ -116,7 +116,7 @@ TEST(Whitted, transparent_blockers_attenuate_by_opacity) {
     if (analytic)
       s.add(Rings{{{0, 0, 12}, {0, 0, 1}, 0.0f, 1.0f}}, material);
     else
-      // Moved so that the ray does not hit the diagonal, which two triangles share.
+      // moved so that the ray does not hit the diagonal, which two triangles share
       s.add(square(1, 12), material, s.node({Mat3f(1.0f), {0.3f, 0, 0}}));
     s.point_light({0, 0, 20});  // the blocker is behind the camera
     expect_color(trace(s.scene, single_view(kSize)).at(kMiddle, kMiddle), Vec3f(0.75f), kRounding);
@@ -124,8 +124,8 @@ TEST(Whitted, transparent_blockers_attenuate_by_opacity) {
 }
 
 TEST(Whitted, rays_along_shared_edges_hit) {
-  // The square is larger than the view. Its diagonal passes the centres of pixels. The mesh is rotated, and its node rotates it
-  // back, so that crossings of the diagonal are rounded in both directions.
+  // The square is larger than the view, and its diagonal passes the centres of pixels. The mesh is rotated, and its node
+  // rotates it back, so that crossings of the diagonal are rounded in both directions.
   constexpr int kPixels = 200;
   int holes = 0;
   for (int n = 1; n <= 100; ++n) {
@@ -258,8 +258,8 @@ TEST(Whitted, mirrors_show_objects_behind_the_viewer) {
 }
 
 TEST(Whitted, facing_mirrors_end_at_the_depth_limit) {
-  // The vertices alternate between front and back mirror. Each adds its emission of 1. At the depth limit, the background is
-  // visible.
+  // The vertices alternate between front and back mirror, and each adds its emission of 1. At the depth limit, the background
+  // is visible.
   SmallScene s;
   s.scene.background.horizon = s.scene.background.zenith = Vec3f(8.0f);
   PhongSurface surface = mirror(0.5f);
@@ -304,7 +304,7 @@ TEST(Whitted, glass_slabs_shift_by_snells_law) {
   const float slope = x0 / 10.0f;         // tangent of the ray's angle a to the slab's normal
   const float sine = slope / std::sqrt(1.0f + slope * slope), inside = std::tan(std::asin(sine / 1.5f));
   const float x = slope * (10.0f - 4.0f) + inside * 4.0f + slope * 1.0f;
-  // The texture has a step of 40 / 256 per texel. The tolerance is below half a step.
+  // The texture has a step of 40 / 256 per texel; the tolerance is below half a step.
   EXPECT_NEAR(p.at(kSize - 1, kMiddle).x * 40.0f * 255.0f / 256.0f - 20.0f + 20.0f / 256.0f, x, 0.03f);
 }
 

@@ -31,11 +31,11 @@ Environment::Density density_of(const Environment& e, Vec3f direction) {
   return e.density(rays, 0);
 }
 
-// The panorama has eight columns of 45 degrees. Column 4 begins at +x, and the next columns turn towards +z.
+// Eight columns of 45 degrees. Column 4 begins at +x, and the next columns turn towards +z.
 TEST(Environment, a_panorama_lies_as_documented) {
   Background b = panorama(8, 4, [](int x, int y) { return Vec3f(static_cast<float>(x), static_cast<float>(y), 1.0f); });
   const Environment e(b);
-  const float turn = radians(22.5f);  // half of the width of a column
+  const float turn = radians(22.5f);  // half a column
   const Vec3f x_axis = e.radiance({std::cos(turn) * std::cos(turn), std::sin(turn), std::sin(turn) * std::cos(turn)});
   EXPECT_NEAR(x_axis.x, 4.0f, 1e-4f);
   EXPECT_NEAR(x_axis.y, 1.0f, 1e-4f);  // the centre of row 1 is 22.5 degrees above the horizon
@@ -111,7 +111,7 @@ TEST(Environment, rotation_moves_x_towards_z) {
   EXPECT_NEAR(Environment(b).radiance({std::cos(angle), 0.0f, std::sin(angle)}).x, 1.0f, 1e-4f);
 }
 
-/// Returns a panorama of radiance 1, in which one texel has as much light as all others together. A texel is 1.4 degrees wide.
+/// A panorama of radiance 1, in which one texel, 1.4 degrees wide, has as much light as all others together.
 Background sunny(int sun_x, int sun_y) {
   constexpr int kWidth = 256, kHeight = 128;
   const double step = M_PI / kHeight, texel = (std::cos(step * sun_y) - std::cos(step * (sun_y + 1))) * 2.0 * M_PI / kWidth;
@@ -120,7 +120,7 @@ Background sunny(int sun_x, int sun_y) {
   });
 }
 
-/// Calls fn(direction, solid angle) for a grid of directions that has `within` times the resolution of the panorama.
+/// Calls fn(direction, solid angle) at `within` times the resolution of the panorama.
 void for_each_direction(const Background& b, int within, const std::function<void(Vec3f, double)>& fn) {
   const int width = b.map->radiance.width * within, height = b.map->radiance.height * within;
   for (int y = 0; y < height; ++y)
@@ -160,9 +160,9 @@ TEST(Environment, one_texel_suns_are_found_anywhere) {
   for (const Vec2i at : {Vec2i(100, 40), Vec2i(0, 64), Vec2i(255, 64), Vec2i(30, 0), Vec2i(255, 0), Vec2i(0, 127)}) {
     const Background b = sunny(at.x, at.y);
     const Environment e(b);
-    // The sun has as much light as the rest, so its share is 1/2. A sun at a pole has 5/4 of this light, which gives 1.25 /
-    // 2.25. Interpolation extends its light over half a row at the pole and the whole row after it. In units of the solid angle
-    // of the texel's row, the half row has 1/4. The whole row has 2, with half of the light on average, which counts as 1.
+    // The sun has as much light as the rest, a share of 1/2. At a pole, interpolation spreads it over half a row (solid angle
+    // 1/4 of the texel's row) and the whole next row (2, with half of the light on average: 1). Together 5/4, so its share is
+    // 1.25 / 2.25.
     EXPECT_NEAR(e.sun_share(), at.y % 127 == 0 ? 1.25f / 2.25f : 0.5f, 0.002f) << at.x << ", " << at.y;
     double solid_angle = 0.0;
     for_each_direction(b, 3, [&](Vec3f d, double steradian) {
@@ -170,11 +170,11 @@ TEST(Environment, one_texel_suns_are_found_anywhere) {
       solid_angle += of_sun ? steradian : 0.0;
       EXPECT_TRUE(of_sun || e.radiance(d).y <= 1.01f) << "the sun's light extends beyond it, at " << at.x << ", " << at.y;
     });
-    EXPECT_LT(solid_angle, 0.0025);  // limit: a square of two by two texels
+    EXPECT_LT(solid_angle, 0.0025);  // two by two texels
   }
 }
 
-// The integrals are computed with 6 x 6 points per texel.
+// Integrates with 6 x 6 points per texel.
 TEST(Environment, sun_and_rest_integrate_to_one) {
   Background b = sunny(200, 50);
   b.map->rotation = 0.3f;
@@ -212,9 +212,9 @@ TEST(Environment, soft_skies_have_no_sun) {
   gradient.zenith = Vec3f(1.0f), gradient.horizon_at = 0.99f;
   const Background even = panorama(256, 128, [](int, int) { return Vec3f(2.0f); }),
                    dark = panorama(256, 128, [](int, int) { return Vec3f(0.0f); }),
-                   // a window of 0.15 steradian that has nearly all the light
+                   // 0.15 steradian with nearly all the light
       window = panorama(256, 128, [](int x, int y) { return Vec3f(x < 16 && y > 56 && y < 72 ? 1000.0f : 0.1f); }),
-                   // a texel that is 200 times as bright as the rest, but has only a hundredth of all light
+                   // 200 times as bright as the rest, but only a hundredth of all light
       veiled = panorama(256, 128, [](int x, int y) { return Vec3f(x == 9 && y == 60 ? 200.0f : 1.0f); });
   for (const Background* b : std::initializer_list<const Background*>{&gradient, &even, &dark, &window, &veiled}) {
     const Environment e(*b);

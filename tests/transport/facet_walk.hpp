@@ -11,8 +11,8 @@
 
 namespace lippmann::test {
 
-/// A ray between the facets of a Smith surface whose heights are uniformly distributed. `below` is the share of heights below
-/// the ray.
+/// A ray between the facets of a Smith surface with uniformly distributed heights. `below` is the fraction of heights below the
+/// ray.
 struct FacetWalk {
   AnisotropicGgx ggx;
   Vec3f direction;
@@ -21,7 +21,7 @@ struct FacetWalk {
 
   double number() { return std::uniform_real_distribution<double>()(random); }
 
-  /// Returns whether the ray leaves the surface. Otherwise moves the ray to the next facet.
+  /// Moves the ray to the next facet, unless it leaves the surface.
   bool leaves() {
     const double away = static_cast<double>(ggx.lambda(direction)), lambda = direction.z > 0.0f ? away : -1.0 - away;
     const double free = direction.z > 0.0f ? std::pow(below, lambda) : 0.0, u = number();
@@ -39,8 +39,8 @@ struct FacetWalk {
   }
 };
 
-/// Returns the share of light that leaves a metal after any number of bounces. `view` is a unit vector in local coordinates.
-/// The standard error of 40,000 walks is at most 0.3 %.
+/// Returns the light that leaves a metal after any number of bounces. `view` is a unit vector in local coordinates. The
+/// standard error is at most 0.3 %.
 inline Vec3f walked_albedo(Vec3f view, Vec2f alpha, Vec3f f0) {
   constexpr int kWalks = 40'000, kMostBounces = 100;
   std::mt19937 random(5);

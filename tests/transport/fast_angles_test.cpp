@@ -5,7 +5,7 @@
 namespace lippmann {
 namespace {
 
-// Slightly more than the distance between floats next to pi.
+// slightly more than the distance between floats next to pi
 constexpr float kTolerance = 3e-7f;
 
 TEST(FastAngles, arc_tangents_match_the_library) {

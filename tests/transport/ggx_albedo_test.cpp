@@ -12,7 +12,7 @@ namespace {
 using test::albedo;
 using test::walked_albedo;
 
-/// Returns the albedo of single scattering for F = 1, by quadrature over outgoing directions.
+/// Albedo of single scattering for F = 1, by quadrature over outgoing directions.
 double brute_force(float cosine, float alpha) {
   const Ggx ggx{alpha};
   const Vec3f view(std::sqrt(1.0f - cosine * cosine), 0.0f, cosine);
@@ -30,12 +30,11 @@ double brute_force(float cosine, float alpha) {
   return sum;
 }
 
-// The tolerance of 2 % covers the fit's error of 1.2 % and the noise of the walks. Two simpler models would fail.
-// 1. Every reflection after the first has the mean reflectance. Metals of roughness 0.3 to 0.6 would be 4 to 6 % too dark at
-//    cosines of 0.1 and 0.2.
-// 2. Single scattering is multiplied by 1 + F0 (1 - E) / E, where F0 is the reflectance at perpendicular incidence, and E is
-//    the albedo of single scattering if all facets reflect everything. Metals of F0 = 0.5 would be 16 % too bright at
-//    roughness 1.
+// 2 % covers the fit's error of 1.2 % and the noise of the walks. Two simpler models would fail:
+// 1. With the mean reflectance for every reflection after the first, metals of roughness 0.3 to 0.6 would be 4 to 6 % too dark
+//    at cosines of 0.1 and 0.2.
+// 2. With single scattering times 1 + F0 (1 - E) / E, metals of F0 = 0.5 would be 16 % too bright at roughness 1. F0 is the
+//    reflectance at perpendicular incidence, E the albedo of single scattering if all facets reflect everything.
 TEST(GgxAlbedo, of_coloured_metals_matches_facet_walks) {
   const Vec3f f0(0.2f, 0.5f, 0.8f);
   for (const float roughness : {0.3f, 0.45f, 0.6f, 0.8f, 1.0f})
@@ -57,7 +56,7 @@ TEST(GgxAlbedo, agrees_with_quadrature) {
   for (const float roughness : {0.5f, 0.75f, 1.0f})
     for (const float cosine : {0.15f, 0.5f, 0.97f}) {
       const Vec3f single = albedo().single(cosine, roughness * roughness);
-      // Tolerance: linear interpolation in the table.
+      // linear interpolation in the table
       EXPECT_NEAR(single.x + single.y, brute_force(cosine, roughness * roughness), 0.004)
           << "roughness " << roughness << ", cosine " << cosine;
     }
@@ -86,7 +85,7 @@ TEST(GgxAlbedo, mean_equals_the_directions_mean) {
     sum += 2.0f * cosine / kPoints * GgxAlbedo::directional(albedo().single(cosine, 0.36f), f0, f90);
   }
   const Vec3f mean = albedo().mean(0.36f, f0, f90);
-  // Tolerance: roughness 0.6 is between two entries of the table.
+  // roughness 0.6 is between two entries of the table
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(mean[c], sum[c], 2e-3f) << "channel " << c;
 }
 

@@ -23,8 +23,7 @@ LayeredBsdf bsdf_of(const LayeredSurface& surface, Vec3f view, bool entering = t
   return {surface, albedo(), {kNormal, kNormal, kNormal}, kTangent, view, entering};
 }
 
-/// Different normals for diffuse part, gloss and coat. The angle between each of them and any view of up to 50 degrees from
-/// kNormal is below 90 degrees.
+/// Normals of diffuse part, gloss and coat, each at less than 90 degrees from any view of up to 50 degrees from kNormal.
 const MetalRoughBsdf::Normals kApart{kNormal, direction(30.0f, 20.0f), direction(35.0f, 200.0f)};
 
 LayeredSurface dielectric(float roughness) {
@@ -87,7 +86,7 @@ std::vector<Case> rough_surfaces() {
           {"all", all}};
 }
 
-/// Mean weight of samples per channel, and three standard errors for independent samples.
+/// Mean weight of samples per channel, and three standard errors.
 struct Furnace {
   Vec3f mean;
   float chance;
@@ -106,7 +105,7 @@ Furnace furnace(const LayeredBsdf& bsdf, int count = 8'192) {
   return {Vec3f(mean), static_cast<float>(3.0 * std::sqrt(std::max(0.0, squares / count - mean.y * mean.y) / count))};
 }
 
-/// Returns by how many standard deviations the sampled directions deviate from their density.
+/// Standard deviations by which the sampled directions deviate from their density.
 double deviations(const LayeredBsdf& bsdf) {
   const auto draw = [&](int i) -> std::optional<Vec3f> {
     const auto seed = static_cast<std::uint32_t>(i);
@@ -146,8 +145,7 @@ TEST(LayeredBsdf, sample_agrees_with_evaluate) {
   }
 }
 
-// Tolerance: the compensation of the film for multiple scattering depends only on the viewer's side. Its effect is a few
-// thousandths.
+// The film's compensation for multiple scattering depends only on the viewer's side, by a few thousandths.
 TEST(LayeredBsdf, sheen_film_and_diffuse_transmission_are_reciprocal) {
   for (LayeredSurface s : {sheen(0.3f), sheen(1.0f), filmed(0.0f), leaf()}) {
     s.base.specular = 0.0f;
@@ -162,7 +160,7 @@ TEST(LayeredBsdf, sheen_film_and_diffuse_transmission_are_reciprocal) {
   }
 }
 
-// The compensation for multiple scattering depends only on the viewer's side. The metal is smooth enough to need little of it.
+// The compensation for multiple scattering depends only on the viewer's side. Smooth metal needs little of it.
 TEST(LayeredBsdf, smooth_brushed_metal_is_reciprocal) {
   const LayeredSurface s = brushed(0.15f, 0.2f);
   const Vec3f a = direction(25.0f, 10.0f), b = direction(30.0f, 185.0f);
@@ -196,7 +194,7 @@ TEST(LayeredBsdf, without_layers_equals_the_base_surface) {
     }
 }
 
-// The tolerance of 3 % covers interpolation in the table.
+// 3 % covers interpolation in the table.
 TEST(LayeredBsdf, white_brushed_metal_conserves_energy) {
   for (const float roughness : {0.1f, 0.3f, 0.6f, 0.9f})
     for (const float anisotropy : {0.3f, 0.6f, 1.0f})
@@ -210,9 +208,8 @@ TEST(LayeredBsdf, white_brushed_metal_conserves_energy) {
         }
 }
 
-// The tolerance of 7 % has two causes: interpolation in the table, and the approximation that all facets after the first have
-// the roughness that the viewer sees, in all directions. With the mean reflectance at all facets after the first, most of these
-// metals would be 7 to 29 % too dark.
+// 7 % covers interpolation in the table, and the assumption that all facets after the first have the roughness that the viewer
+// sees. With the mean reflectance at these facets, most of the metals would be 7 to 29 % too dark.
 TEST(LayeredBsdf, coloured_brushed_metal_matches_facet_walks) {
   for (const float roughness : {0.2f, 0.4f})
     for (const float cosine : {0.1f, 0.3f})
@@ -244,8 +241,8 @@ TEST(LayeredBsdf, white_panes_and_leaves_conserve_energy) {
     }
 }
 
-// Sheen and films transmit the smaller of two shares, so they lose some light, but they must never add light. The tolerance of
-// 1 % is needed because a film's reflectance is computed at one angle for the whole surface.
+// Sheen and films transmit the smaller of two shares of light, so they may lose light but never add any. A film's reflectance
+// is computed at one angle for the whole surface, which needs 1 %.
 TEST(LayeredBsdf, white_sheen_and_films_add_no_light) {
   for (int r = 1; r <= 10; ++r)
     for (const float angle : {0.0f, 30.0f, 60.0f, 80.0f})
@@ -277,7 +274,7 @@ TEST(LayeredBsdf, smooth_panes_follow_fresnel_without_bending) {
   const std::optional<BsdfSample> through = bsdf.sample(0.9f, Vec2f(0.5f)), back = bsdf.sample(0.001f, Vec2f(0.5f));
   EXPECT_TRUE(through->transmitted && through->is_delta());
   EXPECT_NEAR(glm::dot(through->direction, -direction(30.0f)), 1.0f, 1e-5f);
-  EXPECT_NEAR(through->weight.x, 0.8f, 1e-5f);  // the tint's red
+  EXPECT_NEAR(through->weight.x, 0.8f, 1e-5f);  // red of the tint
   EXPECT_FALSE(back->transmitted);
   EXPECT_NEAR(back->weight.x, 1.0f, 1e-5f);
 }
@@ -290,7 +287,7 @@ TEST(LayeredBsdf, brushed_metal_is_wider_along_the_tangent) {
   EXPECT_FLOAT_EQ(leaning(kTangent), leaning(-kTangent));
 }
 
-// A film of thickness 0 has no front boundary. The tolerance of 0.02 covers the error of the Gaussian fit for white.
+// A film of thickness 0 has no front boundary. 0.02 covers the Gaussian fit for white.
 TEST(ThinFilm, of_zero_thickness_has_no_effect) {
   for (const float cosine : {1.0f, 0.7f, 0.5f, 0.2f}) {
     const float bare = 0.04f + 0.96f * schlick_weight(cosine);
@@ -310,15 +307,14 @@ TEST(ThinFilm, is_finite_and_adds_no_light) {
           }
 }
 
-// The film's index is between those of air and glass, and 2 n d = lambda / 2 (a quarter wave), so the reflections at both sides
-// cancel.
+// The film's index is between air and glass, and 2 n d = lambda / 2 (a quarter wave), so the reflections at both sides cancel.
 TEST(ThinFilm, quarter_wave_coating_reduces_reflection) {
   const Vec3f coated = film_reflectance({1.22f, 550.0f / 4.0f / 1.22f}, Vec3f(0.04f), 1.0f);
   EXPECT_LT(coated.y, 0.02f);
 }
 
-// Reflectances at 60 degrees: glass of index 1.5 has 0.08919 by Fresnel's equations (thin_walls_test.cpp), and the coat has
-// 0.04 + 0.96 x 0.5^5 by Schlick's approximation.
+// At 60 degrees, glass of index 1.5 reflects 0.08919 by Fresnel's equations (thin_walls_test.cpp), and the coat 0.04 + 0.96 x
+// 0.5^5 by Schlick's approximation.
 TEST(LayeredBsdf, thin_walls_pass_the_remaining_light) {
   const Vec3f view = direction(60.0f);
   LayeredSurface wall = pane(0.0f);
@@ -332,8 +328,7 @@ TEST(LayeredBsdf, thin_walls_pass_the_remaining_light) {
   EXPECT_EQ(bsdf_of(leaf(), view).straight(), Vec3f(0.0f));
 }
 
-// Compares straight() with the mean of the straight transmission over 65,536 evenly spaced numbers. The tolerance of 4e-4 is
-// the weight of two numbers at the ends of a lobe. The direction must not change.
+// Compares straight() with the mean over 65,536 evenly spaced numbers. 4e-4 is the weight of two numbers at the ends of a lobe.
 TEST(LayeredBsdf, samples_pass_thin_walls_with_that_mean) {
   LayeredSurface wall = pane(0.0f);
   wall.base.transmission = 0.7f, wall.base.clearcoat = 0.5f, wall.sheen_color = Vec3f(0.3f), wall.sheen_roughness = 0.5f;

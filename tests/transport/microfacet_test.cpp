@@ -13,9 +13,9 @@ Vec3f view_from_z(float degrees_from_normal) {
 }
 
 TEST(Ggx, visible_facets_project_to_the_view) {
-  // v is the direction to the viewer, h the normal of a facet, n the normal of the surface, G1 the visible share of facets and
-  // D their density. The integral of G1(v) max(0, v . h) D(h) over h is v . n (Heitz 2014, equation 14). The density of visible
-  // facets thus integrates to one.
+  // Let v be the direction to the viewer, h and n the normals of a facet and of the surface, G1 the visible part of facets and
+  // D their density. The integral of G1(v) max(0, v . h) D(h) over h is v . n (Heitz 2014, equation 14), so the density of
+  // visible facets integrates to one.
   for (const float alpha : {0.05f, 0.3f, 1.0f})
     for (const float angle : {0.0f, 40.0f, 80.0f}) {
       const Ggx ggx{alpha};
@@ -23,7 +23,7 @@ TEST(Ggx, visible_facets_project_to_the_view) {
       constexpr int kPolar = 2000, kAzimuth = 400;
       for (int p = 0; p < kPolar; ++p)
         for (int a = 0; a < kAzimuth; ++a) {
-          // Narrow distributions peak at the normal, so the polar angles are dense there: z = 1 - t^3.
+          // Narrow distributions peak at the normal, so polar angles are dense there: z = 1 - t^3.
           const double t = (p + 0.5) / kPolar, z = 1.0 - t * t * t, sine = std::sqrt(1.0 - z * z);
           const double turn = 2.0 * M_PI * (a + 0.5) / kAzimuth;
           const Vec3f h(static_cast<float>(sine * std::cos(turn)), static_cast<float>(sine * std::sin(turn)),
@@ -49,10 +49,10 @@ TEST(Ggx, facets_follow_their_density) {
 }
 
 TEST(Fresnel, of_glass_is_known_at_three_angles) {
-  // Reflectance at normal incidence: ((1.5 - 1) / (1.5 + 1))^2 = 0.04.
+  // ((1.5 - 1) / (1.5 + 1))^2 = 0.04
   EXPECT_NEAR(fresnel_dielectric(1.0f, 1.5f), 0.04f, 1e-6f);
-  // At Brewster's angle, whose tangent is 1.5, no parallel light is reflected. The perpendicular part is ((1.5^2 - 1) / (1.5^2
-  // + 1))^2 = 0.147929. The reflectance is half of it.
+  // At Brewster's angle, whose tangent is 1.5, no parallel light is reflected. The reflectance is half of the perpendicular
+  // part, ((1.5^2 - 1) / (1.5^2 + 1))^2 = 0.147929.
   EXPECT_NEAR(fresnel_dielectric(std::cos(std::atan(1.5f)), 1.5f), 0.5f * 0.147929f, 1e-5f);
   EXPECT_FLOAT_EQ(fresnel_dielectric(0.5f, 1.0f / 1.5f), 1.0f);  // total reflection, because sin 60 degrees x 1.5 > 1
 }

@@ -9,8 +9,7 @@
 namespace lippmann {
 namespace {
 
-// Elementary intervals: 16 = 2^4 points of a (0, 2)-sequence put one point into each box of width 2^-i and height 2^(i - 4),
-// for every i from 0 to 4.
+// 16 = 2^4 points of a (0, 2)-sequence put one point into each box of width 2^-i and height 2^(i - 4), for i from 0 to 4.
 TEST(Sampler, sixteen_points_fill_every_elementary_interval_once) {
   for (const std::uint32_t seed : {0u, 1u, 77u, 0xdeadbeefu})
     for (const std::uint32_t first : {0u, 16u, 48u})
@@ -29,12 +28,12 @@ TEST(Sampler, the_mean_over_seeds_is_a_half) {
   Vec2f sum(0.0f);
   constexpr int kSeeds = 4000;
   for (std::uint32_t seed = 0; seed < kSeeds; ++seed) sum += scrambled_sobol(5, seed);
-  // The standard deviation of the mean of uniform numbers is 0.2887 / sqrt(4000) = 0.0046. The tolerance is four of these.
+  // Four standard deviations of the mean of uniform numbers, 0.2887 / sqrt(4000) = 0.0046.
   EXPECT_NEAR(sum.x / kSeeds, 0.5f, 0.0183f);
   EXPECT_NEAR(sum.y / kSeeds, 0.5f, 0.0183f);
 }
 
-/// Returns pair `pair` of random numbers of 16 paths of one pixel.
+/// Pair `pair` of random numbers of 16 paths of one pixel.
 std::vector<Vec2f> pairs_of(std::uint32_t seed, std::uint32_t first_index, std::uint32_t first, std::uint32_t pair) {
   PathPairs paths;
   for (std::uint32_t i = 0; i < PathPairs::kPaths; ++i)
@@ -53,8 +52,7 @@ TEST(Sampler, pairs_of_one_path_are_not_correlated) {
     const std::vector<Vec2f> a = pairs_of(9u, first, 0, 0), b = pairs_of(9u, first, 0, 1);
     for (std::size_t i = 0; i < a.size(); ++i) product += static_cast<double>((a[i].x - 0.5f) * (b[i].x - 0.5f));
   }
-  // For independent numbers, the mean product has a standard deviation of 1/12 / sqrt(4096) = 0.0013. The tolerance is four of
-  // these.
+  // Four standard deviations of the mean product of independent numbers, 1/12 / sqrt(4096) = 0.0013.
   EXPECT_NEAR(product / kPaths, 0.0, 0.0052);
 }
 

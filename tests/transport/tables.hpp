@@ -1,4 +1,3 @@
-// Shared helpers for tests of BSDFs.
 #pragma once
 
 #include "lippmann/core/math.hpp"
@@ -11,7 +10,7 @@ inline const GgxAlbedo& albedo() {
   return tables;
 }
 
-/// A normal that is not parallel to any axis.
+/// not parallel to any axis
 inline const Vec3f kNormal = glm::normalize(Vec3f(0.3f, -0.5f, 0.8f));
 
 }  // namespace lippmann::test

@@ -1,5 +1,3 @@
-// Tests encoding finished frames as a video: which files are used as frames, which frames are missing, and the name of the
-// video.
 #include "video/encode_frames.hpp"
 
 #include <gmock/gmock.h>
@@ -104,7 +102,7 @@ TEST(EncodeFrames, turned_clockwise_by_three_quarters) {
   ASSERT_TRUE(turned);
   ASSERT_EQ(turned->width, 8);
   ASSERT_EQ(turned->height, 16);
-  // Clockwise by three quarters is a quarter turn counterclockwise: the top right pixel moves to the top left.
+  // Three quarter turns clockwise move the top right pixel to the top left.
   for (int x = 0; x < 8; ++x)
     for (int y = 0; y < 16; ++y)
       for (int c = 0; c < 3; ++c)

@@ -1,4 +1,4 @@
-// Tests damaged video files. Reading them must give frames or an error, and must not crash.
+// Reading damaged video files must give frames or an error, and must not crash.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -25,12 +25,12 @@ namespace fs = std::filesystem;
 using test::file_bytes;
 using test::TempDir;
 
-/// Number of frames read, and number of files that gave an error.
+/// Frames read, and files that gave an error.
 struct Outcome {
   int frames = 0, errors = 0;
 };
 
-/// Reads all frames of the file. Checks that the frames are complete and have one size, and that an error names the file.
+/// Frames must be complete and of one size, and an error must name the file.
 void read_to_the_end(const fs::path& path, Outcome& outcome) {
   try {
     VideoReader reader(path);
@@ -47,7 +47,7 @@ void read_to_the_end(const fs::path& path, Outcome& outcome) {
   }
 }
 
-/// Returns a damaged copy of the bytes. `number` determines the kind of damage, one of five, and its position.
+/// `number` determines the kind of damage, one of five, and its position.
 std::string damaged(std::string bytes, std::uint32_t number) {
   std::uint32_t drawn = 0;
   const auto draw = [&](std::size_t below) {
@@ -98,7 +98,7 @@ INSTANTIATE_TEST_SUITE_P(Video, EveryCodec,
                                          Kind{"vp9.webm", VideoCodec::kVp9}, Kind{"ffv1.mkv", VideoCodec::kFfv1}),
                          [](const auto& codec) { return fs::path(codec.param.name).stem().string(); });
 
-/// The stream consists of MJPEG pictures of one size followed by pictures of another size.
+/// MJPEG pictures of one size, followed by pictures of another size.
 TEST(VideoReader, changes_of_the_frame_size_are_refused) {
   const TempDir dir;
   std::string bytes;

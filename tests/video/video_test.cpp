@@ -1,5 +1,3 @@
-// Tests video files. Frames must be read in the order and with the accuracy that the codec promises. Unsupported frames must
-// give an error.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -100,7 +98,7 @@ const std::vector<CodecFile> kLossyFiles{{"a.mp4", VideoCodec::kH264, "h264"}, {
                                          {"c.webm", VideoCodec::kVp9, "vp9"},  {"c.mkv", VideoCodec::kVp9, "vp9"},
                                          {"d.webm", VideoCodec::kAv1, "av1"},  {"d.mp4", VideoCodec::kAv1, "av1"}};
 
-/// Returns whether FFmpeg has the encoder. Debian's FFmpeg has all encoders, but other builds may lack some.
+/// Other builds of FFmpeg than Debian's may lack encoders.
 bool has_encoder(VideoCodec codec) {
   try {
     choose_codec("a.mkv", codec, 0, 0);
@@ -143,7 +141,7 @@ TEST(Video, every_codec_gives_equal_bytes_for_equal_frames) {
   }
 }
 
-// Encoders reorder more frames than such a video has. The resulting decoding times would be refused by FFmpeg's muxers.
+// Encoders reorder more frames than such a video has, and FFmpeg's muxers refuse the resulting decoding times.
 TEST(Video, files_of_one_to_three_frames_are_written) {
   const TempDir dir;
   for (const CodecFile& file : kLossyFiles) {
@@ -176,15 +174,14 @@ TEST(Video, files_state_their_codec_and_colours) {
   }
 }
 
-/// Writes a video of stereo frames, and returns what ffprobe prints about it.
+/// Returns what ffprobe prints about a video of stereo frames.
 std::string probe_stereo(const fs::path& path, VideoCodec codec, const StereoLayout& stereo) {
   write_video(path, smooth_frames(2, 96, 64), {.codec = codec, .stereo = stereo});
   return test::run_command("ffprobe -v error -show_streams '" + path.string() + "'").output;
 }
 
-/// Returns the stereo mode in the st3d box of an MP4 file (Google's Spherical Video V2), or -1 if there is no such box. The
-/// test reads the box itself, because ffprobe 7 and later does not print it for HEVC: FFmpeg also writes a vexu box without a
-/// packing, and its demuxer prefers this box.
+/// Stereo mode in the st3d box of an MP4 file (Google's Spherical Video V2), or -1. The test reads the box itself, because
+/// FFmpeg also writes a vexu box for HEVC, which ffprobe 7 prefers.
 int stereo_mode_of_mp4(const fs::path& path) {
   const std::string file = file_bytes(path);
   const std::size_t at = file.find("st3d");

@@ -52,7 +52,7 @@ TEST_F(Answers, picture_decodes_to_the_rendered_codes) {
   EXPECT_EQ(std::get<std::vector<std::uint8_t>>(decoded.samples), pictures_[2].rgb);
 }
 
-// The text of a request must never become part of a file path, so these paths are unknown even if such files exist.
+// The text of a request must never become part of a file path, even if such files exist.
 TEST_F(Answers, foreign_paths_are_unknown) {
   for (const char* path : {"/../report.json",
                            "/report.json",
@@ -97,8 +97,7 @@ TEST_F(Answers, requests_from_other_origins_are_refused) {
   }
 }
 
-// DNS rebinding: a page of an attacker uses a host name that resolves to this server. The request then states that host name in
-// its header Host.
+// DNS rebinding: the host name of an attacker's page resolves to this server, and the request states it in its header Host.
 TEST_F(Answers, requests_for_other_hosts_are_refused) {
   for (const char* host : {"evil.example", "evil.example:8488", "127.0.0.1", "127.0.0.1:80", ""}) {
     PageRequest request = request_of("/fields.json");

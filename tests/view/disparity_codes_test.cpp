@@ -9,8 +9,8 @@
 namespace lippmann {
 namespace {
 
-// Two eyes are 10 mm apart at V = 500 mm, so their slopes differ by 10 / 500. They see a point at z = 100 mm at positions in
-// the plane z = 0 that are 10 z / (V - z) = 2.5 mm apart. Disparity per slope: w = 2.5 mm / (10 / 500) = 125 mm.
+// Two eyes 10 mm apart at V = 500 mm have slopes that differ by 10 / 500. A point at z = 100 mm appears to them 10 z / (V - z)
+// = 2.5 mm apart in the plane z = 0. Disparity per slope: w = 2.5 mm / (10 / 500) = 125 mm.
 TEST(DisparityCodes, disparity_is_motion_per_slope) {
   EXPECT_NEAR(disparity_mm(100.0, 1.0 / 500.0, 1.0), 125.0, 1e-9);
   EXPECT_NEAR(disparity_mm(100.0, 1.0 / 500.0, 1.0) * 10.0 / 500.0, 2.5, 1e-9);
@@ -18,8 +18,7 @@ TEST(DisparityCodes, disparity_is_motion_per_slope) {
   EXPECT_EQ(disparity_mm(-kInfinity, 1.0 / 500.0, 1.0), -500.0);
 }
 
-// With a scale of 60 mm, the normalised disparity t is w / (|w| + 60 mm). The test depths give 0, 1/2, -1/2, 10/11 and 0.37 /
-// 60.37.
+// The normalised disparity w / (|w| + 60 mm) is 0, 1/2, -1/2, 10/11 and 0.37 / 60.37 at the test depths.
 TEST(DisparityCodes, codes_follow_the_formula) {
   const auto code = [](float z) {
     Image depth(1, 1, 1);

@@ -21,7 +21,6 @@ using testing::Not;
 
 const PageAccess kToken{{"127.0.0.1:8488"}, "secret"};
 
-/// Returns a PNG file of one colour.
 std::string picture_file(int width, unsigned char red) {
   Image8 picture{width, 6, std::vector<unsigned char>(static_cast<std::size_t>(18 * width), 40)};
   for (std::size_t i = 0; i < picture.rgb.size(); i += 3) picture.rgb[i] = red;
@@ -35,7 +34,7 @@ std::string list_of(const std::vector<std::string>& names) {
 
 class Dropped : public testing::Test {
  protected:
-  /// Sends pictures with these names. The red code of picture i is 10 i + 10.
+  /// The red code of picture i is 10 i + 10.
   void send(const std::vector<std::string>& names, const std::vector<int>& widths = {}) {
     pictures_->post("begin", list_of(names));
     for (std::size_t i = 0; i < names.size(); ++i) {

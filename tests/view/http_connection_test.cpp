@@ -1,4 +1,3 @@
-// Tests a single HTTP connection over a pair of sockets: its deadlines, and which requests it accepts.
 #include "view/http_connection.hpp"
 
 #include <fcntl.h>
@@ -22,7 +21,7 @@ class Connection : public testing::Test {
   }
   ~Connection() override { close(ends_[0]); }
 
-  /// Returns the server's end of the socket pair. The caller's Socket closes it.
+  /// The server's end of the socket pair, which the caller closes.
   platform::Socket server_end() const { return platform::Socket(ends_[1]); }
 
   void say(HttpConnection& connection, const std::string& bytes) {

@@ -1,4 +1,4 @@
-// Tests the HTTP server through its sockets. Malicious requests must not read files and must not stop the server.
+// Malicious requests must not read files and must not stop the server.
 #include "view/http_server.hpp"
 
 #include <gmock/gmock.h>
@@ -78,7 +78,7 @@ TEST_F(Server, foreign_hosts_and_origins_are_refused) {
   EXPECT_EQ(status("/fields.json"), 200);
 }
 
-/// Returns the request line and the headers of a POST request.
+/// Request line and headers of a POST request.
 std::string post_head(const std::string& target, int port, const std::string& headers) {
   return "POST " + target + " HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(port) +
          "\r\nConnection: close\r\nContent-Type: text/plain\r\n" + headers + "\r\n";
@@ -102,7 +102,7 @@ TEST_F(Server, only_calibrations_are_accepted_as_text) {
   EXPECT_EQ(status("/fields.json"), 200);
 }
 
-// The bodies of these requests are never sent. A server that waits for them would not answer.
+// The bodies are never sent. A server that waits for them would not answer.
 TEST_F(Server, refused_bodies_are_not_awaited) {
   const auto refusal = [&](const std::string& head) {
     RawConnection connection(port());
@@ -129,7 +129,7 @@ TEST_F(Server, pipelined_requests_are_answered_in_order) {
   EXPECT_EQ(status_of(answers), 404);
   EXPECT_THAT(answers, HasSubstr("405 Method Not Allowed"));
   EXPECT_THAT(answers, HasSubstr("application/json"));
-  EXPECT_THAT(answers, Not(HasSubstr("\"fields\"")));  // the answer to a HEAD request has no body
+  EXPECT_THAT(answers, Not(HasSubstr("\"fields\"")));  // the answer to HEAD has no body
   EXPECT_THAT(answers, HasSubstr("#canvas"));
 }
 
@@ -167,7 +167,7 @@ class PatientServer : public Server {
   PatientServer() : Server(3600) {}
 };
 
-// There are more connections than the server keeps open.
+// More connections than the server keeps open.
 TEST_F(PatientServer, slow_connections_do_not_block_others) {
   std::list<RawConnection> others;
   for (int i = 0; i < 200; ++i) {
@@ -177,8 +177,7 @@ TEST_F(PatientServer, slow_connections_do_not_block_others) {
   EXPECT_EQ(status("/fields.json"), 200);
 }
 
-// If the server waited for silent clients before it stops, this test would not end. One client has sent nothing, and one is
-// silent after a request.
+// One client has sent nothing, one is silent after a request. A server that waits for them would never stop.
 TEST_F(PatientServer, stops_despite_open_connections) {
   RawConnection silent(port()), spoken(port());
   spoken.send("GET /fields.json HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(port()) + "\r\n\r\n");

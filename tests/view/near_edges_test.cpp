@@ -47,8 +47,7 @@ TEST(NearEdges, neighbours_lie_in_the_same_view) {
               ElementsAre(-500, -500, -500, -500, -500, -500, -500, -500, -500, -500, 10, 10, -500, -500, 10, 10));
 }
 
-// Neighbouring views are 0.1 apart in slope, so a disparity difference of 10 mm is a shift of 1 mm. Pixels are 2 mm wide, so
-// this is half a pixel.
+// Neighbouring views are 0.1 apart in slope, so a disparity difference of 10 mm is a shift of 1 mm, half of a pixel of 2 mm.
 TEST(NearEdges, half_a_pixel_is_a_visible_jump) {
   PageFacts facts;
   facts.window.size = {200.0, 100.0};

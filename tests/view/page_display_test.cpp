@@ -1,4 +1,3 @@
-// Tests the description of a slanted panel that the page receives.
 #include "view/page_display.hpp"
 
 #include <gmock/gmock.h>
@@ -22,8 +21,8 @@ Display small_panel() {
 }
 
 // Lens periods: P = pitch * width / dpi * cos(atan(1 / slope)) = 10 * 300 / 100 * cos(atan(1/2)). Tilt: T = height / (width *
-// slope) = 200 / (300 * -2). Centre: the page measures x at the middle of a sub-pixel, and the calibration a third of a pixel
-// to the right of it. The page's centre is therefore P / (3 * 300) lower.
+// slope) = 200 / (300 * -2). The page measures x at the middle of a sub-pixel, a third of a pixel left of the calibration, so
+// its centre is P / (3 * 300) lower.
 TEST(PageDisplay, phases_follow_the_calibration) {
   const nlohmann::ordered_json json = page_display_json({small_panel(), {ViewFilter::kGaussian, 0.75}});
   const double periods = 30.0 * 2.0 / std::sqrt(5.0);

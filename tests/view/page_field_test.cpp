@@ -62,7 +62,7 @@ TEST(PageField, frame_facts_come_from_the_report) {
   EXPECT_EQ(json["depth"], false);
 }
 
-// Pixel (x, y) of each view lies below lens x. The pixels below a lens belong to the views in the order from right to left.
+// Pixel (x, y) of each view lies below lens x. The pixels below a lens belong to the views from right to left.
 TEST(PageField, provenance_is_arranged_like_the_views) {
   const TempDir dir;
   test::write_sheet_frames(dir.path(), 2);
@@ -89,8 +89,7 @@ TEST(PageField, provenance_is_arranged_like_the_views) {
   EXPECT_THAT(test::error_message([&] { fields[0]->provenance(1); }), HasSubstr("has no provenance"));
 }
 
-// With 5.3 pixels per lens, the frame cannot be divided into views of whole pixels. The page therefore shows what eyes see of
-// it.
+// With 5.3 pixels per lens, views are not whole pixels, so the page shows what eyes see.
 TEST(PageField, fractional_lenses_have_one_eye_per_direction) {
   const TempDir dir;
   Optics optics;

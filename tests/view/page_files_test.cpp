@@ -1,4 +1,4 @@
-// Checks that the page in the library is the page that web/ builds, and that it is small.
+// The page in the library must be the page that web/ builds, and small.
 #include "view/page_files.hpp"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,3 @@
-// Tests the page of a folder whose render is still running: what the page receives, and which commands it may send.
 #include "view/running_render.hpp"
 
 #include <gmock/gmock.h>
@@ -22,10 +21,10 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-/// With this interval, the folder is read on every request.
+/// reads the folder on every request
 constexpr std::chrono::milliseconds kAlways{0};
 
-/// A folder of three frames. According to its journal, this process is rendering them. Two frames exist.
+/// A folder of three frames, two of which exist. According to its journal, this process is rendering them.
 class RunningRenderTest : public testing::Test {
  protected:
   RunningRenderTest() : pictures_(test::write_sheet_frames(dir_.path(), 2)), folder_(std::in_place, dir_.path(), "job") {
@@ -40,15 +39,14 @@ class RunningRenderTest : public testing::Test {
     const std::string name = "frame_000" + std::to_string(frame) + ".png";
     folder_->add(report, {{name, file_checksum(dir_ / name).value_or(FileChecksum{1, "0123456789abcdef"})}});
   }
-  /// Writes a shell script that stands for the tool. It writes its arguments to the file `words` and then executes `does`.
-  /// Returns its path.
+  /// Writes a shell script in place of the tool. It writes its arguments to the file `words`, and then executes `does`.
   fs::path tool_running(const std::string& does) {
     const fs::path path = dir_ / "tool.sh";
     std::ofstream(path) << "#!/bin/sh\necho \"$@\" > '" << (dir_ / "words").string() << "'\n" << does << "\n";
     fs::permissions(path, fs::perms::owner_all);
     return path;
   }
-  /// Waits until the state of the render is `word`, and returns the state. Returns nothing after ten seconds.
+  /// Waits until the state of the render is `word`. Returns nothing after ten seconds.
   static nlohmann::ordered_json state_once(RunningRender& render, const std::string& word) {
     for (int i = 0; i < 500; ++i, std::this_thread::sleep_for(std::chrono::milliseconds(20)))
       if (auto state = render.state_after(0); state["state"] == word) return state;

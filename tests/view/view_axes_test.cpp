@@ -10,8 +10,8 @@
 namespace lippmann {
 namespace {
 
-// At the viewing distance V, the eye at -o V / g sees the pixel with the offset o from the centre of its cell, below every
-// lens. The slope of this eye is -o / g, where g is the gap. View 0 is the rightmost pixel.
+// At the viewing distance V, the eye at -o V / g sees the pixel with the offset o from the centre of its cell, with the gap g.
+// Its slope is -o / g. View 0 is the rightmost pixel.
 TEST(ViewAxes, slopes_are_those_of_lens_rays) {
   const ViewAxes axes = view_axes(test::small_sheet(), {4, 1});
   EXPECT_EQ(axes.across.count, 4);

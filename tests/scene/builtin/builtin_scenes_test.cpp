@@ -1,4 +1,3 @@
-// Tests properties that all built-in scenes share.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,7 +19,7 @@ static void PrintTo(const BuiltinScene& scene, std::ostream* out) { *out << scen
 
 namespace {
 
-/// Returns a built-in scene. Each scene is built only once for all tests.
+/// Each scene is built only once for all tests.
 const Scene& built(const BuiltinScene& builtin) {
   static std::map<std::string_view, Scene> scenes;
   const auto [it, is_new] = scenes.try_emplace(builtin.name);
@@ -40,7 +39,7 @@ INSTANTIATE_TEST_SUITE_P(BuiltinScenes, EachScene, testing::ValuesIn(builtin_sce
   return name;
 });
 
-/// Returns how far a transform moves from `a` to `b`: the largest displacement of the node's origin and of its unit vectors.
+/// Largest displacement of the node's origin and of its unit vectors.
 float motion(const Affine3f& a, const Affine3f& b) {
   float most = glm::length(a.translation - b.translation);
   for (int axis = 0; axis < 3; ++axis) most = std::max(most, glm::length(a.linear[axis] - b.linear[axis]));
@@ -61,8 +60,7 @@ TEST_P(EachScene, loop_closes) {
 }
 
 TEST_P(EachScene, motion_never_jumps) {
-  // From one frame to the next, the speed of a node changes by at most half of its top speed. This also holds between the last
-  // frame and the first.
+  // From frame to frame, also from the last to the first, a node's speed changes by at most half of its top speed.
   const Timeline& timeline = scene().timeline;
   const std::size_t nodes = scene().nodes.size();
   const int frames = timeline.frame_count;

@@ -1,4 +1,4 @@
-// Checks for generated meshes. They return counts or values, which tests compare.
+// Checks of generated meshes, which return counts or values.
 #pragma once
 
 #include <cmath>
@@ -17,7 +17,7 @@ inline Vec3f area_normal(const Mesh& mesh, std::size_t t) {
   return glm::cross(mesh.positions[b] - mesh.positions[a], mesh.positions[c] - mesh.positions[a]);
 }
 
-/// Returns the number of triangles without area.
+/// Triangles without area.
 inline int count_degenerate(const Mesh& mesh) {
   int count = 0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) count += glm::length(area_normal(mesh, t)) > 0.0f ? 0 : 1;
@@ -30,7 +30,7 @@ inline int count_normals_not_unit(const Mesh& mesh) {
   return count;
 }
 
-/// Returns the number of triangles that do not face the sum of their vertex normals; 0 for a mesh without normals.
+/// Triangles that do not face the sum of their vertex normals; 0 without normals.
 inline int count_facing_wrong(const Mesh& mesh) {
   int count = 0;
   if (mesh.normals.empty()) return count;
@@ -41,7 +41,7 @@ inline int count_facing_wrong(const Mesh& mesh) {
   return count;
 }
 
-/// Returns the volume of a closed mesh, by the divergence theorem. It is positive if the surface faces outwards.
+/// Volume of a closed mesh, by the divergence theorem; positive if the surface faces outwards.
 inline double signed_volume(const Mesh& mesh) {
   double sum = 0.0;
   for (const auto& [a, b, c] : mesh.triangles)
@@ -53,7 +53,7 @@ struct BoundaryEdge {
   Vec3f from, to;
 };
 
-/// Returns the edges that belong to only one triangle. Vertices that are closer than about `grid` count as one vertex.
+/// Edges of only one triangle. Vertices closer than about `grid` count as one.
 inline std::vector<BoundaryEdge> boundary_edges(const Mesh& mesh, float grid = 1e-4f) {
   using Cell = std::tuple<std::int64_t, std::int64_t, std::int64_t>;
   std::map<Cell, std::uint32_t> cells;

@@ -34,7 +34,7 @@ TEST(Lathe, repeated_point_is_a_crease) {
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     if (std::hypot(mesh.positions[i].x, mesh.positions[i].z) < 0.5f) continue;
     down |= mesh.normals[i].y < -0.999f;
-    slanted |= std::abs(mesh.normals[i].y - std::sqrt(0.5f)) < 1e-5f;  // normal of a surface with a slope of 45 degrees
+    slanted |= std::abs(mesh.normals[i].y - std::sqrt(0.5f)) < 1e-5f;  // a slope of 45 degrees
   }
   EXPECT_TRUE(down && slanted);
 }
@@ -43,8 +43,8 @@ TEST(Cone, is_closed_and_has_its_volume) {
   const Mesh mesh = cone(1.0f, 3.0f, 64);
   expect_sane(mesh);
   EXPECT_TRUE(boundary_edges(mesh).empty());
-  // The volume is height / 3 * base area, for a height of 3. The base is a regular polygon with 64 corners; its area is 32 *
-  // sin(2 pi / 64).
+  // Volume: height / 3 * base area, for a height of 3. The base, a regular polygon with 64 corners, has the area 32 * sin(2 pi
+  // / 64).
   EXPECT_NEAR(test::signed_volume(mesh), 32.0 * std::sin(2.0 * M_PI / 64.0), 1e-4);
 }
 
@@ -99,7 +99,7 @@ TEST(Rectangle, texture_stands_upright) {
   const Mesh mesh = rectangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 3});
   expect_sane(mesh);
   EXPECT_EQ(mesh.normals[0], Vec3f(0, 0, 1));
-  EXPECT_EQ(mesh.uvs[3], Vec2f(0, 0));  // the top left corner of the rectangle has uv (0, 0), the top left of the texture
+  EXPECT_EQ(mesh.uvs[3], Vec2f(0, 0));  // the top left corner has uv (0, 0), the top left of the texture
   EXPECT_EQ(mesh.positions[3], Vec3f(-1, 1, 0));
 }
 

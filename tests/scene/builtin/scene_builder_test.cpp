@@ -33,8 +33,8 @@ TEST(SceneBuilder, swing_follows_the_sine) {
   const Scene scene = builder.take();
   for (const double share : {0.0, 0.01, 0.13, 0.4, 0.77, 1.0}) {
     const double angle = 0.5 * std::sin(2.0 * M_PI * (2.0 * share + 0.3));
-    // Between 16 keys per cycle, a cubic Hermite spline deviates from a sine of amplitude A by at most A * (2 pi / 16)^4 / 384
-    // = 6e-5 * A. Here, A = 0.5.
+    // Between 16 keys per cycle, a cubic Hermite spline deviates from a sine of amplitude A = 0.5 by at most A * (2 pi / 16)^4
+    // / 384 = 6e-5 * A.
     expect_near(moved(scene, share * kLoopSeconds, {1, 0, 0}), Vec3f(std::cos(angle), 0.0, -std::sin(angle)), 4e-5f);
   }
 }
@@ -58,7 +58,7 @@ TEST(SceneBuilder, camera_sees_exactly_the_array) {
   const Vec3f top = transform_point(inverse(world_from_camera), transform_point(world_from_display, {0, 2, 0}));
   EXPECT_NEAR(std::atan2(top.y, -top.z), 0.5f * scene.cameras[0].vertical_fov, 1e-6f);
   EXPECT_NEAR(top.x, 0.0f, 1e-5f);
-  // A positive yaw puts the viewer to the right, and a positive pitch puts it above.
+  // A positive yaw puts the viewer to the right, a positive pitch above.
   const Vec3f viewer = world_from_camera.translation - Vec3f(1, 2, 3);
   EXPECT_NEAR(viewer.x, 10.0f * std::cos(radians(20.0f)) * std::sin(radians(30.0f)), 1e-4f);
   EXPECT_NEAR(viewer.y, 10.0f * std::sin(radians(20.0f)), 1e-4f);

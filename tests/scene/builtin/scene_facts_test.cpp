@@ -1,4 +1,3 @@
-// Tests properties of single built-in scenes.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -31,7 +30,7 @@ int find_node(const Scene& scene, std::string_view name) {
 }
 
 TEST(SmallBalls, each_generation_has_nine_times_the_spheres) {
-  std::map<int, int> count;  // number of spheres of each generation
+  std::map<int, int> count;  // spheres of each generation
   for (const PlacedSphere& s : spheres_of(build_small_balls(), 0.0))
     ++count[static_cast<int>(std::lround(-std::log(s.radius) / std::log(3.0f)))];
   EXPECT_EQ(count, (std::map<int, int>{{0, 1}, {1, 9}, {2, 81}, {3, 729}, {4, 6561}}));
@@ -67,8 +66,7 @@ TEST(Tree, shows_about_900000_triangles) {
 TEST(Room, has_about_70000_triangles) { EXPECT_NEAR(static_cast<double>(shown_triangles(build_room())), 7e4, 2e4); }
 
 TEST(Room, ball_rolls_without_slipping) {
-  // The point of the ball that touches the carpet is at rest. In a millisecond, it moves less than 5 % of the distance that the
-  // centre moves.
+  // The point that touches the carpet is at rest: in a millisecond, it moves less than 5 % as far as the centre.
   const Scene scene = build_room();
   const int ball = find_node(scene, "ball");
   const double time = 3.0, step = 1e-3;
@@ -88,7 +86,7 @@ TEST(Primitives, shows_every_kind_of_finite_shape) {
     EXPECT_GE(kinds[kind.index()], 1) << kind.index();
 }
 
-/// Returns the angle by which a node turns about z between two times. The angle is within half a turn.
+/// Angle about z between two times, within half a turn.
 float turned_about_z(const Scene& scene, int node, double from, double to) {
   const Vec3f a = evaluate(scene, from).of(node).linear[0], b = evaluate(scene, to).of(node).linear[0];
   return std::atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y);

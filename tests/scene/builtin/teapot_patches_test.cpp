@@ -19,7 +19,7 @@ Mesh teapot(int steps) {
   return mesh;
 }
 
-/// Returns a flat patch over [0, 3] x [0, 3] with evenly spaced control points, so that P(u, v) = (3u, 3v, 0).
+/// Evenly spaced control points: P(u, v) = (3u, 3v, 0).
 BezierPatch flat_patch() {
   BezierPatch patch;
   for (std::size_t row = 0; row < 4; ++row)
@@ -34,16 +34,14 @@ TEST(BezierPatch, evenly_spaced_control_points_give_the_plane) {
 }
 
 TEST(BezierPatch, inner_point_has_weight_9_64_squared) {
-  // The Bernstein polynomial B1 has the value 3/8 at 1/2. Lifting one inner control point by 1 therefore lifts the middle of
-  // the patch by (3/8)^2 = 9/64.
+  // The Bernstein polynomial B1 is 3/8 at 1/2. Lifting one inner control point by 1 lifts the middle by (3/8)^2 = 9/64.
   BezierPatch patch = flat_patch();
   patch[1][1].z = 1.0f;
   expect_near(point_on(patch, 0.5f, 0.5f), {1.5f, 1.5f, 9.0f / 64.0f});
 }
 
 TEST(BezierPatch, collapsed_edge_has_the_limit_normal) {
-  // If all points of one row coincide, the patch is a triangle in the same plane. Its normal does not change, even at the
-  // collapsed edge.
+  // If a row of points coincides, the patch is a triangle in the same plane, with the same normal even at the collapsed edge.
   for (const std::size_t row : {std::size_t{0}, std::size_t{3}}) {
     BezierPatch patch = flat_patch();
     for (Vec3f& p : patch[row]) p = {1.5f, static_cast<float>(row), 0.0f};
@@ -98,8 +96,7 @@ TEST(TeapotPatches, pole_normals_point_up_and_down) {
 
 TEST(TeapotPatches, mesh_is_sane) {
   const Mesh mesh = teapot(16);
-  // There are 32 patches of 2 * 16^2 triangles. Eight patches have an edge that is a single point, where 16 triangles are
-  // missing.
+  // 32 patches of 2 * 16^2 triangles. Eight patches have an edge that is a point, where 16 triangles are missing.
   EXPECT_EQ(mesh.triangles.size(), 32u * 2u * 256u - 8u * 16u);
   EXPECT_EQ(test::count_degenerate(mesh), 0);
   EXPECT_EQ(test::count_normals_not_unit(mesh), 0);
@@ -107,13 +104,13 @@ TEST(TeapotPatches, mesh_is_sane) {
 }
 
 TEST(TeapotPatches, open_only_where_newell_left_it_open) {
-  // The teapot is open between the lid (radius 1.3) and the rim (1.4) at z = 2.4, where the handle and the spout meet the body,
-  // and at the mouth of the spout.
+  // The teapot is open between lid (radius 1.3) and rim (1.4) at z = 2.4, where handle and spout meet the body, and at the
+  // mouth of the spout.
   int elsewhere = 0;
   for (const test::BoundaryEdge& edge : test::boundary_edges(teapot(8))) {
     const Vec3f p = edge.from;
     const float radius = std::hypot(p.x, p.y);
-    // Tolerance: each quarter of a circle is a cubic curve. The curve deviates from the circle by at most 1.5 % of the radius.
+    // A quarter of a circle is a cubic curve, which deviates by at most 1.5 % of the radius.
     const bool lid_or_rim = std::abs(p.z - 2.4f) < 1e-4f && radius > 1.28f && radius < 1.42f;
     const bool handle = p.x < -1.4f && p.x > -2.05f && std::abs(p.y) <= 0.3f;
     const bool spout_root = std::abs(p.x - 1.7f) < 1e-4f && std::abs(p.y) <= 0.66f;

@@ -8,7 +8,7 @@ namespace lippmann::builtin {
 namespace {
 
 TEST(Paint, encodes_linear_colors_as_srgb) {
-  // Linear 0.5 has the sRGB code 188. Linear 0.001 has the code 12.92 * 0.001 * 255 = 3.3. Values above 1 become 255.
+  // Linear 0.5 has the sRGB code 188, linear 0.001 the code 12.92 * 0.001 * 255 = 3.3. Values above 1 become 255.
   const Texture texture =
       paint("t", 2, 1, [](Vec2f uv) { return uv.x < 0.5f ? Vec3f(0.5f, 0.001f, 0.0f) : Vec3f(7.0f, -1.0f, 1.0f); });
   EXPECT_EQ(texture.rgba, (std::vector<std::uint8_t>{188, 3, 0, 255, 255, 0, 255, 255}));
@@ -44,8 +44,7 @@ TEST(FractalNoise, repeats_after_its_period) {
   EXPECT_NEAR(fractal_noise(p, {4, 4}, 5, 3), fractal_noise(p + Vec2f(4, 4), {4, 4}, 5, 3), 1e-4f);
 }
 
-/// Returns the largest difference between horizontally neighbouring texels. The last column is a neighbour of the first one. If
-/// `seam_only` is true, only these two columns are compared.
+/// Largest difference between horizontal neighbours, or with `seam_only` between the last and the first column.
 int greatest_step(const Texture& t, bool seam_only) {
   int most = 0;
   const auto at = [&](int x, int y, int c) { return int{t.rgba[static_cast<std::size_t>(4 * (y * t.width + x) + c)]}; };

@@ -1,4 +1,4 @@
-// Tests meshes compressed with Draco and meshoptimizer. The tests use the encoders of these libraries.
+// The encoders of Draco and meshoptimizer compress the meshes.
 #include <draco/compression/encode.h>
 #include <draco/mesh/triangle_soup_mesh_builder.h>
 #include <gmock/gmock.h>
@@ -26,7 +26,7 @@ using testing::HasSubstr;
 using Packed = std::vector<unsigned char>;
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// Returns whether the file can be read as a valid scene. If not, checks that the error names the file.
+/// Returns whether the file is a valid scene. Otherwise, the error must name the file.
 bool is_valid_or_says_why(const test::Contents& file) {
   Scene scene;
   try {
@@ -39,16 +39,13 @@ bool is_valid_or_says_why(const test::Contents& file) {
   return true;
 }
 
-// ---- meshoptimizer --------------------------------------------------------------------------------------------------
-
 Packed pack_vertices(const void* values, std::size_t count, std::size_t stride) {
   Packed packed(meshopt_encodeVertexBufferBound(count, stride));
   packed.resize(meshopt_encodeVertexBuffer(packed.data(), packed.size(), values, count, stride));
   return packed;
 }
 
-/// Replaces the bytes of a buffer view by compressed bytes. The view itself then refers to buffer 1. This buffer has no data;
-/// it stands for an uncompressed copy that readers without the extension could use.
+/// Compresses a buffer view, which then refers to buffer 1. This buffer stands for an uncompressed copy, and has no data.
 void pack_view(GltfBuilder& b, int view, const Packed& packed, std::size_t count, std::size_t stride, const char* mode,
                const char* filter = "NONE") {
   const int source = b.add_view(packed);
@@ -64,7 +61,7 @@ void pack_view(GltfBuilder& b, int view, const Packed& packed, std::size_t count
                                                      {"filter", filter}};
 }
 
-/// Returns the whole file, including buffer 1, which pack_view() refers to and which has no data.
+/// The file with buffer 1 of pack_view(), which has no data.
 test::Contents with_fallback(const GltfBuilder& b) {
   Json root = b.document();
   root["buffers"].push_back({{"byteLength", 1'000'000}, {"extensions", {{"EXT_meshopt_compression", {{"fallback", true}}}}}});
@@ -74,8 +71,7 @@ test::Contents with_fallback(const GltfBuilder& b) {
 
 const std::vector<Vec3f> kCorners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0.5f}};
 
-/// Returns a square of two compressed triangles. Accessor 0 contains the positions, accessor 1 the indices. `index_mode` is the
-/// compression mode of the indices.
+/// Two compressed triangles: accessor 0 has the positions, accessor 1 the indices, compressed in `index_mode`.
 GltfBuilder packed_square(const char* index_mode) {
   const std::vector<std::uint32_t> corners{0, 1, 2, 2, 1, 3};
   GltfBuilder b;
@@ -108,8 +104,8 @@ TEST(GltfMeshopt, vertices_and_triangles_round_trip) {
   }
 }
 
-/// The bytes of the first view are invalid, and all views together exceed the memory limit. The error must be about the limit.
-/// If the first view were unpacked before the sizes of all views are added, the error would be about its invalid bytes.
+/// The bytes of the first view are invalid, and all views together exceed the memory limit. The error must be about the limit,
+/// because no view may be unpacked before all are counted.
 TEST(GltfMeshopt, counts_all_views_before_unpacking) {
   GltfBuilder b = packed_square("TRIANGLES");
   const std::size_t from = b.root["bufferViews"][0]["extensions"]["EXT_meshopt_compression"]["byteOffset"];
@@ -137,7 +133,7 @@ TEST(GltfMeshopt, octahedral_normals_are_unfolded) {
   b.root["bufferViews"][0]["byteStride"] = 4;
   const Mesh mesh = mesh_of(with_fallback(b));
   for (std::size_t i = 0; i < 3; ++i)
-    // Tolerance: components of 8 bits have steps of 1/127.
+    // components of 8 bits have steps of 1/127
     EXPECT_LE(glm::length(mesh.normals.at(i) - Vec3f(directions[i])), 0.02f);
 }
 
@@ -170,12 +166,12 @@ TEST(GltfMeshopt, quaternions_are_completed) {
   pack_view(b, 0, pack_vertices(filtered.data(), 2, 8), 2, 8, "ATTRIBUTES", "QUATERNION");
   const Scene scene = parse(with_fallback(b));
   const Quatf q = scene.timeline.animations.at(0).rotation.values.at(1);
-  EXPECT_NEAR(std::abs(q.w * 0.5f + q.x * 0.5f + q.y * 0.5f + q.z * 0.5f), 1.0f, 1e-4f);  // tolerance: 16 bits per component
+  EXPECT_NEAR(std::abs(q.w * 0.5f + q.x * 0.5f + q.y * 0.5f + q.z * 0.5f), 1.0f, 1e-4f);  // 16 bits per component
 }
 
 struct MeshoptFault {
   const char* name;
-  std::function<void(Json&)> spoil;  ///< modifies the extension of the buffer view of the positions
+  std::function<void(Json&)> spoil;  ///< modifies the extension of the view of the positions
   const char* message;
 };
 void PrintTo(const MeshoptFault& fault, std::ostream* out) { *out << fault.name; }
@@ -224,9 +220,7 @@ TEST(GltfMeshopt, flipped_bytes_are_valid_or_an_error) {
   EXPECT_GT(errors, 0);
 }
 
-// ---- Draco ----------------------------------------------------------------------------------------------------------
-
-/// Returns a Draco stream of two triangles with the corners kCorners. The positions are not quantised and have the unique id 0.
+/// Two triangles with the corners kCorners. The positions are not quantised and have the unique id 0.
 Packed draco_square(int method) {
   draco::TriangleSoupMeshBuilder builder;
   builder.Start(2);
@@ -255,8 +249,7 @@ GltfBuilder draco_file(const Packed& packed, int index_type = test::kUnsignedSho
   return b;
 }
 
-/// Returns the corner positions of all triangles, independent of the encoder's order. Each triangle starts at its smallest
-/// corner.
+/// Corners of all triangles, independent of the encoder's order. Each triangle starts at its smallest corner.
 std::vector<std::array<Vec3f, 3>> shape_of(const Mesh& mesh) {
   const auto less = [](Vec3f a, Vec3f b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); };
   std::vector<std::array<Vec3f, 3>> shape;

@@ -37,7 +37,7 @@ void set_word(Contents& contents, std::size_t offset, std::uint32_t word) {
 TEST(GltfContainer, glb_and_data_uri_give_equal_scenes) {
   const GltfBuilder builder = one_triangle();
   test::Json root = builder.document();
-  // The data URI contains 36 bytes: the nine floats 0 0 0, 1 0 0, 0 1 0.
+  // The data URI has the nine floats 0 0 0, 1 0 0, 0 1 0.
   root["buffers"][0]["uri"] = "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA";
   const Scene from_json = parse(contents_of(root.dump()));
   const Scene from_glb = parse(builder);

@@ -1,5 +1,3 @@
-// Tests which glTF documents are rejected, and the error messages: structure, references, ranges, extensions, and files outside
-// the scene's folder.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -23,7 +21,7 @@ using test::parse;
 using testing::Contains;
 using testing::HasSubstr;
 
-/// Returns a valid document with most kinds of elements. Tests modify it.
+/// Has most kinds of elements. Tests modify it.
 GltfBuilder good_document() {
   GltfBuilder b;
   b.add("materials", {{"pbrMetallicRoughness", {{"metallicFactor", 0.5}}}});
@@ -42,7 +40,7 @@ GltfBuilder good_document() {
   return b;
 }
 
-/// Returns the error message for good_document() after the value at `pointer` is replaced. A null value removes the property.
+/// Error after the value at `pointer` is replaced, or removed if null.
 std::string message_with(const std::string& pointer, const Json& value) {
   GltfBuilder b = good_document();
   Json root = b.document();
@@ -59,7 +57,7 @@ TEST(GltfDocument, good_document_passes) { EXPECT_NO_THROW(parse(good_document()
 struct Fault {
   const char* name;
   const char* pointer;
-  Json value;  ///< new value; null: the property is removed
+  Json value;  ///< null: removes the property
   const char* message;
 };
 void PrintTo(const Fault& fault, std::ostream* out) { *out << fault.name; }
@@ -210,8 +208,8 @@ TEST(GltfDocument, unpacking_beyond_the_limit_is_an_error) {
               HasSubstr("accessors[1]: the unpacked scene needs too much memory; accepted: at most 30 bytes in total"));
 }
 
-/// The positions of the first mesh are invalid. The expected error names the memory limit. If the first mesh were unpacked
-/// before all meshes are counted, the error would name its positions instead.
+/// The positions of the first mesh are invalid. The error must be about the memory limit, because no mesh may be unpacked
+/// before all are counted.
 TEST(GltfDocument, counts_all_meshes_before_unpacking) {
   GltfBuilder b;
   const int bad = b.add_accessor(std::vector<Vec3f>{{0, 0, 0}, {std::nanf(""), 0, 0}, {0, 1, 0}});
@@ -238,9 +236,7 @@ TEST(GltfDocument, instances_beyond_the_limit_are_an_error) {
   EXPECT_THAT(error_message([&] { parse(b, nullptr, limits); }), HasSubstr("too much memory"));
 }
 
-// ---- External files -------------------------------------------------------------------------------------------------
-
-/// A folder with a scene of one triangle. The positions are in a separate file.
+/// A scene of one triangle, with the positions in a separate file.
 class GltfFolder : public testing::Test {
  protected:
   GltfFolder() {

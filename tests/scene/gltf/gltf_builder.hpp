@@ -1,5 +1,4 @@
-// Builds small glTF documents for tests. Tests may edit the JSON freely; the builder keeps the binary data that the JSON refers
-// to.
+// Builds small glTF documents. Tests may edit the JSON freely; the builder keeps the binary data.
 #pragma once
 
 #include <cstddef>
@@ -24,13 +23,13 @@ class GltfBuilder {
   Json root = {{"asset", {{"version", "2.0"}}}};
   Contents binary;
 
-  /// Appends an element to an array of the root object and returns its index.
+  /// Returns the index of the element.
   int add(const char* array, Json value) {
     root[array].push_back(std::move(value));
     return static_cast<int>(root[array].size()) - 1;
   }
 
-  /// Appends bytes as a buffer view, aligned to four bytes, and returns its index.
+  /// Appends bytes, aligned to four bytes, and returns the index of the view.
   template <class T>
   int add_view(const std::vector<T>& values) {
     binary.resize((binary.size() + 3) / 4 * 4);
@@ -55,8 +54,7 @@ class GltfBuilder {
 
   int add_mesh(Json primitive) { return add("meshes", {{"primitives", {std::move(primitive)}}}); }
 
-  /// Adds a mesh of one triangle (0, 0, 0), (1, 0, 0), (0, 1, 0) and returns its index. `more` contains additional properties
-  /// of the primitive.
+  /// Adds a mesh of the triangle (0, 0, 0), (1, 0, 0), (0, 1, 0) and returns its index. `more` is merged into the primitive.
   int add_triangle(const Json& more = Json::object()) {
     Json primitive = {{"attributes", {{"POSITION", add_accessor(std::vector<Vec3f>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}})}}}};
     primitive.update(more, true);
@@ -65,7 +63,7 @@ class GltfBuilder {
 
   int add_node(Json node) { return add("nodes", std::move(node)); }
 
-  /// Returns the JSON for a binary container (.glb).
+  /// JSON for a binary container (.glb).
   Json document() const {
     Json result = root;
     if (!binary.empty()) result["buffers"] = {{{"byteLength", binary.size()}}};
@@ -95,7 +93,6 @@ class GltfBuilder {
   }
 };
 
-/// Returns a PNG image of one white pixel.
 inline std::vector<std::uint8_t> white_png() {
   return {0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00, 0x00, 0x00, 0x0d, 0x49, 0x48, 0x44, 0x52, 0x00,
           0x00, 0x00, 0x01, 0x00, 0x00, 0x00, 0x01, 0x08, 0x00, 0x00, 0x00, 0x00, 0x3a, 0x7e, 0x9b, 0x55, 0x00,
@@ -111,7 +108,7 @@ inline Contents contents_of(const std::string& text) {
 
 inline LoadOptions at_25_frames_a_second() { return {.frames_per_second = 25.0}; }
 
-/// Parses contents as the file a.glb, by default at 25 frames per second, and collects warnings.
+/// Parses the file a.glb and collects warnings.
 inline Scene parse(const Contents& contents, std::vector<std::string>* warnings = nullptr, const GltfLimits& limits = {},
                    const LoadOptions& options = at_25_frames_a_second()) {
   Context context;
@@ -123,7 +120,7 @@ inline Scene parse(const GltfBuilder& builder, std::vector<std::string>* warning
   return parse(builder.glb(), warnings, limits, options);
 }
 
-/// Adds a node with mesh 0, parses the document, and returns the mesh.
+/// Adds a node with mesh 0, and returns the parsed mesh.
 inline Mesh parse_mesh(const GltfBuilder& builder, std::vector<std::string>* warnings = nullptr) {
   GltfBuilder with_node = builder;
   with_node.add_node({{"mesh", 0}});

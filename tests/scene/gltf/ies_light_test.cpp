@@ -1,4 +1,3 @@
-// Tests glTF lights with light profiles (EXT_lights_ies).
 #include <fmt/core.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -17,13 +16,12 @@ using test::Json;
 using test::parse;
 using testing::HasSubstr;
 
-/// A photometric file with one horizontal angle and the vertical angles 0 and 90 degrees. The lamp emits 80 candela downwards
-/// and nothing upwards.
+/// One horizontal angle and the vertical angles 0 and 90 degrees: 80 candela downwards, nothing upwards.
 constexpr const char* kDownlight =
     "data:application/x-ies-lm-63;base64,SUVTOkxNLTYzLTIwMTkKVElMVD1OT05FCjEgMTAwMCAxID"
     "IgMSAxIDIgMCAwIDAgMSAxIDUwCjAgOTAKMAo4MCA4MAo=";
 
-/// Returns a document with one light profile. Nodes 1, 2, ... are children of node 0, and each has one of `lamps`.
+/// Nodes 1, 2, ... are children of node 0, and each has one of `lamps`.
 GltfBuilder lit_by(const Json& profile, const std::vector<Json>& lamps) {
   GltfBuilder b;
   b.root["extensions"]["EXT_lights_ies"]["lights"] = Json::array({profile});

@@ -1,4 +1,3 @@
-// Tests the environment light of a glTF scene (EXT_lights_image_based).
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -34,7 +33,7 @@ int add_picture(GltfBuilder& b, int width, int height, const std::vector<Rgba>& 
 
 int add_plain(GltfBuilder& b, Rgba color) { return add_picture(b, 1, 1, {color}); }
 
-/// Adds a triangle and an environment light with the given cube faces. `more` contains additional properties of the light.
+/// `more` is merged into the environment light.
 GltfBuilder surrounded_by(GltfBuilder b, const Json& faces, const Json& more = Json::object()) {
   Json light = {{"specularImages", {faces}}, {"specularImageSize", 1}, {"irradianceCoefficients", Json::array()}};
   light.update(more);
@@ -45,7 +44,7 @@ GltfBuilder surrounded_by(GltfBuilder b, const Json& faces, const Json& more = J
   return b;
 }
 
-/// Returns a cube map of uniform faces: x red, y green, z blue. The positive faces have the value 255, the negative faces 128.
+/// Uniform faces: x red, y green, z blue, 255 on the positive and 128 on the negative side.
 GltfBuilder coloured_cube(const Json& more = Json::object()) {
   GltfBuilder b;
   Json faces;
@@ -60,7 +59,7 @@ const EnvironmentMap& map_of(const Scene& scene) {
   return scene.background.map.value();
 }
 
-/// Returns the value of an unrotated panorama in a direction.
+/// An unrotated panorama in one direction.
 Vec3f seen(const EnvironmentMap& map, Vec3f direction) {
   const Vec3f d = glm::normalize(direction);
   const Image& p = map.radiance;
@@ -75,7 +74,7 @@ void expect_color(Vec3f actual, Vec3f expected) {
       << actual.x << " " << actual.y << " " << actual.z;
 }
 
-// Linear value of the sRGB code 128: ((128 / 255 + 0.055) / 1.055)^2.4.
+// linear value of the sRGB code 128: ((128 / 255 + 0.055) / 1.055)^2.4
 constexpr float kHalf = 0.2158605f;
 
 TEST(GltfImageLight, faces_lie_where_their_order_says) {
@@ -91,8 +90,8 @@ TEST(GltfImageLight, faces_lie_where_their_order_says) {
   expect_color(seen(map, {0.1f, 0.1f, -1}), {0, 0, kHalf});
 }
 
-// Each face has 2 x 2 texels. Only the upper left texel is white. If a viewer in the cube looks along x, with y up, then z is
-// to the right. If the viewer looks along y, with -z up, then -x is to the right.
+// Only the upper left of each face's 2 x 2 texels is white. If a viewer in the cube looks along x, with y up, then z is to the
+// right. If the viewer looks along y, with -z up, then -x is to the right.
 TEST(GltfImageLight, faces_are_seen_from_inside) {
   GltfBuilder b;
   const Rgba white{255, 255, 255, 255}, black{0, 0, 0, 255};

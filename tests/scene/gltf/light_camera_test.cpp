@@ -1,4 +1,3 @@
-// Tests the lights and cameras of the glTF reader.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -20,7 +19,7 @@ using test::parse;
 using testing::Contains;
 using testing::HasSubstr;
 
-/// Returns a document with one light at node 1, which is a child of node 0.
+/// One light at node 1, a child of node 0.
 GltfBuilder lit_by(const Json& light) {
   GltfBuilder b;
   b.root["extensions"]["KHR_lights_punctual"]["lights"] = Json::array({light});
@@ -95,8 +94,7 @@ TEST(GltfLight, sizes_are_read_from_extras) {
   EXPECT_FLOAT_EQ(light_of({{"type", "directional"}, {"extras", {{"angle", 3.14159265359}}}}).angular_diameter, kPi);
 }
 
-// The outer half angle of 60 degrees has the cosine 0.5. A blend of 0.3 covers the cosines from 0.5 to 0.5 + 0.3 * (1 - 0.5) =
-// 0.65.
+// The outer half angle of 60 degrees has the cosine 0.5. A blend of 0.3 covers the cosines up to 0.5 + 0.3 * (1 - 0.5) = 0.65.
 TEST(GltfLight, blend_replaces_the_inner_cone) {
   const Json cone{{"innerConeAngle", 0.2}, {"outerConeAngle", kPi / 3}};
   const Light soft = light_of({{"type", "spot"}, {"spot", cone}, {"extras", {{"radius", 2}, {"blend", 0.3}}}});
@@ -141,7 +139,7 @@ float scale_by(const std::string& generator, const std::string& type) {
   return parse(b).lights.at(0).color.x / 100.0f;
 }
 
-// The expected factors are 1 / 683 = 0.001464 and 1 / (4 pi) = 0.079577.
+// The factors are 1 / 683 = 0.001464 and 1 / (4 pi) = 0.079577.
 TEST(GltfLight, old_blender_exporters_use_watts) {
   const std::string name = "Khronos glTF Blender I/O v";
   EXPECT_NEAR(scale_by(name + "3.4.39", "point"), 0.001464f, 1e-6f);
@@ -154,7 +152,7 @@ TEST(GltfLight, old_blender_exporters_use_watts) {
   EXPECT_EQ(scale_by("another exporter v1.0", "point"), 1.0f);
 }
 
-/// Returns a spot light with an outer half angle of 60 degrees and the half angle `inner` of the inner cone.
+/// Outer half angle of 60 degrees, inner half angle `inner`.
 Light spot_of(const std::string& generator, float inner, const Json& extras = Json::object()) {
   GltfBuilder b =
       lit_by({{"type", "spot"}, {"spot", {{"innerConeAngle", inner}, {"outerConeAngle", kPi / 3}}}, {"extras", extras}});
@@ -162,8 +160,8 @@ Light spot_of(const std::string& generator, float inner, const Json& extras = Js
   return parse(b).lights.at(0);
 }
 
-// Blender's exporter writes inner = outer (1 - blend). An inner cone of 0.7 times the outer cone therefore means a blend of
-// 0.3. The edge covers the cosines from 0.5 to 0.5 + 0.3 * 0.5 = 0.65.
+// Blender's exporter writes inner = outer (1 - blend), so 0.7 means a blend of 0.3, which covers the cosines from 0.5 to 0.5 +
+// 0.3 * 0.5 = 0.65.
 TEST(GltfLight, blender_spots_get_their_blend) {
   const std::string blender = "Khronos glTF Blender I/O v3.4.50";
   const Light soft = spot_of(blender, 0.7f * kPi / 3);
@@ -181,8 +179,6 @@ TEST(GltfLight, spots_of_other_exporters_keep_their_cones) {
   EXPECT_EQ(light.inner_cone, 0.5f);
 }
 
-// ---- Scenes without lights ------------------------------------------------------------------------------------------
-
 TEST(GltfLight, scene_with_light_has_black_background) {
   GltfBuilder b = lit_by({{"type", "point"}});
   b.add_node({{"mesh", b.add_triangle()}});
@@ -199,8 +195,6 @@ TEST(GltfLight, scene_of_unlit_materials_needs_none) {
   EXPECT_TRUE(parse(b, &warnings).lights.empty());
   EXPECT_TRUE(warnings.empty());
 }
-
-// ---- Cameras --------------------------------------------------------------------------------------------------------
 
 TEST(GltfCamera, perspective_cameras_follow_node_order) {
   GltfBuilder b;
@@ -267,7 +261,7 @@ TEST(GltfCamera, orthographic_works_without_visible_objects) {
   EXPECT_NO_THROW(validate(parse(b), "a.glb"));
 }
 
-// The bounds of the triangle are 1 x 1, so their diagonal is sqrt(2).
+// The triangle's bounds are 1 x 1, so their diagonal is sqrt(2).
 TEST(GltfCamera, zero_orthographic_size_shows_all_with_warning) {
   GltfBuilder b;
   b.add_node({{"mesh", b.add_triangle()}});

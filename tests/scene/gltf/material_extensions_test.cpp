@@ -1,4 +1,3 @@
-// Tests rarely used glTF material extensions and material variants.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -142,7 +141,7 @@ TEST(GltfSpecularGlossiness, is_a_dielectric_of_that_reflectance) {
   EXPECT_GT(s.ior, 500.0f);  // reflects all light, multiplied by the specular colour
 }
 
-/// Returns a triangle with material 1 in the variants 0 and 2, and with material 0 otherwise.
+/// Material 1 in the variants 0 and 2, otherwise material 0.
 GltfBuilder with_variants() {
   GltfBuilder b;
   for (const char* name : {"Plain", "Painted"}) b.add("materials", {{"name", name}});

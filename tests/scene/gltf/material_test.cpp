@@ -1,4 +1,3 @@
-// Tests the materials and textures of the glTF reader.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -24,7 +23,7 @@ using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// Returns an image of 2 x 2 pixels: red, green, blue, and transparent white.
+/// red, green, blue, and transparent white
 std::vector<unsigned char> four_colours() {
   return encode_png(2, 2, 4, {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 255, 255, 255, 0});
 }
@@ -42,7 +41,7 @@ MetallicRoughness surface_of(const Json& material, std::vector<std::string>* war
   return std::get<MetallicRoughness>(scene_of_material(material, warnings).materials.at(0).surface);
 }
 
-/// Returns a document with a triangle whose base colour is a texture with the given image.
+/// A triangle whose base colour is this image.
 GltfBuilder textured(const std::vector<unsigned char>& image, const Json& sampler = Json::object()) {
   GltfBuilder b;
   b.add("images", {{"bufferView", b.add_view(image)}, {"mimeType", "image/png"}, {"name", "colours"}});
@@ -52,8 +51,6 @@ GltfBuilder textured(const std::vector<unsigned char>& image, const Json& sample
   b.add_node({{"mesh", b.add_triangle({{"material", 0}})}});
   return b;
 }
-
-// ---- Materials ------------------------------------------------------------------------------------------------------
 
 TEST(GltfMaterial, empty_material_has_the_defaults_of_gltf) {
   const MetallicRoughness s = surface_of(Json::object());
@@ -140,7 +137,7 @@ TEST(GltfMaterial, specular_and_clearcoat_are_read) {
   EXPECT_EQ(s.clearcoat_roughness, 0.125f);
 }
 
-/// Returns a material with all kinds of maps. All of them use texture 0.
+/// All kinds of maps, with texture 0.
 Json all_maps() {
   const Json map = {{"index", 0}};
   return {{"pbrMetallicRoughness", {{"baseColorTexture", map}, {"metallicRoughnessTexture", map}}},
@@ -169,7 +166,7 @@ TEST(GltfMaterial, webp_takes_precedence) {
   b.add("images", {{"bufferView", b.add_view(encode_webp(2, 1, {1, 2, 3, 255, 4, 5, 6, 128}))}, {"mimeType", "image/webp"}});
   b.root["textures"][0]["extensions"]["EXT_texture_webp"]["source"] = 1;
   EXPECT_THAT(parse(b).textures.at(0).rgba, ElementsAre(1, 2, 3, 255, 4, 5, 6, 128));
-  b.root["textures"][0].erase("source");  // without an image for readers that do not support WebP
+  b.root["textures"][0].erase("source");  // no image for readers without WebP
   EXPECT_THAT(parse(b).textures.at(0).rgba, ElementsAre(1, 2, 3, 255, 4, 5, 6, 128));
 }
 
@@ -179,7 +176,7 @@ TEST(GltfMaterial, glossiness_alpha_becomes_roughness) {
                                                                                  {"specularGlossinessTexture", {{"index", 0}}}};
   const Scene scene = parse(b);
   const auto& s = std::get<MetallicRoughness>(scene.materials[0].surface);
-  EXPECT_EQ(s.roughness, 1.0f);  // the factor is 1, because the map contains the roughness
+  EXPECT_EQ(s.roughness, 1.0f);  // the map contains the roughness
   ASSERT_GE(s.metallic_roughness_map.texture, 0);
   const Texture& rough = scene.textures[static_cast<std::size_t>(s.metallic_roughness_map.texture)];
   EXPECT_EQ(rough.rgba[1], 102);  // 255 * (1 - 0.6)
@@ -226,7 +223,7 @@ TEST(GltfMaterial, skips_maps_without_effect) {
   EXPECT_NO_THROW(parse(b));
 }
 
-/// Returns the texture coordinates after the transform of a map.
+/// Texture coordinates after the transform of a map.
 Vec2f look_up(const TextureMap& map, Vec2f uv) { return map.offset + map.matrix * uv; }
 
 MetallicRoughness surface_with_transform(const Json& transform) {
@@ -240,7 +237,7 @@ TEST(GltfTextureTransform, scales_then_turns_then_moves) {
       surface_with_transform({{"offset", {0.25, 0.5}}, {"scale", {2, 4}}, {"rotation", kPi / 2}}).base_color_map;
   // The transform scales (1, 0) to (2, 0), rotates it by 90 degrees to (0, -2), and translates it.
   const Vec2f along_u = look_up(map, {1, 0}), along_v = look_up(map, {0, 1});
-  EXPECT_NEAR(along_u.x, 0.25f, 1e-6f);  // tolerance: the cosine of pi / 2 is not exactly 0 in floats
+  EXPECT_NEAR(along_u.x, 0.25f, 1e-6f);  // the cosine of pi / 2 is not exactly 0 in floats
   EXPECT_NEAR(along_u.y, -1.5f, 1e-6f);
   EXPECT_NEAR(along_v.x, 4.25f, 1e-6f);
   EXPECT_NEAR(along_v.y, 0.5f, 1e-6f);
@@ -261,8 +258,6 @@ TEST(GltfTextureTransform, wrong_length_is_an_error) {
             "a.glb: materials[0].pbrMetallicRoughness.baseColorTexture.extensions.KHR_texture_transform.scale: has 1 entries; "
             "accepted: 2");
 }
-
-// ---- Textures -------------------------------------------------------------------------------------------------------
 
 TEST(GltfTexture, png_is_top_row_first_without_premultiplication) {
   const Scene scene = parse(textured(four_colours()));
@@ -330,8 +325,7 @@ TEST(GltfTexture, mesh_uses_the_texture_s_uv_set) {
   EXPECT_THAT(std::get<Mesh>(scene.shapes.at(0)).uvs, testing::Each(Vec2f(0.75f)));
 }
 
-/// Returns a textured triangle with the attributes TEXCOORD_0, _1 and _2. All texture coordinates of TEXCOORD_n are n / 4. The
-/// maps of base colour, emission and occlusion use the given sets.
+/// All texture coordinates of TEXCOORD_n are n / 4. The maps of base colour, emission and occlusion use the given sets.
 GltfBuilder with_three_sets(int base, int emissive, int occlusion) {
   GltfBuilder b = textured(four_colours());
   Json& material = b.root["materials"][0];
@@ -371,7 +365,7 @@ TEST(GltfTexture, transform_may_choose_another_set) {
   EXPECT_THAT(std::get<Mesh>(scene.shapes.at(0)).uvs, testing::Each(Vec2f(0.5f)));
 }
 
-/// Returns the warning about an image in an unknown format. Checks that the surface has no texture.
+/// Returns the warning about an unknown image format. The surface must have no texture.
 std::string warning_about(const std::vector<unsigned char>& image) {
   std::vector<std::string> warnings;
   const Scene scene = parse(textured(image), &warnings);
@@ -410,8 +404,7 @@ TEST(GltfTexture, every_png_prefix_is_an_error) {
 
 TEST(GltfTexture, png_with_damaged_pixels_is_an_error) {
   std::vector<unsigned char> damaged = four_colours();
-  // Change the sixth byte from the end of the compressed pixels. They are followed by a checksum of 4 bytes and by the last
-  // chunk of 12 bytes.
+  // Changes the sixth byte from the end of the pixels, which a checksum of 4 bytes and the last chunk of 12 bytes follow.
   damaged[damaged.size() - 12 - 4 - 6] ^= 0xff;
   EXPECT_THAT(error_message([&] { parse(textured(damaged)); }), HasSubstr("a.glb: images[0]: cannot be read as a picture"));
 }

@@ -1,4 +1,3 @@
-// Tests the accessors and meshes of the glTF reader.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -26,7 +25,7 @@ using Triangle = std::array<std::uint32_t, 3>;
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
-/// Returns a mesh of five vertices. `more` contains additional properties of its primitive.
+/// Five vertices. `more` is merged into the primitive.
 Mesh five_vertices(const Json& more) {
   GltfBuilder b;
   const int positions = b.add_accessor(std::vector<Vec3f>{{0, 0, 0}, {1, 0, 0}, {2, 1, 0}, {3, 0, 0}, {4, 1, 0}});
@@ -35,8 +34,6 @@ Mesh five_vertices(const Json& more) {
   b.add_mesh(primitive);
   return parse_mesh(b);
 }
-
-// ---- Topology -------------------------------------------------------------------------------------------------------
 
 TEST(GltfMesh, without_indices_uses_vertices_in_order) {
   EXPECT_THAT(five_vertices({{"mode", 4}}).triangles, ElementsAre(Triangle{0, 1, 2}));
@@ -101,11 +98,9 @@ TEST(GltfMesh, two_nodes_share_a_shape) {
   EXPECT_EQ(scene.instances[1].node, 1);
 }
 
-// ---- Values ---------------------------------------------------------------------------------------------------------
-
 TEST(GltfAccessor, reads_interleaved_data) {
   GltfBuilder b;
-  // Each vertex consists of five floats: x, y, z, u, v.
+  // x, y, z, u, v per vertex
   const int view = b.add_view(std::vector<float>{0, 0, 0, 0.1f, 0.2f, 1, 0, 0, 0.3f, 0.4f, 0, 1, 0, 0.5f, 0.6f});
   b.root["bufferViews"][0]["byteStride"] = 20;
   const Json accessor = {{"bufferView", view}, {"componentType", test::kFloat}, {"count", 3}};
@@ -120,7 +115,7 @@ TEST(GltfAccessor, reads_interleaved_data) {
 
 TEST(GltfAccessor, last_strided_element_needs_no_padding) {
   GltfBuilder b;
-  // 44 bytes: two strides of 16, and 12 for the last element.
+  // 44 bytes: two strides of 16, and 12 for the last element
   const int view = b.add_view(std::vector<float>{0, 0, 0, 9, 1, 0, 0, 9, 0, 1, 0});
   b.root["bufferViews"][0]["byteStride"] = 16;
   const int positions =
@@ -129,7 +124,7 @@ TEST(GltfAccessor, last_strided_element_needs_no_padding) {
   EXPECT_EQ(parse_mesh(b).positions.at(2), Vec3f(0, 1, 0));
 }
 
-/// Returns the texture coordinates of a triangle whose file stores them as integers.
+/// The file stores texture coordinates as integers.
 template <class T>
 std::vector<Vec2f> integer_uvs(const std::vector<T>& values, int component_type, bool normalized) {
   GltfBuilder b;
@@ -217,8 +212,6 @@ TEST(GltfAccessor, infinite_position_is_an_error) {
     EXPECT_EQ(error_message([&] { parse_mesh(b); }), "a.glb: accessors[0]: element 1 is not finite");
   }
 }
-
-// ---- Attributes -----------------------------------------------------------------------------------------------------
 
 TEST(GltfMesh, attribute_with_another_count_is_an_error) {
   GltfBuilder b;

@@ -1,4 +1,3 @@
-// Tests the node hierarchy, skins and animation of the glTF reader.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -24,7 +23,7 @@ using testing::HasSubstr;
 
 const float kHalfRoot = std::sqrt(0.5f);
 
-/// A few rounding errors of floats of about 1.
+/// a few rounding errors of floats of about 1
 constexpr float kFloatRounding = 1e-6f;
 
 void expect_near(Vec3f actual, Vec3f expected, float tolerance = kFloatRounding) {
@@ -34,8 +33,6 @@ void expect_near(Vec3f actual, Vec3f expected, float tolerance = kFloatRounding)
 std::string message_of(const GltfBuilder& builder) {
   return error_message([&] { parse(builder); });
 }
-
-// ---- Hierarchy ------------------------------------------------------------------------------------------------------
 
 TEST(GltfNodes, parents_come_first) {
   GltfBuilder b;
@@ -53,7 +50,7 @@ TEST(GltfNodes, parents_come_first) {
 
 TEST(GltfNodes, world_transform_composes_levels) {
   GltfBuilder b;
-  // The rotation is by 90 degrees about z and turns x to y.
+  // by 90 degrees about z, which turns x to y
   b.add_node(
       {{"translation", {10, 0, 0}}, {"rotation", {0, 0, kHalfRoot, kHalfRoot}}, {"scale", {2, 3, 4}}, {"children", {1}}});
   b.add_node({{"translation", {1, 0, 0}}});
@@ -118,7 +115,7 @@ TEST(GltfNodes, self_child_is_an_error) {
   EXPECT_THAT(message_of(b), HasSubstr("nodes[0]: is part of or below a cycle"));
 }
 
-/// Returns a document with a chain of three nodes. Its scene lists the nodes `listed`.
+/// A chain of three nodes, whose scene lists the nodes `listed`.
 GltfBuilder chain_of_three(const Json& listed) {
   GltfBuilder b;
   b.add_node({{"name", "top"}, {"translation", {1, 0, 0}}, {"children", {1}}});
@@ -149,8 +146,6 @@ TEST(GltfNodes, child_listed_alone_is_a_root) {
   EXPECT_THAT(warnings, ElementsAre("a.glb: scenes[0] lists nodes[1], which is not a root but a child of nodes[0]: it is shown "
                                     "once, below its parent if that is in the scene"));
 }
-
-// ---- Visibility -----------------------------------------------------------------------------------------------------
 
 const Json kInvisible = {{"KHR_node_visibility", {{"visible", false}}}};
 
@@ -208,10 +203,7 @@ TEST(GltfNodes, reads_only_the_default_scene) {
   EXPECT_THAT(warnings, Contains("a.glb: only the default scene, scenes[1] of 2, is read"));
 }
 
-// ---- Skins ----------------------------------------------------------------------------------------------------------
-
-/// Returns a triangle with a skin of two joints. Joint 0 translates by (10, 0, 0). Joint 1 rotates x to y, and its inverse bind
-/// matrix translates by (0, 0, 1).
+/// Joint 0 translates by (10, 0, 0). Joint 1 rotates x to y, and its inverse bind matrix translates by (0, 0, 1).
 GltfBuilder skinned_triangle(const std::vector<Vec4f>& weights) {
   GltfBuilder b;
   const glm::mat4 identity(1.0f);
@@ -230,7 +222,7 @@ GltfBuilder skinned_triangle(const std::vector<Vec4f>& weights) {
   return b;
 }
 
-/// Returns the position of a vertex of the file's only mesh at the given time.
+/// Position of a vertex of the file's only mesh.
 Vec3f posed(const Scene& scene, std::size_t vertex, double time = 0.0) {
   validate(scene, "a.glb");
   const ResolvedScene resolved = evaluate(scene, time);
@@ -244,7 +236,7 @@ TEST(GltfSkin, joints_bind_matrices_and_weights_are_read) {
   EXPECT_EQ(std::get<Mesh>(scene.shapes.at(0)).skin.per_vertex, 4);
   expect_near(posed(scene, 0), {10, 0, 0});  // follows joint 0 only
   expect_near(posed(scene, 1), {0, 1, 1});   // (1, 0, 0) + (0, 0, 1) = (1, 0, 1), rotated: (0, 1, 1)
-  // Vertex 2 at (0, 1, 0): joint 0 moves it to (10, 1, 0), joint 1 to (-1, 0, 1). The result is the mean.
+  // Joint 0 moves vertex 2 at (0, 1, 0) to (10, 1, 0), joint 1 to (-1, 0, 1). The result is the mean.
   expect_near(posed(scene, 2), {4.5f, 0.5f, 0.5f}, 4 * kFloatRounding);
 }
 
@@ -274,7 +266,7 @@ TEST(GltfSkin, second_set_of_joints_counts_too) {
   Json& attributes = b.root["meshes"][0]["primitives"][0]["attributes"];
   attributes["JOINTS_1"] = attributes["JOINTS_0"];
   attributes["WEIGHTS_1"] = b.add_accessor(std::vector<Vec4f>{{0, 0, 0, 0}, {0, 0.5f, 0, 0}, {0, 0, 0, 0}});
-  // Vertex 1 at (1, 0, 0): joint 0 moves it to (11, 0, 0), joint 1 to (0, 1, 1). The result is the mean.
+  // Joint 0 moves vertex 1 at (1, 0, 0) to (11, 0, 0), joint 1 to (0, 1, 1). The result is the mean.
   expect_near(posed(parse(b), 1), {5.5f, 0.5f, 0.5f}, 4 * kFloatRounding);
 }
 
@@ -312,9 +304,7 @@ TEST(GltfSkin, joint_outside_the_scene_is_an_error) {
   EXPECT_EQ(message_of(b), "a.glb: skins[0]: has the joint nodes[2], which is not in the scene");
 }
 
-// ---- Morph targets --------------------------------------------------------------------------------------------------
-
-/// Returns a triangle with two morph targets. The first target lifts vertex 1 by 1. The second target contains only normals.
+/// The first morph target lifts vertex 1 by 1. The second contains only normals.
 GltfBuilder morphing_triangle() {
   GltfBuilder b;
   const int lift = b.add_accessor(std::vector<Vec3f>{{0, 0, 0}, {0, 0, 1}, {0, 0, 0}});
@@ -372,9 +362,7 @@ TEST(GltfMorph, counts_morphing_nodes_before_posing) {
   EXPECT_THAT(error_message([&] { parse(b, nullptr, limits); }), HasSubstr("the unpacked scene needs too much memory"));
 }
 
-// ---- Animation ------------------------------------------------------------------------------------------------------
-
-/// Returns a document with one node and one animation channel.
+/// One node and one animation channel.
 template <class T>
 GltfBuilder animated(const char* path, const char* interpolation, const std::vector<float>& times,
                      const std::vector<T>& values) {
@@ -423,7 +411,7 @@ TEST(GltfAnimation, short_rotation_is_a_unit_quaternion) {
   b.accessor(shorts)["normalized"] = true;
   b.root["animations"][0]["samplers"][0]["output"] = shorts;
   const Scene scene = parse(b);
-  // 23170 / 32767 differs from sqrt(1/2) by 4e-5. After normalisation, only rounding errors remain.
+  // 23170 / 32767 differs from sqrt(1/2) by 4e-5; normalisation removes this.
   expect_near(transform_vector(evaluate(scene, 1.0).of(0), {1, 0, 0}), {0, 1, 0});
 }
 
@@ -432,7 +420,7 @@ TEST(GltfAnimation, scale_is_read) {
   EXPECT_EQ(transform_vector(evaluate(scene, 0.5).of(0), {1, 0, 0}), Vec3f(2, 0, 0));
 }
 
-/// The extension KHR_animation_pointer uses channels without a node.
+/// KHR_animation_pointer uses channels without a node.
 TEST(GltfAnimation, channels_of_no_node_are_left_out) {
   GltfBuilder b = animated<Vec3f>("translation", "LINEAR", {0, 1}, {{1, 1, 1}, {3, 1, 1}});
   const Json pointer{{"pointer", "/materials/0/pbrMetallicRoughness/roughnessFactor"}};
@@ -451,7 +439,7 @@ TEST(GltfAnimation, channels_of_one_node_come_together) {
 }
 
 TEST(GltfAnimation, frame_count_is_length_times_rate) {
-  // 1.5 s * 25 frames per second = 37.5 frames, which is rounded to 38.
+  // 1.5 s * 25 frames per second = 37.5 frames, rounded to 38
   EXPECT_EQ(parse(animated<Vec3f>("translation", "LINEAR", {0, 1.5f}, {{0, 0, 0}, {1, 0, 0}})).timeline.frame_count, 38);
 }
 
@@ -506,7 +494,7 @@ TEST(GltfAnimation, unknown_path_is_an_error) {
             "a.glb: animations[0].channels[0].target.path: is 'wobble'; accepted: translation, rotation, scale, weights");
 }
 
-/// Returns a document with two animations: "Walk" with 25 frames and "Run" with 50.
+/// "Walk" has 25 frames, "Run" 50.
 GltfBuilder walk_and_run() {
   GltfBuilder b = animated<Vec3f>("translation", "LINEAR", {0, 1}, {{0, 0, 0}, {1, 0, 0}});
   b.root["animations"][0]["name"] = "Walk";
@@ -521,7 +509,7 @@ int frames_of(const GltfBuilder& b, const std::string& animation) {
   return parse_gltf(b.glb(), "a.glb", {.frames_per_second = 25.0, .animation = animation}, Context{}).timeline.frame_count;
 }
 
-/// Returns the timeline of a file with keys at the given times. The reader chooses the frame rate.
+/// Timeline of a file with keys at the given times, at the reader's frame rate.
 Timeline timeline_of_keys(const std::vector<float>& times) {
   const GltfBuilder b = animated<Vec3f>("translation", "LINEAR", times, std::vector<Vec3f>(times.size(), Vec3f(0.0f)));
   return parse_gltf(b.glb(), "a.glb", {}, Context{}).timeline;

@@ -1,5 +1,4 @@
-// Tests glTF scenes that are far from the origin. The reader must compose their transforms in double precision before
-// conversion to floats.
+// Transforms of scenes far from the origin must be composed in double precision before conversion to floats.
 #include "lippmann/scene/origin.hpp"
 
 #include <gtest/gtest.h>
@@ -15,21 +14,21 @@ using test::GltfBuilder;
 using test::Json;
 using test::parse;
 
-/// A point at which floats have a spacing of half a unit.
+/// floats have a spacing of half a unit here
 const Vec3d kPlace(4512345.123, 320.57, -5400000.71);
-/// Tolerance: rounding errors of coordinates below 16, and of the 17 digits in the file.
+/// rounding errors of coordinates below 16, and of the 17 digits in the file
 constexpr double kRounding = 2e-6;
 
 void expect_near(Vec3d a, Vec3d b) {
   EXPECT_LE(glm::length(a - b), kRounding) << a.x << " " << a.y << " " << a.z << " and " << b.x << " " << b.y << " " << b.z;
 }
 
-/// Returns a point of a node in the coordinates of the file.
+/// In the coordinates of the file.
 Vec3d in_file(const Scene& scene, int node, Vec3f p = Vec3f(0.0f)) {
   return scene.origin + Vec3d(transform_point(evaluate(scene, 0.0).of(node), p));
 }
 
-/// Returns the first vertex of the first instance in the coordinates of the file.
+/// First vertex of the first instance, in the coordinates of the file.
 Vec3d first_corner(const Scene& scene) {
   const Instance& instance = scene.instances.at(0);
   return in_file(scene, instance.node,
@@ -105,7 +104,7 @@ TEST(GltfOrigin, animated_translation_moves_with_it) {
 
 TEST(GltfOrigin, scenes_near_the_origin_keep_it) {
   GltfBuilder b;
-  // The origin moves if a scene is farther away than 64 of its diagonals. For the triangle, these are 90 units.
+  // The origin moves if a scene is farther away than 64 of its diagonals, which are 90 units for the triangle.
   b.add_node({{"mesh", b.add_triangle()}, {"translation", {60, 0, 0}}});
   const Scene scene = parse_valid(b);
   EXPECT_EQ(scene.origin, Vec3d(0.0));

@@ -1,4 +1,3 @@
-// Tests splats of glTF files (KHR_gaussian_splatting).
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -22,7 +21,7 @@ using testing::HasSubstr;
 
 constexpr const char* kPrefix = "KHR_gaussian_splatting:";
 
-/// A document with two splats in one mesh primitive. Tests may modify it.
+/// Two splats in one mesh primitive, which tests may modify.
 class SplatDocument {
  public:
   explicit SplatDocument(int degree = 0, std::vector<Vec3f> scales = {{1, 2, 3}, {0.5f, 0.5f, 0.5f}}) {
