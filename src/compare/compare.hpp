@@ -31,9 +31,9 @@ struct Comparison {
   ChannelErrors mean_mse, mean_rmse;
   /// Mean over the frames that differ. nullopt if all frames are identical.
   std::optional<double> mean_psnr_db;
-  std::optional<double> mean_ssim;                 ///< mean over the frames that have an SSIM
-  bool identical = true;                           ///< whether all codes of all frames are equal
-  std::vector<FrameConsistency> consistency = {};  ///< only with the metrics angular or flicker
+  std::optional<double> mean_ssim;  ///< mean over the frames that have an SSIM
+  bool identical = true;
+  std::vector<FrameConsistency> consistency = {};
 };
 
 struct CompareParams {

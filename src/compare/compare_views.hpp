@@ -7,7 +7,6 @@
 
 namespace lippmann {
 
-/// Used by compare() if CompareParams::compares_views() is true.
 Comparison compare_views(const std::filesystem::path& reference, const std::filesystem::path& test, const Context& context,
                          const CompareParams& params);
 

@@ -32,7 +32,6 @@ class FrameSource {
   /// Returns nullopt after the last frame. Throws Error naming the file.
   virtual std::optional<Item> next() = 0;
 
-  /// Returns nothing if the names are not known in advance, as for videos.
   virtual std::vector<std::string> names() const { return {}; }
 };
 

@@ -7,7 +7,6 @@
 
 namespace lippmann {
 
-/// Quotes a string for gnuplot in single quotes.
 std::string gnuplot_quoted(const std::string& text);
 
 /// Writes a PNG file of 960 x 540 pixels. Throws Error if gnuplot is not installed or fails, or if the file cannot be written.

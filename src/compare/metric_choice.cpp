@@ -16,7 +16,6 @@ namespace {
 constexpr std::array<std::string_view, 10> kMetricNames{"psnr", "ssim",    "mse",     "psnr-y",  "psnr-yuv",
                                                         "flip", "ms-ssim", "angular", "flicker", "all"};
 
-/// Returns whether the name is known.
 bool choose(std::string_view name, MetricChoice& choice) {
   const bool all = name == "all";
   bool known = all || name == "psnr" || name == "ssim" || name == "mse";

@@ -12,7 +12,7 @@ namespace lippmann {
 struct MetricColumn {
   std::string_view key;  ///< name in JSON and CSV
   std::string_view title;
-  int digits = 4;  ///< decimals in tables
+  int digits = 4;
   bool worst_is_largest = false;
   /// Returns nullopt if the metric was not requested or is undefined for these images.
   std::optional<double> (*of)(const PictureMetrics& metrics);

@@ -18,7 +18,6 @@ namespace fs = std::filesystem;
 /// For up to this number of frames, tick marks are set one by one, because gnuplot would put some between frame numbers.
 constexpr std::size_t kFewFrames = 20;
 
-/// Returns the number at the end of a frame's name.
 std::optional<long> trailing_number(const std::string& name) {
   constexpr std::size_t kMaxDigits = 9;
   std::size_t begin = name.size();

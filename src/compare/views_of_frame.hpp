@@ -30,7 +30,6 @@ struct FrameViews {
   std::string_view format = {};
 };
 
-/// Throws Error like open_light_field().
 FrameViews read_views_of_frame(const std::filesystem::path& path, const ViewsHints& hints, bool with_motion,
                                const std::function<void(std::string_view)>& warn);
 

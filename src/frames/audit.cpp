@@ -31,7 +31,6 @@ constexpr std::uint32_t kPlacesSalt = 0x61756469u, kFirstSalt = 0x61756431u, kSe
 
 using Color = std::array<double, 3>;
 
-/// Draws one pixel at random from each of a number of equal runs of pixels. Returns ascending indices.
 std::vector<std::uint32_t> held_out_pixels(std::size_t pixels, std::uint32_t seed) {
   const std::size_t count = std::min(pixels, std::max(kLeastHeldOut, pixels / kPixelsPerHeldOut));
   std::vector<std::uint32_t> chosen;

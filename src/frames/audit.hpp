@@ -12,7 +12,6 @@
 
 namespace lippmann {
 
-/// A mean squared error and its 90 % interval, in squared codes from 0 to 1.
 struct ErrorInterval {
   double mean = 0.0, low = 0.0, high = 0.0;
 };

@@ -47,15 +47,14 @@ class ErrorBoundedFrames final : public FrameMaker {
 
  private:
   struct Segment {
-    int length = 0;     ///< distance between key frames; 0 if all frames are traced
-    Evidence evidence;  ///< measured errors of predictions (reuse/held_out.hpp)
+    int length = 0;
+    Evidence evidence;
   };
 
   void render(int frame);
   void render_between(int frame, const FrameInterval& interval, const Evidence& learned);
   const Segment& segment_of(int frame);
   Segment try_segment(int first);
-  /// Traces the middle frame of an interval and compares it with its prediction.
   FloorLesson learn(const FrameInterval& interval);
   /// Predicts the middle frame of an interval. Returns whether the prediction was kept.
   bool middle_holds(const FrameInterval& interval, const Evidence& learned);
@@ -71,10 +70,10 @@ class ErrorBoundedFrames final : public FrameMaker {
   int every_, last_frame_;
   InBetweenMaker maker_;
   std::map<int, ForwardSource> keys_;
-  std::map<int, RenderedFrame> films_;         ///< finished frames that make() has not returned yet
-  std::map<int, Segment> segments_;            ///< by the segment's first frame
-  std::map<int, bool> middle_holds_;           ///< results of middle_holds() by the middle frame
-  std::map<int, FrameReport> source_reports_;  ///< frames that were rendered only as sources of other frames
+  std::map<int, RenderedFrame> films_;  ///< finished frames that make() has not returned yet
+  std::map<int, Segment> segments_;
+  std::map<int, bool> middle_holds_;
+  std::map<int, FrameReport> source_reports_;
 };
 
 ErrorBoundedFrames::ErrorBoundedFrames(const MakerParts& parts, const Interpolate& reuse)

@@ -24,7 +24,6 @@ namespace lippmann {
 /// `reuse.min_psnr_db` must be set.
 std::unique_ptr<FrameMaker> make_error_bounded_frames(const MakerParts& parts, const Interpolate& reuse);
 
-/// Memory that is kept between frames, in bytes per pixel.
 double error_bounded_frames_bytes_per_pixel();
 
 int error_bounded_frames_per_segment(const Interpolate& reuse);

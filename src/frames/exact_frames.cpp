@@ -26,7 +26,6 @@ class ExactFrames final : public FrameMaker {
  private:
   RenderedFrame key(int frame);
   RenderedFrame from_key(int frame);
-  /// Pixels of blocks that do not change were copied, all others were traced.
   void mark_copied(const Shot& shot, std::span<const std::uint8_t> unsettled, FrameAovs& aovs) const;
   void judge(const FrameReport& in_between);
 
@@ -43,7 +42,7 @@ class ExactFrames final : public FrameMaker {
   // Measured times decide how long blocks are copied; they do not affect the images.
   /// CPU time of the last fully traced frame and of the last key frame; 0 if not measured yet.
   double full_seconds_ = 0.0, key_seconds_ = 0.0;
-  int rest_ = 0;  ///< frames to trace before the next key frame
+  int rest_ = 0;
   int next_rest_ = 16;
 };
 
@@ -111,7 +110,6 @@ void ExactFrames::mark_copied(const Shot& shot, std::span<const std::uint8_t> un
                            [&](std::uint32_t pixel) { codes[pixel] = static_cast<float>(Provenance::kTraced); });
 }
 
-/// Stops copying if it saves too little time compared to tracing all frames.
 void ExactFrames::judge(const FrameReport& in_between) {
   const double span_seconds = key_seconds_ + (span_ - 1) * in_between.cpu_seconds;
   if (span_seconds < (1.0 - kLeastSpanSaving) * span_ * full_seconds_) {

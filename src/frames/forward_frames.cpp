@@ -15,7 +15,6 @@
 namespace lippmann {
 namespace {
 
-/// Returns whether other frames are made from the middle frame of the interval.
 bool is_source(int frame, const FrameInterval& interval) { return frame - interval.first > 1 || interval.last - frame > 1; }
 
 class ForwardFrames final : public FrameMaker {
@@ -42,7 +41,7 @@ class ForwardFrames final : public FrameMaker {
   InBetweenMaker maker_;
   SpareImages spare_films_;
   std::map<int, Source> sources_;
-  std::map<int, FrameReport> source_reports_;  ///< frames that were rendered only as sources of other frames
+  std::map<int, FrameReport> source_reports_;
 };
 
 ForwardFrames::ForwardFrames(const MakerParts& parts, const Interpolate& reuse)

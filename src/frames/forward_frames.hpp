@@ -10,7 +10,6 @@ namespace lippmann {
 
 std::unique_ptr<FrameMaker> make_forward_frames(const MakerParts& parts, const Interpolate& reuse);
 
-/// Memory that is kept between frames, in bytes per pixel.
 double forward_frames_bytes_per_pixel(const Interpolate& reuse);
 
 }  // namespace lippmann

@@ -76,7 +76,6 @@ constexpr int kMostTimes = 32;
 
 using TraceShare = std::function<RayCounts(const Shot&, const TraceParams&, SampleShare, FramePictures&)>;
 
-/// Traces part of the samples at each time of a frame with motion blur.
 RayCounts trace_exposure(Stage& stage, const std::vector<ExposureTime>& times, const TraceParams& params,
                          const Workers& workers, const TraceShare& trace, FramePictures& pictures) {
   RayCounts rays;
@@ -103,7 +102,7 @@ RenderedFrame render_with(Stage& stage, const Sampling& sampling, int frame, con
   if (sampling.shutter > 0.0f) {
     const std::vector<ExposureTime> times = exposure_times(sampling, stage.scene.timeline, frame);
     rendered.report.rays = trace_exposure(stage, times, params, workers, trace, rendered.pictures);
-    // first-hit layers show the frame's own time
+    // First-hit layers show the frame's own time.
     stage.device.update(moment.resolved, workers.pool);
   } else {
     rendered.report.rays = trace(stage.shot(moment), params, {}, rendered.pictures);

@@ -20,13 +20,12 @@
 
 namespace lippmann {
 
-/// The scene, the optics and the device scene, which are set up once for all frames.
 struct Stage {
   Scene scene;
   FittedArray array;
   PlacedOptics placed;
   DeviceScene device;  ///< refers to `scene`, so a Stage cannot be moved
-  FilmRows rows{};     ///< rows of each frame that are rendered (strip_maker.hpp)
+  FilmRows rows{};
 
   Stage(Scene scene, FittedArray array, PlacedOptics placed, Integrator integrator, const ThreadPool& pool);
   Stage(const Stage&) = delete;
@@ -62,7 +61,6 @@ struct ExposureTime {
 
 std::vector<ExposureTime> exposure_times(const Sampling& sampling, const Timeline& timeline, int frame);
 
-/// Returns empty layers, with those that `sampling` requests marked as wanted.
 FrameAovs wanted_aovs(const Sampling& sampling);
 
 void set_provenance(Provenance all, Vec2i film_size, FrameAovs& aovs);
@@ -76,8 +74,6 @@ TraceParams trace_params(const Sampling& sampling, const Stage& stage);
 void add_first_hits(const Stage& stage, const Sampling& sampling, const Moment& moment, int frame, const ThreadPool& pool,
                     FrameAovs& aovs);
 
-/// Moves the device scene to the frame's time and traces the frame. `touched` becomes TraceTargets::touched. The result is
-/// incomplete if context.cancelled is set.
 RenderedFrame render_frame(Stage& stage, const Sampling& sampling, int frame, const ThreadPool& pool, const Context& context,
                            TouchedBlocks* touched = nullptr);
 

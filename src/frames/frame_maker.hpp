@@ -27,7 +27,6 @@ class FrameMaker {
   /// Takes a film that is no longer needed, to reuse its memory. Thread-safe.
   virtual void recycle(Image) {}
 
-  /// Reports of frames that were rendered only as sources of requested frames, ascending.
   virtual std::vector<FrameReport> sources() const { return {}; }
 };
 

@@ -76,7 +76,6 @@ bool any_area(const Scene& scene) {
   });
 }
 
-/// Returns whether all finite objects lie behind the plane where the viewer's rays start.
 bool all_behind(const Stage& stage, int frame) {
   const Moment moment = stage.moment_at(frame);
   const Bounds3f bounds = finite_bounds(stage.scene, moment.resolved, inverse(moment.world_from_display));

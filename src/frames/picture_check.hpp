@@ -9,9 +9,9 @@ namespace lippmann {
 
 /// What 128 x 128 rays from the viewer through the frame of the display hit, as fractions of these rays.
 struct SeenShare {
-  double anything = 0.0;   ///< rays that hit a surface that is not fully transparent
-  double subject = 0.0;    ///< rays that hit the subject of the view (FittedArray::is_subject)
-  int only_instance = -1;  ///< instance that all rays hit, or -1
+  double anything = 0.0;  ///< rays that hit a surface that is not fully transparent
+  double subject = 0.0;   ///< rays that hit the subject of the view (FittedArray::is_subject)
+  int only_instance = -1;
 };
 
 /// Moves the stage's device scene to the frame's time.

@@ -68,7 +68,7 @@ struct Renderer::Impl {
   ThreadPool pool;
   Stage stage;
   std::unique_ptr<FrameMaker> maker;
-  bool is_checked = false;  ///< picture_check has examined the first frame
+  bool is_checked = false;
 
   Impl(Scene scene, Placement placement, FrameParams requested, std::shared_ptr<const Context> caller)
       : context(std::move(caller)),

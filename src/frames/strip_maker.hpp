@@ -14,7 +14,6 @@ class StripMaker {
 
   int strips() const { return strips_; }
 
-  /// Strips are numbered from 0 at the top.
   FilmRows rows_of(int strip) const;
 
   /// Renders one strip, in any order. The result is incomplete if the context is cancelled.

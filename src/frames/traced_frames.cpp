@@ -35,7 +35,6 @@ class TracedFrames final : public FrameMaker {
   void keep_rows(FilmRows rows, FramePictures& pictures) const;
 
   MakerParts parts_;
-  /// The rendered rows, and the rows around them that the denoiser reads.
   FilmRows traced_rows_;
   std::optional<Denoiser> denoiser_;
 };

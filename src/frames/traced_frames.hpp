@@ -13,7 +13,6 @@ int rows_around(const Sampling& sampling, const Optics& optics);
 
 std::unique_ptr<FrameMaker> make_traced_frames(const MakerParts& parts);
 
-/// Working memory in bytes per pixel, without film and layers.
 double traced_frames_bytes_per_pixel(const Sampling& sampling);
 
 }  // namespace lippmann

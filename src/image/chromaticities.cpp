@@ -15,7 +15,6 @@ using glm::dvec3;
 
 dvec3 with_z(double x, double y) { return {x, y, 1.0 - x - y}; }
 
-/// with Y = 1
 dvec3 white_xyz(const Chromaticities& c) { return with_z(c.xy[6], c.xy[7]) / c.xy[7]; }
 
 dmat3 xyz_from_rgb(const Chromaticities& c) {

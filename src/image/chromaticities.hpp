@@ -16,7 +16,6 @@ struct Chromaticities {
 /// For CIE XYZ data: the primaries are X, Y and Z, and white is X = Y = Z.
 inline constexpr Chromaticities kXyz{{1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0 / 3.0, 1.0 / 3.0}};
 
-/// Tolerates the rounding in files.
 bool are_rec709(const Chromaticities& chromaticities);
 
 /// Returns the matrix from linear colours to linear Rec. 709, with Bradford adaptation of the white point. Colours outside Rec.

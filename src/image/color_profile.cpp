@@ -29,7 +29,6 @@ class IccProfile {
   }
   std::string_view color_space() const { return text(bytes_.subspan(16, 4)); }
 
-  /// Returns nothing if the tag is missing.
   FileBytes tag(std::string_view name) const {
     const std::size_t count = whole(bytes_, 128);
     for (std::size_t i = 0, at = 132; i < count && at + 12 <= bytes_.size(); ++i, at += 12) {
@@ -47,7 +46,7 @@ class IccProfile {
       value = value << 8 | (at + i < bytes.size() ? std::to_integer<std::uint32_t>(bytes[at + i]) : 0);
     return value;
   }
-  /// 16 integer and 16 fractional bits
+  /// The file stores 16 integer and 16 fractional bits.
   static double fixed(FileBytes bytes, std::size_t at) { return static_cast<std::int32_t>(whole(bytes, at)) / 65536.0; }
   static std::string_view text(FileBytes bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
 
@@ -77,7 +76,6 @@ bool has_color(const IccProfile& profile, std::string_view tag, std::array<doubl
   return true;
 }
 
-/// Returns a transfer curve at 0.5, or nothing for an unknown kind of curve.
 std::optional<double> curve_at_half(FileBytes curve) {
   const std::string_view kind = IccProfile::text(curve.first(std::min<std::size_t>(4, curve.size())));
   if (kind == "curv") {

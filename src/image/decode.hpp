@@ -29,7 +29,7 @@ struct PictureHeader {
   std::vector<std::string> channels;  ///< R, G, B, A, Y, or the names in an EXR file; colours come first
   SampleKind kind = SampleKind::kByte;
   int colors = 0;  ///< number of colour channels: 3, 1 (grey), or 0 (an EXR file without colours)
-  Orientation orientation = Orientation::kUpright;  ///< of the stored samples
+  Orientation orientation = Orientation::kUpright;
   std::vector<std::byte> profile = {};  ///< ICC profile of the samples, or empty for sRGB; decode_picture() applies it
   /// Notes for the user on ignored data, such as "its gamma of 1 is ...".
   std::vector<std::string> notices = {};
@@ -73,11 +73,9 @@ bool is_hdr(FileBytes file);
 PictureHeader hdr_header(FileBytes file, const std::string& where);
 DecodedPicture decode_hdr(FileBytes file, const std::string& where);
 
-/// HEIC and AVIF. Decoding needs the module of heic_module.hpp.
 bool is_heic(FileBytes file);
 PictureHeader heic_header(FileBytes file, const std::string& where);
 DecodedPicture decode_heic(FileBytes file, const std::string& where);
-/// Decodes the depth image beside the main picture, or returns nothing if there is none.
 std::optional<StoredDepth> decode_heic_depth(FileBytes file, const std::string& where);
 
 bool is_webp(FileBytes file);
@@ -95,7 +93,6 @@ DecodedPicture decode_bmp(FileBytes file, const std::string& where);
 
 bool is_gif(FileBytes file);
 PictureHeader gif_header(FileBytes file, const std::string& where);
-/// Decodes the first image of an animation, as RGBA if it may have transparent pixels.
 DecodedPicture decode_gif(FileBytes file, const std::string& where);
 
 /// Check this format last, because TGA has no magic number.

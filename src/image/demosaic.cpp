@@ -22,15 +22,14 @@ class Mosaic {
   float green_at_color(int x, int y) const {
     return (4.0f * at(x, y) + 2.0f * (sides(x, y, 1) + ends(x, y, 1)) - sides(x, y, 2) - ends(x, y, 2)) / 8.0f;
   }
-  /// For a green pixel: the colour that its left and right neighbours measure.
+  /// Computes the colour that the left and right neighbours of a green pixel measure.
   float color_beside(int x, int y) const {
     return (5.0f * at(x, y) + 4.0f * sides(x, y, 1) - corners(x, y) - sides(x, y, 2) + 0.5f * ends(x, y, 2)) / 8.0f;
   }
-  /// For a green pixel: the colour that its upper and lower neighbours measure.
+  /// Computes the colour that the upper and lower neighbours of a green pixel measure.
   float color_above(int x, int y) const {
     return (5.0f * at(x, y) + 4.0f * ends(x, y, 1) - corners(x, y) - ends(x, y, 2) + 0.5f * sides(x, y, 2)) / 8.0f;
   }
-  /// Blue for a red pixel, red for a blue pixel.
   float other_color(int x, int y) const {
     return (6.0f * at(x, y) + 2.0f * corners(x, y) - 1.5f * (sides(x, y, 2) + ends(x, y, 2))) / 8.0f;
   }

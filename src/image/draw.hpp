@@ -27,7 +27,6 @@ void fill_box(Picture& picture, const PixelBox& box, const Rgb8& colour);
 /// Returns the width of the longest line and the height of all lines, in units.
 Vec2i text_units(std::string_view text);
 
-/// corner: top left corner of the first line
 void draw_text(Picture& picture, Vec2i corner, int scale, std::string_view text, const Rgb8& colour = kBlackRgb);
 
 }  // namespace lippmann

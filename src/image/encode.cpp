@@ -16,7 +16,6 @@
 namespace lippmann {
 namespace {
 
-/// See the definition in encode.hpp.
 int srgb_code(float value, int max_code) {
   if (!(value > 0.0f)) return 0;
   return static_cast<int>(std::floor(max_code * srgb_from_linear(std::min(value, 1.0f)) + 0.5));
@@ -70,7 +69,6 @@ int truncated_code(float value, int max_code) {
   return scaled < static_cast<float>(max_code) ? static_cast<int>(scaled) : max_code;
 }
 
-/// Applies `code` to the three colour values of each pixel.
 template <class Code, class F>
 std::vector<Code> encode(const Image& film, const F& code) {
   assert(film.channels > 0);

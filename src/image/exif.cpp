@@ -15,7 +15,6 @@ class ExifBytes {
  public:
   explicit ExifBytes(FileBytes bytes) : bytes_(bytes), low_first_(!bytes.empty() && bytes[0] == std::byte{'I'}) {}
 
-  /// Returns the integer of `size` bytes at offset `at`, or nothing beyond the end.
   std::optional<std::uint32_t> number(std::uint64_t at, std::size_t size) const {
     if (at > bytes_.size() || bytes_.size() - at < size) return std::nullopt;
     std::uint32_t value = 0;

@@ -49,7 +49,7 @@ std::vector<Sample> samples_of(const Image& image) {
 struct Contents {
   Imf::Header header;
   Imf::FrameBuffer buffer;
-  std::deque<std::vector<Imath::half>> halves;  // samples that are stored as halves
+  std::deque<std::vector<Imath::half>> halves;
 
   Contents(const std::string& where, std::span<const ExrLayer> layers, ExrCompression compression,
            std::span<const ExrAttribute> attributes)

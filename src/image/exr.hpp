@@ -24,7 +24,7 @@ struct ExrLayer {
   /// Channels are named "name.channel", or "channel" if `name` is empty.
   std::string name;
   const Image* image = nullptr;
-  std::vector<std::string> channels;  ///< one per channel of the image
+  std::vector<std::string> channels;
   ExrSample sample = ExrSample::kHalf;
 };
 

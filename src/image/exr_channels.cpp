@@ -17,7 +17,7 @@ std::string lower(std::string_view text) {
 }
 
 struct ChannelName {
-  std::string layer, channel;  // as written in the file
+  std::string layer, channel;
 };
 
 ChannelName split(const std::string& name) {
@@ -26,7 +26,6 @@ ChannelName split(const std::string& name) {
   return {name.substr(0, at), name.substr(at + 1)};
 }
 
-/// Returns "R", "G", "B", "A", "Y", "RY", "BY", "X", "Z", or an empty string for other names.
 std::string meaning_of(std::string_view channel) {
   const std::string name = lower(channel);
   if (name == "red") return "R";

@@ -17,8 +17,8 @@ namespace lippmann {
 
 struct ExrColors {
   std::vector<std::string> channels;  ///< names of R, G, B, or of grey, or of Y, RY, BY; empty if the file has no colours
-  std::string alpha;                  ///< alpha channel in the layer of the colours, or empty
-  bool luma_chroma = false;           ///< `channels` are Y, RY and BY
+  std::string alpha;
+  bool luma_chroma = false;
   /// False for the only channel of a file, taken as grey although its name does not mean grey (rule 4).
   bool by_name = true;
   std::vector<std::string> others;  ///< other layers with colours, if rule 3 chose the first layer

@@ -285,7 +285,6 @@ class ExrDecoder {
   std::vector<std::string> names_;
 };
 
-/// Converts OpenEXR's exceptions to Error.
 template <class Decode>
 auto without_foreign_exceptions(const std::string& where, const Decode& decode) {
   try {

@@ -55,7 +55,6 @@ constexpr std::array<std::pair<std::string_view, std::size_t>, 24> kSizes{{
     {"v3i", 12},
 }};
 
-/// Throws Error if the header is truncated.
 class HeaderInput {
  public:
   HeaderInput(FileBytes bytes, const std::string& where) : rest_(bytes), where_(where) {}
@@ -82,7 +81,6 @@ class HeaderInput {
     std::memcpy(&value, bytes(sizeof value).data(), sizeof value);
     return value;
   }
-  /// stored as a signed 32-bit integer
   std::uint64_t size() {
     const auto size = number<std::int32_t>();
     if (size < 0) throw truncated();
@@ -124,7 +122,6 @@ bool fits_type(std::string_view type, FileBytes value, const std::string& where)
   return type == "string" || !Imf::Attribute::knownType(type.data());
 }
 
-/// Attributes that determine the number of chunks of a part.
 struct PartSize {
   std::int32_t window[4] = {0, 0, -1, -1};  // x and y of the first pixel, then of the last pixel
   std::uint32_t tile[2] = {0, 0};
@@ -153,7 +150,6 @@ struct PartSize {
     if (tile[0] == 0 || tile[1] == 0) throw unreadable_picture(where, "its tile size is invalid");
     return tiles(width, height);
   }
-  /// Bytes of the coordinates at the start of a chunk.
   std::uint64_t place_bytes() const { return tiled ? 16 : 4; }
 
  private:

@@ -20,7 +20,6 @@ namespace lippmann {
 /// Call Imf::staticInitialize() before.
 void check_exr_file(FileBytes file, const std::string& where);
 
-/// Returns the number of scan lines in a chunk with this compression.
 std::uint64_t exr_lines_per_chunk(Imf::Compression compression);
 
 }  // namespace lippmann

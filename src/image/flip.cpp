@@ -42,11 +42,9 @@ constexpr double kColorPower = 0.7, kKneeIn = 0.4, kKneeOut = 0.95, kFeatureWidt
 using Color = std::array<double, 3>;
 using Kernel = std::vector<double>;  // an odd number of taps, the middle one at the filtered pixel
 
-/// Linear Rec. 709 to CIE XYZ divided by white. The rows sum to 1.
 constexpr std::array<Color, 3> kXyzFromRgb{{{10135552.0 / 24577794, 8788810.0 / 24577794, 4435075.0 / 24577794},
                                             {2613072.0 / 12288897, 8788810.0 / 12288897, 887015.0 / 12288897},
                                             {1425312.0 / 73733382, 8788810.0 / 73733382, 70074185.0 / 73733382}}};
-/// CIE XYZ divided by white to linear Rec. 709.
 constexpr std::array<Color, 3> kRgbFromXyz{{{3.241003232976358, -1.537398969488785, -0.498615881996363},
                                             {-0.969224252202516, 1.875929983695176, 0.041554226340085},
                                             {0.055639419851975, -0.204011206123910, 1.057148977187533}}};
@@ -59,7 +57,6 @@ Color transformed(const std::array<Color, 3>& matrix, const Color& v) {
 
 Color white() { return transformed(kXyzFromRgb, {1.0, 1.0, 1.0}); }
 
-/// From XYZ divided by white.
 Color ycxcz_of(const Color& xyz) { return {116.0 * xyz[1] - 16.0, 500.0 * (xyz[0] - xyz[1]), 200.0 * (xyz[1] - xyz[2])}; }
 
 Color xyz_of(const Color& ycxcz) {
@@ -94,14 +91,12 @@ Kernel gaussian(int radius, double inverse_twice_variance) {
   return kernel;
 }
 
-/// Scales positive taps to sum to 1 and negative taps to -1.
 void balance(Kernel& kernel) {
   double positive = 0.0, negative = 0.0;
   for (const double tap : kernel) (tap > 0.0 ? positive : negative) += tap;
   for (double& tap : kernel) tap /= tap > 0.0 ? positive : -negative;
 }
 
-/// Filters samples that are `stride` apart. Repeats the first and the last one beyond the ends.
 void filter_line(const double* from, double* to, int count, std::ptrdiff_t stride, const Kernel& kernel) {
   const int radius = static_cast<int>(kernel.size() / 2);
   for (int i = 0; i < count; ++i) {
@@ -192,7 +187,6 @@ std::vector<Color> seen_colors(const Opponents& opponents) {
   return colors;
 }
 
-/// step 2 at the top of this file
 double color_difference(double distance, double largest) {
   const double power = std::pow(distance, kColorPower), knee = kKneeIn * largest;
   if (power < knee) return kKneeOut / knee * power;

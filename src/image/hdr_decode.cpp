@@ -42,11 +42,11 @@ struct HdrShape {
 
 struct HdrHeader {
   HdrShape shape;
-  std::array<double, 3> exposure{1.0, 1.0, 1.0};  ///< factors of R, G and B
-  double pixel_height = 1.0;                      ///< height of a pixel, in pixel widths
+  std::array<double, 3> exposure{1.0, 1.0, 1.0};
+  double pixel_height = 1.0;  ///< height of a pixel, in pixel widths
   Chromaticities chromaticities;
   std::vector<std::string> notices;
-  std::size_t samples_at = 0;  ///< offset of the samples in the file
+  std::size_t samples_at = 0;
 };
 
 std::string_view trimmed(std::string_view text) {
@@ -62,7 +62,7 @@ class HdrHeaderReader {
       : text_(reinterpret_cast<const char*>(file.data()), file.size()), where_(where) {}
 
   HdrHeader read() {
-    line();  // magic number
+    line();
     for (std::string_view text = line(); !trimmed(text).empty(); text = line()) read_variable(text);
     read_resolution(trimmed(line()));
     header_.samples_at = at_;
@@ -226,7 +226,6 @@ class HdrLines {
   const std::string& where_;
 };
 
-/// Returns the factor of a pixel's mantissas.
 float scale_of(const Rgbe& pixel) { return pixel[3] == 0 ? 0.0f : std::ldexp(1.0f, pixel[3] - (128 + 8)); }
 
 HdrHeader read_hdr_header(FileBytes file, const std::string& where) {

@@ -11,15 +11,14 @@
 namespace lippmann {
 
 struct HeicPicture {
-  int width = 0, height = 0;  ///< size of the upright image
-  int bits = 8;               ///< bits of a code, 8 to 16
+  int width = 0, height = 0;
+  int bits = 8;
   bool has_alpha = false;
-  std::vector<std::byte> profile = {};    ///< ICC profile, or empty
+  std::vector<std::byte> profile = {};    ///< empty if the file has no ICC profile
   std::vector<std::uint16_t> codes = {};  ///< R, G, B, and A if has_alpha; empty if only the header was read
-  std::string problem = {};               ///< error message; empty on success
+  std::string problem = {};
 };
 
-/// The depth image beside the main picture, as in portrait photos of phones.
 struct HeicDepth {
   HeicPicture image;  ///< grey with R = G = B; `codes` is empty if the file has no depth image
   bool is_z = false;  ///< codes grow with z; otherwise with 1 / z or disparity

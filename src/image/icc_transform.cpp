@@ -28,7 +28,6 @@ using IccContext = std::unique_ptr<std::remove_pointer_t<cmsContext>, ContextDel
 using OpenProfile = std::unique_ptr<void, ProfileDeleter>;
 using OpenTransform = std::unique_ptr<void, TransformDeleter>;
 
-/// Returns sRGB, or grey with the transfer curve of sRGB.
 OpenProfile output_profile(cmsContext context, cmsColorSpaceSignature space) {
   OpenProfile srgb(cmsCreate_sRGBProfileTHR(context));
   if (!srgb || space != cmsSigGrayData) return srgb;
@@ -110,7 +109,7 @@ std::optional<Samples> output_codes(FileBytes icc, const Samples& rgb) {
 }
 
 bool apply_color_profile(FileBytes icc, const PictureHeader& header, Samples& samples) {
-  constexpr std::size_t kMaxExtraChannels = 7;  // limit of Little CMS
+  constexpr std::size_t kMaxExtraChannels = 7;  // highest number of extra channels of Little CMS
   const std::size_t channels = header.channels.size(), colors = static_cast<std::size_t>(header.colors);
   if ((colors != 1 && colors != 3) || channels - colors > kMaxExtraChannels) return false;
   const IccContext context(cmsCreateContext(nullptr, nullptr));

@@ -92,7 +92,6 @@ class JpegDecoder {
     if (reinterpret_cast<j_decompress_ptr>(jpeg)->input_scan_number > kMaxScans) fail(jpeg, "it has too many scans");
   }
 
-  /// Reads orientation, aspect ratio of pixels, and colour profile, which is stored in numbered parts.
   void read_markers(PictureHeader& header) const {
     constexpr std::string_view kExif("Exif\0\0", 6), kIcc("ICC_PROFILE\0", 12);
     std::map<int, FileBytes> profile;

@@ -11,7 +11,6 @@ inline constexpr std::int64_t kMaxImagePixels = std::int64_t{1} << 28;
 inline constexpr std::int64_t kMaxImageSamples = std::int64_t{1} << 30;
 inline constexpr std::uintmax_t kMaxImageFileBytes = std::uintmax_t{4} << 30;
 
-/// Throws Error naming `where` if the size exceeds these limits.
 void check_image_size(const std::string& where, std::int64_t width, std::int64_t height, std::int64_t channels);
 
 /// Throws Error if a file of `file_bytes` bytes cannot contain `picture_bytes` bytes of samples at the format's largest

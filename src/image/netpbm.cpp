@@ -65,7 +65,6 @@ class Header {
   std::size_t at_ = 0;
 };
 
-/// Throws Error if the file is too short for width x height pixels.
 std::span<const std::byte> samples(std::span<const std::byte> file, Header& header, const std::string& where, int width,
                                    int height, std::size_t bytes_per_pixel) {
   check_image_size(where, width, height, 3);

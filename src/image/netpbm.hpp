@@ -18,7 +18,7 @@
 namespace lippmann {
 
 struct PpmCodes {
-  Image16 codes;      ///< as stored in the file, 0 ... highest
+  Image16 codes;
   int highest = 255;  ///< highest possible code in the file's header, 1 ... 65535
 };
 

@@ -14,7 +14,6 @@ bool has_letter(FileBytes file, std::size_t at, const char* letters) {
 
 bool is_pfm(FileBytes file) { return has_letter(file, 1, "fF"); }
 
-/// Scales codes from 0 ... highest to 0 ... max.
 template <class Code>
 std::vector<Code> scaled(const PpmCodes& picture, unsigned max, std::size_t step) {
   const auto highest = static_cast<unsigned>(picture.highest);

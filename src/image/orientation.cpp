@@ -12,7 +12,7 @@ bool are_rows_columns(Orientation orientation) { return orientation >= Orientati
 
 /// Returns where a pixel of the upright image is stored.
 std::pair<int, int> stored_place(Orientation orientation, int x, int y, int width, int height) {
-  const int last_x = width - 1, last_y = height - 1;  // of the stored image
+  const int last_x = width - 1, last_y = height - 1;
   switch (orientation) {
     case Orientation::kUpright:
       return {x, y};

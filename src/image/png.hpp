@@ -38,7 +38,6 @@ struct HeightMap {
 /// Returns the bytes of the file. Throws Error for sides outside 1 ... 65536.
 std::vector<std::byte> encode_png(const Image8& image, const PngOptions& options = {});
 
-/// Write the file atomically. Throw Error naming the file on failure.
 void write_png(const std::filesystem::path& path, const Image8& image, const PngOptions& options = {});
 void write_png(const std::filesystem::path& path, const Image16& image, const PngOptions& options = {});
 void write_png(const std::filesystem::path& path, const HeightMap& heights, const PngOptions& options = {});

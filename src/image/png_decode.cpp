@@ -122,7 +122,7 @@ class PngDecoder {
   }
 
   void add_place_notices(PictureHeader& header) const {
-    png_uint_32 across = 0, down = 0;  // pixels per unit
+    png_uint_32 across = 0, down = 0;
     int unit = 0;
     if (png_get_pHYs(png_, info_, &across, &down, &unit) && across > 0 && down > 0)
       add_aspect_notice(header, static_cast<double>(down) / across);
@@ -170,7 +170,7 @@ class PngDecoder {
   const std::string& where_;
   png_structp png_ = nullptr;
   png_infop info_ = nullptr;
-  std::optional<std::array<std::uint8_t, 4>> coding_points_;  // from cICP: primaries, transfer curve, matrix, full range
+  std::optional<std::array<std::uint8_t, 4>> coding_points_;
   bool is_animated_ = false;
   std::uint64_t packed_bytes_ = 0;  // bytes of all rows before compression, with pixels below 8 bits packed
   char reason_[200] = {};

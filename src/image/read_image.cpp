@@ -98,7 +98,6 @@ void require_colors(const PictureHeader& header, const fs::path& path) {
 
 bool is_rgb_alone(const PictureHeader& header) { return header.colors == 3 && header.channels.size() == 3; }
 
-/// Drops extra channels. Grey is repeated three times.
 template <class Code>
 std::vector<Code> rgb_of(const std::vector<Code>& codes, const PictureHeader& header) {
   const std::size_t channels = header.channels.size(), pixels = codes.size() / channels;

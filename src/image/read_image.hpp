@@ -39,7 +39,6 @@ struct StoredDepth {
   bool is_z = false;
 };
 
-/// Reads the depth image of a HEIC file, such as a phone's portrait photo. Returns nothing if there is none.
 std::optional<StoredDepth> read_stored_depth(const std::filesystem::path& path);
 
 std::vector<std::string> channel_names(const std::filesystem::path& path);

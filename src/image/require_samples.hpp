@@ -20,7 +20,6 @@ inline void require_samples(std::size_t samples, int width, int height, int chan
               has_size ? fmt::format("{}", wanted) : "a picture of at least one pixel");
 }
 
-/// Throws Error naming `what` if the number of samples is wrong.
 inline void require_samples(const Image& image, const std::string& what) {
   require_samples(image.data.size(), image.width, image.height, image.channels, what);
 }

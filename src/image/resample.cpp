@@ -7,7 +7,6 @@
 namespace lippmann {
 namespace {
 
-/// Input samples that an output sample covers: first, first + 1, ... The weights sum to 1.
 struct Cover {
   int first = 0;
   std::vector<double> weights;

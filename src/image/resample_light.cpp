@@ -67,7 +67,6 @@ std::vector<TapWeights> taps_of_axis(const AxisSamples& axis, int size) {
   return all;
 }
 
-/// Converts an image to linear light, row by row.
 class LightRows {
  public:
   explicit LightRows(const Picture& picture) : picture_(picture) {
@@ -95,7 +94,7 @@ class LightRows {
   }
 
   const Picture& picture_;
-  std::vector<float> light_;  ///< linear light of each code
+  std::vector<float> light_;
 };
 
 void weigh_row(const std::vector<float>& row, const std::vector<TapWeights>& taps, float* out) {

@@ -34,7 +34,6 @@ Window gaussian() {
   return window;
 }
 
-/// Window sums along one row.
 struct Sums {
   std::vector<double> a, b, squares, product;
   explicit Sums(std::size_t width) : a(width), b(width), squares(width), product(width) {}
@@ -72,7 +71,6 @@ LIPPMANN_MULTIVERSION void similarity_of_row(const Sums& sums, int width, const 
   }
 }
 
-/// Computes only the second factor of SSIM (contrast and structure).
 LIPPMANN_MULTIVERSION void contrast_structure_of_row(const Sums& sums, int width, const Window& window,
                                                      double* __restrict result) {
   const double *a = sums.a.data(), *b = sums.b.data(), *ss = sums.squares.data(), *sp = sums.product.data();
@@ -91,7 +89,6 @@ LIPPMANN_MULTIVERSION void contrast_structure_of_row(const Sums& sums, int width
 
 using RowFunction = void (*)(const Sums& sums, int width, const Window& window, double* result);
 
-/// `of_row` computes the values of one row of window positions.
 double mean_over_places(const SamplePlane& a, const SamplePlane& b, RowFunction of_row) {
   assert(a.width == b.width && a.height == b.height);
   const int columns = a.width - kTaps + 1, rows = a.height - kTaps + 1;

@@ -25,7 +25,6 @@ namespace {
 
 static_assert(STBI_MAX_DIMENSIONS == kMaxImageSide);
 
-/// The header must be within this many bytes from the start.
 constexpr std::size_t kLongestHeader = 1 << 20;
 
 struct Freed {
@@ -103,7 +102,7 @@ DecodedPicture decode(FileBytes file, const std::string& where, PictureHeader he
 
 std::uint64_t byte_at(FileBytes file, std::size_t at) { return std::to_integer<std::uint64_t>(file[at]); }
 
-/// signed, little-endian, 32 bits
+/// Reads a signed little-endian integer of 32 bits.
 std::int64_t long_at(FileBytes file, std::size_t at) {
   std::int32_t value;
   std::memcpy(&value, file.data() + at, sizeof value);
@@ -126,8 +125,7 @@ PictureHeader bmp_header(FileBytes file, const std::string& where) {
   const std::uint64_t bits = byte_at(file, old ? 24 : 28);
   check_file_holds(where, file.size(), pixels_of(shape) * bits / 8, 1);
   PictureHeader header = plain_header(shape.width, shape.height, shape.channels, SampleKind::kByte);
-  const std::int64_t across = old ? 0 : long_at(file, 38),
-                     down = old ? 0 : long_at(file, 42);  // resolution in pixels per metre
+  const std::int64_t across = old ? 0 : long_at(file, 38), down = old ? 0 : long_at(file, 42);
   if (across > 0 && down > 0) add_aspect_notice(header, static_cast<double>(down) / static_cast<double>(across));
   return header;
 }
@@ -138,7 +136,6 @@ DecodedPicture decode_bmp(FileBytes file, const std::string& where) {
 
 namespace {
 
-/// Found in the blocks of a GIF file without decoding.
 struct GifContent {
   int pictures = 0;        ///< number of images; 2 means two or more
   bool is_whole = false;   ///< the file has a trailer or a second image
@@ -176,7 +173,6 @@ class GifBlocks {
   }
 
  private:
-  /// Returns 0 beyond the end.
   std::uint64_t byte(std::size_t at) const { return at < file_.size() ? byte_at(file_, at) : 0; }
 
   std::size_t color_table_bytes(std::size_t flags_at) const {
@@ -184,7 +180,6 @@ class GifBlocks {
     return flags & 0x80 ? std::size_t{6} << (flags & 7) : 0;
   }
 
-  /// Returns whether the image begins at 0, 0 and has the size of the canvas.
   bool covers_canvas() const {
     for (std::size_t i = 0; i < 4; ++i)
       if (byte(at_ + 1 + i) != 0 || byte(at_ + 5 + i) != byte(6 + i)) return false;

@@ -46,7 +46,6 @@ class Output {
 
   TIFF* tiff() { return tiff_; }
 
-  /// Throws Error if anything could not be written.
   void finish() {
     if (!TIFFWriteDirectory(tiff_)) throw failure();
     TIFFClose(std::exchange(tiff_, nullptr));
@@ -93,7 +92,7 @@ class Output {
   }
 
   const std::filesystem::path& path_;
-  std::error_code problem_;  // of the first failed write
+  std::error_code problem_;
   platform::OpenFile file_;
   TIFF* tiff_ = nullptr;
 };
@@ -112,13 +111,12 @@ std::uint64_t write_colour_space(TIFF* tiff) {
 
 constexpr std::uint32_t kRowsPerStrip = 32;
 
-/// RGB or CMYK codes of 8 or 16 bits
 template <class Code>
 struct Raster {
   int width, height;
   std::size_t colors;  ///< 3: RGB; 4: CMYK
   const std::vector<Code>& codes;
-  const std::vector<Code>& alpha;  ///< one value per pixel, or empty
+  const std::vector<Code>& alpha;
 };
 
 template <class Code>
@@ -151,7 +149,6 @@ void set_fields(TIFF* tiff, const Raster<Code>& image, const TiffOptions& option
   }
 }
 
-/// Interleaves alpha. libtiff may change the result.
 template <class Code>
 std::vector<Code> strip_of(const Raster<Code>& image, std::size_t first_row, std::size_t rows) {
   const std::size_t width = static_cast<std::size_t>(image.width), begin = first_row * width, end = begin + rows * width;

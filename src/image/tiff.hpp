@@ -34,7 +34,6 @@ struct Inks {
   std::vector<Code> cmyk;
 };
 
-/// Write a deflate-compressed file atomically. Throw Error naming the file on failure.
 void write_tiff(const std::filesystem::path& path, const Image8& image, const TiffOptions& options = {});
 void write_tiff(const std::filesystem::path& path, const Image16& image, const TiffOptions& options = {});
 /// options.profile must not be empty.

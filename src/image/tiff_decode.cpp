@@ -36,9 +36,9 @@ struct OptionsDeleter {
 struct Layout {
   std::uint16_t channels = 1, bits = 8, format = SAMPLEFORMAT_UINT, planes = PLANARCONFIG_CONTIG, photometric = 0;
   std::uint32_t width = 0, height = 0;
-  std::uint32_t block_width = 0, block_height = 0;  // size of a strip or a tile
+  std::uint32_t block_width = 0, block_height = 0;
   bool direct = false, tiled = false;
-  bool inks = false;  // CMYK of 8 or 16 bits
+  bool inks = false;
 
   std::size_t sample_bytes() const { return bits / 8u; }
   std::size_t block_channels() const { return planes == PLANARCONFIG_SEPARATE ? 1 : channels; }
@@ -141,7 +141,6 @@ class TiffDecoder {
     return TIFFGetFieldDefaulted(tiff_.get(), tag, &value) ? value : standard;
   }
 
-  /// Returns the values of a tag in libtiff's memory, or null without the tag.
   template <class T>
   const T* array_field(std::uint32_t tag) const {
     const T* values = nullptr;
@@ -164,7 +163,7 @@ class TiffDecoder {
   }
 
   void add_place_notices(PictureHeader& header) const {
-    float across = 0.0f, down = 0.0f;  // pixels per unit
+    float across = 0.0f, down = 0.0f;
     if (TIFFGetField(tiff_.get(), TIFFTAG_XRESOLUTION, &across) && TIFFGetField(tiff_.get(), TIFFTAG_YRESOLUTION, &down) &&
         across > 0.0f && down > 0.0f)
       add_aspect_notice(header, static_cast<double>(down) / static_cast<double>(across));
@@ -181,7 +180,6 @@ class TiffDecoder {
     return layout_.format == SAMPLEFORMAT_IEEEFP ? SampleKind::kFloat : SampleKind::kWord;
   }
 
-  /// Largest number of sample bytes per byte of the file.
   std::uint64_t ratio() const {
     switch (field<std::uint16_t>(TIFFTAG_COMPRESSION, COMPRESSION_NONE)) {
       case COMPRESSION_NONE:
@@ -225,7 +223,6 @@ class TiffDecoder {
     if (block == 0 || block > largest) throw unreadable_picture(where_, "its tile size is invalid");
   }
 
-  /// Decodes each strip or tile and copies it to its position in the image.
   template <class Stored, class Sample>
   std::vector<Sample> blocks() {
     const Layout& l = layout_;
@@ -283,7 +280,7 @@ class TiffDecoder {
   std::uint64_t at_ = 0;
   bool cut_off_ = false;  // a read went beyond the end of the file
   const std::string& where_;
-  std::array<char, 256> reason_{};  // first error
+  std::array<char, 256> reason_{};
   std::unique_ptr<TIFF, TiffDeleter> tiff_;
   Layout layout_;
 };

@@ -19,7 +19,6 @@ Vec3f neutral(Vec3f color) {
 }
 
 Vec3f agx(Vec3f color) {
-  // Each line is a column of the matrix.
   const Mat3f inset(0.842479062253094f, 0.0423282422610123f, 0.0423756549057051f,  //
                     0.0784335999999992f, 0.878468636469772f, 0.0784336f,           //
                     0.0792237451477643f, 0.0791661274605434f, 0.879142973793104f);

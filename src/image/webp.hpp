@@ -8,7 +8,6 @@
 
 namespace lippmann {
 
-/// limit of the format
 inline constexpr int kMaxWebpSide = 16383;
 
 /// Returns the bytes of a lossless file. `effort` is 0 (fastest) to 9 (smallest file). Throws Error for sides outside 1 to

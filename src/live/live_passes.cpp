@@ -30,7 +30,6 @@ PictureParams layout_of_panel(const Optics& optics) {
   return as_shown;
 }
 
-/// `rendered` is a film that was traced for the panel's optics.
 Image8 panel_codes(const LiveStage& live, RenderedFrame rendered) {
   const JobStage& stage = live.stage();
   const Optics& optics = stage.placed.optics;

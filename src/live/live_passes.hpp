@@ -17,8 +17,8 @@ inline constexpr int kDraftSamples = 8;
 
 struct LivePictures {
   Vec2i view_size{0, 0};
-  Image8 views;                 ///< views in sRGB codes, as a quilt with facts.tiles tiles
-  std::optional<Image8> panel;  ///< image of the panel; nullopt if not known yet
+  Image8 views;  ///< views in sRGB codes, as a quilt with facts.tiles tiles
+  std::optional<Image8> panel;
 };
 
 /// Returns images of few pixels, or nullopt for the test pattern, which has no scene.

@@ -15,7 +15,6 @@ namespace lippmann {
 class LiveRender {
  public:
   LiveRender() = default;
-  /// Cancels a running render and waits for its end.
   ~LiveRender();
   LiveRender(const LiveRender&) = delete;
   LiveRender& operator=(const LiveRender&) = delete;

@@ -57,8 +57,6 @@ LiveScene::~LiveScene() {
   worker_.join();
 }
 
-// ---- Render thread --------------------------------------------------------------------------------------------
-
 void LiveScene::work() {
   while (const std::optional<Order> order = next_order()) {
     try {
@@ -159,8 +157,6 @@ void LiveScene::end(const Order& order, const std::string& error, bool is_whole)
   }
   changed_.notify_all();
 }
-
-// ---- Requests of pages -----------------------------------------------------------------------------------------
 
 void LiveScene::set_plane(LiveSettings& settings, double z_mm) const {
   const double distance = distance_ - z_mm * world_per_shown_mm_;

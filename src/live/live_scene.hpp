@@ -73,7 +73,7 @@ class LiveScene {
     std::string pass;
     Vec2i view_size{0, 0};
     Bytes views, depth, panel;
-    nlohmann::ordered_json facts;  ///< description of the light field (field_json())
+    nlohmann::ordered_json facts;
   };
   struct WorkerContext : Context {
     explicit WorkerContext(std::function<void(std::string_view)> warner) { warn = std::move(warner); }
@@ -97,19 +97,18 @@ class LiveScene {
 
   mutable std::mutex mutex_;
   mutable std::condition_variable changed_;
-  WorkerContext context_;  ///< cancelled when the settings change
-  LiveStage live_;         ///< used by the render thread only
+  WorkerContext context_;
+  LiveStage live_;  ///< used by the render thread only
   const InterlaceParams interlace_;
   LiveSettings settings_;
   LiveJobFile job_file_;
   LiveRender render_;
-  // For the latest settings that the render thread has begun:
+  // These members belong to the latest settings that the render thread has begun. distance_ is the distance from the viewer to
+  // the display plane, in world units. world_per_shown_mm_ is world units per mm of shown depth.
   PageFacts facts_;
   nlohmann::ordered_json facts_json_, placement_;
-  /// distance_: from the viewer to the display plane, in world units. world_per_shown_mm_: world units per mm of shown depth.
   double distance_ = 0.0, world_per_shown_mm_ = 0.0;
   std::uint64_t serial_ = 1, version_ = 1, done_version_ = 0, broken_version_ = 0, next_id_ = 1;
-  /// is_whole_: all passes of the latest settings are complete.
   bool is_whole_ = false, ending_ = false;
   std::string pass_, error_, saved_;
   std::atomic<double> share_{0.0};

@@ -18,7 +18,6 @@ std::span<const std::string_view> live_setting_names();
 
 class LiveSettings {
  public:
-  /// `base` holds the parameters of the command line.
   LiveSettings(RenderParams base);  // NOLINT(google-explicit-constructor): parameters are unchanged settings
 
   /// Uses `first` until the page sets optics or a display. `first` differs from `base` only in its optics.

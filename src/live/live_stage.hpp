@@ -31,7 +31,6 @@ class LiveStage {
   /// Returns nullopt if cancelled. Throws Error if parameters contradict each other.
   std::optional<RenderedFrame> frame(int frame);
 
-  /// Facts of the light field, with the scene's title, frames and depth.
   PageFacts facts() const;
 
  private:
@@ -39,8 +38,8 @@ class LiveStage {
   ThreadPool pool_;
   ResolvedJob job_;
   std::unique_ptr<JobStage> stage_;
-  std::unique_ptr<FrameMaker> maker_;  ///< null until the first frame
-  int last_frame_ = 0;                 ///< the last frame of maker_
+  std::unique_ptr<FrameMaker> maker_;
+  int last_frame_ = 0;
 };
 
 }  // namespace lippmann

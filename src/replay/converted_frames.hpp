@@ -12,7 +12,7 @@
 namespace lippmann {
 
 struct PictureConversion {
-  std::filesystem::path in, out;  ///< `out` is a folder; the images keep their names
+  std::filesystem::path in, out;
   Optics optics;
   std::function<Picture(const Picture&)> convert;
   /// Called after all frames. Returns a description of the conversion for the report.

@@ -30,8 +30,8 @@ namespace {
 namespace fs = std::filesystem;
 
 struct RgbdFrame {
-  fs::path name;     ///< frames of a video are named frame_0000.png, frame_0001.png, ...
-  LightField field;  ///< one view with depth, or two views of a stereo image
+  fs::path name;  ///< frames of a video are named frame_0000.png, frame_0001.png, ...
+  LightField field;
 };
 
 /// Reads RGB-D images, an RGB-D video, stereo images, or an image with a depth map, one frame at a time.
@@ -43,7 +43,6 @@ class RgbdFrames {
   /// Returns nullopt after the last frame. Throws Error naming the file.
   std::optional<RgbdFrame> next();
 
-  /// the first image, or the video
   const fs::path& first() const { return files_.front(); }
   bool is_one_picture() const { return one_; }
 

@@ -14,16 +14,15 @@ namespace lippmann {
 
 struct DepthConversion {
   std::filesystem::path in;
-  std::filesystem::path out;  ///< output, as for layout/convert.hpp
+  std::filesystem::path out;
   std::string to;
-  /// uses the options for views, display and depth range
   FormatOptions options = {};
   /// Full angle between the outer views without a display; none: default of the layout.
   std::optional<double> view_angle_deg = {};
-  double ipd_mm = kDefaultIpdMm;     ///< distance between the two eyes, for the format stereo
+  double ipd_mm = kDefaultIpdMm;
   double depth_scale = 1.0;          ///< depth shown / depth stored in the image
   std::filesystem::path depth = {};  ///< depth map of the image `in` (layout/depth_map.hpp); empty if `in` is RGB-D
-  bool is_pair = false;              ///< `in` is a stereo image, or a folder of stereo images
+  bool is_pair = false;
 };
 
 struct ConvertedDepth {

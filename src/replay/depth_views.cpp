@@ -15,7 +15,6 @@
 namespace lippmann {
 namespace {
 
-/// disparity of a pixel without a point
 constexpr float kNoPoint = -std::numeric_limits<float>::infinity();
 constexpr double kSameSurfacePx = 1.5;  ///< neighbouring points of one surface are at most this far apart in the view, in
                                         ///< pixels
@@ -23,9 +22,9 @@ constexpr double kSameSurfacePx = 1.5;  ///< neighbouring points of one surface 
 /// The source image, scaled to the screen of the views.
 struct DepthPicture {
   Image colours;
-  Image disparity;     ///< disparity q (depth_views.hpp), in mm on the screen
-  Vec2d slope{0.0};    ///< position of the source's eye relative to the axis, per mm of distance
-  Vec2d size_mm{0.0};  ///< size of the scaled source image
+  Image disparity;   ///< disparity q (depth_views.hpp), in mm on the screen
+  Vec2d slope{0.0};  ///< position of the source's eye relative to the axis, per mm of distance
+  Vec2d size_mm{0.0};
 
   Vec2d place_mm(Vec2d pixel) const {
     return (pixel / Vec2d(colours.width, colours.height) - 0.5) * Vec2d(1.0, -1.0) * size_mm;
@@ -135,7 +134,6 @@ class ViewMaker {
     return sum;
   }
 
-  /// Draws at least two points per pixel of the view along both axes.
   void splat() {
     const Vec2i samples =
         (2 * Vec2i(colours_.width, colours_.height) + Vec2i(source_.colours.width, source_.colours.height) - 1) /
@@ -153,7 +151,6 @@ class ViewMaker {
           }
   }
 
-  /// Interpolates among source pixels of the same surface.
   void take_colour(int x, int y) {
     const double q = disparity_.pixel(x, y)[0];
     const Vec2d t = (Vec2d(x + 0.5, y + 0.5) / Vec2d(colours_.width, colours_.height) - 0.5) * Vec2d(1.0, -1.0) * window_mm_;

@@ -21,7 +21,7 @@
 namespace lippmann {
 
 struct DepthViews {
-  LightField field;           ///< the views, in linear light
+  LightField field;
   double filled_share = 0.0;  ///< fraction of pixels that had no point and were filled
 };
 

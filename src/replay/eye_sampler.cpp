@@ -14,7 +14,7 @@ constexpr double kPanelEdgePx = 1e-3;  ///< tolerance at the edges of the panel 
 
 struct Quality {
   SampleFilter filter;
-  Vec2d crosstalk_px;  ///< sigmas along x and y of the light that leaks to neighbouring pixels
+  Vec2d crosstalk_px;  ///< width (sigma) along x and y of the light that leaks to neighbouring pixels
 
   bool blurs() const { return crosstalk_px != Vec2d(0.0); }
 };
@@ -24,7 +24,6 @@ Taps blurred_taps(double position_px, double sigma_px, SampleFilter filter) {
   return sigma_px > 0.0 ? gaussian_taps(position_px, sigma_px) : taps_at(position_px, filter);
 }
 
-/// The mean includes only pixels for which wanted(x, y) is true.
 template <class Wanted>
 Vec3f weighted_mean(const Image& picture, const Taps& columns, const Taps& rows, const Wanted& wanted) {
   Vec3d sum(0.0);
@@ -65,7 +64,7 @@ class LensSampler {
   }
 
   bool in_zone(const Viewer& viewer, Vec2d point_mm) const {
-    constexpr double kFarAwayPx = 1e6;  ///< keeps cell indices within int
+    constexpr double kFarAwayPx = 1e6;
     const PanelPoint seen = sight_.seen_from(viewer, point_mm);
     return sight_.cell(glm::clamp(seen.pixel, Vec2d(-kFarAwayPx), Vec2d(kFarAwayPx))) == seen.lens;
   }
@@ -124,7 +123,6 @@ class QuiltSampler {
   Quality quality_;
 };
 
-/// Each colour channel of a slanted panel has its own sub-pixel positions.
 class SlantedSampler {
  public:
   SlantedSampler(const SlantedSight& sight, const RenderedPanel& rendered, const Quality& quality)

@@ -27,7 +27,6 @@ Panel quilt_panel(const LightField& field, double pixel_mm) {
   return {field.view_size.x * field.grid.columns, field.view_size.y * field.grid.rows, static_cast<float>(pixel_mm)};
 }
 
-/// Stretches the views to the assumed display.
 double pixel_width_mm(const LightField& field) { return field.aspect * kWindowHeightMm / field.view_size.x; }
 
 Picture panel_picture(const LightField& field, const ViewLayout& film) {
@@ -59,7 +58,7 @@ FormatOptions options_of(const LightFieldHints& hints) {
   return options;
 }
 
-/// Sets a reader that rearranges the views of a file for the panel.
+/// Sets the function that reads a frame, and rearranges its views for the panel.
 LightFieldFrames rearranged(LightFieldFrames frames, const std::string& from, const FormatOptions& options) {
   const auto files = std::make_shared<std::vector<fs::path>>(frames.files);
   frames.read = [files, from, options, optics = frames.optics](std::size_t index) {
@@ -70,14 +69,14 @@ LightFieldFrames rearranged(LightFieldFrames frames, const std::string& from, co
   return frames;
 }
 
-/// Sets a reader that returns the files unchanged.
+/// Sets the function that reads a frame, and returns its file unchanged.
 LightFieldFrames as_shown(LightFieldFrames frames) {
   const RenderedFrames pictures{frames.optics, frames.files, frames.frames_per_second};
   frames.read = [pictures](std::size_t index) { return read_rendered_panel(pictures, index); };
   return frames;
 }
 
-/// Sets the optics, frame rate and reader for a finished render.
+/// Sets the optics, the frame rate and the function that reads a frame, for a finished render.
 LightFieldFrames of_render(LightFieldFrames frames, const Rendering& rendering, const LightFieldHints& hints) {
   const fs::path& first = frames.files.front();
   if (hints.display && !hints.is_other_display)
@@ -101,7 +100,7 @@ LightFieldFrames of_render(LightFieldFrames frames, const Rendering& rendering, 
   return as_shown(std::move(frames));
 }
 
-/// Sets the optics and the reader for images of a display's panel without a report.
+/// Sets the optics and the function that reads a frame, for images of a display's panel without a report.
 LightFieldFrames of_panel(LightFieldFrames frames, const LightFieldHints& hints) {
   for (const auto& [given, flag] :
        {std::pair(hints.view_angle_deg.has_value(), "view-angle"), std::pair(hints.views.has_value(), "views"),
@@ -140,7 +139,6 @@ void refuse_stated_cameras(const LightFieldHints& hints, const fs::path& file) {
   refuse(hints.display && !hints.is_other_display, "display");
 }
 
-/// Returns a quilt of the field's views on a display.
 Optics quilt_for(Display display, const LightField& field, const LightFieldHints& hints) {
   const ViewGrid& grid = field.grid;
   if (grid.rows > 1)
@@ -164,7 +162,7 @@ std::string assumption_about(const fs::path& file, bool are_turned, const Optics
   return text + ".";
 }
 
-/// Sets the optics, the assumptions and the reader for a light field without a report.
+/// Sets the optics, the assumptions and the function that reads a frame, for a light field without a report.
 LightFieldFrames of_format(LightFieldFrames frames, const LightFieldSource& source, const LightFieldHints& hints) {
   const fs::path& first = frames.files.front();
   const LightField field = source.format->read(first, source.options);

@@ -15,10 +15,10 @@ struct PictureInfo {
   int frames = 1;
   std::string format = {};  ///< a format of `convert`, or "view", "panel" or "video"; empty if unknown
   Vec2i picture_px{0};
-  std::string samples = {};            ///< "8 bits", "16 bits" or "floats"
-  std::optional<ViewGrid> views = {};  ///< number of views; none: unknown
-  Vec2i view_px{0};                    ///< size of a view; set if `views` is set
-  std::string cameras = {};            ///< sentence on the cameras for the user; empty if unknown
+  std::string samples = {};  ///< "8 bits", "16 bits" or "floats"
+  std::optional<ViewGrid> views = {};
+  Vec2i view_px{0};  ///< size of a view; set if `views` is set
+  std::string cameras = {};
   bool has_depth = false;
   std::filesystem::path side_file = {};  ///< <picture>.json, report.json, parameters.cfg or cameras.json
   std::string problem = {};              ///< why the views cannot be read, and what to do; empty if they can

@@ -17,6 +17,6 @@ struct PixelMap {
 };
 
 Picture apply(const PixelMap& map, const Picture& picture);
-Image apply(const PixelMap& map, const Image& picture);  ///< `picture` must have 3 channels
+Image apply(const PixelMap& map, const Image& picture);
 
 }  // namespace lippmann

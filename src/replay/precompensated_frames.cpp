@@ -13,7 +13,6 @@ Precompensated precompensate_frames(const PrecompensateParams& params, const Con
   RenderedFrames frames =
       params.optics ? RenderedFrames{*params.optics, pictures_of(params.in)} : find_rendered_frames(params.in);
   Image nothing;
-  // Validates the parameters before anything is written.
   precompensate(frames.optics, params.sigma_px, kFlag, nothing);
   Precompensated result;
   Precompensation& bound = result.bound;

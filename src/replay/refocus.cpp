@@ -20,7 +20,7 @@ constexpr int kBandRows = 16;
 struct Arrivals {
   int width, height;
   std::vector<float> x, y;
-  std::vector<float> lowest_y, highest_y;  ///< range of y of the rays in each panel row
+  std::vector<float> lowest_y, highest_y;
 
   Arrivals(int w, int h)
       : width(w),
@@ -74,7 +74,6 @@ Arrivals find_arrivals(const Optics& optics, double z, Vec2i size, const ThreadP
   return arrivals;
 }
 
-/// Sums rays, each spread over pixels by a tent filter.
 struct TentSum {
   Image& picture;
   Vec2f half_width;     ///< half the width of the tent, in pixels
@@ -132,7 +131,6 @@ class Band {
   }
 
  private:
-  // Clamps the value, so that it fits into an int.
   static int floor_of(float v) { return static_cast<int>(std::floor(std::clamp(v, -1e6f, 1e6f))); }
   static int ceil_of(float v) { return static_cast<int>(std::ceil(std::clamp(v, -1e6f, 1e6f))); }
 

@@ -120,7 +120,6 @@ class Replay {
 
   std::string label(std::size_t frame) const { return frame_label(frames_.files[frame]); }
 
-  /// caches the last panel
   const RenderedPanel& panel(std::size_t frame) {
     if (!panel_ || panel_frame_ != frame) panel_ = frames_.read(frame), panel_frame_ = frame;
     return *panel_;

@@ -27,13 +27,13 @@ struct FocalStack {
 };
 
 struct ReplayParams {
-  std::filesystem::path in = {};      ///< an image or a folder (replay/light_field_frames.hpp)
+  std::filesystem::path in = {};
   LightFieldHints field = {};         ///< properties of the light field that its files do not state
   std::filesystem::path folder = {};  ///< empty: "replay" beside the images
   bool exr = false;                   ///< writes linear floats (EXR) instead of PNG
 
   std::optional<Vec3d> eye_mm = {};  ///< none: the display's design viewing position
-  EyeView view = {};                 ///< options of eye views, except the position
+  EyeView view = {};
   /// Eye views have one pixel per lens, even if the pixels are not square.
   bool one_per_lens = false;
 
@@ -47,7 +47,7 @@ struct ReplayParams {
   /// Combines the stack into all_in_focus_0000.png, depth_0000.exr and its preview depth_0000.png.
   bool all_in_focus = false;
   std::optional<int> epi_row = {}, epi_column = {};
-  std::filesystem::path video = {};              ///< .mp4 or .mkv file of the views, pairs or sweep
+  std::filesystem::path video = {};
   std::optional<double> frames_per_second = {};  ///< none: the frame rate in the report
 };
 

@@ -22,7 +22,6 @@ class ReplayFiles {
     double frames_per_second = 25.0;
   };
 
-  /// Throws Error naming a file that cannot be written.
   explicit ReplayFiles(Settings settings);
   ~ReplayFiles();
   ReplayFiles(const ReplayFiles&) = delete;

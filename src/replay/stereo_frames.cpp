@@ -70,7 +70,6 @@ double warn_out_of_zone(const Optics& optics, const EyePair& eyes, const Context
   return share;
 }
 
-/// Converts the samples to 8-bit codes unless floats are wanted.
 LightField with_codes(LightField field, bool wants_floats) {
   if (!wants_floats)
     if (const Image* light = std::get_if<Image>(&field.stack)) field.stack = to_codes(*light, Encoding::kSrgb);

@@ -22,7 +22,6 @@ std::string value_text(const Json& value) {
   return value.is_string() ? value.get<std::string>() : json_to_text(value, -1);
 }
 
-/// A row may lack keys that other rows have.
 std::vector<std::string> keys_of(const Json& rows) {
   std::vector<std::string> keys;
   for (const Json& row : rows)

@@ -15,7 +15,6 @@ struct ChartSeries {
   std::vector<std::optional<double>> values;  ///< one value per frame; nullopt if unknown
 };
 
-/// A named horizontal line that marks a reference value.
 struct ChartLevel {
   std::string name;
   double value = 0.0;
@@ -27,7 +26,7 @@ struct Chart {
   std::vector<int> frames = {};
   std::vector<ChartSeries> series = {};
   std::vector<ChartLevel> levels = {};
-  bool is_stacked = false;  ///< stacked bars instead of lines
+  bool is_stacked = false;
   /// The value axis starts at zero. With bars it always does.
   bool starts_at_zero = true;
   /// Upper end of the value axis; nullopt: just above the largest value.
@@ -37,7 +36,6 @@ struct Chart {
 /// Returns an empty string if no series has a finite value. Values are stored with six digits.
 std::string chart_html(const Chart& chart);
 
-/// Returns the charts that have values, side by side if there is room.
 std::string charts_html(const std::vector<Chart>& charts);
 
 }  // namespace lippmann

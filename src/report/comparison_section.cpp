@@ -13,7 +13,6 @@
 namespace lippmann {
 namespace {
 
-/// in percent of the CPU time
 std::string saving_over_first(const RenderFigures& first, const RenderFigures& render) {
   const std::optional<double> mean = cpu_seconds_a_frame(render);
   return mean ? percent_text(saving(*mean, cpu_seconds_a_frame(first))) : kNotKnown;
@@ -25,7 +24,6 @@ std::vector<int> frame_numbers(const RenderFigures& render) {
   return numbers;
 }
 
-/// Returns sentences on what makes the comparison inexact.
 std::vector<std::string> caveats(const std::vector<RenderFigures>& renders) {
   const RenderFigures& first = renders.front();
   const auto differs = [&](const auto& of) {

@@ -44,7 +44,6 @@ void add_psnr_levels(const RenderFigures& render, Chart& chart) {
 
 std::optional<double> percent(std::optional<double> share) { return share ? std::optional(100.0 * *share) : std::nullopt; }
 
-/// `numbers` holds the frames that any render has.
 struct Comparison {
   std::set<int> numbers;
   std::vector<std::map<int, const FrameReport*>> by_number;

@@ -15,9 +15,7 @@ inline constexpr double kPaperPsnrDb = 34.5;
 
 /// The estimated PSNR and its bounds, with lines at the requested minimum and, for interpolated frames, at kPaperPsnrDb.
 Chart psnr_chart(const RenderFigures& render);
-/// Percentage of pixels of each Origin; those that no frame has are left out.
 Chart origin_chart(const RenderFigures& render);
-/// CPU seconds of the frames, with fully traced frames as a separate series.
 Chart time_chart(const RenderFigures& render);
 /// CPU time saved in frames that were not fully traced, in percent of a fully traced frame.
 Chart saving_chart(const RenderFigures& render);
@@ -27,10 +25,8 @@ Chart ray_chart(const RenderFigures& render);
 // The following charts have one line per render, over all frames that any render has. `names` names the renders.
 Chart psnr_comparison(const std::vector<RenderFigures>& renders, const std::vector<std::string>& names);
 Chart time_comparison(const std::vector<RenderFigures>& renders, const std::vector<std::string>& names);
-/// CPU time saved, in percent of the same frame in the first render.
 Chart saving_comparison(const std::vector<RenderFigures>& renders, const std::vector<std::string>& names);
 
-/// nullopt if the settings request no minimum.
 std::optional<double> wanted_psnr_db(const RenderFigures& render);
 /// Returns the lower bound of the estimate, or the estimate if it has no bound. nullopt if the frame is exact or has no
 /// estimate.

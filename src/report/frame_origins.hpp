@@ -24,7 +24,6 @@ std::optional<OriginShares> origins_of(const FrameReport& frame, const RenderFig
 /// True for the kinds full and key.
 bool is_traced_whole(const FrameReport& frame);
 
-/// Returns the mean over fully traced frames, or nullopt if there are none.
 std::optional<double> traced_cpu_seconds(const RenderFigures& render);
 
 /// Returns 1 - seconds / traced_seconds, which may be negative, or nullopt unless both times are positive.

@@ -57,7 +57,6 @@ std::vector<Column> frame_columns(const RenderFigures& render) {
 
 }  // namespace
 
-/// Leaves out columns that are empty or 0 in all frames.
 std::string frame_table(const RenderFigures& render) {
   HtmlTable table;
   table.rows.resize(render.frames.size());

@@ -14,17 +14,15 @@ std::string escaped(std::string_view text);
 /// Returns an invisible element with data for the page's script. The data cannot run as a script.
 std::string data_html(const nlohmann::ordered_json& data);
 
-/// Cells are HTML. Rows may be shorter than the head.
 struct HtmlTable {
   std::vector<std::string> head = {};
   std::vector<std::vector<std::string>> rows = {};
-  std::string style = {};  ///< CSS classes
+  std::string style = {};
 };
 
 /// Returns the table in a box that scrolls in narrow windows. The first cell of each row is its heading.
 std::string table_html(const HtmlTable& table);
 
-/// Returns a list of plain-text sentences, or an empty string without sentences.
 std::string sentences_html(const std::vector<std::string>& sentences);
 
 }  // namespace lippmann

@@ -48,7 +48,6 @@ RunFigures run_figures(const Json& run) {
   return figures;
 }
 
-/// Frames that cannot be parsed are left out and counted.
 void read_frame_list(const Json& list, RenderFigures& figures) {
   std::size_t left_out = 0;
   for (const Json& json : list)

@@ -14,7 +14,7 @@
 namespace lippmann {
 
 struct RunFigures {
-  std::string host, cpu, unit, frames;  ///< empty if not recorded
+  std::string host, cpu, unit, frames;
   double setup_seconds = 0.0, write_seconds = 0.0;
   double peak_memory_bytes = 0.0;
   int threads = 0;
@@ -22,17 +22,17 @@ struct RunFigures {
 
 struct RenderFigures {
   std::filesystem::path report;
-  std::string title;  ///< name of the folder of the report
+  std::string title;
   std::string version, scene, light, view, reuse;
   nlohmann::ordered_json settings = nlohmann::ordered_json::object();
   double frames_per_second = 25.0;
   bool interrupted = false;
-  std::vector<FrameReport> frames;  ///< in ascending order
+  std::vector<FrameReport> frames;
   std::vector<RunFigures> runs;
   /// Number of pixels of a film; nullopt if the optics cannot be read.
   std::optional<double> pixels;
   double source_frames = 0.0;  ///< frames that were rendered only as sources of other frames
-  double cpu_seconds = 0.0;    ///< CPU time of all frames, source frames included
+  double cpu_seconds = 0.0;
   double setup_seconds = 0.0, write_seconds = 0.0, peak_memory_bytes = 0.0;
   std::vector<std::string> missing;  ///< sentences for the user on missing values
 };

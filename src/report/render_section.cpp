@@ -33,8 +33,6 @@ std::string tiles_html(const RenderFigures& render) {
   return html + "</dl>\n";
 }
 
-// ---- How the render was made --------------------------------------------------------------------------------------------
-
 std::string command_html(const RenderFigures& render) {
   if (render.settings.empty()) return {};
   const std::string again = fmt::format("lippmann render {}", shell_word((render.report.parent_path() / "job.toml").string()));

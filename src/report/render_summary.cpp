@@ -45,7 +45,6 @@ bool is_interpolated(const FrameReport& frame, const RenderFigures& render) {
   return frame.kind == "in-between" && render.reuse != "copy" && render.reuse != "exact";
 }
 
-/// Returns a sentence on why there is no estimate of the PSNR.
 std::string unestimated(const RenderFigures& render) {
   const auto guessed = [&](const FrameReport& frame) { return is_interpolated(frame, render); };
   if (std::any_of(render.frames.begin(), render.frames.end(), guessed))

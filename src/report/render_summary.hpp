@@ -11,10 +11,9 @@ namespace lippmann {
 
 struct SummaryFigure {
   std::string name, value;  ///< plain text; an unknown value is a dash
-  std::string why;          ///< explanation in one sentence, or empty
+  std::string why;
 };
 
-/// Every render has the same values in the same order.
 std::vector<SummaryFigure> render_summary(const RenderFigures& render);
 
 /// Returns the CPU time of all frames and source frames, divided by the number of frames; nullopt without frames.

@@ -20,7 +20,6 @@ struct ReportPage {
 /// the first. Throws Error naming an input that is none of these.
 ReportPage make_report_page(const std::vector<std::filesystem::path>& inputs, const Context& context);
 
-/// Returns a path in the folder of the only input, or in the working folder.
 std::filesystem::path default_report_file(const std::vector<std::filesystem::path>& inputs);
 
 /// Makes the folder if necessary. Throws Error naming the file if it cannot be written, or if it exists and is not a report

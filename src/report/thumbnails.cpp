@@ -16,7 +16,6 @@
 namespace lippmann {
 namespace {
 
-/// longer side in pixels
 constexpr int kMostSide = 240;
 /// High effort, because thumbnails are written once and read often.
 constexpr int kThumbnailEffort = 6;

@@ -10,14 +10,13 @@
 namespace lippmann {
 
 struct Thumbnail {
-  std::string label;    ///< from the file name of the frame
+  std::string label;
   std::string source;   ///< image as a data: URL
   double aspect = 1.0;  ///< width / height as displayed; pixels need not be square
 };
 
 struct Thumbnails {
   std::vector<Thumbnail> pictures;
-  /// Why images are missing, in one sentence, or empty.
   std::string problem;
 };
 

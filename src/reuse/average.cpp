@@ -10,7 +10,7 @@
 namespace lippmann {
 namespace {
 
-constexpr std::size_t kStripPixels = 8192;  // number of pixels per task
+constexpr std::size_t kStripPixels = 8192;
 
 // A fixed loop length lets the compiler vectorise the loops over these pixels.
 constexpr std::size_t kAveragedBlock = 64;

@@ -73,7 +73,6 @@ struct Search {
   Floats slope;
   Floats depth;     ///< depth of the surface that the pixel shows, mm
   Floats per_view;  ///< shift of a point of this surface from view to view, in samples
-  /// The nearest samples on both sides: of the pixel's own view, later of all views.
   Side left, right;
   Candidate other_left, other_right;
 };
@@ -132,10 +131,9 @@ void EpipolarSampler::find_contrast(PointImage& image, const ThreadPool& pool) c
 
 namespace {
 
-/// Maps lens and view of a pixel to the position and slope of its rays along one axis.
 struct SampleAxis {
   float per_lens, per_pixel;  ///< pixels per lens, and lenses per pixel
-  float place, pitch;         ///< position of lens 0, and distance between lenses, in mm
+  float place, pitch;
   float slope, slope_per_px;  ///< slope of view 0, and difference between neighbouring views
 };
 

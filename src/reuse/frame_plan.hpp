@@ -16,10 +16,8 @@ struct FrameInterval {
   bool operator==(const FrameInterval&) const = default;
 };
 
-/// `every` is the distance between key frames, at least 1.
 bool is_key_frame(int frame, int every, int last_frame);
 
-/// Returns the two key frames around a frame that is not a key frame.
 FrameInterval key_interval(int frame, int every, int last_frame);
 
 int middle_frame(const FrameInterval& interval);
@@ -27,7 +25,6 @@ int middle_frame(const FrameInterval& interval);
 /// Returns the intervals that halving visits, from the interval between key frames to the one whose middle is `frame`.
 std::vector<FrameInterval> halving_path(int frame, int every, int last_frame);
 
-/// Returns how often the interval between two key frames can be halved.
 int halving_depth(int every);
 
 }  // namespace lippmann

@@ -28,7 +28,6 @@ class Runs {
     for (std::uint32_t level = 0; level < kUncertaintyLevels; ++level) begin(level);
   }
 
-  /// Visits the next patch of a level. Returns whether this patch is drawn.
   bool draw(std::uint32_t level) {
     Run& run = runs_[level];
     const bool drawn = run.place == run.sample;

@@ -47,16 +47,15 @@ int level_of(std::uint8_t uncertainty);
 inline constexpr double kUnseenError = 12.0;
 
 struct HeldOut {
-  std::vector<std::uint32_t> patches;                        ///< indices of the drawn patches, ascending
-  std::vector<std::uint8_t> levels;                          ///< uncertainty level of each entry of `patches`
-  std::array<std::uint64_t, kUncertaintyLevels> population;  ///< number of patches at each level
+  std::vector<std::uint32_t> patches;
+  std::vector<std::uint8_t> levels;
+  std::array<std::uint64_t, kUncertaintyLevels> population;
   std::array<std::uint64_t, kUncertaintyLevels> drawn;
 };
 
 /// Returns the run length R, from 4 to 64. It aims at 400 drawn patches.
 std::uint32_t patches_per_sample(std::size_t patches);
 
-/// Draws the sample of a frame. `uncertainty` has one entry per patch.
 HeldOut hold_out(std::span<const std::uint8_t> uncertainty, std::uint32_t seed, int frame);
 
 /// Weight of a patch of another frame, relative to a patch of the frame itself. Below 1, because errors of neighbouring patches
@@ -72,7 +71,6 @@ struct Evidence {
 
   void add(const HeldOut& held_out, std::span<const double> squared_errors);
   void add(const Evidence& other);
-  /// Multiplies all sums by `weight`.
   void weigh(double weight);
 };
 

@@ -11,7 +11,6 @@ namespace {
 /// lowest measured error.
 constexpr float kNearness = 0.7f;
 
-/// Returns the weight of the following frame. `position` is 0 at the previous frame and 1 at the following frame.
 float weight_at(float position) { return 0.5f + kNearness * (position - 0.5f); }
 
 bool has_size(const Image& film, Vec2i size) { return film.width == size.x && film.height == size.y && film.channels == 3; }
@@ -28,7 +27,6 @@ void mark_traced(std::span<const std::uint32_t> pixels, std::vector<std::uint8_t
   }
 }
 
-/// Equal values keep their bits.
 void blend(const Image& a, const Image& b, float weight_b, const ThreadPool& pool, Image& film) {
   constexpr std::size_t kPiece = std::size_t{1} << 15;
   const std::size_t values = film.data.size();

@@ -71,7 +71,6 @@ class InBetweenMaker {
 
  private:
   Image& film_of(PointImage& frame) const;
-  /// Marks the pixels in missed_ with `missed`, and all others with kInterpolated.
   void set_provenance(Provenance missed, PointImage& frame) const;
   void predict(const SourcePair& between, const ThreadPool& pool, PointImage& frame, InBetweenCounts& counts);
 
@@ -86,7 +85,7 @@ class InBetweenMaker {
   std::vector<std::uint32_t> missed_;
   std::optional<UncertaintyEstimator> uncertainty_estimator_;
   std::optional<Patches> patches_;
-  Image from_previous_, from_following_;  ///< predictions from one source each
+  Image from_previous_, from_following_;
   std::vector<std::uint8_t> uncertainty_;
 };
 

@@ -72,7 +72,6 @@ struct GridLine {
   float first, low, high;
 };
 
-/// Returns the position at depth z on a ray.
 LIPPMANN_INLINE float position_on_line(float place, float slope, float vergence, float z) {
   return place - z * (slope + place * vergence);
 }
@@ -89,12 +88,12 @@ LIPPMANN_INLINE AxisLanding land_on_grid(const GridScale& scale, const GridLine&
 struct GridLanding {
   struct Constants {
     GridScale across, down;
-    float vergence;  ///< 1 / viewing distance, per mm
+    float vergence;  ///< 1 / viewing distance
   };
   struct Row {
     Constants c;
-    const float *place, *slope, *first, *low, *high;  ///< one entry per column
-    GridLine line;                                    ///< position and slope along y, the same for all pixels of the row
+    const float *place, *slope, *first, *low, *high;
+    GridLine line;  ///< position and slope along y, the same for all pixels of the row
   };
 
   Constants c;
@@ -227,7 +226,6 @@ LIPPMANN_INLINE PointLanding land_on_sheet(const typename SheetLanding<mode>::Ro
 
 // ---- Microlenses --------------------------------------------------------------------------------------------------------
 
-/// Microlens array, for one row of pixels.
 struct MicrolensRow {
   MicrolensConstants<float> c;
   float width, height;

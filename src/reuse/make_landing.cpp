@@ -8,7 +8,6 @@
 namespace lippmann {
 namespace {
 
-/// `sets` is the number of sets of columns (GridLanding::place).
 GridLanding empty_grid(const Panel& panel, double vergence, int sets) {
   GridLanding grid{};
   grid.c.vergence = static_cast<float>(vergence);

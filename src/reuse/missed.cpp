@@ -94,7 +94,7 @@ Vec3f interpolated(const SplatPair& pair, std::uint32_t pixel, const Surrounding
 
 MissedCauses resolve_missed(const SplatPair& pair, const Splatter& splatter, const ViewSteps& steps,
                             std::span<const std::uint32_t> missed, const ThreadPool& pool, Image* film) {
-  constexpr std::size_t kPiece = 256;  // number of pixels per task
+  constexpr std::size_t kPiece = 256;
   std::vector<std::uint64_t> covered((missed.size() + kPiece - 1) / kPiece);
   pool.for_each(covered.size(), [&](std::size_t piece) {
     for (const std::uint32_t pixel : missed.subspan(piece * kPiece, std::min(kPiece, missed.size() - piece * kPiece))) {

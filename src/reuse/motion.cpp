@@ -16,7 +16,6 @@ GroupMotion to_group_motion(const Affine3d& a) {
   return motion;
 }
 
-/// Converts motion in world space to motion relative to the display.
 GroupMotion display_motion(const Affine3d& world, const Moment& from, const Moment& to) {
   if (world == Affine3d{} && from.world_from_display == to.world_from_display) {
     GroupMotion still = to_group_motion({});

@@ -26,14 +26,12 @@ struct MotionGroups {
 MotionGroups make_motion_groups(const Scene& scene);
 
 struct GroupMotion {
-  /// The 3x4 matrix from p to p', row by row.
   std::array<float, 12> rows;
   /// True if p' = p exactly. Points then keep their pixels despite rounding errors.
   bool still = false;
 };
 
 struct Motion {
-  /// Has one entry if all objects move together.
   std::vector<GroupMotion> groups;
   const std::vector<std::uint32_t>* group_of_object = nullptr;
 

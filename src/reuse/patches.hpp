@@ -37,7 +37,6 @@ class Patches {
  private:
   std::size_t per_strip_ = 0;
   std::vector<std::uint32_t> pixels_;
-  /// Index in pixels_ of each patch's first pixel; the last entry is the size of pixels_.
   std::vector<std::size_t> begin_;
 };
 

@@ -14,11 +14,9 @@
 
 namespace lippmann {
 
-/// Object of a pixel without a known point.
 inline constexpr std::uint32_t kMissedObject = kNoObject - 1;
 inline constexpr float kMissedDepth = std::numeric_limits<float>::quiet_NaN();
 
-/// The poses of all scene nodes and of the display at one time.
 struct Moment {
   ResolvedScene resolved;
   Affine3f world_from_display;

@@ -52,7 +52,6 @@ std::vector<std::uint8_t> of_levels_from(int level, std::span<const std::uint8_t
   return wanted;
 }
 
-/// Mean squared error that corresponds to the PSNR floor.
 double most_error(const FloorParams& params) { return 255.0 * 255.0 * std::pow(10.0, -0.1 * params.min_psnr_db); }
 
 std::uint64_t pixels_in(const Patches& patches, std::span<const std::uint8_t> wanted) {

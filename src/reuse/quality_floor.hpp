@@ -21,7 +21,7 @@ namespace lippmann {
 
 struct FloorParams {
   double min_psnr_db = 0.0;  ///< lowest accepted PSNR of each frame, in 8-bit display codes; finite
-  std::uint32_t seed = 0;    ///< seed of the random choice of held-out patches
+  std::uint32_t seed = 0;
 };
 
 /// Highest cost of tracing part of a frame, relative to the whole frame. Above it, the whole frame is traced.
@@ -29,13 +29,12 @@ inline constexpr double kMostCost = 0.9;
 
 struct Predicted {
   int number;
-  std::span<const std::uint8_t> uncertainty;  ///< one entry per pixel
+  std::span<const std::uint8_t> uncertainty;
   const Patches& patches;
   std::span<const float> costs;  ///< one entry per patch (Patches::costs)
-  Encoding encoding;             ///< encoding of the codes that are compared
+  Encoding encoding;
 };
 
-/// Errors and costs measured in a frame that was both predicted and traced.
 struct FloorLesson {
   Evidence evidence;
   /// Cost of tracing part of a similar frame, relative to the whole frame.
@@ -46,9 +45,9 @@ FloorLesson learn_floor(const FloorParams& params, const Predicted& frame, const
                         const ThreadPool& pool);
 
 struct FloorOutcome {
-  bool holds = false;          ///< if false, the caller must trace the whole frame
-  std::uint64_t retraced = 0;  ///< number of pixels traced here
-  ErrorEstimate error;         ///< estimated error of the frame; only set if `holds` is true
+  bool holds = false;  ///< if false, the caller must trace the whole frame
+  std::uint64_t retraced = 0;
+  ErrorEstimate error;  ///< estimated error of the frame; only set if `holds` is true
 };
 
 /// Traces part of a frame so that it reaches the floor. `film` holds the prediction, and on return the result. The sources of

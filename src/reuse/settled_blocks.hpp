@@ -20,7 +20,6 @@ class SettledBlocks {
   /// `every` is the number of frames per key frame, itself included, at least 2. If not given, choose_span() chooses it.
   SettledBlocks(const Scene& scene, int display_node, std::optional<int> every);
 
-  /// Returns the boxes around moving objects for trace_frame() of the key frame `key`. Empty if nothing moves.
   std::vector<HorizonBox> boxes(int key, int last_frame) const { return swept_.around(key, horizons_, last_frame); }
 
   static bool can_settle(std::span<const HorizonBox> boxes);
@@ -37,7 +36,6 @@ class SettledBlocks {
   int horizon_of(int ahead) const;
 
   SweptBoxes swept_;
-  /// numbers of frames, including the key frame, ascending
   std::vector<int> horizons_;
   bool fixed_;
 };

@@ -14,16 +14,14 @@ namespace lippmann {
 namespace {
 
 constexpr int kSplatBlock = 64;
-// number of panel rows per task
 constexpr int kRowsPerStrip = 64;
 // Up to this distance from a sample's centre, in samples, its colour is used unchanged.
 constexpr float kNearEnough = 0.1f;
-constexpr int kLeftBit = 1;  // index of the bit kLeftDiffers
+constexpr int kLeftBit = 1;
 static_assert(kRightDiffers == 1 && kLeftDiffers == 1 << kLeftBit);
 constexpr std::uint32_t kBackgroundOrder = SplatBuffer::kBackgroundOrder;
 constexpr float kBackgroundBelow = std::numeric_limits<float>::lowest();
 
-/// Target pixels of up to kSplatBlock points; -1 if a point is not visible.
 struct Block {
   alignas(64) std::int32_t target[kSplatBlock];
   alignas(64) std::uint32_t order[kSplatBlock];   ///< upper half of the points' SplatBuffer keys
@@ -34,7 +32,7 @@ struct RowOfPoints {
   const float* z;
   const std::uint32_t* object;
   const std::uint8_t* contrast;  ///< null if the contrast is not computed
-  int row, first;                ///< panel coordinates of entry 0 of the arrays
+  int row, first;
 };
 
 struct Limits {
@@ -129,7 +127,6 @@ struct Stray {
   std::uint64_t key;
 };
 
-/// Strays of one strip, and the range of their targets.
 struct Strays {
   std::vector<Stray> points;
   std::int32_t lowest = std::numeric_limits<std::int32_t>::max(), highest = -1;

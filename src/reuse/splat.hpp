@@ -32,7 +32,6 @@ struct SplatBuffer {
 
   std::vector<std::uint64_t> keys;
 
-  /// Returns kNoSource for an empty key.
   static std::uint32_t source(std::uint64_t key) { return ~static_cast<std::uint32_t>(key) >> 1; }
   static bool color_changes(std::uint64_t key) { return (key & 1) != 0; }
   /// Returns z at the new moment, or -infinity for background.
@@ -49,7 +48,7 @@ struct SplatParams {
   bool z_buffer = true;
 };
 
-/// Thread-safe. Make one object per animation.
+/// Thread-safe. An animation needs one object.
 class Splatter {
  public:
   Splatter(const Optics& optics, const SplatParams& params);

@@ -9,8 +9,8 @@
 namespace lippmann {
 namespace {
 
-constexpr int kPartsPerAxis = 12;               // grid cells along each axis of a large mesh; smaller meshes have 4
-constexpr std::size_t kTrianglesToPart = 2000;  // smallest number of triangles of a large mesh
+constexpr int kPartsPerAxis = 12;  // grid cells along each axis of a large mesh; smaller meshes have 4
+constexpr std::size_t kTrianglesToPart = 2000;
 
 const Bounds3f kEverything{Vec3f(-kInfinity), Vec3f(kInfinity)};
 
@@ -51,7 +51,6 @@ std::vector<std::vector<std::uint32_t>> vertices_by_part(const Mesh& mesh) {
   return vertices;
 }
 
-/// Returns one box per shape, in the space of the node.
 template <class Shapes>
 std::vector<Bounds3f> parts_of(const Shapes& shapes) {
   std::vector<Bounds3f> parts;

@@ -40,7 +40,6 @@ class SweptBoxes {
   bool all_changes(const ResolvedScene& from, const ResolvedScene& to) const;
 
   const Scene& scene_;
-  /// Moving nodes that carry the display, a light or an infinite plane.
   std::vector<int> decisive_nodes_;
   std::vector<MovingInstance> instances_;
   std::vector<PosedInstance> posed_;

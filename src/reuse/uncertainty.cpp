@@ -17,7 +17,6 @@ using Byte = std::uint8_t;
 LIPPMANN_INLINE Byte larger(Byte a, Byte b) { return a > b ? a : b; }
 LIPPMANN_INLINE Byte difference(Byte a, Byte b) { return static_cast<Byte>(a > b ? a - b : b - a); }
 
-/// Converts film values to approximate display codes, 0 ... 255.
 LIPPMANN_MULTIVERSION void code_row(const float* film, int count, bool linear, Byte* codes) {
   for (int x = 0; x < count; ++x) {
     const float positive = film[x] > 0.0f ? film[x] : 0.0f, value = positive < 1.0f ? positive : 1.0f;

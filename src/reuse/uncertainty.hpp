@@ -52,9 +52,8 @@ class UncertaintyEstimator {
 
   void make_planes(const Prediction& previous, const Prediction& following, const Image& film, int row);
 
-  /// Distances in pixels to the next sample of the same view.
   int width_, height_, across_, down_;
-  std::size_t stride_;  ///< length of a row, including both margins
+  std::size_t stride_;
   bool linear_film_;
   Plane disagreement_, codes_[3];
 };

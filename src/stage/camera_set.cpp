@@ -44,7 +44,6 @@ void hold_still(Scene& scene) {
   scene.timeline.animations.clear();
 }
 
-/// Returns the rotation of a camera that looks along -`direction`, with +y up.
 Quatf facing(const Vec3d& direction) {
   const Vec3d right = glm::normalize(glm::cross(Vec3d(0.0, 1.0, 0.0), direction));
   return Quatf(glm::quat_cast(glm::dmat3(right, glm::cross(direction, right), direction)));

@@ -15,9 +15,9 @@
 namespace lippmann {
 
 enum class CameraPath {
-  kSphere,      ///< evenly over the whole sphere
-  kHemisphere,  ///< evenly over the upper half of the sphere
-  kCircle,      ///< a circle 20 degrees above the subject's middle
+  kSphere,
+  kHemisphere,
+  kCircle,  ///< a circle 20 degrees above the subject's middle
 };
 
 struct CameraSet {

@@ -31,7 +31,6 @@ Error no_such_camera(const std::vector<std::string>& names, const std::string& w
   return usage_error("camera", fmt::format("there is no camera {}{}", shown(wanted), hint), list_cameras(names));
 }
 
-/// Turns the axis `up` to +y. The constants avoid rounding errors.
 Quatf upright(UpAxis up) {
   constexpr float kHalf = 0.70710678f;
   switch (up) {

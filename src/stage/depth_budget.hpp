@@ -10,10 +10,9 @@
 
 namespace lippmann {
 
-/// Depth range of the scene as the display shows it.
 struct ShownDepth {
-  float front_mm = 0.0f, back_mm = 0.0f;  ///< z in the display frame
-  float budget_mm = kInfinity;            ///< see depth_budget_mm() (optics/optics.hpp)
+  float front_mm = 0.0f, back_mm = 0.0f;
+  float budget_mm = kInfinity;
   /// Only the subject's range; surroundings may exceed it.
   bool of_subject = false;
 

@@ -59,7 +59,7 @@ LightThrough light_through(const Material& material) {
 struct Wall {
   const Mesh* mesh;
   Affine3f mesh_from_world;
-  Bounds3f bounds;  ///< in world space
+  Bounds3f bounds;
   bool shines;
 };
 

@@ -41,7 +41,7 @@ Mat3f rotation_of(const Affine3f& similarity) { return similarity.linear / unifo
 
 struct Setting {
   const Scene& scene;
-  const ResolvedScene& resolved;  ///< the scene at frame 0
+  const ResolvedScene& resolved;
   const Subject& subject;
   float aspect;
 };
@@ -111,8 +111,6 @@ std::string camera_name(const Camera& camera) {
   return camera.name.empty() ? std::string("the camera") : fmt::format("camera '{}'", printable(camera.name));
 }
 
-// ---- Visible parts ------------------------------------------------------------------------------------------------------
-
 enum class Part { kSubject, kBackdrop, kAll };
 
 bool is_part(const Subject& subject, std::size_t instance, Part part) {
@@ -129,7 +127,6 @@ SeenParts seen_of(const Setting& setting, Part part, const ResolvedScene& resolv
   return seen;
 }
 
-/// Half the width of the visible part of the subject, in the units of CameraView::half.
 float width_of_subject(const Setting& setting, const Camera& camera, const CameraView& view) {
   float half = 0.0f;
   visit_frames(setting.scene, [&](const ResolvedScene& resolved) {
@@ -180,8 +177,6 @@ std::string widened_sentence(const Camera& camera, const CameraView& view) {
       " The view is {:.3g} degrees high instead of {:.3g}, so that all of the subject that the camera shows fits.",
       degrees(2.0f * std::atan(tangent_y)), degrees(camera.vertical_fov));
 }
-
-// ---- Placing the array, in order of precedence --------------------------------------------------------------------------
 
 FittedArray as_placed(const DisplayPlacement& display) {
   FittedArray array;
@@ -243,10 +238,8 @@ FittedArray half_way_through(const Setting& setting, const Camera& camera) {
   return array;
 }
 
-// ---- Fitting to bounds --------------------------------------------------------------------------------------------------
-
 struct Direction {
-  int node = -1;                                   ///< node that the array moves with
+  int node = -1;
   Mat3f node_from_view{1.0f};                      ///< the viewer looks along the view's -z axis
   float tangent_y = std::tan(0.5f * kDefaultFov);  ///< half the view's height / distance
 };
@@ -305,7 +298,6 @@ Vec2f middle_from(const Setting& setting, const Direction& direction, const Subj
   return glm::clamp(middle, least, glm::max(least, most));
 }
 
-/// Places the viewer where the subject just fits into the image.
 FittedArray fitted_to_bounds(const Setting& setting, const Direction& direction) {
   FittedArray array;
   array.origin = FittedArray::Origin::kBounds;
@@ -331,7 +323,6 @@ FittedArray fitted_to_bounds(const Setting& setting, const Direction& direction)
   return array;
 }
 
-/// Rotates about the world's vertical and then upwards, at most to a view from straight above or below.
 Mat3f turned(const Mat3f& world_from_view, const Orbit& orbit) {
   const float elevation = degrees(std::asin(std::clamp(world_from_view[2].y, -1.0f, 1.0f)));
   const bool is_upright = world_from_view[1].y >= 0.0f;
@@ -347,7 +338,6 @@ Mat3f turned_in_node(const Setting& setting, int node, const Mat3f& node_from_vi
   return glm::transpose(world_from_node) * turned(world_from_node * node_from_view, orbit);
 }
 
-/// Returns the default view, which is used without `fit-to`.
 Direction direction_of(const Scene& scene) {
   Direction direction;
   if (scene.display) {
@@ -392,9 +382,6 @@ FittedArray fitted_to(const Setting& setting, const std::string& name, const Orb
   return array;
 }
 
-// ---- Options of the user ------------------------------------------------------------------------------------------------
-
-/// Returns the z that `focus` requests, relative to the plane of `array`.
 float wanted_plane_z(const FittedArray& array, const Setting& setting, const std::string& focus) {
   const Affine3f world_from_plane = world_from_frame(setting, array.node, setting.resolved) * array.node_from_plane;
   const Affine3f plane_from_world = inverse(world_from_plane);
@@ -417,7 +404,6 @@ float wanted_plane_z(const FittedArray& array, const Setting& setting, const std
   return array.viewing_distance - static_cast<float>(numbers[0]) / uniform_scale(world_from_plane);
 }
 
-/// Returns whether the view has the same height at every distance, as that of an orthographic camera.
 bool shows_a_beam(const FittedArray& array, const Scene& scene) {
   using Origin = FittedArray::Origin;
   return (array.origin == Origin::kFocus || array.origin == Origin::kSceneCenter) &&
@@ -454,9 +440,6 @@ void zoom_in(FittedArray& array, float factor) {
   array.how += fmt::format(" The zoom shows it {:g} times as large.", factor);
 }
 
-// ---- Depth range --------------------------------------------------------------------------------------------------------
-
-/// Uses all finite shapes in front of the viewer.
 void measure_all_depth(FittedArray& array, const Setting& setting, const Affine3f& plane_from_world) {
   const Bounds3f bounds = finite_bounds(setting.scene, setting.resolved, plane_from_world);
   if (bounds.empty()) return;

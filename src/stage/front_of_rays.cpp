@@ -24,7 +24,6 @@ constexpr double kWallShare = 0.25;
 /// Where rays start between the near clipping plane (0) and the wall (1).
 constexpr float kBeforeWall = 0.999f;
 
-/// Largest number of walls in a sentence.
 constexpr std::size_t kNamed = 3;
 
 class Foreground {
@@ -60,7 +59,6 @@ class Foreground {
   }
 
  private:
-  /// Names the instances whose walls have an area of at least `enough`.
   std::string names(const Scene& scene, double enough) const {
     std::vector<std::string> names;
     for (const Walls& walls : walls_) {
@@ -73,7 +71,6 @@ class Foreground {
     return fmt::format("{}", fmt::join(names, ", "));
   }
 
-  /// Returns whether the plane through p separates the near clipping plane from the eye.
   bool is_wall(Vec3f p, Vec3f normal) const {
     const float offset = -glm::dot(normal, p), of_near = normal.z * near_ + offset, of_eye = normal.z * eye_ + offset;
     return (of_near > 0.0f) != (of_eye > 0.0f);
@@ -84,7 +81,6 @@ class Foreground {
     Vec3f normal(0.0f);
     for (std::size_t i = 2; i < polygon.size(); ++i) normal += glm::cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]);
     if (!is_wall(polygon[0], normal)) return;
-    // Projects the polygon from the eye to the plane z = 0.
     double twice_area = 0.0;
     const auto seen = [&](Vec3f p) { return Vec2f(p) * (eye_ / std::max(eye_ - p.z, 1e-3f * eye_)); };
     for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -113,10 +109,9 @@ class Foreground {
     walls_.back().add({4.0 * static_cast<double>(half_.x * half_.y), glm::dot(normal, p) / normal.z});
   }
 
-  /// The walls of one or more instances.
   struct Walls {
-    double area;    ///< projected from the eye to the plane z = 0
-    float nearest;  ///< smallest z
+    double area;  ///< projected from the eye to the plane z = 0
+    float nearest;
     int node = -1;
 
     void add(const Walls& other) { area += other.area, nearest = std::min(nearest, other.nearest); }

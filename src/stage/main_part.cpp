@@ -26,7 +26,6 @@ Bounds3f bounds_of(const std::vector<ScenePiece>& pieces) {
   return all;
 }
 
-/// Returns the longest run of empty bins along an axis.
 Gap widest_gap(const std::vector<ScenePiece>& pieces, const Bounds3f& all, int axis) {
   const float size = all.size()[axis], bin = size / static_cast<float>(kBins);
   if (!(bin > 0.0f) || !std::isfinite(size)) return {};

@@ -14,7 +14,6 @@
 namespace lippmann {
 namespace {
 
-/// in the order of the scene, without duplicates
 std::vector<std::string_view> names_in(const Scene& scene) {
   std::vector<std::string_view> names;
   std::set<std::string_view> known;
@@ -43,7 +42,6 @@ Error no_such_name(const Scene& scene, const std::string& name, const char* flag
                      accepted.empty() ? "no name: the nodes of this scene have none" : accepted);
 }
 
-/// True if the node or one of its ancestors is called `name`.
 std::vector<bool> nodes_below(const Scene& scene, std::string_view name) {
   std::vector<bool> below(scene.nodes.size(), false);
   for (std::size_t i = 0; i < below.size(); ++i) {

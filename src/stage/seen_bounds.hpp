@@ -12,7 +12,6 @@
 
 namespace lippmann {
 
-/// The half space dot(normal, p) + offset >= 0.
 struct HalfSpace {
   Vec3f normal{0.0f};
   float offset = 0.0f;
@@ -45,7 +44,6 @@ struct SeenParts {
   void add(const SeenParts& parts) { bounds.add(parts.bounds), tangent = glm::max(tangent, parts.tangent); }
 };
 
-/// In the frame of the region.
 SeenParts seen_parts(const Scene& scene, const Instance& instance, const ResolvedScene& resolved,
                      const Affine3f& frame_from_world, const ConvexRegion& region);
 

@@ -54,7 +54,6 @@ class SeenMoment {
         view_(view),
         region_(region_before(view)) {}
 
-  /// Skips instances whose box cannot extend the range.
   void add(const Instance& instance, DepthReach& reach) const {
     if (instance.hidden_from_cameras) return;
     const Shape& shape = scene_.shapes[static_cast<std::size_t>(instance.shape)];

@@ -11,7 +11,6 @@
 
 namespace lippmann {
 
-/// An eye, and a centred rectangle in the plane z = 0 of the display frame.
 struct EyeAtWindow {
   Vec3f eye_mm{0.0f, 0.0f, 300.0f};
   Vec2f window_mm{100.0f};
@@ -23,7 +22,6 @@ struct SeenDepth {
   float near_mm = 0.0f, far_mm = 0.0f;
 };
 
-/// Returns nothing if no frame shows anything.
 std::optional<SeenDepth> seen_depth(const Scene& scene, const FittedArray& array, float units_per_mm, const EyeAtWindow& eye,
                                     const ThreadPool& pool);
 

@@ -26,7 +26,7 @@ constexpr float kNearFace = 0.05f;
 constexpr float kSpanning = 0.8f;  ///< fraction of a face that its sheets must span
 /// Largest diagonal of what remains without surroundings, as a fraction of the whole.
 constexpr float kMuchSmaller = 0.5f;
-/// The same without a ground, for walls or a shell.
+/// Like kMuchSmaller, for surroundings without a ground.
 constexpr float kSmallBefore = 0.25f;
 
 using Indices = std::vector<std::size_t>;
@@ -88,7 +88,6 @@ class Peeling {
     left_ = without(instances);
   }
 
-  /// Returns triangles of static meshes, primitives of lists, and boxes of moving instances.
   std::vector<ScenePiece> pieces() const {
     std::vector<ScenePiece> pieces;
     const ResolvedScene resolved = evaluate(scene_, scene_.timeline.time(0));
@@ -221,7 +220,6 @@ class Peeling {
     return leaves_free(i, inner);
   }
 
-  /// Removes the largest instance if it is a shell, and returns whether it did.
   bool peel_shell() {
     const auto smaller = [&](std::size_t a, std::size_t b) { return diagonal(bounds_[a]) < diagonal(bounds_[b]); };
     const std::size_t largest = *std::max_element(left_.begin(), left_.end(), smaller);
@@ -274,7 +272,6 @@ Subject find_subject(const Scene& scene) { return Peeling(scene).run(); }
 
 namespace {
 
-/// Lists the names without duplicates.
 template <class IsListed>
 std::string list_instances(const Scene& scene, const IsListed& is_listed) {
   constexpr std::size_t kListed = 3;

@@ -26,14 +26,14 @@ enum class InstanceRole {
   kSubject,
   kGround,    ///< ground and ceilings
   kBackdrop,  ///< walls, sky, domes
-  kUnseen,    ///< hidden from cameras
-  kStray,     ///< far away from everything else
+  kUnseen,
+  kStray,  ///< far away from everything else
 };
 
 bool is_surrounding(InstanceRole role);
 
 struct Subject {
-  std::vector<InstanceRole> roles;  ///< one entry per instance
+  std::vector<InstanceRole> roles;
   /// Parts outside this box (world space) are left out. Not set if nothing is.
   std::optional<Bounds3f> main_part;
   /// True for an instance that main_part cuts. Empty without main_part.

@@ -14,7 +14,6 @@ struct Surrounding {
 
 /// The light is multiplied by `share` and by how.strength.
 void surround_with(Scene& scene, EnvironmentMap map, const Surrounding& how, float share);
-/// Surrounds the scene with the same linear light in all directions.
 void surround_with(Scene& scene, Vec3f color);
 
 /// Implement add_missing_light() (lippmann/stage/lighting.hpp). `how` holds options for panoramas. Both return a sentence for

@@ -9,7 +9,6 @@ namespace lippmann {
 
 const char* encoder_name(VideoCodec codec);
 
-/// Throws Error naming the file if its ending is unknown.
 const char* muxer_name(const std::filesystem::path& path);
 
 }  // namespace lippmann

@@ -64,7 +64,6 @@ SeriesNames names_of(const std::string& from) {
           TextPattern(fmt::format("({})([0-9]{{1,9}})({})", escaped(before), escaped(after)))};
 }
 
-/// Groups the files by their names without the frame number.
 std::map<std::string, Series> series_in(const SeriesNames& names) {
   std::map<std::string, Series> all;
   for (const fs::directory_entry& entry : entries_of(names.folder)) {
@@ -97,7 +96,6 @@ const Series& chosen_series(const std::string& from, const std::map<std::string,
               "a pattern that matches one series");
 }
 
-/// Returns nothing if a frame has no side file or if the files differ.
 std::optional<RgbdSideFile> common_side_file(const std::vector<NumberedFrame>& frames) {
   const std::optional<RgbdSideFile> first = read_rgbd_side_file(frames.front().path);
   const auto is_alike = [&](const NumberedFrame& frame) { return read_rgbd_side_file(frame.path) == first; };

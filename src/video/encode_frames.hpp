@@ -30,7 +30,6 @@ std::vector<NumberedFrame> find_frames(const std::string& from, std::vector<int>
 /// room_2x1.mp4 (stereo) or room_rgbd.mp4 (RGB-D).
 std::filesystem::path video_path(const std::filesystem::path& out, const std::vector<NumberedFrame>& frames);
 
-/// Returns nothing if the names do not state a stereo layout.
 std::optional<StereoLayout> stereo_of(const std::vector<NumberedFrame>& frames);
 
 /// Copies the side file of RGB-D frames, which states their depth range, for the video `out`. Warns and copies nothing if a

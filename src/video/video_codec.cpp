@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 struct Container {
   std::string_view ending, muxer;
-  std::vector<VideoCodec> codecs;  ///< default codec first
+  std::vector<VideoCodec> codecs;
 };
 
 const std::vector<Container>& containers() {

@@ -10,7 +10,6 @@ namespace lippmann {
 
 enum class VideoCodec { kH264, kHevc, kVp9, kAv1, kFfv1 };
 
-/// in the order of VideoCodec
 inline constexpr std::array<std::string_view, 5> kVideoCodecNames{"h264", "hevc", "vp9", "av1", "ffv1"};
 
 inline std::string_view name_of(VideoCodec codec) { return kVideoCodecNames[static_cast<std::size_t>(codec)]; }

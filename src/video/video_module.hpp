@@ -14,16 +14,15 @@
 
 namespace lippmann {
 
-/// Checked and complete settings.
 struct EncoderSettings {
   std::filesystem::path path;  ///< final path, for error messages
-  std::string temporary;       ///< path of the temporary file
+  std::string temporary;
   VideoCodec codec = VideoCodec::kH264;
-  const char* muxer = nullptr;          ///< FFmpeg's name of the container
-  const char* encoder = nullptr;        ///< FFmpeg's name of the encoder, which has_encoder() accepts
-  int width = 0, height = 0;            ///< size of every frame, in pixels
-  int crf = 0;                          ///< constant rate factor; lossless codecs ignore it
-  int numerator = 25, denominator = 1;  ///< frames per second
+  const char* muxer = nullptr;
+  const char* encoder = nullptr;  ///< FFmpeg's name of the encoder, which has_encoder() accepts
+  int width = 0, height = 0;
+  int crf = 0;  ///< constant rate factor; lossless codecs ignore it
+  int numerator = 25, denominator = 1;
   int threads = 1;
   std::optional<StereoLayout> stereo = {};  ///< written as metadata if the container supports it
 };
@@ -32,14 +31,12 @@ class VideoEncoder {
  public:
   virtual ~VideoEncoder() = default;
   virtual void add_frame(const Image8& frame) = 0;
-  /// Completes and closes the file.
   virtual void finish() = 0;
 };
 
 class VideoDecoder {
  public:
   virtual ~VideoDecoder() = default;
-  /// Returns nothing after the last frame.
   virtual std::optional<Image8> next() = 0;
 };
 

@@ -21,7 +21,6 @@ class VideoReader {
   VideoReader(const VideoReader&) = delete;
   VideoReader& operator=(const VideoReader&) = delete;
 
-  /// Returns nothing after the last frame.
   std::optional<Image8> next();
 
  private:

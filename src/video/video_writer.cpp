@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 /// Returns the last convergent of the value's continued fraction with numerator and denominator up to a million.
 FrameRate nearest_fraction(double value) {
   constexpr double kLargest = 1e6;
-  double before[2] = {0.0, 1.0}, last[2] = {1.0, 0.0};  // numerator and denominator of the last two convergents
+  double before[2] = {0.0, 1.0}, last[2] = {1.0, 0.0};
   double rest = value;
   for (;;) {
     const double whole = std::floor(rest);

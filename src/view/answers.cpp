@@ -50,7 +50,6 @@ bool equal_secrets(std::string_view a, std::string_view b) {
   return difference == 0;
 }
 
-/// Removes and returns the part of `path` before its next slash, or all of it.
 std::string_view cut_part(std::string_view& path) {
   const std::size_t slash = path.find('/');
   const std::string_view part = path.substr(0, slash);
@@ -58,7 +57,6 @@ std::string_view cut_part(std::string_view& path) {
   return part;
 }
 
-/// Accepts at most nine digits.
 std::optional<std::size_t> number_in(std::string_view text) {
   std::size_t number = 0;
   const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -119,7 +117,6 @@ PageAnswers::PageAnswers(std::unique_ptr<PageField> field, std::shared_ptr<Runni
 PageAnswers::PageAnswers(std::shared_ptr<DroppedPictures> dropped, PageAccess access)
     : dropped_(std::move(dropped)), access_(std::move(access)), cache_(0) {}
 
-/// Decides which paths accept POST requests.
 bool PageAnswers::takes_text(std::string_view path) const {
   const std::string_view part = path.substr(0, path.find('/'));
   if (dropped_ && part == kDrop) return true;
@@ -246,7 +243,6 @@ PageAnswer PageAnswers::print_picture(std::string_view path) const {
   return {200, bytes->starts_with("RIFF") ? "image/webp" : "image/png", bytes};
 }
 
-/// path: state/KNOWN, see RunningRender::state_after()
 PageAnswer PageAnswers::run_state(std::string_view path) {
   const std::string_view kind = cut_part(path);
   const std::optional<std::size_t> known = number_in(path);

@@ -23,7 +23,7 @@ struct PageRequest {
   std::string path = "/";  ///< decoded, without the query
   /// Headers Host, Origin and Sec-Fetch-Site; empty if missing.
   std::string host = {}, origin = {}, fetch_site = {};
-  std::string body = {};  ///< content of a POST
+  std::string body = {};
 };
 
 struct PageAnswer {
@@ -42,15 +42,15 @@ class LivePage {
  public:
   virtual ~LivePage() = default;
 
-  virtual nlohmann::ordered_json field() const = 0;  ///< description of the light field (field_json())
-  virtual nlohmann::ordered_json about() const = 0;  ///< facts that the page needs once
-  virtual InterlaceParams interlace() const = 0;     ///< how panels interlace views
+  virtual nlohmann::ordered_json field() const = 0;
+  virtual nlohmann::ordered_json about() const = 0;
+  virtual InterlaceParams interlace() const = 0;
   virtual PageAnswer get(std::string_view path) = 0;
   virtual PageAnswer post(std::string_view path, const std::string& body) = 0;
 };
 
-class DroppedPictures;  // defined in view/dropped_pictures.hpp
-class PagePrints;       // defined in view/page_print.hpp
+class DroppedPictures;  // declared in view/dropped_pictures.hpp
+class PagePrints;       // declared in view/page_print.hpp
 
 class PageAnswers {
  public:
@@ -101,8 +101,8 @@ class PageAnswers {
   std::vector<std::unique_ptr<PageField>> fields_;
   std::unique_ptr<LivePage> live_;
   std::shared_ptr<RunningRender> render_;
-  std::shared_ptr<PagePrints> prints_;        ///< null without prints
-  std::shared_ptr<DroppedPictures> dropped_;  ///< null if images cannot be dropped
+  std::shared_ptr<PagePrints> prints_;
+  std::shared_ptr<DroppedPictures> dropped_;
   PageAccess access_;
   std::optional<PageDisplay> display_;
   ByteCache cache_;

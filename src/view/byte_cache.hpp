@@ -33,7 +33,7 @@ class ByteCache {
   const std::size_t most_bytes_;
   std::mutex making_;
   std::mutex entries_mutex_;
-  std::list<Entry> entries_;  ///< most recently used first
+  std::list<Entry> entries_;
   std::map<std::string, std::list<Entry>::iterator> by_key_;
   std::size_t bytes_ = 0;
 };

@@ -47,7 +47,6 @@ void replace_all(std::string& text, const std::string& from, const std::string& 
     text.replace(at, from.size(), to);
 }
 
-/// Returns each name's position in the natural order of all names.
 std::vector<std::size_t> ranks_of(const std::vector<std::string>& names) {
   std::vector<std::size_t> order(names.size()), ranks(names.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -61,12 +60,11 @@ std::vector<std::size_t> ranks_of(const std::vector<std::string>& names) {
 struct DroppedPictures::Received {
   ScratchFolder folder;
   std::string title;
-  std::vector<std::string> names;  ///< as the page sent them
-  std::vector<fs::path> files;     ///< stored files, in the order of `names`
+  std::vector<std::string> names;
+  std::vector<fs::path> files;  ///< stored files, in the order of `names`
   std::vector<std::uintmax_t> sizes;
-  std::uintmax_t bytes = 0;  ///< of all files
+  std::uintmax_t bytes = 0;
 
-  /// Replaces the names of stored files by the names that the page sent.
   std::string with_page_names(std::string message) const {
     for (std::size_t i = 0; i < files.size(); ++i) {
       replace_all(message, files[i].string(), printable(names[i]));

@@ -18,9 +18,8 @@ namespace lippmann {
 class DroppedPictures {
  public:
   static constexpr std::size_t kMaxPictures = 1000;
-  static constexpr std::uintmax_t kMostBytes = std::uintmax_t{4} << 30;  ///< all images together
+  static constexpr std::uintmax_t kMostBytes = std::uintmax_t{4} << 30;
 
-  /// `context` must outlive this object.
   explicit DroppedPictures(const Context& context, std::uintmax_t most_bytes = kMostBytes);
   ~DroppedPictures();
 

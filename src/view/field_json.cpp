@@ -49,7 +49,6 @@ Json frame_json(const PageFrame& frame) {
   return json;
 }
 
-/// For calibrated panels, includes which view each sub-pixel shows.
 Json panel_picture_json(const PageFacts& facts) {
   Json json{{"is", word_for(facts.panel)}, {"size", {facts.panel_size.x, facts.panel_size.y}}};
   if (facts.phases) json["panel"] = phases_json(*facts.phases);
@@ -61,7 +60,6 @@ Json preview_json(const PageFacts& facts) {
   return size ? Json{size->x, size->y} : Json();
 }
 
-/// in the order of their numbers
 Json provenance_json() {
   Json infos = Json::array();
   for (const ProvenanceInfo& info : kProvenanceInfos) infos.push_back({{"name", info.name}, {"missed", info.missed}});

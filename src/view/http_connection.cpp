@@ -40,7 +40,6 @@ void HttpConnection::ready() {
   read_requests();
 }
 
-/// Reads requests until one must wait for its answer or for more input.
 void HttpConnection::read_requests() {
   do read_request();
   while (state_ == State::kIdle && !input_.empty());

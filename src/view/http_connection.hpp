@@ -33,7 +33,6 @@ class HttpConnection {
   HttpConnection(const HttpConnection&) = delete;
   HttpConnection& operator=(const HttpConnection&) = delete;
 
-  /// The socket, and the event to wait for before ready() is called.
   platform::WatchedSocket watched() const { return {socket_.handle(), event()}; }
 
   /// Continues to read or send. Call this after the event of watched(), or after a failure of the socket.
@@ -46,7 +45,6 @@ class HttpConnection {
   /// True if the client closed the connection or missed the deadline, or after an error.
   bool is_over() const { return state_ == State::kOver || (waits_for_client() && Clock::now() >= deadline_); }
 
-  /// since() is when the current state began.
   bool waits_for_client() const { return state_ != State::kAnswering && state_ != State::kComplete; }
   Clock::time_point since() const { return since_; }
 
@@ -55,7 +53,7 @@ class HttpConnection {
     kIdle,  ///< no byte of the next request has arrived
     kHead,
     kBody,
-    kComplete,  ///< the request waits for take_request()
+    kComplete,
     kAnswering,
     kSending,
     kEnding,  ///< the answer is sent; closing at once could make the client lose it
@@ -79,9 +77,9 @@ class HttpConnection {
   Clock::time_point since_, deadline_;
   std::string input_;  ///< received bytes after the last request
   RequestHead head_;
-  std::string output_;  ///< status line and headers of the answer
+  std::string output_;
   Bytes body_;
-  std::size_t sent_ = 0;  ///< bytes sent of head and body
+  std::size_t sent_ = 0;
 };
 
 }  // namespace lippmann

@@ -96,7 +96,6 @@ std::optional<std::string> decoded(std::string_view path) {
 
 class Headers {
  public:
-  /// Returns whether all lines are well-formed.
   bool read(std::string_view lines) {
     while (!lines.empty()) {
       const std::string_view line = cut_line(lines);
@@ -129,7 +128,6 @@ class Headers {
   std::vector<Field> fields_;
 };
 
-/// method, target and version
 std::optional<PageAnswer> read_first_line(std::string_view line, RequestHead& head) {
   const std::size_t first = line.find(' '), last = line.rfind(' ');
   if (first == std::string_view::npos || first == last || !is_token(line.substr(0, first))) return refusal_of(400);

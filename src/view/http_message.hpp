@@ -22,9 +22,9 @@ inline constexpr std::size_t kMaxHeadBytes = std::size_t{16} << 10;
 inline constexpr std::size_t kMaxBodyBytes = std::size_t{1} << 20;
 
 struct RequestHead {
-  PageRequest page;            ///< without its body
-  std::size_t body_bytes = 0;  ///< size of the body that follows
-  int body_refusal = 0;        ///< status if the body is refused: 411, 413 or 415; 0: accepted
+  PageRequest page;
+  std::size_t body_bytes = 0;
+  int body_refusal = 0;  ///< status if the body is refused: 411, 413 or 415; 0: accepted
   bool keeps_alive = true;
   bool awaits_continue = false;  ///< the client sends the body only after "100 Continue"
 };
@@ -32,7 +32,6 @@ struct RequestHead {
 /// `head` lacks the empty line at its end. Returns an answer with status 400 or 505 if it is malformed.
 std::variant<RequestHead, PageAnswer> read_head(std::string_view head);
 
-/// Refuses a request in plain text.
 PageAnswer refusal_of(int status);
 
 /// Returns the status line and headers, with the empty line after them. keeps_alive: the connection stays open.

@@ -31,7 +31,6 @@ constexpr std::chrono::milliseconds kTick{50};
 
 class AnswerPool {
  public:
-  /// `answers` must outlive this object.
   explicit AnswerPool(PageAnswers& answers) : answers_(answers) {
     try {
       for (int i = 0; i < kAnsweringThreads; ++i) threads_.emplace_back([this] { work(); });
@@ -57,7 +56,7 @@ class AnswerPool {
     changed_.notify_one();
   }
 
-  /// becomes readable when answers are ready
+  /// This handle becomes readable when answers are ready.
   std::intptr_t signal() const { return done_signal_.handle(); }
 
   std::vector<std::pair<std::uint64_t, PageAnswer>> take() {

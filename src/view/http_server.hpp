@@ -24,7 +24,6 @@ std::string page_address(const std::string& host, int port, const std::string& t
 /// the token protects.
 std::vector<std::string> page_hosts(const std::string& host, int port);
 
-/// Returns 128 random bits as hexadecimal digits.
 std::string random_token();
 
 class HttpServer {
@@ -41,7 +40,6 @@ class HttpServer {
 
   int port() const;
 
-  /// Serves requests until `stopped` is true. May be called once.
   void run(PageAnswers& answers, const std::atomic<bool>& stopped);
 
  private:

@@ -16,7 +16,6 @@ double jump_along(const ViewAxis& axis, double pixel_mm) {
   return kVisiblePixels * pixel_mm / std::abs(axis.slope(middle + 0.5) - axis.slope(middle - 0.5));
 }
 
-/// For each sample: the greatest finite value among itself and its neighbours `stride` before and after.
 std::vector<float> greatest_of_three(const std::vector<float>& values, std::size_t count, std::size_t stride) {
   std::vector<float> greatest = values;
   for (std::size_t i = 0; i < values.size(); ++i) {

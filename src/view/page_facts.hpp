@@ -17,7 +17,6 @@
 
 namespace lippmann {
 
-/// How the page derives the panel's image from the views.
 enum class PanelPicture {
   kIntegral,  ///< one cell per lens, with one pixel of each view
   kQuilt,     ///< the image is the quilt of the views
@@ -39,16 +38,16 @@ struct PageFacts {
   /// A sample of a view covers a whole lens horizontally (across) or vertically (up).
   bool lens_samples_across = false, lens_samples_up = false;
   PanelPicture panel = PanelPicture::kOwn;
-  Vec2i panel_size{0, 0};            ///< size of the panel's image
+  Vec2i panel_size{0, 0};
   std::optional<ViewPhases> phases;  ///< view that each sub-pixel shows; none without a calibration
-  Vec3d eye_mm{0.0};                 ///< eye position that the display is designed for
+  Vec3d eye_mm{0.0};
   double depth_budget_mm = 0.0;
   bool has_depth = false;
   bool has_provenance = false;      ///< the origin of every pixel (Provenance) is known
   double disparity_scale_mm = 1.0;  ///< scale of the disparity codes (view/disparity_codes.hpp)
   double frames_per_second = 25.0;
   std::vector<PageFrame> frames;
-  std::string assumption;  ///< sentence on assumed cameras, or empty
+  std::string assumption;
 };
 
 /// Members that do not follow from the optics (title, frames, depth, frame rate) have their defaults.

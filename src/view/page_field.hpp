@@ -30,7 +30,6 @@ class PageField {
   PageField(const std::filesystem::path& folder, std::shared_ptr<const RunningRender> coming, const Context& context);
 
   const PageFacts& facts() const { return facts_; }
-  /// The default title is the file name.
   void set_title(std::string title) { facts_.title = std::move(title); }
 
   // The following functions return images of the frame with index `frame`. They throw Error naming the file, and are
@@ -42,7 +41,6 @@ class PageField {
   Image8 disparities(std::size_t frame) const;
   /// The Provenance number of each pixel in red, green and blue, as a quilt. Needs facts().has_provenance.
   Image8 provenance(std::size_t frame) const;
-  /// The panel's image in sRGB codes.
   Image8 panel(std::size_t frame) const;
   /// The views with the samples in the files. Needs has_plain_views(). fit: as FormatOptions::fit_view.
   LightField views(std::size_t frame, const std::function<Picture(const Picture&, int view, ViewGrid grid)>& fit) const;
@@ -54,7 +52,6 @@ class PageField {
  private:
   RenderedPanel read(std::size_t frame) const;
   std::filesystem::path file_of(std::size_t frame) const;
-  /// The views of a frame with their layers.
   struct Layered;
   Layered layered(std::size_t frame) const;
   void find_layers();
@@ -65,7 +62,7 @@ class PageField {
   LightFieldFrames frames_;
   PageFacts facts_;
   ThreadPool pool_;
-  std::shared_ptr<const RunningRender> coming_;  ///< the render in progress; null if all files exist
+  std::shared_ptr<const RunningRender> coming_;
 };
 
 }  // namespace lippmann

@@ -22,7 +22,7 @@ struct PrintRequest {
   std::size_t frame = 0;
   Display display;
   std::optional<AspectFit> fit = {};  ///< none: default_fit()
-  double view_shift_px = 0.0;         ///< see ViewFitter's constructor
+  double view_shift_px = 0.0;
 };
 
 /// Parses {"frame", "display", "file": {"name", "text"}, "fit", "view_shift_px"}. The display is a name, the one-line
@@ -40,7 +40,6 @@ class PagePrints {
 
   /// `kind` is "views" (what eyes see), "panel" or "file" (the print itself). Null if there is no such print.
   Bytes picture(std::string_view kind, std::size_t id) const;
-  /// True if a newer print has replaced it.
   bool is_outdated(std::size_t id) const;
 
  private:

@@ -15,7 +15,6 @@ std::optional<Vec2i> preview_view_size(const PageFacts& facts);
 /// Each pixel is the mean of a block. Needs preview_view_size(facts).
 Image8 preview_of(const Image8& quilt, const PageFacts& facts);
 
-/// as lossy WebP
 std::string encoded_preview(const Image8& quilt, const PageFacts& facts);
 
 }  // namespace lippmann

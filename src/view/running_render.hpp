@@ -30,7 +30,6 @@ class RunningRender {
   RunningRender(std::filesystem::path folder, ToolCommand resuming,
                 std::chrono::milliseconds poll_interval = std::chrono::milliseconds(200));
 
-  /// The frames that were requested when this object was made, ascending.
   const std::vector<int>& frames() const { return frames_; }
 
   /// nullopt until the frame frames()[index] is finished.
@@ -65,9 +64,9 @@ class RunningRender {
   RenderState state_;
   std::chrono::steady_clock::time_point updated_;
   std::vector<int> frames_;
-  std::map<std::size_t, std::filesystem::path> files_;  ///< finished frames, by index in frames_
-  std::vector<Finished> finished_;                      ///< in the order in which they were found
-  std::set<std::filesystem::path> interrupted_;         ///< parts of the journal whose processes were interrupted
+  std::map<std::size_t, std::filesystem::path> files_;
+  std::vector<Finished> finished_;
+  std::set<std::filesystem::path> interrupted_;
   std::unique_ptr<ToolProcess> resumed_;
   std::string error_;
 };

@@ -20,7 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Saved images are encoded once and loaded often.
 constexpr int kSavedEffort = 2;
 /// Attributes of index.html that state where the page gets its data.
 constexpr std::string_view kServed = "content=\"server\"", kScripts = "content=\"scripts\"", kWithin = "content=\"within\"";
@@ -37,7 +36,6 @@ class PageFolder {
     files_.push_back(folder_ / name);
   }
 
-  /// Writes a script that passes the image to the page.
   void write_picture(std::string_view name, const PagePicture& picture) {
     write(fmt::format("{}.js", name),
           fmt::format("lippmann_data(\"{}\",\"{}\",\"{}\")\n", name, picture.type, base64(picture.bytes)));
@@ -61,7 +59,6 @@ void require_own_page(const fs::path& file, std::string_view mark, const char* a
     throw Error(file.string(), "exists and is not a page of lippmann view, so it is not replaced", accepted);
 }
 
-/// index.html contains `from` once.
 void replace_once(std::string& text, std::string_view from, std::string_view to) {
   const std::size_t at = text.find(from);
   if (at == std::string::npos) throw Error("index.html", fmt::format("{} is missing in the embedded page", from));

@@ -15,8 +15,8 @@
 namespace lippmann {
 
 struct SavedPage {
-  std::filesystem::path index;  ///< file to open in a browser
-  std::uintmax_t bytes = 0;     ///< of all files
+  std::filesystem::path index;
+  std::uintmax_t bytes = 0;
   std::vector<std::filesystem::path> files = {};
 };
 
@@ -32,7 +32,6 @@ std::string page_as_file(const std::vector<std::unique_ptr<PageField>>& fields, 
 SavedPage save_page_file(const std::vector<std::unique_ptr<PageField>>& fields, const std::filesystem::path& file,
                          const Context& context);
 
-/// Saves one light field, for example a finished render.
 SavedPage save_page(const std::filesystem::path& in, const std::filesystem::path& folder, const Context& context);
 
 }  // namespace lippmann

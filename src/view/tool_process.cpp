@@ -21,7 +21,6 @@ fs::path file_for_messages() {
   return file;
 }
 
-/// Ignores failures, because the file is temporary.
 void remove_messages(const fs::path& file) {
   std::error_code ignored;
   fs::remove(file, ignored);

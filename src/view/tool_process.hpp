@@ -18,9 +18,7 @@ struct ToolCommand {
 /// Not thread-safe.
 class ToolProcess {
  public:
-  /// Throws Error if the process cannot be started.
   explicit ToolProcess(const ToolCommand& command);
-  /// Interrupts the process and waits for its end.
   ~ToolProcess();
   ToolProcess(const ToolProcess&) = delete;
   ToolProcess& operator=(const ToolProcess&) = delete;
@@ -36,9 +34,9 @@ class ToolProcess {
  private:
   void end(int exit_code);
 
-  std::unique_ptr<platform::ChildProcess> process_;  ///< null after the process has ended
+  std::unique_ptr<platform::ChildProcess> process_;
   bool is_interrupted_ = false;
-  std::filesystem::path messages_;  ///< receives stderr
+  std::filesystem::path messages_;
   std::string failure_;
 };
 

@@ -28,7 +28,7 @@ struct ViewAxis {
 
 struct ViewAxes {
   ViewAxis across, up;
-  double vergence = 0.0;  ///< 1 / distance of the eyes, per mm
+  double vergence = 0.0;
 };
 
 /// If views are not whole pixels, returns the axes of eyes in all distinguishable directions.

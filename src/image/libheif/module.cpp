@@ -68,7 +68,6 @@ heif_chroma chroma_of(const HeicPicture& picture) {
   return picture.has_alpha ? heif_chroma_interleaved_RGBA : heif_chroma_interleaved_RGB;
 }
 
-/// Copies rows without libheif's padding.
 void copy_codes(const std::uint8_t* plane, std::size_t stride, HeicPicture& picture) {
   const std::size_t row = static_cast<std::size_t>(picture.width) * (picture.has_alpha ? 4 : 3);
   const std::size_t height = static_cast<std::size_t>(picture.height);

@@ -23,7 +23,6 @@ unsigned char* row(const AVFrame& frame, int y) { return frame.data[0] + std::pt
 const unsigned char* row(const Image8& picture, int y) { return picture.rgb.data() + std::size_t{3} * picture.width * y; }
 unsigned char* row(Image8& picture, int y) { return picture.rgb.data() + std::size_t{3} * picture.width * y; }
 
-/// Repeats the last column and row as padding.
 void copy_padded(const Image8& picture, AVFrame& rgb) {
   for (int y = 0; y < rgb.height; ++y) {
     const unsigned char* from = row(picture, std::min(y, picture.height - 1));

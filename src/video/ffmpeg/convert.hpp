@@ -7,7 +7,6 @@
 
 namespace lippmann {
 
-/// Converts images to BGR0 frames, or to YUV frames in BT.709 limited range.
 class ToFrame {
  public:
   /// Smaller images are padded by repeating their last column and row.
@@ -21,7 +20,6 @@ class ToFrame {
   FfmpegPtr<SwsContext> scaler_;  // null for BGR0, which needs no conversion
 };
 
-/// Size and format may change between frames.
 class ToPicture {
  public:
   /// Uses the YUV matrix and range that the frame states, or BT.601 limited range. Throws Error naming `path` if FFmpeg cannot
@@ -33,7 +31,7 @@ class ToPicture {
 
   FfmpegPtr<AVFrame> rgb_;
   FfmpegPtr<SwsContext> scaler_;
-  AVPixelFormat format_ = AV_PIX_FMT_NONE;  // source format of scaler_
+  AVPixelFormat format_ = AV_PIX_FMT_NONE;
   AVColorSpace matrix_ = AVCOL_SPC_UNSPECIFIED;
   AVColorRange range_ = AVCOL_RANGE_UNSPECIFIED;
 };

@@ -96,7 +96,6 @@ class FfmpegDecoder : public VideoDecoder {
     check(avcodec_open2(codec_.get(), decoder, nullptr), "cannot be decoded");
   }
 
-  /// Sends the next packet, or the end of the stream.
   void feed_decoder() {
     for (;;) {
       const int code = av_read_frame(demuxer_.get(), packet_.get());

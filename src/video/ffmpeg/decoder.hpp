@@ -8,7 +8,6 @@
 
 namespace lippmann {
 
-/// `path` must be a regular file.
 std::unique_ptr<VideoDecoder> make_decoder(const std::filesystem::path& path);
 
 }  // namespace lippmann

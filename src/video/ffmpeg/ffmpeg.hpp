@@ -34,7 +34,6 @@ FfmpegPtr<T> own(T* p) {
 /// The message is "path: action: FFmpeg's message".
 Error ffmpeg_error(const std::filesystem::path& path, const std::string& action, int code);
 
-/// Disables messages on stderr of FFmpeg and the encoders.
 void silence_ffmpeg();
 
 }  // namespace lippmann
