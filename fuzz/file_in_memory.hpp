@@ -20,7 +20,6 @@ class FileInMemory {
   FileInMemory(const FileInMemory&) = delete;
   FileInMemory& operator=(const FileInMemory&) = delete;
 
-  /// Replaces the content, and returns the path.
   std::filesystem::path with(const unsigned char* data, std::size_t size) const {
     if (ftruncate(descriptor_, 0) != 0 || pwrite(descriptor_, data, size, 0) != static_cast<ssize_t>(size)) std::abort();
     return "/proc/self/fd/" + std::to_string(descriptor_);

@@ -122,7 +122,6 @@ GltfBuilder lights_and_cameras() {
   return b;
 }
 
-/// A triangle that meshoptimizer compressed, used by two nodes.
 GltfBuilder packed_by_meshopt() {
   GltfBuilder b;
   const std::vector<Vec3f> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};

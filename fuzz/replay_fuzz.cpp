@@ -65,7 +65,7 @@ void convert(const RenderedPanel& rendered) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
-  constexpr double kMostPixels = 4096;  ///< larger panels would be too slow
+  constexpr double kMostPixels = 4096;
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   Optics optics;
   try {

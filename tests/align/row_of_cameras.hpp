@@ -13,7 +13,7 @@
 namespace lippmann::test {
 
 inline constexpr Vec2i kSceneSize{640, 480};
-/// centre of the middle disc in the reference picture
+/// centre of the middle disc, in the middle picture of the row
 inline constexpr Vec2d kSceneFocus{320.0, 240.0};
 /// shift in pixels to the right from one camera to the next
 inline constexpr double kNearMove = -6.0, kFocusMove = -2.0, kFarMove = 3.0;
@@ -42,7 +42,6 @@ inline double scene_at(Vec2d place, int k) {
   return texture_at(place - Vec2d(kFarMove * k, 0.0), 31);
 }
 
-/// Rotates clockwise by `turn_deg` and scales about the centre of the picture, then moves by `shift`.
 inline Similarity moved_about_centre(double turn_deg, double scale, Vec2d shift) {
   const double angle = turn_deg * std::numbers::pi / 180.0;
   Similarity moved{scale * std::cos(angle), scale * std::sin(angle), 0.0, 0.0};

@@ -70,7 +70,6 @@ TEST(Progress, unknown_shares_print_the_elapsed_time) {
             "[1/2] frame 7: 120 s; 2:00 left, files: about 3 MB\n");
 }
 
-/// The first of two frames takes `frame_s` seconds.
 std::string printed_after_first_frame(double frame_s) {
   app::Progress::Clock::time_point now{};
   testing::internal::CaptureStderr();

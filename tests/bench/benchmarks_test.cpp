@@ -17,7 +17,6 @@ namespace {
 using testing::HasSubstr;
 using Json = nlohmann::ordered_json;
 
-/// The folder of Tachyon scenes does not exist, so that only `scene` is run.
 bench::Request small_request(const std::string& scene, int frames) {
   bench::Request request;
   request.scenes = {scene}, request.frames = frames, request.tachyon_scenes = "nowhere";

@@ -304,7 +304,7 @@ class Page(unittest.TestCase):
         self.assertIn("a&amp;b", text)
         self.assertIn("left &lt;out&gt;", text)
         self.assertIn("<td>&lt;other&gt;: EXT_&lt;x&gt;", text)
-        self.assertEqual(text.count("data:image/png;base64,"), 4)  # two pictures and two error maps
+        self.assertEqual(text.count("data:image/png;base64,"), 4)
         self.assertNotIn("http", text)
 
 

@@ -60,7 +60,7 @@ TEST(BenchLight, valid_references_are_reused) {
   const TempDir dir;
   bench::Request scene = quick_request({"primitives"}, 2);
   const Json first = light_rows(dir, scene)[0], second = light_rows(dir, scene)[0];
-  EXPECT_EQ(first["references_rendered"], 4);  // two independent halves for each of two frames
+  EXPECT_EQ(first["references_rendered"], 4);
   EXPECT_EQ(second["references_kept"], 4);
   EXPECT_EQ(second["references_rendered"], 0);
   EXPECT_EQ(second["psnr_db"], first["psnr_db"]);

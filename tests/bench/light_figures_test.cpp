@@ -19,7 +19,6 @@ Image8 even(int width, int height, unsigned char grey) {
   return picture(width, height, std::vector<unsigned char>(static_cast<std::size_t>(width) * height, grey));
 }
 
-/// Returns references without noise, whose two halves are equal.
 References exact(const Frames& frames) {
   References references;
   for (const Image8& frame : frames) references.push_back({frame, frame});

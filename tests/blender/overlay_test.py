@@ -131,4 +131,4 @@ def run():
     os._exit(0 if result.testsRun and result.wasSuccessful() else 1)  # sys.exit() would end only the timer
 
 
-bpy.app.timers.register(run, first_interval=0.5)  # after the window has opened
+bpy.app.timers.register(run, first_interval=0.5)

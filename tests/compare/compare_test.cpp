@@ -29,7 +29,6 @@ using test::TempDir;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-/// Folders with different phases have different frames.
 fs::path make_folder(const fs::path& folder, int count, double phase = 0.0) {
   fs::create_directories(folder);
   for (int i = 0; i < count; ++i)

@@ -23,7 +23,7 @@ TEST(BackgroundQueue, ordered_halves_run_in_submission_order) {
   std::vector<int> order;
   {
     BackgroundQueue queue(4, 8);
-    for (int i = 0; i < 200; ++i)  // tasks end in another order than they were submitted
+    for (int i = 0; i < 200; ++i)  // so that tasks end in another order than they were submitted
       queue.submit([i] { std::this_thread::sleep_for(std::chrono::microseconds((i * 37) % 200)); },
                    [&, i] { order.push_back(i); });
     queue.finish();
@@ -48,7 +48,7 @@ TEST(BackgroundQueue, never_more_pieces_than_its_capacity_exist) {
   BackgroundQueue queue(2, 3);
   for (int i = 0; i < 50; ++i) {
     auto held = std::make_shared<Counted>(alive, most);
-    // so that tasks accumulate in the queue
+    // so that tasks collect in the queue
     queue.submit([held] { std::this_thread::sleep_for(std::chrono::microseconds(100)); });
   }
   queue.finish();
@@ -86,7 +86,7 @@ TEST(BackgroundQueue, destroyed_drops_waiting_pieces) {
     begun.get_future().wait();
     for (int i = 0; i < 5; ++i) queue.submit([&] { ++ran; });
     releaser = std::thread([&] {
-      // Nothing reports when the queue's destructor begins.
+      // Nothing reports when the queue's destructor begins, so the test waits.
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
       go.set_value();
     });
@@ -95,7 +95,6 @@ TEST(BackgroundQueue, destroyed_drops_waiting_pieces) {
   EXPECT_EQ(ran, 1);
 }
 
-/// Limits the address space that this process may add.
 void limit_address_space(rlim_t bytes) {
   rlim_t pages = 0;
   std::ifstream("/proc/self/statm") >> pages;
@@ -106,7 +105,7 @@ void limit_address_space(rlim_t bytes) {
 
 /// Exits with status 3 if the queue's constructor throws because only some of the 64 threads can start.
 void start_more_threads_than_fit() {
-  constexpr rlim_t kStack = 8 << 20;  // stack of a thread on most systems
+  constexpr rlim_t kStack = 8 << 20;
   limit_address_space(6 * kStack);
   { BackgroundQueue fits(1, 1); }
   try {

@@ -16,7 +16,6 @@ using testing::HasSubstr;
 
 const std::vector<float> kSixNumbers{1, 2, 3, 4, 5, 6};
 
-/// format version 1
 std::vector<std::byte> npy_with(const std::string& header, std::span<const std::byte> data) {
   std::string head("\x93NUMPY\x01\0", 8);
   head += static_cast<char>(header.size()), head += '\0', head += header;

@@ -10,7 +10,6 @@
 namespace lippmann {
 namespace {
 
-/// z: depth in mm. light: emitted light.
 struct Plane {
   float z, light;
 };
@@ -47,7 +46,6 @@ Image denoised(const Optics& optics, Frame frame, int threads = 2) {
   return Denoiser(optics).denoise({frame.film, frame.noise, frame.seen, frame.albedo, frame.normal, frame.z, frame.met}, pool);
 }
 
-/// Mean squared error relative to the true light, and mean ratio of denoised to true light.
 struct Errors {
   double squared = 0.0, mean = 0.0;
 };
@@ -83,7 +81,6 @@ TEST(DenoisedOptics, uniform_light_loses_only_its_noise) {
     }
 }
 
-// Light from the bright plane must not raise the mean of the dark plane.
 TEST(DenoisedOptics, light_does_not_cross_edges_in_depth) {
   for (const OpticsCase& kind : optics_cases()) {
     const float width = window_size_mm(kind.optics).x / 8.0f;
@@ -100,10 +97,8 @@ TEST(DenoisedOptics, light_does_not_cross_edges_in_depth) {
   }
 }
 
-/// A tilted plane whose light increases with y.
 Plane tilted(Vec2f place) { return {0.2f * place.x, 1.0f + 0.02f * place.y}; }
 
-/// Returns rows `first` to `end` - 1.
 Image rows_of(const Image& image, int first, int end) {
   Image rows(image.width, end - first, image.channels);
   const std::ptrdiff_t row = static_cast<std::ptrdiff_t>(image.width) * image.channels;

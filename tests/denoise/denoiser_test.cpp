@@ -45,7 +45,6 @@ Image denoised(Made made, int threads = 2) {
   return Denoiser(four_views()).denoise(made.input(), pool);
 }
 
-/// The light is 1; each half of the samples has a standard deviation of 0.5.
 Made noisy(unsigned seed) {
   Made made;
   std::mt19937 random(seed);
@@ -95,7 +94,6 @@ TEST(Denoiser, slight_differences_without_noise_are_not_blurred) {
   for (std::size_t i = 0; i < film.data.size(); ++i) ASSERT_NEAR(film.data[i], made.film.data[i], 1e-4f) << i;
 }
 
-/// Ignores pixels within `away` columns of column `x`.
 float farthest_from_one(const Image& film, int x, int away) {
   float farthest = 0.0f;
   for (int j = 0; j < kHeight; ++j)

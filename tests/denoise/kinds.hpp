@@ -13,7 +13,6 @@ struct OpticsCase {
   bool whole_views;  ///< each view consists of whole film pixels, so that film_layout() accepts the optics
 };
 
-/// `rows` multiplies the height of every film.
 inline std::vector<OpticsCase> optics_cases(int rows = 1) {
   const MultiView quilt{.columns = 3, .rows = 2, .view_cone = 0.5f, .distance_mm = 60.0f, .pixel_height = 1.5f};
   MultiView grid = quilt;

@@ -64,7 +64,6 @@ TEST(SortedViews, views_of_whole_pixels_match_the_layout) {
   }
 }
 
-/// Maps the point where `ray` reaches depth z to a pixel of a view, and returns its distance from the correct pixel (x, y).
 Vec2f off(const SortedViews& views, const Ray& ray, float z, int view, int x, int y) {
   const Vec2f point = Vec2f(ray.origin) + Vec2f(ray.direction) * ((z - ray.origin.z) / ray.direction.z);
   const SortedViews::Sight& sight = views.sight(view);

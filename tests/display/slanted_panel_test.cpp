@@ -106,7 +106,6 @@ TEST(SlantedDisplay, flipping_only_the_slope_keeps_steps) {
   EXPECT_NEAR(view_of(native_optics(d), 0, 0, 1), 0.224616, kView);
 }
 
-/// the formula in the documentation of Calibration
 double formula(const Display& d, int i, int j, int color, int cell) {
   const Calibration& c = d.calibration;
   const double w = d.pixels.x, h = d.pixels.y;

@@ -27,7 +27,6 @@ void make_file(const fs::path& path, const std::string& bytes = "bytes") {
   std::ofstream(path) << bytes;
 }
 
-/// Makes a render of frames 0 to 2, of which those in `finished` have a picture and layers.
 void make_render(const fs::path& folder, const std::string& job, const std::vector<int>& finished) {
   fs::create_directories(folder);
   RenderFolder journal(folder, job);
@@ -50,7 +49,6 @@ void make_video(const fs::path& folder, const std::string& job, const fs::path& 
 
 fs::path part_of(const fs::path& folder) { return read_journal(folder)->parts.front(); }
 
-/// Returns the error of a new render of `job` in the folder, or an empty string.
 std::string refusal(const fs::path& folder, const std::string& job, const std::vector<std::string>& videos = {},
                     const std::vector<int>& frames = {0, 1, 2}) {
   try {
@@ -61,7 +59,6 @@ std::string refusal(const fs::path& folder, const std::string& job, const std::v
   }
 }
 
-/// Removes the files that a new render replaces, and returns the warnings.
 std::vector<std::string> cleared(const fs::path& folder, const std::string& job, bool force, const std::vector<int>& frames) {
   std::vector<std::string> warnings;
   Context context;
@@ -364,7 +361,7 @@ TEST(CheckFolder, finds_damaged_missing_foreign_and_unrendered_files) {
   make_file(dir / "a.mp4", "");
   make_file(folder / "report.json", "{}");
   make_file(folder / "frame_0001_qs8x6a1.png");
-  make_file(folder / "frame_0002.png");  // left by a killed render
+  make_file(folder / "frame_0002.png");
   const FolderCheck check = check_folder(folder);
   EXPECT_THAT(check.damaged, ElementsAre("frame_0000.png", "aov_0001.exr", "report.json", "../a.mp4"));
   EXPECT_THAT(check.missing, ElementsAre("aov_0000.exr"));

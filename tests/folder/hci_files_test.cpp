@@ -28,7 +28,6 @@ View read_view(const fs::path& folder, int number) {
   return {read_image(folder / ("input_Cam00" + name + ".png")), read_pfm(folder / ("gt_disp_lowres_Cam00" + name + ".pfm"))};
 }
 
-/// The upper left of four pixels, and the weights of the right column and the lower row.
 struct Neighbours {
   int x, y;
   float right, below;

@@ -17,7 +17,6 @@ namespace fs = std::filesystem;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-/// Makes a part of the job: the frames `frames`, each with two views.
 void make_part(const fs::path& folder, const std::string& job, const std::vector<int>& frames) {
   fs::create_directories(folder);
   RenderFolder part(folder, job);

@@ -19,7 +19,6 @@ namespace fs = std::filesystem;
 
 fs::path only_file_in(const fs::path& folder) { return fs::directory_iterator(folder)->path(); }
 
-/// A child process that writes a journal and ends with exit code 7 on SIGINT.
 class Writing {
  public:
   explicit Writing(const fs::path& folder) {

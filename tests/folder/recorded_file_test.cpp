@@ -25,7 +25,6 @@ void make_render_file(const fs::path& path, const std::string& bytes) {
   std::ofstream(path) << bytes;
 }
 
-/// Makes one frame of a picture and a file of layers, one frame of two views, and a report.
 void make_render(const fs::path& folder) {
   fs::create_directories(folder);
   RenderFolder render(folder, "job");

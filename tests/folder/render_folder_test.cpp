@@ -154,7 +154,7 @@ TEST(RenderFolder, shared_file_is_rewritten_after_concurrent_records) {
   one.add(report_of(1), files_of(dir, 1));
   int written = 0;
   const auto text_of = [&](const FolderJournal& journal) {
-    if (++written == 1) other.add(report_of(2), files_of(dir, 2));  // `other` records its frame during the first write
+    if (++written == 1) other.add(report_of(2), files_of(dir, 2));
     return std::to_string(journal.frames.size()) + " frames";
   };
   one.write("report.json", text_of);

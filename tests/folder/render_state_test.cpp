@@ -23,7 +23,6 @@ std::string line_of_frame(int frame) {
   return frame_line(report, {{"frame_000" + std::to_string(frame) + ".png", kRecorded}});
 }
 
-/// This process writes the folder's journal while `part` exists.
 struct Watched {
   test::TempDir dir;
   std::optional<JournalPart> part;

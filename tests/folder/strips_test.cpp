@@ -17,7 +17,6 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Every value is different, and some are not finite.
 FramePictures pictures_of(int width, int rows) {
   FramePictures pictures;
   pictures.film = Image(width, rows, 3);
@@ -34,7 +33,6 @@ FramePictures pictures_of(int width, int rows) {
   return pictures;
 }
 
-/// Returns `rows` rows, beginning with row `first`.
 Image rows_of(const Image& image, int first, int rows) {
   Image part(image.width, rows, image.channels);
   const auto row = static_cast<std::ptrdiff_t>(image.width * image.channels);

@@ -61,7 +61,6 @@ class DeformingFrames : public testing::Test {
     file.write(reinterpret_cast<const char*>(glb.data()), static_cast<std::streamsize>(glb.size()));
   }
 
-  /// Eight frames: 2 seconds at 4 frames per second.
   RenderParams params(ReuseChoice reuse, std::optional<int> keyframes = {}, std::optional<Integrator> integrator = {}) const {
     RenderParams params = small_scene();
     params.scene.name = (dir_ / "strips.glb").string();

@@ -13,7 +13,6 @@ struct PredictedFrames {
   int all = 0, kept = 0;
 };
 
-/// Counts the in-between frames, and those with at least `floor` dB. All other frames must equal those of `traced`.
 void count_predicted(const MadeFrames& traced, const MadeFrames& made, double floor, PredictedFrames& count) {
   for (const auto& [number, frame] : made.frames) {
     const FrameReport& report = frame.report;

@@ -12,7 +12,6 @@ namespace {
 
 const Sampling kPaths{.integrator = Integrator::kPath, .spp = 32};
 
-/// Returns the parameter that check() refuses, or an empty string.
 std::string refused(const FrameParams& params) {
   try {
     check(params);

@@ -27,7 +27,6 @@ struct MadeFrames {
   }
 };
 
-/// `frames` must be ascending.
 inline MadeFrames make_frames(const RenderParams& given, const std::vector<int>& frames, int threads = 2) {
   const ResolvedJob job(given);
   const Context context;
@@ -47,7 +46,6 @@ inline std::vector<int> frames_from(int first, int last) {
   return frames;
 }
 
-/// 16 lenses of 8 pixels; every frame is traced.
 inline RenderParams small_scene(const char* name = "teapot") {
   RenderParams params;
   params.scene.name = name;
@@ -61,7 +59,6 @@ inline RenderParams with_reuse(RenderParams params, const ReuseParams& reuse) {
   return params;
 }
 
-/// PSNR in dB between the sRGB codes of frame `number`. Equal frames give infinity.
 inline double psnr_between(const MadeFrames& reference, const MadeFrames& made, int number) {
   const auto codes = [&](const MadeFrames& of) { return to_codes(of.frames.at(number).pictures.film, Encoding::kSrgb); };
   return measure_difference(codes(reference), codes(made)).psnr_db;

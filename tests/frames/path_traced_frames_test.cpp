@@ -28,7 +28,6 @@ double squared_error(const std::vector<float>& reference, const std::vector<floa
   return sum / static_cast<double>(film.size());
 }
 
-/// 512 samples per pixel, another seed, no denoising.
 MadeFrames reference_of(RenderParams params, int frame) {
   params.sampling.spp = 512, params.sampling.seed = 1, params.sampling.denoise = Denoise::kNone;
   return make_frames(params, {frame});

@@ -62,7 +62,6 @@ class PictureCheck : public testing::Test {
     scene.cameras.push_back(camera);
   }
 
-  /// Warnings for the first frame, one per line.
   std::string warnings(Integrator integrator = Integrator::kPath) const {
     std::string all;
     Context context;

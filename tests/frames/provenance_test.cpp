@@ -14,7 +14,6 @@ RenderParams with_provenance(RenderParams params) {
 
 const Image& provenance(const MadeFrames& made, int frame) { return made.frames.at(frame).pictures.aovs[Aov::kProvenance]; }
 
-/// Number of pixels of each origin, indexed by Provenance.
 std::array<std::uint64_t, std::size(kProvenanceInfos)> count(const MadeFrames& made, int frame) {
   std::array<std::uint64_t, std::size(kProvenanceInfos)> counts{};
   for (const float code : provenance(made, frame).data) ++counts.at(static_cast<std::size_t>(code));
@@ -46,7 +45,6 @@ TEST(Provenance, of_traced_frames_is_traced) {
   EXPECT_EQ(count(made, 1, Provenance::kTraced), kPixels);
 }
 
-// A pixel without new rays is copied. The counts must match the report, and copied pixels must equal the key frame's.
 TEST(Provenance, of_copied_frames_marks_copied_pixels) {
   const MadeFrames made =
       frames_with_provenance(with_reuse(small_scene(), {.choice = ReuseChoice::kCopy, .keyframes = 4}), frames_from(0, 3));

@@ -46,7 +46,6 @@ TEST(Renderer, equals_a_render_by_name) {
 TEST(Renderer, places_optics_at_the_cameras_height) {
   const Scene scene = built_in("room");
   const Placement placement = place(scene, small_quilt(), {.fit_depth = false});
-  // each view shows a rectangle 64 mm high in the plane of the display
   EXPECT_FLOAT_EQ(placement.placed.units_per_mm * 64.0f, placement.array.plane_height);
   EXPECT_EQ(placement.array.plane_height, fit_array(scene, 1.0f).plane_height);
   EXPECT_EQ(placement.placed.depth_scale, 1.0f);

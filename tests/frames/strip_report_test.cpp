@@ -7,7 +7,6 @@
 namespace lippmann {
 namespace {
 
-/// 40 dB, with an interval of 37 to 43 dB.
 FrameReport strip_of_40_db() {
   FrameReport strip;
   strip.estimated_psnr_db = 40.0, strip.psnr_at_least_db = 37.0, strip.psnr_at_most_db = 43.0;

@@ -100,7 +100,7 @@ Bytes palette_tiff_file() {
   });
 }
 
-/// 3 x 2 float pixels in one tile of 16 x 16.
+/// The file has 3 x 2 float pixels in one tile of 16 x 16.
 Bytes tiled_float_tiff_file() {
   return tiff_file([](TIFF* tiff) {
     set_tiff_size(tiff, 3, 2, 32);
@@ -114,7 +114,7 @@ Bytes tiled_float_tiff_file() {
   });
 }
 
-/// 2 x 1 pixels of 16 bits, stored as red samples, green samples, blue samples.
+/// The file has 2 x 1 pixels of 16 bits, stored as red samples, green samples, blue samples.
 Bytes planar_word_tiff_file() {
   return tiff_file([](TIFF* tiff) {
     set_tiff_size(tiff, 2, 1, 16);
@@ -138,7 +138,7 @@ Bytes webp_file(bool alpha) {
   return file;
 }
 
-/// Run-length encoded, 8 x 2 pixels, with equal rows.
+/// The file has two equal rows of 8 pixels, run-length encoded.
 Bytes hdr_file() {
   std::string text = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 8\n";
   const char row[] = {2, 2, 0, 8, '\x88', '\x40', 3, 1, 2, 3, '\x85', 9, '\x88', 0, '\x84', '\x81', '\x84', '\x80'};
@@ -146,19 +146,19 @@ Bytes hdr_file() {
   return bytes_of(text);
 }
 
-/// 2 x 2 pixels, the bottom row first.
+/// The file has 2 x 2 pixels, the bottom row first.
 Bytes tga_file() {
   const char file[] = {0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 2, 0, 24, 0, 7, 8, 9, 10, 11, 12, 1, 2, 3, 4, 5, 6};
   return bytes_of(std::string(file, sizeof file));
 }
 
-/// 4 x 1 grey pixels: a run of three and a single one.
+/// The file has 4 x 1 grey pixels: a run of three and a single one.
 Bytes tga_run_file() {
   const char file[] = {0, 0, 11, 0, 0, 0, 0, 0, 0, 0, 0, 0, 4, 0, 1, 0, 8, 0, '\x82', 50, 0, 60};
   return bytes_of(std::string(file, sizeof file));
 }
 
-/// 3 x 2 pixels of 24 bits, the bottom row first, with rows padded to 12 bytes.
+/// The file has 3 x 2 pixels of 24 bits, the bottom row first, with rows padded to 12 bytes.
 Bytes bmp_file() {
   const char header[] = {'B', 'M', 78, 0, 0, 0, 0, 0, 0, 0, 54, 0, 0, 0, 40, 0, 0, 0, 3, 0, 0, 0, 2, 0, 0, 0, 1, 0, 24, 0};
   const std::string rows = std::string("abcdefghi\0\0\0jklmnopqr\0\0\0", 24);
@@ -178,7 +178,7 @@ Bytes exr_parts_file() {
   return test::exr_file(std::vector{part, other});
 }
 
-/// Plain pixels and a run in the old encoding, stored column by column.
+/// The file has plain pixels and a run in the old encoding, stored column by column.
 Bytes hdr_plain_file() {
   using namespace std::literals;
   return bytes_of(
@@ -187,7 +187,7 @@ Bytes hdr_plain_file() {
       "abc\x80"s);
 }
 
-/// 2 x 2 pixels in four colours. LZW codes of 3 bits: 4 (clear), 0, 1, 2; of 4 bits: 3 and 5 (end).
+/// The file has 2 x 2 pixels in four colours. LZW codes of 3 bits: 4 (clear), 0, 1, 2; of 4 bits: 3 and 5 (end).
 Bytes gif_file() {
   using namespace std::literals;
   return bytes_of(
@@ -275,7 +275,6 @@ TEST_P(EveryFormat, is_recognised_by_its_first_bytes) {
   EXPECT_EQ(read.data.size(), static_cast<std::size_t>(read.width) * read.height * expected.channels.size());
 }
 
-/// Returns whether the file is decoded to all samples. Otherwise, decoding must throw an Error naming the file.
 bool decodes_or_throws(const Bytes& file) {
   try {
     const DecodedPicture picture = decode_picture(file, "the file");
@@ -367,7 +366,6 @@ TEST(DecodePicture, unsupported_formats_list_the_supported_ones) {
                 AllOf(HasSubstr("a.png: cannot be read as a picture"), HasSubstr("PNG, JPEG, TIFF, OpenEXR")));
 }
 
-/// Offset of an attribute's value in an EXR file.
 std::size_t value_of_attribute(const Bytes& file, std::string_view name_and_type) {
   const std::string_view text(reinterpret_cast<const char*>(file.data()), file.size());
   return text.find(name_and_type) + name_and_type.size() + 4;

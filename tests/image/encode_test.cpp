@@ -20,7 +20,6 @@ Image one_row(std::vector<float> values, int channels) {
   return image;
 }
 
-/// the definition in encode.hpp
 int srgb_reference(float value, int max_code) {
   const double v = std::clamp<double>(value, 0.0, 1.0);
   const double s = v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1.0 / 2.4) - 0.055;

@@ -20,7 +20,6 @@ namespace {
 
 using Write = std::function<void(const std::filesystem::path&)>;
 
-/// Writing beyond the first `bytes` bytes of any file fails, as on a full disk.
 class FileSizeLimit {
  public:
   explicit FileSizeLimit(rlim_t bytes) : old_handler_(std::signal(SIGXFSZ, SIG_IGN)) {

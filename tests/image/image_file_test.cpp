@@ -34,7 +34,6 @@ std::string file_bytes(const fs::path& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// Copies the first `share` of a file's bytes, and returns the path of the copy.
 fs::path truncated(const fs::path& whole, double share) {
   const std::string bytes = file_bytes(whole);
   const fs::path path = whole.parent_path() / ("truncated" + whole.extension().string());

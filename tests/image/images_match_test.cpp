@@ -15,7 +15,7 @@ using test::noise_codes;
 TEST(ImagesMatch, each_threshold_decides) {
   const Image8 reference = noise_codes(10, 10);
   Image8 image = reference;
-  image.rgb[33] = static_cast<unsigned char>(reference.rgb[33] ^ 0x10);  // changes one of 100 pixels by 16 codes
+  image.rgb[33] = static_cast<unsigned char>(reference.rgb[33] ^ 0x10);
   EXPECT_TRUE(images_match(reference, reference));
   EXPECT_TRUE(images_match(image, reference, {.per_pixel = 16}));
   EXPECT_TRUE(images_match(image, reference, {.per_pixel = 1, .share = 0.01, .hard_limit = 16}));

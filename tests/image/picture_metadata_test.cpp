@@ -48,7 +48,6 @@ Bytes to_bytes(const Range& range) {
   return {bytes.begin(), bytes.end()};
 }
 
-/// EXIF data whose only entry is the orientation.
 std::string exif_with(char orientation) {
   return std::string("MM\0\x2a\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0"sv) + orientation + std::string(6, '\0');
 }
@@ -107,7 +106,6 @@ TEST(Exif, turns_jpeg_png_and_webp) {
   EXPECT_EQ(header_in(to_bytes(webp)).width, 8);
 }
 
-/// CRC-32 of a PNG chunk, bit by bit.
 std::uint32_t png_checksum(std::string_view bytes) {
   std::uint32_t sum = 0xffffffff;
   for (const char c : bytes) {
@@ -117,7 +115,6 @@ std::uint32_t png_checksum(std::string_view bytes) {
   return ~sum;
 }
 
-/// a grey file with these chunks after its header
 Bytes png_with(const std::vector<std::pair<std::string, std::string>>& chunks) {
   std::string file;
   for (const unsigned char c : test::encode_png(4, 2, 3, std::vector<std::uint8_t>(24, 100))) file += static_cast<char>(c);
@@ -179,7 +176,7 @@ TEST(ColorProfile, srgb_is_silent_and_others_are_named) {
 }
 
 TEST(ColorProfile, damaged_profiles_are_not_srgb) {
-  constexpr std::size_t kHeader = 132;  // header of the profile and number of tags
+  constexpr std::size_t kHeader = 132;
   const std::string whole = profile_with(kP3Primaries, 2.2);
   for (std::size_t size = 0; size < kHeader; ++size) EXPECT_EQ(color_profile_notice(to_bytes(whole.substr(0, size))), "");
   for (std::size_t size = kHeader; size < whole.size(); ++size)

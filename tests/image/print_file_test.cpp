@@ -17,7 +17,6 @@ namespace fs = std::filesystem;
 using test::error_message;
 using testing::ElementsAre, testing::HasSubstr;
 
-/// white, black, a grey and a colour
 const Image8 kCodes{2, 2, {255, 255, 255, 0, 0, 0, 119, 119, 119, 100, 150, 120}};
 
 class PrintFile : public testing::Test {

@@ -19,7 +19,6 @@ FittedArray array_of_depth(float half_depth) {
   return array;
 }
 
-/// The sentence on the depth of a scene for 64 lenses of 8 pixels, whose depth budget is 16 mm.
 std::string budget_for(float half_depth) {
   const Optics optics{.panel = {}, .model = LenticularSheet{}};
   return depth_budget_sentence(shown_depth(array_of_depth(half_depth), 0.1f, 1.0f, optics), optics);

@@ -20,7 +20,6 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using Json = nlohmann::ordered_json;
 
-/// A small display with slanted lenses, and a lenticular sheet on a print of 2 x 1 inches.
 class DisplayRenders : public Renders {
  protected:
   DisplayRenders() {
@@ -140,7 +139,7 @@ TEST_F(DisplayRenders, precompensated_picture_looks_plain_through_crosstalk) {
                  undone = seen("shown", "c", sigma_px);
   const auto rmse = [&](const fs::path& picture) { return compare(wanted, picture, context_).mean_rmse.mean; };
   EXPECT_GE(rmse(leaking), 0.5);
-  EXPECT_LE(rmse(undone), 0.5 * rmse(leaking));  // some values are clipped
+  EXPECT_LE(rmse(undone), 0.5 * rmse(leaking));  // Half of the leak is left, because some values are clipped.
 }
 
 TEST_F(DisplayRenders, crosstalk_has_pixels_or_views_as_unit) {

@@ -35,7 +35,6 @@ std::string refusal(const std::filesystem::path& path) {
   return "accepted";
 }
 
-/// All parameters as texts, for comparing two sets.
 std::vector<std::vector<std::string>> all_values(const RenderParams& params) {
   std::vector<std::vector<std::string>> values;
   for (const ParamInfo& info : params_table()) values.push_back(info.get(params));

@@ -15,7 +15,6 @@ namespace {
 
 class JobScene : public testing::Test {
  protected:
-  /// Writes a scene file, and returns parameters that name it.
   RenderParams params_of(const std::string& name, const std::string& contents) const {
     std::ofstream(dir_ / name, std::ios::binary) << contents;
     RenderParams params;

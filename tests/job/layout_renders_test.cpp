@@ -26,12 +26,10 @@ Image8 codes_of(const fs::path& path) { return std::get<Image8>(read_picture(pat
 
 class LayoutRenders : public Renders {
  protected:
-  /// Two frames through 8 lenses of 4 x 4 pixels: 16 views of 8 x 8 pixels.
   RenderParams array(const std::string& folder, const Settings& more = {}) const {
     return teapot(folder, "3-4", Settings{{"optics", "microlens"}, {"lenses", "8"}, {"lens-pixels", "4"}} + more);
   }
 
-  /// A stereo picture for a screen that is seen from 600 mm.
   RenderParams pair(const std::string& folder, const Settings& more) const {
     return job("teapot", folder, Settings{{"layout", "stereo"}, {"frames", "3"}, {"viewing-distance", "600"}} + more);
   }

@@ -95,7 +95,6 @@ TEST_F(LightRenders, transparent_pictures_have_alpha_everywhere) {
     const std::string folder = std::to_string(i);
     render(teapot(folder, "0", Settings{{"transparent", "true"}} + kinds[i]));
     Files pictures = pictures_below(dir_ / folder);
-    // removes the JSON file beside a quilt
     std::erase_if(pictures, [](const auto& file) { return file.first.ends_with(".json"); });
     EXPECT_FALSE(pictures.empty());
     for (const auto& [name, bytes] : pictures)

@@ -14,7 +14,6 @@ namespace {
 using testing::HasSubstr;
 using Values = std::vector<std::string>;
 
-/// A value other than the default for each parameter.
 const std::map<std::string_view, Values> kOtherValues{
     {"scene", {"room"}},
     {"camera-path", {"room.cam"}},

@@ -43,7 +43,6 @@ class Renders : public testing::Test {
     return params;
   }
 
-  /// Renders fast: by default through 16 lenses of 8 pixels.
   RenderParams teapot(const std::string& folder, const std::string& frames, const Settings& settings = {}) const {
     return job("teapot", folder, Settings{{"lenses", "16"}, {"frames", frames}} + settings);
   }
@@ -64,7 +63,6 @@ class Renders : public testing::Test {
     return files_in(params.output.folder, ".png");
   }
 
-  /// Frames that a resumed render kept from the earlier run.
   static std::size_t kept(const RenderReport& report) {
     std::size_t count = 0;
     for (const FrameReport& frame : report.frames) count += frame.kept ? 1 : 0;
@@ -91,7 +89,7 @@ class Renders : public testing::Test {
   bool exists(const std::string& file) const { return std::filesystem::exists(dir_ / file); }
 
   TempDir dir_;
-  std::string warnings_;  ///< of the last render, one per line
+  std::string warnings_;
   Context context_;
 };
 

@@ -38,7 +38,6 @@ class ReplayedRenders : public Renders {
     return error_message([&] { seen(params, "out", "never"); });
   }
 
-  /// PNG file of what one eye sees of a light field.
   std::string eye_view_of(const std::string& in, ReplayParams params = {}) {
     fs::remove_all(dir_ / "eye");
     return file_bytes(seen(params, in, "eye").written.at(0));

@@ -20,7 +20,6 @@ using testing::HasSubstr;
 
 class SceneLight : public testing::Test {
  protected:
-  /// Writes a scene file, and returns parameters that name it.
   RenderParams params_of(const std::string& name, const std::string& contents) const {
     std::ofstream(dir_ / name, std::ios::binary) << contents;
     RenderParams params;
@@ -34,7 +33,6 @@ class SceneLight : public testing::Test {
   test::TempDir dir_;
 };
 
-/// A glTF file of a triangle, with these nodes and extensions.
 std::string gltf_of(const std::string& nodes, const std::string& extensions) {
   return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0)" + std::string(nodes.empty() ? "" : ",1") +
          R"(]}],"nodes":[{"mesh":0})" + nodes + "]" + extensions +

@@ -27,7 +27,6 @@ Optics optics_of(const RenderParams& params, const Display* display = nullptr) {
   return test::optics_on(array, params, display).optics;
 }
 
-/// 23 views of 40 x 30 pixels over 45 degrees, seen from 500 mm.
 RenderParams sweep_params() {
   RenderParams params;
   params.optics.kind = OpticsKind::kMultiview;
@@ -59,7 +58,7 @@ TEST(ScreenEyes, cameras_on_a_track_reach_its_ends) {
   RenderParams params = sweep_params();
   params.optics.camera_grid = true, params.optics.cone_ends = true;
   const ViewCameras cameras = view_cameras(optics_of(params)).value();
-  const double half_track = 500.0 * std::tan(22.5 * std::numbers::pi / 180.0);  // half the length of the track: 207.107 mm
+  const double half_track = 500.0 * std::tan(22.5 * std::numbers::pi / 180.0);
   EXPECT_NEAR(cameras.eyes_mm.front().x, -half_track, 1e-3);
   EXPECT_NEAR(cameras.eyes_mm.back().x, half_track, 1e-3);
   EXPECT_NEAR(cameras.eyes_mm[1].x - cameras.eyes_mm[0].x, 2.0 * half_track / 22.0, 1e-4);

@@ -16,7 +16,6 @@ namespace {
 using test::error_message;
 using testing::HasSubstr;
 
-/// Two views of 600 x 300 pixels on a screen 600 mm wide, seen from 600 mm.
 RenderParams stereo_params() {
   RenderParams params;
   params.output.pictures.layout = PictureLayout::kStereo;
@@ -31,7 +30,6 @@ Optics optics_for(const RenderParams& params, const Display* display = nullptr) 
   return test::optics_on(array, params, display).optics;
 }
 
-/// Position of a point on the screen in the right view minus that in the left view, in mm.
 Vec2d disparity_mm(const Optics& optics, Vec3f point) {
   std::vector<Vec2f> pixels;
   pixels_seeing(optics, point, pixels);

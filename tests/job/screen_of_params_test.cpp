@@ -13,7 +13,6 @@ namespace {
 
 using test::optics_on;
 
-/// 8 scene units high, seen from 24 units.
 FittedArray placed_array() {
   FittedArray array;
   array.plane_height = 8.0f;

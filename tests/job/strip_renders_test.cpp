@@ -43,7 +43,6 @@ class StripRenders : public Renders {
   Files pictures(const std::string& folder) const { return pictures_below(dir_ / folder); }
 };
 
-/// With each of these settings, strips have the same bits as whole frames.
 const std::vector<Settings>& kinds() {
   static const std::vector<Settings> all{
       {},

@@ -19,7 +19,6 @@ namespace fs = std::filesystem;
 
 const fs::path kScenes = "/usr/share/doc/tachyon/examples/scenes";
 
-/// One pinhole camera, 8-bit codes.
 Image8 our_picture(const fs::path& scene, Vec2i size, const fs::path& camera_path = {}, int frame = 0) {
   RenderParams params;
   params.scene.name = scene.string();

@@ -5,7 +5,7 @@
 namespace lippmann {
 namespace {
 
-constexpr Vec2f kClear{0.6f, 0.63f};  ///< point of the pattern without lines or arrows
+constexpr Vec2f kClear{0.6f, 0.63f};
 
 Vec3f pixel_of(const Image& film, int x, int y) { return {film.pixel(x, y)[0], film.pixel(x, y)[1], film.pixel(x, y)[2]}; }
 

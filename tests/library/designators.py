@@ -43,7 +43,7 @@ def main(folder):
     structs = 0
     for header in sorted(pathlib.Path(folder).rglob("*.hpp")):
         for template, name, body in re.findall(r"^(template <class T>\n)?struct (\w+) \{\n(.*?)^\};", header.read_text(), re.MULTILINE | re.DOTALL):
-            if name in LEFT_OUT or f"  {name}(" in body:  # this struct has a constructor
+            if name in LEFT_OUT or f"  {name}(" in body:
                 continue
             name += "<float>" if template else ""
             names = list(members(body))

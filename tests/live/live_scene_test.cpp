@@ -63,7 +63,6 @@ TEST(LiveScene, lenses_and_cones_equal_the_render) {
   expect_render(params, {{"settings", {{"view-angle", "35"}}}});
 }
 
-/// Writes a calibration file, and returns its path.
 std::string calibrated_panel(const TempDir& dir) {
   const std::filesystem::path file = dir.path() / "visual.json";
   std::ofstream(file) << R"({"pitch":52.3,"slope":-7.2,"center":0.37,"DPI":324,"screenW":60,"screenH":45,"viewCone":40})";

@@ -10,7 +10,6 @@
 namespace lippmann {
 namespace {
 
-/// More samples per pixel than a draft has.
 RenderParams room_of_paths() {
   RenderParams params = test::small_room();
   params.sampling.integrator = Integrator::kPath;
@@ -29,7 +28,6 @@ class BegunFrames {
     };
   }
 
-  /// Frames that have begun since the last call.
   int count() { return std::exchange(begun_, 0); }
 
  private:

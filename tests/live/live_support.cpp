@@ -29,7 +29,6 @@ std::unique_ptr<LiveScene> live_scene(const RenderParams& params, const std::fil
 }
 
 Json wait_for(const LiveScene& scene, const std::function<bool(const Json&)>& is_it) {
-  // long enough for sanitizers on a busy machine
   const auto until = std::chrono::steady_clock::now() + std::chrono::minutes(10);
   Json state = scene.state_after(0, std::chrono::milliseconds(0));
   while (!is_it(state) && std::chrono::steady_clock::now() < until)

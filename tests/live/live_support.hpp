@@ -12,15 +12,12 @@
 
 namespace lippmann::test {
 
-/// The built-in scene "room", with 4 views of 16 x 16 pixels.
 RenderParams small_room();
 
 std::unique_ptr<LiveScene> live_scene(const RenderParams& params, const std::filesystem::path& job_file = "unused.toml");
 
-/// Waits for a state for which `is_it` returns true. Fails after ten minutes.
 nlohmann::ordered_json wait_for(const LiveScene& scene, const std::function<bool(const nlohmann::ordered_json&)>& is_it);
 
-/// Waits for the final picture of the settings, and returns the state.
 nlohmann::ordered_json wait_for_rest(const LiveScene& scene);
 
 Image8 shown_picture(const LiveScene& scene, const std::string& kind);

@@ -190,7 +190,6 @@ TEST(MultiView, one_view_quilt_is_a_single_view) {
 }
 
 TEST(MultiView, view_is_off_axis) {
-  // Two tiles of 30 x 20 pixels share a view cone of 60 degrees, so the eyes are at -15 and +15 degrees.
   const Optics quilt{.panel = {60, 20, 1.0f}, .model = MultiView{2, 1, radians(60.0f), false, 300.0f}};
   const Optics single{.panel = {30, 20, 1.0f}, .model = SingleView{300.0f}};
   const float eye = 300.0f * std::tan(radians(15.0f));
@@ -308,7 +307,6 @@ TEST(SlantedPanel, sub_pixel_table_by_hand) {
   for (const auto& [i, j, color, v] : table) {
     const Vec2f centre(3 * i + color + 0.5f, j + 0.5f);
     EXPECT_NEAR(view_of(optics, centre), v, kView) << i << " " << j << " " << color;
-    // The ray crosses the panel at the sub-pixel, which is 0.1 mm wide and 0.3 mm high.
     expect_near(at_depth(ray_of_pixel(optics, centre), 0.0f), {(3 * i + color + 0.5f - 12) * 0.1f, (1.5f - j) * 0.3f, 0},
                 kPositionMm);
   }
@@ -366,7 +364,7 @@ TEST(RayGenerator, similarity_gives_the_transformed_ray) {
     const Vec2f pixel(random.uniform(0, film_size(optics).x), random.uniform(0, optics.panel.height));
     const Ray local = ray_of_pixel(optics, pixel), ray = generator.ray(pixel);
     const float size = scale * (glm::length(local.origin) + 10.0f);
-    // a few rounding errors of 6e-8 each
+    // rounding errors of 6e-8 each
     expect_near(ray.origin, transform_point(world, local.origin), 1e-6f * size);
     expect_near(ray.direction, glm::normalize(transform_vector(world, local.direction)), 1e-6f);
     EXPECT_NEAR(glm::length(ray.direction), 1.0f, 1e-6f);

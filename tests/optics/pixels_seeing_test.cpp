@@ -111,7 +111,7 @@ TEST_P(PixelsSeeing, random_points_none_missing_and_none_extra) {
     Optics optics = random.every(GetParam());
     optics.panel.width = 3 * random.integer(10, 30) / sub_pixels_per_pixel(optics),
     optics.panel.height = random.integer(30, 60);
-    optics.z_front_mm = 150.0f;  // in front of all points
+    optics.z_front_mm = 150.0f;
     const RayGenerator generator(optics);
     for (int sample = 0; sample < 5; ++sample) {
       const Vec3f point = random_point(random, optics);
@@ -140,10 +140,6 @@ TEST_P(PixelsSeeing, random_points_none_missing_and_none_extra) {
 
 INSTANTIATE_TEST_SUITE_P(Models, PixelsSeeing, testing::Range(0, OpticsSampler::kKinds), test::name_of_param);
 
-// ---- In the lens plane ------------------------------------------------------------------------------------------------
-
-/// Returns the centres of all pixels below the lenses nearest to the point; for a lenticular sheet, only in the rows that
-/// contain it.
 std::vector<Vec2f> search_in_lens_plane(const Optics& optics, Vec3f point) {
   const RayGenerator generator(optics);
   const auto* sheet = std::get_if<LenticularSheet>(&optics.model);

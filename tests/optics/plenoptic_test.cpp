@@ -28,7 +28,6 @@ PlenopticCamera some_camera() {
 
 Optics optics_of(const PlenopticCamera& camera) { return {.panel = {100, 100, 0.0101f}, .model = camera}; }
 
-/// Point of a pixel's ray at the distance `z` in front of the main lens.
 Vec2d place_at(const Optics& optics, Vec2f pixel, double z) {
   const Ray ray = ray_of_pixel(optics, pixel);
   const double distance = static_cast<double>(std::get<PlenopticCamera>(optics.model).distance_mm);
@@ -112,7 +111,6 @@ TEST(Plenoptic, focused_camera_repeats_points_below_lenses) {
   }
 }
 
-/// The ray of the middle of a lens's image passes through the middle of the main lens.
 TEST(Plenoptic, lens_images_lie_below_lenses) {
   for (const LensPacking packing : {LensPacking::kSquare, LensPacking::kHexagonal}) {
     PlenopticCamera camera = some_camera();
@@ -132,7 +130,6 @@ TEST(Plenoptic, lens_images_lie_below_lenses) {
   EXPECT_FALSE(sensor_lenses({.panel = {8, 8, 0.1f}, .model = MicrolensArray{}}));
 }
 
-/// With one pixel below each lens, all rays pass through the middle of the main lens.
 TEST(Plenoptic, one_pixel_per_lens_is_a_pinhole_camera) {
   PlenopticCamera camera = some_camera();
   camera.lens_pitch_mm = 0.0101f / 1.01f, camera.offset_mm = Vec2f(0.5f * camera.lens_pitch_mm);

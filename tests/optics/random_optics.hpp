@@ -122,7 +122,6 @@ inline const char* model_name(const Optics& o) {
   return kNames[o.model.index()];
 }
 
-/// For the names of tests.
 inline const char* name_of_kind(int kind) {
   constexpr const char* kNames[] = {"lenticular", "slanted",     "square_microlens", "hexagonal_microlens",
                                     "multi_view", "single_view", "slanted_panel"};
@@ -143,7 +142,6 @@ inline float gap_of(const Optics& optics) {
   return 8.0f * optics.panel.pixel_pitch_mm;
 }
 
-/// The point at which a ray has the depth z.
 inline Vec3f at_depth(const Ray& ray, float z) { return ray.origin + ray.direction * ((z - ray.origin.z) / ray.direction.z); }
 
 }  // namespace lippmann::test

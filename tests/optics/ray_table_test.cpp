@@ -53,7 +53,6 @@ TEST(RayTable, blocks_are_bit_identical_in_any_frame) {
   generator.rays(px, py, 16, {out[0], out[1], out[2], out[3], out[4], out[5]});
   EXPECT_EQ(Vec3f(out[0][7], out[1][7], out[2][7]), ray.origin);
   EXPECT_EQ(Vec3f(out[3][7], out[4][7], out[5][7]), ray.direction);
-  // maps x to y and y to -x, and scales by 2
   const Ray there = some_ray({2.75f, 1.25f});
   expect_same_ray(ray, {2.0f * Vec3f(-there.origin.y, there.origin.x, there.origin.z) + Vec3f(1, 2, 3),
                         {-there.direction.y, there.direction.x, there.direction.z}});

@@ -10,12 +10,10 @@ namespace {
 using test::at_depth;
 using test::OpticsSampler;
 
-/// Position of `point` in the view that contains `pixel`.
 Vec2f place(const Optics& optics, Vec2f pixel, Vec3f point) {
   return ViewPlaces(optics).place_in_view(ray_of_pixel(optics, pixel), point).value();
 }
 
-/// Position of the pixel in its own view.
 Vec2f own_place(const Optics& optics, Vec2f pixel) { return place(optics, pixel, at_depth(ray_of_pixel(optics, pixel), 0.0f)); }
 
 std::vector<Optics> all_kinds(unsigned seed) {

@@ -45,7 +45,7 @@ TEST(ViewSteps, sheet_lenses_end_at_the_cell) {
 TEST(ViewSteps, microlenses_step_by_lenses_or_pixels) {
   Optics optics;
   optics.panel = {12, 12, 0.25f};
-  optics.model = MicrolensArray{.offset_mm = {0.0f, 0.0f}};  // 3 x 3 lenses of 4 x 4 pixels
+  optics.model = MicrolensArray{.offset_mm = {0.0f, 0.0f}};
   const std::uint32_t pixel = 5 * 12 + 6;
   const ViewSteps views(optics, StepsWithin::kView), lens(optics, StepsWithin::kLens);
   EXPECT_EQ(walked(views, pixel, StepDirection::kRight), (Pixels{5 * 12 + 10}));

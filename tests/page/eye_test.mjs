@@ -37,7 +37,6 @@ test("eyes outside the zone match replay, too", async () => {
   }
 });
 
-// Interpolating two views by depth predicts the view between them better than blending.
 test("depth interpolates views better than blending", async () => {
   const { lippmann } = await import("./support.mjs");
   lippmann("render", "room", "--optics", "multiview", "--camera-grid", "--views", "9x1", "--size", "1152x128", "--view-angle", "20", "--frames", "0", "--aov", "depth", "-o", "row", "-q");

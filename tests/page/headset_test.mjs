@@ -20,7 +20,7 @@ function mock(refusal) {
   /** Returns the projection matrix of an eye, by columns: a frustum through the window's edges. eye: position in the headset's space. */
   const frustum = (eye) => {
     const { centre, size } = window_mm();
-    const [x, y, z] = [0, 1, 2].map((i) => (home()[i] * scale()) + eye[i]); // from the display, in metres
+    const [x, y, z] = [0, 1, 2].map((i) => (home()[i] * scale()) + eye[i]); // metres from the display
     const at = (i, sign) => centre[i] * scale() + (sign * size[i] * scale()) / 2 - [x, y][i];
     const near = 0.01;
     const [left, right, below, above] = [at(0, -1), at(0, 1), at(1, -1), at(1, 1)].map((edge) => (edge * near) / z);
@@ -132,7 +132,7 @@ test("playback continues in and after the headset", async () => {
   await button(page).click();
   await page.waitForSelector('#stage[data-headset="true"]');
   await page.evaluate(() => window.lippmann.set({ frame: 4 }));
-  await page.evaluate(() => window.lippmann.picture(8, 8));  // loads the frame
+  await page.evaluate(() => window.lippmann.picture(8, 8));
   await framesLater(page, 3);
   await page.keyboard.press("Tab");
   assert.ok((await psnrOf(page, 0)) >= 40);

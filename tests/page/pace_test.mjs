@@ -57,7 +57,7 @@ test("a coarse picture shows the same scene", async () => {
       window.lippmann.set({ eye: [x + (20 * i) / 30, y, z] });
       await new Promise(requestAnimationFrame);
     }
-    window.away = window.codes();  // another picture with the same divisor, from the side
+    window.away = window.codes();
     window.lippmann.set({ eye: [x, y, z] });
     await new Promise(requestAnimationFrame);
     window.coarse = window.codes();

@@ -87,7 +87,6 @@ test("frames play in a loop, loaded once", async () => {
   });
   assert.ok(!shown.includes("none"), `nothing is shown between ${shown}`);
   assert.equal(pictures().length, 4, "frames are loaded again");
-  // Each played frame equals that of `lippmann convert`.
   lippmann("convert", quilts[2], "loop.png", "--to", "native", "--display", "loop-panel.json");
   await page.evaluate(() => window.lippmann.pause());
   await set(page, { frame: 2 });

@@ -87,7 +87,7 @@ test("a click moves the zero plane", async () => {
   const field = await page.evaluate(() => window.lippmann.fields[0]);
   await see(page);
   const eyes = [await eyeOfView(page, 2, 0), await eyeOfView(page, 7, 0)];
-  const place = [0.7, 0.34];  // the clock in the scene
+  const place = [0.7, 0.34];
   const before = await apart(page, place, eyes);
   await page.getByRole("button", { name: "Zero plane on the picture" }).click();
   await page.waitForSelector('#stage[data-print=""][data-drawn="true"]');

@@ -216,7 +216,6 @@ export const eyeOfView = (page, across, up) =>
     [across, up],
   );
 
-// small light fields, rendered once each
 export const sheet = () => lippmann("render", "teapot", "--size", "256x256", "--lenses", "32", "--frames", "0-5", "-o", "sheet", "-q");
 export const fractional = () => lippmann("render", "teapot", "--size", "212x160", "--lens-pixels", "5.3", "--frames", "0", "-o", "fractional", "-q");
 export const lenslets = () => lippmann("render", "room", "--optics", "microlens", "--size", "256x256", "--lenses", "64x64", "--lens-pixels", "4x4", "--frames", "0", "-o", "lenslets", "-q");

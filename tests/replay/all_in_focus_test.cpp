@@ -8,7 +8,6 @@
 namespace lippmann {
 namespace {
 
-/// The right half shows a plane at z = 6 mm, the left half a plane behind it at z = -8 mm.
 RenderedPanel two_depths(const Optics& optics) {
   RenderedPanel panel = test::record(optics, -8.0, test::waves);
   for (int y = 0; y < panel.picture.height; ++y)

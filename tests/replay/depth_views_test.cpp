@@ -24,7 +24,7 @@ LightField plane(int lit, float z) {
   return field;
 }
 
-/// 3 eyes 20 mm apart at 100 mm, with the slopes -0.2, 0 and 0.2.
+/// 3 eyes are 20 mm apart at a distance of 100 mm, so their slopes are -0.2, 0 and 0.2.
 Optics three_eyes() {
   MultiView eyes{3, 1};
   eyes.baseline_mm = 20.0f, eyes.distance_mm = 100.0f;
@@ -36,7 +36,6 @@ DepthViews shown(const LightField& source, const Optics& optics = three_eyes(), 
   return views_from_depth(source, optics, scale, pool);
 }
 
-/// Mean x of the light in row 1 of a view, in pixels.
 double lit_at(const DepthViews& made, int view) {
   const Image image = std::get<Image>(view_of(made.field, view));
   double sum = 0.0, weight = 0.0;

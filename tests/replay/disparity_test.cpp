@@ -18,7 +18,6 @@ using testing::HasSubstr;
 
 constexpr Vec2i kViewSize{480, 360};
 
-/// Waves of at least 24 pixels, at a position in pixels of the middle view.
 double wave_at(double x, double y) {
   return 0.5 + 0.2 * std::sin(2.0 * M_PI * x / 29.0) * std::sin(2.0 * M_PI * y / 37.0) +
          0.15 * std::sin(2.0 * M_PI * (x + y) / 51.0);
@@ -43,7 +42,6 @@ LightField plane_seen(double disparity_px) {
   return field;
 }
 
-/// PSNR in dB between a refocused picture and the plane's texture.
 double psnr_of_plane(const Image& picture) {
   double squares = 0.0;
   for (int y = 0; y < picture.height; ++y)

@@ -80,7 +80,7 @@ TEST(EyeView, error_grows_with_depth_within_magnified_pixel) {
   }
 }
 
-/// All pixels below lens k have the value k + 0.5, for k from -20 to 20.
+/// All pixels below lens k get the value k + 0.5.
 RenderedPanel numbered_lenses(const Optics& optics) {
   return record(optics, 0.0, [](Vec2d p) { return Vec3f(std::floor(p.x) + 0.5); });
 }
@@ -108,7 +108,6 @@ TEST(EyeView, zone_has_no_flipped_lens) {
 }
 
 TEST(EyeView, eyes_see_their_pixel_columns_from_right) {
-  // Each of the nine columns of pixels below a lens has its own value.
   Optics optics = test::sheet(100.0f);
   RenderedPanel panel{optics, Image(360, 120, 3)};
   for (int y = 0; y < 120; ++y)
@@ -132,9 +131,7 @@ TEST(EyeView, quilt_interpolates_between_two_views) {
   const Optics optics = test::quilt();
   RenderedPanel panel{optics, Image(180, 120, 3)};
   for (int y = 0; y < 120; ++y)
-    for (int x = 0; x < 180; ++x)
-      // the number of the view
-      panel.picture.pixel(x, y)[0] = static_cast<float>((2 - y / 40) * 3 + x / 60);
+    for (int x = 0; x < 180; ++x) panel.picture.pixel(x, y)[0] = static_cast<float>((2 - y / 40) * 3 + x / 60);
   const Viewer eye = viewer_in_zone(optics, (4.3 + 0.5) / 9);
   EXPECT_NEAR(EyeSampler(panel, SampleFilter::kNearest).color(eye, {0, 0}).x, 4.0f, 1e-5);
   EXPECT_NEAR(EyeSampler(panel, SampleFilter::kLinear).color(eye, {0, 0}).x, 4.3f, 1e-3);

@@ -18,7 +18,6 @@
 namespace lippmann {
 namespace {
 
-/// 80 x 6 pixels of 1 mm behind ten vertical lenses of 8 mm, seen from 1 m.
 Display sheet_of_ten() {
   Display sheet;
   sheet.name = "sheet", sheet.kind = DisplayKind::kLenticularSheet;
@@ -30,10 +29,8 @@ Display sheet_of_ten() {
 /// Gap g in mm. A cell is 8 (1 + g / 1000) wide and spans 30 degrees, so it is also 2 g tan(15 degrees) wide.
 double gap_mm() { return 8.0 / (2.0 * std::tan(15.0 * std::numbers::pi / 180.0) - 8.0 / 1000.0); }
 
-/// Width of a cell in mm. Cells converge to the viewer, so they are wider than the lenses.
 double cell_mm() { return 8.0 * (1.0 + gap_mm() / 1000.0); }
 
-/// Each sample has the value code(view, column, row).
 LightField coded(const Display& display, const std::function<int(int view, int x, int y)>& code) {
   const Optics optics = lens_views(display, {});
   const RenderedViews rendered = *rendered_views(optics);
@@ -89,7 +86,6 @@ TEST(LensInterlace, pixel_shows_the_sample_at_its_lens) {
   for (int i = 0; i < 80; ++i) {
     const double lens = 8.0 * (std::floor((i + 0.5 - 40.0) / cell) + 0.5);
     const double column = std::clamp((lens / window + 0.5) * 10.0 - 0.5, 0.0, 9.0);
-    // Parallel to the lenses, each row of pixels shows its own row of the view.
     for (int y = 0; y < 6; ++y) EXPECT_NEAR(code_at(picture, i, y), 1000.0 * column + 10.0 * y, 1.0) << i << " " << y;
   }
 }

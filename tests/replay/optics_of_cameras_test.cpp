@@ -10,7 +10,6 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Cameras of 3 x 1 views of 40 x 30 pixels of 0.5 mm at 300 mm, without pictures.
 LightField field_of_grid(float eye_height_mm) {
   MultiView views{.columns = 3, .rows = 1, .distance_mm = 300.0f};
   views.baseline_mm = 12.0f, views.eye_height_mm = eye_height_mm;

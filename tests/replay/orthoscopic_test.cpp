@@ -79,8 +79,8 @@ TEST(RotateElemental, twice_is_the_identity) {
 
 TEST(RotateElemental, pixels_are_rotated_about_their_lens_centre) {
   const PixelMap map = rotated_elemental_images(test::lenslets(), "test");
-  EXPECT_EQ(map.source[0], 6u * 210u + 6u);            // pixel (0, 0) of lens (0, 0) comes from pixel (6, 6) of the same lens
-  EXPECT_EQ(map.source[3 * 210 + 3], 3u * 210u + 3u);  // the middle pixel of the lens stays
+  EXPECT_EQ(map.source[0], 6u * 210u + 6u);  // pixel (0, 0) of lens (0, 0) comes from pixel (6, 6) of the same lens
+  EXPECT_EQ(map.source[3 * 210 + 3], 3u * 210u + 3u);
   // pixel (2, 1) of lens (2, 1) comes from pixel (4, 5) of the same lens
   EXPECT_EQ(map.source[8 * 210 + 16], 12u * 210u + 18u);
 }
@@ -143,7 +143,6 @@ TEST(Spoc, impossible_planes_are_refused) {
   EXPECT_THAT(test::error_message([] { spoc(test::quilt(), test::quilt(), {}); }), HasSubstr("lens array"));
 }
 
-/// A bar at `bar_z` hides a part of a wall of waves at `wall_z` from every lens.
 RenderedPanel bar_before_wall(const Optics& optics, double bar_z, double wall_z) {
   RenderedPanel panel = record(optics, wall_z, waves);
   for (int y = 0; y < panel.picture.height; ++y)
@@ -155,8 +154,7 @@ RenderedPanel bar_before_wall(const Optics& optics, double bar_z, double wall_z)
 TEST(Spoc, two_tiers_show_correct_depth) {
   const Optics optics = test::sheet();
   const double distance = 12.0;
-  const RenderedPanel recorded = bar_before_wall(optics, 8.0, 16.0);  // the array sees the bar in front of the wall
-  // the viewer must also see the bar in front of the wall
+  const RenderedPanel recorded = bar_before_wall(optics, 8.0, 16.0);
   const RenderedPanel truth = bar_before_wall(optics, distance - 8.0, distance - 16.0);
   const RenderedPanel converted = with(optics, spoc(optics, optics, {distance, 12.0}), recorded);
   const Vec2i size = lens_grid(optics);

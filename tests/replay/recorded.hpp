@@ -9,18 +9,15 @@
 
 namespace lippmann::test {
 
-/// Position in mm; channels between 0 and 1.
 inline Vec3f waves(Vec2d p) {
   return {0.5 + 0.4 * std::sin(0.9 * p.x + 0.3 * p.y), 0.5 + 0.4 * std::cos(0.7 * p.y), 0.5 + 0.3 * std::sin(0.5 * p.x - p.y)};
 }
 
-/// Where the ray of a pixel's centre meets the plane `z`.
 inline Vec2d meets(const Optics& optics, int x, int y, double z) {
   const Ray ray = ray_of_pixel(optics, Vec2f(x, y) + 0.5f);
   return Vec2d(ray.origin) + Vec2d(ray.direction) * ((z - ray.origin.z) / ray.direction.z);
 }
 
-/// color(point) is the colour of the plane at depth `z`.
 template <class Color>
 RenderedPanel record(const Optics& optics, double z, const Color& color) {
   RenderedPanel panel{optics, Image(film_size(optics).x, film_size(optics).y, 3)};
@@ -32,7 +29,6 @@ RenderedPanel record(const Optics& optics, double z, const Color& color) {
   return panel;
 }
 
-/// All other pixels are black.
 inline RenderedPanel record_point(const Optics& optics, Vec3f point_mm) {
   RenderedPanel panel{optics, Image(optics.panel.width, optics.panel.height, 3)};
   std::vector<Vec2f> pixels;
@@ -41,7 +37,7 @@ inline RenderedPanel record_point(const Optics& optics, Vec3f point_mm) {
   return panel;
 }
 
-/// What an eye sees of the plane through the display's window, without lenses.
+/// Returns what an eye sees of the plane through the display's window, without lenses.
 template <class Color>
 Image seen_directly(const Optics& optics, Vec2i size, Vec3d eye_mm, double z, const Color& color) {
   const Window window = display_window(optics);
@@ -55,7 +51,7 @@ Image seen_directly(const Optics& optics, Vec2i size, Vec3d eye_mm, double z, co
   return picture;
 }
 
-/// PSNR in dB of linear values with the peak 1, without `border` pixels at the edges.
+/// Returns the PSNR in dB of linear values with the peak 1, without `border` pixels at the edges.
 inline double linear_psnr(const Image& a, const Image& b, int border = 0) {
   double sum = 0.0;
   std::size_t count = 0;
@@ -65,7 +61,6 @@ inline double linear_psnr(const Image& a, const Image& b, int border = 0) {
   return -10.0 * std::log10(std::max(sum / static_cast<double>(count), 1e-30));
 }
 
-/// 40 lenses, 1 mm and 9 pixels wide, and 120 rows.
 inline Optics sheet(float viewing_distance_mm = kInfinity, float slant = 0.0f) {
   Optics optics;
   const float gap = 2.0f, spread = 1.0f + gap / viewing_distance_mm;
@@ -80,7 +75,6 @@ inline Optics sheet(float viewing_distance_mm = kInfinity, float slant = 0.0f) {
   return optics;
 }
 
-/// 30 x 30 square lenses of 7 x 7 pixels, or hexagonal lenses 7 pixels wide.
 inline Optics lenslets(float viewing_distance_mm = kInfinity, LensPacking packing = LensPacking::kSquare) {
   Optics optics;
   const float gap = 2.0f, spread = 1.0f + gap / viewing_distance_mm;
@@ -95,7 +89,6 @@ inline Optics lenslets(float viewing_distance_mm = kInfinity, LensPacking packin
   return optics;
 }
 
-/// 9 views of 60 x 40 pixels.
 inline Optics quilt() {
   Optics optics;
   optics.panel = {180, 120, 0.5f};

@@ -15,7 +15,6 @@ using test::linear_psnr, test::record, test::seen_directly, test::waves;
 
 float brightest(const Image& picture) { return *std::max_element(picture.data.begin(), picture.data.end()); }
 
-/// Depth i * step, for i from -count to count, at which the refocused picture has the highest peak.
 double depth_of_peak(const RenderedPanel& panel, double step, int count) {
   const ThreadPool pool(1);
   double best = 0.0, depth = 0.0;

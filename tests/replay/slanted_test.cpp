@@ -33,7 +33,6 @@ RenderedPanel record_sub_pixels(const Optics& optics, double z, const Color& col
   return panel;
 }
 
-/// Waves as long as 19 lenses.
 Vec3f long_waves(Vec2d p) { return test::waves(0.22 * p); }
 
 Image view_from(const RenderedPanel& panel, Vec3d eye_mm) {

@@ -15,7 +15,6 @@ using test::record;
 /// A bar at x = 0, with soft edges, so that sampling does not shift its centre.
 Vec3f bar(Vec2d at) { return Vec3f(static_cast<float>(std::exp(-at.x * at.x / 8.0))); }
 
-/// In mm from the middle of the display.
 double centre_mm(const LightField& field, int view, double width_mm) {
   const Image image = std::get<Image>(view_of(field, view));
   double sum = 0.0, weight = 0.0;

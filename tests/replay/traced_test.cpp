@@ -20,7 +20,6 @@ Scene tiles() {
   return s.scene;
 }
 
-/// The middle pixel column below every lens.
 Image at_lens_centres(const Image& picture, int pixels) {
   Image columns(picture.width / pixels, picture.height, 3);
   for (int y = 0; y < columns.height; ++y)

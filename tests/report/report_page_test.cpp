@@ -19,7 +19,6 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-/// A key frame, and two frames with estimated PSNRs of 36 and 37 dB.
 test::OrderedJson interpolated() {
   test::OrderedJson report =
       test::report_of_frames("interpolate", {test::key_frame(0), test::in_between_frame(1), test::in_between_frame(2)});
@@ -31,7 +30,6 @@ test::OrderedJson interpolated() {
 
 std::string page_of(const std::vector<fs::path>& inputs) { return make_report_page(inputs, Context()).html; }
 
-/// Script data of the first chart with this title.
 std::string chart_data(const std::string& page, const std::string& title) {
   const std::string begin = "<figcaption><b>" + title + "</b>";
   const std::size_t from = page.find(begin);
@@ -180,7 +178,7 @@ TEST(ReportPage, foreign_files_are_kept) {
   const test::TempDir dir;
   const ReportPage page = make_report_page({test::write_report_text(dir / "film", interpolated().dump())}, Context());
   write_report_page(page, dir / "new" / "page.html");
-  write_report_page(page, dir / "new" / "page.html");  // replaces the page of the first call
+  write_report_page(page, dir / "new" / "page.html");
   EXPECT_EQ(test::file_bytes(dir / "new" / "page.html"), page.html);
   std::ofstream(dir / "thesis.html") << "mine";
   EXPECT_THAT(test::error_message([&] { write_report_page(page, dir / "thesis.html"); }),

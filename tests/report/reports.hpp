@@ -13,20 +13,17 @@ namespace lippmann::test {
 
 using OrderedJson = nlohmann::ordered_json;
 
-/// panel of 10 x 10 pixels
 inline constexpr double kPixels = 100.0;
 
-/// 2 CPU seconds and 400 rays.
+/// The frame took 2 CPU seconds and 400 rays.
 FrameReport key_frame(int number);
-/// 0.5 CPU seconds. Of 100 pixels, 80 were reused and 15 traced.
+/// The frame took 0.5 CPU seconds. Of its 100 pixels, 80 were reused and 15 traced.
 FrameReport in_between_frame(int number);
 
-/// `reuse` is the kind of reuse between frames.
 OrderedJson report_of_frames(const std::string& reuse, const std::vector<FrameReport>& frames);
 
 RenderFigures figures_of(const OrderedJson& report);
 
-/// Creates the folder with a report.json that contains `text`, and returns it.
 std::filesystem::path write_report_text(const std::filesystem::path& folder, const std::string& text);
 
 std::size_t count_of(const std::string& text, const std::string& part);

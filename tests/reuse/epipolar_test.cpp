@@ -11,7 +11,6 @@ namespace {
 
 using test::at_depth;
 
-/// 16 lenses, 1 mm and 6 pixels wide.
 Optics sheet(float viewing_distance) {
   Optics optics;
   optics.panel = {96, 4, 0.0f};

@@ -21,7 +21,7 @@ TEST(FramePlan, interval_one_makes_every_frame_a_key) {
 TEST(FramePlan, in_between_frames_have_a_key_interval) {
   EXPECT_EQ(key_interval(1, 4, 10), (FrameInterval{0, 4}));
   EXPECT_EQ(key_interval(7, 4, 10), (FrameInterval{4, 8}));
-  EXPECT_EQ(key_interval(9, 4, 10), (FrameInterval{8, 10}));  // frame 10 is the last frame, so this interval is shorter
+  EXPECT_EQ(key_interval(9, 4, 10), (FrameInterval{8, 10}));
 }
 
 TEST(FramePlan, halving_prefers_the_earlier_middle) {

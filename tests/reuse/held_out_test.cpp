@@ -47,7 +47,6 @@ TEST(HeldOut, other_frames_and_seeds_draw_other_patches) {
   EXPECT_NE(hold_out(uncertainty, 2, 2).patches, first.patches);
 }
 
-/// Level 0: 100 patches, 4 held out. Level 2: 50 patches, 2 held out.
 HeldOut drawn_by_hand() {
   HeldOut held_out{};
   held_out.population[0] = 100, held_out.population[2] = 50;

@@ -14,7 +14,6 @@ namespace {
 
 using namespace test;
 
-/// `display` returns the placement of the display at a time.
 class Animation {
  public:
   Animation(const Scene& scene, const Optics& optics, const ForwardParams& params, int threads = 1)
@@ -22,7 +21,7 @@ class Animation {
 
   std::function<Affine3f(double)> display = [](double) { return Affine3f{}; };
   InBetweenCounts counts;
-  Image memory;  ///< the film's content before a frame is made must not matter
+  Image memory;
 
   PointImage traced(double time) {
     PointImage frame;
@@ -47,7 +46,6 @@ class Animation {
     return frame;
   }
 
-  /// The in-between frame of time 0.5, made from traced frames of the times 0 and 1.
   PointImage middle() { return made(traced(0.0), traced(1.0), 0.5); }
 
  private:
@@ -66,7 +64,6 @@ class Animation {
   InBetweenMaker maker_;
 };
 
-/// 32 x 32 pixels, which are 1 mm wide in the plane z = 0.
 Optics view32() {
   Optics optics;
   optics.panel = {32, 32, 1.0f};
@@ -182,9 +179,9 @@ TEST(InBetween, made_frames_have_correct_points) {
     if (frame.points.object[p] == kMissedObject) continue;
     if (frame.points.object[p] == 1) ++on_square;
     if (frame.points.object[p] != truth.points.object[p]) continue;
-    EXPECT_NEAR(frame.points.z[p], truth.points.z[p], 1e-3f) << p;  // limited by the distance of the wall
+    EXPECT_NEAR(frame.points.z[p], truth.points.z[p], 1e-3f) << p;  // the distance of the wall limits the precision
   }
-  EXPECT_GT(on_square, 60u);  // the square covers 64 pixels
+  EXPECT_GT(on_square, 60u);
 }
 
 /// Spheres and boxes in front of a checkered wall, with a fixed light. If `moving`, each object has its own motion.
@@ -277,7 +274,6 @@ double squared_error(const Image& a, const Image& b) {
 }
 
 TEST(InBetween, interpolating_views_beats_whole_pixels) {
-  // Stripes that are 2 lenses wide.
   SmallScene s;
   const int material = s.material(glowing(Vec3f(0.8f)));
   for (float x = -3.0f; x < 3.0f; x += 1.0f) s.add(Boxes{{{x, -3, -1}, {x + 0.5f, 3, -0.9f}}}, material);

@@ -19,7 +19,6 @@ using test::at_depth;
 using test::KnownMotion;
 using test::OpticsSampler;
 
-/// Position on the panel in continuous pixel coordinates; empty if the point is not visible.
 using Place = std::optional<glm::dvec2>;
 
 using test::centre_of;
@@ -67,9 +66,9 @@ Place seen_below_lens(const Optics& optics, Vec2f from, Vec3f point) {
 
 struct Lattice {
   double pitch, row_pitch;  ///< in mm; row_pitch is 0 for a sheet
-  glm::dvec2 offset;        ///< centre of lens 0
-  double spread;            ///< cell width / lens width = 1 + gap / viewing distance
-  glm::dvec2 eye;           ///< point to which the cells converge
+  glm::dvec2 offset;
+  double spread;   ///< cell width / lens width = 1 + gap / viewing distance
+  glm::dvec2 eye;  ///< point to which the cells converge
   bool hexagonal = false;
 };
 
@@ -92,7 +91,6 @@ Lattice lattice_of(const Optics& optics) {
           hexagonal};
 }
 
-/// Centre of the lens nearest to the point `p` in the plane z = 0, in mm.
 glm::dvec2 nearest_lens(const Lattice& lattice, glm::dvec2 p) {
   const auto nearest = [](double x, double first, double pitch) { return first + std::round((x - first) / pitch) * pitch; };
   if (lattice.row_pitch == 0.0) return {nearest(p.x, lattice.offset.x, lattice.pitch), 0.0};
@@ -180,7 +178,6 @@ std::optional<std::uint32_t> pixel_at(const Optics& optics, const Place& place) 
          static_cast<std::uint32_t>(place->x);
 }
 
-/// Less than 1e-3 pixel from a pixel edge.
 bool is_on_pixel_edge(double place) { return std::abs(place - std::round(place)) < 1e-3; }
 
 /// Returns whether a shift of the point by a thousandth of a pixel's footprint changes the expected pixel.
@@ -264,7 +261,6 @@ TEST(Landing, static_points_stay_in_their_pixels) {
   }
 }
 
-/// Sub-pixels form stripes.
 Optics slanted_panel(OpticsSampler& random) {
   Optics optics = random.slanted_panel();
   std::get<SlantedPanel>(optics.model).sub_pixels = striped_sub_pixels(random.coin());
@@ -347,7 +343,6 @@ TEST(Landing, unsupported_modes_of_slanted_panels_are_refused) {
   EXPECT_EQ(refused(SplatMode::kView), "reuse");
 }
 
-/// Each pixel must show the nearest of all points that land on it one by one.
 TEST(Landing, whole_splat_equals_single_points) {
   OpticsSampler random(4);
   for (int k = 0; k < 24; ++k) {

@@ -17,7 +17,6 @@ Optics row_of_pixels() {
   return optics;
 }
 
-/// Points and colours of the previous and the following key frame. fill() moves them to the frame in between.
 struct Row {
   Optics optics = row_of_pixels();
   PointImage previous = test::empty_points(optics.panel), following = previous;
@@ -110,7 +109,7 @@ TEST(Missed, surface_outside_both_frames_was_not_covered) {
   test::set_point(row.previous, 2, 0.0f);
   row.fill(1, {test::shift(2, 0, 0)}, {test::shift(4, 0, 0)});
   EXPECT_EQ(row.causes.not_covered, 1u);
-  Row left_again;  // here the point is visible in the following frame
+  Row left_again;
   test::set_point(left_again.previous, 2, 0.0f);
   left_again.fill(1, {test::shift(2, 0, 0)}, {test::shift(-4, 0, 0)});
   EXPECT_EQ(left_again.causes.newly_visible, 1u);

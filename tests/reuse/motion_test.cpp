@@ -62,7 +62,6 @@ TEST(Motion, objects_back_at_their_start_are_static) {
   s.add(test::square(1, 0), s.material(test::glowing(Vec3f(1.0f))), s.moving_node({0, 0, 0}, {4, 0, 0}));
   const Affine3f display{Mat3f(0.3f), Vec3f(1e4f, 2, 3)};
   const MotionGroups groups = make_motion_groups(s.scene);
-  // both times are after the last key of the animation
   const Moment before = moment_at(s.scene, 2.0, display), after = moment_at(s.scene, 3.0, display);
   const Motion motion = motion_between(groups, before, after);
   EXPECT_TRUE(motion.groups[0].still);

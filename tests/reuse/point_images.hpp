@@ -9,7 +9,6 @@
 
 namespace lippmann::test {
 
-/// No pixel has a point. Pixel i has the colour (i, 0, 0).
 inline PointImage empty_points(const Panel& panel) {
   const auto pixels = static_cast<std::size_t>(panel.width) * static_cast<std::size_t>(panel.height);
   PointImage image;
@@ -53,7 +52,6 @@ struct KnownMotion {
 
 inline Affine3f shift(float x, float y, float z) { return {Mat3f(1.0f), Vec3f(x, y, z)}; }
 
-/// centre of a film pixel
 inline Vec2f centre_of(const Optics& optics, std::uint32_t pixel) {
   const auto width = static_cast<std::uint32_t>(film_size(optics).x);
   return {static_cast<float>(pixel % width) + 0.5f, static_cast<float>(pixel / width) + 0.5f};

@@ -10,7 +10,7 @@ namespace lippmann {
 namespace {
 
 using test::SmallScene;
-constexpr int kLast = 1000;  // last frame of the animation
+constexpr int kLast = 1000;
 
 SettledBlocks planner(std::optional<int> every = {}) {
   static const Scene nothing;
@@ -72,7 +72,6 @@ void add_deforming(SmallScene& s, Vec3f to, int material) {
   s.add(morphing, material, node);
 }
 
-/// Two lights and a few random shapes of every kind, some of them mirrors or glass. A third of them move.
 SmallScene random_scene(std::uint32_t seed) {
   std::mt19937 random(seed);
   const auto number = [&](float from, float to) { return std::uniform_real_distribution<float>(from, to)(random); };

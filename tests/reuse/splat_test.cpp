@@ -30,7 +30,6 @@ SplatBuffer splatted(const PointImage& image, const Motion& motion, bool z_buffe
   return buffer;
 }
 
-/// Pixels that show a point.
 std::vector<std::size_t> covered(const SplatBuffer& buffer) {
   std::vector<std::size_t> pixels;
   for (std::size_t p = 0; p < buffer.keys.size(); ++p)

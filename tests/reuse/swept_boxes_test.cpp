@@ -59,7 +59,7 @@ TEST(SweptBoxes, later_motion_belongs_to_later_horizons) {
 
 TEST(SweptBoxes, boxes_contain_only_changing_parts) {
   SmallScene s = one_frame_a_second();
-  Mesh two = test::square(0.5f, 0);  // two squares, the right one with a lifted corner
+  Mesh two = test::square(0.5f, 0);
   const Mesh other = test::square(0.5f, 0);
   for (const Vec3f& p : other.positions) two.positions.push_back(p + Vec3f(100, 0, 0));
   two.uvs.clear();
@@ -100,7 +100,7 @@ TEST(SweptBoxes, frames_after_the_last_do_not_count) {
 
 TEST(SweptBoxes, boxes_contain_turning_rings_but_not_holes) {
   SmallScene s = one_frame_a_second();
-  Mesh ring;  // a ring of 600 thin triangles around the z axis, with radius 10
+  Mesh ring;
   for (int i = 0; i < 600; ++i) {
     const float a = 2.0f * kPi * static_cast<float>(i) / 600.0f;
     for (const Vec3f offset : {Vec3f(0, 0, 0), Vec3f(0.1f, 0, 0), Vec3f(0, 0.1f, 0.1f)})

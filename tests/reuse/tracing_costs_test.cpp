@@ -7,7 +7,6 @@
 namespace lippmann {
 namespace {
 
-/// Two instances of 8 spheres.
 Scene spheres() {
   Scene scene;
   scene.shapes.push_back(Spheres(8, Sphere{}));

@@ -86,7 +86,7 @@ TEST(Uncertainty, lenses_separate_neighbours_and_views) {
   Optics optics;
   optics.panel = {16, 8, 0.25f};
   LenticularSheet sheet;
-  sheet.lens_pitch_mm = 1.0f;  // a lens is 4 pixels wide
+  sheet.lens_pitch_mm = 1.0f;
   sheet.gap_mm = 2.0f;
   optics.model = sheet;
   Case c;

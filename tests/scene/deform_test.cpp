@@ -9,7 +9,7 @@
 namespace lippmann {
 namespace {
 
-/// a few rounding errors of floats of about 10
+/// rounding of floats of about 10
 constexpr float kRounding = 1e-5f;
 
 void expect_near(Vec3f actual, Vec3f expected) {
@@ -18,7 +18,6 @@ void expect_near(Vec3f actual, Vec3f expected) {
 
 Quatf quarter_about_z() { return {std::sqrt(0.5f), 0, 0, std::sqrt(0.5f)}; }
 
-/// Triangle (0, 0, 0), (1, 0, 0), (0, 1, 0) at node 0. It faces +z, and its tangents point along x.
 Scene triangle() {
   Scene scene;
   scene.nodes.resize(1);

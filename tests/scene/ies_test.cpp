@@ -22,12 +22,10 @@ std::string ies(int type, const std::string& counts, const std::string& rest, co
                      rest);
 }
 
-/// Intensity in candela. `direction` is in the light's frame.
 float candelas(const IesProfile& profile, Vec3f direction) {
   return profile.mean_candela * intensity(profile.web, glm::normalize(direction));
 }
 
-/// Direction of a vertical and a horizontal angle of type C, in degrees.
 Vec3f type_c(float vertical, float horizontal) {
   const float v = radians(vertical), h = radians(horizontal);
   return {std::sin(v) * std::cos(h), std::sin(v) * std::sin(h), -std::cos(v)};

@@ -15,10 +15,10 @@ namespace {
 
 struct UnknownThing {
   std::string name;
-  std::string scene;                                          ///< name of the scene file
-  std::string text;                                           ///< its contents
-  std::string met = "frog";                                   ///< unknown name, which the message must contain
-  std::vector<std::pair<std::string, std::string>> beside{};  ///< names and contents of other files
+  std::string scene;
+  std::string text;
+  std::string met = "frog";  ///< unknown name, which the message must contain
+  std::vector<std::pair<std::string, std::string>> beside{};
 };
 void PrintTo(const UnknownThing& thing, std::ostream* out) { *out << thing.name; }
 
@@ -150,7 +150,6 @@ const UnknownThing kThings[] = {
 
 INSTANTIATE_TEST_SUITE_P(All, Unknown, testing::ValuesIn(kThings), [](const auto& thing) { return thing.param.name; });
 
-/// Common contents must not cause a warning.
 TEST(LeftOut, usual_files_warn_of_nothing) {
   const test::TempDir dir;
   std::ofstream(dir / "a.mtl") << "newmtl m\nKa 1 1 1\nKd 1 0 0\nKs 0.5 0.5 0.5\nNs 10\nNi 1.5\nd 1\nillum 2\n";

@@ -32,7 +32,7 @@ TEST(Lexer, line_ends_before_blanks_and_comments) {
   lexer.word("x");
   EXPECT_TRUE(lexer.at_line_end());
   lexer.word("x");
-  EXPECT_TRUE(lexer.at_line_end());  // at the end of the file
+  EXPECT_TRUE(lexer.at_line_end());
 }
 
 TEST(Lexer, comment_ends_at_the_line) {

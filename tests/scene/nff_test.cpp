@@ -81,7 +81,7 @@ TEST(Nff, different_radii_give_an_outward_mesh) {
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     const Vec3f p = mesh.positions[i] - Vec3f(1, 0, 0);
     const float radius = 2.0f - p.z / 3.0f;
-    EXPECT_NEAR(std::hypot(p.x, p.y), radius, 1e-6f);  // rounding errors of floats of about 3
+    EXPECT_NEAR(std::hypot(p.x, p.y), radius, 1e-6f);  // rounding of floats of about 3
     // The radius decreases by 1 over a height of 3, so the normal is (3 out + 1 up) / sqrt(10).
     const Vec3f out = Vec3f(p.x, p.y, 0.0f) / radius, expected = (3.0f * out + Vec3f(0, 0, 1)) / std::sqrt(10.0f);
     EXPECT_NEAR(glm::distance(mesh.normals[i], expected), 0.0f, 1e-6f);
@@ -127,7 +127,7 @@ TEST(Nff, view_looks_from_one_point_at_another) {
   ASSERT_EQ(scene.cameras.size(), 1u);
   const Affine3f world_from_camera = evaluate(scene, 0.0).of(scene.cameras[0].node);
   EXPECT_EQ(world_from_camera.translation, Vec3f(0, -10, 0));
-  const auto near = [](Vec3f a, Vec3f b) { return glm::distance(a, b) < 1e-6f; };  // rounding errors of a quaternion
+  const auto near = [](Vec3f a, Vec3f b) { return glm::distance(a, b) < 1e-6f; };  // rounding of a quaternion
   EXPECT_TRUE(near(transform_vector(world_from_camera, {0, 0, -1}), {0, 1, 0}));
   EXPECT_TRUE(near(transform_vector(world_from_camera, {0, 1, 0}), {0, 0, 1}));
   EXPECT_TRUE(near(transform_vector(world_from_camera, {1, 0, 0}), {1, 0, 0}));

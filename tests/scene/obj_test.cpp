@@ -41,7 +41,6 @@ class Obj : public testing::Test {
     return "no error";
   }
 
-  /// Surface of a triangle whose material has these .mtl statements.
   MetallicRoughness surface_of(const std::string& statements) {
     write("a.mtl", "newmtl the one\n" + statements + "\n");
     const Scene scene = load("mtllib a.mtl\n" + kTriangle + "usemtl the one\nf 1 2 3\n");

@@ -35,7 +35,6 @@ class FarScene : public testing::Test {
   test::TempDir folder_;
 };
 
-/// In the coordinates of the file.
 Vec3d in_file(const Scene& scene, Vec3f p) { return scene.origin + Vec3d(p); }
 
 void expect_near(Vec3d a, Vec3d b, double tolerance) {
@@ -153,8 +152,6 @@ TEST_F(FarScene, origin_is_part_of_the_fingerprint) {
   EXPECT_NE(fingerprint(load("a.obj", obj_at(kPlace))), fingerprint(load("b.obj", obj_at(kPlace + Vec3d(1024.0, 0, 0)))));
 }
 
-/// Two instances of a mesh, a sphere, a camera and two lights. Node 1, which shows the mesh, has a parent that rotates and
-/// scales.
 Scene scene_on_a_map() {
   Scene scene;
   const Vec3f far(kPlace);
@@ -172,7 +169,7 @@ Scene scene_on_a_map() {
   scene.materials.resize(1);
   scene.instances = {{"below", 0, 0, 1}, {"at", 0, 0, 4}, {"in the world", 1, 0, -1}};
   scene.cameras.resize(1), scene.cameras[0].node = 2;
-  scene.lights.resize(2), scene.lights[0].node = 3;  // the second light is at the origin
+  scene.lights.resize(2), scene.lights[0].node = 3;
   return scene;
 }
 
@@ -246,7 +243,7 @@ TEST(Origin, skinned_meshes_follow_their_joints) {
 
 TEST(Origin, shape_of_several_nodes_is_copied) {
   Scene scene = scene_on_a_map();
-  scene.nodes.resize(6);  // node 5 is near the old origin
+  scene.nodes.resize(6);
   scene.nodes[5].local.translation = {1, 0, 0};
   scene.instances.push_back({"same sphere at a node", 1, 0, 5});
   scene.instances.push_back({"same sphere in the world", 1, 0, -1});
@@ -258,7 +255,6 @@ TEST(Origin, shape_of_several_nodes_is_copied) {
   expect_near(middle(4), middle(2), kOriginRounding);
 }
 
-/// A box with sides of length `size`, at `x` on the x axis.
 void add_box(Scene& scene, float size, float x) {
   scene.nodes.emplace_back().local.translation = {x, 0, 0};
   scene.instances.push_back({"box", static_cast<int>(scene.shapes.size()), 0, static_cast<int>(scene.nodes.size()) - 1});

@@ -20,7 +20,6 @@ namespace {
 using test::TempDir;
 using ::testing::HasSubstr;
 
-/// The usual layout of splats, one row per splat.
 struct SplatFile {
   std::vector<std::string> properties = {"x",       "y",      "z",      "nx",      "ny",      "nz",
                                          "f_dc_0",  "f_dc_1", "f_dc_2", "opacity", "scale_0", "scale_1",
@@ -120,7 +119,6 @@ TEST(PlySplats, opacities_without_end_are_opaque_or_nothing) {
   EXPECT_EQ(splats(scene).opacities, (std::vector<float>{1.0f, 0.0f}));
 }
 
-/// A text file of one splat, with additional properties and their values in `row`.
 std::string text_splats(const std::string& properties, const std::string& row) {
   return "ply\nformat ascii 1.0\nelement camera 1\nproperty float f\nelement vertex 1\nproperty float x\nproperty float y\n"
          "property double z\nproperty float opacity\n" +

@@ -125,7 +125,6 @@ TEST(Ply, other_elements_are_left_out) {
   EXPECT_EQ(mesh(scene).triangles.size(), 1u);
 }
 
-/// A square of two triangles, to whose vertices and faces tests can add properties.
 struct Square {
   std::string comments{}, vertex_properties{}, face_properties{};
   std::array<std::string, 4> vertex_values{};
@@ -181,7 +180,6 @@ TEST(Ply, vertex_colours_override_face_colours) {
               testing::ElementsAre("a.ply: element 'face': the properties 'red', 'green' and 'blue' are left out."));
 }
 
-/// Provides a red and a blue image of one texel.
 class PlyTextures : public testing::Test {
  protected:
   PlyTextures() {
@@ -192,7 +190,6 @@ class PlyTextures : public testing::Test {
     write_png(dir_ / name, Image8{1, 1, std::move(rgb)});
   }
   PlyOptions here() const { return {{dir_.path(), {}}}; }
-  /// Red byte of an instance's texture, or 1 without a texture.
   static std::uint8_t red_of(const Scene& scene, std::size_t instance) {
     const auto material = static_cast<std::size_t>(scene.instances.at(instance).material);
     const auto& surface = std::get<MetallicRoughness>(scene.materials.at(material).surface);

@@ -36,7 +36,7 @@ TEST(Polygon, notch_stays_open) {
 }
 
 TEST(Polygon, comb_is_filled_from_any_corner) {
-  // a bar of 7 x 1 with four teeth of 1 x 3
+  // a bar of 7 x 1 with four teeth of 1 x 3 each
   std::vector<Vec3f> teeth = {{0, 0, 0}, {7, 0, 0}, {7, 4, 0}, {6, 4, 0}, {6, 1, 0}, {5, 1, 0}, {5, 4, 0}, {4, 4, 0},
                               {4, 1, 0}, {3, 1, 0}, {3, 4, 0}, {2, 4, 0}, {2, 1, 0}, {1, 1, 0}, {1, 4, 0}, {0, 4, 0}};
   for (std::size_t i = 0; i < teeth.size(); ++i) {

@@ -11,7 +11,6 @@ namespace {
 
 constexpr Quatf kStraight{1.0f, 0.0f, 0.0f, 0.0f};
 
-/// A direction, and the solid angle of its texel.
 struct Texel {
   Vec3f direction;
   float steradians;
@@ -25,7 +24,6 @@ Texel texel_at(const EnvironmentMap& map, int x, int y) {
   return {{sine * std::cos(azimuth), std::cos(polar), sine * std::sin(azimuth)}, area * sine};
 }
 
-/// Radiance of a white diffuse surface in the studio's light.
 float shown_by_white(const EnvironmentMap& map, Vec3f normal) {
   double sum = 0.0;
   for (int y = 0; y < map.radiance.height; ++y)

@@ -16,7 +16,6 @@ std::string camera(const std::string& pose, const std::string& zoom = "ZOOM 1") 
   return "CAMERA " + zoom + " ASPECTRATIO 1 ANTIALIASING 0 RAYDEPTH 12 " + pose + " END_CAMERA\n";
 }
 
-/// The camera's node. Axes are rounded to 6 digits.
 struct CameraFrame {
   Vec3f origin, right, up, forward;
 };
@@ -246,7 +245,7 @@ TEST_F(Tachyon, spotlight_shines_along_its_mirrored_direction) {
   const Light& light = scene.lights[0];
   EXPECT_EQ(light.kind, LightKind::kSpot);
   const Vec3f direction = transform_vector(evaluate(scene, 0.0).of(light.node), {0, 0, -1});
-  EXPECT_LT(glm::length(direction - Vec3f(0.0f, 0.6f, -0.8f)), 1e-6f);  // rounding errors of a rotation
+  EXPECT_LT(glm::length(direction - Vec3f(0.0f, 0.6f, -0.8f)), 1e-6f);  // rounding of a rotation
   EXPECT_NEAR(degrees(light.inner_cone), 20.0f, 1e-5f);
   EXPECT_NEAR(degrees(light.outer_cone), 45.0f, 1e-5f);
   EXPECT_EQ(light.visible_radius, 0.5f);
@@ -264,7 +263,7 @@ TEST_F(Tachyon, directional_light_in_any_direction_keeps_it) {
     EXPECT_EQ(scene.lights[0].kind, LightKind::kDirectional);
     const Vec3f direction = transform_vector(evaluate(scene, 0.0).of(scene.lights[0].node), {0, 0, -1});
     const Vec3f expected = glm::normalize(Vec3f(d.x, d.y, -d.z));
-    EXPECT_LT(glm::length(direction - expected), 1e-6f) << d.x << " " << d.y << " " << d.z;  // rounding errors of a rotation
+    EXPECT_LT(glm::length(direction - expected), 1e-6f) << d.x << " " << d.y << " " << d.z;  // rounding of a rotation
   }
 }
 

@@ -13,7 +13,7 @@ using ::testing::StartsWith;
 struct BadStatement {
   const char* name;
   const char* text;
-  const char* problem;  ///< message after "scene.dat:"
+  const char* problem;
   const char* accepted;
 };
 void PrintTo(const BadStatement& bad, std::ostream* out) { *out << bad.name; }
@@ -55,7 +55,6 @@ const BadStatement kBad[] = {
     {"shader_option", "SHADER_MODE FULL TRANS_VIP END_SHADER_MODE", "4: 'TRANS_VIP' is not an option of SHADER_MODE",
      "TRANS_VMD"},
 
-    // unknown and misspelt words
     {"unknown", "FROG", "4: 'FROG' is not a statement of a scene", "SPHERE"},
     {"misspelt", "SPEHRE CENTER", "4: 'SPEHRE' is not a statement of a scene (did you mean SPHERE?)", "TEXDEF"},
     {"binary", "\x01\xff\x02", "4: '?\?\?' is not a statement", "BOX"},
@@ -74,7 +73,6 @@ const BadStatement kBad[] = {
      "IMAGEDEF a FORMAT RGB24 RESOLUTION 1 1 1 ENCODING HEX 123 IMAGEDEF a FORMAT RGB24 RESOLUTION 1 1 1 ENCODING HEX 123",
      "4: the image 'a' is already defined", ""},
 
-    // invalid numbers
     {"nan", "SPHERE CENTER 0 nan 0 RAD 1 a", "4: expected a number for CENTER, found 'nan'", "a finite decimal number"},
     {"inf", "SPHERE CENTER 0 0 0 RAD inf a", "4: expected a number for RAD, found 'inf'", "finite"},
     {"overflow", "SPHERE CENTER 0 0 0 RAD 1e39 a", "4: expected a number for RAD, found '1e39'", "finite"},
@@ -130,7 +128,6 @@ const BadStatement kBad[] = {
     {"huge_strip", "VERTEXARRAY NUMVERTS 1 COORDS 0 0 0 NORMALS 0 0 1 TRISTRIP 2000000000 0 0 0",
      "5: expected a whole number for TRISTRIP, found 'END_SCENE'", ""},
 
-    // files that the scene refers to
     {"include_missing", "INCLUDE no.inc", "4: no.inc does not exist", ""},
     {"include_outside", "INCLUDE ../a.dat", "4: '../a.dat' is outside the scene's folder", "`asset-root` DIR"},
     {"include_folder", "INCLUDE .", "4: . is not a regular file", ""},

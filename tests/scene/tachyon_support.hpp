@@ -14,7 +14,6 @@
 
 namespace lippmann::test {
 
-/// A temporary folder with scene.dat and the files that a test adds.
 class TachyonFiles {
  public:
   void write(const std::string& name, const std::string& contents) const {
@@ -23,7 +22,6 @@ class TachyonFiles {
   }
   std::filesystem::path path(const std::string& name) const { return dir_ / name; }
 
-  /// Loads and validates scene.dat, and collects warnings.
   Scene load(double frames_per_second = kTachyonFramesPerSecond) {
     Context context;
     context.warn = [this](std::string_view text) { warnings.push_back(without_folder(std::string(text))); };
@@ -38,10 +36,8 @@ class TachyonFiles {
     return load();
   }
 
-  /// Without the folder's name.
   std::string error_of_statements(const std::string& statements) { return error_of(kPrelude + statements + "\nEND_SCENE\n"); }
 
-  /// For a whole file, without the folder's name.
   std::string error_of(const std::string& text) {
     write("scene.dat", text);
     try {
@@ -76,7 +72,6 @@ class Tachyon : public testing::Test {
   const std::string white = TachyonFiles::kWhite;
 };
 
-/// The only shape of a scene, which must be of type S.
 template <class S>
 const S& only_shape(const Scene& scene) {
   if (scene.shapes.size() != 1) throw std::logic_error("not one shape but " + std::to_string(scene.shapes.size()));
@@ -85,7 +80,6 @@ const S& only_shape(const Scene& scene) {
 
 inline const PhongSurface& phong(const Material& material) { return std::get<PhongSurface>(material.surface); }
 
-/// googletest can print arrays
 inline std::array<float, 3> xyz(Vec3f v) { return {v.x, v.y, v.z}; }
 
 }  // namespace lippmann::test

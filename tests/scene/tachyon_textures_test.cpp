@@ -91,7 +91,6 @@ std::string planar(const std::string& file) {
 /// 1 x 2 pixels: red above blue.
 const std::string kPpm = std::string("P6\n1 2\n255\n") + "\xff" + std::string(2, '\0') + std::string(2, '\0') + "\xff";
 
-/// The picture of kPpm, 24 bits, not compressed, with the top or the bottom row first.
 std::string tga(bool top_first) {
   std::string header(18, '\0');
   header[2] = 2, header[12] = 1, header[14] = 2, header[16] = 24, header[17] = top_first ? 0x20 : 0;

@@ -32,7 +32,6 @@ TEST(TextureBudget, the_largest_is_halved_first) {
 }
 
 TEST(TextureBudget, equal_sizes_reduce_data_and_later_first) {
-  // textures of 64 bytes each
   const std::vector<TextureExtent> four{{{4, 4}, true}, {{4, 4}, false}, {{4, 4}, true}, {{4, 4}, false}};
   EXPECT_THAT(halvings_within(255, four), ElementsAre(0, 0, 1, 0));
   EXPECT_THAT(halvings_within(207, four), ElementsAre(1, 0, 1, 0));

@@ -13,7 +13,6 @@ namespace {
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
-/// One of every kind of element.
 Scene good_scene() {
   Scene scene;
   scene.nodes.resize(3);

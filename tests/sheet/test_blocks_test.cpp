@@ -21,7 +21,6 @@ bool is_black_at(const BlockTest& test, int x, int y) {
          0;
 }
 
-/// Number of black bars along a line through the middle of a block.
 int bars_of(const BlockTest& test, const TestBlock& block, BarDirection direction) {
   const Vec2i middle = (block.bars.from + block.bars.to) / 2;
   const bool is_vertical = direction == kVertical;

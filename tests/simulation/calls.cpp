@@ -42,14 +42,13 @@ std::array<OpenFile, 1024> open_files;
 struct OpenFolder {
   bool is_used = false;
   int descriptor = -1;
-  std::vector<std::pair<std::string, bool>> entries;  ///< name, and whether it is a folder
+  std::vector<std::pair<std::string, bool>> entries;
   std::size_t next = 0;
   dirent entry{};
 };
 
 std::array<OpenFolder, 64> folders;
 
-/// Returns null for a real descriptor.
 OpenFile* file_of(int descriptor) {
   const int index = descriptor - kFirstDescriptor;
   return index >= 0 && index < static_cast<int>(open_files.size()) ? &open_files[static_cast<std::size_t>(index)] : nullptr;

@@ -19,9 +19,9 @@ namespace lippmann::test {
 
 struct Inode {
   bool is_folder = false;
-  int machine = -1;          ///< machine that wrote last
-  std::int64_t written = 0;  ///< last write, in nanoseconds since 1970
-  std::string bytes, safe;   ///< programs see `bytes`; `safe` survives a power failure
+  int machine = -1;
+  std::int64_t written = 0;
+  std::string bytes, safe;  ///< programs see `bytes`; `safe` survives a power failure
   std::map<std::string, int> entries, safe_entries;
 };
 
@@ -52,7 +52,7 @@ class Disk {
     int inode;
   };
   struct Place {
-    int folder;  ///< number of the folder's inode, or an error
+    int folder;
     std::string name;
   };
 

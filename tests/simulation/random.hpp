@@ -18,7 +18,6 @@ class Random {
     return z ^ (z >> 31);
   }
 
-  /// Returns 0 to count - 1.
   std::size_t below(std::size_t count) { return static_cast<std::size_t>(next() % count); }
 
   bool once_in(std::size_t count) { return count > 0 && below(count) == 0; }

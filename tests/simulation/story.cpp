@@ -51,7 +51,6 @@ using FolderFrame = std::pair<fs::path, int>;
 /// A folder, and the number of a strip among those of all frames (parts_of()).
 using FolderPart = std::pair<fs::path, int>;
 
-/// A frame or strip counts as being written while this exists.
 class Making {
  public:
   Making(std::multiset<FolderFrame>& all, FolderFrame own) : all_(all), own_(all.insert(std::move(own))) {}
@@ -202,7 +201,6 @@ class Teller {
     return true;
   }
 
-  /// Reads the strips of a frame as joining does. Complains about wrong bytes.
   void join_strips(int frame, const RenderFolder& folder) {
     finished_strips(folder, frame, strips_);
     for (int strip = 0; strip < strips_; ++strip) {
@@ -449,7 +447,7 @@ class Teller {
     return is_done;
   }
 
-  static constexpr int kAllFrames = 100;  // of the scene
+  static constexpr int kAllFrames = 100;
 
   bool shares_a_name_;
   int strips_;  ///< strips per frame; 1: whole frames
@@ -459,10 +457,9 @@ class Teller {
   std::vector<int> frames_;
   int segment_ = 1, units_ = 1, runs_ = 0;
   bool apart_ = false, has_video_ = false;
-  bool has_rival_ = false;  ///< a competing job starts in the same folder at the same time
+  bool has_rival_ = false;
   fs::path folder_ = "/sim/film";
   std::deque<Work> queue_;
-  /// finished and recorded frames, with the step of the simulation
   std::map<FolderFrame, std::uint64_t> finished_;
   /// finished and recorded strips, with the step of the simulation; removed when their frame is finished
   std::map<FolderPart, std::uint64_t> finished_parts_;

@@ -10,9 +10,9 @@ namespace lippmann::test {
 struct Story {
   /// what went wrong, such as a lost frame; empty on success
   std::string problem;
-  std::string log;  ///< list of events for people
+  std::string log;
   int frames = 0, runs = 0;
-  std::uint64_t calls = 0;  ///< simulated system calls
+  std::uint64_t calls = 0;
 };
 
 Story tell_story(std::uint64_t seed);

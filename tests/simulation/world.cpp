@@ -97,7 +97,6 @@ Process& World::start(int machine, std::function<void()> body) {
   return *processes_.back();
 }
 
-/// Runs the process until its next system call or its end.
 void World::resume(Process& process) {
   void* exceptions = abi::__cxa_get_globals();
   std::array<std::byte, 16> own{};

@@ -23,23 +23,23 @@ namespace lippmann::test {
 /// Once in this many system calls, or never if 0.
 struct Faults {
   std::size_t kill = 0, machine_loss = 0, power_loss = 0;
-  std::size_t disk_full = 0;  ///< the disk is full for a while
-  std::size_t error = 0;      ///< a write fails with EIO or ENOSPC
+  std::size_t disk_full = 0;
+  std::size_t error = 0;  ///< a write fails with EIO or ENOSPC
   std::size_t read_error = 0;
   std::size_t interrupted = 0;  ///< a call fails with EINTR, or reads or writes only a part
   std::size_t clock_jump = 0;
-  std::size_t flipped_byte = 0;  ///< damages a byte of a picture
+  std::size_t flipped_byte = 0;
 };
 
 struct Process {
   int id = 0, machine = 0, pid = 1;
   bool is_dead = false, has_ended = false;
-  bool has_misread = false;  ///< a read of this process has failed
-  std::uint64_t began = 0;   ///< step of the simulation at which the process began
+  bool has_misread = false;
+  std::uint64_t began = 0;  ///< step of the simulation at which the process began
   std::function<void()> body;
   bool has_begun = false;
-  ucontext_t context{};                    ///< where the process begins
-  std::jmp_buf place{};                    ///< where the process continues
+  ucontext_t context{};
+  std::jmp_buf place{};
   std::array<std::byte, 16> exceptions{};  ///< exceptions that the process is handling, from the C++ run-time
   std::unique_ptr<std::byte[]> stack;
 };
@@ -60,7 +60,6 @@ class World {
   enum class Call { kRead, kWrite, kOther };
   int before(Call call);
 
-  /// No failures from now on.
   void calm() { faults = {}, full_until_ = 0; }
 
   void pass(std::int64_t nanoseconds);
@@ -78,9 +77,8 @@ class World {
   Random random;
   Faults faults;
   std::uint64_t steps = 0, last_flip = 0;
-  /// returns whether a byte of the file may be damaged
   std::function<bool(const std::string&)> flips;
-  std::string log;  ///< list of failures for people
+  std::string log;
 
  private:
   void resume(Process& process);

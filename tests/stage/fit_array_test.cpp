@@ -13,7 +13,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// a few rounding errors of lengths up to 100
+// rounding of lengths up to 100
 constexpr float kRounding = 2e-5f;
 
 void expect_near(Vec3f a, Vec3f b) {
@@ -77,7 +77,6 @@ TEST(FitArray, focus_distance_places_the_plane_there) {
   expect_near(plane_in_world(scene, array).translation, {0, 0, 6});
   EXPECT_NEAR(array.plane_height, 8.0f * std::tan(radians(30.0f)), kRounding);
   EXPECT_EQ(array.viewing_distance, 4.0f);
-  // The box lies 5 to 7 units behind the plane.
   EXPECT_NEAR(array.depth_front, -5.0f, kRounding);
   EXPECT_NEAR(array.depth_back, -7.0f, kRounding);
   EXPECT_THAT(array.how, HasSubstr("'shot'"));
@@ -177,14 +176,13 @@ TEST(FitArray, inside_cameras_focus_half_way) {
 
 TEST(FitArray, scenes_behind_cameras_get_a_default) {
   Scene scene;
-  add_box(scene, {-1, -2, 4}, {1, 2, 8});  // this box has a diagonal of 6 units
+  add_box(scene, {-1, -2, 4}, {1, 2, 8});
   add_camera(scene, at({0, 0, 0}));
   const FittedArray array = fit_array(scene);
   EXPECT_NEAR(array.viewing_distance, 0.3f, kRounding);
   EXPECT_LE(array.depth_front, array.viewing_distance);
 }
 
-/// Largest distance of the box's corners from the centre of the picture, whose edge is at 1.
 Vec2f seen_extent(const Scene& scene, const FittedArray& array, float aspect, Vec3f lower, Vec3f upper) {
   const Affine3f plane_from_world = inverse(plane_in_world(scene, array));
   Vec2f extent(0.0f);
@@ -220,7 +218,6 @@ TEST(FitArray, scenes_without_cameras_are_framed) {
   }
 }
 
-/// Margins around the box: left, right, below, above, relative to half the picture's width or height.
 Vec4f margins(const Scene& scene, const FittedArray& array, float aspect, Vec3f lower, Vec3f upper) {
   const Affine3f plane_from_world = inverse(plane_in_world(scene, array));
   Vec2f least(kInfinity), most(-kInfinity);
@@ -329,7 +326,6 @@ TEST(FitArray, scaled_parent_keeps_the_array_in_world_units) {
   EXPECT_EQ(a.how, b.how);
 }
 
-/// A camera at (0, 0, 10) sees a box. `add` adds it below a parent node with the scale `scale`.
 template <class F>
 FittedArray fitted_below(float scale, const ViewWish& wish, const F& add) {
   Scene scene;

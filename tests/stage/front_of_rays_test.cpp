@@ -47,7 +47,6 @@ class FrontOfRays : public testing::Test {
   }
 
   void add_floor(float near) { add_quad({-30, -1, near}, {60, 0, 0}, {0, 0, -60}); }
-  /// Covers the view at depth `z`.
   void add_wall(float z, float width = 60.0f) { add_quad({-0.5f * width, -9, z}, {width, 0, 0}, {0, 18, 0}); }
 
   auto begin(float eye = kFittedEye) const { return front_of_rays(scene, fit_array(scene), 1.0f, eye); }

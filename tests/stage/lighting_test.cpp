@@ -12,7 +12,6 @@ namespace {
 
 using testing::HasSubstr;
 
-/// A closed room with a camera that looks along -z.
 Scene room_seen_from(Vec3f position) {
   Scene scene = test::room_of_six_walls();
   Node node;

@@ -16,7 +16,6 @@ std::optional<SeenDepth> seen(const Scene& scene, const EyeAtWindow& eye = kEye,
   return seen_depth(scene, FittedArray{}, 1.0f, eye, ThreadPool(threads));
 }
 
-/// Faces the eye; its sides are 2 * half long.
 Scene square_at(Vec3f center, float half = 5.0f) {
   Scene scene;
   Mesh square;
@@ -89,7 +88,7 @@ TEST(SeenDepth, of_infinite_planes_reaches_the_horizon) {
   // The lowest rays fall by 50 mm per 300 mm, and hit the plane 120 mm in front of the eye, at z = 180 mm.
   EXPECT_NEAR(ground->near_mm, 180.0, 1e-3);
   EXPECT_EQ(ground->far_mm, -INFINITY);
-  scene.shapes[0] = Planes{{Vec3f(0, 0, 20), Vec3f(0, 0, 1)}};  // perpendicular to the view direction
+  scene.shapes[0] = Planes{{Vec3f(0, 0, 20), Vec3f(0, 0, 1)}};
   EXPECT_NEAR(seen(scene)->near_mm, -20.0, 1e-3);
   EXPECT_NEAR(seen(scene)->far_mm, -20.0, 1e-3);
 }

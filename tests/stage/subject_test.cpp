@@ -27,7 +27,6 @@ int add_node(Scene& scene, const std::string& name, Vec3f at = Vec3f(0.0f), int 
   return static_cast<int>(scene.nodes.size()) - 1;
 }
 
-/// Returns the index of the instance.
 std::size_t add_shape(Scene& scene, const std::string& name, Shape shape) {
   Instance instance;
   instance.name = name;
@@ -42,7 +41,6 @@ std::size_t add_box(Scene& scene, const std::string& name, Vec3f lower, Vec3f up
   return add_shape(scene, name, Boxes{{lower, upper}});
 }
 
-/// Adds one quad, and returns the index of its instance.
 std::size_t add_sheet(Scene& scene, const std::string& name, Vec3f corner, Vec3f u, Vec3f v) {
   Mesh mesh;
   mesh.positions = {corner, corner + u, corner + u + v, corner + v};
@@ -54,7 +52,6 @@ void add_ground(Scene& scene, float side) {
   add_sheet(scene, "Plane", {-0.5f * side, 0, -0.5f * side}, {0, 0, side}, {side, 0, 0});
 }
 
-/// 1.6 m wide and 0.75 m high.
 void add_desk(Scene& scene) {
   add_box(scene, "Top", {-0.8f, 0.7f, -0.4f}, {0.8f, 0.75f, 0.4f});
   for (const float x : {-0.75f, 0.7f})

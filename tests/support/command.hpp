@@ -12,7 +12,7 @@ namespace lippmann::test {
 
 struct CommandResult {
   int exit_code = -1;
-  std::string output;  ///< stdout and stderr together
+  std::string output;
 };
 
 /// Runs the command in a shell, where file names must be quoted.

@@ -14,7 +14,6 @@ std::vector<unsigned char> encode_png(int width, int height, int channels, const
 std::vector<unsigned char> encode_jpeg(int width, int height, int channels, const std::vector<std::uint8_t>& samples,
                                        bool progressive = false);
 
-/// Lossless, RGBA.
 std::vector<unsigned char> encode_webp(int width, int height, const std::vector<std::uint8_t>& samples);
 
 }  // namespace lippmann::test

@@ -13,7 +13,7 @@
 namespace lippmann::test {
 
 struct ExrWindow {
-  std::int32_t left = 0, top = 0, right = 0, bottom = 0;  // last column and row of the window
+  std::int32_t left = 0, top = 0, right = 0, bottom = 0;
 };
 
 struct ExrPart {
@@ -21,9 +21,9 @@ struct ExrPart {
   /// Sorted by name, as the format requires. Values cover the data window row by row.
   std::vector<std::pair<std::string, std::vector<float>>> channels;
   float pixel_aspect = 1.0f;
-  std::string attributes{};  ///< further attributes, encoded
-  std::string name{};        ///< name of the part; required with several parts
-  int chroma_sampling = 1;   ///< RY and BY have one sample per block of this many columns and rows
+  std::string attributes{};
+  std::string name{};       ///< name of the part; required with several parts
+  int chroma_sampling = 1;  ///< RY and BY have one sample per block of this many columns and rows
 };
 
 inline int exr_sampling(const ExrPart& part, const std::string& channel) {

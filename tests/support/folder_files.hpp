@@ -9,7 +9,7 @@
 
 namespace lippmann::test {
 
-using Files = std::map<std::string, std::string>;  ///< contents by name
+using Files = std::map<std::string, std::string>;
 
 inline Files files_in(const std::filesystem::path& folder, std::string_view ending) {
   Files files;

@@ -41,7 +41,6 @@ inline Image8 difference_picture(const Image8& a, const Image8& b, int gain) {
   return difference;
 }
 
-/// Writes picture, reference and difference. Returns a message that names the folder.
 inline std::string leave_evidence(const Image8& image, const Image8& reference) {
   const std::filesystem::path folder = evidence_folder();
   write_png(folder / "image.png", image);
@@ -58,7 +57,6 @@ inline int pixel_difference(const Image8& a, const Image8& b, std::size_t pixel)
 
 }  // namespace detail
 
-/// Example: EXPECT_TRUE(images_match(image, reference, {.per_pixel = 2, .share = 0.01, .hard_limit = 40}));
 inline testing::AssertionResult images_match(const Image8& image, const Image8& reference,
                                              const ImageTolerance& tolerance = {}) {
   if (image.width != reference.width || image.height != reference.height)

@@ -9,7 +9,6 @@
 
 namespace lippmann::test {
 
-/// Independent random codes, which cannot be compressed.
 inline Image8 noise_codes(int width, int height, std::uint32_t seed = 1) {
   Image8 image{width, height, {}};
   image.rgb.resize(std::size_t{3} * width * height);
@@ -17,7 +16,6 @@ inline Image8 noise_codes(int width, int height, std::uint32_t seed = 1) {
   return image;
 }
 
-/// Slow waves of colour, which `phase` moves.
 inline Image8 smooth_codes(int width, int height, double phase = 0.0) {
   Image8 image{width, height, {}};
   for (int y = 0; y < height; ++y)
@@ -28,7 +26,6 @@ inline Image8 smooth_codes(int width, int height, double phase = 0.0) {
   return image;
 }
 
-/// Random values in [0, 1).
 inline Image noise_image(int width, int height, int channels, std::uint32_t seed = 1) {
   Image image(width, height, channels);
   for (std::size_t i = 0; i < image.data.size(); ++i) image.data[i] = unit_float(hash(seed, static_cast<std::uint32_t>(i)));

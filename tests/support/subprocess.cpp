@@ -23,7 +23,6 @@ std::array<int, 2> make_pipe() {
   return ends;
 }
 
-/// Replaces the child process by the program, or exits with 127.
 [[noreturn]] void become(const std::vector<char*>& arguments, const RunOptions& options, int out, int err) {
   if (options.file_size_limit > 0) {
     const rlimit limit{options.file_size_limit, options.file_size_limit};

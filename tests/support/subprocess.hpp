@@ -28,13 +28,12 @@ class Subprocess {
   Subprocess& operator=(const Subprocess&) = delete;
 
   void signal(int number) const;
-  /// Waits until the program has printed a line on stdout or closed it.
   void wait_for_line();
   RunResult wait();
 
  private:
   pid_t pid_ = -1;
-  RunResult printed_;  ///< output that has been read
+  RunResult printed_;
   int out_ = -1, err_ = -1;
 };
 

@@ -17,7 +17,6 @@ using namespace test;
 constexpr double kDistance = 20.0, kBaseline = 0.8, kPitch = 0.1;
 constexpr int kViews = 5, kWidth = 80, kHeight = 4;
 
-/// Five eyes, 0.8 mm apart.
 Optics camera_row() {
   Optics optics;
   optics.panel = {kViews * kWidth, kHeight, static_cast<float>(kPitch)};

@@ -13,7 +13,6 @@ using namespace test;
 constexpr int kAovSize = 32;
 constexpr float kPlaceRounding = 1e-4f;  ///< in pixels: rounding of positions about 10 mm from the origin
 
-/// Layers at time `now`, with motion since time `before`.
 FrameAovs step(const Scene& scene, const Optics& optics, double before, double now, const Affine3f& display_before = {},
                const Affine3f& display_now = {}) {
   const ThreadPool pool(1);
@@ -33,7 +32,6 @@ void expect_motion(const FrameAovs& aovs, int x, int y, Vec2f expected) {
   EXPECT_NEAR(motion[1], expected.y, kPlaceRounding) << x << ", " << y;
 }
 
-/// A square that moves by `shift` during the first second.
 Scene sliding(float z, Vec3f shift) {
   SmallScene s;
   s.add(square(1, z), s.material(glowing(Vec3f(1.0f))), s.moving_node(Vec3f(0.0f), shift));
@@ -100,7 +98,6 @@ TEST(Aovs, motion_follows_deforming_meshes) {
   expect_motion(aovs, 9, 20, {-0.5f * 6.5f, 0.5f * 4.5f});
 }
 
-/// Red values 0, 85, 170 and 255.
 Texture four_texels(std::array<int, 4> alpha) {
   Texture t;
   t.width = 4, t.height = 1, t.srgb = false;
@@ -110,7 +107,6 @@ Texture four_texels(std::array<int, 4> alpha) {
   return t;
 }
 
-/// A textured square in front of a square of albedo 0.25.
 Scene textured(std::array<int, 4> alpha, const MetallicRoughness& kind) {
   SmallScene s;
   s.scene.textures.push_back(four_texels(alpha));

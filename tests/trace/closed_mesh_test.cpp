@@ -14,7 +14,6 @@ namespace {
 
 using namespace test;
 
-/// A face of the cube from -half to half, with the outward normal `axis` times `sign`, counter-clockwise seen from outside.
 void add_face(Mesh& mesh, int axis, float sign, float half) {
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
   for (const auto& [u, v] : {std::pair{-1.0f, -1.0f}, {1.0f, -1.0f}, {1.0f, 1.0f}, {-1.0f, 1.0f}}) {
@@ -26,7 +25,6 @@ void add_face(Mesh& mesh, int axis, float sign, float half) {
   mesh.triangles.push_back({first, first + 2, first + 3});
 }
 
-/// Four separate vertices per face.
 Mesh cube(float half) {
   Mesh mesh;
   for (int axis = 0; axis < 3; ++axis)
@@ -130,7 +128,6 @@ TEST(ClosedMesh, closed_lamps_have_less_noise) {
   }
 }
 
-/// A floor below a small glowing cube with edges 2 * half long.
 SmallScene below_small_cube(float half) {
   SmallScene s;
   MetallicRoughness floor, shines;

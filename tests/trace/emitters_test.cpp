@@ -15,7 +15,6 @@ using namespace test;
 
 constexpr int kCornerTexels = 64, kBrightTexels = 16;
 
-/// A black texture with a white square of bright x bright texels at the corner (0, 0).
 Texture bright_corner(int bright = kBrightTexels, int size = kCornerTexels) {
   Texture texture{"", size, size, {}, false, Wrap::kClamp, Wrap::kClamp};
   for (int y = 0; y < size; ++y)
@@ -25,7 +24,6 @@ Texture bright_corner(int bright = kBrightTexels, int size = kCornerTexels) {
   return texture;
 }
 
-/// cells x cells squares of two triangles each
 Mesh grid(float half, float z, int cells) {
   Mesh mesh;
   for (int row = 0; row <= cells; ++row)
@@ -123,7 +121,6 @@ TEST(Emitters, instances_share_their_meshs_estimate) {
   EXPECT_EQ(emitters.of(3), nullptr);
 }
 
-/// A lamp of 2 x 2 above a white floor.
 constexpr float kGridHeight = 2.0f, kGridRadiance = 10.0f;
 /// The eye at (0, 0, 1) sees the square from -0.2 to 0.2 in x and y at z = 0.
 const Affine3f kEyeBelowGrid{Mat3f(0.1f), Vec3f(0.0f)};
@@ -155,7 +152,6 @@ double floor_radiance(double x, double y) {
   return 10.0 / M_PI * sum * 4.0 * kStep * kStep;  // area of a step: the lamp is 2 wide, so a step is 2 kStep long
 }
 
-/// Radiance at the centres of all pixels.
 std::vector<double> floor_reference(int size) {
   std::vector<double> reference;
   for (int y = 0; y < size; ++y)

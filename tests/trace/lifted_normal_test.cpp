@@ -13,7 +13,6 @@ using namespace test;
 
 Vec3f mirrored_at(Vec3f normal, Vec3f view) { return 2.0f * glm::dot(normal, view) * normal - view; }
 
-/// uniform over the hemisphere z > 0
 Vec3f upwards(std::mt19937& random) {
   std::uniform_real_distribution<float> in_unit(1e-3f, 1.0f), turn(0.0f, 2.0f * std::numbers::pi_v<float>);
   const float z = in_unit(random), r = std::sqrt(1.0f - z * z), phi = turn(random);
@@ -44,7 +43,7 @@ TEST(LiftedNormal, mirrors_any_view_above_the_facet) {
   for (int i = 0; i < 2000; ++i) {
     const Vec3f view = upwards(random), normal = upwards(random), z(0, 0, 1), got = lifted_normal(normal, {0, 0, 0.1f}, view);
     const float height = std::min(0.9f * view.z, 0.01f);
-    EXPECT_GE(mirrored_at(got, view).z, height - 1e-6f);  // single precision
+    EXPECT_GE(mirrored_at(got, view).z, height - 1e-6f);  // rounding in single precision
     EXPECT_GT(glm::dot(got, view), 0.0f);
     EXPECT_NEAR(glm::length(got), 1.0f, 1e-5f);
     if (got == normal) continue;
@@ -64,7 +63,6 @@ TEST(LiftedNormal, degenerate_normals_become_the_facets) {
   EXPECT_EQ(lifted_normal({1, 0, 0}, {0, 0, 0}, view), Vec3f(1, 0, 0));
 }
 
-/// A coarse ball in a uniform white sky.
 Image in_white_furnace(const MetallicRoughness& surface, int size) {
   SmallScene s;
   surround(s, Vec3f(1.0f));

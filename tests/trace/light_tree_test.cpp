@@ -33,7 +33,6 @@ class RandomPlaces {
 enum class Kind { kPoints, kSpots, kFadingSpots, kBalls, kFaces, kClosedFaces };
 constexpr Kind kKinds[] = {Kind::kPoints, Kind::kSpots, Kind::kFadingSpots, Kind::kBalls, Kind::kFaces, Kind::kClosedFaces};
 
-/// Powers from 0.01 to 1. Every third light has a range from 1 to 10.
 std::vector<TreeLight> random_lights(Kind kind, std::size_t count, unsigned seed) {
   RandomPlaces random(seed);
   std::vector<TreeLight> lights;
@@ -201,7 +200,6 @@ TEST(LightTree, draws_lights_with_the_stated_probability) {
   }
 }
 
-// Compares the mean of light / probability over evenly spaced numbers with the sum over all lights.
 TEST(LightTree, estimates_the_total_light) {
   constexpr int kDraws = 1 << 18;
   for (const Kind kind : kKinds) {

@@ -56,7 +56,6 @@ double light_below(LampKind kind, const MetallicRoughness& floor, int first, int
   return mean(trace_paths(below(kind, floor, first, end).scene, single_view(8), spp, {}, 1, kNearEye).film);
 }
 
-// All lamps light the floor without occlusion.
 TEST(ManyLamps, light_is_the_sum_over_lamps) {
   for (const LampKind kind : kLampKinds)
     for (const MetallicRoughness& floor : {floor_of(0.0f, 1.0f), floor_of(1.0f, 0.4f)}) {
@@ -101,7 +100,6 @@ TEST(ManyLamps, dark_and_distant_lamps_change_only_noise) {
   EXPECT_NEAR(mean(trace_paths(s.scene, single_view(8), 4096, {}, 1, kNearEye).film), before, 0.03 * before);
 }
 
-/// Returns the result of `question` for the scene's light table.
 template <class Ask>
 auto ask(const Scene& scene, const Ask& question) {
   const ThreadPool pool(1);
@@ -143,7 +141,6 @@ TEST(ManyLamps, probabilities_of_balls_and_sun_sum_to_1) {
   }
 }
 
-/// Returns whether update() to `time` keeps the light table.
 bool keeps_table(const Scene& scene, double time) {
   const ThreadPool pool(1);
   DeviceScene device(scene, pool, Integrator::kPath);
@@ -168,7 +165,6 @@ TEST(ManyLamps, table_is_rebuilt_only_for_moving_lights) {
   EXPECT_FALSE(keeps_table(scene_of(false, true, false), 0.5));
 }
 
-// A frame must not depend on the frames that were rendered before it.
 TEST(ManyLamps, pictures_do_not_depend_on_earlier_frames) {
   SmallScene s = busy_scene(3);
   for (int l = 0; l < kCount; ++l) add_lamp(s, LampKind::kSquare, l);

@@ -10,7 +10,6 @@ namespace {
 
 using namespace test;
 
-/// A smooth transmissive surface. The default index is that of air.
 MetallicRoughness clear(const Volume& volume, float ior = 1.0f) {
   MetallicRoughness m;
   m.metallic = 0.0f, m.roughness = 0.0f, m.ior = ior;

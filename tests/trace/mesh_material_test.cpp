@@ -11,7 +11,6 @@ using test::SmallScene;
 using test::square;
 using test::trace;
 
-/// One row with the given greys and one alpha for all texels.
 Texture row_of(std::initializer_list<int> greys, int alpha = 255) {
   Texture t;
   t.width = static_cast<int>(greys.size()), t.height = 1;
@@ -64,7 +63,7 @@ TEST(MeshMaterial, footprint_grows_with_the_scale_of_the_transform) {
   s.base_color_map.texture = 0;
   s.base_color_map.matrix[0].x = 64.0f;  // 64 periods of black and white on 32 pixels, so only their mean is visible
   const Halves blurred = render(square(2, 0), s, row_of({0, 0, 255, 255}));
-  EXPECT_NEAR(blurred.left, 0.5f, 1e-3f);  // 16-bit codes in the coarsest level
+  EXPECT_NEAR(blurred.left, 0.5f, 1e-3f);  // rounding of 16-bit codes in the coarsest level
   EXPECT_NEAR(blurred.right, 0.5f, 1e-3f);
 }
 
@@ -153,7 +152,6 @@ TEST(MeshMaterial, map_rotates_and_scales_anisotropy) {
   EXPECT_GT(std::abs(along.at(8, 8).x / by_numbers.at(8, 8).x - 1.0f), 0.1f);
 }
 
-/// One normal, which leans to the right by `degrees`.
 Texture leaning(float degrees) {
   const float a = radians(degrees);
   Texture map = row_of({0});

@@ -16,10 +16,8 @@ const GgxAlbedo& albedo() {
   return tables;
 }
 
-/// kAny: all supported surfaces, including glass
 enum class Kind { kLambert, kGloss, kAny };
 
-/// Each surface has its own view. In some, the gloss has a separate normal.
 struct Points {
   Points(unsigned seed, Kind kind) : random(seed) {
     for (std::size_t i = 0; i < kLanes; ++i) {

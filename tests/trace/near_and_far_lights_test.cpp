@@ -48,7 +48,6 @@ SmallScene floor_below(Near near, Far far, float half_size, float roughness = 1.
   return s;
 }
 
-/// Standard deviation of all values, relative to their mean.
 double noise(const Image& film) {
   const double average = mean(film);
   double squares = 0.0;

@@ -18,7 +18,6 @@ MetallicRoughness rough(Vec3f color, float metallic, float roughness) {
   return m;
 }
 
-/// A cube with inward normals, for cameras inside.
 Mesh room(float half) {
   Mesh m;
   for (int corner = 0; corner < 8; ++corner)
@@ -38,7 +37,7 @@ TEST(PathTracer, white_spheres_vanish_in_a_white_furnace) {
       SmallScene s;
       surround(s, Vec3f(1.0f));
       s.add(Spheres{{{0, 0, 0}, 3.0f}}, s.material(rough(Vec3f(1.0f), metallic, 0.1f * static_cast<float>(r))));
-      // The tables of multiple scattering have this error. The picture has 64 pixels x 256 samples.
+      // Tolerance: error of the tables of multiple scattering.
       EXPECT_NEAR(mean(trace_paths(s.scene, single_view(8), 256).film), 1.0, 0.005)
           << "metallic " << metallic << ", roughness 0." << r;
     }
@@ -67,8 +66,8 @@ TEST(PathTracer, rough_glass_vanishes_in_a_white_furnace) {
     s.scene.max_depth = 64;
     surround(s, Vec3f(1.0f));
     s.add(Spheres{{{0, 0, 0}, 3.0f}}, s.material(glass));
-    // The tables of multiple scattering have this error. Single scattering alone would lose 37 % at roughness 0.7, and 66 % at
-    // roughness 1.
+    // Tolerance: error of the tables of multiple scattering. Single scattering alone would lose 37 % at roughness 0.7, and 66 %
+    // at roughness 1.
     EXPECT_NEAR(mean(trace_paths(s.scene, single_view(8), 1024).film), 1.0, 0.01) << "roughness " << roughness;
   }
 }
@@ -93,7 +92,7 @@ TEST(PathTracer, lambert_matches_whitted) {
   s.add(square(2, 0), s.material(matte({0.5f, 0.25f, 1.0f})));
   s.point_light({3, 0, 4}, {1.0f, 0.5f, 0.25f});
   const Vec3f whitted = trace(s.scene, single_view(33)).at(16, 16), path = trace_paths(s.scene, single_view(33), 4).at(16, 16);
-  // Samples are spread over the pixel.
+  // Tolerance: the path tracer's samples are spread over the pixel.
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(path[c], whitted[c], 0.01f * whitted[c]);
 }
 
@@ -197,11 +196,11 @@ TEST(PathTracer, cut_out_leaves_cast_shaped_shadows) {
     chalk.specular = 0.0f;
     s.add(square(2, 0), s.material(chalk));
     Light& light = s.point_light({0, 0, 0}, Vec3f(kPi));
-    light.kind = LightKind::kDirectional;                   // along -z
+    light.kind = LightKind::kDirectional;
     const Affine3f below{0.5f * Mat3f(1.0f), Vec3f(0.0f)};  // the eye at (0, 0, 5) sees the square from -1 to 1
     const Picture p =
         by_paths ? trace_paths(s.scene, single_view(9), 1, {}, 1, below) : trace(s.scene, single_view(9), {}, 1, 0.0, below);
-    EXPECT_NEAR(p.at(1, 4).x, 1.0f, 0.02f) << by_paths;  // Whitted shading adds a weak highlight
+    EXPECT_NEAR(p.at(1, 4).x, 1.0f, 0.02f) << by_paths;  // tolerance: Whitted shading adds a weak highlight
     EXPECT_NEAR(p.at(7, 4).x, 0.0f, 1e-3f) << by_paths;
   }
 }

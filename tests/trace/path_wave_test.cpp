@@ -11,7 +11,6 @@ namespace {
 
 using namespace test;
 
-/// The right square is at z = 1, the left one at z = 0. There is nothing at x > 1.
 SmallScene two_squares() {
   SmallScene s;
   const int material = s.material(matte(Vec3f(0.5f)));

@@ -13,8 +13,6 @@ using test::trace;
 
 constexpr int kPosedSize = 32;
 
-/// A red square of half size 1, whose joint moves from (-1, 0, 0) to (1, 0, 0) within a second, in front of a green square that
-/// grows to twice its size.
 SmallScene deforming() {
   SmallScene s;
   const int red = s.material(test::glowing({1, 0, 0})), green = s.material(test::glowing({0, 1, 0}));

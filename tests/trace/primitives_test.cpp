@@ -73,7 +73,6 @@ TEST(BoxNormal, elongated_box_faces_differ_from_tachyons_rule) {
   EXPECT_EQ(tachyon_box_normal(b, on_top), Vec3f(1, 0, 0)) << "|x| is the largest component";
 }
 
-/// Steps along the ray until an implicit function changes its sign. Returns the ray's parameter t there.
 template <class F>
 float march(const F& f, Vec3f o, Vec3f d, float end) {
   double before = f(glm::dvec3(o));

@@ -7,14 +7,13 @@
 namespace lippmann {
 namespace {
 
-// one arc tangent and one division
+// rounding of one arc tangent and one division
 constexpr float kProjectionRounding = 1e-6f;
 
 struct ProjectedPoint {
   float u, v, blur;
 };
 
-/// Projects one point in lane kLane.
 ProjectedPoint project(const ImageProjection& projection, Vec3f point, float path_length) {
   constexpr int kLane = 5;
   Lanes3 points;

@@ -32,7 +32,6 @@ Light& ball(SmallScene& s, Vec3f position, float intensity, float radius) {
   return light;
 }
 
-/// `toward` is seen from the origin.
 Light& sun(SmallScene& s, Vec3f toward, float illuminance, float angular_diameter) {
   Light& light = s.point_light(Vec3f(0.0f), Vec3f(illuminance));
   const Vec3f z = glm::normalize(toward), x = glm::normalize(glm::cross(Vec3f(0, 1, 0), z));
@@ -42,7 +41,6 @@ Light& sun(SmallScene& s, Vec3f toward, float illuminance, float angular_diamete
   return light;
 }
 
-/// In the middle of a white floor.
 float irradiance(SmallScene s, int spp = 256) {
   s.add(square(2, 0), s.material(chalk()));
   return kPi * trace_paths(s.scene, single_view(5), spp, {}, 1, kNearby).at(2, 2).x;

@@ -23,7 +23,6 @@ class SmallScene {
     return static_cast<int>(scene.nodes.size()) - 1;
   }
 
-  /// Moves from `position` at time 0 to `position_after_a_second` at time 1. Returns the node's index.
   int moving_node(Vec3f position, Vec3f position_after_a_second) {
     scene.nodes.push_back({"", -1, {}, {}});
     NodeAnimation animation;
@@ -40,7 +39,6 @@ class SmallScene {
     return static_cast<int>(scene.materials.size()) - 1;
   }
 
-  /// Returns the object id of the instance.
   int add(Shape shape, int material_index, int node_index = -1) {
     scene.shapes.push_back(std::move(shape));
     scene.instances.push_back({"", static_cast<int>(scene.shapes.size()) - 1, material_index, node_index});
@@ -58,7 +56,7 @@ class SmallScene {
   Scene scene;
 };
 
-/// The default tolerance is the rounding of single-precision shading along one path.
+/// Default tolerance: rounding of single-precision shading along one path.
 inline void expect_color(Vec3f got, Vec3f expected, float tolerance = 2e-5f) {
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(got[c], expected[c], tolerance) << "channel " << c;
 }
@@ -113,7 +111,6 @@ inline Mesh square(float half, float z) {
   return m;
 }
 
-/// Faces -z. Returns the object id.
 inline int add_lamp_facing_down(SmallScene& s, float half, float z, Vec3f light) {
   MetallicRoughness shining;
   shining.emissive = light;

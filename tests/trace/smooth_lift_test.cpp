@@ -25,7 +25,6 @@ TEST(SmoothLift, corners_and_flat_triangles_are_not_lifted) {
   EXPECT_EQ(smooth_lift(bent, 1.0f), Vec3f(0.0f));
 }
 
-/// Fills most of the view, lit by a lamp far to the right and slightly in front.
 template <class Shape>
 SmallScene lit_ball(const Shape& ball) {
   SmallScene s;
@@ -35,7 +34,6 @@ SmallScene lit_ball(const Shape& ball) {
   return s;
 }
 
-/// In the middle, away from the ball's outline.
 float largest_difference(const Image& a, const Image& b) {
   float most = 0.0f;
   for (int y = 0; y < a.height; ++y)

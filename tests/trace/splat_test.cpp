@@ -18,7 +18,6 @@ namespace {
 
 using namespace test;
 
-/// Coefficient of degree 0 for a constant colour.
 Vec3f harmonic_of(Vec3f color) { return (color - 0.5f) / 0.2820947917738781f; }
 
 void add_splat(Splats& splats, Vec3f center, Vec3f deviations, float opacity, Vec3f color,
@@ -41,7 +40,6 @@ Splats linear_splats() {
   return splats;
 }
 
-/// Around the origin, with random rotations and colours of the given degree. Some are flat.
 Splats random_cloud(unsigned seed, int count, int degree, bool is_linear) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<float> uniform(-1.0f, 1.0f);
@@ -95,7 +93,6 @@ Vec3d reference_color(const Splats& splats, std::size_t i, Vec3d direction) {
   return glm::max(color, Vec3d(0.0));
 }
 
-/// Hits of a ray in world space, with origin o and unit direction d.
 std::vector<ReferenceHit> reference_hits(const Splats& splats, const Affine3f& place, Vec3d o, Vec3d d) {
   std::vector<ReferenceHit> hits;
   const Vec3d local = glm::normalize(glm::inverse(glm::dmat3(place.linear)) * d);
@@ -112,7 +109,6 @@ std::vector<ReferenceHit> reference_hits(const Splats& splats, const Affine3f& p
   return hits;
 }
 
-/// Radiance of all hits, without the background.
 Vec3d reference_radiance(const std::vector<ReferenceHit>& hits, bool is_linear) {
   double left = 1.0;
   Vec3d sum(0.0);

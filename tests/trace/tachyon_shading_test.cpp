@@ -113,7 +113,7 @@ TEST(SeeThrough, closed_shapes_attenuate_shadow_rays_twice) {
     SmallScene s;
     s.add(square(2, 0), s.material(matte(Vec3f(1.0f))));
     s.add(shape, s.material(veil));
-    s.point_light({0, 0, 20});  // the shape is behind the camera
+    s.point_light({0, 0, 20});
     expect_color(middle(s), Vec3f(0.75f * 0.75f));
   }
 }

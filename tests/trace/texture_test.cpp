@@ -19,7 +19,6 @@ Texture gray(int width, int height, const std::vector<int>& bytes) {
 const Vec2f kNone(0.0f);
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
-/// the only lane that is used
 constexpr int kLane = 5;
 
 LaneMask one_lane() {

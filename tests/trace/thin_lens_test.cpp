@@ -16,7 +16,6 @@ using namespace test;
 constexpr double kDistance = 20.0, kBaseline = 0.8, kPitch = 0.1, kEdge = 0.03;
 constexpr int kViews = 3, kWidth = 120, kHeight = 4, kSamples = 256;
 
-/// Three eyes, 0.8 mm apart.
 Optics camera_row() {
   Optics optics;
   optics.panel = {kViews * kWidth, kHeight, static_cast<float>(kPitch)};
@@ -137,7 +136,7 @@ TEST(ThinLens, partial_samples_make_the_same_frame) {
     trace_frame({device, camera_row(), {}}, params, {pool, context}, {shares}, {first, 3});
   ASSERT_EQ(shares.data.size(), whole.data.size());
   for (std::size_t i = 0; i < whole.data.size(); ++i)
-    ASSERT_NEAR(shares.data[i], whole.data[i], 1e-5f) << i;  // sums of seven values in another order
+    ASSERT_NEAR(shares.data[i], whole.data[i], 1e-5f) << i;  // rounding: seven values are summed in another order
 }
 
 }  // namespace

@@ -40,7 +40,6 @@ MetallicRoughness pane(Vec3f color = Vec3f(1.0f), float roughness = 0.0f) {
   return m;
 }
 
-/// Tints light equally at all angles.
 MetallicRoughness tinted_foil(Vec3f color) {
   MetallicRoughness m = pane(color);
   m.ior = 1.0f, m.specular = 0.0f;
@@ -62,7 +61,6 @@ Vec3f middle_of(const Scene& scene, Integrator integrator, int spp) {
   return trace(scene, single_view(5), params, 1, 0.0, kCloseUp, integrator).at(2, 2);
 }
 
-/// Fraction of a point lamp's light that passes the walls.
 Vec3f share_left(SmallScene s, Vec3f lamp, Integrator integrator, const std::vector<MetallicRoughness>& walls, int spp = 4) {
   point_lamp(s, lamp);
   const Vec3f free = middle_of(s.scene, integrator, spp);
@@ -101,7 +99,6 @@ TEST(ThinWalls, combine_alpha_and_glass) {
     expect_color(share_left(floor_scene(), kAbove, integrator, {veil}), Vec3f(0.75f) + 0.25f * kAtNormal * kGreenish, 1e-4f);
 }
 
-/// From left to right: white, blue, white with alpha 0, and black.
 Texture stripes() {
   Texture t;
   t.width = 64, t.height = 1;
@@ -111,7 +108,6 @@ Texture stripes() {
   return t;
 }
 
-/// Light that passes a wall of four stripes, one pixel per stripe, from a distant lamp straight above.
 std::vector<Vec3f> below_stripes(const MetallicRoughness& wall, Integrator integrator) {
   SmallScene s = floor_scene();
   s.scene.textures.push_back(stripes());
@@ -127,7 +123,7 @@ std::vector<Vec3f> below_stripes(const MetallicRoughness& wall, Integrator integ
   return shares;
 }
 
-// 0.03, because texels at the ends of stripes mix with their neighbours.
+// Tolerance 0.03: texels at the ends of stripes mix with their neighbours.
 TEST(ThinWalls, colours_come_from_their_textures) {
   MetallicRoughness wall = pane();
   wall.base_color_map.texture = 0;
@@ -191,7 +187,7 @@ TEST(ThinWalls, moving_walls_use_world_angles) {
   s.scene.nodes.back().local.rotation = glm::angleAxis(radians(60.0f), Vec3f(0, 1, 0));
   s.scene.nodes.back().local.scale = {3.0f, 5.0f, 0.25f};
   s.add(square(1, 0), s.material(pane(kGreenish)), moving);
-  for (const int i : {0, 1})  // samples are spread around the pixel's centre
+  for (const int i : {0, 1})  // tolerance: samples are spread around the pixel's centre
     expect_color(middle_of(s.scene, kIntegrators[i], 4) / free[i], kAtSixty * kGreenish, 5e-4f);
 }
 
@@ -219,7 +215,6 @@ TEST(ThinWalls, are_not_path_vertices) {
   expect_color(middle_of(s.scene, Integrator::kPath, 16384) / free, Vec3f(once * once), 0.02f);
 }
 
-/// Light with a tinting foil, divided by the light without it.
 float left_below_foil(const SmallScene& lit, int spp) {
   SmallScene s = lit;
   const float free = middle_of(s.scene, Integrator::kPath, spp).x;
@@ -276,7 +271,7 @@ Estimate estimate(const Scene& scene) {
   return {of_mean, (squares / kSeeds - of_mean * of_mean) / (kSeeds - 1)};
 }
 
-// 4.5 standard errors: with 11 degrees of freedom, one of 1,000 correct pairs exceeds it. The seeds are fixed.
+// Limit: 4.5 standard errors. With 11 degrees of freedom, one of 1,000 correct pairs exceeds it. The seeds are fixed.
 TEST(ThinWalls, light_matches_random_paths) {
   MetallicRoughness plain = pane(kGreenish), layered = pane(kGreenish);
   layered.clearcoat = 0.8f, layered.clearcoat_roughness = 0.3f, layered.transmission = 0.7f;

@@ -9,7 +9,6 @@ namespace {
 
 using namespace test;
 
-/// Counts camera rays and hits by pixel, and records the order of calls.
 struct CountingIntegrator {
   std::vector<int> rays, hits;
   std::vector<char> calls;  ///< 'b': begin, 'p': primary, 'f': finish

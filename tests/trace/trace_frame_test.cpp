@@ -10,7 +10,6 @@ namespace {
 
 using namespace test;
 
-/// Spheres, boxes and a floor, with mirrors and glass, under two lights.
 SmallScene scene_with_all_rays() {
   SmallScene s = busy_scene(3);
   s.add(square(3, -2), 1);

@@ -9,7 +9,6 @@ namespace {
 
 using namespace test;
 
-/// with a visible light and a background
 SmallScene scene_of_everything() {
   SmallScene s = busy_scene(7);
   s.scene.background.horizon = {0.2f, 0.3f, 0.5f};
@@ -38,7 +37,6 @@ class TracePixels : public testing::Test {
     return t;
   }
 
-  /// Random pixels of every strip, ascending.
   std::vector<std::uint32_t> some_pixels() const {
     std::vector<std::uint32_t> pixels;
     std::mt19937 random(11);

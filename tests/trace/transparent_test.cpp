@@ -25,7 +25,6 @@ Picture traced(const Scene& scene, Integrator integrator, int spp, bool transpar
 
 float alpha(const Picture& p, int x, int y) { return p.aovs[Aov::kAlpha].pixel(x, y)[0]; }
 
-/// A square from -1 to 1 in front of a background of 0.5.
 SmallScene square_before_grey(const auto& surface) {
   SmallScene s;
   s.scene.max_depth = 4;
@@ -53,7 +52,7 @@ TEST(Transparent, edges_have_partial_alpha) {
   s.add(square(1.05f, 0), s.material(glowing(Vec3f(1.0f))));
   for (const Integrator integrator : kBoth) {
     const Picture p = traced(s.scene, integrator, 64);
-    EXPECT_NEAR(alpha(p, 24, 16), 0.4f, 1.0f / 64);  // the samples are 1/64 of a pixel apart
+    EXPECT_NEAR(alpha(p, 24, 16), 0.4f, 1.0f / 64);  // tolerance: the samples are 1/64 of a pixel apart
     EXPECT_NEAR(p.at(24, 16).x, alpha(p, 24, 16), 1e-5f) << "colours are multiplied by alpha";
   }
 }
@@ -64,7 +63,8 @@ TEST(Transparent, blended_surfaces_have_partial_alpha) {
   const Scene scene = square_before_grey(veil).scene;
   EXPECT_EQ(alpha(traced(scene, Integrator::kWhitted, 1), 16, 16), 0.25f);
   EXPECT_NEAR(traced(scene, Integrator::kWhitted, 1).at(16, 16).x, 0.25f, 1e-6f);
-  EXPECT_NEAR(alpha(traced(scene, Integrator::kPath, 1024), 16, 16), 0.25f, 0.05f);  // 3.7 standard deviations for 1024 samples
+  EXPECT_NEAR(alpha(traced(scene, Integrator::kPath, 1024), 16, 16), 0.25f, 0.05f);  // tolerance: 3.7 standard deviations for
+                                                                                     // 1024 samples
 }
 
 TEST(Transparent, masked_parts_are_empty_glass_is_not) {

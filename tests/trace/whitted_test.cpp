@@ -12,7 +12,7 @@ using namespace test;
 
 // With an odd size, the centre of a pixel is on the camera's axis.
 constexpr int kSize = 33, kMiddle = 16;
-// single-precision shading along one path
+// rounding of single-precision shading along one path
 constexpr float kRounding = 2e-5f;
 
 TEST(Whitted, empty_scenes_show_the_background) {

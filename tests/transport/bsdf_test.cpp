@@ -83,7 +83,6 @@ TEST(MetalRoughBsdf, sample_agrees_with_evaluate) {
   }
 }
 
-// A white surface in uniform white light reflects all light.
 TEST(MetalRoughBsdf, white_furnace_conserves_energy) {
   for (const float metallic : {0.0f, 0.5f, 1.0f})
     for (int r = 0; r <= 10; ++r)
@@ -91,7 +90,7 @@ TEST(MetalRoughBsdf, white_furnace_conserves_energy) {
         MetalRoughSurface white;
         white.metallic = metallic, white.roughness = 0.1f * static_cast<float>(r);
         const auto [mean, squares] = mean_weight(bsdf_of(white, angle), 16'384);
-        // 0.5 % for the tables, and three standard errors.
+        // Tolerance: 0.5 % for the tables, and three standard errors.
         EXPECT_NEAR(mean, 1.0, 0.005 + 3.0 * std::sqrt(std::max(0.0, squares - mean * mean) / 16'384))
             << "metallic " << metallic << ", roughness 0." << r << ", " << angle << " degrees";
       }
@@ -103,7 +102,7 @@ TEST(MetalRoughBsdf, smooth_glass_loses_nothing) {
   for (const bool entering : {true, false}) EXPECT_NEAR(mean_weight(bsdf_of(glass, 50.0f, entering), 4096).first, 1.0, 1e-4);
 }
 
-// 1 % covers interpolation in the tables and noise.
+// Tolerance: 1 % covers interpolation in the tables and noise.
 TEST(MetalRoughBsdf, rough_glass_conserves_energy) {
   for (const float ior : {1.33f, 1.5f, 2.0f})
     for (int r = 1; r <= 10; ++r)

@@ -26,7 +26,6 @@ struct ChiSquared {
 /// merged.
 inline ChiSquared chi_squared(int count, const std::function<std::optional<Vec3f>(int)>& draw,
                               const std::function<double(Vec3f)>& density) {
-  // cells of the sphere, and quadrature points along each side of a cell
   constexpr int kPolar = 24, kAzimuth = 48, kWithin = 24;
   std::vector<double> expected(kPolar * kAzimuth), found(kPolar * kAzimuth);
   for (int c = 0; c < kPolar * kAzimuth; ++c)

@@ -35,7 +35,7 @@ Environment::Density density_of(const Environment& e, Vec3f direction) {
 TEST(Environment, a_panorama_lies_as_documented) {
   Background b = panorama(8, 4, [](int x, int y) { return Vec3f(static_cast<float>(x), static_cast<float>(y), 1.0f); });
   const Environment e(b);
-  const float turn = radians(22.5f);  // half a column
+  const float turn = radians(22.5f);
   const Vec3f x_axis = e.radiance({std::cos(turn) * std::cos(turn), std::sin(turn), std::sin(turn) * std::cos(turn)});
   EXPECT_NEAR(x_axis.x, 4.0f, 1e-4f);
   EXPECT_NEAR(x_axis.y, 1.0f, 1e-4f);  // the centre of row 1 is 22.5 degrees above the horizon
@@ -120,7 +120,6 @@ Background sunny(int sun_x, int sun_y) {
   });
 }
 
-/// Calls fn(direction, solid angle) at `within` times the resolution of the panorama.
 void for_each_direction(const Background& b, int within, const std::function<void(Vec3f, double)>& fn) {
   const int width = b.map->radiance.width * within, height = b.map->radiance.height * within;
   for (int y = 0; y < height; ++y)
@@ -170,11 +169,10 @@ TEST(Environment, one_texel_suns_are_found_anywhere) {
       solid_angle += of_sun ? steradian : 0.0;
       EXPECT_TRUE(of_sun || e.radiance(d).y <= 1.01f) << "the sun's light extends beyond it, at " << at.x << ", " << at.y;
     });
-    EXPECT_LT(solid_angle, 0.0025);  // two by two texels
+    EXPECT_LT(solid_angle, 0.0025);  // limit: two by two texels
   }
 }
 
-// Integrates with 6 x 6 points per texel.
 TEST(Environment, sun_and_rest_integrate_to_one) {
   Background b = sunny(200, 50);
   b.map->rotation = 0.3f;
@@ -212,9 +210,9 @@ TEST(Environment, soft_skies_have_no_sun) {
   gradient.zenith = Vec3f(1.0f), gradient.horizon_at = 0.99f;
   const Background even = panorama(256, 128, [](int, int) { return Vec3f(2.0f); }),
                    dark = panorama(256, 128, [](int, int) { return Vec3f(0.0f); }),
-                   // 0.15 steradian with nearly all the light
+                   // Nearly all the light is in 0.15 steradian.
       window = panorama(256, 128, [](int x, int y) { return Vec3f(x < 16 && y > 56 && y < 72 ? 1000.0f : 0.1f); }),
-                   // 200 times as bright as the rest, but only a hundredth of all light
+                   // One texel is 200 times as bright as the rest, but has only a hundredth of all light.
       veiled = panorama(256, 128, [](int x, int y) { return Vec3f(x == 9 && y == 60 ? 200.0f : 1.0f); });
   for (const Background* b : std::initializer_list<const Background*>{&gradient, &even, &dark, &window, &veiled}) {
     const Environment e(*b);

@@ -21,7 +21,6 @@ struct FacetWalk {
 
   double number() { return std::uniform_real_distribution<double>()(random); }
 
-  /// Moves the ray to the next facet, unless it leaves the surface.
   bool leaves() {
     const double away = static_cast<double>(ggx.lambda(direction)), lambda = direction.z > 0.0f ? away : -1.0 - away;
     const double free = direction.z > 0.0f ? std::pow(below, lambda) : 0.0, u = number();
@@ -30,7 +29,6 @@ struct FacetWalk {
     return false;
   }
 
-  /// Reflects the ray at a facet. Returns Schlick's reflectance.
   Vec3f bounce(Vec3f f0) {
     const Vec3f back = -direction, h = ggx.sample_visible(back, {static_cast<float>(number()), static_cast<float>(number())});
     const float cosine = std::max(0.0f, glm::dot(back, h));

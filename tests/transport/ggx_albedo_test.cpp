@@ -56,7 +56,7 @@ TEST(GgxAlbedo, agrees_with_quadrature) {
   for (const float roughness : {0.5f, 0.75f, 1.0f})
     for (const float cosine : {0.15f, 0.5f, 0.97f}) {
       const Vec3f single = albedo().single(cosine, roughness * roughness);
-      // linear interpolation in the table
+      // Tolerance: the table is interpolated linearly.
       EXPECT_NEAR(single.x + single.y, brute_force(cosine, roughness * roughness), 0.004)
           << "roughness " << roughness << ", cosine " << cosine;
     }
@@ -85,7 +85,7 @@ TEST(GgxAlbedo, mean_equals_the_directions_mean) {
     sum += 2.0f * cosine / kPoints * GgxAlbedo::directional(albedo().single(cosine, 0.36f), f0, f90);
   }
   const Vec3f mean = albedo().mean(0.36f, f0, f90);
-  // roughness 0.6 is between two entries of the table
+  // Tolerance: roughness 0.6 is between two entries of the table.
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(mean[c], sum[c], 2e-3f) << "channel " << c;
 }
 

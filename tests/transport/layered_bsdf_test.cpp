@@ -86,7 +86,6 @@ std::vector<Case> rough_surfaces() {
           {"all", all}};
 }
 
-/// Mean weight of samples per channel, and three standard errors.
 struct Furnace {
   Vec3f mean;
   float chance;
@@ -105,7 +104,6 @@ Furnace furnace(const LayeredBsdf& bsdf, int count = 8'192) {
   return {Vec3f(mean), static_cast<float>(3.0 * std::sqrt(std::max(0.0, squares / count - mean.y * mean.y) / count))};
 }
 
-/// Standard deviations by which the sampled directions deviate from their density.
 double deviations(const LayeredBsdf& bsdf) {
   const auto draw = [&](int i) -> std::optional<Vec3f> {
     const auto seed = static_cast<std::uint32_t>(i);
@@ -145,7 +143,7 @@ TEST(LayeredBsdf, sample_agrees_with_evaluate) {
   }
 }
 
-// The film's compensation for multiple scattering depends only on the viewer's side, by a few thousandths.
+// Tolerance: the film's compensation for multiple scattering depends only on the viewer's side, by a few thousandths.
 TEST(LayeredBsdf, sheen_film_and_diffuse_transmission_are_reciprocal) {
   for (LayeredSurface s : {sheen(0.3f), sheen(1.0f), filmed(0.0f), leaf()}) {
     s.base.specular = 0.0f;
@@ -194,7 +192,7 @@ TEST(LayeredBsdf, without_layers_equals_the_base_surface) {
     }
 }
 
-// 3 % covers interpolation in the table.
+// Tolerance: 3 % covers interpolation in the table.
 TEST(LayeredBsdf, white_brushed_metal_conserves_energy) {
   for (const float roughness : {0.1f, 0.3f, 0.6f, 0.9f})
     for (const float anisotropy : {0.3f, 0.6f, 1.0f})

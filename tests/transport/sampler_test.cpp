@@ -33,7 +33,6 @@ TEST(Sampler, the_mean_over_seeds_is_a_half) {
   EXPECT_NEAR(sum.y / kSeeds, 0.5f, 0.0183f);
 }
 
-/// Pair `pair` of random numbers of 16 paths of one pixel.
 std::vector<Vec2f> pairs_of(std::uint32_t seed, std::uint32_t first_index, std::uint32_t first, std::uint32_t pair) {
   PathPairs paths;
   for (std::uint32_t i = 0; i < PathPairs::kPaths; ++i)

@@ -10,7 +10,6 @@ inline const GgxAlbedo& albedo() {
   return tables;
 }
 
-/// not parallel to any axis
 inline const Vec3f kNormal = glm::normalize(Vec3f(0.3f, -0.5f, 0.8f));
 
 }  // namespace lippmann::test

@@ -25,7 +25,6 @@ namespace fs = std::filesystem;
 using test::file_bytes;
 using test::TempDir;
 
-/// Frames read, and files that gave an error.
 struct Outcome {
   int frames = 0, errors = 0;
 };

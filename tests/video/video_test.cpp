@@ -174,7 +174,6 @@ TEST(Video, files_state_their_codec_and_colours) {
   }
 }
 
-/// Returns what ffprobe prints about a video of stereo frames.
 std::string probe_stereo(const fs::path& path, VideoCodec codec, const StereoLayout& stereo) {
   write_video(path, smooth_frames(2, 96, 64), {.codec = codec, .stereo = stereo});
   return test::run_command("ffprobe -v error -show_streams '" + path.string() + "'").output;

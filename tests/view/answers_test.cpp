@@ -25,7 +25,6 @@ PageRequest request_of(const std::string& path) {
   return request;
 }
 
-/// Serves a folder of three frames on the loopback address.
 class Answers : public testing::Test {
  protected:
   Answers() : pictures_(test::write_sheet_frames(dir_.path(), 3)), answers_(test::fields_of(dir_.path()), kLoopback) {}
@@ -186,7 +185,7 @@ TEST(ByteCache, most_recent_entries_stay_within_the_limit) {
   EXPECT_EQ(get("c"), 'c');  // the cache is full, so the least recently used entry, b, is dropped
   EXPECT_EQ(get("a"), 'a');
   EXPECT_EQ(made, 3);
-  EXPECT_EQ(get("b"), 'b');  // drops c
+  EXPECT_EQ(get("b"), 'b');
   EXPECT_EQ(made, 4);
   const auto make_large = [&] { return ++made, std::string(101, 'l'); };
   EXPECT_EQ(cache.get("large", make_large)->size(), 101u);

@@ -21,7 +21,6 @@ class Connection : public testing::Test {
   }
   ~Connection() override { close(ends_[0]); }
 
-  /// The server's end of the socket pair, which the caller closes.
   platform::Socket server_end() const { return platform::Socket(ends_[1]); }
 
   void say(HttpConnection& connection, const std::string& bytes) {

@@ -78,7 +78,6 @@ TEST_F(Server, foreign_hosts_and_origins_are_refused) {
   EXPECT_EQ(status("/fields.json"), 200);
 }
 
-/// Request line and headers of a POST request.
 std::string post_head(const std::string& target, int port, const std::string& headers) {
   return "POST " + target + " HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(port) +
          "\r\nConnection: close\r\nContent-Type: text/plain\r\n" + headers + "\r\n";
@@ -167,7 +166,6 @@ class PatientServer : public Server {
   PatientServer() : Server(3600) {}
 };
 
-// More connections than the server keeps open.
 TEST_F(PatientServer, slow_connections_do_not_block_others) {
   std::list<RawConnection> others;
   for (int i = 0; i < 200; ++i) {

@@ -64,7 +64,6 @@ PageRequest print_request(const std::string& path, const std::string& body = {})
   return request;
 }
 
-/// Serves a folder of five pictures on the loopback address.
 class Prints : public testing::Test {
  protected:
   Prints() {

@@ -21,10 +21,8 @@ class RawConnection {
   int socket_ = -1;
 };
 
-/// Sends a GET request with "Connection: close" and further header lines, each ended by CR LF. Returns the whole answer.
 std::string http_get(int port, const std::string& target, const std::string& headers = {});
 
-/// Returns 0 if the answer is empty.
 int status_of(const std::string& answer);
 
 }  // namespace lippmann::test

@@ -21,7 +21,6 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-/// reads the folder on every request
 constexpr std::chrono::milliseconds kAlways{0};
 
 /// A folder of three frames, two of which exist. According to its journal, this process is rendering them.
@@ -46,7 +45,6 @@ class RunningRenderTest : public testing::Test {
     fs::permissions(path, fs::perms::owner_all);
     return path;
   }
-  /// Waits until the state of the render is `word`. Returns nothing after ten seconds.
   static nlohmann::ordered_json state_once(RunningRender& render, const std::string& word) {
     for (int i = 0; i < 500; ++i, std::this_thread::sleep_for(std::chrono::milliseconds(20)))
       if (auto state = render.state_after(0); state["state"] == word) return state;

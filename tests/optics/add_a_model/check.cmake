@@ -29,7 +29,6 @@ foreach(line IN LISTS touched)
   endif()
 endforeach()
 
-# Compiles only the optics part of the library.
 file(WRITE ${WORK}/CMakeLists.txt "
 cmake_minimum_required(VERSION 3.25)
 project(add_a_model LANGUAGES CXX)

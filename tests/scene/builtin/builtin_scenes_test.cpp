@@ -19,7 +19,6 @@ static void PrintTo(const BuiltinScene& scene, std::ostream* out) { *out << scen
 
 namespace {
 
-/// Each scene is built only once for all tests.
 const Scene& built(const BuiltinScene& builtin) {
   static std::map<std::string_view, Scene> scenes;
   const auto [it, is_new] = scenes.try_emplace(builtin.name);

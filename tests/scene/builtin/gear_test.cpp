@@ -12,7 +12,6 @@ namespace {
 
 constexpr GearBlank kBlank{.thickness = 4.0f, .bevel = 0.1f, .bore_radius = 1.0f};
 
-/// Angle of p from the centre line of the nearest tooth.
 float from_tooth(int teeth, float gear_angle, Vec2f p) {
   return std::remainder(std::atan2(p.y, p.x) - gear_angle, 2.0f * kPi / static_cast<float>(teeth));
 }
@@ -43,7 +42,6 @@ float ring_meshing_angle(int gear_teeth, float gear_angle, int ring_teeth, float
   return direction + static_cast<float>(gear_teeth) / static_cast<float>(ring_teeth) * (gear_angle - direction);
 }
 
-/// Points on the flanks of all teeth, relative to the gear's centre.
 std::vector<Vec2f> flank_points(int teeth, float gear_angle) {
   std::vector<Vec2f> points;
   for (int tooth = 0; tooth < teeth; ++tooth)

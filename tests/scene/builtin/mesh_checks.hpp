@@ -17,7 +17,6 @@ inline Vec3f area_normal(const Mesh& mesh, std::size_t t) {
   return glm::cross(mesh.positions[b] - mesh.positions[a], mesh.positions[c] - mesh.positions[a]);
 }
 
-/// Triangles without area.
 inline int count_degenerate(const Mesh& mesh) {
   int count = 0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) count += glm::length(area_normal(mesh, t)) > 0.0f ? 0 : 1;

@@ -30,7 +30,7 @@ int find_node(const Scene& scene, std::string_view name) {
 }
 
 TEST(SmallBalls, each_generation_has_nine_times_the_spheres) {
-  std::map<int, int> count;  // spheres of each generation
+  std::map<int, int> count;
   for (const PlacedSphere& s : spheres_of(build_small_balls(), 0.0))
     ++count[static_cast<int>(std::lround(-std::log(s.radius) / std::log(3.0f)))];
   EXPECT_EQ(count, (std::map<int, int>{{0, 1}, {1, 9}, {2, 81}, {3, 729}, {4, 6561}}));
@@ -86,7 +86,6 @@ TEST(Primitives, shows_every_kind_of_finite_shape) {
     EXPECT_GE(kinds[kind.index()], 1) << kind.index();
 }
 
-/// Angle about z between two times, within half a turn.
 float turned_about_z(const Scene& scene, int node, double from, double to) {
   const Vec3f a = evaluate(scene, from).of(node).linear[0], b = evaluate(scene, to).of(node).linear[0];
   return std::atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y);

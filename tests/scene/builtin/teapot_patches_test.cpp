@@ -19,7 +19,6 @@ Mesh teapot(int steps) {
   return mesh;
 }
 
-/// Evenly spaced control points: P(u, v) = (3u, 3v, 0).
 BezierPatch flat_patch() {
   BezierPatch patch;
   for (std::size_t row = 0; row < 4; ++row)

@@ -44,7 +44,6 @@ TEST(FractalNoise, repeats_after_its_period) {
   EXPECT_NEAR(fractal_noise(p, {4, 4}, 5, 3), fractal_noise(p + Vec2f(4, 4), {4, 4}, 5, 3), 1e-4f);
 }
 
-/// Largest difference between horizontal neighbours, or with `seam_only` between the last and the first column.
 int greatest_step(const Texture& t, bool seam_only) {
   int most = 0;
   const auto at = [&](int x, int y, int c) { return int{t.rgba[static_cast<std::size_t>(4 * (y * t.width + x) + c)]}; };

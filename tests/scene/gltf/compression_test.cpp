@@ -26,7 +26,6 @@ using testing::HasSubstr;
 using Packed = std::vector<unsigned char>;
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// Returns whether the file is a valid scene. Otherwise, the error must name the file.
 bool is_valid_or_says_why(const test::Contents& file) {
   Scene scene;
   try {
@@ -166,12 +165,13 @@ TEST(GltfMeshopt, quaternions_are_completed) {
   pack_view(b, 0, pack_vertices(filtered.data(), 2, 8), 2, 8, "ATTRIBUTES", "QUATERNION");
   const Scene scene = parse(with_fallback(b));
   const Quatf q = scene.timeline.animations.at(0).rotation.values.at(1);
-  EXPECT_NEAR(std::abs(q.w * 0.5f + q.x * 0.5f + q.y * 0.5f + q.z * 0.5f), 1.0f, 1e-4f);  // 16 bits per component
+  EXPECT_NEAR(std::abs(q.w * 0.5f + q.x * 0.5f + q.y * 0.5f + q.z * 0.5f), 1.0f, 1e-4f);  // the file stores 16 bits per
+                                                                                          // component
 }
 
 struct MeshoptFault {
   const char* name;
-  std::function<void(Json&)> spoil;  ///< modifies the extension of the view of the positions
+  std::function<void(Json&)> spoil;
   const char* message;
 };
 void PrintTo(const MeshoptFault& fault, std::ostream* out) { *out << fault.name; }
@@ -220,7 +220,6 @@ TEST(GltfMeshopt, flipped_bytes_are_valid_or_an_error) {
   EXPECT_GT(errors, 0);
 }
 
-/// Two triangles with the corners kCorners. The positions are not quantised and have the unique id 0.
 Packed draco_square(int method) {
   draco::TriangleSoupMeshBuilder builder;
   builder.Start(2);

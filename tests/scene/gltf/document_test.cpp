@@ -21,7 +21,6 @@ using test::parse;
 using testing::Contains;
 using testing::HasSubstr;
 
-/// Has most kinds of elements. Tests modify it.
 GltfBuilder good_document() {
   GltfBuilder b;
   b.add("materials", {{"pbrMetallicRoughness", {{"metallicFactor", 0.5}}}});
@@ -40,7 +39,7 @@ GltfBuilder good_document() {
   return b;
 }
 
-/// Error after the value at `pointer` is replaced, or removed if null.
+/// Returns the error after the value at `pointer` is replaced, or removed if it is null.
 std::string message_with(const std::string& pointer, const Json& value) {
   GltfBuilder b = good_document();
   Json root = b.document();
@@ -57,7 +56,7 @@ TEST(GltfDocument, good_document_passes) { EXPECT_NO_THROW(parse(good_document()
 struct Fault {
   const char* name;
   const char* pointer;
-  Json value;  ///< null: removes the property
+  Json value;
   const char* message;
 };
 void PrintTo(const Fault& fault, std::ostream* out) { *out << fault.name; }
@@ -236,7 +235,6 @@ TEST(GltfDocument, instances_beyond_the_limit_are_an_error) {
   EXPECT_THAT(error_message([&] { parse(b, nullptr, limits); }), HasSubstr("too much memory"));
 }
 
-/// A scene of one triangle, with the positions in a separate file.
 class GltfFolder : public testing::Test {
  protected:
   GltfFolder() {

@@ -23,13 +23,11 @@ class GltfBuilder {
   Json root = {{"asset", {{"version", "2.0"}}}};
   Contents binary;
 
-  /// Returns the index of the element.
   int add(const char* array, Json value) {
     root[array].push_back(std::move(value));
     return static_cast<int>(root[array].size()) - 1;
   }
 
-  /// Appends bytes, aligned to four bytes, and returns the index of the view.
   template <class T>
   int add_view(const std::vector<T>& values) {
     binary.resize((binary.size() + 3) / 4 * 4);
@@ -63,7 +61,6 @@ class GltfBuilder {
 
   int add_node(Json node) { return add("nodes", std::move(node)); }
 
-  /// JSON for a binary container (.glb).
   Json document() const {
     Json result = root;
     if (!binary.empty()) result["buffers"] = {{{"byteLength", binary.size()}}};
@@ -108,7 +105,6 @@ inline Contents contents_of(const std::string& text) {
 
 inline LoadOptions at_25_frames_a_second() { return {.frames_per_second = 25.0}; }
 
-/// Parses the file a.glb and collects warnings.
 inline Scene parse(const Contents& contents, std::vector<std::string>* warnings = nullptr, const GltfLimits& limits = {},
                    const LoadOptions& options = at_25_frames_a_second()) {
   Context context;
@@ -120,7 +116,6 @@ inline Scene parse(const GltfBuilder& builder, std::vector<std::string>* warning
   return parse(builder.glb(), warnings, limits, options);
 }
 
-/// Adds a node with mesh 0, and returns the parsed mesh.
 inline Mesh parse_mesh(const GltfBuilder& builder, std::vector<std::string>* warnings = nullptr) {
   GltfBuilder with_node = builder;
   with_node.add_node({{"mesh", 0}});

@@ -21,7 +21,6 @@ constexpr const char* kDownlight =
     "data:application/x-ies-lm-63;base64,SUVTOkxNLTYzLTIwMTkKVElMVD1OT05FCjEgMTAwMCAxID"
     "IgMSAxIDIgMCAwIDAgMSAxIDUwCjAgOTAKMAo4MCA4MAo=";
 
-/// Nodes 1, 2, ... are children of node 0, and each has one of `lamps`.
 GltfBuilder lit_by(const Json& profile, const std::vector<Json>& lamps) {
   GltfBuilder b;
   b.root["extensions"]["EXT_lights_ies"]["lights"] = Json::array({profile});

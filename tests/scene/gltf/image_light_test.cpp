@@ -33,7 +33,6 @@ int add_picture(GltfBuilder& b, int width, int height, const std::vector<Rgba>& 
 
 int add_plain(GltfBuilder& b, Rgba color) { return add_picture(b, 1, 1, {color}); }
 
-/// `more` is merged into the environment light.
 GltfBuilder surrounded_by(GltfBuilder b, const Json& faces, const Json& more = Json::object()) {
   Json light = {{"specularImages", {faces}}, {"specularImageSize", 1}, {"irradianceCoefficients", Json::array()}};
   light.update(more);
@@ -59,7 +58,6 @@ const EnvironmentMap& map_of(const Scene& scene) {
   return scene.background.map.value();
 }
 
-/// An unrotated panorama in one direction.
 Vec3f seen(const EnvironmentMap& map, Vec3f direction) {
   const Vec3f d = glm::normalize(direction);
   const Image& p = map.radiance;

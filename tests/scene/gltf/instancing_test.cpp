@@ -17,7 +17,6 @@ using test::Json;
 using test::parse;
 using testing::HasSubstr;
 
-/// A triangle at a node at (0, 0, 7). `attributes` has the transforms of the copies.
 GltfBuilder copies(GltfBuilder b, const Json& attributes) {
   b.add_node({{"mesh", b.add_triangle()},
               {"translation", {0, 0, 7}},
@@ -41,7 +40,7 @@ TEST(GltfInstancing, copies_share_a_shape) {
   EXPECT_EQ(transform_point(at.of(scene.instances[0].node), {1, 0, 0}), Vec3f(2, 0, 7));
   // The copy's point (1, 0, 0) is scaled to (3, 0, 0), rotated to (0, 3, 0), and translated.
   const Vec3f second = transform_point(at.of(scene.instances[1].node), {1, 0, 0});
-  EXPECT_LE(glm::length(second - Vec3f(0, 5, 7)), 1e-5f);  // rounding errors of floats of about 10
+  EXPECT_LE(glm::length(second - Vec3f(0, 5, 7)), 1e-5f);  // rounding of floats of about 10
 }
 
 TEST(GltfInstancing, attributes_that_are_left_out_change_nothing) {

@@ -19,7 +19,6 @@ using test::parse;
 using testing::Contains;
 using testing::HasSubstr;
 
-/// One light at node 1, a child of node 0.
 GltfBuilder lit_by(const Json& light) {
   GltfBuilder b;
   b.root["extensions"]["KHR_lights_punctual"]["lights"] = Json::array({light});
@@ -152,7 +151,6 @@ TEST(GltfLight, old_blender_exporters_use_watts) {
   EXPECT_EQ(scale_by("another exporter v1.0", "point"), 1.0f);
 }
 
-/// Outer half angle of 60 degrees, inner half angle `inner`.
 Light spot_of(const std::string& generator, float inner, const Json& extras = Json::object()) {
   GltfBuilder b =
       lit_by({{"type", "spot"}, {"spot", {{"innerConeAngle", inner}, {"outerConeAngle", kPi / 3}}}, {"extras", extras}});

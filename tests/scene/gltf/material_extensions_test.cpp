@@ -141,7 +141,6 @@ TEST(GltfSpecularGlossiness, is_a_dielectric_of_that_reflectance) {
   EXPECT_GT(s.ior, 500.0f);  // reflects all light, multiplied by the specular colour
 }
 
-/// Material 1 in the variants 0 and 2, otherwise material 0.
 GltfBuilder with_variants() {
   GltfBuilder b;
   for (const char* name : {"Plain", "Painted"}) b.add("materials", {{"name", name}});

@@ -23,7 +23,6 @@ using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// red, green, blue, and transparent white
 std::vector<unsigned char> four_colours() {
   return encode_png(2, 2, 4, {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 255, 255, 255, 0});
 }
@@ -41,7 +40,6 @@ MetallicRoughness surface_of(const Json& material, std::vector<std::string>* war
   return std::get<MetallicRoughness>(scene_of_material(material, warnings).materials.at(0).surface);
 }
 
-/// A triangle whose base colour is this image.
 GltfBuilder textured(const std::vector<unsigned char>& image, const Json& sampler = Json::object()) {
   GltfBuilder b;
   b.add("images", {{"bufferView", b.add_view(image)}, {"mimeType", "image/png"}, {"name", "colours"}});
@@ -137,7 +135,6 @@ TEST(GltfMaterial, specular_and_clearcoat_are_read) {
   EXPECT_EQ(s.clearcoat_roughness, 0.125f);
 }
 
-/// All kinds of maps, with texture 0.
 Json all_maps() {
   const Json map = {{"index", 0}};
   return {{"pbrMetallicRoughness", {{"baseColorTexture", map}, {"metallicRoughnessTexture", map}}},
@@ -223,7 +220,6 @@ TEST(GltfMaterial, skips_maps_without_effect) {
   EXPECT_NO_THROW(parse(b));
 }
 
-/// Texture coordinates after the transform of a map.
 Vec2f look_up(const TextureMap& map, Vec2f uv) { return map.offset + map.matrix * uv; }
 
 MetallicRoughness surface_with_transform(const Json& transform) {
@@ -365,7 +361,6 @@ TEST(GltfTexture, transform_may_choose_another_set) {
   EXPECT_THAT(std::get<Mesh>(scene.shapes.at(0)).uvs, testing::Each(Vec2f(0.5f)));
 }
 
-/// Returns the warning about an unknown image format. The surface must have no texture.
 std::string warning_about(const std::vector<unsigned char>& image) {
   std::vector<std::string> warnings;
   const Scene scene = parse(textured(image), &warnings);

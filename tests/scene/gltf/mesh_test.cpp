@@ -25,7 +25,6 @@ using Triangle = std::array<std::uint32_t, 3>;
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
-/// Five vertices. `more` is merged into the primitive.
 Mesh five_vertices(const Json& more) {
   GltfBuilder b;
   const int positions = b.add_accessor(std::vector<Vec3f>{{0, 0, 0}, {1, 0, 0}, {2, 1, 0}, {3, 0, 0}, {4, 1, 0}});
@@ -100,7 +99,6 @@ TEST(GltfMesh, two_nodes_share_a_shape) {
 
 TEST(GltfAccessor, reads_interleaved_data) {
   GltfBuilder b;
-  // x, y, z, u, v per vertex
   const int view = b.add_view(std::vector<float>{0, 0, 0, 0.1f, 0.2f, 1, 0, 0, 0.3f, 0.4f, 0, 1, 0, 0.5f, 0.6f});
   b.root["bufferViews"][0]["byteStride"] = 20;
   const Json accessor = {{"bufferView", view}, {"componentType", test::kFloat}, {"count", 3}};
@@ -124,7 +122,6 @@ TEST(GltfAccessor, last_strided_element_needs_no_padding) {
   EXPECT_EQ(parse_mesh(b).positions.at(2), Vec3f(0, 1, 0));
 }
 
-/// The file stores texture coordinates as integers.
 template <class T>
 std::vector<Vec2f> integer_uvs(const std::vector<T>& values, int component_type, bool normalized) {
   GltfBuilder b;

@@ -23,7 +23,7 @@ using testing::HasSubstr;
 
 const float kHalfRoot = std::sqrt(0.5f);
 
-/// a few rounding errors of floats of about 1
+/// rounding of floats of about 1
 constexpr float kFloatRounding = 1e-6f;
 
 void expect_near(Vec3f actual, Vec3f expected, float tolerance = kFloatRounding) {
@@ -115,7 +115,6 @@ TEST(GltfNodes, self_child_is_an_error) {
   EXPECT_THAT(message_of(b), HasSubstr("nodes[0]: is part of or below a cycle"));
 }
 
-/// A chain of three nodes, whose scene lists the nodes `listed`.
 GltfBuilder chain_of_three(const Json& listed) {
   GltfBuilder b;
   b.add_node({{"name", "top"}, {"translation", {1, 0, 0}}, {"children", {1}}});
@@ -222,7 +221,6 @@ GltfBuilder skinned_triangle(const std::vector<Vec4f>& weights) {
   return b;
 }
 
-/// Position of a vertex of the file's only mesh.
 Vec3f posed(const Scene& scene, std::size_t vertex, double time = 0.0) {
   validate(scene, "a.glb");
   const ResolvedScene resolved = evaluate(scene, time);
@@ -234,8 +232,8 @@ TEST(GltfSkin, joints_bind_matrices_and_weights_are_read) {
   ASSERT_EQ(scene.skins.size(), 1u);
   EXPECT_THAT(scene.skins[0].joints, ElementsAre(1, 2));
   EXPECT_EQ(std::get<Mesh>(scene.shapes.at(0)).skin.per_vertex, 4);
-  expect_near(posed(scene, 0), {10, 0, 0});  // follows joint 0 only
-  expect_near(posed(scene, 1), {0, 1, 1});   // (1, 0, 0) + (0, 0, 1) = (1, 0, 1), rotated: (0, 1, 1)
+  expect_near(posed(scene, 0), {10, 0, 0});
+  expect_near(posed(scene, 1), {0, 1, 1});  // (1, 0, 0) + (0, 0, 1) = (1, 0, 1), rotated: (0, 1, 1)
   // Joint 0 moves vertex 2 at (0, 1, 0) to (10, 1, 0), joint 1 to (-1, 0, 1). The result is the mean.
   expect_near(posed(scene, 2), {4.5f, 0.5f, 0.5f}, 4 * kFloatRounding);
 }
@@ -362,7 +360,6 @@ TEST(GltfMorph, counts_morphing_nodes_before_posing) {
   EXPECT_THAT(error_message([&] { parse(b, nullptr, limits); }), HasSubstr("the unpacked scene needs too much memory"));
 }
 
-/// One node and one animation channel.
 template <class T>
 GltfBuilder animated(const char* path, const char* interpolation, const std::vector<float>& times,
                      const std::vector<T>& values) {
@@ -494,7 +491,6 @@ TEST(GltfAnimation, unknown_path_is_an_error) {
             "a.glb: animations[0].channels[0].target.path: is 'wobble'; accepted: translation, rotation, scale, weights");
 }
 
-/// "Walk" has 25 frames, "Run" 50.
 GltfBuilder walk_and_run() {
   GltfBuilder b = animated<Vec3f>("translation", "LINEAR", {0, 1}, {{0, 0, 0}, {1, 0, 0}});
   b.root["animations"][0]["name"] = "Walk";
@@ -509,7 +505,6 @@ int frames_of(const GltfBuilder& b, const std::string& animation) {
   return parse_gltf(b.glb(), "a.glb", {.frames_per_second = 25.0, .animation = animation}, Context{}).timeline.frame_count;
 }
 
-/// Timeline of a file with keys at the given times, at the reader's frame rate.
 Timeline timeline_of_keys(const std::vector<float>& times) {
   const GltfBuilder b = animated<Vec3f>("translation", "LINEAR", times, std::vector<Vec3f>(times.size(), Vec3f(0.0f)));
   return parse_gltf(b.glb(), "a.glb", {}, Context{}).timeline;

@@ -23,12 +23,10 @@ void expect_near(Vec3d a, Vec3d b) {
   EXPECT_LE(glm::length(a - b), kRounding) << a.x << " " << a.y << " " << a.z << " and " << b.x << " " << b.y << " " << b.z;
 }
 
-/// In the coordinates of the file.
 Vec3d in_file(const Scene& scene, int node, Vec3f p = Vec3f(0.0f)) {
   return scene.origin + Vec3d(transform_point(evaluate(scene, 0.0).of(node), p));
 }
 
-/// First vertex of the first instance, in the coordinates of the file.
 Vec3d first_corner(const Scene& scene) {
   const Instance& instance = scene.instances.at(0);
   return in_file(scene, instance.node,

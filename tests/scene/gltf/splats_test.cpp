@@ -21,7 +21,6 @@ using testing::HasSubstr;
 
 constexpr const char* kPrefix = "KHR_gaussian_splatting:";
 
-/// Two splats in one mesh primitive, which tests may modify.
 class SplatDocument {
  public:
   explicit SplatDocument(int degree = 0, std::vector<Vec3f> scales = {{1, 2, 3}, {0.5f, 0.5f, 0.5f}}) {
