@@ -7,7 +7,7 @@
 
 namespace lippmann {
 
-/// What 128 x 128 rays from the viewer through the frame of the display hit, as fractions of these rays.
+/// Fractions of 128 x 128 rays from the viewer through the display.
 struct SeenShare {
   double anything = 0.0;  ///< rays that hit a surface that is not fully transparent
   double subject = 0.0;   ///< rays that hit the subject of the view (FittedArray::is_subject)

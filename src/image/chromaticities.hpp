@@ -22,8 +22,7 @@ bool are_rec709(const Chromaticities& chromaticities);
 /// 709 get negative components. Returns nothing if the chromaticities are degenerate.
 std::optional<glm::dmat3> rec709_from(const Chromaticities& chromaticities);
 
-/// `channels` is the number of samples per pixel, of which the first three are the colour. Colours that are not finite do not
-/// change.
+/// `channels` is the number of samples per pixel; the first three are the colour. Colours that are not finite do not change.
 void convert_colors(const glm::dmat3& matrix, std::span<float> samples, std::size_t channels);
 
 }  // namespace lippmann

@@ -60,7 +60,7 @@ Image eye_view(const RenderedPanel& rendered, const EyeView& view, const ThreadP
   const Vec2i size = view.size.x > 0 ? view.size : natural_view_size(rendered.optics);
   const Vec2i samples = samples_per_pixel(rendered.optics, size);
   const EyeSampler sampler(rendered, view.filter, view.crosstalk_px);
-  // Where the eye at E sees a point of depth z at s, the pupil point E + d sees it at s - d z / (E.z - z). The images of all
+  // If the eye at E sees a point of depth z at s, the pupil point E + d sees it at s - d z / (E.z - z). The images of all
   // pupil points are shifted so that they coincide at the depth of focus.
   const double shift = -view.focus_mm / (view.eye_mm.z - view.focus_mm);
   struct PupilPoint {

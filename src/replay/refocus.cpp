@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kBandRows = 16;
 
-/// Where the ray of each panel pixel meets the plane of focus, in pixels of the refocused image.
+/// The points where the rays of the panel's pixels meet the plane of focus, in pixels of the refocused image.
 struct Arrivals {
   int width, height;
   std::vector<float> x, y;

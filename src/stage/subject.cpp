@@ -26,7 +26,7 @@ constexpr float kNearFace = 0.05f;
 constexpr float kSpanning = 0.8f;  ///< fraction of a face that its sheets must span
 /// Largest diagonal of what remains without surroundings, as a fraction of the whole.
 constexpr float kMuchSmaller = 0.5f;
-/// Like kMuchSmaller, for surroundings without a ground.
+/// Largest such diagonal if the surroundings have no ground.
 constexpr float kSmallBefore = 0.25f;
 
 using Indices = std::vector<std::size_t>;

@@ -10,7 +10,7 @@
 
 namespace lippmann {
 
-/// What an eye beyond the outermost views sees.
+/// The views that an eye beyond the outermost views sees.
 enum class BeyondZone {
   kRepeats,   ///< the views of the next cone
   kNextLens,  ///< the views of the neighbouring lens

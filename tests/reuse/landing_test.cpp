@@ -27,8 +27,8 @@ bool on_panel(const Optics& optics, glm::dvec2 p) {
   return p.x >= 0 && p.y >= 0 && p.x < film_size(optics).x && p.y < optics.panel.height;
 }
 
-/// Where the rays of a lens cross z = 0: the centre of a microlens; for a sheet, x is the distance of its axis from the slanted
-/// axis through the origin, and y is 0.
+/// Returns the point where the rays of a lens cross z = 0: the centre of a microlens. For a sheet, x is the distance of the
+/// lens axis from the slanted axis through the origin, and y is 0.
 glm::dvec2 lens_above(const Optics& optics, Vec2f pixel) {
   const Vec3f p = at_depth(ray_of_pixel(optics, pixel), 0.0f);
   const auto* sheet = std::get_if<LenticularSheet>(&optics.model);
@@ -45,7 +45,7 @@ bool same_lens(const Optics& optics, Vec2f a, Vec2f b) {
 }
 
 Place seen_below_lens(const Optics& optics, Vec2f from, Vec3f point) {
-  // Where the panel's edge cuts a cell, the point's image may lie outside the panel, so a larger panel is searched.
+  // If the panel's edge cuts a cell, the image of the point may lie outside the panel, so a larger panel is searched.
   constexpr float kMargin = 8.0f;
   Optics wide = optics;
   wide.z_front_mm = resolved_z_front_mm(optics);
@@ -106,7 +106,7 @@ glm::dvec2 nearest_lens(const Lattice& lattice, glm::dvec2 p) {
   return best;
 }
 
-/// Of all positions with the offset of `from` in their cells, returns the one whose ray passes nearest to the point.
+/// Returns the position whose ray passes nearest to the point, among those with the offset of `from` in their cells.
 Place seen_in_lens_view(const Optics& optics, Vec2f from, Vec3f point) {
   const Lattice lattice = lattice_of(optics);
   const double m = optics.panel.pixel_pitch_mm, w = optics.panel.width, h = optics.panel.height;

@@ -46,7 +46,7 @@ class Disk {
   void lose_machine(int machine, Random& random);
 
  private:
-  struct Change {  ///< change of a folder's entries that is not synced
+  struct Change {  ///< of a folder's entries, not yet synced
     int folder;
     std::string removed, added;
     int inode;

@@ -285,8 +285,8 @@ class Teller {
                        [&](const std::string& name) { return world_.disk.find((of.first / name).string()) == inode; });
   }
 
-  /// Returns whether a byte of the file may be damaged, and then takes the file from the finished ones. Damage to a file that
-  /// is being written cannot be detected. In joined folders a file may have two names, so inodes are compared.
+  /// Returns whether a byte of the file may be damaged, and then removes the file from the list of finished ones. Damage to a
+  /// file that is still being written cannot be detected. Compares inodes, because a file may have two names.
   bool forget(const std::string& path) {
     const int inode = world_.disk.find(path);
     for (const FolderFrame& made : being_made_) {

@@ -1,4 +1,4 @@
-// Where rays begin. The scene's camera is at (0, 0, 4) and looks along -z. The display's viewer is farther away.
+// The scene's camera is at (0, 0, 4) and looks along -z. The display's viewer is farther away.
 #include "stage/front_of_rays.hpp"
 
 #include <gtest/gtest.h>

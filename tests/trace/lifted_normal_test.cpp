@@ -76,7 +76,7 @@ MetallicRoughness of(float metallic, float roughness) {
   return surface;
 }
 
-// Where the smooth normal faces away from the view, the gloss would take all light from the paint below it. The darkest of
+// If the smooth normal faces away from the view, the gloss would take all light from the paint below it. The darkest of
 // every 500 pixels has 0.82 of the sky's light without lifting the normal, and 0.91 with it.
 TEST(LiftedNormal, glossy_coarse_balls_have_no_dark_rim) {
   for (const bool layered : {false, true}) {

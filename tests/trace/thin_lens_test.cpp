@@ -58,7 +58,7 @@ TEST_P(ThinLensEdge, is_as_wide_as_the_circle_of_confusion) {
     const Edge edge = edge_in(blurred, view * kWidth, kWidth);
     // 256 samples are stratified over the lens in 16 x 16 cells. The edge cuts about 20 cells, each with an error of at most
     // half its area, so a pixel has a standard deviation of 0.5 sqrt(20) / 256 = 0.01. With c pixels in the ramp, the place
-    // errs by 0.01 sqrt(c), at most 0.06. The test allows three times this.
+    // has an error of 0.01 sqrt(c), at most 0.06. The test allows three times this.
     EXPECT_NEAR(edge.place_px, place, 0.2) << view;
     EXPECT_NEAR(edge.variance_px2, circle_px * circle_px / 16.0 + 1.0 / 6.0, 0.03 * circle_px * circle_px / 16.0 + 0.1) << view;
   }

@@ -38,7 +38,7 @@ struct PrintFinish {
 };
 
 struct DisplayPictureParams {
-  std::optional<AspectFit> fit = {};  ///< none: default_fit() decides
+  std::optional<AspectFit> fit = {};  ///< none: default_fit()
   /// Interpolation between views. Native frames take any filter, other pictures all except kGaussian, and microlens arrays only
   /// kNearest.
   ViewFilter filter = ViewFilter::kNearest;

@@ -39,8 +39,7 @@ inline Vec2i stereo_squeeze(StereoPacking packing) {
   return {packing == StereoPacking::kHalfSideBySide ? 2 : 1, packing == StereoPacking::kHalfOverUnder ? 2 : 1};
 }
 
-/// Returns the size of the picture. `stored` is the size of a squeezed view; for kRows, of a whole view, of which the picture
-/// uses every other row.
+/// Returns the size of the picture. `stored` is the size of a squeezed view, or for kRows of a whole view.
 Vec2i stereo_picture_size(StereoPacking packing, Vec2i stored);
 
 /// The inverse of stereo_picture_size(). Throws Error naming `where` if a side cannot be halved.

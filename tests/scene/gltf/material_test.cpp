@@ -233,7 +233,7 @@ TEST(GltfTextureTransform, scales_then_turns_then_moves) {
       surface_with_transform({{"offset", {0.25, 0.5}}, {"scale", {2, 4}}, {"rotation", kPi / 2}}).base_color_map;
   // The transform scales (1, 0) to (2, 0), rotates it by 90 degrees to (0, -2), and translates it.
   const Vec2f along_u = look_up(map, {1, 0}), along_v = look_up(map, {0, 1});
-  EXPECT_NEAR(along_u.x, 0.25f, 1e-6f);  // the cosine of pi / 2 is not exactly 0 in floats
+  EXPECT_NEAR(along_u.x, 0.25f, 1e-6f);  // tolerance: the cosine of pi / 2 is not exactly 0 in floats
   EXPECT_NEAR(along_u.y, -1.5f, 1e-6f);
   EXPECT_NEAR(along_v.x, 4.25f, 1e-6f);
   EXPECT_NEAR(along_v.y, 0.5f, 1e-6f);
