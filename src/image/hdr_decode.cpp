@@ -231,7 +231,7 @@ float scale_of(const Rgbe& pixel) { return pixel[3] == 0 ? 0.0f : std::ldexp(1.0
 HdrHeader read_hdr_header(FileBytes file, const std::string& where) {
   HdrHeader header = HdrHeaderReader(file, where).read();
   const std::uint64_t pixels = static_cast<std::uint64_t>(header.shape.width) * static_cast<std::uint64_t>(header.shape.height);
-  check_file_holds(where, file.size(), sizeof(Rgbe) * pixels, kDeflateRatio);  // above the ratio of run-length compression
+  check_file_holds(where, file.size(), sizeof(Rgbe) * pixels, kDeflateRatio);  // run-length coding compresses less
   return header;
 }
 

@@ -10,8 +10,7 @@ namespace lippmann {
 namespace {
 
 constexpr double kWindowRadius = 1.5;  ///< half width of the averaging window, in distances between lenses
-constexpr float kNoRays = 1e6f;        ///< stands for the infinite disagreement of pixels without rays, so that sums stay
-                                       ///< finite
+constexpr float kNoRays = 1e6f;        ///< disagreement of pixels without rays; finite, because it is summed
 
 /// Replaces each of `count` samples, `stride` apart, by the mean of the 2 radius + 1 samples around it. Windows are cut off at
 /// the ends.

@@ -16,8 +16,7 @@ namespace lippmann {
 namespace {
 
 constexpr float kNoPoint = -std::numeric_limits<float>::infinity();
-constexpr double kSameSurfacePx = 1.5;  ///< neighbouring points of one surface are at most this far apart in the view, in
-                                        ///< pixels
+constexpr double kSameSurfacePx = 1.5;  ///< largest distance of neighbouring points of a surface, in pixels of the view
 
 /// The source image, scaled to the screen of the views.
 struct DepthPicture {

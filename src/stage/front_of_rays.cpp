@@ -21,7 +21,7 @@ namespace {
 /// Walls that cover a smaller fraction of the frame do not matter. The frame is the rectangle of the display as the eye sees
 /// it.
 constexpr double kWallShare = 0.25;
-/// Rays start at this point between the near clipping plane (0) and the wall (1).
+/// Fraction of the way from the near clipping plane to the wall at which rays start.
 constexpr float kBeforeWall = 0.999f;
 
 constexpr std::size_t kNamed = 3;

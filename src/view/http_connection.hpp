@@ -21,7 +21,7 @@ class HttpConnection {
 
   struct Terms {
     std::chrono::seconds idle{15};  ///< until the first byte of a request
-    std::chrono::seconds head{3};   ///< from the first byte to the end of the head, which is one packet
+    std::chrono::seconds head{3};   ///< from the first byte to the end of the head, which fits in one packet
     std::chrono::seconds body{10};  ///< for the body: 1 MB at 1 Mbit/s
     std::chrono::seconds send{15};  ///< without progress in sending an answer; long, because browsers pause tabs
     /// Refuses a request by its head, or returns nullopt. Called before the body is read.

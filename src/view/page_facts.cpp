@@ -11,7 +11,7 @@
 namespace lippmann {
 namespace {
 
-/// Pixels of all views of one frame together. Computing these views takes a second or two.
+/// Largest number of pixels of all views of a frame together. Computing so many takes a second or two.
 constexpr double kMaxEyePixels = 6e6;
 constexpr int kMaxEyesAcross = 48, kMaxEyesUp = 9;
 

@@ -48,7 +48,7 @@ TEST(BackgroundQueue, never_more_pieces_than_its_capacity_exist) {
   BackgroundQueue queue(2, 3);
   for (int i = 0; i < 50; ++i) {
     auto held = std::make_shared<Counted>(alive, most);
-    // so that tasks collect in the queue
+    // Tasks must collect in the queue.
     queue.submit([held] { std::this_thread::sleep_for(std::chrono::microseconds(100)); });
   }
   queue.finish();

@@ -123,11 +123,11 @@ TEST(Spoc, other_lenses_keep_the_point_in_place) {
 }
 
 TEST(Spoc, index_worked_out_by_hand) {
-  // The sheet has 40 lenses of 1 mm with 9 pixels each and a gap of 2 mm; lens 20 is at x = 0.5 mm. Its middle pixel 184 has a
-  // ray that stays at x = 0.5 mm and meets the middle of recorded lens 20, so its source is itself. Pixel 187 is 3/9 mm beside
-  // the centre, so its slope is -1/6: at the recording array (12 mm), x = 0.5 - 2 = -1.5 mm, the centre of recorded lens 18; at
-  // the reference plane (6 mm), x = -0.5 mm. Recorded lens 18 sees that point at the offset -(-0.5 + 1.5) * 2 / 6 = -1/3 mm or
-  // -3 pixels. The source is pixel 18 * 9 + 4 - 3 = 163.
+  // The sheet has 40 lenses of 1 mm with 9 pixels each and a gap of 2 mm. The middle pixel of lens 20, at x = 0.5 mm, is pixel
+  // 184. Its ray is perpendicular to the sheet, so its source is the same pixel.
+  // Pixel 187 is 3/9 mm to the right, so its ray has the slope -1/6. It meets the recording array (z = 12 mm) at 0.5 - 12/6 =
+  // -1.5 mm, the centre of lens 18, and the reference plane (z = 6 mm) at 0.5 - 6/6 = -0.5 mm. Lens 18 records this point at
+  // -(-0.5 + 1.5) * 2 / 6 = -1/3 mm from its centre, or -3 pixels. The source is pixel 18 * 9 + 4 - 3 = 163.
   const PixelMap map = spoc(test::sheet(), test::sheet(), {12.0, 6.0});
   EXPECT_EQ(map.source[50 * 360 + 184], 50u * 360u + 184u);
   EXPECT_EQ(map.source[50 * 360 + 187], 50u * 360u + 163u);

@@ -235,9 +235,7 @@ TEST_F(Tachyon, tpolyfile_scales_rotates_and_moves) {
   ASSERT_EQ(mesh.positions.size(), 3u);
   // The second corner comes first, as in Tachyon. z is mirrored.
   const Vec3f expected[] = {{8, 0, 0}, {10, 2, 0}, {10, 0, -2}};
-  for (std::size_t i = 0; i < 3; ++i)
-    EXPECT_LT(glm::length(mesh.positions[i] - expected[i]), 1e-6f) << i;  // rounding of
-                                                                          // floats
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_LT(glm::length(mesh.positions[i] - expected[i]), 1e-6f) << i;  // rounding
 }
 
 /// Tachyon's rotation about y has +sin in its third row, where a proper rotation has -sin. It turns (1, 0, 0) to (cos, 0,

@@ -461,7 +461,7 @@ class Teller {
   fs::path folder_ = "/sim/film";
   std::deque<Work> queue_;
   std::map<FolderFrame, std::uint64_t> finished_;
-  /// finished and recorded strips, with the step of the simulation; removed when their frame is finished
+  /// Finished strips, with the step of the simulation. They are removed when their frame is finished.
   std::map<FolderPart, std::uint64_t> finished_parts_;
   std::multiset<FolderFrame> being_made_;
   std::string problem_;

@@ -63,8 +63,7 @@ TEST(Transparent, blended_surfaces_have_partial_alpha) {
   const Scene scene = square_before_grey(veil).scene;
   EXPECT_EQ(alpha(traced(scene, Integrator::kWhitted, 1), 16, 16), 0.25f);
   EXPECT_NEAR(traced(scene, Integrator::kWhitted, 1).at(16, 16).x, 0.25f, 1e-6f);
-  EXPECT_NEAR(alpha(traced(scene, Integrator::kPath, 1024), 16, 16), 0.25f, 0.05f);  // tolerance: 3.7 standard deviations for
-                                                                                     // 1024 samples
+  EXPECT_NEAR(alpha(traced(scene, Integrator::kPath, 1024), 16, 16), 0.25f, 0.05f);  // 3.7 standard deviations
 }
 
 TEST(Transparent, masked_parts_are_empty_glass_is_not) {

@@ -158,7 +158,8 @@ TEST(LayeredBsdf, sheen_film_and_diffuse_transmission_are_reciprocal) {
   }
 }
 
-// The compensation for multiple scattering depends only on the viewer's side. Smooth metal needs little of it.
+// The compensation for multiple scattering is not reciprocal, because it depends only on the direction to the viewer. Smooth
+// metal needs little of it.
 TEST(LayeredBsdf, smooth_brushed_metal_is_reciprocal) {
   const LayeredSurface s = brushed(0.15f, 0.2f);
   const Vec3f a = direction(25.0f, 10.0f), b = direction(30.0f, 185.0f);

@@ -25,10 +25,10 @@ struct LightFieldHints {
   std::filesystem::path report = {};  ///< empty: report.json beside the images
   std::string from = {};              ///< a format of `convert`; empty: detected
   std::optional<ViewGrid> views = {};
-  std::optional<ViewGrid> tiles = {};               ///< columns and rows of a quilt's tiles
-  std::optional<double> view_angle_deg = {};        ///< full angle of the viewing zone, if the cameras are unknown
-  bool cone_ends = false;                           ///< true: the outermost views are at the two ends of view_angle_deg; false:
-                                                    ///< half a step inside
+  std::optional<ViewGrid> tiles = {};         ///< columns and rows of a quilt's tiles
+  std::optional<double> view_angle_deg = {};  ///< full angle of the viewing zone, if the cameras are unknown
+  /// True: the outermost views are at the two ends of view_angle_deg. False: half a step inside.
+  bool cone_ends = false;
   std::function<void(std::string_view)> warn = {};  ///< called with each warning
   /// Display for the images. Images of the format `native` or of unknown format are then frames of its panel, and a row of
   /// views without cameras is a quilt for it.

@@ -165,8 +165,7 @@ TEST(GltfMeshopt, quaternions_are_completed) {
   pack_view(b, 0, pack_vertices(filtered.data(), 2, 8), 2, 8, "ATTRIBUTES", "QUATERNION");
   const Scene scene = parse(with_fallback(b));
   const Quatf q = scene.timeline.animations.at(0).rotation.values.at(1);
-  EXPECT_NEAR(std::abs(q.w * 0.5f + q.x * 0.5f + q.y * 0.5f + q.z * 0.5f), 1.0f, 1e-4f);  // the file stores 16 bits per
-                                                                                          // component
+  EXPECT_NEAR(std::abs(q.w * 0.5f + q.x * 0.5f + q.y * 0.5f + q.z * 0.5f), 1.0f, 1e-4f);  // 16 bits per component
 }
 
 struct MeshoptFault {
