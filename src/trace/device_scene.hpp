@@ -1,4 +1,4 @@
-// A Scene prepared for tracing at one time: acceleration structures, geometry records and shading tables.
+// A Scene prepared for tracing at one time.
 #pragma once
 
 #include <memory>
@@ -12,18 +12,15 @@ namespace lippmann {
 
 struct ShadedScene;
 
-/// Build a DeviceScene once per scene, and update it once per frame. Static objects are built once. Rigidly moving objects are
-/// transformed instead of rebuilt. The Scene must outlive this object. Any number of threads may trace at once, but not during
-/// update().
+/// Build a DeviceScene once per scene, and call update() once per frame. The Scene must outlive this object. Any number of
+/// threads may trace at once, but not during update().
 class DeviceScene {
  public:
-  /// Builds the tables of materials and lights for `integrator`. The geometry does not depend on the integrator.
   DeviceScene(const Scene& scene, const ThreadPool& pool, Integrator integrator = Integrator::kWhitted);
   ~DeviceScene();
   DeviceScene(const DeviceScene&) = delete;
   DeviceScene& operator=(const DeviceScene&) = delete;
 
-  /// Moves all objects and lights to their positions in `resolved`.
   void update(const ResolvedScene& resolved, const ThreadPool& pool);
 
   const ShadedScene& shaded() const { return *shaded_; }  ///< defined in shading/shaded_scene.hpp

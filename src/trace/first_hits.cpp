@@ -10,14 +10,14 @@
 namespace lippmann {
 namespace {
 
-/// Maximum number of holes (surfaces that alpha makes transparent) that a ray passes. The next hit counts as opaque.
+/// A ray passes at most this many surfaces that alpha makes transparent. The next hit counts as opaque.
 constexpr int kMostHoles = 64;
 
 Vec3f unit_direction(const RayHitPacket& packet, int i) {
   return {packet.ray.dir_x[i], packet.ray.dir_y[i], packet.ray.dir_z[i]};
 }
 
-/// Returns whether alpha makes the surface a hole. Transmission does not make a hole.
+/// Returns whether alpha makes the surface transparent. Glass does not count.
 bool is_hole(const ShadedScene& scene, const SurfacePacket& surface, int i, float least_opacity) {
   const Material& material = scene.scene->materials[scene.material_of_instance[surface.instance[i]]];
   const auto* m = std::get_if<MetallicRoughness>(&material.surface);
@@ -26,7 +26,7 @@ bool is_hole(const ShadedScene& scene, const SurfacePacket& surface, int i, floa
   return surface.opacity[i] < least_opacity * solid;
 }
 
-/// An integrator that stores first hits in the layers instead of computing light.
+/// An integrator that records first hits instead of light.
 class FirstHits {
  public:
   FirstHits(const Shot& shot, const FrameStep* step, FrameAovs& aovs, float least_opacity)
@@ -50,7 +50,6 @@ class FirstHits {
       if (scene_.has_splats()) stop_at_splats(packet, left, active);
       evaluate_surfaces(scene_, packet.rays, active, Lanes{}, beam_, surface);
       if (!store(packet.rays, surface, packet.target, hole == kMostHoles, active)) return;
-      // The rays continue through the holes.
       for (int i = 0; i < kLanes; ++i)
         if (active.lane[i]) rays.tnear[i] = rays.tfar[i] + surface.t_near[i];
       std::copy_n(packet.reach.lane, kLanes, rays.tfar);
@@ -60,8 +59,7 @@ class FirstHits {
   void finish() const {}
 
  private:
-  /// Tests whether splats end a ray. A ray ends at the first splat that reduces the transmitted light below one half. Stores
-  /// the hit and deactivates the lane. `left` is the share of light that earlier splats have transmitted.
+  /// Ends each ray at the first splat behind which the transmittance is below 0.5. `left` is the transmittance so far.
   void stop_at_splats(CameraPacket& packet, Lanes& left, LaneMask& active) const {
     SplatHits hits;
     SplatLight light;
@@ -77,7 +75,7 @@ class FirstHits {
     }
   }
 
-  /// Stores a splat hit. A splat has no normal, so the direction to the viewer is stored as the normal.
+  /// Stores a splat hit, with the direction to the viewer as its normal.
   void store_splat(CameraPacket& packet, int i, const SplatHit& hit, Vec3f color) const {
     RayPacket& ray = packet.rays.ray;
     const Vec3f direction = unit_direction(packet.rays, i);
@@ -90,7 +88,7 @@ class FirstHits {
     store(packet.rays, surface, i, packet.target[i]);
   }
 
-  /// Stores the hits of lanes that hit a surface. Lanes that hit a hole stay active. Returns whether any lane hit a hole.
+  /// Stores hits. Lanes that hit a transparent surface stay active. Returns whether there is such a lane.
   bool store(const RayHitPacket& packet, const SurfacePacket& surface, const std::uint32_t* pixel, bool last,
              LaneMask& active) const {
     bool any_hole = false;

@@ -11,15 +11,15 @@
 
 namespace lippmann {
 
-/// The scene in the current and in the previous frame. The device scene must be at the time of `now`.
+/// The scene in the current and the previous frame. The device scene must be at the time of `now`.
 struct FrameStep {
   const ResolvedScene& now;
   const ResolvedScene& before;
   Affine3f world_from_display_before;
 };
 
-/// Fills the wanted first-hit layers of `aovs` by one ray through the centre of each pixel. If `step` is null, all motion is
-/// zero. Rays pass through surfaces with an alpha below `least_opacity`. The result does not depend on the number of threads.
+/// Fills the requested first-hit layers of `aovs`. One ray passes through the centre of each pixel, and ignores surfaces with
+/// an alpha below `least_opacity`. If `step` is null, all motion is zero.
 void find_first_hits(const Shot& shot, RayOrder order, const FrameStep* step, const ThreadPool& pool, FrameAovs& aovs,
                      float least_opacity = 0.5f);
 

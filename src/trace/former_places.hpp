@@ -1,7 +1,6 @@
-// Finds where the surface points that rays hit in the current frame were in the previous frame.
+// Finds where the surface points of the current frame were in the previous frame.
 //
-// A point on a moving node is moved back by the node's motion. A point on a deforming mesh keeps its triangle and barycentric
-// coordinates, and takes its position from the mesh's previous pose. The transforms are composed in double precision.
+// Points move with their nodes. On deforming meshes, a point keeps its triangle and barycentric coordinates.
 #pragma once
 
 #include <optional>
@@ -19,15 +18,15 @@ class FormerPlaces {
   /// `scene` must be at the time of `step.now`. All arguments must outlive this object.
   FormerPlaces(const ShadedScene& scene, const Affine3f& world_from_display, const FrameStep& step);
 
-  /// Returns the previous position of the point that lane i's ray has hit, in mm relative to the display of the previous frame.
-  /// Returns nothing if the point has not moved relative to the display. The surface of lane i must have been evaluated.
+  /// Returns the previous position of the point that lane i's ray has hit, in mm relative to the previous frame's display, or
+  /// nothing if the point has not moved relative to the display. `surface` must be evaluated for lane i.
   std::optional<Vec3f> of(const RayHitPacket& packet, const SurfacePacket& surface, int i) const;
 
  private:
   struct OfInstance {
     bool still = true;
-    Affine3d display_from_world;     ///< maps current world space to mm relative to the display of the previous frame
-    std::optional<MeshPose> pose{};  ///< pose in the previous frame; only for deforming meshes
+    Affine3d display_from_world;  ///< maps current world space to mm relative to the previous frame's display
+    std::optional<MeshPose> pose{};
   };
 
   Vec3f posed_point(const MeshPose& pose, const RayHitPacket& packet, const SurfacePacket& surface, int i) const;

@@ -1,4 +1,4 @@
-// Selects the packets of a frame that are traced, and groups them into batches.
+// Selects and groups the packets of a frame that are traced.
 #pragma once
 
 #include <algorithm>
@@ -16,8 +16,8 @@
 
 namespace lippmann {
 
-/// The blocks or packets of a frame with a nonzero entry in `wanted`. Blocks are indexed as in touched_blocks.hpp, and packets
-/// as in trace_packets.hpp. If `wanted` is empty, all are selected.
+/// Selects the blocks (see touched_blocks.hpp) or packets (see trace_packets.hpp) with a nonzero entry in `wanted`. If `wanted`
+/// is empty, all are selected.
 struct FrameWork {
   enum class Unit { kBlocks, kPackets };
   Unit unit = Unit::kBlocks;
@@ -28,8 +28,8 @@ inline std::size_t blocks_in(int packets) {
   return static_cast<std::size_t>((packets + kPacketsPerBlock - 1) / kPacketsPerBlock);
 }
 
-/// Divides the selected packets of a strip into batches of at most kPacketsPerBlock packets. Calls trace(packets, block) for
-/// each batch. `packets` holds packet indices within the strip, and `block` is the index of the block in the frame.
+/// Calls trace(packets, block) for groups of at most kPacketsPerBlock selected packets. `packets` holds packet indices within
+/// the strip, and `block` is the index of the block in the frame.
 template <class Trace>
 void for_each_batch(const FrameWork& work, std::size_t strip, int packets_per_strip, const Trace& trace) {
   std::array<int, kPacketsPerBlock> batch;
@@ -54,8 +54,8 @@ void for_each_batch(const FrameWork& work, std::size_t strip, int packets_per_st
   }
 }
 
-/// Calls trace(strip) for all strips in parallel. Returns the sum of the ray counts. After cancellation, no further strips
-/// start. If the call traces only a `share` of the samples, the reported progress is that of all shares together.
+/// Calls trace(strip) for all strips in parallel, until cancellation. Returns the sum of the ray counts. `share` is the subset
+/// of samples that is traced, which scales the reported progress.
 template <class Trace>
 RayCounts trace_strips(std::size_t strips, const Workers& workers, const Trace& trace, SampleShare share = {}) {
   std::vector<RayCounts> counts(strips);

@@ -1,4 +1,3 @@
-// The list of all integrators.
 #include <array>
 
 #include "trace/integrator_model.hpp"

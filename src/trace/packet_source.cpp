@@ -8,7 +8,6 @@
 namespace lippmann {
 namespace {
 
-/// Returns Van der Corput's radical inverse in base 2, as a 32-bit fraction.
 std::uint32_t reversed_bits(std::uint32_t x) {
   x = (x << 16) | (x >> 16);
   x = ((x & 0x00ff00ffu) << 8) | ((x & 0xff00ff00u) >> 8);
@@ -17,7 +16,6 @@ std::uint32_t reversed_bits(std::uint32_t x) {
   return ((x & 0x55555555u) << 1) | ((x & 0xaaaaaaaau) >> 1);
 }
 
-/// Computes centres and indices of 16 consecutive pixels of a strip. `top` is the strip's first row.
 LIPPMANN_MULTIVERSION void center_lanes(const StripPixel* pixels, int top, int width, float* px, float* py,
                                         std::uint32_t* index) {
   LIPPMANN_FOR_LANES(i) {
@@ -41,10 +39,10 @@ Vec2f SubPixel::position(std::uint32_t pixel, int sample) const {
   if (samples == 1) return Vec2f(0.5f);
   const auto s = static_cast<std::uint32_t>(sample);
   const std::uint32_t shift_x = hash(seed, pixel, 0u), shift_y = hash(seed, pixel, 1u);
-  // Positions and shifts are 32-bit fractions of a pixel. Their integer sum overflows, which wraps the position around at 1.
+  // Positions are 32-bit fractions of a pixel. Their sum wraps around at 1.
   const auto x = static_cast<std::uint32_t>((static_cast<std::uint64_t>(s) << 32) / static_cast<std::uint32_t>(samples));
-  // The last 1/256 of the pixel is excluded. Positions there would be rounded up into the next pixel or lens when the pixel's
-  // coordinate, up to 65,535, is added as a float.
+  // The last 1/256 of the pixel is excluded, because adding a pixel coordinate of up to 65,535 would round such positions up to
+  // the next pixel.
   return glm::min(Vec2f(unit_float(x + shift_x), unit_float(reversed_bits(s) + shift_y)), Vec2f(1.0f - 1.0f / 256.0f));
 }
 
@@ -81,7 +79,6 @@ int PacketSource::rows_in_strip(int strip) const {
   return std::min(order_.strip_height, rows_.end - rows_.first - strip * order_.strip_height);
 }
 
-/// Returns whether a lane's pixel is within the first `rows` rows of its strip.
 bool PacketSource::is_inside(int rows, int packet, int lane) const {
   const int at = packet * kLanes + lane;
   return at < width_ * order_.strip_height && order_.pixels[static_cast<std::size_t>(at)].y < rows;

@@ -1,5 +1,4 @@
-// Generates packets of camera rays in the order of a strip. Places the samples of a pixel, and computes their rays by the
-// optics.
+// Generates packets of camera rays in the order of strip_order.hpp.
 #pragma once
 
 #include <vector>
@@ -14,9 +13,8 @@
 
 namespace lippmann {
 
-/// Positions of the samples within a pixel. A single sample is at the centre. Several samples form a Hammersley set, which is
-/// shifted (modulo 1) by a hash of seed and pixel. Each pixel is thus evenly covered, and neighbouring pixels are decorrelated.
-/// angular_filter and lens determine where the samples' rays start.
+/// Positions of the samples within a pixel. A single sample is at the centre. Several samples form a Hammersley set, shifted
+/// (modulo 1) by a hash of seed and pixel.
 struct SubPixel {
   std::uint32_t seed = 0;
   int samples = 1;
@@ -26,15 +24,13 @@ struct SubPixel {
   Vec2f position(std::uint32_t pixel, int sample) const;
 };
 
-/// The tfar of rays that are blocked by the optics (is_blocked()). Samples of blocked rays are black.
+/// The tfar of rays that the optics block. Their samples are black.
 inline constexpr float kBlocked = -1.0f;
 
-/// Generates the rays of each sample of a pixel. Each view has one eye position, or several with an angular filter.
 class SampleRays {
  public:
   SampleRays(const Optics& optics, const Affine3f& world_from_display, const SubPixel& sub_pixel);
   /// Fills sixteen rays of one sample number. (px, py) are positions on the film, and `pixel` holds indices in the whole film.
-  /// Each ray starts at its own point of the lens.
   void fill(int sample, const float* px, const float* py, const std::uint32_t* pixel, RayPacket& rays) const;
 
  private:
@@ -48,16 +44,13 @@ class PacketSource {
   PacketSource(const Optics& optics, const Affine3f& world_from_display, RayOrder order, const SubPixel& sub_pixel,
                FilmRows rows = {});
 
-  /// Returns the number of strips in `rows`. Strip 0 begins at the first of these rows.
   int strips() const { return strips_; }
-  /// Returns the index in the whole film of the first pixel of `rows`.
   std::uint32_t first_pixel() const { return static_cast<std::uint32_t>(rows_.first) * static_cast<std::uint32_t>(width_); }
-  /// Returns the number of packets of a full strip. A last strip with fewer rows has the same number of packets, but surplus
-  /// lanes are inactive.
+  /// Returns the number of packets of a full strip. A last strip with fewer rows has as many packets, with inactive lanes.
   int packets_per_strip() const { return packets_; }
 
-  /// Fills a packet of a strip: origin, direction, tnear and tfar of the rays, the active lanes, and each lane's pixel index y
-  /// * width + x in the whole film. Returns the number of active lanes. Inactive lanes get the ray of an active lane.
+  /// Fills a packet of a strip. `pixel` receives each lane's index y * width + x in the whole film. Returns the number of
+  /// active lanes. Inactive lanes get the ray of an active lane.
   int fill(int strip, int packet, int sample, RayPacket& rays, LaneMask& active, std::uint32_t* pixel) const;
 
  private:
@@ -72,8 +65,6 @@ class PacketSource {
   int strips_, packets_;
 };
 
-/// The packets of a strip, for trace_batch(). Targets are indices of pixels in the rendered rows. Random numbers depend on the
-/// index in the whole film.
 struct StripPackets {
   const PacketSource& source;
   int strip;

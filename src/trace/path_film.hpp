@@ -1,23 +1,20 @@
-// The outputs of path tracing for each pixel: light, and features of surfaces.
 #pragma once
 
 #include "shading/shading_point.hpp"
 
 namespace lippmann {
 
-/// Sums of the features of the first surfaces that camera rays hit. NoisyFrame describes the features. The features of a sample
-/// have the same weight as the sample's light in the film.
 struct FirstSurfaces {
-  float *albedo, *normal;                   ///< arrays with three channels per pixel
-  float *z, *met;                           ///< arrays with one channel per pixel
-  Vec4f display_z{0.0f, 0.0f, 0.0f, 0.0f};  ///< z in mm of the display frame is the dot product of display_z and (x, y, z, 1)
+  float *albedo, *normal;
+  float *z, *met;
+  Vec4f display_z{0.0f, 0.0f, 0.0f,
+                  0.0f};  ///< The z of a point, in mm of the display frame, is the dot product of display_z and (x, y, z, 1).
 
   void add(const ShadingPoint& point, Vec3f normal_there, std::size_t pixel, float weight) const;
 };
-/// Returns the row of the world-to-display matrix that computes z. The unit of z is mm.
 Vec4f display_z(const Affine3f& world_from_display);
 
-/// Output arrays with three channels per pixel, except for `open`. Outputs that are null are not computed.
+/// Output arrays with three channels per pixel, except for `open`. Null outputs are not computed.
 struct PathFilm {
   float* all = nullptr;
   float* direct = nullptr;    ///< emission, and light that exactly one surface has scattered

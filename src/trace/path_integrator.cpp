@@ -8,24 +8,24 @@
 namespace lippmann {
 namespace {
 
-/// Russian roulette starts at this vertex of a path. Vertices are counted from 1.
+/// Russian roulette starts at this vertex of a path, counted from 1.
 constexpr int kRouletteDepth = 3;
 constexpr std::uint32_t kColorStream = 0x636f6c6fu;
 
-/// Returns whether a direction is possible for a sample: behind the facet for transmission, otherwise in front of the facet.
-/// The shading normal alone may select the wrong side.
+/// Returns whether a sampled direction is on the correct side of the facet: behind it for transmission, otherwise in front. The
+/// shading normal alone may select the wrong side.
 bool is_possible(const ShadingPoint& point, Vec3f direction, bool transmitted) {
   return point.is_behind(direction) == transmitted;
 }
 
-/// Returns whether a light in `direction` may light the point. Unlike is_possible(), this function accepts lights just behind
-/// the facet that are still in front of the smooth surface. Their shadow rays start at the smooth surface.
+/// Returns whether a light in `direction` may light the point. Lights just behind the facet are accepted if they are in front
+/// of the smooth surface.
 bool may_shine(const ShadingPoint& point, Vec3f direction, bool transmitted) {
   return is_possible(point, direction, transmitted) || (!transmitted && point.rises_to(direction));
 }
 
-/// Applies Russian roulette. Returns false if the path ends. Otherwise divides the throughput by `chance`, the probability that
-/// the path continues.
+/// Russian roulette: returns false if the path ends, and otherwise divides the throughput by the probability `chance` that it
+/// continues.
 bool survives(Vec3f& throughput, float chance, float number) {
   if (!(number < chance)) return false;
   throughput /= chance;
@@ -114,8 +114,7 @@ void PathIntegrator::shade_surface(const RayHitPacket& packet, int i, PathRay& r
   vertices_.active.lane[i] = -1;
 }
 
-/// Continues a path that has reached the maximum depth straight through a thin wall. Shadow rays pass through walls, so rays in
-/// sampled directions must do so too.
+/// Continues a path at the maximum depth straight through a thin wall, because shadow rays pass thin walls too.
 void PathIntegrator::pass_wall(const RayHitPacket& packet, int i, const PathRay& ray, float length) {
   const ShadingPoint& point = vertices_.point(i);
   if (!point.is_wall) return;
@@ -126,8 +125,7 @@ void PathIntegrator::pass_wall(const RayHitPacket& packet, int i, const PathRay&
   send_on(ray, point, on, ray.throughput * straight, length);
 }
 
-/// Restricts a path to one random colour channel, with three times the throughput, at the first surface that disperses light. A
-/// path with one channel keeps its channel at further surfaces.
+/// Restricts a path to one random colour channel, with three times the throughput, where a surface disperses light.
 void PathIntegrator::make_one_color(PathRay& ray, int i) {
   const std::uint32_t channel = hash(ray.seed, ray.index, kColorStream) % 3;
   surface_.color_channel[i] = static_cast<std::uint8_t>(channel);
@@ -195,8 +193,8 @@ void PathIntegrator::shine(int i, const LightSample& light, const BsdfValue& val
   shadow_rays_.push(point, light, clamped(radiance, ray.depth + 1), ray.pixel, ray.depth + 1);
 }
 
-/// Weights a light of finite size by multiple importance sampling. Directions behind the facet are never sampled from the BSDF,
-/// so lights there get the full weight. Only diffuse reflection counts there, because glossy lobes would be too noisy.
+/// Weights the light of an area light by multiple importance sampling. The BSDF never samples directions behind the facet, so
+/// lights there get the full weight. Only their diffuse reflection counts.
 Vec3f PathIntegrator::from_wide_light(int i, const LightSample& light, const BsdfValue& value) const {
   const Vec3f per_density = light.radiance / light.density;
   Vec3f f = value.cosine_f * power_heuristic(light.density, value.density);
@@ -218,8 +216,7 @@ void PathIntegrator::follow(int i, const PathRay& ray, const BsdfSample& sample)
   next->lit_side = vertices_.bsdfs.lit_side(i, point.normal), next->near_share = vertices_.near_share[i];
 }
 
-/// Adds the next ray of a path to the next wave. Returns null if the path ends, because it carries no light or has had too many
-/// events. The pointer is valid until the next call.
+/// Queues the next ray of a path. Returns null if the path ends. The pointer is valid until the next call.
 PathRay* PathIntegrator::send_on(const PathRay& ray, const ShadingPoint& point, const BsdfSample& sample, Vec3f throughput,
                                  float length) {
   if (throughput == Vec3f(0.0f) || !is_finite(throughput)) return nullptr;
@@ -235,8 +232,7 @@ void PathIntegrator::trace_shadow_rays() {
       shadow_rays_.trace(scene_, [this](const ShadowRay& ray, Vec3f radiance) { add(ray.pixel, radiance, ray.depth); });
 }
 
-/// Clamps indirect light: light that more than one vertex has scattered, so `depth` is above 1. Light emitted at a path's
-/// second vertex is direct light of the first vertex.
+/// Clamps indirect light, which more than one vertex has scattered (depth > 1).
 Vec3f PathIntegrator::clamped(Vec3f radiance, int depth) const {
   const float most = largest(radiance);
   return params_.clamp_indirect > 0.0f && depth > 1 && most > params_.clamp_indirect
@@ -244,7 +240,6 @@ Vec3f PathIntegrator::clamped(Vec3f radiance, int depth) const {
              : radiance;
 }
 
-/// Adds light to the film. `depth` is the number of vertices that have scattered the light.
 void PathIntegrator::add(std::uint32_t pixel, Vec3f radiance, int depth) {
   const auto add_to = [&](float* film, float weight) {
     float* p = film + 3 * static_cast<std::size_t>(pixel);

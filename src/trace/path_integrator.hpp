@@ -1,5 +1,5 @@
-// Path tracing in waves of rays. At every vertex, a shadow ray samples one light (next-event estimation). The path then
-// continues in a direction sampled from the BSDF, until Russian roulette or the maximum depth ends it.
+// Path tracing in waves of rays. Each vertex samples one light by a shadow ray, and the next direction from the BSDF. Russian
+// roulette or the maximum depth ends a path.
 //
 // Based on: J. Kajiya, "The rendering equation", SIGGRAPH 1986; E. Veach, "Robust Monte Carlo Methods for Light Transport
 // Simulation", 1997 (multiple importance sampling, the power heuristic; Russian roulette).
@@ -22,43 +22,40 @@
 namespace lippmann {
 
 struct PathParams {
-  int max_depth = 6;            ///< maximum number of vertices of a path
+  int max_depth = 6;
   std::uint32_t seed = 0;       ///< different in each frame, so that the noise of frames is independent
-  float clamp_indirect = 0.0f;  ///< > 0: upper limit of one path's indirect light (images get darker); 0: no limit
-  int spp = 1;                  ///< samples per pixel; each sample has the weight 1 / spp
+  float clamp_indirect = 0.0f;  ///< upper limit of one path's indirect light, which darkens images; 0: no limit
+  int spp = 1;
 };
 
-/// Traces the paths of one thread. Not thread-safe. The class is large because all its functions share the state of the packet
-/// that is being shaded. path_lights.cpp defines the functions for lights that rays hit, and path_integrator.cpp all others.
+/// Traces the paths of one thread. path_lights.cpp defines the functions for lights that rays hit, and path_integrator.cpp all
+/// others.
 class PathIntegrator final : public FrameIntegrator {
  public:
   /// `scene` must be built for Integrator::kPath. film.all must not be null. The arguments must outlive this object.
   PathIntegrator(const ShadedScene& scene, const BeamFootprint& beam, const PathParams& params, const PathFilm& film);
 
   void begin(int sample) override;
-  /// Shades the hits of camera rays. finish() traces the rest of their paths.
   void primary(const CameraPacket& packet) override;
   void finish() override;
 
   const RayCounts& counts() const override { return counts_; }
 
  private:
-  /// The path vertices of a packet, on surfaces that scatter light.
   struct Vertices {
     LaneMask active;
     std::array<ShadingPoint, kLanes> points;
-    Lanes lengths;       ///< length of each path up to its vertex
+    Lanes lengths;
     Lanes near_share{};  ///< LightReceiver::near_share; defined if the scene has both near and far lights
     BsdfPacket bsdfs;
 
     const ShadingPoint& point(int i) const { return points[static_cast<std::size_t>(i)]; }
-    /// Returns the receiver from which lights are sampled.
     LightReceiver receiver(int i) const { return {point(i).position, bsdfs.lit_side(i, point(i).normal)}; }
   };
 
   const LightTable& lights() const { return *scene_.path->lights; }
 
-  // In all functions below, `rays` has one element per lane.
+  // `rays` has one element per lane.
   void shade(const RayHitPacket& packet, LaneMask active, PathRay* rays);
   void draw_numbers(const PathRay* rays);
   void shade_surface(const RayHitPacket& packet, int i, PathRay& ray);
@@ -80,7 +77,6 @@ class PathIntegrator final : public FrameIntegrator {
   void shade_miss(const RayHitPacket& packet, int i, const PathRay& ray);
   void meet_emission(const RayHitPacket& packet, int i, const PathRay& ray, Vec3f emission);
 
-  /// Adds light that the ray has hit.
   void end_path(const PathRay& ray, Vec3f radiance) { add(ray.pixel, clamped(radiance, ray.surfaces()), ray.surfaces()); }
   Vec3f clamped(Vec3f radiance, int depth) const;
   void add(std::uint32_t pixel, Vec3f radiance, int depth);
@@ -89,15 +85,15 @@ class PathIntegrator final : public FrameIntegrator {
   const BeamFootprint& beam_;
   PathParams params_;
   PathFilm film_;
-  float weight_;                          ///< weight of a sample in the film
-  std::array<float, 2> noise_weights_{};  ///< result of weights_of_halves() (NoisyFrame)
-  float noise_weight_ = 0.0f;             ///< element of noise_weights_ for the current sample
+  float weight_;
+  std::array<float, 2> noise_weights_{};
+  float noise_weight_ = 0.0f;
   RayCounts counts_;
-  std::vector<PathRay> wave_, next_;  ///< rays of the current and of the next wave
-  SurfacePacket surface_;             ///< surfaces that the current packet has hit
-  Vertices vertices_;                 ///< the current packet's vertices
+  std::vector<PathRay> wave_, next_;
+  SurfacePacket surface_;
+  Vertices vertices_;
   PathNumbers numbers_;
-  SkyRays sky_;  ///< the sky in the direction of each lane's ray
+  SkyRays sky_;
   SplatHits splat_hits_;
   ShadowQueue shadow_rays_;
 };

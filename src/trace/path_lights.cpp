@@ -1,12 +1,11 @@
-// Adds the light that path rays hit: splats, lamps of finite size, emissive surfaces and the sky. If the last vertex could also
-// have sampled the light by a shadow ray, the power heuristic weights the light.
+// Adds the light that path rays hit. The power heuristic weights light that the last vertex could also have sampled by a shadow
+// ray.
 #include "trace/path_integrator.hpp"
 
 namespace lippmann {
 
-/// Adds the light of splats to camera rays, and to rays that come from a camera by specular reflection or transmission only.
-/// Splats do not light surfaces that scatter. Multiplies the throughput by the splats' transmittance. Lanes become inactive if
-/// the transmittance is 0.
+/// Adds the light of splats to rays that a camera sees directly or by specular reflection or transmission. Attenuates the
+/// throughput, and deactivates lanes with throughput 0.
 void PathIntegrator::meet_splats(const RayPacket& packet, LaneMask& active, PathRay* rays) {
   LaneMask looking;
   for (int i = 0; i < kLanes; ++i) looking.lane[i] = active.lane[i] && rays[i].density == kInfinity ? -1 : 0;
@@ -20,7 +19,7 @@ void PathIntegrator::meet_splats(const RayPacket& packet, LaneMask& active, Path
   }
 }
 
-/// Adds the light of lamps with a finite size. These lamps do not block rays.
+/// Lamps with a finite size do not block rays.
 void PathIntegrator::meet_round_lights(const RayHitPacket& packet, const LaneMask& active, const PathRay* rays) {
   if (lights().has_many_rounds()) {
     for (int i = 0; i < kLanes; ++i)
@@ -36,8 +35,7 @@ void PathIntegrator::meet_round_lights(const RayHitPacket& packet, const LaneMas
   }
 }
 
-/// Adds the light of lamp `k` if the ray hits the lamp. Camera rays do not see lamps. `reach` is the distance from the ray's
-/// origin to its next hit.
+/// Adds the light of lamp `k` if the ray hits it within `reach`. Camera rays do not see lamps.
 void PathIntegrator::meet_round_light(std::size_t k, const PathRay& ray, float reach) {
   if (!ray.has_scattered()) return;
   const float passed = ray.path_length - ray.scattered_at;
@@ -56,8 +54,7 @@ void PathIntegrator::look_up_sky(const RayPacket& rays) {
 
 void PathIntegrator::shade_miss(const RayHitPacket& packet, int i, const PathRay& ray) {
   const unsigned id = packet.hit.geomID[i];
-  // The ray hits a visible light. Only camera rays and rays of Dirac lobes add its light, because other paths sample the light
-  // by shadow rays.
+  // Only camera rays and rays of Dirac lobes add the light, because other vertices sample it by shadow rays.
   if (id >= kLightId && id != kNoId) {
     if (ray.density == kInfinity) end_path(ray, ray.throughput * scene_.lights[id - kLightId].color);
     return;

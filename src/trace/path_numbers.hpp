@@ -1,4 +1,3 @@
-// Random numbers for the current path vertices of a packet. All lanes are computed at once.
 #pragma once
 
 #include <array>
@@ -13,8 +12,8 @@ namespace lippmann {
 
 class PathNumbers {
  public:
-  /// Computes the numbers for the active lanes. `rays` has one element per lane. with_last: also compute the last pair
-  /// (kCoveragePair), which is rarely needed.
+  /// Computes the numbers of the active lanes. `rays` has one element per lane. with_last: also compute the last pair
+  /// (kCoveragePair).
   void draw(const LaneMask& lanes, const PathRay* rays, bool with_last) {
     PathPairs paths;
     for (int i = 0; i < kLanes; ++i) {
@@ -34,7 +33,7 @@ class PathNumbers {
   const LanePairs& pairs(std::uint32_t pair) const { return pairs_[pair]; }
   Vec2f pair(int i, std::uint32_t pair) const { return {pairs_[pair].x[i], pairs_[pair].y[i]}; }
 
-  /// Returns sky directions, which are sampled by each lane's kOnLightPair. They are computed at the first call after draw().
+  /// Returns one sampled direction to the sky per lane.
   const SkyDraws& sky_draws(const Environment& environment) {
     if (!std::exchange(has_sky_draws_, true)) {
       LIPPMANN_FOR_LANES(i) sky_draws_.u[i] = pairs_[kOnLightPair].x[i], sky_draws_.v[i] = pairs_[kOnLightPair].y[i];

@@ -10,20 +10,20 @@ namespace lippmann {
 
 struct PathRay {
   Vec3f origin{0.0f}, direction{0.0f}, throughput{1.0f};
-  Vec3f lit_side{0.0f};      ///< LightReceiver::normal at the last change of direction
-  float near_share = -1.0f;  ///< LightReceiver::near_share at the last change of direction
+  Vec3f lit_side{0.0f};
+  float near_share = -1.0f;
   float t_near = 0.0f, path_length = 0.0f;
   float scattered_at = 0.0f;  ///< path length at the last change of direction; 0 before the first
-  float density = kInfinity;  ///< density with which `direction` was sampled; kInfinity for Dirac lobes and camera rays
+  float density = kInfinity;  ///< probability density of `direction`; kInfinity for Dirac lobes and camera rays
   std::uint32_t pixel = 0;
-  std::uint32_t seed = 0, index = 0;  ///< seed and index of the random numbers (transport/sampler.hpp)
-  std::uint16_t depth = 0;            ///< number of vertices so far
-  bool spread : 1 = false;            ///< has been scattered by a lobe that is not a Dirac lobe, so textures need less detail
-  bool one_color : 1 = false;         ///< has only one colour channel, because a surface has dispersed the light
-  bool through_wall : 1 = false;      ///< has passed straight through a thin wall, which does not count as a vertex
-  /// Number of vertices and passed surfaces so far; selects the random numbers of the next vertex.
+  std::uint32_t seed = 0, index = 0;
+  std::uint16_t depth = 0;  ///< number of vertices so far
+  bool spread : 1 = false;
+  bool one_color : 1 = false;
+  bool through_wall : 1 = false;
+  /// Number of vertices and passed surfaces, which selects the random numbers of the next vertex.
   std::uint16_t events : 13 = 0;
-  std::uint16_t medium = kNoMedium;  ///< medium in which the ray travels
+  std::uint16_t medium = kNoMedium;
 
   bool has_met_nothing() const { return depth == 0 && !through_wall; }
   bool has_scattered() const { return scattered_at > 0.0f; }
@@ -31,14 +31,12 @@ struct PathRay {
   int surfaces() const { return depth > 0 || !through_wall ? depth : 1; }
 };
 
-/// Maximum number of vertices and passed surfaces of a path. The maximum depth is no limit for passed surfaces, because they
-/// are not vertices.
+/// Maximum number of vertices and passed surfaces of a path.
 inline constexpr int kMostEvents = 1024;
-/// Indices of the random number pairs of a vertex. kChoicePair chooses the light and the lobe, kOnLightPair the point on the
-/// light, and kWayPair the direction. kCoveragePair decides Russian roulette and coverage.
+/// The pairs of random numbers of a vertex: for the light and the lobe, for the point on the light, for the direction, and for
+/// Russian roulette and coverage.
 inline constexpr std::uint32_t kChoicePair = 0, kOnLightPair = 1, kWayPair = 2, kCoveragePair = 3, kPairsPerEvent = 4;
 
-/// Returns the path that starts with lane i of camera rays. `seed` becomes the seed of its random numbers.
 inline PathRay camera_path_ray(const CameraPacket& packet, int i, std::uint32_t seed) {
   const RayPacket& rays = packet.rays.ray;
   PathRay ray;
@@ -49,7 +47,6 @@ inline PathRay camera_path_ray(const CameraPacket& packet, int i, std::uint32_t 
   return ray;
 }
 
-/// Returns the continuation of `ray` behind a point that the ray passes unchanged. `length` is the path length at the point.
 inline PathRay passed(PathRay ray, const ShadingPoint& point, float length) {
   ray.origin = point.position;
   ray.t_near = point.t_near;
@@ -58,8 +55,8 @@ inline PathRay passed(PathRay ray, const ShadingPoint& point, float length) {
   return ray;
 }
 
-/// Continues `ray` from `point` in a sampled direction with the given throughput. `length` is the path length at the point.
-/// Unless sample.straight is set, the caller must set lit_side and near_share.
+/// Continues `ray` from `point` in a sampled direction. `length` is the path length at the point. Unless sample.straight is
+/// set, the caller must set lit_side and near_share.
 inline void scatter(PathRay& ray, const ShadingPoint& point, const BsdfSample& sample, Vec3f throughput, float length) {
   ray.origin = point.position;
   ray.throughput = throughput;
@@ -71,14 +68,14 @@ inline void scatter(PathRay& ray, const ShadingPoint& point, const BsdfSample& s
     ray.through_wall = true;
   ray.spread |= !sample.is_delta();
   if (sample.transmitted && point.behind != kSameMedium) ray.medium = point.behind;
-  // Straight transmission keeps the direction and density of the last vertex. Shadow rays of that vertex pass this surface too,
-  // so multiple importance sampling needs the original density.
+  // Straight transmission keeps the direction and density of the last vertex, because that vertex's shadow rays pass this
+  // surface too.
   if (sample.straight) return;
   ray.direction = sample.direction;
   ray.density = sample.density, ray.scattered_at = length;
 }
 
-/// Returns the receiver for which the vertex at the last change of direction sampled lights.
+/// Returns the point for which the last vertex sampled lights.
 inline LightReceiver last_receiver(const PathRay& ray) {
   return {ray.origin - (ray.path_length - ray.scattered_at) * ray.direction, ray.lit_side, ray.near_share};
 }

@@ -5,12 +5,11 @@
 namespace lippmann {
 namespace {
 
-/// Number of buckets for sorting rays by the object that they hit. The lowest bits of the object's id select the bucket. This
-/// nearly always separates the objects, without a table.
+/// Rays are sorted by the lowest bits of the id of the object that they hit.
 constexpr std::size_t kBuckets = 64;
 
 /// Loads up to 16 rays into a packet. Lanes from `count` on are inactive and repeat the last ray. `of_cameras` marks camera
-/// rays that have only passed surfaces made transparent by alpha.
+/// rays that have passed only surfaces made transparent by alpha.
 void load_rays(const PathRay* rays, std::size_t count, RayHitPacket& packet, LaneMask& active, LaneMask& of_cameras) {
   for (std::size_t i = 0; i < kLanes; ++i) {
     const PathRay& ray = rays[std::min(i, count - 1)];
@@ -28,7 +27,6 @@ std::size_t bucket_of(const HitPacket& hit, std::size_t lane) {
   return (placed != kNoId ? placed : hit.geomID[lane]) % kBuckets;
 }
 
-/// Distance between the same field of two consecutive packets, in floats.
 constexpr std::size_t kStride = sizeof(RayHitPacket) / sizeof(float);
 
 template <class Word>
@@ -36,8 +34,7 @@ LIPPMANN_INLINE void gather(const Word* from, const std::int32_t* place, Word* t
   LIPPMANN_FOR_LANES(i) to[i] = from[place[i]];
 }
 
-/// Collects a packet from rays of different packets. For each lane i and each field, copies the value that lies place[i] floats
-/// behind lane 0 of the field in the first packet, met[0].
+/// Gathers a packet. Lane i of each field is copied from the float at `place[i]` behind lane 0 of that field in met[0].
 LIPPMANN_MULTIVERSION void gather_packet(const RayHitPacket* met, const std::int32_t* place, RayHitPacket& to) {
   gather(met->ray.org_x, place, to.ray.org_x);
   gather(met->ray.org_y, place, to.ray.org_y);
@@ -77,7 +74,7 @@ void PathWave::sort() {
   std::array<std::uint32_t, kBuckets> next{};
   for (std::size_t r = 0; r < rays_.size(); ++r) ++next[bucket_of(met_[r / kLanes].hit, r % kLanes)];
   std::uint32_t before = 0;
-  for (std::uint32_t& n : next) {  // turns the counts into start offsets
+  for (std::uint32_t& n : next) {
     const std::uint32_t count = n;
     n = before;
     before += count;

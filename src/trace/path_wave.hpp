@@ -1,7 +1,6 @@
-// Traces many path rays together, and regroups them into packets of rays that hit the same object.
+// Traces path rays, and regroups them into packets of rays that hit the same object.
 //
-// Scattered rays diverge, so sixteen consecutive rays hit several objects. Without regrouping, most lanes would be idle while a
-// packet is shaded. After sorting, most packets belong to one mesh or to the sky.
+// Without regrouping, most lanes would be idle while a packet is shaded, because scattered rays diverge.
 #pragma once
 
 #include <memory>
@@ -13,11 +12,9 @@ namespace lippmann {
 
 class PathWave {
  public:
-  /// Traces all `rays`. The arguments must outlive this object.
   PathWave(const ShadedScene& scene, const std::vector<PathRay>& rays);
 
   std::size_t packets() const { return packets_; }
-  /// Loads packet `p` of the regrouped rays.
   void load(std::size_t p);
 
   /// The results of packet(), active() and rays() are valid until the next load().
@@ -32,14 +29,14 @@ class PathWave {
   const ShadedScene& scene_;
   const std::vector<PathRay>& rays_;
   std::size_t packets_;
-  std::unique_ptr<RayHitPacket[]> met_;     ///< traced packets in the order of rays_
-  std::unique_ptr<std::uint32_t[]> order_;  ///< indices into rays_, sorted by the hit object
+  std::unique_ptr<RayHitPacket[]> met_;  ///< traced packets in the order of rays_
+  std::unique_ptr<std::uint32_t[]> order_;
   RayHitPacket packet_;
   LaneMask active_;
   PathRay lanes_[kLanes];
 };
 
-/// Traces `rays`. Calls shade(packet, active lanes, rays of the lanes) for each regrouped packet.
+/// Traces `rays`, and calls shade(packet, active lanes, rays of the lanes) for each regrouped packet.
 template <class Shade>
 void trace_wave(const ShadedScene& scene, const std::vector<PathRay>& rays, const Shade& shade) {
   PathWave wave(scene, rays);

@@ -10,8 +10,8 @@
 
 namespace lippmann {
 
-/// Calls fn(y * width + x) for each pixel of the wanted blocks, as trace_blocks() would trace them. `wanted` has one entry per
-/// block, as in TouchedBlocks. Row y = 0 is the first of the shot's rows.
+/// Calls fn(y * width + x) for each pixel of the blocks with a nonzero entry in `wanted` (see TouchedBlocks). Row y = 0 is the
+/// first of the shot's rows.
 void for_each_pixel_of_blocks(const Shot& shot, RayOrder order, std::span<const std::uint8_t> wanted,
                               const std::function<void(std::uint32_t)>& fn);
 

@@ -5,7 +5,7 @@
 namespace lippmann {
 namespace {
 
-/// Computes the z coordinate of the end point of each ray, in the display frame.
+/// Computes the z of each ray's end point in the display frame.
 LIPPMANN_MULTIVERSION void depths(const RayPacket& rays, const Affine3f& display_from_world, Lanes& out) {
   const Vec3f row(display_from_world.linear[0].z, display_from_world.linear[1].z, display_from_world.linear[2].z);
   const float shift = display_from_world.translation.z;

@@ -1,4 +1,4 @@
-// Records the first hits of camera rays while they are traced. Point images then need no additional rays.
+// Records the first hits of camera rays while they are traced.
 #pragma once
 
 #include "shading/shaded_scene.hpp"
@@ -14,7 +14,6 @@ class PointCapture {
   PointCapture(const ShadedScene& scene, const Affine3f& display_from_world, PrimaryPoints& points)
       : scene_(scene), display_from_world_(display_from_world), points_(points) {}
 
-  /// Stores the hits of the active lanes of a traced packet.
   void store(const CameraPacket& camera) const;
 
  private:

@@ -1,4 +1,4 @@
-// Depth and object of each pixel's first hit. src/reuse makes point images from them.
+// Depth and object of each pixel's first hit.
 #pragma once
 
 #include <cstddef>
@@ -7,10 +7,9 @@
 
 namespace lippmann {
 
-/// Marks a pixel whose ray hit nothing.
 inline constexpr std::uint32_t kNoObject = 0xffffffffu;
 
-/// One entry per pixel, row by row from the top left. The point lies on the pixel's ray at depth z.
+/// One entry per pixel, row by row from the top left.
 struct PrimaryPoints {
   std::vector<float> z;               ///< z in mm of the display frame; -inf without a hit
   std::vector<std::uint32_t> object;  ///< index in Scene::instances, or instances.size() + l for visible light l, or kNoObject

@@ -9,10 +9,9 @@
 namespace lippmann {
 namespace {
 
-/// Maximum number of rays of one wave. They take about 200 MB. Waves at usual depth limits are far smaller.
+/// Maximum number of rays of one wave, which take about 200 MB.
 constexpr std::size_t kMostRays = std::size_t{1} << 22;
 
-/// Pointers to the elements of one ray in all arrays of the queue.
 struct QueueView {
   float *org_x, *org_y, *org_z, *dir_x, *dir_y, *dir_z, *weight_x, *weight_y, *weight_z, *path_length, *tnear, *open;
   std::uint32_t* pixel;
@@ -21,8 +20,7 @@ struct QueueView {
 using Register = float __attribute__((vector_size(4 * kLanes)));
 using Indices = std::int32_t __attribute__((vector_size(4 * kLanes)));
 
-// picked_of() must be inlined, because the versions of a kernel for different CPUs pass vectors of this size in different
-// registers.
+// picked_of() must be inlined, because builds of a kernel for different CPUs pass vectors of this size in different registers.
 #ifdef __clang__  // Clang has no __builtin_shuffle.
 LIPPMANN_INLINE Register picked_of(const Register& first, const Register& second, const Indices& index) {
   Register picked;
@@ -40,7 +38,7 @@ LIPPMANN_INLINE Register picked_of(const Register& first, const Register& second
 LIPPMANN_INLINE Register picked_of(const Register& source, const Indices& index) { return __builtin_shuffle(source, index); }
 #endif
 
-/// Sets to[k] = from[index[k]] for 16 words. This compiles to one AVX-512 instruction, while a loop would become sixteen loads.
+/// Sets to[k] = from[index[k]] for 16 words. It compiles to one AVX-512 instruction, while a loop would become sixteen loads.
 LIPPMANN_INLINE void pick(const void* from, const Indices& index, void* to) {
   Register source;
   std::memcpy(&source, from, sizeof(source));
@@ -57,7 +55,7 @@ LIPPMANN_INLINE void pick_of_two(const float* from, const Indices& index, float*
   std::memcpy(to, &picked, sizeof(picked));
 }
 
-/// Copies sixteen entries, even if fewer are valid. The next append() overwrites the surplus entries.
+/// Copies sixteen entries, even if fewer are valid. The next append() overwrites the surplus.
 LIPPMANN_MULTIVERSION void copy_branches(const SurfacePacket& s, const RayHitPacket& packet, const Bundle& bundle,
                                          const Branches& branches, const int* entry, const QueueView to) {
   Indices of_branch, lane;
@@ -127,8 +125,7 @@ void RayQueue::load(std::size_t first, RayHitPacket& packet, Bundle& bundle, Lan
   fill_packet(field(0) + first, capacity_, pixel_.get() + first, lanes, packet, bundle, active);
 }
 
-/// Doubles the capacity, to at least 2048 rays, so that a whole append() fits behind the last ray. The memory is not cleared,
-/// because entries behind the last ray are read only into inactive lanes.
+/// Doubles the capacity. The memory is not cleared, because entries behind the last ray are read only into inactive lanes.
 void RayQueue::grow() {
   const std::size_t capacity = std::max<std::size_t>(2 * capacity_, 2048);
   if (capacity > kMostRays)

@@ -1,5 +1,4 @@
-// The queue of mirrored and transmitted rays that form the next wave. Rays are in the order of the surface points where they
-// start.
+// The queue of mirrored and transmitted rays that form the next wave.
 #pragma once
 
 #include <memory>
@@ -12,32 +11,30 @@ namespace lippmann {
 struct Bundle {
   Lanes3 weight;      ///< factor on a lane's radiance when it is added to its pixel
   Lanes path_length;  ///< path length at the origin of the lane's ray
-  Lanes open;  ///< transmitted share of a camera ray that has passed only surfaces made transparent by alpha; otherwise 0
+  Lanes open;         ///< transmittance of a camera ray that has passed only surfaces made transparent by alpha; otherwise 0
   alignas(64) std::uint32_t pixel[kLanes];
 };
 
-/// The rays that continue from a packet of surface points. Entry `lane` is the mirrored ray, and entry kLanes + lane is the
+/// The rays that continue from sixteen surface points. Entry `lane` is the mirrored ray, and entry kLanes + lane the
 /// transmitted ray.
 struct Branches {
   static constexpr int kCount = 2 * kLanes;
   alignas(64) float dir_x[kCount], dir_y[kCount], dir_z[kCount];
-  /// Share of the incoming radiance that is reflected or transmitted, per colour channel.
+  /// Fraction of the radiance that is reflected or transmitted, per colour channel.
   alignas(64) float share_x[kCount], share_y[kCount], share_z[kCount];
-  alignas(64) float open[kCount];  ///< factor on Bundle::open
+  alignas(64) float open[kCount];
 };
 
-/// A queue of rays with one array per quantity, so that plain copies fill packets.
+/// A queue of rays, with one array per quantity.
 class RayQueue {
  public:
   std::size_t size() const { return size_; }
   void clear() { size_ = 0; }
 
-  /// Appends the branches entry[0] to entry[count - 1], where count <= Branches::kCount. `packet` and `bundle` are the rays
-  /// that hit the surface.
+  /// Appends the branches entry[0] to entry[count - 1]. `packet` and `bundle` are the rays that hit the surface.
   void append(const SurfacePacket& surface, const RayHitPacket& packet, const Bundle& bundle, const Branches& branches,
               const int* entry, int count);
 
-  /// Loads a packet of rays that begins with ray `first`. Does not change packet.hit.
   void load(std::size_t first, RayHitPacket& packet, Bundle& bundle, LaneMask& active) const;
 
  private:
@@ -47,7 +44,6 @@ class RayQueue {
   void grow();
 
   std::size_t size_ = 0, capacity_ = 0;
-  /// kFields arrays of size capacity_: origin, direction, weight, path length, tnear and open.
   std::unique_ptr<float[]> values_;
   std::unique_ptr<std::uint32_t[]> pixel_;
 };

@@ -3,14 +3,13 @@
 
 namespace lippmann {
 
-/// The samples first, first + step, first + 2 step and so on. A pixel's samples are divided into `step` shares, which are
-/// traced in order.
+/// The samples first, first + step, first + 2 step and so on.
 struct SampleShare {
   int first = 0, step = 1;
 
   bool is_first() const { return first == 0; }
   bool is_last() const { return first + 1 == step; }
-  /// Converts the progress within this share to the progress of all shares. Both are in [0, 1].
+  /// Converts the progress of this pass to that of all passes. Both are in [0, 1].
   double progress(double done) const { return (first + done) / step; }
 };
 

@@ -1,4 +1,3 @@
-// Transmitted rays of the Whitted integrator, behind thin walls and behind surfaces that alpha makes transparent.
 #pragma once
 
 #include "shading/surface.hpp"
@@ -6,11 +5,9 @@
 
 namespace lippmann {
 
-/// Sets branches.open, the factor on Bundle::open, to 1 - opacity for rays through surfaces that alpha makes transparent. The
-/// factor stays 0 for rays through glass.
+/// Sets branches.open to 1 - opacity behind surfaces that alpha makes transparent.
 void keep_holes_open(const ShadedScene& scene, const SurfacePacket& surface, Branches& branches);
 
-/// Multiplies the shares of transmitted rays by the transmittance of thin walls. `rays` are the rays that hit the walls.
 void tint_walls(const ShadedScene& scene, const SurfacePacket& surface, const RayPacket& rays, Branches& branches);
 
 }  // namespace lippmann

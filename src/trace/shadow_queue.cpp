@@ -2,8 +2,7 @@
 
 namespace lippmann {
 
-/// Moves the ray's origin to the smooth surface, and aims the ray at the same point of the light as before. Returns the new
-/// distance to the light.
+/// Moves the ray's origin to the smooth surface, with the same target on the light. Returns the new distance to the light.
 float ShadowQueue::lift(const ShadingPoint& point, float distance, ShadowRay& ray) {
   const Vec3f up = point.lift();
   ray.origin += up;

@@ -18,10 +18,10 @@ struct ShadowRay {
 
 class ShadowQueue {
  public:
-  /// Adds a ray from a point to a light. If the ray is unoccluded, `radiance` arrives at `pixel` after `depth` vertices have
-  /// scattered it.
+  /// Queues a ray from a point to a light. If it is unoccluded, `pixel` receives `radiance`, which `depth` vertices have
+  /// scattered.
   void push(const ShadingPoint& point, const LightSample& light, const Vec3f& radiance, std::uint32_t pixel, int depth) {
-    // The ray is filled in place, because copying a struct that was just written would stall on store forwarding.
+    // Fill the ray in place: copying a struct that was just written would stall on store forwarding.
     ShadowRay& ray = rays_.emplace_back();
     ray.origin = point.position, ray.direction = light.direction;
     ray.radiance = radiance;
@@ -31,8 +31,8 @@ class ShadowQueue {
     ray.pixel = pixel, ray.depth = depth;
   }
 
-  /// Traces all queued rays in the order of push(). Calls add(shadow ray, radiance) for rays that are not fully occluded.
-  /// Returns the number of traced rays.
+  /// Traces all queued rays. Calls add(shadow ray, radiance) for rays that are not fully occluded. Returns the number of traced
+  /// rays.
   template <class Add>
   std::size_t trace(const ShadedScene& scene, const Add& add) {
     for (std::size_t first = 0; first < rays_.size(); first += kLanes) {

@@ -1,4 +1,3 @@
-// The inputs of a render: scene, optics and workers.
 #pragma once
 
 #include "lippmann/core/context.hpp"
@@ -22,13 +21,11 @@ inline Vec2i film_size(const Shot& shot) { return film_size(shot.optics, shot.ro
 
 enum class Progress { kSilent, kReported };
 
-/// The threads that do some work, and its cancellation. `progress` states whether the work is reported as progress of the
-/// frame.
+/// The threads that do some work, and its cancellation. `progress`: whether to report the work as progress of the frame.
 struct Workers {
   const ThreadPool& pool;
   const Context& context;
   Progress progress = Progress::kReported;
-  /// Returns these workers without progress reports. Cancellation still works.
   Workers silent() const { return {pool, context, Progress::kSilent}; }
 };
 

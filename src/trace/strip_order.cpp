@@ -10,7 +10,6 @@ namespace {
 
 constexpr int kRowsPerStrip = 16;
 
-/// Appends the pixels of every dx-th column from x0 to x1 - 1. Within a column, appends every dy-th pixel from y0 to y1 - 1.
 void append_down(std::vector<StripPixel>& out, int x0, int x1, int dx, int y0, int y1, int dy) {
   for (int x = x0; x < x1; x += dx)
     for (int y = y0; y < y1; y += dy) out.push_back({static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y)});
@@ -21,8 +20,6 @@ void append_rows(std::vector<StripPixel>& out, int width, int height) {
     for (int x = 0; x < width; ++x) out.push_back({static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y)});
 }
 
-/// Appends tiles of 4 x 4 pixels of the same view. Neighbouring pixels of a view are one lens, n.x by n.y pixels, apart. The
-/// strip must hold whole rows of lenses. Single and multi-view images have n = 1 x 1, so their tiles are 4 x 4 adjacent pixels.
 void append_view_tiles(std::vector<StripPixel>& out, Vec2i n, int width, int height) {
   constexpr int kTile = 4;
   for (int v = 0; v < n.y; ++v)
@@ -32,16 +29,14 @@ void append_view_tiles(std::vector<StripPixel>& out, Vec2i n, int width, int hei
           append_down(out, x, std::min(width, x + kTile * n.x), n.x, y, std::min(height, y + kTile * n.y), n.y);
 }
 
-/// Appends groups of neighbouring lenses, so that consecutive packets are close to each other. Within a group, the pixels of
-/// one view precede those of the next view.
 void append_lens_groups(std::vector<StripPixel>& out, int n, int width, int height) {
   const int group = n * std::max(1, kPacketsPerBlock / n);
   for (int x0 = 0; x0 < width; x0 += group)
     for (int u = 0; u < n; ++u) append_down(out, x0 + u, std::min(width, x0 + group), n, 0, height, 1);
 }
 
-/// Appends groups of two columns by 8 rows of sub-pixels. The columns are shifted along the slant of the lenses, because on a
-/// slanted panel the ray directions of such pixels differ least. Columns wrap around at the panel's edge, so packets stay full.
+/// Appends groups of two columns by 8 rows of sub-pixels, shifted along the slant of the lenses, where ray directions differ
+/// least.
 void append_along_slant(std::vector<StripPixel>& out, double columns_per_row, int width, int height) {
   constexpr int kColumns = 2, kRows = 8;
   for (int x0 = 0; x0 < width; x0 += kColumns)
@@ -54,7 +49,7 @@ void append_along_slant(std::vector<StripPixel>& out, double columns_per_row, in
 }
 
 int strip_height(const std::optional<LensArray>& lenses, Vec2i n) {
-  // The strips of two-dimensional lens arrays hold four rows of lenses, so that view tiles are 4 x 4.
+  // Four rows of lenses per strip give view tiles of 4 x 4 pixels.
   if (lenses && lenses->row_pitch_mm > 0.0 && n.y > 0) return 4 * n.y;
   return kRowsPerStrip;
 }

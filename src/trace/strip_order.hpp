@@ -1,8 +1,7 @@
 // The order in which the pixels of a strip are traced. 16 consecutive pixels form a packet.
 //
-// A strip is a horizontal band of the panel, and the unit of work of a thread. Its height depends only on the optics. A packet
-// along a row mixes all directions below a lens, so its rays diverge. The rays of a packet along a lens or within one
-// directional view stay coherent.
+// A strip is a horizontal band of the panel, and the unit of work of a thread. Packets along a lens or within one view have
+// coherent rays, while packets along a row would diverge.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +13,8 @@
 
 namespace lippmann {
 
-/// Number of packets of a block. All packets of a block are shaded before their mirror rays are traced. A block is large enough
-/// to fill the packets of the next wave. It is small enough to stay in cache and to cover a small area (touched_blocks.hpp).
+/// Number of packets of a block. All packets of a block are shaded before their mirror rays are traced. This size fills the
+/// packets of mirror rays, and still fits into the cache.
 inline constexpr int kPacketsPerBlock = 16;
 
 struct StripPixel {
@@ -24,8 +23,7 @@ struct StripPixel {
 
 struct StripOrder {
   int strip_height = 16;  ///< rows of a full strip; the last strip may have fewer
-  /// Lists each pixel of a full strip once, in tracing order. In a last strip with fewer rows, the pixels of missing rows are
-  /// skipped.
+  /// Each pixel of a full strip once, in tracing order. If the last strip has fewer rows, skip the pixels of missing rows.
   std::vector<StripPixel> pixels;
 };
 

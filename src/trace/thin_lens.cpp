@@ -7,10 +7,9 @@
 namespace lippmann {
 namespace {
 
-/// Salt of the hash that decorrelates the sample on the lens from the sample within the pixel and from the path.
+/// Salt of the hash that decorrelates samples on the lens from other samples.
 constexpr std::uint32_t kLensSalt = 0x6c656e73u;
 
-/// Computes sixteen sample points in the unit square.
 void lens_places(const LensLanes& lanes, std::uint32_t seed, float* x, float* y) {
   PathPairs places;
   LIPPMANN_FOR_LANES(i) {
@@ -36,7 +35,7 @@ ThinLens::ThinLens(const Optics& optics, const Affine3f& world_from_display, con
   inverse_focus_ = 1.0f / (to_focus * unit_scale(world_from_display));
 }
 
-// Moves each ray's origin on the lens, and turns the ray so that it crosses the original pinhole ray in the focal plane.
+// Each ray starts on the lens, and crosses the original pinhole ray in the focal plane.
 void ThinLens::spread(const LensLanes& lanes, RayPacket& rays) const {
   alignas(64) float u[kLanes], v[kLanes];
   lens_places(lanes, seed_, u, v);

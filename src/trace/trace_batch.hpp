@@ -1,5 +1,5 @@
-// The loop over camera packets that makes all images, layers and records. It combines objects of three kinds: packets generate
-// rays, the integrator shades them, and sinks record other data.
+// The loop over camera packets. It combines objects of three kinds: packets generate rays, the integrator shades them, and
+// sinks record other data.
 //
 //    Packets     bool fill(int packet, int sample, CameraPacket& into)   returns false if no lane is active
 //    Integrator  void primary(CameraPacket& packet)   shades traced rays; may queue secondary rays
@@ -17,18 +17,17 @@
 
 namespace lippmann {
 
-/// The work of one trace_batch() call. For each sample number, all packets are shaded before their secondary rays are traced.
+/// For each sample number, all packets are shaded before their secondary rays are traced.
 struct Batch {
   std::span<const int> packets;
   int first_sample = 0, end_sample = 1, step = 1;
 };
 
 struct PacketSinks {
-  Image* film = nullptr;                 ///< the film whose pixels are set to 0 before their first sample; may be null
-  const PointCapture* points = nullptr;  ///< records first hits; may be null
+  Image* film = nullptr;  ///< set to 0 in each pixel before its first sample; may be null
+  const PointCapture* points = nullptr;
 };
 
-/// An integrator that computes nothing, for calls that only fill sinks.
 struct NoIntegrator {
   void primary(const CameraPacket&) {}
   void finish() {}
@@ -39,7 +38,7 @@ inline void clear_pixels(const CameraPacket& packet, Image& film) {
     if (packet.active.lane[i]) std::fill_n(film.data.begin() + 3 * static_cast<std::ptrdiff_t>(packet.target[i]), 3, 0.0f);
 }
 
-/// Deactivates lanes whose light is blocked. Returns whether any lane is still active.
+/// Deactivates lanes whose light the optics block. Returns whether any lane is still active.
 inline bool leave_out_blocked(CameraPacket& packet) {
   int left = 0;
   for (int i = 0; i < kLanes; ++i) {

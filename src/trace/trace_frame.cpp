@@ -12,7 +12,7 @@ namespace {
 
 class FrameTracer {
  public:
-  /// Light is added to `film` and to `parts`, whose arrays must be filled with 0.
+  /// Adds light to `film` and to `parts`, whose arrays must be filled with 0.
   FrameTracer(const Shot& shot, const TraceParams& params, Image& film, const PathFilm& parts = {})
       : scene_(shot.device.shaded()),
         integrator_(shot.device.integrator().model()),
@@ -25,7 +25,7 @@ class FrameTracer {
     film_.all = film.data.data();
   }
 
-  /// Traces only one share of the samples from now on. Shares after the first add to the film instead of clearing it.
+  /// Traces only this subset of the samples from now on. Subsets after the first add to the film instead of clearing it.
   void take(SampleShare share) {
     share_ = share;
     if (!share.is_first()) sinks_.film = nullptr;
@@ -33,7 +33,7 @@ class FrameTracer {
 
   void capture_to(const PointCapture* points) { sinks_.points = points; }
 
-  /// From now on, tracing fills `touched` with the blocks whose rays meet the boxes of `probe`.
+  /// Marks in `touched` the blocks whose later rays meet the boxes of `probe`.
   void probe_with(const TouchProbe& probe, TouchedBlocks& touched) {
     const std::size_t blocks = static_cast<std::size_t>(source_.strips()) * blocks_in(source_.packets_per_strip());
     touched.lowest_horizon.assign(blocks, TouchedBlocks::kNever);
@@ -48,7 +48,7 @@ class FrameTracer {
   }
 
  private:
-  /// Traces a strip. Tests for cancellation after each batch, because a strip with many samples may take minutes.
+  /// Tests for cancellation within the strip, because a strip with many samples may take minutes.
   RayCounts trace_strip(const FrameWork& work, std::size_t strip, const Context& context) const {
     const std::unique_ptr<FrameIntegrator> integrator = integrator_.make({scene_, beam_, params_, film_});
     std::optional<BlockProbe> probe;
@@ -84,7 +84,7 @@ void allocate_light(Vec2i film_size, FrameAovs& aovs) {
     if (aovs.wants(aov)) aovs.allocate(aov, film_size);
 }
 
-/// Returns the outputs for the wanted light layers. These layers must be allocated.
+/// Returns pointers to the requested light layers, which must be allocated.
 PathFilm light_in(FrameAovs& aovs) {
   PathFilm film;
   const auto part = [&](Aov aov) { return aovs.wants(aov) ? aovs[aov].data.data() : nullptr; };
@@ -92,7 +92,7 @@ PathFilm light_in(FrameAovs& aovs) {
   return film;
 }
 
-/// Converts the alpha layer to coverage. Before, it holds the number of samples per pixel that hit nothing.
+/// Converts the alpha layer from the number of samples that hit nothing to coverage.
 void finish_alpha(int spp, FrameAovs& aovs) {
   if (!aovs.wants(Aov::kAlpha)) return;
   for (float& alpha : aovs[Aov::kAlpha].data) alpha = std::max(0.0f, 1.0f - alpha / static_cast<float>(spp));

@@ -13,7 +13,6 @@ namespace {
 
 using Pixels = std::span<const std::uint32_t>;
 
-/// Returns the rank of each pixel of a full strip in the tracing order. The result is indexed by y * width + x.
 std::vector<std::uint32_t> ranks_in_strip(const StripOrder& order, int width) {
   std::vector<std::uint32_t> ranks(order.pixels.size());
   for (std::uint32_t i = 0; i < order.pixels.size(); ++i)
@@ -21,8 +20,7 @@ std::vector<std::uint32_t> ranks_in_strip(const StripOrder& order, int width) {
   return ranks;
 }
 
-/// Pixels sorted by strip and by the order within the strip. The pixels of strip s are pixels[begin[s]] to pixels[begin[s + 1]
-/// - 1].
+/// Pixels sorted in tracing order. Those of strip s are pixels[begin[s]] to pixels[begin[s + 1] - 1].
 struct OrderedPixels {
   std::vector<std::uint32_t> pixels;
   std::vector<std::size_t> begin;
@@ -46,7 +44,6 @@ OrderedPixels in_ray_order(Pixels pixels, const Optics& optics, RayOrder ray_ord
   return ordered;
 }
 
-/// Computes the rays of listed pixels, for each sample number.
 struct PixelRays {
   PixelRays(const Shot& shot, const SubPixel& where)
       : sub_pixel(where),
@@ -57,10 +54,9 @@ struct PixelRays {
   SubPixel sub_pixel;
   SampleRays samples;
   std::uint32_t width;
-  std::uint32_t first_pixel;  ///< index in the whole film of the first rendered pixel
+  std::uint32_t first_pixel;
 };
 
-/// Packets of 16 listed pixels each, for trace_batch().
 struct PixelPackets {
   const PixelRays& from;
   Pixels pixels;

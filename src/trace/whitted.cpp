@@ -6,7 +6,7 @@
 namespace lippmann {
 namespace {
 
-/// Maximum number of lights that are computed together. Shadow packets of more lights would not fit into the cache.
+/// Lights are computed together in groups of this size, whose shadow packets fit into the cache.
 constexpr std::size_t kMostLightsAtOnce = 32;
 
 int count_lanes(const LaneMask& mask) {
@@ -15,9 +15,8 @@ int count_lanes(const LaneMask& mask) {
   return count;
 }
 
-/// Computes one channel of the radiance that leaves the surface without mirrored and transmitted rays: color * (ambient +
-/// diffuse light) + highlight + emission. If `whole` is 0, this sum is multiplied by the opacity. If `whole` is 1 (Tachyon's
-/// materials), it is not.
+/// Computes one channel of the light without mirrored and transmitted rays: color * (ambient + diffuse light) + highlight +
+/// emission. The sum is multiplied by the opacity, unless `whole` is 1 (Tachyon's materials).
 template <Lanes Lanes3::*kChannel>
 LIPPMANN_INLINE void radiance_channel(const SurfacePacket& s, const DirectLight& direct, float whole, Lanes3& out) {
   LIPPMANN_FOR_LANES(i) {
@@ -36,8 +35,7 @@ LIPPMANN_MULTIVERSION void local_radiance(const SurfacePacket& s, const DirectLi
   radiance_channel<&Lanes3::z>(s, direct, whole, out);
 }
 
-/// Computes the directions and shares of all mirrored rays and transmitted rays. Transmitted rays continue straight on, as
-/// without refraction.
+/// Computes directions and weights of mirrored rays and transmitted rays, which continue straight on.
 LIPPMANN_MULTIVERSION void branch_off(const RayPacket& rays, const SurfacePacket& s, Branches& branches) {
   LIPPMANN_FOR_LANES(i) {
     const float dx = rays.dir_x[i], dy = rays.dir_y[i], dz = rays.dir_z[i];
@@ -58,8 +56,8 @@ LIPPMANN_MULTIVERSION void branch_off(const RayPacket& rays, const SurfacePacket
   }
 }
 
-/// Lists the entries of Branches that have a ray. For each lane, the mirrored ray precedes the transmitted one. The order of a
-/// pixel's contributions thus does not depend on how rays are grouped into packets. Returns the number of entries.
+/// Lists the entries of Branches that have a ray, and returns their number. The order does not depend on how rays are grouped
+/// into packets.
 int list_branches(const SurfacePacket& s, int* entry) {
   int count = 0;
   for (int i = 0; i < kLanes; ++i) {
@@ -71,8 +69,8 @@ int list_branches(const SurfacePacket& s, int* entry) {
   return count;
 }
 
-/// Returns the direction d after refraction by Snell's law, or the mirror direction at total reflection. eta = n_from / n_to.
-/// The normal n is on the side of the ray's origin.
+/// Returns direction d after refraction by Snell's law, or the mirror direction at total reflection. eta = n_from / n_to. The
+/// normal n is on the side of the ray's origin.
 Vec3f refracted(Vec3f d, Vec3f n, float eta) {
   const float cosine = -glm::dot(d, n);
   const float k = 1.0f - eta * eta * (1.0f - cosine * cosine);
@@ -80,7 +78,7 @@ Vec3f refracted(Vec3f d, Vec3f n, float eta) {
   return glm::normalize(eta * d + (eta * cosine - std::sqrt(k)) * n);
 }
 
-/// The background gradient. A height of 0 has the colour of the horizon, and a height of 1 the colour of the zenith.
+/// The background gradient, from the horizon (height 0) to the zenith (height 1).
 struct Sky {
   explicit Sky(const Background& b)
       : horizon(b.horizon),
@@ -98,7 +96,6 @@ struct Sky {
   float begin, inverse_range;
 };
 
-/// Sets the radiance of lanes that hit nothing to the background gradient.
 LIPPMANN_MULTIVERSION void see_sky(const Background& background, const RayHitPacket& packet, Lanes3& radiance) {
   const Sky sky(background);
   LIPPMANN_FOR_LANES(i) {
@@ -110,7 +107,6 @@ LIPPMANN_MULTIVERSION void see_sky(const Background& background, const RayHitPac
   }
 }
 
-/// Sets the radiance of lanes that hit nothing to the panorama.
 void see_panorama(const Environment& environment, const RayHitPacket& packet, Lanes3& radiance) {
   for (int i = 0; i < kLanes; ++i)
     if (packet.hit.geomID[i] == kNoId)
@@ -131,8 +127,8 @@ LaneMask still_open(const Bundle& bundle) {
   return lanes;
 }
 
-/// Ends paths at the depth limit. Adds the background that the branches `first` + lane see, times the branch's share. In
-/// Tachyon mode, adds the background in the direction of the incoming ray, without the factor.
+/// Ends paths at the depth limit: adds the background in the direction of each branch, times its weight. In Tachyon mode, adds
+/// the background in the direction of the incoming ray, without the weight.
 LIPPMANN_MULTIVERSION void end_branches(const Background& background, const RayPacket& rays, const Branches& branches,
                                         int first, bool tachyon, Lanes3& radiance) {
   const Sky sky(background);
@@ -149,8 +145,7 @@ LIPPMANN_MULTIVERSION void end_branches(const Background& background, const RayP
   }
 }
 
-/// Ends paths at the depth limit. Adds the light of the panorama that the branches `first` + lane see, times the branch's
-/// share.
+/// Ends paths at the depth limit: adds the panorama in the direction of each branch, times its weight.
 void end_in_panorama(const Environment& environment, const LaneMask& hit, const Branches& branches, int first,
                      Lanes3& radiance) {
   for (int i = 0; i < kLanes; ++i) {
@@ -207,8 +202,7 @@ void WhittedTracer::finish() {
   }
 }
 
-/// Adds the light of splats. Multiplies the weight of light from behind the splats by the splats' transmittance. Deactivates
-/// lanes with transmittance 0.
+/// Adds the light of splats, and attenuates the weight of light behind them. Deactivates lanes with weight 0.
 void WhittedTracer::look_at_splats(const RayPacket& rays, LaneMask& active, Bundle& bundle) {
   SplatLight light;
   see_splats(scene_, active, rays, splat_hits_, light);
@@ -255,10 +249,10 @@ void WhittedTracer::gather_light(const RayHitPacket& packet, DirectLight& direct
         packet, std::span(scene_.lights).subspan(first).first(std::min(shadows_.size(), scene_.lights.size() - first)), direct);
 }
 
-/// Adds the direct light of `lights`. Their number must not exceed shadows_.size().
+/// Adds the direct light of at most shadows_.size() lights.
 void WhittedTracer::gather_lights(const RayHitPacket& packet, std::span<const WhittedLight> lights, DirectLight& direct) {
   const float least_light = scene_.tachyon ? 0.001959f : 0.0f;  // Tachyon's threshold, about 1/512
-  // Three separate loops let the CPU overlap the kernel of one light with the square roots and divisions of the light before.
+  // Separate loops let the CPU overlap one light's shading with the square roots and divisions of the light before.
   for (std::size_t l = 0; l < lights.size(); ++l) shadow_rays_[l] = aim_at_light(lights[l], surface_, least_light, shadows_[l]);
   for (std::size_t l = 0; l < lights.size(); ++l) {
     if (shadow_rays_[l] == 0) continue;
@@ -271,7 +265,7 @@ void WhittedTracer::gather_lights(const RayHitPacket& packet, std::span<const Wh
     if (shadow_rays_[l] != 0) add_light(lights[l], surface_, packet.ray, shadows_[l], scene_.tachyon, direct);
 }
 
-/// Queues the mirrored and transmitted rays. If `last` is set, ends the paths with the background instead.
+/// Queues mirrored and transmitted rays. If `last` is set, ends the paths with the background instead.
 void WhittedTracer::branch(const RayHitPacket& packet, const Bundle& bundle, bool last, Lanes3& radiance) {
   Branches branches;
   branch_off(packet.ray, surface_, branches);

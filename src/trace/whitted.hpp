@@ -1,5 +1,4 @@
-// Whitted's recursive ray tracing in waves. A batch of packets is shaded, and its mirrored and refracted rays form the next
-// wave.
+// Whitted's recursive ray tracing in waves: mirrored and refracted rays of many packets form the next wave.
 //
 // Based on: T. Whitted, "An improved illumination model for shaded display", CACM 23(6), 1980.
 //
@@ -26,28 +25,25 @@
 namespace lippmann {
 
 struct WhittedParams {
-  int max_depth = 6;  ///< maximum number of surfaces on a path; 1: no mirrors
-  int spp = 1;        ///< samples per pixel; each sample has the weight 1 / spp
+  int max_depth = 6;
+  int spp = 1;
 };
 
 /// Traces rays for one thread, and adds radiance to the film. The constructor's arguments must outlive this object.
 class WhittedTracer final : public FrameIntegrator {
  public:
-  /// film.all must not be null. film.open may be null. If it is not null, it receives the number of samples that hit no
-  /// surface, and these samples add no background to the film.
+  /// film.all must not be null. If film.open is not null, it receives the number of samples that hit no surface, and these
+  /// samples add no background to the film.
   WhittedTracer(const ShadedScene& scene, const BeamFootprint& beam, const WhittedParams& params, const PathFilm& film);
 
-  /// Shades camera rays that have been traced. Queues mirrored and refracted rays for finish().
   void primary(const CameraPacket& packet) override;
 
-  /// Traces all queued rays, wave by wave.
   void finish() override;
 
   const RayCounts& counts() const override { return counts_; }
 
   void begin(int) override {}
 
-  /// From now on, appends all secondary packets to `log`.
   void log_to(RayLog* log) { log_ = log; }
 
   void set_probe(BlockProbe* probe) override { probe_ = probe; }
@@ -65,7 +61,7 @@ class WhittedTracer final : public FrameIntegrator {
   const ShadedScene& scene_;
   const BeamFootprint& beam_;
   int max_depth_;
-  float weight_;  ///< weight of a sample in the film
+  float weight_;
   PathFilm film_;
   RayCounts counts_;
   RayLog* log_ = nullptr;
@@ -73,8 +69,8 @@ class WhittedTracer final : public FrameIntegrator {
   RayQueue wave_, next_;
   SurfacePacket surface_;
   SplatHits splat_hits_;
-  std::vector<ShadowPacket> shadows_;  ///< one packet for each of the lights that are computed together
-  std::vector<int> shadow_rays_;       ///< number of active lanes of each shadow packet
+  std::vector<ShadowPacket> shadows_;
+  std::vector<int> shadow_rays_;
 };
 
 }  // namespace lippmann

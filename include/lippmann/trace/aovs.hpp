@@ -1,8 +1,7 @@
 // Additional layers of a frame (AOVs): properties of the first surface that a ray through each pixel's centre hits, and parts
 // of the light.
 //
-// The ray passes surfaces that an alpha mask cuts away, and blended surfaces with an opacity below one half. All other surfaces
-// count as opaque, glass included.
+// Surfaces with an alpha below one half are skipped. Glass counts as opaque.
 #pragma once
 
 #include <array>
@@ -23,12 +22,12 @@ enum class Aov : std::uint8_t {
   kPosition,
   kRayDepth,    ///< distance from the ray's start in mm (resolved_z_front_mm); in views, from the eye
   kAlbedo,      ///< base colour with textures and vertex colours
-  kMotion,      ///< movement of the surface point since the previous frame, in pixels to the right and down (place_in_view)
+  kMotion,      ///< movement of the surface point since the previous frame, in pixels to the right and down
   kProvenance,  ///< how the pixel was made: a value of Provenance
   kDirect,      ///< path tracing only: emission, and light that exactly one surface has scattered
-  /// Path tracing only: light that is not in kDirect. kDirect + kIndirect equals the film before denoising, up to rounding.
+  /// Path tracing only: all other light. kDirect + kIndirect is the film before denoising, up to rounding.
   kIndirect,
-  /// Coverage of the pixel by surfaces, partial alpha included. If this layer is requested, the film omits the background.
+  /// Coverage of the pixel by surfaces. If this layer is requested, the film omits the background.
   kAlpha,
 };
 
@@ -42,31 +41,29 @@ enum class Provenance : std::uint8_t {
   kBlack,         ///< missed, then left black
 };
 struct ProvenanceInfo {
-  std::string_view name{};  ///< name that users see
+  std::string_view name{};
   bool missed{};
 };
-/// The names in the order of Provenance.
 inline constexpr ProvenanceInfo kProvenanceInfos[] = {
     {"traced", false},        {"copied from a key frame", false}, {"interpolated", false},
     {"missed, filled", true}, {"missed, traced", true},           {"missed, left black", true},
 };
 static_assert(std::size(kProvenanceInfos) == static_cast<std::size_t>(Provenance::kBlack) + 1);
 
-/// How a layer is computed.
 enum class AovOrigin : std::uint8_t {
   kFirstHit,
   kLight,  ///< averaged over all samples of the pixel
-  kFrame,  ///< written by the code that makes the frame, at no extra cost
+  kFrame,  ///< written while the frame is made, at no extra cost
 };
 
-/// Properties of a layer. A new layer needs a value of Aov, a row in kAovInfos, and code that computes it.
+/// Properties of a layer.
 struct AovInfo {
   std::string_view name{};  ///< name in flags, files and other programs
   int channels{};
   float nothing{};  ///< value of pixels without a hit
   AovOrigin origin{};
-  /// Layer and channel names in OpenEXR files, which compositing programs expect. A channel is called "layer.channel", or
-  /// "channel" if the layer has no name. is_float: stored as float, because half is not precise enough.
+  /// Layer and channel names in OpenEXR files. A channel is called "layer.channel", or "channel" if the layer has no name.
+  /// is_float: stored as float instead of half.
   struct InExr {
     std::string_view layer;
     std::array<std::string_view, 3> channels{};
@@ -74,7 +71,6 @@ struct AovInfo {
     double bytes_per_pixel;  ///< approximate compressed size, measured on the built-in scenes
   } exr{};
 };
-/// The layers in the order of Aov.
 inline constexpr AovInfo kAovInfos[] = {
     {"depth", 1, -std::numeric_limits<float>::infinity(), AovOrigin::kFirstHit, {"", {"Z"}, true, 3.0}},
     {"normal", 3, 0.0f, AovOrigin::kFirstHit, {"N", {"X", "Y", "Z"}, false, 1.5}},
@@ -95,7 +91,6 @@ constexpr const AovInfo& info_of(Aov aov) { return kAovInfos[static_cast<std::si
 constexpr int channels_of(Aov aov) { return info_of(aov).channels; }
 constexpr bool is_light(Aov aov) { return info_of(aov).origin == AovOrigin::kLight; }
 
-/// The layers' names in the order of Aov.
 inline constexpr std::array<std::string_view, kAovs> kAovNames = [] {
   std::array<std::string_view, kAovs> names;
   for (std::size_t i = 0; i < kAovs; ++i) names[i] = kAovInfos[i].name;
@@ -112,7 +107,7 @@ struct FrameAovs {
   Image& operator[](Aov aov) { return images[static_cast<std::size_t>(aov)]; }
   const Image& operator[](Aov aov) const { return images[static_cast<std::size_t>(aov)]; }
 
-  /// Resizes the image of a wanted layer to the film. Fills it with the value of pixels without a hit.
+  /// Makes the layer as large as the film, filled with the value of pixels without a hit.
   void allocate(Aov aov, Vec2i film_size);
 };
 

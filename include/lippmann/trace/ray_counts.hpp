@@ -1,4 +1,3 @@
-// Numbers of traced rays, by purpose.
 #pragma once
 
 #include <cstdint>
