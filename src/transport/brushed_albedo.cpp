@@ -25,8 +25,8 @@ Vec2f integrate(Vec3f view, Vec2f alpha) {
 
 }  // namespace
 
-/// `values` is indexed by [roughness][anisotropy][cosine][azimuth]. Roughness and cosine are spaced by their square roots, so
-/// that entries are dense where the albedo changes fast. Anisotropy is spaced evenly, and azimuth by its squared cosine.
+/// `values` is indexed by [roughness][anisotropy][cosine][azimuth]. Roughness and cosine are spaced by their square roots,
+/// azimuth by its squared cosine.
 struct BrushedAlbedo::Table {
   static constexpr int kRoughnesses = 10, kAnisotropies = 10, kCosines = 16, kAzimuths = 7;
   std::vector<Vec2f> values;

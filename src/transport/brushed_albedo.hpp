@@ -1,5 +1,4 @@
-// Directional albedo of single scattering at anisotropic GGX facets: a table over angle, azimuth, roughness and anisotropy. It
-// is the anisotropic counterpart of GgxAlbedo::single (ggx_albedo.hpp).
+// Directional albedo of single scattering at anisotropic GGX facets, as a table over angle, azimuth, roughness and anisotropy.
 #pragma once
 
 #include <memory>
@@ -16,11 +15,11 @@ class BrushedAlbedo {
   BrushedAlbedo(const BrushedAlbedo&) = delete;
   BrushedAlbedo& operator=(const BrushedAlbedo&) = delete;
 
-  /// Returns the coefficients x and y of GgxAlbedo::single(), for an anisotropic surface. Thread-safe. The first call computes
-  /// the table (about 0.1 s), so that scenes without such surfaces do not pay for it.
-  /// v: view, unit length, v.z >= 0, with x along the rougher direction.
-  /// alpha: roughness along y, in [0, 1].
-  /// anisotropy: as in glTF, in [0, 1]. The roughness along x is mix(alpha, 1, anisotropy^2).
+  /// Returns the coefficients x and y of GgxAlbedo::single() for an anisotropic surface. v: view, unit length, v.z >= 0, with x
+  /// along the rougher direction. alpha: roughness along y, in [0, 1]. The roughness along x is mix(alpha, 1, anisotropy^2), as
+  /// in glTF.
+  ///
+  /// Thread-safe. The first call computes the table, which takes about 0.1 s.
   Vec2f single(Vec3f v, float alpha, float anisotropy) const;
 
  private:

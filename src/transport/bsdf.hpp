@@ -1,4 +1,3 @@
-// The results of evaluating and sampling a BSDF, the same types for all surface models.
 #pragma once
 
 #include "lippmann/core/math.hpp"
@@ -7,26 +6,26 @@
 namespace lippmann {
 
 struct BsdfValue {
-  Vec3f cosine_f{0.0f};      ///< BSDF times |cosine| to the shading normal, per steradian
-  float density = 0.0f;      ///< density with which sample() draws the direction, per steradian
-  bool transmitted = false;  ///< whether the direction lies behind the surface
+  Vec3f cosine_f{0.0f};  ///< BSDF times |cosine| to the shading normal
+  float density = 0.0f;
+  bool transmitted = false;
 };
 
 struct BsdfSample {
   Vec3f direction{0.0f};
-  Vec3f weight{0.0f};        ///< cosine_f / density; for a Dirac lobe, its share of the light divided by its probability
-  float density = 0.0f;      ///< density of the direction per steradian; kInfinity for a Dirac lobe
-  bool transmitted = false;  ///< the direction lies behind the surface
-  bool straight = false;     ///< the light continues straight through the surface
-  bool is_vertex = true;     ///< false: the surface is passed straight and does not count as a path vertex
+  Vec3f weight{0.0f};  ///< cosine_f / density; for a Dirac lobe, its reflectance divided by its probability
+  float density = 0.0f;
+  bool transmitted = false;
+  bool straight = false;  ///< the light continues straight through the surface
+  bool is_vertex = true;  ///< false: the surface is passed straight and does not count as a path vertex
   bool is_delta() const { return density == kInfinity; }
 };
 
-/// Returns the mirror direction of v about n. Both directions point away from the surface.
+/// Returns the mirror direction of v about n. Both point away from the surface.
 LIPPMANN_INLINE Vec3f mirrored(Vec3f v, Vec3f n) { return 2.0f * glm::dot(v, n) * n - v; }
 
-/// Returns the direction of refracted light by Snell's law, or the null vector at total reflection. Like v, it points away from
-/// the surface. n lies on v's side. eta = n_beyond / n_here.
+/// Returns the refracted direction by Snell's law, or the null vector at total reflection. Like v, it points away from the
+/// surface. n lies on v's side. eta = n_beyond / n_here.
 LIPPMANN_INLINE Vec3f refracted_away(Vec3f v, Vec3f n, float eta) {
   const float cosine = glm::dot(v, n), k = 1.0f - (1.0f - cosine * cosine) / (eta * eta);
   const bool passes = k > 0.0f;

@@ -1,4 +1,4 @@
-// Sampling of an index by weight. It is used to choose lights, and texels of environments.
+// Samples an index in proportion to its weight.
 #pragma once
 
 #include <algorithm>
@@ -19,10 +19,10 @@ class DiscreteDistribution {
   std::size_t size() const { return cumulative_.size(); }
   double total() const { return total_; }
 
-  /// Returns an index for u in [0, 1). Its weight is positive. Sets `rest` to the position of u within the index's share, in
-  /// [0, 1). `rest` may serve as a new random number. The distribution must not be empty.
+  /// Returns an index with a positive weight, for u in [0, 1). Sets `rest` to a new random number in [0, 1), made from the
+  /// unused digits of u. The distribution must not be empty.
   std::size_t sample(float u, float& rest) const {
-    // Finds the part of [0, 1) that contains u. The product may be rounded up into the next part.
+    // The product may be rounded up into the next part.
     const auto count = static_cast<float>(cumulative_.size());
     auto part = std::min(static_cast<std::size_t>(u * count), cumulative_.size() - 1);
     while (part > 0 && start_of(part) > u) --part;
@@ -35,7 +35,6 @@ class DiscreteDistribution {
 
   float probability(std::size_t index) const { return cumulative_[index] - probability_before(index); }
 
-  /// Returns the sum of the probabilities of all lower indices.
   float probability_before(std::size_t index) const { return index > 0 ? cumulative_[index - 1] : 0.0f; }
 
  private:
@@ -44,7 +43,7 @@ class DiscreteDistribution {
   std::vector<float> cumulative_;  ///< for each index, the probability of this index or a lower one; the last entry is 1
   /// Guide table: [0, 1) is divided into equal parts, and first_ holds the index at the start of each part.
   std::vector<std::uint32_t> first_;
-  float step_ = 0.0f;  ///< length of each part of the guide table
+  float step_ = 0.0f;
   double total_ = 0.0;
 };
 

@@ -8,15 +8,14 @@
 namespace lippmann {
 namespace {
 
-/// Resolution of the grid that replaces a gradient for sampling. It follows the gradient closely enough and fits into the
-/// cache.
+/// Resolution of the grid that replaces a gradient for sampling.
 constexpr int kGradientWidth = 64, kGradientHeight = 32;
 
 /// Computes the panorama coordinates of a direction, each in [0, 1]. `rotation` is in radians.
 LIPPMANN_INLINE void find_place(float x, float y, float z, float rotation, float& across, float& down) {
   const float turns = 0.5f + (fast_atan2(z, x) - rotation) * (0.5f / kPi), fraction = turns - std::floor(turns);
   const float polar = fast_acos(std::min(std::max(y, -1.0f), 1.0f)) * (1.0f / kPi);
-  const bool known = (fraction < 1.0f) & (polar <= 1.0f);  // reject NaN directions, and values that were rounded up
+  const bool known = (fraction < 1.0f) & (polar <= 1.0f);  // rejects NaN directions, and values that were rounded up
   across = known ? fraction : 0.0f;
   down = known ? polar : 0.0f;
 }
@@ -27,7 +26,7 @@ Vec2f place_of(Vec3f d, float rotation) {
   return place;
 }
 
-/// A panorama's tiled texels and its rotation, in the form that loops over directions read.
+/// A panorama's texels and its rotation in radians.
 struct Panorama {
   Panorama(const SkyPatches& patches, float of_rotation)
       : texels(patches.texels_of(0)),
@@ -43,8 +42,8 @@ struct Panorama {
   float rotation;
 };
 
-/// Interpolates the light between the corners of a patch, at `within` (from left to right) and `below` (from top to bottom),
-/// both in [0, 1]. `corner` is the offset of the red value at the upper left corner.
+/// Interpolates light at `within` (left to right) and `below` (top to bottom) of a patch, both in [0, 1]. `corner` is the
+/// offset of the red value at the patch's upper left corner.
 LIPPMANN_INLINE void interpolate(const float* texels, const SkyPatches::Layout& layout, int corner, float within, float below,
                                  float* light) {
   for (int c = 0; c < 3; ++c) {
@@ -55,7 +54,7 @@ LIPPMANN_INLINE void interpolate(const float* texels, const SkyPatches::Layout& 
   }
 }
 
-/// Looks up the panorama bilinearly. `across` and `down` are results of find_place().
+/// Looks up the panorama bilinearly at coordinates of find_place().
 LIPPMANN_INLINE void look_at(const Panorama map, float across, float down, float* light) {
   constexpr int kTile = SkyPatches::kTile;
   const float x = across * static_cast<float>(map.width) - 0.5f, y = down * static_cast<float>(map.height) + 0.5f;
@@ -80,7 +79,6 @@ LIPPMANN_MULTIVERSION void look_at_all(const Panorama map, SkyRays& rays) {
   }
 }
 
-/// Computes a unit vector from the azimuth `turn`, as a share of a full turn, and the cosine of the polar angle.
 LIPPMANN_INLINE void find_direction(float turn, float cosine, float rotation, float& x, float& y, float& z) {
   float sin_azimuth, cos_azimuth;
   fast_sin_cos((turn - 0.5f) * 2.0f * kPi + rotation, sin_azimuth, cos_azimuth);
@@ -88,8 +86,8 @@ LIPPMANN_INLINE void find_direction(float turn, float cosine, float rotation, fl
   x = sine * cos_azimuth, y = cosine, z = sine * sin_azimuth;
 }
 
-/// Samples x in [0, 1) with a density that is linear in x. The density is proportional to a at x = 0 and to b at x = 1. Both
-/// must be >= 0. If both are 0, the density is uniform.
+/// Samples x in [0, 1) with a density that changes linearly from a at x = 0 to b at x = 1. If both are 0, the density is
+/// uniform.
 LIPPMANN_INLINE float sample_line(float u, float a, float b) {
   const float sum = a + b, from = a / (sum > 0.0f ? sum : 1.0f);
   const float root = std::sqrt(std::max(from * from + u * (1.0f - 2.0f * from), 0.0f)), both = from + root;
@@ -99,12 +97,11 @@ LIPPMANN_INLINE float sample_line(float u, float a, float b) {
 
 LIPPMANN_INLINE float mixed(float a, float b, float share) { return a * (1.0f - share) + b * share; }
 
-/// The patch chosen for each lane, and random numbers for the position within the patch.
+/// The sampled patch of each lane, and random numbers for the position within the patch.
 struct PatchDraws {
-  alignas(64) float x[SkyDraws::kDraws], y[SkyDraws::kDraws];  ///< column and row of the patch
-  alignas(64) float u[SkyDraws::kDraws], v[SkyDraws::kDraws];  ///< random numbers in [0, 1)
-  alignas(64) float density[SkyDraws::kDraws];                 ///< density per steradian, divided by luminance
-  /// Cosine of the polar angle at the patch's top and bottom.
+  alignas(64) float x[SkyDraws::kDraws], y[SkyDraws::kDraws];
+  alignas(64) float u[SkyDraws::kDraws], v[SkyDraws::kDraws];
+  alignas(64) float density[SkyDraws::kDraws];
   alignas(64) float upper[SkyDraws::kDraws], lower[SkyDraws::kDraws];
   /// Light at the corners, in the order of SkyPatches::corners; the second index is the channel.
   alignas(64) float corners[4][3][SkyDraws::kDraws];
@@ -124,7 +121,7 @@ struct PatchDraws {
   }
 };
 
-/// Samples a position within each patch in proportion to luminance, and computes the light at that position.
+/// Samples a position within a patch in proportion to luminance, and computes the light there.
 LIPPMANN_INLINE void draw_within(const Panorama& map, const PatchDraws& patches, int i, SkyDraws& draws) {
   const float upper_left = patches.luminance(0, i), upper_right = patches.luminance(1, i), lower_left = patches.luminance(2, i),
               lower_right = patches.luminance(3, i);
@@ -155,7 +152,6 @@ Vec3f gradient(const Background& b, Vec3f d) {
   return glm::mix(b.horizon, b.zenith, std::clamp(share, 0.0f, 1.0f));
 }
 
-/// Returns a texel of the gradient's grid. Columns wrap around, and rows are clamped at the poles.
 Vec3f gradient_texel(const Background& b, int x, int y) {
   x = (x + kGradientWidth) % kGradientWidth, y = std::clamp(y, 0, kGradientHeight - 1);
   const float cosine = std::cos((static_cast<float>(y) + 0.5f) * (kPi / kGradientHeight));
@@ -164,8 +160,7 @@ Vec3f gradient_texel(const Background& b, int x, int y) {
   return gradient(b, direction);
 }
 
-/// Returns the mean of a texel and its eight neighbours. A gradient may begin between two texels. Even there, all directions
-/// with light need a positive probability.
+/// Returns the mean of a texel and its eight neighbours, so that all directions with light have a positive probability.
 Vec3f gradient_around(const Background& b, int x, int y) {
   Vec3f light(0.0f);
   for (int dy = -1; dy <= 1; ++dy)

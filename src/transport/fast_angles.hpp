@@ -1,4 +1,4 @@
-// Trigonometric functions that compilers can vectorise, unlike those of the standard library. Their errors are at most 3e-7.
+// Trigonometric functions that compilers can vectorise. Their errors are at most 3e-7.
 //
 // The polynomials for arc tangent and arc sine are minimax approximations (E. Remez, 1934).
 #pragma once
@@ -21,16 +21,15 @@ LIPPMANN_INLINE float fast_atan2(float y, float x) {
       z * (0.199903966f +
            z * (-0.141859753f +
                 z * (0.105739321f + z * (-0.073667062f + z * (0.041121861f + z * (-0.0151325369f + z * 0.00262224472f))))));
-  const float first = t + t * z * p;  // angle to the nearer axis, at most pi / 4
+  const float first = t + t * z * p;
   const float quadrant = flat ? first : 0.5f * kPi - first;
   const float half = x < 0.0f ? kPi - quadrant : quadrant;
   return y < 0.0f ? -half : half;
 }
 
-/// Returns the arc cosine of |x| <= 1.
 LIPPMANN_INLINE float fast_acos(float x) {
   const float a = std::abs(x);
-  const bool steep = a > 0.5f;  // use arccos x = 2 arcsin sqrt((1 - x) / 2)
+  const bool steep = a > 0.5f;  // arccos x = 2 arcsin sqrt((1 - x) / 2)
   const float z = steep ? 0.5f * (1.0f - a) : a * a, s = steep ? std::sqrt(z) : a;
   const float p = 0.166668215f + z * (0.0749307718f + z * (0.0457077875f + z * (0.0231422849f + z * 0.0437630404f)));
   const float arcsine = s + s * z * p;
@@ -41,7 +40,7 @@ LIPPMANN_INLINE float fast_acos(float x) {
 /// Computes sine and cosine of an angle of at most a few turns.
 LIPPMANN_INLINE void fast_sin_cos(float angle, float& sine, float& cosine) {
   const float quarters = std::floor(angle * (2.0f / kPi) + 0.5f);
-  // Subtracts quarters * pi / 2, where pi / 2 is the sum of two numbers. Products with the first number are exact.
+  // pi / 2 is split into two numbers, so that products with the first number are exact.
   const float x = (angle - quarters * 1.5703125f) - quarters * 4.83826795e-4f, z = x * x;
   const float s = x + x * z * (-0.16666651f + z * (0.008331979f + z * -0.00019495636f));
   const float c = 1.0f - 0.5f * z + z * z * (0.041666646f + z * (-0.0013887368f + z * 2.4438452e-05f));

@@ -1,5 +1,5 @@
-// The transmissive part of glTF's surface, smooth or rough. The formulas have no branches, like those of metal_rough_base.hpp.
-// They compute one point (metal_rough_bsdf.hpp) or sixteen (shading/metal_rough_lanes.hpp), with bit-identical results.
+// The transmissive part of glTF's surface, smooth or rough. The formulas have no branches, so that vectorised loops
+// (shading/metal_rough_lanes.hpp) give the same bits as single points.
 //
 // Based on: B. Walter et al., "Microfacet Models for Refraction through Rough Surfaces", EGSR 2007.
 #pragma once
@@ -11,27 +11,26 @@ namespace lippmann {
 
 /// Glass at one point. `here` is the medium on the viewer's side, and `beyond` the medium on the other side.
 struct Glass {
-  Vec3f tint{0.0f};           ///< colour of refracted light
-  float share = 0.0f;         ///< share of the surface that is glass; 0: no glass
-  float eta = 1.0f;           ///< n_beyond / n_here, the ratio of the indices of refraction
-  float compensation = 1.0f;  ///< factor on the lobe for multiple scattering between facets
+  Vec3f tint{0.0f};
+  float share = 0.0f;
+  float eta = 1.0f;  ///< n_beyond / n_here, the ratio of the indices of refraction
+  float compensation = 1.0f;
 };
 
-/// Returns the weight by which the glass is sampled: its share times the luminance of its tint. The luminance is at least 0.1,
-/// because reflected light is not tinted.
+/// Returns the weight with which sample() chooses the glass. Reflected light has no tint, so the tint's luminance counts as at
+/// least 0.1.
 LIPPMANN_INLINE float glass_chance(const Glass& glass) {
   const float light = luminance(glass.tint);
   return glass.share * (light > 0.1f ? light : 0.1f);
 }
 
-/// Returns the BSDF of rough glass times |cosine|. `light` may lie on either side of the surface. Sets `density` to the density
-/// with which sample_visible() and then draw_glass() sample this direction. Both directions have unit length and are local,
-/// with view.z > 0.
+/// Returns the BSDF of rough glass times |cosine|. Sets `density` to the probability density of sample_visible() followed by
+/// draw_glass(). Both directions are unit vectors relative to the normal, with view.z > 0.
 LIPPMANN_INLINE Vec3f glass_cosine_f(const Glass& glass, float alpha, Vec3f view, Vec3f light, float& density) {
   const Ggx ggx{alpha};
   const bool reflected = light.z > 0.0f;
-  // The half vector of reflection is view + light. The half vector of refraction is -(view + eta light). The facet's normal h
-  // is the half vector on the viewer's side.
+  // The half vector is view + light for reflection and -(view + eta light) for refraction. The facet normal h is the half
+  // vector on the viewer's side.
   const Vec3f half = glm::normalize(view + (reflected ? 1.0f : glass.eta) * light), h = (half.z < 0.0f ? -1.0f : 1.0f) * half;
   const float cosine = glm::dot(view, h), beyond = glm::dot(light, h);
   const float fresnel = fresnel_dielectric(cosine, glass.eta);

@@ -14,8 +14,8 @@ namespace {
 
 constexpr float kLargestContrast = 0.5f;  // (n - 1) / (n + 1) for the index of refraction n = 3
 
-/// Returns the albedo: the share of light that no other facet blocks on its way out, averaged over the facets that are visible
-/// from the viewing direction.
+/// Returns the albedo: the fraction of light that no further facet blocks, averaged over the facets visible from the viewing
+/// direction.
 float integrate(float cosine, float alpha, float eta) {
   constexpr int kPoints = 256;
   const Ggx ggx{alpha};
@@ -31,8 +31,8 @@ float integrate(float cosine, float alpha, float eta) {
   return sum / kPoints;
 }
 
-/// The albedos of glass for rays that enter it or that leave it, indexed by [contrast][roughness][cosine]. The contrast is (n -
-/// 1) / (n + 1).
+/// The albedos of glass, indexed by [contrast][roughness][cosine]. The contrast is (n - 1) / (n + 1), where n is the index of
+/// refraction.
 class Table {
  public:
   Table(int contrasts, int cosines, bool entering) : contrasts_(contrasts), cosines_(cosines) {
@@ -67,7 +67,7 @@ class Table {
 
 }  // namespace
 
-/// The table for leaving rays is finer, because total reflection gives their albedo sharp edges.
+/// Total reflection gives the albedo of rays that leave the glass sharp edges, which need a finer table.
 struct GlassAlbedo::Tables {
   Table entered{6, 16, true}, left{12, 24, false};
 };

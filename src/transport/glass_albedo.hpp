@@ -1,5 +1,5 @@
-// Directional albedo of single scattering at rough glass, for reflection and refraction together. The remaining light, 1 -
-// albedo, hits more than one facet. The factor 1 / albedo compensates for it.
+// Directional albedo of single scattering at rough glass, for reflection and refraction together. The factor 1 / albedo
+// compensates for light that hits more than one facet.
 //
 // Based on: E. Turquin, "Practical multiple scattering compensation for microfacet models", 2019 (a white surface is lossless
 // if all its lobes are divided by their directional albedo).
@@ -19,8 +19,9 @@ class GlassAlbedo {
   GlassAlbedo& operator=(const GlassAlbedo&) = delete;
 
   /// Returns the albedo. `cosine` is the cosine between view and normal, in [0, 1]. eta = n_beyond / n_here is clamped to [1/3,
-  /// 3]. The error is below 1 % for indices of refraction >= 1.3. Thread-safe. The first call computes the tables (about 0.2
-  /// s), so that scenes without rough glass do not pay for them.
+  /// 3]. The error is below 1 % for indices of refraction >= 1.3.
+  ///
+  /// Thread-safe. The first call computes the tables, which takes about 0.2 s.
   float single(float cosine, float alpha, float eta) const;
 
  private:

@@ -9,7 +9,6 @@ constexpr Vec3f kAbove(0.0f, 0.0f, 1.0f);
 
 bool is_mirror(float alpha) { return alpha < kSmoothAlpha; }
 
-/// Raises the view slightly above the horizon, where masking has no precision.
 Vec3f lifted(Vec3f local) {
   if (local.z >= kLeastCosineOfView) return local;
   local.z = kLeastCosineOfView;
@@ -27,7 +26,6 @@ Basis basis_along(Vec3f normal, Vec3f tangent) {
   return basis;
 }
 
-/// The formulas are from: Khronos Group, KHR_materials_anisotropy.
 AnisotropicGgx facets_of(const LayeredSurface& s) {
   const float across = squared(s.base.roughness), along = glm::mix(across, 1.0f, squared(s.anisotropy));
   return {glm::max(Vec2f(along, across), Vec2f(kSmoothAlpha))};
@@ -90,8 +88,8 @@ Vec3f LayeredBsdf::fresnel_of(Vec3f f0, Vec3f f90, float cosine) const {
   return glm::mix(bare, film_reflectance(surface_.film, f0, cosine), surface_.film_share);
 }
 
-/// Returns the albedo with the film. The film's reflectance depends too irregularly on the angle to be tabulated. Its value for
-/// `direction` is used at all angles.
+/// A thin film's reflectance depends too irregularly on the angle for a table, so its value for `direction` is used at all
+/// angles.
 Vec3f LayeredBsdf::albedo_of(Vec3f f0, Vec3f f90, Vec3f direction) const {
   const Vec3f single = single_albedo(direction);
   const Vec3f bare = GgxAlbedo::directional(single, f0, f90);
@@ -100,8 +98,6 @@ Vec3f LayeredBsdf::albedo_of(Vec3f f0, Vec3f f90, Vec3f direction) const {
   return glm::mix(bare, GgxAlbedo::directional(single, film, film), surface_.film_share);
 }
 
-/// Sets the members of the gloss as in MetalRoughBsdf. One lobe carries dielectric and metal, with the mean of their
-/// compensations.
 void LayeredBsdf::set_gloss() {
   const MetalRoughSurface& s = surface_.base;
   const Vec3f single = single_albedo(view_);
@@ -128,15 +124,15 @@ void LayeredBsdf::set_coat() {
   below_coat_ = 1.0f - surface_.base.clearcoat * GgxAlbedo::directional(single, Vec3f(kCoatReflectance), Vec3f(1.0f)).x;
 }
 
-/// Returns the share of light that passes the gloss along `direction`. Below a film the share is grey, because a film would
-/// otherwise colour the layers below it.
+/// Returns the fraction of light that passes the gloss along `direction`. It is grey below a thin film, which would otherwise
+/// colour the layers below.
 Vec3f LayeredBsdf::passes_gloss(Vec3f direction) const {
   const Vec3f reflected = albedo_of(dielectric_f0_, dielectric_f90_, direction);
   if (surface_.film_share == 0.0f) return Vec3f(1.0f) - reflected;
   return Vec3f(std::max(0.0f, 1.0f - most(reflected)));
 }
 
-/// Returns the factor of the gloss on diffuse light from `light`. The light is on the viewer's side.
+/// Returns the gloss's factor on diffuse light from `light`, which is on the viewer's side.
 Vec3f LayeredBsdf::below_gloss(Vec3f light) const {
   const Vec3f in = passes_gloss(light);
   return surface_.film_share == 0.0f ? in * gloss_passes_ / diffuse_passes_ : glm::min(in, gloss_passes_);
@@ -207,7 +203,7 @@ void LayeredBsdf::add_gloss(Vec3f light, BsdfValue& value) const {
   value.density += shares_.gloss * ggx_.visible_density(view_, h) / (4.0f * cosine);
 }
 
-/// Adds the glass lobe. A thin wall transmits into the mirror image of its reflected lobe, on the other side.
+/// A thin wall transmits into the mirror image of its reflected lobe, on the other side.
 void LayeredBsdf::add_glass(Vec3f light, BsdfValue& value) const {
   const bool reflected = light.z > 0.0f, bends = !reflected && !surface_.is_thin;
   Vec3f h = glm::normalize(bends ? view_ + eta_ * light : view_ + above(light));
@@ -278,8 +274,6 @@ Vec3f LayeredBsdf::straight() const {
   return below_coat_ * sheen_passes_ * glass_share_ * glass_facet(view_.z).transmitted;
 }
 
-/// Samples reflection or transmission by the glass, at a random facet or, if the surface is smooth, at the surface itself.
-/// `decision` is in [0, 1).
 bool LayeredBsdf::draw_glass(float decision, Vec2f u, BsdfSample& s) const {
   const Vec3f normal = is_smooth_ ? kAbove : ggx_.sample_visible(view_, u);
   const GlassFacet facet = glass_facet(glm::dot(view_, normal));

@@ -1,5 +1,5 @@
-// glTF 2.0 surfaces with rare features: sheen, anisotropic gloss, thin films, diffuse transmission, and thin walls of glass.
-// Common surfaces use metal_rough_bsdf.hpp, which is faster.
+// glTF 2.0 surfaces with sheen, anisotropic gloss, thin films, diffuse transmission, or thin walls of glass. Other surfaces use
+// metal_rough_bsdf.hpp, which is faster.
 //
 // Based on: the references of metal_rough_bsdf.hpp; Khronos Group, KHR_materials_sheen, _anisotropy, _iridescence,
 // _diffuse_transmission, _volume (thin walls).
@@ -7,10 +7,10 @@
 // The layers, from top to bottom: clear coat; sheen; gloss with its film; diffuse part.
 //
 // We deviate:
-// 1. Sheen and films transmit a share for the light's direction and a share for the view. The layers below are scaled by the
-// smaller one, so that they stay reciprocal.
+// 1. Sheen and films transmit one fraction for the light's direction and one for the view. The layers below are scaled by the
+//    smaller one, so that they stay reciprocal.
 // 2. The compensation for multiple scattering in anisotropic glass uses the isotropic roughness that the viewer sees
-// (alpha_towards).
+//    (alpha_towards).
 #pragma once
 
 #include <optional>
@@ -21,36 +21,33 @@
 
 namespace lippmann {
 
-/// Surface parameters at one point, with textures applied. Colours and shares are in [0, 1].
+/// Surface parameters at one point, with textures applied. Colours and weights are in [0, 1].
 struct LayeredSurface {
   MetalRoughSurface base;
   Vec3f sheen_color{0.0f};
   float sheen_roughness = 0.0f;
-  float anisotropy = 0.0f;  ///< alpha along the tangent is mix(alpha, 1, anisotropy^2)
-  float film_share = 0.0f;  ///< share of the surface that the film covers
+  float anisotropy = 0.0f;
+  float film_share = 0.0f;
   ThinFilm film;
-  float diffuse_transmission = 0.0f;  ///< share of the diffuse light that is transmitted
+  float diffuse_transmission = 0.0f;
   Vec3f diffuse_transmission_color{1.0f};
-  bool is_thin = false;           ///< transmitted light passes a thin wall, which does not refract
-  bool shadow_rays_pass = false;  ///< shadow rays pass the thin wall, so passing the wall straight is not a path vertex
+  bool is_thin = false;
+  bool shadow_rays_pass = false;  ///< shadow rays pass the thin wall, so passing it straight is not a path vertex
 };
 
 class LayeredBsdf {
  public:
-  /// The arguments are those of MetalRoughBsdf. Sheen and transmission use the gloss's normal. `tangent` is the rougher
-  /// direction. It has any length and must not be parallel to the normal.
+  /// Same as MetalRoughBsdf. `tangent` is the rougher direction. It has any length, and must not be parallel to the normal.
   LayeredBsdf(const LayeredSurface& surface, const GgxAlbedo& albedo, const MetalRoughBsdf::Normals& normals, Vec3f tangent,
               Vec3f view, bool entering);
 
   BsdfValue evaluate(Vec3f light) const;
   std::optional<BsdfSample> sample(float lobe, Vec2f u) const;
 
-  /// These two functions return the factors of the reflected diffuse part, as in MetalRoughBsdf.
   Vec3f diffuse_albedo() const { return below_coat_ * sheen_passes_ * gloss_passes_ * diffuse_color_; }
   Vec3f evaluate_diffuse(Vec3f light) const;
   Vec3f normal() const { return basis_.z; }
-  /// Returns the share of light that passes a smooth thin wall straight. This is a Dirac lobe of sample(). Returns 0 for all
-  /// other surfaces.
+  /// Returns the transmittance of a smooth thin wall, which is a Dirac lobe of sample(). Other surfaces return 0.
   Vec3f straight() const;
   bool scatters_through() const { return glass_share_ > 0.0f || through_color_ != Vec3f(0.0f); }
   bool has_coat_apart() const;
@@ -60,7 +57,6 @@ class LayeredBsdf {
   struct Shares {
     float diffuse = 0.0f, through = 0.0f, sheen = 0.0f, gloss = 0.0f, glass = 0.0f, coat = 0.0f;
   };
-  /// Reflectance and transmittance of a glass facet, and the probability that sample() chooses reflection.
   struct GlassFacet {
     Vec3f reflected, transmitted;
     float chance;
@@ -71,8 +67,8 @@ class LayeredBsdf {
   void set_shares();
 
   Vec3f single_albedo(Vec3f direction) const;
-  /// albedo_of() returns the directional albedo including multiple scattering, and fresnel_of() the reflectance of one facet.
-  /// Both are means over the parts of the surface with and without the film.
+  /// albedo_of() returns the directional albedo with multiple scattering, and fresnel_of() the reflectance of one facet. Both
+  /// are averaged over the parts of the surface with and without the film.
   Vec3f albedo_of(Vec3f f0, Vec3f f90, Vec3f direction) const;
   Vec3f fresnel_of(Vec3f f0, Vec3f f90, float cosine) const;
   Vec3f passes_gloss(Vec3f direction) const;
@@ -95,20 +91,20 @@ class LayeredBsdf {
 
   LayeredSurface surface_;
   const GgxAlbedo& albedo_;
-  Vec3f ahead_;             ///< direction from the viewer to the point
-  Basis basis_;             ///< basis around the diffuse part's normal; x along the tangent
-  Basis gloss_basis_;       ///< basis around the normal of all other layers below the coat
-  Basis coat_basis_;        ///< defined if there is a coat
-  bool glossy_apart_;       ///< whether gloss_basis_ differs from basis_
-  Vec3f view_, coat_view_;  ///< view in gloss_basis_ and in coat_basis_
+  Vec3f ahead_;
+  Basis basis_;
+  Basis gloss_basis_;
+  Basis coat_basis_;
+  bool glossy_apart_;
+  Vec3f view_, coat_view_;
   bool is_smooth_;
   AnisotropicGgx ggx_;
   float coat_alpha_, eta_;
-  float matt_, glass_share_;  ///< matt_: share of the diffuse dielectric; glass_share_: share of the transmissive dielectric
+  float matt_, glass_share_;
   /// Reflectance of the gloss above the diffuse part, at normal incidence and at grazing incidence.
   Vec3f dielectric_f0_, dielectric_f90_;
-  Vec3f diffuse_color_, through_color_;  ///< albedo of reflection and of diffuse transmission, without the layers above
-  /// Share of light that passes the gloss: gloss_passes_ towards the viewer, diffuse_passes_ as the mean over all directions.
+  Vec3f diffuse_color_, through_color_;
+  /// Fraction of light that passes the gloss: towards the viewer, and as the mean over all directions.
   Vec3f gloss_passes_{1.0f}, diffuse_passes_{1.0f};
   Vec3f gloss_albedo_{0.0f}, gloss_compensation_{1.0f};
   float glass_compensation_ = 1.0f;

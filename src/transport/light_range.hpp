@@ -1,4 +1,3 @@
-// The range of light values in single precision.
 #pragma once
 
 #include <algorithm>
@@ -8,8 +7,8 @@
 
 namespace lippmann {
 
-/// Weaker light counts as 0, so that densities and products do not become denormal; rendering threads flush denormals to 0.
-/// Stronger light is clamped, so that sums and powers stay finite.
+/// Weaker light counts as 0, so that products do not become denormal. Stronger light is clamped, so that sums and powers stay
+/// finite.
 inline constexpr float kFaintestLight = 1e-25f, kStrongestLight = 1e30f;
 
 inline float in_light_range(float light) {

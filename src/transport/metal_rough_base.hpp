@@ -1,6 +1,5 @@
 // The base of glTF's metallic-roughness surface: a diffuse part under a dielectric gloss, or metal. The formulas have no
-// branches. They compute one point (metal_rough_bsdf.hpp) or, in vectorised loops, sixteen (shading/metal_rough_lanes.hpp),
-// with bit-identical results.
+// branches, so that vectorised loops (shading/metal_rough_lanes.hpp) give the same bits as single points.
 //
 // Based on: the references of metal_rough_bsdf.hpp.
 #pragma once
@@ -11,7 +10,6 @@
 
 namespace lippmann {
 
-/// Surface parameters at one point, with textures applied. Colours are in [0, 1].
 struct MetalRoughSurface {
   Vec3f base_color{1.0f};
   float metallic = 1.0f, roughness = 1.0f;
@@ -22,23 +20,22 @@ struct MetalRoughSurface {
   float clearcoat = 0.0f, clearcoat_roughness = 0.0f;
 };
 
-/// The base at one point, for one viewing direction. Directions of diffuse light are local to the diffuse part's normal. All
-/// other directions are local to the gloss's normal.
+/// The surface at one point, for one viewing direction. Directions of diffuse light are relative to the diffuse part's normal,
+/// and all others to the gloss's normal.
 struct MetalRoughBase {
-  Vec3f view;  ///< unit vector from the point to the viewer
+  Vec3f view;
   float alpha;
-  Vec3f diffuse_color;   ///< albedo, times the share of light that passes the gloss to the viewer, divided by diffuse_passes
-  Vec3f diffuse_passes;  ///< share of light that passes the gloss, as the cosine-weighted mean over all directions
+  Vec3f diffuse_color;   ///< albedo, times the fraction of light that passes the gloss to the viewer, divided by diffuse_passes
+  Vec3f diffuse_passes;  ///< fraction of light that passes the gloss, as the cosine-weighted mean over all directions
   /// Reflectance at normal incidence: dielectric_f0 of the dielectric, gloss_f0 of the mix with metal.
   Vec3f dielectric_f0, gloss_f0;
-  float dielectric_f90, gloss_f90;           ///< reflectance at grazing incidence, of the dielectric and of the mix with metal
-  Vec3f gloss_compensation, gloss_albedo;    ///< factor for multiple scattering; albedo including multiple scattering
-  float diffuse_luminance, gloss_luminance;  ///< luminance that each part shows the viewer under uniform white light
+  float dielectric_f90, gloss_f90;  ///< reflectance at grazing incidence, of the dielectric and of the mix with metal
+  Vec3f gloss_compensation, gloss_albedo;
+  float diffuse_luminance, gloss_luminance;  ///< luminance of each part for the viewer under uniform white light
 
   bool is_smooth() const { return alpha < kSmoothAlpha; }
 };
 
-/// Raises the view slightly above the horizon, where masking has no precision.
 LIPPMANN_INLINE Vec3f lifted_view(Vec3f local) {
   constexpr float kLeastCosine = 1e-4f;
   const float z = local.z >= kLeastCosine ? local.z : kLeastCosine;
@@ -54,7 +51,7 @@ LIPPMANN_INLINE Vec3f single_albedo(const GgxAlbedo& albedo, float cosine, float
   return {smooth ? 1.0f - edge : rough.x, smooth ? edge : rough.y, smooth ? 0.0f : rough.z};
 }
 
-/// Computes the base. `view` becomes MetalRoughBase::view and must be a result of lifted_view().
+/// `view` must be a result of lifted_view().
 LIPPMANN_INLINE MetalRoughBase metal_rough_base(const MetalRoughSurface& s, const GgxAlbedo& albedo, Vec3f view) {
   MetalRoughBase b;
   b.view = view;
@@ -65,8 +62,8 @@ LIPPMANN_INLINE MetalRoughBase metal_rough_base(const MetalRoughSurface& s, cons
   b.gloss_f0 = dielectric * b.dielectric_f0 + s.metallic * s.base_color;
   b.gloss_f90 = dielectric * b.dielectric_f90 + s.metallic;
 
-  // Dielectric and metal have different factors for multiple scattering, but one lobe carries both. Its factor is the mean of
-  // both, weighted by the light that each reflects.
+  // One lobe carries dielectric and metal. Its factor for multiple scattering is the mean of both, weighted by the light that
+  // each reflects.
   const Vec3f single = single_albedo(albedo, view.z, b.alpha);
   const Vec3f of_dielectric = GgxAlbedo::directional_of(single, b.dielectric_f0, Vec3f(b.dielectric_f90));
   b.gloss_albedo = dielectric * of_dielectric + s.metallic * GgxAlbedo::directional_of(single, s.base_color, Vec3f(1.0f));
@@ -87,22 +84,21 @@ LIPPMANN_INLINE MetalRoughBase metal_rough_base(const MetalRoughSurface& s, cons
   return b;
 }
 
-/// Returns the share of light that passes the gloss to the diffuse part. `cosine` is the cosine between light and normal of the
-/// diffuse part.
+/// Returns the fraction of light that passes the gloss to the diffuse part. `cosine` is the cosine between light and the
+/// diffuse part's normal.
 LIPPMANN_INLINE Vec3f let_in(const MetalRoughBase& b, const GgxAlbedo& albedo, float cosine) {
   return Vec3f(1.0f) -
          GgxAlbedo::directional_of(single_albedo(albedo, cosine, b.alpha), b.dielectric_f0, Vec3f(b.dielectric_f90));
 }
 
-/// Returns the diffuse BRDF times the cosine, after Kelemen and Szirmay-Kalos. It is proportional to the share of light that
-/// the gloss lets in from the light, and to the share that the gloss lets out to the viewer. diffuse_color includes the share
-/// to the viewer and the normalisation.
+/// Returns the diffuse BRDF times the cosine, after Kelemen and Szirmay-Kalos: the albedo, times the fractions of light that
+/// the gloss lets in and lets out. diffuse_color includes the fraction towards the viewer.
 LIPPMANN_INLINE Vec3f diffuse_cosine_f(const MetalRoughBase& b, const GgxAlbedo& albedo, float cosine) {
   return b.diffuse_color * let_in(b, albedo, cosine) * (cosine * (1.0f / kPi));
 }
 
-/// Returns the BRDF of a rough gloss times the cosine, for light.z > 0. Also sets `density` to the result of
-/// Ggx::visible_density(), because BRDF and density have most terms in common.
+/// Returns the BRDF of a rough gloss times the cosine, for light.z > 0. Also sets `density` to Ggx::visible_density(), which
+/// has most terms in common.
 LIPPMANN_INLINE Vec3f gloss_cosine_f(const MetalRoughBase& b, Vec3f light, float& density) {
   const Ggx ggx{b.alpha};
   const Vec3f h = glm::normalize(b.view + light);
@@ -113,8 +109,8 @@ LIPPMANN_INLINE Vec3f gloss_cosine_f(const MetalRoughBase& b, Vec3f light, float
   return fresnel * b.gloss_compensation * (facets * seen_from_both / (4.0f * b.view.z));
 }
 
-/// Samples the normal of a facet visible to the viewer. For smooth surfaces, this is the surface's normal. mirrored() about the
-/// facet's normal gives a light direction, which may lie below the surface.
+/// Samples the normal of a facet visible to the viewer. mirrored() about this normal gives a light direction, which may lie
+/// below the surface.
 LIPPMANN_INLINE Vec3f draw_facet(const MetalRoughBase& b, Vec2f u) {
   const Vec3f facet = Ggx{b.alpha}.sample_visible(b.view, u);
   const bool smooth = b.is_smooth();

@@ -96,8 +96,6 @@ BsdfValue MetalRoughBsdf::evaluate(Vec3f light_world) const {
   return value;
 }
 
-/// Samples the glass at a random facet or, if the surface is smooth, at the surface itself. `decision` in [0, 1) selects
-/// reflection with Fresnel's probability, otherwise refraction. Returns false if a facet blocks the light.
 bool MetalRoughBsdf::sample_glass(float decision, Vec2f u, BsdfSample& s) const {
   float outward;
   const Vec3f light = draw_glass(glass_.eta, base_.view, draw_facet(base_, u), decision, s.transmitted, outward);
@@ -136,7 +134,7 @@ bool MetalRoughBsdf::draw_coat(Vec2f u, BsdfSample& s) const {
 }
 
 std::optional<BsdfSample> MetalRoughBsdf::sample(float lobe, Vec2f u) const {
-  // Constructed in place, because copying a struct that was just written would stall on store forwarding.
+  // Construct in place: copying a struct that was just written would stall on store forwarding.
   std::optional<BsdfSample> s(std::in_place);
   if (!draw(lobe, u, *s)) {
     s.reset();

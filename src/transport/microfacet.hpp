@@ -1,5 +1,5 @@
-// Microfacet surfaces: the GGX distribution, its masking, sampling of visible normals, and Fresnel reflectance. Directions are
-// local: z points along the normal.
+// Microfacet surfaces: the GGX distribution, its masking, sampling of visible normals, and Fresnel reflectance. z points along
+// the surface normal.
 //
 // Based on: B. Walter et al., "Microfacet Models for Refraction through Rough Surfaces", EGSR 2007; E. Heitz, "Understanding
 // the Masking-Shadowing Function in Microfacet-Based BRDFs", JCGT 3(2), 2014; J. Dupuy, A. Benyoub, "Sampling Visible GGX
@@ -11,37 +11,32 @@
 
 namespace lippmann {
 
-/// Surfaces with a lower alpha are mirrors, with Dirac lobes. alpha = roughness^2 as in glTF.
+/// Surfaces with a lower alpha (roughness^2) are mirrors, with Dirac lobes.
 inline constexpr float kSmoothAlpha = 1e-3f;
 
 /// An isotropic GGX distribution of facets. alpha must be >= kSmoothAlpha.
 struct Ggx {
   float alpha = 1.0f;
 
-  /// Returns the density of facet normals h, for h.z > 0. The integral of h.z times this density over the hemisphere is 1.
+  /// Returns the density of facet normals h, for h.z > 0. The integral of h.z times this density is 1.
   float distribution(Vec3f h) const {
     const float a2 = alpha * alpha;
-    // sin^2 is computed from x and y, because 1 - cos^2 has no precision at the peak of narrow lobes.
+    // 1 - cos^2 would have no precision at the peak of narrow lobes.
     const float d = a2 * h.z * h.z + h.x * h.x + h.y * h.y;
     return a2 / (kPi * d * d);
   }
-  /// Returns the share of facets visible from v, by Smith's model. v.z must not be 0.
   float masking(Vec3f v) const { return 1.0f / (1.0f + lambda(v)); }
-  /// Returns the share of facets visible from both a and b, with height correlation.
+  /// Smith's height-correlated masking and shadowing.
   float masking(Vec3f a, Vec3f b) const { return 1.0f / (1.0f + lambda(a) + lambda(b)); }
-  /// Samples the normal of a facet visible from v. v.z must be > 0.
   LIPPMANN_INLINE Vec3f sample_visible(Vec3f v, Vec2f u) const;
   /// Returns the density of sample_visible().
   float visible_density(Vec3f v, Vec3f h) const { return masking(v) * std::max(0.0f, glm::dot(v, h)) * distribution(h) / v.z; }
-  /// Returns Lambda of Smith's model.
   float lambda(Vec3f v) const {
     const float cosine2 = v.z * v.z, tangent2 = (cosine2 < 1.0f ? 1.0f - cosine2 : 0.0f) / cosine2;
     return 0.5f * (std::sqrt(1.0f + alpha * alpha * tangent2) - 1.0f);
   }
 };
 
-/// An anisotropic GGX distribution of facets. alpha holds the values along x and y, each >= kSmoothAlpha. The functions are
-/// those of Ggx.
 struct AnisotropicGgx {
   Vec2f alpha{1.0f};
 
@@ -53,8 +48,7 @@ struct AnisotropicGgx {
   float masking(Vec3f a, Vec3f b) const { return 1.0f / (1.0f + lambda(a) + lambda(b)); }
   LIPPMANN_INLINE Vec3f sample_visible(Vec3f v, Vec2f u) const {
     const Vec3f stretched = glm::normalize(Vec3f(alpha.x * v.x, alpha.y * v.y, v.z));
-    // Samples a uniform point on the spherical cap of mirror directions. The half vector of this point and the view is the
-    // normal.
+    // The normal is the half vector of the view and a uniform point on the spherical cap of mirror directions.
     const float z = (1.0f - u.y) * (1.0f + stretched.z) - stretched.z, square = 1.0f - z * z;
     const float radius = std::sqrt(square > 0.0f ? square : 0.0f);
     float sine, cosine;
@@ -69,7 +63,7 @@ struct AnisotropicGgx {
   float lambda(Vec3f v) const {
     return 0.5f * (std::sqrt(1.0f + (squared(alpha.x * v.x) + squared(alpha.y * v.y)) / squared(v.z)) - 1.0f);
   }
-  /// Returns the alpha of the isotropic surface whose albedo for the unit direction v is closest to this surface's.
+  /// Returns the alpha of the isotropic surface whose albedo for the unit direction v is closest.
   float alpha_towards(Vec3f v) const {
     return std::sqrt(squared(alpha.x * v.x) + squared(alpha.y * v.y) + alpha.x * alpha.y * squared(v.z));
   }
@@ -77,7 +71,6 @@ struct AnisotropicGgx {
 
 inline Vec3f Ggx::sample_visible(Vec3f v, Vec2f u) const { return AnisotropicGgx{Vec2f(alpha)}.sample_visible(v, u); }
 
-/// Returns (1 - cosine)^5.
 LIPPMANN_INLINE float schlick_weight(float cosine) {
   const float rest = 1.0f - cosine, above = rest > 0.0f ? rest : 0.0f, m = above < 1.0f ? above : 1.0f, square = m * m;
   return square * square * m;

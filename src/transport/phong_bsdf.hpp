@@ -1,5 +1,5 @@
-// Whitted's surface model in path tracing: a Lambertian diffuse part, a perfect mirror, and transmission, which is straight or
-// refracted. Highlights appear only under point-like lights. Traced light replaces ambient light.
+// Whitted's surface model in path tracing: a Lambertian diffuse part, a perfect mirror, and straight or refracted transmission.
+// Highlights appear only under point-like lights.
 #pragma once
 
 #include <optional>
@@ -8,36 +8,34 @@
 
 namespace lippmann {
 
-/// Surface parameters at one point, with textures applied. The parts are independent, so their sum may reflect more light than
+/// Surface parameters at one point, with textures applied. Their sum may exceed 1, so the surface may reflect more light than
 /// arrives.
 struct PhongPoint {
-  Vec3f diffuse{0.8f};  ///< albedo of the diffuse part
+  Vec3f diffuse{0.8f};
   Vec3f highlight{0.0f};
   float highlight_size = 1.0f;
   Vec3f mirror{0.0f};
-  float through = 0.0f;  ///< share of light that is transmitted
-  float ior = 1.0f;      ///< index of refraction; 1: straight transmission
+  float through = 0.0f;
+  float ior = 1.0f;  ///< index of refraction; 1: straight transmission
 };
 
 class PhongBsdf {
  public:
-  /// normal: unit normal on the viewer's side. view: unit vector to the viewer. entering: the viewer is outside the surface.
   PhongBsdf(const PhongPoint& point, Vec3f normal, Vec3f view, bool entering);
 
-  /// Evaluates only the diffuse part. Mirror and transmission are Dirac lobes, and highlight() evaluates the highlight.
+  /// Evaluates only the diffuse part. Mirror and transmission are Dirac lobes.
   BsdfValue evaluate(Vec3f light) const;
 
-  /// Returns Blinn's highlight under a point-like light, as cosine_f. light_table.hpp explains its unit.
+  /// Returns Blinn's highlight under a point-like light, times the cosine. light_table.hpp explains its unit.
   Vec3f highlight(Vec3f light) const;
 
   std::optional<BsdfSample> sample(float lobe, Vec2f u) const;
 
-  /// The diffuse part is the product of these two functions: its albedo, and cosine_f of a white surface.
   Vec3f diffuse_albedo() const { return point_.diffuse; }
   Vec3f evaluate_diffuse(Vec3f light) const;
   Vec3f normal() const { return normal_; }
-  static constexpr bool scatters_through() { return false; }  ///< Phong surfaces transmit only by Dirac lobes
-  static constexpr bool has_coat_apart() { return false; }    ///< Phong surfaces have no coat
+  static constexpr bool scatters_through() { return false; }
+  static constexpr bool has_coat_apart() { return false; }
 
  private:
   PhongPoint point_;

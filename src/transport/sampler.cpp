@@ -22,7 +22,7 @@ LIPPMANN_INLINE std::uint32_t scrambled_upwards(std::uint32_t x, std::uint32_t s
   return x;
 }
 
-/// Returns the second dimension of Sobol's sequence with reversed bits. It is Pascal's triangle modulo 2, computed by halves.
+/// Returns the bit-reversed second dimension of Sobol's sequence. Its generator matrix is Pascal's triangle modulo 2.
 LIPPMANN_INLINE std::uint32_t second_sobol_reversed(std::uint32_t index) {
   index ^= index >> 16;
   index ^= (index & 0xff00ff00u) >> 8;
@@ -35,8 +35,7 @@ struct Point {
   float x, y;
 };
 
-/// Computes a point. Scrambling operates on reversed bits, and the first dimension is the index with reversed bits. Most
-/// reversals therefore cancel.
+/// Computes a point. Scrambling works on reversed bits, so most reversals cancel.
 LIPPMANN_INLINE Point point_of(std::uint32_t reversed_index, std::uint32_t seed) {
   // Owen scrambling of the index shuffles the points, but keeps each aligned block of 2^k indices together.
   const std::uint32_t shuffled = reversed_bits(scrambled_upwards(reversed_index, seed));

@@ -2,8 +2,7 @@
 // pairs of dimensions are independent.
 //
 // Based on: B. Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020. Each pair of dimensions is the same
-// two-dimensional Sobol sequence, in a shuffled order and with digits scrambled by hashes. Any number of dimensions thus has
-// well-distributed pairs.
+// two-dimensional Sobol sequence, shuffled and scrambled by hashes.
 #pragma once
 
 #include <cstdint>
@@ -15,16 +14,15 @@ namespace lippmann {
 /// Returns point `index` of a scrambled two-dimensional Sobol sequence. Each aligned block of 2^k points is stratified.
 Vec2f scrambled_sobol(std::uint32_t index, std::uint32_t seed);
 
-/// A group of paths whose random numbers are computed together. Paths of the same pixel have the same seed and different
-/// indices.
+/// Paths whose random numbers are computed together. Paths of the same pixel have the same seed and different indices.
 struct PathPairs {
   static constexpr int kPaths = 16;
   alignas(64) std::uint32_t seed[kPaths], index[kPaths];
-  alignas(64) std::uint32_t first[kPaths];  ///< number that sample_pairs() adds to `pair`, for each path
+  alignas(64) std::uint32_t first[kPaths];  ///< sample_pairs() adds this number to `pair`, for each path
 };
 
-/// Computes two random numbers per path. They are well distributed over the paths of a pixel. Each value of first + pair is an
-/// independent pair of dimensions, so the same decision must use the same value on all paths.
+/// Computes two random numbers per path, stratified over the paths of a pixel. The sum first + pair selects a pair of
+/// dimensions. Different sums are independent, so the same decision must use the same sum on all paths.
 void sample_pairs(const PathPairs& paths, std::uint32_t pair, float* x, float* y);
 
 }  // namespace lippmann

@@ -1,4 +1,4 @@
-// Samples directions and points by two random numbers in [0, 1), and computes densities.
+// Samples directions and points by two random numbers in [0, 1).
 //
 // Based on: P. Shirley, K. Chiu, "A Low Distortion Map Between Disk and Square", JGT 2(3), 1997; T. Duff et al., "Building an
 // Orthonormal Basis, Revisited", JCGT 6(1), 2017.
@@ -8,9 +8,8 @@
 
 namespace lippmann {
 
-/// A right-handed orthonormal basis around z.
 struct Basis {
-  Basis() = default;  ///< uninitialized
+  Basis() = default;
   explicit Basis(Vec3f z_axis) : z(z_axis) {
     const float sign = std::copysign(1.0f, z.z);
     const float a = -1.0f / (sign + z.z), b = z.x * z.y * a;
@@ -22,7 +21,6 @@ struct Basis {
   Vec3f x, y, z;
 };
 
-/// Samples the unit disc uniformly.
 LIPPMANN_INLINE Vec2f sample_disc(Vec2f u) {
   const Vec2f p = 2.0f * u - Vec2f(1.0f);
   const bool wide = std::abs(p.x) > std::abs(p.y);

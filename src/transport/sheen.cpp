@@ -8,13 +8,13 @@
 namespace lippmann {
 namespace {
 
-/// Lower bound of the roughness. The precision of floats does not suffice for smaller values.
+/// Floats are too imprecise for lower roughness.
 constexpr float kLeastRoughness = 0.1f;
 
 float alpha_of(float roughness) { return squared(std::max(roughness, kLeastRoughness)); }
 
-/// The exponent of the shadowing as a function of the cosine (section 3 and table 1 of the paper in sheen.hpp). It is
-/// interpolated between the fits for alpha = 1 and alpha = 0, which are the first and the second argument of at().
+/// The exponent of the shadowing as a function of the cosine, interpolated between the fits for alpha = 1 and alpha = 0
+/// (section 3 and table 1 of the paper in sheen.hpp).
 class Shadowing {
  public:
   explicit Shadowing(float alpha) {

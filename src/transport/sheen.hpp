@@ -1,4 +1,4 @@
-// Sheen: light scattered by fibres on a surface, and a table of its albedo over angle and roughness.
+// Sheen: light scattered by fibres on a surface.
 //
 // Based on: A. Estevez, C. Kulla, "Production Friendly Microfacet Sheen BRDF", SIGGRAPH 2017 course (the Charlie distribution
 // and its fitted shadowing); Khronos Group, KHR_materials_sheen (alpha = roughness^2; the albedo scales the layers below).
@@ -16,8 +16,8 @@
 
 namespace lippmann {
 
-/// Returns the BRDF divided by the sheen colour, without the cosine. Both directions are local, with z along the normal, and
-/// must have z > 0. `roughness` is in [0, 1].
+/// Returns the BRDF divided by the sheen colour, without the cosine. z points along the surface normal, and both directions
+/// must have z > 0.
 float sheen_f(Vec3f view, Vec3f light, float roughness);
 
 class SheenAlbedo {
@@ -27,13 +27,13 @@ class SheenAlbedo {
   SheenAlbedo(const SheenAlbedo&) = delete;
   SheenAlbedo& operator=(const SheenAlbedo&) = delete;
 
-  /// Returns the directional albedo of white sheen, in [0, 1]. `cosine` is the cosine between view and normal, in [0, 1].
-  /// Thread-safe. The first call computes the table (about 0.1 s), so that scenes without sheen do not pay for it.
+  /// Returns the directional albedo of white sheen. `cosine` is the cosine between view and normal, in [0, 1]. Thread-safe. The
+  /// first call computes the table, which takes about 0.1 s.
   float operator()(float cosine, float roughness) const;
 
  private:
-  static constexpr int kSize = 32;                            ///< entries per dimension
-  using Table = std::array<std::array<float, kSize>, kSize>;  ///< indexed by [roughness][cosine]
+  static constexpr int kSize = 32;
+  using Table = std::array<std::array<float, kSize>, kSize>;
   static Table integrated();
 
   mutable std::once_flag once_;

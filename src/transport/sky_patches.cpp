@@ -10,13 +10,13 @@ namespace lippmann {
 namespace {
 
 constexpr float kBelowOne = 0x1.fffffep-1f;
-constexpr unsigned kAllOwn = 0xff;  ///< bit mask that contains all patches of a tile's row
+constexpr unsigned kAllOwn = 0xff;
 constexpr int kTile = SkyPatches::kTile, kFloatsOfLine = 16;
 /// Thresholds of find_sun(), whose declaration explains them.
 constexpr double kBright = 50.0, kLeastShare = 0.1, kMostSteradian = 0.02;
 
-/// Returns the index whose share contains u in [0, 1). Its share is not empty. `upto` holds cumulative shares and ends with 1.
-/// Sets `u` to the position of u within the share.
+/// Returns the index i for which u in [0, 1) lies between upto[i - 1] and upto[i]. `upto` ends with 1. Sets `u` to its position
+/// in this interval, in [0, 1).
 template <std::size_t N>
 int pick_share(const std::array<float, N>& upto, float& u) {
   int index = 0;
@@ -27,7 +27,7 @@ int pick_share(const std::array<float, N>& upto, float& u) {
   return index;
 }
 
-/// Does the same as pick_share(), but for weights. Chooses uniformly if all weights are 0.
+/// Same as pick_share(), but for weights. Chooses uniformly if all weights are 0.
 template <std::size_t N>
 int pick_weight(const std::array<float, N>& weights, float& u) {
   std::array<float, N> upto;
@@ -49,7 +49,6 @@ float sum_of(const std::array<float, N>& values) {
   return sum;
 }
 
-/// The luminance of a patch, interpolated bilinearly between its corners.
 struct Patch {
   explicit Patch(const std::array<float, 4>& corners) : of(corners) {}
   float left(float down) const { return glm::mix(of[0], of[2], down); }
@@ -71,7 +70,6 @@ bool is_grey(int width, int height, const std::function<Vec3f(int x, int y)>& li
   return true;
 }
 
-/// Returns the patches that touch at least one of the texels.
 PatchMask touched_patches(const SkyPatches& sky, const std::vector<Texel>& texels) {
   PatchMask touched(static_cast<std::size_t>(sky.width()) * static_cast<std::size_t>(sky.rows()), false);
   for (const Texel& t : texels)
@@ -111,7 +109,6 @@ SkyPatches::SkyPatches(int width, int height, const std::function<Vec3f(int x, i
       float* into = texels_.data() + static_cast<std::size_t>(layout_.tile) * tile(tile_x, tile_y);
       for (int y = kTile * tile_y; y <= kTile * (tile_y + 1); ++y, into += layout_.row)
         for (int i = 0; i <= kTile; ++i) {
-          // Texels beyond the right or bottom edge belong to no patch, so their values do not matter.
           const Vec3f rgb = light((kTile * tile_x + i) % width, std::clamp(y - 1, 0, height - 1));
           for (int c = 0; c < 3; ++c) into[layout_.channel * c + i] = rgb[c];
         }
@@ -200,7 +197,6 @@ float PatchChoice::add_tile(const SkyPatches& sky, int tile_x, int tile_y,
   return static_cast<float>(sum);
 }
 
-/// Returns the mean luminance of each patch in a tile's row, or 0 for patches outside the subset.
 PatchChoice::RowOfPatches PatchChoice::weights_of(const SkyPatches& sky, std::size_t tile, int row) const {
   const int below = sky.layout().row;
   const float* texels = sky.texels_of(tile) + row * below;
@@ -213,7 +209,7 @@ PatchChoice::RowOfPatches PatchChoice::weights_of(const SkyPatches& sky, std::si
   return weights;
 }
 
-/// Sets densities from the rounded probabilities in the tables, so that they match the sampling exactly.
+/// Densities follow from the rounded probabilities in the tables, so that they match the sampling exactly.
 void PatchChoice::set_densities(const SkyPatches& sky, int tile_x, int tile_y) {
   const auto tiles = static_cast<std::size_t>(tile_y);
   const std::size_t tile = sky.tile(tile_x, tile_y);

@@ -12,8 +12,7 @@
 namespace lippmann {
 namespace {
 
-/// One term of a colour matching function, which is a sum of Gaussians over wave number. at() returns the Fourier transform of
-/// the term.
+/// One Gaussian term of a colour matching function over wave number. at() returns its Fourier transform.
 struct Sensitivity {
   float height, place, variance;
 
@@ -25,7 +24,7 @@ struct Sensitivity {
 // The values are from the table of the fit in section 4 of the paper in thin_film.hpp. X is the sum of two Gaussians.
 constexpr Sensitivity kX{5.4856e-13f, 1.6810e+06f, 4.3278e+09f}, kXBlue{9.7470e-14f, 2.2399e+06f, 4.5282e+09f},
     kY{4.4201e-13f, 1.7953e+06f, 9.3046e+09f}, kZ{5.2481e-13f, 2.2084e+06f, 6.6121e+09f};
-constexpr float kWhole = 1.0685e-7f;  ///< divisor that makes white light 1
+constexpr float kWhole = 1.0685e-7f;
 
 /// Returns the linear sRGB colour of white light for a path difference of `path_m` metres and a phase shift per channel.
 Vec3f color_of_path(float path_m, Vec3f shift) {
@@ -40,8 +39,8 @@ float schlick(float f0, float cosine) { return f0 + (1.0f - f0) * schlick_weight
 
 float reflectance_between(float from, float to) { return squared((to - from) / (to + from)); }
 
-/// Returns the film's index of refraction, which fades to that of air below a thickness of 30 nm. A vanishing film thus
-/// disappears gradually.
+/// Returns the film's index of refraction, which fades to that of air below 30 nm, so that a vanishing film disappears
+/// gradually.
 float visible_ior(const ThinFilm& film) {
   const float t = std::clamp(film.thickness_nm / 30.0f, 0.0f, 1.0f);
   return 1.0f + (film.ior - 1.0f) * t * t * (3.0f - 2.0f * t);
@@ -54,15 +53,18 @@ Vec3f film_reflectance(const ThinFilm& film, Vec3f f0, float cosine) {
   const float squared_c2 = 1.0f - (1.0f - c1 * c1) / (n2 * n2);
   if (squared_c2 < 0.0f) return Vec3f(1.0f);
   const float c2 = std::sqrt(squared_c2);
-  // Fresnel's equations are used here, because Schlick's approximation would reflect at grazing angles even if the film had the
-  // index of air.
+  // Schlick's approximation would reflect at grazing angles even if the film had the index of air.
   const float r12 = fresnel_dielectric(c1, n2), t121 = 1.0f - r12;
 
   Vec3f r23(0.0f), phi(0.0f);
   for (int c = 0; c < 3; ++c) {
     const float root = std::sqrt(std::clamp(f0[c], 0.0f, 0.9999f)), n3 = (1.0f + root) / (1.0f - root);
     r23[c] = schlick(reflectance_between(n2, n3), c2);
-    phi[c] = kPi + (n3 < n2 ? kPi : 0.0f);  // phase shifts of the reflections at 2-1, where the film is denser, and at 2-3
+    phi[c] =
+        kPi +
+        (n3 < n2
+             ? kPi
+             : 0.0f);  // phase shifts of the reflections from film to air, where the film is denser, and from film to surface
   }
   const Vec3f r123 = glm::clamp(r12 * r23, Vec3f(1e-5f), Vec3f(0.9999f)), root = glm::sqrt(r123);
   const Vec3f rs = t121 * t121 * r23 / (Vec3f(1.0f) - r123);

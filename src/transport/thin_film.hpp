@@ -10,12 +10,10 @@
 namespace lippmann {
 
 struct ThinFilm {
-  float ior = 1.3f;  ///< index of refraction, >= 1
+  float ior = 1.3f;
   float thickness_nm = 400.0f;
 };
 
-/// Returns the shares of red, green and blue light that film and surface reflect together in air, in [0, 1]. f0: reflectance of
-/// the surface at normal incidence without the film. cosine: cosine between light and normal.
 Vec3f film_reflectance(const ThinFilm& film, Vec3f f0, float cosine);
 
 }  // namespace lippmann
