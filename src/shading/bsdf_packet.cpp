@@ -3,7 +3,7 @@
 namespace lippmann {
 namespace {
 
-/// Converts implicitly to the BSDF of lane i. emplace() thus constructs the BSDF in place. BSDFs are expensive to copy.
+/// Converts to the BSDF of lane i, so that emplace() constructs this large object in place.
 struct BsdfOfLane {
   const ShadedScene& scene;
   const RayHitPacket& packet;

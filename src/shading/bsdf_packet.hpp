@@ -1,6 +1,5 @@
-// The BSDFs at the hits of a packet. The most common surfaces are evaluated for all lanes at once: metallic roughness without
-// coat or other layers, and purely diffuse surfaces. All other surfaces are evaluated lane by lane. The choice for a lane
-// depends only on its own surface, so results do not depend on the other lanes.
+// The BSDFs at the hits of a packet. Metallic roughness without further layers and purely diffuse surfaces are evaluated for
+// all lanes at once, and all other surfaces lane by lane.
 #pragma once
 
 #include <array>
@@ -11,7 +10,6 @@
 
 namespace lippmann {
 
-/// One sampled direction per lane. The members match those of BsdfSample.
 struct BsdfSamples {
   BsdfSampleLanes lanes;
   LaneMask straight, is_vertex;
@@ -32,15 +30,15 @@ class BsdfPacket {
   }
   /// Sets the surface that lane i has hit. Call set() for all lanes with a hit before any other function.
   void set(const ShadedScene& scene, const RayHitPacket& packet, const SurfacePacket& surface, int i);
-  /// Computes the values that all evaluations share. Call prepare() once, after the last set().
+  /// Call prepare() once, after the last set().
   void prepare();
 
-  // evaluate() and sample() fill the lanes of the mask, each of which must have a surface. Other lanes receive undefined
-  // values. The random numbers lobe, u and v are in [0, 1).
+  // evaluate() and sample() fill the lanes of the mask, each of which must have a surface. The random numbers lobe, u and v are
+  // in [0, 1).
   void evaluate(const LaneMask& lanes, const Lanes3& lights, BsdfValueLanes& values) const;
   void sample(const LaneMask& lanes, const Lanes& lobe, const Lanes& u, const Lanes& v, BsdfSamples& samples) const;
 
-  // These functions evaluate lane i only. They return what the functions of the same name in Bsdf return.
+  // Same as the functions of the same name in Bsdf, for lane i.
   Vec3f highlight(int i, Vec3f light) const { return base_.lane[i] ? Vec3f(0.0f) : bsdfs_[index(i)]->highlight(light); }
   Vec3f diffuse_albedo(int i) const { return base_.lane[i] ? lanes_.diffuse_albedo(i) : bsdfs_[index(i)]->diffuse_albedo(); }
   Vec3f evaluate_diffuse(int i, Vec3f light) const {

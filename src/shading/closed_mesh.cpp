@@ -15,7 +15,7 @@ namespace {
 
 /// Vertices are merged if they are closer than the mesh's size divided by kParts.
 constexpr double kParts = 1e6;
-/// Volumes below kLeastVolume times the cube of the mesh's size count as 0. Such meshes are two-sided sheets.
+/// Meshes with a volume below kLeastVolume times the cube of their size are two-sided sheets.
 constexpr double kLeastVolume = 1e-9;
 
 struct Extent {
@@ -30,7 +30,6 @@ Extent extent_of(const Mesh& mesh) {
   return extent;
 }
 
-/// Returns one position index per vertex. Vertices at the same position have the same index.
 std::vector<std::uint32_t> places_of(const Mesh& mesh, const Extent& extent) {
   using Key = std::array<std::int64_t, 3>;
   const double per_unit = kParts / extent.size();
@@ -51,8 +50,8 @@ std::vector<std::uint32_t> places_of(const Mesh& mesh, const Extent& extent) {
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
-/// The directed edges of all triangles. `up` holds edges from the lower to the higher position index, and `down` holds edges in
-/// the opposite direction. Both store the lower index first.
+/// The directed edges of all triangles. `up` holds edges from the lower to the higher position index, and `down` the others.
+/// Both store the lower index first.
 struct Edges {
   std::vector<Edge> up, down;
 
@@ -74,7 +73,6 @@ bool is_closed(const Mesh& mesh, const Extent& extent) {
   return !edges.up.empty() && edges.all_are_shared_by_two();
 }
 
-/// Returns the signed volume. It is positive if the triangles face outward.
 double volume_of(const Mesh& mesh, const Extent& extent) {
   double six_times = 0.0;
   for (const auto& [a, b, c] : mesh.triangles) {

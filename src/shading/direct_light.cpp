@@ -37,8 +37,7 @@ LIPPMANN_INLINE void dim(ShadowPacket& shadow, int i, float factor) {
   shadow.arriving[i] *= factor;
 }
 
-/// Sets `lifted` for lanes whose light is behind the facet but in front of the smooth surface. Returns nonzero if any lane is
-/// lifted.
+/// Sets `lifted` in lanes whose light is behind the facet but in front of the smooth surface. Returns nonzero if there are any.
 LIPPMANN_INLINE int find_setting(const SurfacePacket& s, ShadowPacket& shadow) {
   int any = 0;
   LIPPMANN_FOR_LANES(i) {
@@ -51,7 +50,6 @@ LIPPMANN_INLINE int find_setting(const SurfacePacket& s, ShadowPacket& shadow) {
   return any;
 }
 
-/// Moves the origins of the shadow rays in `lifted` lanes to the smooth surface.
 void lift_rays(const SurfacePacket& s, ShadowPacket& shadow) {
   for (int i = 0; i < kLanes; ++i) {
     if (!shadow.lifted.lane[i]) continue;
@@ -61,7 +59,7 @@ void lift_rays(const SurfacePacket& s, ShadowPacket& shadow) {
   }
 }
 
-/// Applies Tachyon's spot light cone: the light fades linearly with the angle between inner and outer cone.
+/// Applies Tachyon's spot light cone, in which light fades linearly with the angle.
 void dim_by_angle(const WhittedLight& light, ShadowPacket& shadow) {
   for (int i = 0; i < kLanes; ++i) {
     const Vec3f to_light(shadow.rays.dir_x[i], shadow.rays.dir_y[i], shadow.rays.dir_z[i]);
@@ -78,7 +76,7 @@ void dim_by_web(const WhittedLight& light, ShadowPacket& shadow) {
     dim(shadow, i, fading(light, {shadow.rays.dir_x[i], shadow.rays.dir_y[i], shadow.rays.dir_z[i]}));
 }
 
-/// Applies Tachyon's attenuation. Call dim_by_distance() only for point lights, where tfar is the distance to the light.
+/// Applies Tachyon's attenuation of point lights. tfar is the distance to the light.
 LIPPMANN_INLINE void dim_by_distance(const Vec3f a, ShadowPacket& shadow) {
   LIPPMANN_FOR_LANES(i) {
     const float d = shadow.rays.tfar[i];
@@ -96,8 +94,8 @@ LIPPMANN_INLINE int choose_active(const SurfacePacket& s, float least_light, Sha
   return count;
 }
 
-/// Returns whether N.H exceeds the cutoff in any lit lane. Compares squares to avoid square roots, divisions and powers,
-/// because most packets have no highlight.
+/// Returns whether N.H exceeds the cutoff in any lit lane. Most packets have no highlight, so this test avoids square roots,
+/// divisions and powers.
 LIPPMANN_INLINE int highlight_shows(const SurfacePacket& s, const RayPacket& view, const ShadowPacket& shadow,
                                     const Lanes& visibility) {
   int any = 0;
@@ -147,7 +145,7 @@ LIPPMANN_MULTIVERSION void add_untinted_light(const WhittedLight& light, const S
     add_highlight(color, surface, view, shadow, visibility, tachyon ? 1.0f : 0.0f, direct);
 }
 
-/// Adds tint * light to `to` in the active lanes. `tint` is the transmittance of the surfaces between the light and the point.
+/// Adds tint * light to `to` in the active lanes. `tint` is the transmittance between the light and the point.
 void add_tinted(const Lanes3& tint, const LaneMask& active, const Lanes3& light, Lanes3& to) {
   for (int i = 0; i < kLanes; ++i)
     if (active.lane[i]) to.set(i, to.get(i) + tint.get(i) * light.get(i));

@@ -10,31 +10,27 @@
 
 namespace lippmann {
 
-/// Direct light, summed over lights, for each lane. The caller multiplies `diffuse` by the surface's colour, and `highlight` by
-/// the tint of the surface's highlight.
+/// Direct light, summed over lights, for each lane. The caller multiplies `diffuse` and `highlight` by the surface's colours.
 struct DirectLight {
   Lanes3 diffuse;  ///< sum of light colour * N.L * visibility
-  /// Sum of light colour * (N.H)^size * visibility. In Tachyon mode, `highlight` omits the light's fading and transmittance
-  /// and, for metal, the light's colour.
+  /// Sum of light colour * (N.H)^size * visibility. In Tachyon mode, highlights do not fade with the light and, on metal, are
+  /// white.
   Lanes3 highlight;
 };
 
-/// Shadow rays from a packet of points to one light.
 struct ShadowPacket {
-  /// Initializes the ray fields that have the same values in all packets.
   ShadowPacket() { make_ready(rays); }
 
   alignas(64) RayPacket rays;
-  LaneMask active;  ///< lanes that face the light and are within its range and cone
+  LaneMask active;
   LaneMask lifted;  ///< lanes whose rays start at the smooth surface (smooth_lift.hpp); defined if any_lifted is true
   bool any_lifted = false;
   Lanes strength;               ///< falloff with distance, times fading in the cone; defined in active lanes
   Lanes arriving;               ///< strength * N.L; defined in active lanes
-  Transmittance transmittance;  ///< 1 before tracing; afterwards the transmittance of lanes that are not fully occluded
+  Transmittance transmittance;  ///< transmittance of lanes that are not fully occluded; 1 before tracing
 };
 
-/// Fills rays, active, strength and arriving for one light. Lanes with strength * N.L <= least_light are inactive. Returns the
-/// number of active lanes.
+/// Fills `shadow` for one light. Lanes with strength * N.L <= least_light are inactive. Returns the number of active lanes.
 int aim_at_light(const WhittedLight& light, const SurfacePacket& surface, float least_light, ShadowPacket& shadow);
 
 /// Adds the light that arrives through traced shadow rays. `view` holds the rays that hit the surface.

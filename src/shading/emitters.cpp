@@ -12,10 +12,9 @@ namespace {
 
 /// A triangle is divided into at most kMostParts parts along each edge, with one texture lookup per part.
 constexpr int kMostParts = 2;
-/// Lower bounds, needed because texture lookups may miss small bright areas. kLeastShare: luminance of a textured triangle,
-/// relative to the luminance that the texture's mean colour gives. kLeastMean: each channel of the texture's mean colour.
+/// Texture lookups may miss small bright areas, so these are lower bounds. kLeastShare: luminance of a textured triangle,
+/// relative to the texture's mean. kLeastMean: each channel of the texture's mean colour.
 constexpr float kLeastShare = 1e-2f, kLeastMean = 1.0f / 65535.0f;
-/// Triangles per parallel task.
 constexpr std::size_t kPiece = 4096;
 
 struct MapParts {
@@ -23,8 +22,8 @@ struct MapParts {
   int per_edge;
 };
 
-/// Returns the mip level of the lookups and the number of parts per edge. `extent` is the triangle's width or height, whichever
-/// is larger, in texels of the finest level.
+/// Returns the mip level of the lookups and the number of parts per edge. `extent` is the larger of the triangle's width and
+/// height, in texels of the finest level.
 MapParts parts_of(const DeviceTexture& texture, float extent) {
   const std::size_t last = texture.levels.size() - 1;
   if (!(extent < 1e9f)) return {last, 1};
@@ -33,8 +32,7 @@ MapParts parts_of(const DeviceTexture& texture, float extent) {
   return {level, std::clamp(static_cast<int>(std::ceil(extent)), 1, level < last ? kMostParts : 1)};
 }
 
-/// Divides each edge of a triangle into per_edge parts, which gives per_edge^2 equal triangles. Calls visit(barycentric) for
-/// their centres.
+/// Divides a triangle into per_edge^2 equal triangles. Calls visit(barycentric) for their centres.
 template <class Visit>
 void visit_parts(int per_edge, const Visit& visit) {
   const auto at = [&](int i, int j, float third) {

@@ -2,7 +2,7 @@
 // Adaption", which requires that mirrored directions rise above the facet. The closed-form solution is our own:
 // 1. The plane of the facet's normal and the given normal has axes z (the facet's normal) and x (towards the given normal).
 // 2. A normal in this plane at angle a from z mirrors the view (vx, vz) to a direction of height vx sin 2a + vz cos 2a over the
-// facet.
+//    facet.
 // 3. Setting this height to the required minimum (kLeastHeight, kPartOfView) gives a.
 #include "shading/lifted_normal.hpp"
 
@@ -16,8 +16,8 @@ namespace {
 /// smaller.
 constexpr float kLeastHeight = 0.01f, kPartOfView = 0.9f;
 
-/// Returns a positive multiple of (sin a, cos a), with a the angle at which the normal mirrors the view to `height`. Of the two
-/// solutions, chooses the one towards +x.
+/// Returns a multiple of (sin a, cos a), where a is the angle of a normal that mirrors the view to `height`. Of the two
+/// solutions, takes the one towards +x.
 Vec2f angle_of(float vx, float vz, float height) {
   const float in_plane = std::sqrt(vx * vx + vz * vz);
   const float c = vz / in_plane, s = vx / in_plane, wanted = height / in_plane;

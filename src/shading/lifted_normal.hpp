@@ -5,10 +5,8 @@
 
 namespace lippmann {
 
-/// Returns `normal` if it mirrors `view` to a direction above the facet. Otherwise returns the nearest such normal between
-/// `normal` and the facet's normal. Without this adjustment, smooth or bent normals seen edge-on would mirror the view into the
-/// surface, and the surface would look black. normal and view have unit length. facet has any length and points to the viewer's
-/// side.
+/// Returns `normal` if it mirrors `view` to a direction above the facet, otherwise the nearest such normal between `normal` and
+/// the facet's normal. normal and view have unit length. facet has any length and points to the viewer's side.
 Vec3f lifted_normal(Vec3f normal, Vec3f facet, Vec3f view);
 
 }  // namespace lippmann

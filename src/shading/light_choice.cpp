@@ -7,7 +7,6 @@ namespace {
 
 constexpr float kBelowOne = 1.0f - 0x1p-24f;
 
-/// Returns whether the group has more than most_by_power lights. A tree then chooses among them.
 bool needs_tree(const LightGroup& group) {
   const auto in_tree =
       std::count_if(group.lights.begin(), group.lights.end(), [](const TreeLight& l) { return l.power > 0.0f; });
@@ -40,7 +39,7 @@ LightChoice::LightChoice(std::array<LightGroup, kGroups> groups, float sun, floa
   }
   add(0.0f, sky);
   near_ = kind_of(near), far_ = kind_of(far);
-  // Averaged over all orientations, a surface receives a quarter of the irradiance of a surface that faces the light.
+  // The mean irradiance over all orientations is a quarter of the irradiance of a surface that faces the light.
   far_irradiance_ = 0.25f * static_cast<float>(far_.chances.total());
 }
 
@@ -72,8 +71,7 @@ float LightChoice::chance_of_sun(const LightReceiver& at) const {
   return near * near_.of_sun + (1.0f - near) * far_.of_sun;
 }
 
-/// A light is chosen by its own entry (near or far), or by its group's entry and then the tree. At most one of the two has a
-/// nonzero probability.
+/// A light is chosen either by its own entry or by its group's tree. The other probability is 0.
 float LightChoice::chance_of(Part group, std::size_t light, const LightReceiver& at) const {
   const Tree& by_tree = trees_[group];
   const float near = near_share(at);
@@ -93,8 +91,7 @@ std::optional<LightChoice::Chosen> LightChoice::choose(const LightReceiver& at, 
   return chosen;
 }
 
-/// Chooses a light of one kind, near or far. A tree reuses the remainder of `pick`. Entries of trees are tested first, because
-/// a search in the list of all entries is slow for many lights.
+/// The entries of trees are tested first, because a search in the list of all entries is slow for many lights.
 std::optional<LightChoice::Chosen> LightChoice::choose_of(const Kind& kind, const LightReceiver& at, float pick) const {
   for (std::size_t g = 0; g < kGroups; ++g) {
     const Tree& group = trees_[g];

@@ -1,8 +1,8 @@
-// Chooses a light of a scene for a point, and computes the probability of the choice. light_table.hpp evaluates the lights.
+// Chooses a light of a scene for a point, and computes the probability of the choice.
 //
 // Near lights have inverse-square falloff. Far lights are all others: the sky, suns, and lamps without falloff. The choice has
 // three steps:
-// 1. Near or far, by the irradiance of each kind at the point. The result does not depend on the scene's scale.
+// 1. Near or far, by the irradiance of each kind at the point.
 // 2. A group of lights, by power.
 // 3. A light of the group: by power in small groups, otherwise by a tree for the given point (light_tree.hpp).
 #pragma once
@@ -19,28 +19,25 @@
 
 namespace lippmann {
 
-/// Minimum probabilities of near and of far lights, if the scene has both. They are needed because the irradiance estimate
-/// ignores shadows.
+/// Minimum probabilities of near and of far lights, because the estimated irradiance ignores shadows.
 inline constexpr float kLeastShareOfKind = 1.0f / 8.0f;
 
-/// Returns `power` clamped to the largest float, or 0 if it is not positive.
 inline float finite_power(float power) { return power > 0.0f ? std::min(power, std::numeric_limits<float>::max()) : 0.0f; }
 
-/// The lights of one Part. Each vector has one element per light.
 struct LightGroup {
   /// near: the flux of a near light, or 0 for a far light. far: the irradiance that a far light gives a surface facing it, or 0
   /// for a near light.
   std::vector<float> near, far;
-  std::vector<TreeLight> lights;  ///< description of each near light for the tree
-  float irradiance = 0.0f;        ///< sum of the irradiances of `lights` at distance 1
-  std::size_t most_by_power = 0;  ///< groups with more near lights than this are chosen by a tree instead of by power
+  std::vector<TreeLight> lights;  ///< each near light in the form of the tree
+  float irradiance = 0.0f;
+  std::size_t most_by_power = 0;  ///< groups with more near lights than this are sampled by a tree instead of by power
 };
 
 float sum_of_powers(std::span<const TreeLight> lights);
 
 class LightChoice {
  public:
-  /// The first three parts are groups of lights. The sky is divided into its sun and the rest, which are one light each.
+  /// The first three parts are groups of lights. The sky is divided into its sun and the rest.
   enum Part : std::size_t { kPoints, kRounds, kTriangles, kSun, kSky };
   static constexpr std::size_t kGroups = 3;
 
@@ -49,37 +46,34 @@ class LightChoice {
 
   struct Chosen {
     Part part;
-    std::size_t light;  ///< index of the light within its group
+    std::size_t light;
     float chance;
   };
   /// Chooses a light by `pick` in [0, 1). Returns nothing if no light reaches the point.
   std::optional<Chosen> choose(const LightReceiver& at, float pick) const;
 
-  /// These functions return the probability that choose() returns the given light.
+  /// The probability that choose() returns the given light.
   float chance_of(Part group, std::size_t light, const LightReceiver& at) const;
   float chance_of_sun(const LightReceiver& at) const;
   float chance_of_sky(const LightReceiver& at) const;
 
-  /// Returns whether more than about a quarter of the points choose the sky. The caller then samples sky directions for all
-  /// lanes of a packet in advance.
+  /// Returns whether more than about a quarter of the points choose the sky. Then it pays to sample sky directions for a whole
+  /// packet at once.
   bool asks_sky_often() const { return (near_.empty() ? 1.0f : 0.5f) * far_.of_sky > 0.25f; }
   /// Returns whether choose() returns kSky for this `pick`.
   bool picks_sky(const LightReceiver& at, float pick) const { return pick >= 1.0f - chance_of_sky(at); }
 
   /// Returns whether there are both near and far lights. Otherwise near_share() is constant.
   bool has_both_kinds() const { return !near_.empty() && !far_.empty(); }
-  /// Returns the probability that choose() returns a near light.
   float near_share(const LightReceiver& at) const;
 
-  /// Returns the tree of a group's near lights. The tree exists even if the lights are chosen by power.
   const LightTree& tree(Part group) const { return trees_[group].tree; }
   bool draws_by_tree(Part group) const { return near_.probability(trees_[group].entry) > 0.0f; }
 
  private:
-  /// The probabilities of all near lights or of all far lights. Both kinds list the same entries: for each group, its lights
-  /// and then its tree. The sun's entry precedes the triangles, and the sky's entry is the last. Lights of the other kind have
-  /// probability 0. If a group uses its tree, the lights have probability 0 and the tree has their total power. Otherwise the
-  /// tree has probability 0.
+  /// The choice among all near lights, or among all far lights. The entries are, for each group, its lights and then its tree.
+  /// In each group, either the lights or the tree have probability 0. The sun's entry precedes the triangles, and the sky's
+  /// entry is the last.
   struct Kind {
     DiscreteDistribution chances;
     float of_sun = 0.0f, of_sky = 0.0f;
@@ -89,8 +83,8 @@ class LightChoice {
   };
   struct Tree {
     LightTree tree;
-    std::size_t entry = 0, first = 0;  ///< entry: index of the tree's entry in Kind. first: index of the group's first light.
-    float irradiance = 0.0f;           ///< sum of the irradiances of the tree's lights at distance 1
+    std::size_t entry = 0, first = 0;
+    float irradiance = 0.0f;
   };
 
   Kind kind_of(std::span<const float> powers) const;

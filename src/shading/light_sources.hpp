@@ -1,4 +1,3 @@
-// The inputs of a scene's light table.
 #pragma once
 
 #include <span>
@@ -12,7 +11,6 @@ namespace lippmann {
 
 struct GeometryRecord;
 
-/// The referenced data must outlive the light table.
 struct LightSources {
   const Scene& scene;
   std::span<const WhittedLight> lights;
@@ -20,8 +18,8 @@ struct LightSources {
   std::span<const WhittedMaterial> materials;
   std::span<const DeviceTexture> textures;
   const Emitters& emitters;
-  std::span<const WebBeam> beams;  ///< one beam per photometric web, in the order of scene.webs
-  float size;                      ///< half the scene's diagonal; lamps much smaller than this are treated as points
+  std::span<const WebBeam> beams;
+  float size;  ///< half the scene's diagonal; lamps much smaller than this are treated as points
 };
 
 }  // namespace lippmann

@@ -18,7 +18,6 @@ bool has_phong(const Scene& scene) {
                      [](const Material& m) { return std::holds_alternative<PhongSurface>(m.surface); });
 }
 
-/// Returns the factor of a lamp's light at `distance`: falloff, cone or web, and attenuation. `direction` points to the lamp.
 float strength(const WhittedLight& light, Vec3f direction, float distance) {
   if (distance > light.range) return 0.0f;
   float s = light.falls_off > 0.0f ? 1.0f / std::max(distance * distance, 1e-20f) : 1.0f;
@@ -27,17 +26,16 @@ float strength(const WhittedLight& light, Vec3f direction, float distance) {
   return s;
 }
 
-/// Near lights fall off with the distance. Far lights send the same irradiance to all points of the scene.
+/// Far lights send the same irradiance to all points of the scene.
 bool is_near(const WhittedLight& light) { return light.falls_off > 0.0f; }
 
-/// Returns the flux of a near light, or the irradiance that a far light gives a surface facing it. `unit` is explained in
-/// light_table.hpp.
+/// Returns the flux of a near light, or the irradiance that a far light gives a surface facing it. light_table.hpp explains
+/// `unit`.
 float power(const WhittedLight& light, float unit) {
   const float color = unit * luminance(light.color);
   return finite_power(is_near(light) ? 4.0f * kPi * color : color);
 }
 
-/// Adds a lamp to a group. If the lamp's power `of_lamp` is 0, the added element is never chosen.
 void add_lamp(const LightSources& sources, std::size_t lamp, float of_lamp, LightGroup& group) {
   const WhittedLight& light = sources.lights[lamp];
   group.near.push_back(is_near(light) ? of_lamp : 0.0f);
@@ -71,8 +69,8 @@ LightTable::LightTable(const LightSources& sources, const Environment& environme
       triangles_(sources),
       choice_(make_choice()) {}
 
-/// Groups all lights, and lists the lamps with a size. The group of point lamps has an element for every lamp, so that indices
-/// match the scene's lamps. Its elements for lamps with a size have power 0.
+/// The group of point lamps has an element for every lamp, so that indices match the scene's lamps. Lamps with a size have
+/// power 0 in it.
 LightChoice LightTable::make_choice() {
   LightGroup points, rounds;
   points.most_by_power = rounds.most_by_power = kMostLampsByPower;

@@ -1,12 +1,12 @@
 // The lights of a scene for path tracing: point-like lights, lamps with a size, the sky's sun, emissive triangles, and the rest
-// of the sky. light_choice.hpp chooses among them.
+// of the sky.
 //
 // Based on: E. Veach, "Robust Monte Carlo Methods for Light Transport Simulation", 1997 (next-event estimation, and the
 // densities for multiple importance sampling).
 //
-// Units: light arrives as N.L times the light's colour (scene.hpp). Phong surfaces omit the 1 / pi of Lambert's law. In scenes
-// with Phong surfaces, colours are therefore irradiance divided by pi, so that path-traced images are as bright as Whitted
-// images. Emissive shapes other than meshes, and visible light bulbs, are not sampled. Only rays that hit them see their light.
+// Units: light arrives as N.L times the light's colour (scene.hpp). Phong surfaces omit the 1 / pi of Lambert's law, so in
+// scenes with Phong surfaces, colours are irradiance divided by pi. Emissive shapes other than meshes, and visible light bulbs,
+// are not sampled. Only rays that hit them see their light.
 #pragma once
 
 #include <cstdint>
@@ -25,25 +25,22 @@ struct RayPacket;
 
 class LightTable {
  public:
-  /// The arguments must outlive the table.
   LightTable(const LightSources& sources, const Environment& environment);
 
   /// Samples a light for a point. `pick` chooses the light, and `u` the position on the light. Returns nothing if the light
   /// faces away or is out of range.
   std::optional<LightSample> sample(const LightReceiver& at, float pick, Vec2f u) const;
 
-  /// Returns the distribution by which sample() chooses the light.
   const LightChoice& choice() const { return choice_; }
 
-  /// The next three functions concern lamps with a size. rounds() returns their number. see_round() evaluates lamp k along a
-  /// ray that has scattered at `from`; the density in its result does not include the choice of the lamp. chance_of_round()
-  /// returns the probability that sample() chooses lamp k.
+  /// Lamps with a size. rounds() returns their number. see_round() evaluates lamp k along a ray from `from`; its density does
+  /// not include the choice of the lamp. chance_of_round() returns the probability that sample() chooses lamp k.
   std::size_t rounds() const { return rounds_.size(); }
   std::optional<LightSample> see_round(std::size_t k, Vec3f from, Vec3f direction) const;
   float chance_of_round(std::size_t k, const LightReceiver& at) const { return choice_.chance_of(LightChoice::kRounds, k, at); }
-  /// Returns whether any ray of the packet may hit lamp k. Also counts rays of inactive lanes.
+  /// Returns whether any ray of the packet, active or not, may hit lamp k.
   bool is_pointed_at(std::size_t k, const RayPacket& rays) const;
-  /// Returns whether there are so many lamps with a size that rays should search for hits with meet_rounds().
+  /// Returns whether there are so many lamps with a size that rays should search them by meet_rounds().
   bool has_many_rounds() const { return choice_.draws_by_tree(LightChoice::kRounds); }
   /// Calls visit(k) for all lamps with a size that a ray may hit within the distance `reach`. `direction` has unit length.
   template <class Visit>
@@ -52,20 +49,20 @@ class LightTable {
     choice_.tree(LightChoice::kRounds).meet(origin, direction, reach, [&](std::uint32_t k) { visit(std::size_t{k}); });
   }
 
-  /// Returns the same as sample() for a `pick` where choice().picks_sky() is true. Draw i of Environment::sample_rest()
-  /// provides the direction. Returns nothing if the draw has density 0.
+  /// Same as sample() for a `pick` that chooses the sky, but with the direction of draw i, which was sampled in advance.
+  /// Returns nothing if its density is 0.
   std::optional<LightSample> sky_sample(const SkyDraws& draws, int i, const LightReceiver& at) const {
     if (!(draws.density[i] > 0.0f)) return std::nullopt;
     return LightSample{Vec3f(draws.x[i], draws.y[i], draws.z[i]), kInfinity, Vec3f(draws.red[i], draws.green[i], draws.blue[i]),
                        draws.density[i] * choice_.chance_of_sky(at)};
   }
 
-  /// Returns the density per steradian with which sample() chooses a point on triangle `prim` of a record. The point lies at
-  /// `distance` from the receiver along the unit vector `direction`. Returns 0 if the triangle is not a light.
+  /// Returns the density per steradian with which sample() chooses a point on triangle `prim` of a record, at `distance` along
+  /// the unit vector `direction`. Returns 0 if the triangle is not a light.
   float density_of(std::uint32_t record, std::uint32_t prim, float distance, Vec3f direction, const LightReceiver& at) const;
 
-  /// Returns the density per steradian with which sample() chooses the direction of ray i. Ray i must hit the sky, and its sky
-  /// radiance must have been looked up.
+  /// Returns the density per steradian with which sample() chooses the direction of ray i. Ray i must hit the sky, and `rays`
+  /// must hold its radiance.
   float density_of_sky(const SkyRays& rays, int i, const LightReceiver& at) const;
 
   const Environment& environment() const { return environment_; }
@@ -78,9 +75,9 @@ class LightTable {
   const Environment& environment_;
   float unit_;
   ShiningTriangles triangles_;
-  std::vector<std::size_t> rounds_;  ///< indices into sources_.lights of the lamps with a size
-  std::vector<std::uint32_t> suns_;  ///< indices into rounds_ of the suns that are discs
-  LightChoice choice_;               ///< the last member, because its initializer uses the others
+  std::vector<std::size_t> rounds_;
+  std::vector<std::uint32_t> suns_;
+  LightChoice choice_;  ///< the last member, because its initializer uses the others
 };
 
 }  // namespace lippmann

@@ -3,21 +3,20 @@
 namespace lippmann {
 namespace {
 
-/// Share of its weight that a light below the receiver's horizon keeps.
+/// A light below the receiver's horizon keeps this fraction of its weight.
 constexpr float kLeastFacing = 1.0f / 16.0f;
-/// Lower bound of squared distances. Equals the bound in the evaluation of lamps.
+/// Lower bound of squared distances, as in the evaluation of lamps.
 constexpr float kLeastSquared = 1e-20f;
-/// Lower bound of the squared cosine of faces seen edge-on. It prevents rounding from removing their light.
+/// Lower bound of the squared cosine of faces seen edge-on, so that rounding does not remove their light.
 constexpr float kLeastSquaredCosine = 1e-6f;
-/// Lower bound of a face's factor `shining` (light_tree.hpp). Rounding could otherwise make the factor negative.
 constexpr float kLeastFaceShining = 1e-4f;
-/// Lower bounds of `shining` inside the cones. A cluster keeps at least kLeastShining of its mean emission over all directions.
-/// A single lamp keeps at least kLeastFading of its full light, so that rounding does not remove light at the rim of its cone.
+/// Lower bounds of `shining` (light_tree.hpp) inside the cones: for clusters, relative to their mean emission, and for single
+/// lamps, relative to their full light.
 constexpr float kLeastShining = 1.0f / 16.0f, kLeastFading = 1e-3f;
 /// Relative enlargement of ranges and cones, so that rounding does not remove light.
 constexpr float kMargin = 1e-4f;
 
-/// Pointers to the arrays of a tree, for the kernels. Pointers to arrays that the tree lacks are null.
+/// Pointers to the arrays of a tree, or null for arrays that the tree lacks.
 struct LightNodes {
   const LightNode* nodes;
   const LightCones* cones;
@@ -39,7 +38,7 @@ LIPPMANN_INLINE void weigh_places(const LightNode& n, const LightReceiver& at, L
   }
 }
 
-/// Multiplies w by the factor `shining` of lamps. The factor is 0 if the point lies outside the child's cone by more than the
+/// Multiplies w by the factor `shining` of lamps, which is 0 if the point lies outside the child's cone by more than the
 /// child's angular radius.
 LIPPMANN_INLINE void weigh_cones(const LightNode& n, const LightCones& c, const LightBeams& b, const LightReceiver& at,
                                  Lanes& w) {
@@ -75,7 +74,7 @@ LIPPMANN_INLINE void weigh_faces(const LightNode& n, const LightFaces& f, const 
   }
 }
 
-/// Prefetches all cache lines of a node that weigh() will read, because these lines are far apart in memory.
+/// Prefetches all cache lines of a node that weigh() reads.
 LIPPMANN_INLINE void prefetch(const LightNodes& tree, std::uint32_t node) {
   const auto lines_of = [](const auto* part, std::size_t index) {
     if (!part) return;
@@ -91,7 +90,7 @@ LIPPMANN_INLINE void weigh(const LightNodes& tree, std::uint32_t node, const Lig
   if (tree.faces) weigh_faces(tree.nodes[node], tree.faces[node], at, w);
 }
 
-/// Partial sums of the sixteen weights. Elements 0 to 7 are the sums of lanes i and i + 8. Elements 8 to 11 are the sums of
+/// Partial sums of the sixteen weights. Elements 0 to 7 are the sums of lanes i and i + 8, elements 8 to 11 the sums of
 /// elements i and i + 4, and so on. The last element is the total.
 struct Sums {
   float of[kLanes];
@@ -105,15 +104,14 @@ LIPPMANN_INLINE void add_up(const Lanes& w, Sums& s) {
   s.of[14] = s.of[12] + s.of[13];
 }
 
-/// Returns the index, 0 or 1, of one of two weights, chosen by u in [0, sum). Never chooses a weight of 0. Subtracts from `u`
-/// the weights before the chosen one.
+/// Chooses one of two weights by u in [0, sum), and subtracts from `u` the weights before it. Never chooses a weight of 0.
 LIPPMANN_INLINE int pick_second(float first, float second, float& u) {
   if (u < first || !(second > 0.0f)) return 0;
   u = std::max(u - first, 0.0f);
   return 1;
 }
 
-/// Chooses a lane in proportion to the weights by u in [0, 1). Sets `u` to the remainder, which is again in [0, 1).
+/// Chooses a lane in proportion to the weights by u in [0, 1). Sets `u` to a new random number in [0, 1).
 LIPPMANN_INLINE int pick(const Lanes& w, const Sums& s, float& u) {
   u *= s.all();
   int lane = pick_second(s.of[12], s.of[13], u);
@@ -124,7 +122,7 @@ LIPPMANN_INLINE int pick(const Lanes& w, const Sums& s, float& u) {
   return lane;
 }
 
-/// Chooses a light by one descent through the tree. Sets `child` to ~(index of the light). Returns the probability of the
+/// Chooses a light by one descent through the tree, and sets `child` to ~(index of the light). Returns the probability of the
 /// choice, or 0 if no light reaches the point.
 LIPPMANN_MULTIVERSION float descend(const LightNodes& tree, const LightReceiver& at, float& u, std::int32_t& child) {
   float probability = 1.0f;
@@ -176,7 +174,6 @@ LIPPMANN_INLINE void cut_slab(float lower, float upper, float origin, float inve
 
 float finite_inverse(float x) { return 1.0f / (std::abs(x) > 1e-18f ? x : std::copysign(1e-18f, x)); }
 
-/// Returns a bit mask of the lanes whose ball and box a ray touches within `reach`.
 LIPPMANN_MULTIVERSION std::uint32_t touched_lanes(const LightNode& n, const LightBoxes& box, Vec3f o, Vec3f d, Vec3f inverse,
                                                   float reach) {
   alignas(64) std::uint32_t bits[kLanes];

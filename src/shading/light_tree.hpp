@@ -1,39 +1,33 @@
-// A tree of lights that samples a light approximately in proportion to its unshadowed contribution to a point. Lights that are
-// out of range or face away are never chosen. The cost of a sample grows with the depth of the tree.
+// A tree of lights that samples a light approximately in proportion to its unshadowed contribution to a point.
 //
 // Based on: A. Conty Estevez, C. Kulla, "Importance Sampling of Many Lights with Adaptive Tree Splitting", HPG 2018 (importance
 // of a cluster for a point; one descent samples a light and its probability).
 // 1. Building: the lights are split recursively, at the cut that gives the least scatter of power on both sides. Up to sixteen
-// parts become the children of a node. A child stores its power, the centre and variance of the power, a bounding ball, the
-// range, and the emission directions.
-// 2. Sampling: a node computes the importance of all children at once, and a random number chooses a child. The remainder of
-// the number is used in the next node.
-// 3. Probability of a given light: on the way from the light to the root, each node gives the child's share of the importance.
-// The probability is the product of these shares.
+//    parts become the children of a node.
+// 2. Sampling: each node chooses a child in proportion to importance.
+// 3. Probability of a light: the product of the probabilities of the choices from the root to the light.
 //
 // We deviate:
-// 1. Nodes have sixteen children instead of two. One kernel computes sixteen lanes, and the tree has a quarter of the levels.
+// 1. Nodes have sixteen children instead of two, one per SIMD lane.
 // 2. Squared distances are means over a cluster, |x - centre|^2 + variance, instead of bounds by boxes. The same variance
-// smooths the cosines. The importance is thus continuous for points inside a cluster.
+//    smooths the cosines.
 // 3. Clusters are split by position only.
 // 4. One light is sampled, without adaptive splitting.
 // 5. A light below the point's horizon keeps a sixteenth of its importance, because normals may be bent.
 // 6. Light from the inner side of a closed body keeps a sixteenth of its importance, because the point may be inside, or the
-// body may transmit light.
+//    body may transmit light.
 //
 // Symbols: w importance; p power; d vector from the point to the centre of the cluster; v variance; n the receiver's normal; m
 // the normal of a face.
 //    w = p facing shining / (d^2 + v)
 //    facing = 1/16 + 15/16 (n.d + sqrt((n.d)^2 + v / 3)) / (2 sqrt(d^2 + v))
-// facing is 1 if light may come from either side.
-// The factor `shining` of lamps is 0 if the point lies outside all cones. Otherwise, a single lamp has the fading of its cone.
-// A cluster has the mean over its lamps, as a polynomial of second degree in -d / sqrt(d^2 + v), fitted over all directions.
-// The factor `shining` of faces is
+// facing is 1 if light may come from either side. The factor `shining` of lamps is 0 if the point lies outside all cones.
+// Otherwise, a single lamp has the fading of its cone. A cluster has the mean over its lamps, as a polynomial of second degree
+// in -d / sqrt(d^2 + v), fitted over all directions. The factor `shining` of faces is
 //    shining = sqrt((d.M d + v / 16) / (d^2 + v) + 1e-6) - F.d / sqrt(d^2 + v)
 // Each face has two coefficients, a and b. M is the mean of a * m m^T over the cluster's faces, and F is the mean of b * m.
 // Faces of closed bodies have a = ((1 + 1/16) / 2)^2 and b = (1 - 1/16) / 2, and their m points outward. All other faces have a
-// = 1 and b = 0. For a single face of a closed body, `shining` is thus the cosine in front of the face, and a sixteenth of the
-// cosine behind it.
+// = 1 and b = 0.
 #pragma once
 
 #include <cstdint>
@@ -57,31 +51,30 @@ struct LightProfile {
   double mean = 1.0, linear = 0.0, square = 0.0;
 };
 
-/// A light, as input of the tree.
 struct TreeLight {
   Vec3f middle{0.0f};
-  /// Irradiance that the light gives a surface facing it at distance 1. The tree never chooses lights whose power is not
-  /// positive and finite.
+  /// Irradiance that the light gives a surface facing it at distance 1. The tree skips lights whose power is not positive and
+  /// finite.
   float power = 0.0f;
   float variance = 0.0f;  ///< mean squared distance of emitting points from `middle`
-  float radius = 0.0f;    ///< radius of a ball around `middle` that contains the light
+  float radius = 0.0f;
   float range = kInfinity;
-  Vec3f axis{0.0f};  ///< unit length; the light emits only within half_angle of this axis
+  Vec3f axis{0.0f};
   float half_angle = kPi;
   float inner_angle = kPi;                ///< emission is full up to this angle, and fades with the squared cosine beyond
   const LightProfile* profile = nullptr;  ///< measured emission within the cone; null: emission follows the two angles
-  Vec3f face{0.0f};        ///< unit normal of a two-sided emitter with a cosine profile; null: the light is not a face
-  bool is_closed = false;  ///< the face belongs to a closed body, which hides the back of the face
+  Vec3f face{0.0f};  ///< unit normal of a two-sided emitter with a cosine profile; null: the light is not a face
+  bool is_closed = false;
 };
 
 /// The sixteen children of a node, one per lane.
 struct LightNode {
-  Lanes x, y, z;                           ///< power-weighted centre of the child's lights
-  Lanes power;                             ///< share of the tree's power; 0: the lane has no child
-  Lanes variance;                          ///< power-weighted mean squared distance of emitting points from the centre
-  Lanes radius;                            ///< radius of a ball around the centre that contains the child's lights
-  Lanes range;                             ///< largest range of the child's lights
-  alignas(64) std::int32_t child[kLanes];  ///< index of a node, or ~index of a light
+  Lanes x, y, z;
+  Lanes power;
+  Lanes variance;
+  Lanes radius;
+  Lanes range;
+  alignas(64) std::int32_t child[kLanes];
   std::uint32_t parent = 0;  ///< kLanes * (parent node) + (lane of this node in its parent); undefined in the root
 };
 /// For each child, a cone that contains all its emission directions.
@@ -108,7 +101,7 @@ struct LightFaces {
 class LightTree {
  public:
   LightTree() = default;
-  /// Builds the tree from all lights with a positive power and a finite position. A light's index in `lights` identifies it.
+  /// Skips lights without a positive power and a finite position. A light's index in `lights` identifies it.
   explicit LightTree(std::span<const TreeLight> lights);
 
   bool empty() const { return nodes_.empty(); }
@@ -117,10 +110,8 @@ class LightTree {
     std::uint32_t light;
     float probability;
   };
-  /// Chooses a light by u in [0, 1). Returns nothing if no light reaches the point.
   std::optional<Choice> choose(const LightReceiver& at, float u) const;
 
-  /// Returns the probability that choose() returns a light.
   float probability(std::uint32_t light, const LightReceiver& at) const;
 
   /// Returns the estimated irradiance at the point without shadows, divided by the irradiance of all lights at distance 1.
@@ -135,7 +126,7 @@ class LightTree {
 
  private:
   friend class LightTreeBuilder;
-  /// When lights are chosen, a face of a closed body emits this share of its cosine on the inner side.
+  /// In this tree, a face of a closed body emits this fraction of its light on the inner side.
   static constexpr float kLeastInward = 1.0f / 16.0f;
   static constexpr std::uint32_t kNowhere = 0xffffffffu;
 
@@ -156,11 +147,11 @@ class LightTree {
     }
   }
 
-  std::vector<LightNode> nodes_;   ///< nodes_[0] is the root
-  std::vector<LightCones> cones_;  ///< one element per node; empty if all lights emit in all directions
-  std::vector<LightBeams> beams_;  ///< one element per node; empty if all lights emit in all directions
-  std::vector<LightBoxes> boxes_;  ///< one element per node; empty if all lights have radius 0
-  std::vector<LightFaces> faces_;  ///< one element per node; empty if no light is a face
+  std::vector<LightNode> nodes_;
+  std::vector<LightCones> cones_;
+  std::vector<LightBeams> beams_;
+  std::vector<LightBoxes> boxes_;
+  std::vector<LightFaces> faces_;
   /// For each light: kLanes * (its node) + (its lane), or kNowhere if the light is never chosen.
   std::vector<std::uint32_t> slots_;
 };

@@ -1,4 +1,3 @@
-// Builds a LightTree. The top of light_tree.hpp describes the algorithm.
 #include <algorithm>
 #include <array>
 #include <numeric>
@@ -99,8 +98,7 @@ class LightTreeBuilder {
     return node;
   }
 
-  /// Splits the lights `members` into at most kLanes parts. Splits the largest part repeatedly, until each part fits into a
-  /// subtree of the least possible depth.
+  /// Splits the lights `members` into at most kLanes parts, each of which fits into a subtree of the least possible depth.
   std::vector<Members> cut(Members members) const {
     std::size_t fits = 1;
     while (fits * kLanes < members.size()) fits *= kLanes;
@@ -148,7 +146,7 @@ class LightTreeBuilder {
   }
 
   struct Cut {
-    int axis = 0, bin = kBins / 2;  ///< bins before `bin` are on the first side of the cut
+    int axis = 0, bin = kBins / 2;
   };
   Cut best_cut(Members members, const Bounds3f& box) const {
     Cut best;
@@ -169,7 +167,7 @@ class LightTreeBuilder {
     return best;
   }
 
-  /// Returns for each bin the scatter of the union of this bin and all later bins.
+  /// Returns for each bin the scatter (power times variance) of the lights from this bin on.
   static std::array<double, kBins> scatters_from(const std::array<PowerMoments, kBins>& bins) {
     std::array<double, kBins> scatters{};
     PowerMoments sum;

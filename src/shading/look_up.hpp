@@ -1,5 +1,3 @@
-// Unfiltered texture lookups at one point of a mesh. They serve path vertices after the first bounce, where each pixel averages
-// many points.
 #pragma once
 
 #include <array>
@@ -17,7 +15,7 @@ Value interpolate(const std::vector<Value>& of_vertex, const std::array<std::uin
          barycentric.y * of_vertex[corners[2]];
 }
 
-/// Returns the linear RGBA of a map at a point. Returns white if the map has no texture or the mesh has no coordinates for it.
+/// Returns the linear RGBA of a map at a point, or white if the map has no texture or the mesh has no coordinates for it.
 inline Vec4f look_up(const TextureMap& map, std::span<const DeviceTexture> textures, const Mesh& mesh, std::uint32_t triangle,
                      Vec2f barycentric) {
   const std::vector<Vec2f>& uvs = uvs_of(mesh, map.uv_set);

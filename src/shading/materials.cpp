@@ -6,8 +6,7 @@
 namespace lippmann {
 namespace {
 
-// Returns the N.H below which the highlight is weaker than 2^-14. For white light of strength 1, 2^-14 is a fifth of the first
-// 8-bit sRGB code.
+// Returns the N.H below which the highlight is weaker than 2^-14, a fifth of the first 8-bit sRGB code.
 float cutoff_for(float highlight, float size) {
   if (highlight <= 0.0f) return 2.0f;
   return std::pow(std::min(1.0f, 0x1p-14f / highlight), 1.0f / std::max(size, 1e-3f));
@@ -34,8 +33,7 @@ WhittedMaterial from(const PhongSurface& s, MaterialTable& table) {
   return m;
 }
 
-// Surfaces with a roughness above kMirrorRoughness show no mirror image. Below, the mirror image gets stronger towards
-// roughness 0.
+// Surfaces below this roughness show a mirror image, which gets stronger towards roughness 0.
 constexpr float kMirrorRoughness = 0.4f;
 
 // KHR_materials_ior: materials with total reflection have this index of refraction.
@@ -63,8 +61,8 @@ WhittedMaterial from(const MetallicRoughness& s, Vec3f surroundings) {
   m.mirror = smooth * glm::mix(dielectric_f0, 1.0f, s.metallic);
   m.mirror_tint = s.metallic;
   m.diffuse = (1.0f - s.metallic) * (1.0f - s.transmission) / kPi;
-  // Ambient light replaces the light of the background. The diffuse part receives the irradiance / pi. The metallic part
-  // receives the mean background where its mirror is not traced.
+  // Ambient light stands for the light of the background: irradiance / pi on the diffuse part, and the mean background on metal
+  // whose mirror is not traced.
   m.ambient = surroundings * ((1.0f - s.metallic) * (1.0f - s.transmission) + s.metallic * (1.0f - smooth));
   const float alpha = std::max(s.roughness * s.roughness, 0.01f);
   m.highlight_size = std::max(1.0f, 2.0f / (alpha * alpha) - 2.0f);
@@ -120,7 +118,7 @@ float shadow_transmittance(const WhittedMaterial& material) {
 
 namespace {
 
-/// Returns the rotation from world to node directions, without the node's scale. Returns the identity if the scale is 0.
+/// Returns the rotation from world to node directions, without the node's scale, or the identity if the scale is 0.
 Mat3f rotation_to(const Affine3f& world_from_node) {
   Mat3f axes(1.0f);
   for (int c = 0; c < 3; ++c) {

@@ -5,8 +5,7 @@
 namespace lippmann {
 namespace {
 
-/// Lower bound of the attenuation colour. It prevents log(0). Light of this strength is below one code value of any image
-/// format.
+/// Lower bound of the attenuation colour, which avoids log(0).
 constexpr float kLeastColor = 1e-6f;
 
 Vec3f absorption(const Volume& volume) {

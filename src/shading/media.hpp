@@ -11,7 +11,7 @@
 
 namespace lippmann {
 
-/// Media are numbered with 16 bits to keep rays small. kSameMedium: the ray stays in its current medium.
+/// kSameMedium: the ray stays in its current medium.
 inline constexpr std::uint16_t kNoMedium = 0, kSameMedium = 0xffff;
 
 class Media {
@@ -23,15 +23,15 @@ class Media {
   /// Returns the number of the medium inside a material, or kNoMedium.
   std::uint16_t of_material(std::uint32_t material) const { return of_material_.empty() ? kNoMedium : of_material_[material]; }
 
-  /// Returns the transmittance over `distance` in a medium. Returns 1 for an infinite distance, because the ray then never
-  /// leaves the medium, which shows that the shape is not closed.
+  /// Returns the transmittance over `distance` in a medium. An infinite distance means that the shape is not closed, and gives
+  /// 1.
   Vec3f transmittance(std::uint16_t medium, float distance) const {
     if (!(distance < kInfinity)) return Vec3f(1.0f);
     return glm::exp(-distance * absorption_[medium]);
   }
 
  private:
-  std::vector<Vec3f> absorption_;           ///< absorption coefficient of each medium, per world unit of length
+  std::vector<Vec3f> absorption_;
   std::vector<std::uint16_t> of_material_;  ///< number of the medium inside each material; empty if the scene has no media
 };
 

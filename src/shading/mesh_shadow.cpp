@@ -1,5 +1,4 @@
-// The transmittance of a thin wall comes from the BSDF that paths sample to pass straight through the wall. Shadow rays and
-// BSDF samples thus agree for all coats, films, maps and normals, as multiple importance sampling requires.
+// Shadow rays and BSDF samples must have the same transmittance through a thin wall, as multiple importance sampling requires.
 #include "shading/mesh_shadow.hpp"
 
 #include "shading/look_up.hpp"
@@ -10,7 +9,6 @@
 namespace lippmann {
 namespace {
 
-/// The shadow of a mesh with alpha or a constant transmittance.
 class OpenMesh : public ShadowCaster {
  public:
   OpenMesh(const ShadingTables& tables, const WhittedMaterial& material) : tables_(tables), material_(material) {}
@@ -18,7 +16,6 @@ class OpenMesh : public ShadowCaster {
   Vec3f transmittance(const ShadowHit& hit) const override { return Vec3f(open(hit, material_.opacity)); }
 
  protected:
-  /// Returns the share of light that passes: 1 minus the product of `opacity` and the alpha of texture and vertices.
   float open(const ShadowHit& hit, float opacity) const {
     if (!material_.has_alpha) return material_.blocks_light ? 0.0f : std::clamp(1.0f - opacity, 0.0f, 1.0f);
     const Mesh& mesh = *hit.record.mesh;
@@ -32,7 +29,6 @@ class OpenMesh : public ShadowCaster {
   const WhittedMaterial& material_;
 };
 
-/// The shadow of a thin wall. Alpha is the share of the surface that the wall covers.
 class WallMesh final : public OpenMesh {
  public:
   WallMesh(const ShadingTables& tables, const WhittedMaterial& material, const MetallicRoughness& wall)
@@ -52,7 +48,6 @@ class WallMesh final : public OpenMesh {
     return metal_rough_bsdf(wall_, color, maps, tables_.path->albedo, point, 0).straight();
   }
 
-  /// Returns the hit point for a viewer at the origin of the shadow ray.
   static SeenPoint seen(const ShadowHit& hit) {
     const Mesh& mesh = *hit.record.mesh;
     const Vec3f facet = hit.record.normal_from_mesh * hit.facet;
@@ -73,8 +68,6 @@ class WallMesh final : public OpenMesh {
   const MetallicRoughness& wall_;
 };
 
-/// Returns whether any part of the wall transmits light without scattering it. In path tracing, rough walls scatter light. In
-/// Whitted shading, no wall does.
 bool lets_light_straight_on(const MetallicRoughness& wall, bool of_paths) {
   return !of_paths || wall.metallic_roughness_map.texture >= 0 || squared(wall.roughness) < kSmoothAlpha;
 }

@@ -1,4 +1,3 @@
-// Shadows of meshes that are not fully opaque: surfaces with alpha, transparent surfaces and thin walls.
 #pragma once
 
 #include <memory>
@@ -10,7 +9,6 @@ namespace lippmann {
 struct ShadingTables;
 struct WhittedMaterial;
 
-/// Returns the transmittance of a thin wall in Whitted shading. `cosine` is the cosine between ray and normal.
 Vec3f passes_wall(const WhittedMaterial& wall, Vec3f color, float cosine);
 
 /// Returns the shadow caster for instances with the material, or null if the material is opaque. `tables` and the materials

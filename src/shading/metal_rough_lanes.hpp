@@ -1,5 +1,5 @@
-// The BSDFs of sixteen points, one per lane, for the most common surfaces: metallic roughness without coat or other layers,
-// with or without glass, and Lambertian surfaces. The results are bit-identical to MetalRoughBsdf.
+// The BSDFs of sixteen points, one per lane, for Lambertian and metallic-roughness surfaces without coat or other layers. The
+// results are bit-identical to MetalRoughBsdf.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,7 @@ struct BsdfValueLanes {
   BsdfValue get(int i) const { return {cosine_f.get(i), density[i], transmitted.lane[i] != 0}; }
 };
 
-/// The BsdfSample of each lane. All samples are path vertices. Density 0 marks lanes without a sample.
+/// The BsdfSample of each lane. Density 0 marks lanes without a sample.
 struct BsdfSampleLanes {
   Lanes3 direction, weight;
   Lanes density;
@@ -38,30 +38,26 @@ struct BsdfSampleLanes {
 
 class MetalRoughLanes {
  public:
-  /// Call clear() before the first set().
   void clear() { most_ = Kind::kLambert; }
   /// Sets lane i. Parameters of coat and other layers are ignored. `entering`: the viewer is outside the surface.
   void set(int i, const MetalRoughSurface& surface, const MetalRoughBsdf::Normals& normals, Vec3f view, bool entering);
-  /// Computes the values that all evaluations share. Call prepare() after all lanes are set. Lanes that are not set keep their
-  /// old values.
+  /// Call prepare() after all lanes are set. Lanes that are not set keep their old values.
   void prepare(const GgxAlbedo& albedo);
 
-  // These functions do the same as MetalRoughBsdf::evaluate() and sample(), but for all lanes.
+  // Same as MetalRoughBsdf::evaluate() and sample(), for all lanes.
   void evaluate(const GgxAlbedo& albedo, const Lanes3& lights, BsdfValueLanes& values) const;
   void sample(const GgxAlbedo& albedo, const Lanes& lobe, const Lanes& u, const Lanes& v, BsdfSampleLanes& samples) const;
 
-  // These functions do the same as those of MetalRoughBsdf, for lane i.
+  // Same as the functions of MetalRoughBsdf, for lane i.
   Vec3f evaluate_diffuse(int i, const GgxAlbedo& albedo, Vec3f light) const;
   Vec3f diffuse_albedo(int i) const { return diffuse_color_.get(i) * diffuse_passes_.get(i); }
   Vec3f normal(int i) const { return normal_.get(i); }
   bool scatters_through(int i) const { return glass_[i] > 0.0f; }
 
  private:
-  /// Parts of a lane's BSDF. Each kind has all parts of the kinds before it. most_ is the largest Kind of all lanes and selects
-  /// the kernels.
+  /// Each kind has all parts of the kinds before it. most_ is the largest Kind of all lanes and selects the kernels.
   enum class Kind { kLambert, kGloss, kGlass };
 
-  /// The results of lippmann::draw_glass() for all lanes. weigh() computes density and weight later.
   struct GlassLanes {
     Lanes3 light;
     Lanes outward;
@@ -90,10 +86,8 @@ class MetalRoughLanes {
   void sample_glass(const GgxAlbedo& albedo, const Lanes& lobe, const Lanes& u, const Lanes& v, BsdfSampleLanes& samples) const;
 
   Kind most_ = Kind::kLambert;
-  // The arguments of set().
   Lanes3 base_color_{}, specular_color_{}, normal_{}, gloss_normal_{}, view_{};
   Lanes metallic_{}, roughness_{}, ior_{}, specular_{}, transmission_{};
-  // The members of MetalRoughBase, per lane.
   Lanes3 local_view_{}, diffuse_color_{}, diffuse_passes_{}, dielectric_f0_{}, gloss_f0_{}, gloss_compensation_{},
       gloss_albedo_{};
   Lanes alpha_{}, dielectric_f90_{}, gloss_f90_{};

@@ -6,10 +6,9 @@
 namespace lippmann {
 namespace {
 
-/// Returns the fractional part of x, or 0 for NaN and infinity.
 LIPPMANN_INLINE float fraction(float x) { return std::min(std::max(0.0f, x - std::floor(x)), 1.0f); }
 
-/// Returns the angle of q around v_axis in turns, from 0 to 1. Returns 0 if q lies on the axis.
+/// Returns the angle of q around v_axis in turns, from 0 to 1, or 0 if q lies on the axis.
 float angle_around_v(const ImageProjection& p, Vec3f q) {
   const float along_u = glm::dot(q, p.u_axis), along_w = glm::dot(q, glm::cross(p.v_axis, p.u_axis));
   const float turns = std::atan2(along_w, along_u) * (0.5f * std::numbers::inv_pi_v<float>);
@@ -45,7 +44,6 @@ LIPPMANN_MULTIVERSION void relative_to_center(Vec3f center, const Lanes3& point,
   }
 }
 
-/// Applies the projection's scale and offset to the coordinates in `at`, and computes the blur.
 LIPPMANN_MULTIVERSION void place_on_picture(const ImageProjection& p, const Lanes3& q, const Lanes& path_length,
                                             const LaneMask& wanted, ProjectedLanes& at) {
   const float whole_path = p.kind == ProjectionKind::kPlane ? 1.0f : 0.0f;

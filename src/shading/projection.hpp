@@ -16,8 +16,8 @@
 namespace lippmann {
 
 struct ProjectedLanes {
-  Lanes u, v;  ///< texture coordinates in [0, 1]
-  Lanes blur;  ///< in [0, 1]
+  Lanes u, v;
+  Lanes blur;
 };
 
 /// Computes coordinates and blur for the wanted lanes. Other lanes get arbitrary values in [0, 1].

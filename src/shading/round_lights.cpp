@@ -15,8 +15,8 @@ namespace {
 constexpr float kLeastRadius = 1e-5f;  // relative to half the scene's diagonal
 constexpr float kLeastHalfAngle = 2e-5f;
 
-/// The cone of directions from a point to a lamp. one_minus_cos is 1 minus the cosine of the half angle. It is at most 1
-/// outside a spherical lamp, and 2 inside.
+/// The cone of directions from a point to a lamp. one_minus_cos is 1 minus the cosine of the half angle: at most 1 outside a
+/// spherical lamp, and 2 inside.
 struct Cone {
   Vec3f axis;
   float one_minus_cos;
@@ -39,16 +39,13 @@ Cone cone_of(const WhittedLight& light, Vec3f from) {
 }
 
 Vec3f direction_in(const Cone& cone, Vec2f u) {
-  const Vec2f d = sample_disc(u);  // d is uniform in the disc, so |d|^2 is a uniform random share of the cone
+  const Vec2f d = sample_disc(u);  // d is uniform in the disc, so |d|^2 is uniform in [0, 1]
   const float share = std::min(glm::dot(d, d), 1.0f), height = cone.one_minus_cos * share;
-  // `height` is 1 minus the cosine between the direction and the axis, so the sine is sqrt(height (2 - height)). The unit
-  // vector d / sqrt(share) times this sine equals scale * d.
+  // `height` is 1 minus the cosine between the direction and the axis, so the sine is sqrt(height (2 - height)).
   const float scale = std::sqrt(std::max(0.0f, cone.one_minus_cos * (2.0f - height)));
   return glm::normalize(Basis(cone.axis).to_world({scale * d.x, scale * d.y, 1.0f - height}));
 }
 
-/// Returns the distance along `direction` to a spherical lamp. The ray hits the lamp, or misses it only by rounding errors. If
-/// the ray starts inside the lamp, returns the distance to the exit.
 float way_to(const WhittedLight& light, Vec3f from, Vec3f direction, bool is_within) {
   const WorldSphere ball{light.position.x, light.position.y, light.position.z, light.radius};
   const auto [middle, discriminant] =

@@ -1,5 +1,5 @@
-// Lamps with a size: spheres, and suns as discs in the sky. From a given point, the directions to such a lamp form a cone,
-// which is sampled uniformly.
+// Lamps with a size: spheres, and suns as discs in the sky. The directions from a point to such a lamp form a cone, which is
+// sampled uniformly.
 //
 // Based on: P. Shirley, C. Wang, K. Zimmerman, "Monte Carlo Techniques for Direct Lighting Calculations", ACM Transactions on
 // Graphics 15(1), 1996, section 3.3 (spheres by their solid angle).
@@ -22,19 +22,16 @@ namespace lippmann {
 
 struct RayPacket;
 
-/// Returns whether a lamp is so large that it is not treated as a point. scene_size: half the scene's diagonal.
 bool is_round(const WhittedLight& light, float scene_size);
 
-/// Returns whether any ray of the packet may hit the lamp. Also counts rays of inactive lanes.
 bool is_pointed_at(const WhittedLight& light, const RayPacket& rays);
 
-/// Samples a direction to the lamp by `u`. The density in the result does not include the choice of the lamp. `unit` is a
-/// factor on the colour, explained in light_table.hpp. Returns nothing if the point is out of range or the lamp does not emit
-/// towards the point.
+/// Samples a direction to the lamp by `u`. The density does not include the choice of the lamp. `unit` is a factor on the
+/// colour, explained in light_table.hpp. Returns nothing if the point is out of range or the lamp does not emit towards the
+/// point.
 std::optional<LightSample> sample_round(const WhittedLight& light, float unit, Vec3f from, Vec2f u);
 
-/// Evaluates the lamp along a ray of unit direction that has scattered at `from`. Returns nothing if the ray misses the lamp,
-/// if `from` is out of range, or if the lamp does not emit towards `from`.
+/// Returns the light along a ray of unit direction from `from`, or nothing if the ray misses the lamp or no light arrives.
 std::optional<LightSample> see_round(const WhittedLight& light, float unit, Vec3f from, Vec3f direction);
 
 }  // namespace lippmann

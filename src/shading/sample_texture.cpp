@@ -1,6 +1,3 @@
-// Texture lookups for a packet in two steps:
-// 1. Texel indices and weights are computed for all lanes with vector instructions.
-// 2. The texels are read lane by lane.
 #include <algorithm>
 #include <cstring>
 
@@ -11,7 +8,7 @@
 namespace lippmann {
 namespace {
 
-using Color = float __attribute__((vector_size(16)));  // R, G, B, A in one register
+using Color = float __attribute__((vector_size(16)));
 using Word = std::int32_t __attribute__((vector_size(16)));
 using Code = std::uint16_t __attribute__((vector_size(16)));
 using Pair = std::int64_t __attribute__((vector_size(16)));
@@ -25,28 +22,23 @@ struct alignas(64) LaneInts {
   LIPPMANN_INLINE std::int32_t operator[](int i) const { return lane[i]; }
 };
 
-/// Returns the texel at `index` as four numbers from 0 to 65535.
 LIPPMANN_INLINE Color load(const std::uint16_t* texels, std::int32_t index) {
-  // Interleaving four 16-bit codes with zeros gives four 32-bit integers. This takes two instructions on any x86-64.
+  // Interleaving four 16-bit codes with zeros gives four 32-bit integers, in two instructions.
   Pair packed{};
   std::memcpy(&packed, texels + 4 * static_cast<std::ptrdiff_t>(index), 8);
   const auto words = __builtin_shufflevector(reinterpret_cast<Code>(packed), Code{}, 0, 8, 1, 9, 2, 10, 3, 11);
   return __builtin_convertvector(reinterpret_cast<Word>(words), Color);
 }
 
-/// The indices of the two texels next to a coordinate. `blend` is the weight of the second texel.
 struct Neighbours {
   std::int32_t first, second;
   float blend;
 };
 
-/// The indices and weights of the four texels around one point per lane.
 struct Taps {
   LaneInts index[4];
   Lanes weight[4];
 
-  /// Sets lane i from the neighbours in x (columns) and y (rows), in a level `width` texels wide. The four weights sum to
-  /// `share`.
   LIPPMANN_INLINE void set(int i, int width, const Neighbours& x, const Neighbours& y, float share) {
     index[0][i] = y.first * width + x.first, index[1][i] = y.first * width + x.second;
     index[2][i] = y.second * width + x.first, index[3][i] = y.second * width + x.second;
@@ -54,7 +46,7 @@ struct Taps {
     weight[0][i] = upper * (1.0f - x.blend), weight[1][i] = upper * x.blend;
     weight[2][i] = lower * (1.0f - x.blend), weight[3][i] = lower * x.blend;
   }
-  /// Prefetches one texel of each row. Rows are far apart in memory, but columns are adjacent.
+  /// Prefetches one texel of each row, because rows are far apart in memory.
   LIPPMANN_INLINE void prefetch(const std::uint16_t* texels, int i) const {
     __builtin_prefetch(texels + 4 * static_cast<std::ptrdiff_t>(index[0][i]));
     __builtin_prefetch(texels + 4 * static_cast<std::ptrdiff_t>(index[2][i]));
@@ -65,7 +57,6 @@ struct Taps {
   }
 };
 
-/// For each lane, two consecutive mip levels and their weights. fine: index of the finer level.
 struct LevelPair {
   LaneInts fine, width[2], height[2];
   Lanes share[2];
@@ -90,7 +81,6 @@ struct Probes {
   LevelPair level;
 };
 
-/// Covers each lane's footprint with probes. Returns the largest number of probes in a lane.
 LIPPMANN_INLINE int choose_probes(const DeviceTexture& texture, const UvLanes& uv, Probes& probes) {
   const auto width = static_cast<float>(texture.levels[0].width), height = static_cast<float>(texture.levels[0].height);
   const auto last = static_cast<float>(texture.levels.size() - 1);
@@ -127,7 +117,6 @@ LIPPMANN_INLINE int choose_probes(const DeviceTexture& texture, const UvLanes& u
   return most;
 }
 
-/// A wrap mode as factors, so that all modes share the same branch-free arithmetic.
 struct WrapNumbers {
   float period, inverse_period, fold;
   std::int32_t repeats;  ///< 1: the first texel follows the last one; 0: the last texel is repeated
@@ -144,12 +133,11 @@ LIPPMANN_INLINE Neighbours neighbours(float t, std::int32_t size, const WrapNumb
   const float in_period = t - wrap.period * std::floor(t * wrap.inverse_period);
   const float unfolded = std::min(in_period, wrap.fold - in_period);
   const float x = std::min(std::max(unfolded, 0.0f), 1.0f) * static_cast<float>(size) - 0.5f;
-  const auto i = static_cast<std::int32_t>(x + 1.0f) - 1;  // equals floor(x), because x >= -1
+  const auto i = static_cast<std::int32_t>(x + 1.0f) - 1;
   const std::int32_t before = wrap.repeats * last, after = last - before;
   return {i < 0 ? before : i, i >= last ? after : i + 1, x - static_cast<float>(i)};
 }
 
-/// Computes, for all lanes, the taps of probe k in level l (0: fine, 1: coarse).
 LIPPMANN_INLINE void place_probe(const Probes& probes, int k, int l, const WrapNumbers across, const WrapNumbers down,
                                  Taps& taps) {
   const float step = static_cast<float>(k) + 0.5f;
@@ -208,8 +196,7 @@ Vec4f sample_point(const DeviceTexture& texture, Vec2f uv, std::size_t of_level)
 
 namespace {
 
-/// Chooses levels as Tachyon does. Tachyon blends two levels, but from the second to last level on, it uses only the last
-/// level.
+/// Blends the two nearest levels as Tachyon does: from the second to last level on, takes only the last one.
 LIPPMANN_INLINE void choose_levels(const DeviceTexture& texture, const ProjectedLanes& at, LevelPair& level) {
   const auto count = static_cast<std::int32_t>(texture.levels.size());
   const float range = static_cast<float>(count) - 0.9999f;

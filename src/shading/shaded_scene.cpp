@@ -67,8 +67,7 @@ bool ShadedScene::any_emitter_moves() const {
   return false;
 }
 
-/// Builds the light table of the frame for path tracing. A tree of a million lights takes seconds to build, so update() keeps
-/// the table while no light moves.
+/// A tree of a million lights takes seconds to build, so update() keeps the table while no light moves.
 void ShadedScene::tabulate_lights() {
   if (path)
     path->lights = std::make_unique<LightTable>(

@@ -1,4 +1,3 @@
-// A scene with geometry, materials and lights, ready for tracing and shading.
 #pragma once
 
 #include <memory>
@@ -21,11 +20,10 @@ struct PathTables {
   GgxAlbedo albedo;
   Media media;
   Emitters emitters;
-  std::vector<WebBeam> beams;  ///< one beam per photometric web, in the order of scene.webs
+  std::vector<WebBeam> beams;
   std::unique_ptr<LightTable> lights;
 };
 
-/// Materials, textures and lights in the form that shading kernels read.
 struct ShadingTables : ShadowMaterials {
   ShadingTables(const Scene& scene, const ResolvedScene& resolved, MaterialUse use, const ThreadPool& pool);
 
@@ -36,20 +34,17 @@ struct ShadingTables : ShadowMaterials {
   std::vector<std::uint32_t> material_of_instance;
   std::vector<WhittedLight> lights;
   std::unique_ptr<Environment> environment;
-  std::unique_ptr<PathTables> path;  ///< null for Whitted shading
+  std::unique_ptr<PathTables> path;
   std::vector<DeviceTexture> textures;
 
  private:
   std::span<const Material> described_materials_;
 };
 
-/// The shading tables of a scene, and its geometry for ray tracing. Shading kernels read both. Ray tracing reads the tables
-/// only for the transmittance of shadow rays.
 struct ShadedScene : ShadingTables, RayScene {
   /// Starts at the first frame of the timeline. `scene` must outlive this object.
   ShadedScene(const Scene& scene, const ThreadPool& pool, MaterialUse use);
 
-  /// Moves all objects and lights to their positions in `resolved`.
   void update(const ResolvedScene& resolved, const ThreadPool& pool);
 
  private:

@@ -21,8 +21,7 @@ SeenPoint seen_point(const RayHitPacket& packet, const SurfacePacket& surface, i
   return {surface.normal.get(i), view_of(packet, i), surface.entering.lane[i] != 0, surface.facet.get(i)};
 }
 
-/// Converts a purely diffuse Phong surface to metallic roughness. Returns nothing if the surface has a highlight, a mirror or
-/// transmission.
+/// Converts a purely diffuse Phong surface to metallic roughness. Returns nothing for other surfaces.
 std::optional<MetalRoughPoint> lambert_at(const SurfacePacket& surface, int i) {
   if (surface.highlight[i] != 0.0f || surface.mirror[i] != 0.0f || surface.opacity[i] != 1.0f) return std::nullopt;
   MetalRoughPoint at;
@@ -36,7 +35,6 @@ bool lets_through(const MetallicRoughness& m) {
   return m.transmission > 0.0f || (m.extensions && m.extensions->diffuse_transmission.share > 0.0f);
 }
 
-/// Returns the medium that light enters when it is transmitted through the surface.
 std::uint16_t medium_behind(const SurfaceExtensions& extensions, const ShadedScene& scene, const SurfacePacket& surface,
                             int i) {
   if (!extensions.volume || !extensions.volume->is_solid) return kSameMedium;
@@ -67,8 +65,8 @@ ShadingPoint shading_point(const ShadedScene& scene, const SurfacePacket& surfac
       p.is_wall = thin && m->transmission > 0.0f && mesh_record(scene, surface, i);
     }
   } else {
-    // Paths replace the ambient light of reflecting surfaces. A surface that reflects nothing, such as a backdrop, emits its
-    // ambient light.
+    // Path tracing computes the light that `ambient` stands for. Only surfaces that reflect nothing, such as backdrops, emit
+    // their ambient light.
     if (surface.diffuse[i] == 0.0f) p.emission += surface.ambient.get(i) * p.base_color;
     if (!scene.tachyon) p.emission *= surface.opacity[i];
   }

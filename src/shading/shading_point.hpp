@@ -1,4 +1,3 @@
-// One surface point of a packet, for path tracing: emission, scattering and transmission.
 #pragma once
 
 #include <optional>
@@ -10,19 +9,19 @@ namespace lippmann {
 
 struct ShadingPoint {
   Vec3f position{0.0f};
-  Vec3f facet{0.0f};   ///< normal of the facet on the viewer's side, any length
-  Vec3f normal{0.0f};  ///< smooth normal on the same side as `facet`, unit length
+  Vec3f facet{0.0f};
+  Vec3f normal{0.0f};
   /// The packet of the point, if the mesh has vertex normals and transmits no light; otherwise null
   const SurfacePacket* smooth = nullptr;
   int lane = 0;
   Vec3f emission{0.0f};
   Vec3f base_color{0.0f};
-  float coverage = 1.0f;               ///< share of light that interacts with the surface; the rest passes unchanged
-  bool scatters = true;                ///< false for pure emitters
-  float t_near = 0.0f;                 ///< distance at which rays that leave the point start
-  std::uint16_t behind = kSameMedium;  ///< medium that transmitted light enters
-  bool disperses = false;              ///< each colour channel is refracted differently
-  bool is_wall = false;                ///< the surface is a thin wall; shadow rays pass smooth walls
+  float coverage = 1.0f;  ///< fraction of light that interacts with the surface; the rest passes unchanged
+  bool scatters = true;   ///< false for pure emitters
+  float t_near = 0.0f;
+  std::uint16_t behind = kSameMedium;
+  bool disperses = false;
+  bool is_wall = false;  ///< the surface is a thin wall; shadow rays pass smooth walls
 
   bool is_behind(Vec3f direction) const { return glm::dot(facet, direction) < 0.0f; }
   /// Returns whether a lamp in this direction is behind the facet, but in front of the smooth surface. Shadow rays to this lamp
@@ -33,10 +32,8 @@ struct ShadingPoint {
   Vec3f lift() const { return smooth_lift(*smooth, lane); }
 };
 
-/// Returns the surface point of lane i. The lane must have a hit, and the scene must be built with MaterialUse::kPaths.
 ShadingPoint shading_point(const ShadedScene& scene, const SurfacePacket& surface, int i);
 
-/// Returns the unit vector from the hit of lane i to the viewer.
 inline Vec3f view_of(const RayHitPacket& packet, int i) {
   return -Vec3f(packet.ray.dir_x[i], packet.ray.dir_y[i], packet.ray.dir_z[i]);
 }
@@ -46,7 +43,6 @@ inline Vec3f view_of(const RayHitPacket& packet, int i) {
 std::optional<MetalRoughPoint> base_at(const ShadedScene& scene, const RayHitPacket& packet, const SurfacePacket& surface,
                                        int i);
 
-/// Returns the BSDF of the point for any surface model.
 Bsdf bsdf_at(const ShadedScene& scene, const RayHitPacket& packet, const SurfacePacket& surface, int i);
 
 }  // namespace lippmann

@@ -11,7 +11,7 @@ namespace {
 /// Scenes with more emissive triangles than this sample them by a tree instead of by power.
 constexpr std::size_t kMostTrianglesByPower = 4;
 
-/// Returns the facing of a closed mesh after the transform `place`. A mirroring transform reverses the facing.
+/// Returns the facing of a closed mesh after a transform, which reverses the facing if it mirrors.
 BodyFacing mirrored(BodyFacing facing, const Affine3f& place) {
   if (facing == BodyFacing::kNone || glm::determinant(place.linear) > 0.0f) return facing;
   return facing == BodyFacing::kOutward ? BodyFacing::kInward : BodyFacing::kOutward;
@@ -21,8 +21,7 @@ bool is_opaque(const WhittedMaterial& m) { return !m.has_alpha && !(m.wall_ior >
 
 constexpr Bounds3f kEndless{Vec3f(-kInfinity), Vec3f(kInfinity)};
 
-/// Returns slightly enlarged bounds of the transformed mesh, so that points on the mesh itself, such as the walls of an
-/// emissive room, do not count as outside.
+/// Returns slightly enlarged bounds of the transformed mesh, so that points on the mesh itself do not count as outside.
 Bounds3f bounds_of(const Mesh& mesh, const Affine3f& place) {
   constexpr float kMargin = 1e-3f, kRounding = 1e-5f;
   Bounds3f bounds;
@@ -66,7 +65,7 @@ void ShiningTriangles::add(std::size_t r) {
 }
 
 /// A two-sided triangle with flux F has the intensity F cos(t) / (2 pi) at the angle t to its normal. A point on the normal at
-/// distance 1 thus receives the irradiance F / (2 pi). group.irradiance is the sum of these irradiances.
+/// distance 1 thus receives the irradiance F / (2 pi).
 LightGroup ShiningTriangles::group() const {
   LightGroup group{{}, std::vector<float>(triangles_.size(), 0.0f), {}, 0.0f, kMostTrianglesByPower};
   for (const Triangle& t : triangles_) {
@@ -91,9 +90,8 @@ float ShiningTriangles::seen_area(std::size_t triangle, Vec3f direction) const {
   return std::abs(glm::dot(direction, t.normal)) * t.area;
 }
 
-/// Closed bodies need this test in addition to shadow rays. A shadow ray stops short of the light, so near an edge it may miss
-/// the part of the body in front of the light. Inner sides are sampled so rarely that each missed occlusion would leave a
-/// bright dot.
+/// Shadow rays stop short of the light, so near an edge they may miss the part of the body in front of it. The inner sides are
+/// sampled so rarely that each such miss would leave a bright dot.
 bool ShiningTriangles::is_hidden(const Triangle& t, Vec3f from, Vec3f direction) const {
   if (t.closed == BodyFacing::kNone || !is_outside(bodies_[t.record], from)) return false;
   return (glm::dot(direction, t.normal) > 0.0f) == (t.closed == BodyFacing::kOutward);

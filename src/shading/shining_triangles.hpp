@@ -1,4 +1,3 @@
-// The triangles of emissive meshes as lights, at their positions in the current frame.
 #pragma once
 
 #include <cstdint>
@@ -17,13 +16,10 @@ class ShiningTriangles {
 
   LightGroup group() const;
 
-  /// Returns the index of triangle `prim` of a record, or nothing if the record does not emit.
   std::optional<std::size_t> find(std::uint32_t record, std::uint32_t prim) const;
 
-  /// Returns the projected area of a triangle along a unit direction.
   float seen_area(std::size_t triangle, Vec3f direction) const;
 
-  /// Samples a point on a triangle by `u`. Returns nothing if the triangle sends no light to `from`.
   std::optional<LightSample> sample(std::size_t triangle, Vec3f from, Vec2f u) const;
 
  private:
@@ -32,7 +28,7 @@ class ShiningTriangles {
     Vec3f origin, edge_b, edge_c, normal;  ///< in world space; the normal has unit length, or is null for degenerate triangles
     float area;
     std::uint32_t record, prim;
-    BodyFacing closed;  ///< facing of the triangle's mesh in world space; kNone: the mesh is not closed
+    BodyFacing closed;  ///< facing of the triangle's mesh in world space
   };
 
   void add(std::size_t record);
@@ -43,9 +39,9 @@ class ShiningTriangles {
 
   LightSources sources_;
   std::vector<Triangle> triangles_;
-  std::vector<int> first_;  ///< index of each record's first triangle; -1: the record does not emit
-  /// For each record, the bounds of the mesh if it is closed and opaque. From outside these bounds, inner sides are invisible.
-  /// Other records have infinite bounds. The vector is empty if no triangle emits.
+  std::vector<int> first_;
+  /// For each record, the bounds of the mesh if it is closed and opaque, so that its inner sides are invisible from outside;
+  /// otherwise infinite bounds. Empty if no triangle emits.
   std::vector<Bounds3f> bodies_;
 };
 

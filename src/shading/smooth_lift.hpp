@@ -1,9 +1,7 @@
 // The offset from a point on a facet to the smooth surface that the mesh approximates.
 //
-// After: J. Hanika, "Hacking the Shadow Terminator", Ray Tracing Gems II, 2021, chapter 4. Near the terminator, a lamp may be
-// behind a facet but in front of the smooth normal. Facets that block such lamps turn dark one by one, so that the terminator
-// looks like a staircase. To avoid this, shadow rays to such lamps start from the smooth surface, which lies above convex
-// facets.
+// After: J. Hanika, "Hacking the Shadow Terminator", Ray Tracing Gems II, 2021, chapter 4. A lamp may be behind a facet but in
+// front of the smooth surface. Shadow rays to such lamps start from the smooth surface, so that the terminator is not jagged.
 #pragma once
 
 #include <array>
@@ -12,7 +10,6 @@
 
 namespace lippmann {
 
-/// The corners of a triangle, the normals at the corners (any length but 0), and the barycentric weights of a point.
 struct SmoothTriangle {
   std::array<Vec3f, 3> corners, normals;
   std::array<float, 3> weights;

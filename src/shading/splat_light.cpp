@@ -7,8 +7,7 @@ namespace {
 
 constexpr std::size_t kMostHarmonics = 16, kChannels = 3;
 
-/// The spherical harmonics for a ray's direction in the local axes of a splat set. Each value is stored three times, for R, G
-/// and B.
+/// The spherical harmonics for a ray's direction, each stored three times, for R, G and B.
 class SplatBasis {
  public:
   void aim(const SplatSet& set, Vec3f direction) {
@@ -43,7 +42,6 @@ class SplatBasis {
 float linear_of(float encoded) { return encoded <= 0.04045f ? encoded / 12.92f : fast_pow((encoded + 0.055f) / 1.055f, 2.4f); }
 Vec3f linear_of(Vec3f encoded) { return {linear_of(encoded.x), linear_of(encoded.y), linear_of(encoded.z)}; }
 
-/// Blends the splats along one ray, from near to far.
 class Blend {
  public:
   explicit Blend(const ShadedScene& scene) : table_(scene.splats) {}

@@ -6,8 +6,7 @@
 // of these maxima).
 //
 // We deviate:
-// 1. sRGB-encoded splats are blended in encoded form. The blended colour is then linearised, because surfaces behind the splats
-// have linear radiance.
+// 1. sRGB-encoded splats are blended in encoded form, and the blended colour is then linearised.
 // 2. A transmittance below kDark counts as 0.
 #pragma once
 
@@ -16,8 +15,8 @@
 namespace lippmann {
 
 struct SplatLight {
-  Lanes3 radiance;  ///< linear, >= 0
-  Lanes passed;     ///< share of the light from behind the splats that passes, 0 to 1
+  Lanes3 radiance;
+  Lanes passed;  ///< transmittance of the splats, 0 to 1
 };
 
 /// Fills `light` for the active lanes from the splats between tnear and tfar. `hits` is working memory, and receives the hits

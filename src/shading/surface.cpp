@@ -8,7 +8,6 @@
 namespace lippmann {
 namespace {
 
-/// Sets `hit`, `record`, positions, the rays' start distances, any_hit and any_miss.
 LIPPMANN_MULTIVERSION void place_hits(const RayHitPacket& packet, const LaneMask& active, float least_t_near,
                                       SurfacePacket& s) {
   // Rounding errors of a point are about 10^-7 of its coordinates and of the ray's length. kRounding leaves a margin of 100.
@@ -32,8 +31,7 @@ LIPPMANN_MULTIVERSION void place_hits(const RayHitPacket& packet, const LaneMask
   s.any_miss = all == 0;
 }
 
-/// Moves the first lane of `left`, and all lanes of `left` with the same key, to `group`. Returns the first lane, or -1 if
-/// `left` is empty.
+/// Moves all lanes with the same key as the first lane of `left` to `group`. Returns that lane, or -1 if `left` is empty.
 LIPPMANN_MULTIVERSION int take_group(const std::uint32_t* key, LaneMask& left, LaneMask& group) {
   int first = kLanes;
   LIPPMANN_FOR_LANES(i) {
@@ -49,11 +47,10 @@ LIPPMANN_MULTIVERSION int take_group(const std::uint32_t* key, LaneMask& left, L
   return first;
 }
 
-/// Lower bound of a normal's squared length: the smallest float that is not denormal. Facet normals are as long as twice the
-/// triangle's area, so the squares are tiny for small triangles in large units.
+/// The smallest float that is not denormal. Facet normals are as long as twice the triangle's area, so their squares may be
+/// tiny.
 constexpr float kLeastSquare = std::numeric_limits<float>::min();
 
-/// Sets the normals of lane i. Normalises the shading normal n. Turns n and the facet's normal to the side of the ray's origin.
 LIPPMANN_INLINE void face_ray(const RayPacket& rays, const LaneMask& lanes, int i, Vec3f facet, Vec3f n, SurfacePacket& s) {
   const bool behind = facet.x * rays.dir_x[i] + facet.y * rays.dir_y[i] + facet.z * rays.dir_z[i] > 0.0f;
   const float side = behind ? -1.0f : 1.0f;
@@ -100,8 +97,6 @@ LIPPMANN_MULTIVERSION void set_normals(const Lanes3& normal, const RayPacket& ra
   }
 }
 
-/// Sets the normals of lanes that have hit a mesh. `smooth` holds interpolated vertex normals in mesh space, like the facet
-/// normals in `packet`.
 LIPPMANN_MULTIVERSION void set_mesh(const Mat3f normal_from_mesh, std::uint32_t instance, const Lanes3& smooth,
                                     const RayHitPacket& packet, const LaneMask& lanes, SurfacePacket& s) {
   const Vec3f to_x = normal_from_mesh[0], to_y = normal_from_mesh[1], to_z = normal_from_mesh[2];
@@ -151,8 +146,6 @@ void evaluate_primitives(const ShadedScene& scene, const GeometryRecord& record,
   set_normals(normal, packet.ray, lanes, s);
 }
 
-/// Sets normals and instances of `lanes`, all of which have hit object `id`. Returns the object's record, or null if the object
-/// is a plane.
 const GeometryRecord* evaluate_record(const ShadedScene& scene, unsigned id, const RayHitPacket& packet, const LaneMask& lanes,
                                       SurfacePacket& s) {
   if (id >= kPlaneId) {

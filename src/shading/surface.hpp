@@ -1,4 +1,3 @@
-// The surface points that a packet of 16 rays has hit: positions, normals and material terms.
 #pragma once
 
 #include "device/ray_packet.hpp"
@@ -25,10 +24,10 @@ struct SurfacePacket {
   Lanes diffuse, highlight, highlight_size, highlight_cutoff, highlight_tint;
   Lanes mirror, mirror_tint, opacity, ior;
   const ShadedScene* scene = nullptr;
-  const RayHitPacket* packet = nullptr;  ///< the rays that hit the surfaces; they must outlive this object
+  const RayHitPacket* packet = nullptr;
   /// Colour channel (R, G or B) of each lane's path; set by the caller if the surface disperses light
   std::uint8_t color_channel[kLanes];
-  bool any_smooth = false;  ///< whether any lane has hit a mesh with vertex normals
+  bool any_smooth = false;
   bool any_highlight = false, any_mirror = false, any_see_through = false;
 };
 
@@ -36,23 +35,21 @@ struct SurfacePacket {
 std::uint32_t hit_instance(const ShadedScene& scene, const RayHitPacket& packet, int i);
 
 /// Evaluates the surfaces that the active lanes of `packet` have hit. path_length: for each lane, the length of the path before
-/// this ray. `beam` determines the texture filter. The filter covers one sample's share of a pixel, or a whole pixel in the
-/// lanes of `spread`.
+/// this ray. `beam` determines the texture filter, which covers a whole pixel in the lanes of `spread`, otherwise one sample.
 void evaluate_surfaces(const ShadedScene& scene, const RayHitPacket& packet, const LaneMask& active, const Lanes& path_length,
                        const BeamFootprint& beam, SurfacePacket& surface, const LaneMask* spread = nullptr);
 
 /// Returns the offset from the point of lane i to the smooth surface (smooth_lift.hpp), or the null vector if the mesh has no
-/// vertex normals. Call smooth_lift() after evaluate_surfaces(). It is computed on demand, because few points need it.
+/// vertex normals. Call smooth_lift() after evaluate_surfaces().
 Vec3f smooth_lift(const SurfacePacket& surface, int i);
 
-/// Width of a ray's beam at its hit, for texture filtering. It is the sample_footprint_mm of the optics, converted to world
-/// units, as a function of the path length from the plane where rays start. Paths are treated as straight along the display's
-/// -z axis, with mirrors unfolded. The width is exact for the central view. For other views, it is off by at most a factor of
-/// the cosine of half the viewing zone.
+/// Width of a ray's beam at its hit, for texture filtering: the sample_footprint_mm of the optics, in world units, as a
+/// function of the path length from the plane where rays start. Paths are treated as straight along the display's -z axis, with
+/// mirrors unfolded. The width is exact for the central view, and off by at most the cosine of half the viewing zone for
+/// others.
 ///
-/// The beam of a sample covers 1 / n of the area of a pixel with n samples, because averaging the samples also filters the
-/// texture. A sample's beam is at least 1 / 8 as wide as the pixel. After: M. Pharr et al., "Physically Based Rendering", 4th
-/// ed., section 10.1, which also sets this lower bound.
+/// With n samples per pixel, the beam of a sample covers 1 / n of the pixel's area, but at least 1 / 8 of its width. After: M.
+/// Pharr et al., "Physically Based Rendering", 4th ed., section 10.1.
 class BeamFootprint {
  public:
   BeamFootprint(const Optics& optics, const Affine3f& world_from_display, int samples_per_pixel = 1)
@@ -63,8 +60,7 @@ class BeamFootprint {
         axis_y_(world_from_display.linear[1] / scale_),
         z_front_mm_(resolved_z_front_mm(optics)) {}
 
-  /// These functions return full widths along axis_x and axis_y in world units. sample_widths() covers one sample, and widths()
-  /// one pixel.
+  /// Full widths along axis_x and axis_y in world units. sample_widths() covers one sample, and widths() one pixel.
   Vec2f sample_widths(float path_length) const { return of_sample_ * widths(path_length); }
   Vec2f widths(float path_length) const { return scale_ * sample_footprint_mm(optics_, z_front_mm_ - path_length / scale_); }
   Vec3f axis_x() const { return axis_x_; }

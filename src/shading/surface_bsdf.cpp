@@ -1,4 +1,3 @@
-// Normal maps follow: Khronos Group, "glTF 2.0 Specification", 2021, section 3.9.3.
 #include "shading/surface_bsdf.hpp"
 
 #include "shading/lifted_normal.hpp"
@@ -7,8 +6,8 @@
 namespace lippmann {
 namespace {
 
-/// Computes tangent and bitangent for a map. Uses the mesh's tangents if there are any, otherwise the map's texture
-/// coordinates. Returns false if the result is degenerate.
+/// Computes tangent and bitangent from the mesh's tangents if there are any, otherwise from the map's texture coordinates.
+/// Returns false if the result is degenerate.
 bool tangent_frame(const Maps& maps, const TextureMap& map, Vec3f normal, Vec3f& tangent, Vec3f& bitangent) {
   const Mesh& mesh = *maps.record->mesh;
   const auto& corners = mesh.triangles[maps.triangle];
@@ -25,7 +24,7 @@ bool tangent_frame(const Maps& maps, const TextureMap& map, Vec3f normal, Vec3f&
     const Vec3f edge_c = linear * (mesh.positions[corners[2]] - mesh.positions[corners[0]]);
     const Vec2f b = uvs[corners[1]] - uvs[corners[0]], c = uvs[corners[2]] - uvs[corners[0]];
     const float turned = b.x * c.y - c.x * b.y < 0.0f ? -1.0f : 1.0f;
-    tangent = turned * (edge_b * c.y - edge_c * b.y);     // u grows in this direction
+    tangent = turned * (edge_b * c.y - edge_c * b.y);
     bitangent = -turned * (edge_c * b.x - edge_b * c.x);  // v falls in this direction, which is upwards in the image
     tangent -= normal * glm::dot(normal, tangent);
     bitangent -= normal * glm::dot(normal, bitangent);
@@ -36,7 +35,7 @@ bool tangent_frame(const Maps& maps, const TextureMap& map, Vec3f normal, Vec3f&
   return true;
 }
 
-/// Returns `normal` after a normal map is applied. outer: 1 if the viewer is on the outer side, otherwise -1.
+/// Applies a normal map (glTF 2.0 specification, section 3.9.3). outer: 1 if the viewer is on the outer side, otherwise -1.
 Vec3f mapped_normal(const Maps& maps, const TextureMap& map, float scale, Vec3f normal, float outer) {
   Vec3f tangent, bitangent;
   if (!tangent_frame(maps, map, outer * normal, tangent, bitangent)) return normal;
@@ -62,8 +61,8 @@ MetalRoughSurface surface_at(const MetallicRoughness& m, Vec3f base_color, const
   return s;
 }
 
-/// Returns the tangent, turned by the anisotropy's map and rotation. Returns the null vector if the mesh has no tangents.
-/// Multiplies `strength` by the map's blue channel.
+/// Returns the tangent, turned by the anisotropy's map and rotation, or the null vector if the mesh has no tangents. Multiplies
+/// `strength` by the map's blue channel.
 Vec3f anisotropy_direction(const Anisotropy& anisotropy, const Maps& maps, Vec3f normal, float outer, float& strength) {
   Vec3f tangent, bitangent;
   if (!maps.record || !tangent_frame(maps, anisotropy.map, outer * normal, tangent, bitangent)) return Vec3f(0.0f);
@@ -103,7 +102,7 @@ LayeredSurface layered_surface(const MetalRoughSurface& base, const SurfaceExten
 }
 
 /// Returns the index of refraction of a colour channel, after Khronos Group, KHR_materials_dispersion. Green has the material's
-/// index, red a lower one, and blue a higher one.
+/// index.
 float ior_of_channel(float ior, float dispersion, int channel) {
   const float half_spread = (ior - 1.0f) * 0.025f * dispersion;
   return std::max(1.0f, ior + static_cast<float>(channel - 1) * half_spread);
@@ -156,8 +155,8 @@ MetalRoughPoint metal_rough_point(const MetallicRoughness& m, Vec3f color, const
   normals.diffuse = normals.gloss = mapped(m.normal_map, m.normal_scale);
   if (at.surface.metallic > 0.0f || at.surface.specular > 0.0f || at.surface.transmission > 0.0f)
     normals.gloss = lifted(normals.gloss);
-  // Metals and glass use the lifted normal for all terms. Otherwise the diffuse term keeps the normal that is not lifted,
-  // because lifting would remove most of its light.
+  // Metals and glass use the lifted normal for all terms. The diffuse term of other surfaces keeps its normal, because lifting
+  // would remove most of its light.
   if (at.surface.metallic > 0.0f || at.surface.transmission > 0.0f) normals.diffuse = normals.gloss;
   if (m.clearcoat > 0.0f) normals.coat = lifted(mapped(m.clearcoat_normal_map, m.clearcoat_normal_scale));
   return at;

@@ -1,4 +1,3 @@
-// The BSDF of a surface at one point, with texture maps and normal maps applied.
 #pragma once
 
 #include <span>
@@ -44,14 +43,13 @@ class Bsdf {
   bool scatters_through() const {
     return std::visit([](const auto& b) { return b.scatters_through(); }, bsdf_);
   }
-  /// Returns the share of light that passes a thin wall straight on. Returns 0 for all other surfaces.
+  /// Returns the straight transmittance of a thin wall. Returns 0 for all other surfaces.
   Vec3f straight() const {
     const auto* layered = std::get_if<LayeredBsdf>(&bsdf_);
     return layered ? layered->straight() : Vec3f(0.0f);
   }
-  /// Returns the normal of the side from which light reaches the viewer, or null if light may come from both sides. Normally,
-  /// this is the diffuse part's normal. If the coat has its own normal, returns `smooth` instead, the point's normal without
-  /// normal maps, because the coat may be lit from behind the diffuse part's normal.
+  /// Returns the normal of the side from which light reaches the viewer, or null for both sides. This is the diffuse part's
+  /// normal, or `smooth` (without normal maps) if the coat has its own normal.
   Vec3f lit_side(Vec3f smooth) const {
     if (scatters_through()) return Vec3f(0.0f);
     return std::visit([&](const auto& b) { return b.has_coat_apart() ? smooth : b.normal(); }, bsdf_);
@@ -66,35 +64,28 @@ struct Maps {
   std::span<const DeviceTexture> textures;
   const GeometryRecord* record;
   std::uint32_t triangle;
-  Vec2f at;  ///< barycentric weights of the second and third corner
+  Vec2f at;
 
   Vec4f operator()(const TextureMap& map) const;
 };
 
 struct SeenPoint {
-  Vec3f normal;   ///< smooth normal on the viewer's side, unit length
-  Vec3f view;     ///< unit vector from the point to the viewer
-  bool entering;  ///< whether the viewer is on the outer side of the surface
-  Vec3f facet;    ///< normal of the facet on the viewer's side, any length
+  Vec3f normal;
+  Vec3f view;
+  bool entering;
+  Vec3f facet;
 };
 
-/// Returns whether a glTF surface consists only of its base, with or without glass. metal_rough_lanes.hpp evaluates such
-/// surfaces for all lanes at once.
 bool is_base_alone(const MetallicRoughness& material);
 
-/// The parameters of a glTF base at a point, and its normals.
 struct MetalRoughPoint {
   MetalRoughSurface surface;
   MetalRoughBsdf::Normals normals;
 };
 
-/// Returns the parameters at a point, with the material's maps applied. Maps of the coat are looked up only if there is a coat.
-/// color: base colour with textures and vertex colours. channel: colour channel (R, G or B) of the path if the surface
-/// disperses light.
 MetalRoughPoint metal_rough_point(const MetallicRoughness& material, Vec3f color, const Maps& maps, const SeenPoint& point,
                                   int channel);
 
-/// Returns the BSDF of a glTF surface. The arguments are those of metal_rough_point().
 Bsdf metal_rough_bsdf(const MetallicRoughness& material, Vec3f color, const Maps& maps, const GgxAlbedo& albedo,
                       const SeenPoint& point, int channel);
 

@@ -29,13 +29,12 @@ LIPPMANN_MULTIVERSION void set_material(const WhittedMaterial& m, const LaneMask
   s.any_see_through |= m.opacity < 1.0f || m.has_alpha;
 }
 
-/// The texture coordinates at the hit, and their changes a and b along the two axes of the beam. The axes are projected along
-/// the ray onto the facet.
+/// The texture coordinates at the hit, and their changes a and b along the two axes of the beam, projected along the ray onto
+/// the facet.
 struct UvFootprint {
   Vec2f uv, a, b;
 };
 
-/// Returns the footprint at the hit of lane i. set: index of the mesh's uv set. widths: widths of the beam at the hit.
 UvFootprint uv_footprint(const GeometryRecord& record, const RayHitPacket& packet, int i, int set, const BeamFootprint& beam,
                          Vec2f widths) {
   const Vec2f uv = at_hit(uvs_of(*record.mesh, set), record, packet, i);
@@ -61,7 +60,6 @@ UvFootprint uv_footprint(const GeometryRecord& record, const RayHitPacket& packe
   return {uv, change(beam.axis_x(), widths.x), change(beam.axis_y(), widths.y)};
 }
 
-/// Computes the footprints of `lanes` in the texture coordinates of the map.
 void uv_footprints(const GeometryRecord& record, const RayHitPacket& packet, const TextureMap& map, const PacketBeams& beams,
                    const LaneMask& lanes, UvLanes& uv) {
   const BeamFootprint& beam = beams.footprint;

@@ -1,11 +1,9 @@
-// Evaluates the material terms of a packet of surface points, including textures and vertex colours.
 #pragma once
 
 #include "shading/surface.hpp"
 
 namespace lippmann {
 
-/// Interpolates a per-vertex quantity at the hit of lane i.
 template <class Value>
 Value at_hit(const std::vector<Value>& of_vertex, const GeometryRecord& record, const RayHitPacket& packet, int i) {
   const auto& [a, b, c] = record.mesh->triangles[packet.hit.primID[i]];
@@ -15,8 +13,8 @@ Value at_hit(const std::vector<Value>& of_vertex, const GeometryRecord& record, 
 
 struct PacketBeams {
   const BeamFootprint& footprint;
-  const Lanes& path_length;  ///< for each lane, the length of the path before this ray
-  const LaneMask* spread;    ///< lanes whose textures are filtered over a whole pixel instead of a sample; null: no lanes
+  const Lanes& path_length;
+  const LaneMask* spread;  ///< lanes whose textures are filtered over a whole pixel instead of a sample; null: no lanes
 };
 
 /// Sets the material terms of `lanes`, which all have the same material. They have all hit `record`, or a plane if `record` is

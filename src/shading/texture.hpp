@@ -2,7 +2,7 @@
 //
 // Textures with uv coordinates: up to 8 trilinear probes lie along the longer side of the footprint, which is a parallelogram.
 // The mip level fits the shorter side. After: McCormack et al., "Feline", SIGGRAPH 1999. We deviate: all probes have the same
-// weight. This filter avoids aliasing at 1 sample per pixel, without blur along the axis of cylindrical lenses.
+// weight.
 //
 // Projected textures: Tachyon's image maps, bit-identical where possible.
 #pragma once
@@ -21,14 +21,13 @@ struct DeviceTexture {
     /// Linear codes; 65535 stands for 1. With 16 bits, all 8-bit input codes stay distinct, linear or sRGB-encoded.
     std::vector<std::uint16_t> rgba;
   };
-  std::vector<Level> levels;  ///< levels[0] is the finest; each level has half the size of the one before, down to 1 x 1
+  std::vector<Level> levels;
   Wrap wrap_u = Wrap::kRepeat, wrap_v = Wrap::kRepeat;
 };
 
 /// Builds the mip levels by averages in linear light. In Tachyon mode, bytes are averaged and truncated instead.
 DeviceTexture make_device_texture(const Texture& texture, bool tachyon);
 
-/// Points in uv space, and their footprints: parallelograms with the sides a and b.
 struct UvLanes {
   Lanes u, v, a_u, a_v, b_u, b_v;
 };
@@ -49,7 +48,7 @@ Vec4f sample_point(const DeviceTexture& texture, Vec2f uv, std::size_t level = 0
 /// path_length: length of the whole path from the eye, for each lane.
 /// 1. Within a level, interpolation is bilinear over (resolution - 1) texels, without wrapping.
 /// 2. The level is blur (n - 0.9999), where n is the number of levels. The two nearest levels are blended, but from level n - 2
-/// on, only the last level is used.
+///    on, only the last level is used.
 void sample_projected(const DeviceTexture& texture, const ImageProjection& projection, const Lanes3& point,
                       const Lanes& path_length, const LaneMask& wanted, Lanes3& color);
 

@@ -23,7 +23,6 @@ Vec3d direction_at(const PhotometricWeb& web, double polar, double azimuth) {
          Vec3d(sine * std::cos(azimuth), sine * std::sin(azimuth), std::cos(polar));
 }
 
-/// Divides each interval between neighbouring angles into equal steps of at most `most`. Calls visit(from, to) for each step.
 template <class Visit>
 void visit_steps(std::span<const float> angles, double most, const Visit& visit) {
   for (std::size_t i = 0; i + 1 < angles.size(); ++i) {

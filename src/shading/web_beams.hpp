@@ -11,9 +11,9 @@
 namespace lippmann {
 
 struct WebBeam {
-  Vec3f axis{0.0f, 0.0f, -1.0f};  ///< mean direction of the emission in the light's space, unit length
-  float half_angle = kPi;         ///< the web does not emit at larger angles to the axis
-  LightProfile profile;           ///< emission as a function of the angle to `axis`
+  Vec3f axis{0.0f, 0.0f, -1.0f};
+  float half_angle = kPi;
+  LightProfile profile;
 };
 
 std::vector<WebBeam> beams_of(std::span<const PhotometricWeb> webs);
