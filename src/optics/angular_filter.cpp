@@ -12,8 +12,8 @@ double radical_inverse(int i, int base) {
   return inverse;
 }
 
-/// Returns the position of each sample, from -1/2 to 1/2. The interval is divided into equal parts. A sample lies in the middle
-/// of the part whose index is the rank of the sample's radical inverse.
+/// Returns one position per sample, from -1/2 to 1/2: the midpoints of equal intervals, in the order of the samples' radical
+/// inverses.
 std::vector<float> places(int samples, int base) {
   std::vector<int> by_place(static_cast<std::size_t>(samples));
   std::iota(by_place.begin(), by_place.end(), 0);

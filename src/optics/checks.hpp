@@ -1,4 +1,3 @@
-// Checks the range of optics parameters. Each function throws a usage Error with the field and its accepted range.
 #pragma once
 
 #include <fmt/format.h>
@@ -13,7 +12,7 @@
 namespace lippmann {
 
 inline constexpr int kMaxSide = 1 << 16;  ///< maximum side of a panel in pixels; up to this size, floats resolve 1/256 pixel
-/// Limits of lengths in mm. The squares and quotients of lengths within these limits do not overflow floats.
+/// Limits of lengths in mm, whose squares and quotients do not overflow floats.
 inline constexpr float kMinLength = 1e-6f, kMaxLength = 1e9f;
 
 [[noreturn]] inline void reject_field(const char* field, const std::string& problem, const std::string& accepted) {
@@ -42,7 +41,7 @@ inline void check_position(const char* field, float value) {
     reject_field(field, fmt::format("is {} mm", value), fmt::format("a position within {} mm of the centre", kMaxLength));
 }
 
-/// Checks that a lens is at least one pixel wide. The factor 0.999 tolerates rounding if a lens is exactly one pixel wide.
+/// Checks that a lens is at least one pixel wide, up to rounding (0.999).
 inline void check_lens(const char* field, float lens_pitch_mm, const Panel& panel) {
   check_length(field, lens_pitch_mm);
   if (lens_pitch_mm < 0.999f * panel.pixel_pitch_mm)
@@ -55,7 +54,6 @@ inline void check_number(const char* field, double value, double low, double hig
     reject_field(field, fmt::format("is {}", value), fmt::format("a number from {} to {}", low, high));
 }
 
-/// Checks the factor of with_parallax().
 inline void check_parallax(const char* field, float value) {
   if (!(value > 0.0f && std::isfinite(value))) reject_field(field, fmt::format("is {}", value), "a number above 0");
 }

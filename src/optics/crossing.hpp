@@ -1,5 +1,5 @@
-// Converts a model's lines to world-space rays. Rays start in the plane z = z_front. A model computes the slope of a line and
-// its point in this plane. Single rays and vectorised loops use the same inline functions, so that both give identical bits.
+// Converts lines in the display frame to world-space rays, which start in the plane z = z_front. Single rays and vectorised
+// loops use the same inline functions, so that both give identical bits.
 #pragma once
 
 #include <algorithm>
@@ -11,27 +11,22 @@
 
 namespace lippmann {
 
-/// A line in the display frame.
 struct Crossing {
-  float x, y;              ///< position in the plane z = z_front, in mm
-  float slope_x, slope_y;  ///< slopes dx/dz and dy/dz
+  float x, y;
+  float slope_x, slope_y;
 };
 
-/// A similarity transform (rotation, uniform scale, translation) from lines in the display frame to rays in world space.
+/// A similarity transform from lines in the display frame to rays in world space.
 struct RayFrame {
-  Vec3f origin{0.0f};                                   ///< world position of (0, 0, z_front)
-  Vec3f right{1.0f, 0.0f, 0.0f}, up{0.0f, 1.0f, 0.0f};  ///< world vectors that correspond to 1 mm along x and y
-  /// Unit world vectors along the display's x, y and -z.
+  Vec3f origin{0.0f};
+  Vec3f right{1.0f, 0.0f, 0.0f}, up{0.0f, 1.0f, 0.0f};
   Vec3f unit_right{1.0f, 0.0f, 0.0f}, unit_up{0.0f, 1.0f, 0.0f}, unit_forward{0.0f, 0.0f, -1.0f};
   Vec3f forward{0.0f, 0.0f, -1.0f};  ///< world vector that corresponds to 1 mm along -z
 };
 
-/// Returns the frame that converts lines given by their points in the plane z = z_front.
 RayFrame make_ray_frame(const Affine3f& world_from_display, float z_front_mm);
 
-/// Writes ray i, which starts in the plane z = z_front and runs towards -z with a unit direction.
 LIPPMANN_INLINE void write_ray(const RayFrame& frame, const Crossing& line, const RayArrays& rays, int i) {
-  // The ray's direction in the display frame is (-slope_x, -slope_y, -1), normalised. The component -1 is along `unit_forward`.
   const float sx = line.slope_x, sy = line.slope_y, inverse_length = 1.0f / std::sqrt(sx * sx + sy * sy + 1.0f);
   rays.origin_x[i] = frame.origin.x + (line.x * frame.right.x + line.y * frame.up.x);
   rays.origin_y[i] = frame.origin.y + (line.x * frame.right.y + line.y * frame.up.y);
@@ -48,9 +43,8 @@ LIPPMANN_INLINE void write_ray_of(const Rays& constants, const RayFrame& frame, 
   write_ray(frame, crossing(constants, px, py), rays, i);
 }
 
-/// Number of pixels in one call of a model's loop: one AVX-512 vector or two AVX2 vectors. The compiler unrolls this loop and
-/// reads constants from memory where they are used. In a loop over all pixels, it would first load dozens of constants into
-/// registers, which takes as long as computing the rays of a packet of 16 pixels.
+/// Number of pixels in one call of a model's loop: one AVX-512 vector or two AVX2 vectors. In a loop over all pixels, the
+/// compiler would first load dozens of constants into registers.
 inline constexpr int kRayBlock = 16;
 
 /// Writes the rays of kRayBlock pixels. line_of(px, py) is the model's inlined function that returns a Crossing. Call this from
@@ -58,7 +52,7 @@ inline constexpr int kRayBlock = 16;
 template <class LineOf>
 LIPPMANN_INLINE void write_ray_block(const RayFrame& frame, const float* px, const float* py, const RayArrays& rays,
                                      const LineOf& line_of) {
-  // Without the local array, the compiler would have to assume that writing to `rays` changes the constants.
+  // Without the local array, the compiler would assume that writing to `rays` changes the constants.
   alignas(64) float out[6][kRayBlock];
   for (int i = 0; i < kRayBlock; ++i)
     write_ray(frame, line_of(px[i], py[i]), {out[0], out[1], out[2], out[3], out[4], out[5]}, i);
@@ -66,8 +60,8 @@ LIPPMANN_INLINE void write_ray_block(const RayFrame& frame, const float* px, con
   for (int c = 0; c < 6; ++c) std::memcpy(to[c], out[c], sizeof(out[c]));
 }
 
-/// Writes any number of rays in blocks of kRayBlock. The last block is padded by repeating the last pixel. write_block(px, py,
-/// rays) is a model's LIPPMANN_MULTIVERSION function.
+/// Writes any number of rays. write_block(px, py, rays) is a model's LIPPMANN_MULTIVERSION function for kRayBlock pixels. The
+/// last block is padded by repeating the last pixel.
 template <class WriteBlock>
 void for_each_ray_block(const float* px, const float* py, int count, const RayArrays& rays, const WriteBlock& write_block) {
   const auto from = [&rays](int i) {

@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kMaxPercent = 23.0;
 
-/// Returns the sigma in pixels for which neighbour_share() is `share`, by bisection. neighbour_share() increases up to a sigma
-/// of 0.9 pixels, where it is 0.238.
+/// Returns the sigma in pixels for which neighbour_share() is `share`. neighbour_share() increases up to a sigma of 0.9 pixels,
+/// where it is 0.238.
 double sigma_of_share(double share) {
   double low = 0.0, high = 0.9;
   for (int i = 0; i < 60; ++i) {

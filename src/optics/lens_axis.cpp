@@ -13,7 +13,6 @@ void snap_to_pixels(LensAxis<double>& axis, int size_px) {
   const double whole = std::round(axis.cell_px);
   if (size_px <= 0 || whole < 1.0) return;
   const double cells_before = std::round(axis.start_px / whole);  // number of cells between pixel 0 and cell 0
-  // Number of cells from cell 0, which is at the panel's centre, to the farthest cell.
   const double farthest_cell = 0.5 * size_px / whole + 1.0;
   const double misalignment = std::abs(axis.start_px - whole * cells_before) + farthest_cell * std::abs(axis.cell_px - whole);
   if (!(misalignment < kAlignmentTolerancePx)) return;
@@ -46,7 +45,7 @@ LensRange lenses_near(const LensAxis<double>& axis, double x_mm, double z_mm, do
   const double at_zero = image_offset_px(axis, 0.0, x_mm, z_mm);
   const double per_lens = (1.0 / z_mm - axis.vergence) / axis.slope_per_px;
   const double a = (-reach_px - at_zero) / per_lens, b = (reach_px - at_zero) / per_lens;
-  if (!std::isfinite(a) || !std::isfinite(b)) return range;  // at the viewing distance, all lenses have the same image offset
+  if (!std::isfinite(a) || !std::isfinite(b)) return range;
   const double first = (std::min(a, b) - axis.lens0_mm) / axis.pitch_mm - 1.0;
   const double last = (std::max(a, b) - axis.lens0_mm) / axis.pitch_mm + 1.0;
   const double low = range.first, high = range.last;

@@ -1,9 +1,9 @@
 // One axis of a lens array: lenses in a row and the panel cells below them. A lenticular sheet has one axis. A microlens array
 // has two axes.
 //
-// An axis has a coordinate in mm, which is 0 at the panel's centre. The coordinate is x for columns of lenses, -y for rows
-// (rows count downwards), and for slanted sheets xi, the direction across the lenses. An axis also has a panel coordinate s in
-// pixels. For columns and rows, s is the pixel coordinate, so that edges of pixels and cells agree exactly.
+// An axis has a coordinate in mm, which is 0 at the panel's centre: x for columns of lenses, -y for rows (rows count
+// downwards), and for slanted sheets xi, the direction across the lenses. An axis also has a panel coordinate s in pixels. For
+// columns and rows, s is the pixel coordinate.
 //
 // With the viewing distance V, the gap g, the pixel pitch m, and `eye` the viewer's coordinate on the axis:
 //   Lens k is at l_k = lens0 + k pitch.
@@ -20,11 +20,11 @@ namespace lippmann {
 /// Constants of one axis. T is double for single points and float in loops over pixels.
 template <class T>
 struct LensAxis {
-  T start_px, cell_px, cells_per_px;  ///< start of cell 0, width of a cell, and 1 / cell_px
+  T start_px, cell_px, cells_per_px;
   T lens0_mm, pitch_mm;
-  T slope_per_px;  ///< m / g times the parallax factor
-  T vergence;      ///< 1 / V, per mm; 0 for an infinite viewing distance
-  T eye_mm;        ///< position of the eye at which the cells converge
+  T slope_per_px;  ///< m / g times the parallax factor, with pixel pitch m and gap g
+  T vergence;      ///< 1 / viewing distance, per mm; 0 for an infinite distance
+  T eye_mm;
   /// Number of pixels per lens if it is whole and a cell begins at pixel 0; otherwise 0.
   int whole_pixels;
 
@@ -37,22 +37,20 @@ struct LensAxis {
 
 struct LensAxisSpec {
   double pitch_mm, offset_mm, gap_mm, viewing_distance_mm, eye_mm, pixel_pitch_mm;
-  double centre_px;  ///< coordinate s of the panel's centre
-  int size_px;       ///< size of the panel along the axis; 0: cells are not aligned with pixels
+  double centre_px;
+  int size_px;  ///< size of the panel along the axis; 0: cells are not aligned with pixels
   double parallax = 1.0;
 };
 
-/// Returns the constants of an axis. If all cells are a whole number of pixels wide and aligned with the pixels, within 1/100
-/// pixel (the precision of float parameters), they become exactly whole and aligned, and cell 0 begins at pixel 0. Then all
-/// pixels of a directional view have exactly the same offset in their cells. Otherwise lens 0 is the lens nearest to the
-/// centre.
+/// Returns the constants of an axis. Cells whose width and edges are within 1/100 pixel of whole numbers are rounded to them,
+/// and cell 0 begins at pixel 0. Otherwise lens 0 is the lens nearest to the centre.
 LensAxis<double> make_lens_axis(const LensAxisSpec& spec);
 
 /// The line from a panel point through the centre of its lens.
 template <class T>
 struct LensRay {
-  T lens_mm;  ///< position of the lens in the plane z = 0
-  T slope;    ///< change of the position per mm of z, towards the viewer
+  T lens_mm;
+  T slope;
 };
 
 template <class T>
@@ -60,8 +58,7 @@ LIPPMANN_INLINE LensRay<T> lens_ray(const LensAxis<T>& axis, T s_px) {
   const T t = s_px - axis.start_px;
   T k = std::floor(t * axis.cells_per_px);
   T in_cell = t - k * axis.cell_px;
-  // Rounding may have moved k, the index of the cell, across a cell boundary. in_cell, the position in the cell, is exact for
-  // whole cells, so that it can correct k.
+  // Rounding may have moved the index k of the cell across a cell boundary.
   const bool before = in_cell < T(0), after = in_cell >= axis.cell_px;
   k = before ? k - T(1) : k, in_cell = before ? in_cell + axis.cell_px : in_cell;
   k = after ? k + T(1) : k, in_cell = after ? in_cell - axis.cell_px : in_cell;
@@ -69,9 +66,6 @@ LIPPMANN_INLINE LensRay<T> lens_ray(const LensAxis<T>& axis, T s_px) {
   return {lens, -((in_cell - T(0.5) * axis.cell_px) * axis.slope_per_px) - (lens - axis.eye_mm) * axis.vergence};
 }
 
-// ---- Inverse, in double precision -----------------------------------------------------------------------------------------
-
-/// The lenses first ... last. The range is empty if last < first.
 struct LensRange {
   int first, last;
 };
@@ -80,24 +74,24 @@ inline int cell_of(const LensAxis<double>& axis, double s_px) {
   return static_cast<int>(std::floor((s_px - axis.start_px) / axis.cell_px));
 }
 
-/// Returns the index of the lens that covers a point of the lens plane. The index is a whole number, which may exceed the range
-/// of int.
+/// Returns the index of the lens that covers a point of the lens plane. It is a whole number, which may exceed the range of
+/// int.
 inline double lens_at(const LensAxis<double>& axis, double x_mm) {
   return std::floor((x_mm - axis.lens0_mm) / axis.pitch_mm + 0.5);
 }
 
-/// Returns the position of the image of the point (x_mm, z_mm), z != 0, behind the lens at `lens_mm`, in pixels from the centre
-/// of the lens's cell.
+/// Returns the image of the point (x_mm, z_mm), z != 0, behind the lens at `lens_mm`, in pixels from the centre of the lens's
+/// cell.
 inline double image_offset_px(const LensAxis<double>& axis, double lens_mm, double x_mm, double z_mm) {
   return -((x_mm - lens_mm) / z_mm + (lens_mm - axis.eye_mm) * axis.vergence) / axis.slope_per_px;
 }
 
-/// Returns the lenses that may image the point to within `reach_px` of the centre of their cell. Includes one more lens at each
-/// end for rounding. Excludes cells outside the panel, whose coordinate s runs from s_low to s_high.
+/// Returns the lenses that may image the point to within `reach_px` of the centre of their cell, and one more at each end for
+/// rounding. Excludes cells outside the panel, which extends from s_low to s_high pixels.
 LensRange lenses_near(const LensAxis<double>& axis, double x_mm, double z_mm, double reach_px, double s_low, double s_high);
 
-/// Returns whether a point counts as lying in the lens plane: whether moving it by 2e-5 lens pitches moves its image across the
-/// whole cell. Floats do not resolve such small movements.
+/// Returns whether moving a point by 2e-5 lens pitches would move its image across the whole cell. Floats do not resolve such
+/// small movements, so the point counts as lying in the lens plane.
 inline bool in_lens_plane(const LensAxis<double>& axis, double z_mm) {
   return std::abs(z_mm) * axis.slope_per_px * axis.cell_px <= 2e-5 * axis.pitch_mm;
 }

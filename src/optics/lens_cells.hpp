@@ -1,5 +1,4 @@
-// Maps the ray of a film pixel to its lens and to the position of the pixel below the lens. Works for slanted panels and for
-// lens arrays of any pitch, packing and slant.
+// Maps the ray of a film pixel to its lens and to the position of the pixel below the lens.
 //
 // A ray is the line x(z) = l + s z. `place` is l, the point in the plane z = 0, in mm. k is l / V + s with the viewing distance
 // V. All pixels at the same position below their lenses have the same k (optics/view_place.hpp).
@@ -16,7 +15,7 @@ struct LensCells {
   enum class Rows { kOfFilm, kSquare, kHexagonal };
 
   Rows rows = Rows::kOfFilm;  ///< kOfFilm: for cylindrical lenses, where each row of the film counts as a row of lenses
-  Vec2d lenses_per_mm{0.0};   ///< the column of a lens is dot(place, lenses_per_mm) - first_lens
+  Vec2d lenses_per_mm{0.0};
   double first_lens = 0.0;
   double rows_per_mm = 0.0, first_row_mm = 0.0;  ///< rows of lenses per mm downwards; y of row 0
   Vec2d cell_px{1.0};                            ///< size of a cell in film pixels, along a row and down
@@ -26,16 +25,14 @@ struct LensCells {
   double cone = 0.0, parallax = 1.0, sign = 1.0;
 
   struct Cell {
-    Vec2i lens{0};  ///< column and row of the lens
+    Vec2i lens{0};
     /// Position of the pixel relative to the corner of the cell, in film pixels.
     Vec2d in_cell{0.0};
-    double in_lens = 0.0;  ///< for slanted panels: position of the pixel below its lens, from 0 at the left to 1 at the right
+    double in_lens = 0.0;
   };
-  /// Returns the cell of a ray. `row` is the film row of the ray's pixel.
   Cell cell_of(Vec2d place, Vec2d k, int row) const;
 };
 
-/// Returns the mapping, or nothing for optics without lenses. `optics` must pass validate().
 std::optional<LensCells> lens_cells(const Optics& optics);
 
 }  // namespace lippmann

@@ -1,11 +1,10 @@
 // Computes the geometry of lens arrays from the user's parameters.
 //
-// Cells are 1 mm wide. Only proportions matter, because the panel is later scaled to the display plane that is fitted to the
-// scene. For a cell width c and a viewing zone of full angle a, the gap is g = c / (2 tan(a/2)). If cells converge to a viewer
-// at distance V, the lens pitch is p = c / (1 + g/V).
+// Cells are 1 mm wide, because the panel is later scaled to fit the scene. For a cell width c and a viewing zone of full angle
+// a, the gap is g = c / (2 tan(a/2)). If cells converge to a viewer at distance V, the lens pitch is p = c / (1 + g/V).
 //
-// The width of the panel in pixels is the number of lenses across times the number of pixels below a lens. If the user gives
-// all three numbers, they must agree to within one pixel. The default is 64 lenses of 8 pixels.
+// The width of the panel in pixels is the number of lenses across times the number of pixels below a lens. If all three are
+// given, they must agree to within one pixel. The default is 64 lenses of 8 pixels.
 #pragma once
 
 #include "optics/optics_params.hpp"

@@ -17,9 +17,7 @@ LenticularConstants<double> make_lenticular(const Panel& panel, const Lenticular
   c.eye_y_mm = sheet.eye_height_mm;
   c.row_vergence = 1.0 / (distance + gap);
   c.z_front_mm = z_front_mm;
-  // Let g be the gap, V the viewing distance, and y the height of a row on the panel. The row's rays have the height y +
-  // (z_front + g) dy/dz at z_front. The terms are arranged so that the heights of all rows equal the eye's height exactly if
-  // z_front = V.
+  // The terms are arranged so that the heights of all rows equal the eye's height exactly if z_front is the viewing distance.
   c.row_scale = std::isinf(distance) ? 1.0 : (distance - z_front_mm) * c.row_vergence;
   c.row_shift_mm = c.eye_y_mm * (z_front_mm + gap) * c.row_vergence;
   c.axis = make_lens_axis({.pitch_mm = sheet.lens_pitch_mm,
@@ -41,7 +39,6 @@ void write_block(const LenticularRays& c, const RayFrame& frame, const float* px
 
 namespace {
 
-/// Appends the centres of all pixels in the panel row at `py` that lie below the lens at xi_mm.
 void append_row_of_cell(const LenticularConstants<double>& c, int width, double xi_mm, double py, std::vector<Vec2f>& pixels) {
   const double row = std::floor(py) + 0.5;
   const double lens = lens_at(c.axis, xi_mm);
@@ -58,8 +55,8 @@ void append_row_of_cell(const LenticularConstants<double>& c, int width, double 
 void pixels_seeing(const Panel& panel, const LenticularSheet& sheet, Vec3f point_mm, std::vector<Vec2f>& pixels) {
   const LenticularConstants<double> c = make_lenticular(panel, sheet, 0.0);
   const double x = point_mm.x, y = point_mm.y, z = point_mm.z, xi = x * c.cosine + y * c.sine;
-  // Solve y_panel + (z + g) (y_e - y_panel) / (V + g) = y for y_panel, the y of the panel row that sees the point. Here g is
-  // the gap, V the viewing distance and y_e the height of the eye.
+  // Solves y_panel + (z + g) (y_e - y_panel) / (V + g) = y for y_panel, the y of the panel row that sees the point. g is the
+  // gap, V the viewing distance and y_e the height of the eye.
   const double toward_eye = (z + c.gap_mm) * c.row_vergence;
   const double py = c.half_height_px - (y - c.eye_y_mm * toward_eye) / (1.0 - toward_eye) / c.pixel_pitch_mm;
   if (!(py >= 0.0 && py < panel.height)) return;
@@ -144,8 +141,7 @@ std::optional<ViewCameras> cameras_of(const Panel& panel, const LenticularSheet&
   const int n = make_lenticular(panel, sheet, 0.0).axis.whole_pixels;
   const double v = sheet.viewing_distance_mm, g = sheet.gap_mm, m = panel.pixel_pitch_mm;
   if (n < 1 || !std::isfinite(v)) return std::nullopt;
-  // The rays of all pixel rows converge to the eye. Raising the eye therefore moves the points where these rays cross the plane
-  // of the lenses upwards.
+  // The rays of all pixel rows converge to the eye, so raising the eye moves their intersections with the lens plane upwards.
   const Vec2d centre(0.5 * panel.width / n, 0.5 * panel.height + g * sheet.eye_height_mm / (v * m));
   return ViewCameras{
       v, {sheet.lens_pitch_mm, m * v / (v + g)}, centre, lens_eyes({n, 1}, sheet.parallax * m * v / g, sheet.eye_height_mm)};
@@ -169,8 +165,6 @@ void set_lenses(LenticularSheet& sheet, float pitch_mm, float gap_mm, Vec2f offs
 
 namespace {
 
-/// Returns the panel size. Cylindrical lenses have no rows, so that the number of lenses down only determines the height of the
-/// panel.
 PanelSize lenticular_size(const OpticsParams& params, Vec2i) {
   const float pixels = lens_pixels_across(params);
   if (params.size.x > 0) return {params.size.x, params.size.y, pixels};

@@ -2,7 +2,7 @@
 // points towards the height of the eye.
 //
 // 1. The viewer moves sideways at the height y_e and the distance V (eye_height_mm and viewing_distance_mm in optics.hpp).
-//    Therefore rows converge in y for any slant a: dy/dz = (y_e - y) / (V + g).
+//    Therefore rows converge in y for any slant a: dy/dz = (y_e - y) / (V + g), with the gap g.
 // 2. The lens determines the slope of xi = x cos a + y sin a. It follows that dx/dz = (slope of xi - dy/dz sin a) / cos a.
 // 3. The cells converge to the viewer at x = 0, that is, at xi_e = y_e sin a.
 #pragma once
@@ -19,12 +19,13 @@ namespace lippmann {
 /// Per-frame constants of a sheet's rays. T is double for single points and float in loops over pixels.
 template <class T>
 struct LenticularConstants {
-  LensAxis<T> axis;  ///< the axis across the lenses, along xi
+  LensAxis<T> axis;
   T half_height_px;
   T pixel_pitch_mm, gap_mm;
-  T cosine, sine, inverse_cosine;         ///< cosine, sine and 1 / cosine of the slant
-  T eye_y_mm, row_vergence;               ///< row_vergence: 1 / (V + g)
-  T z_front_mm, row_scale, row_shift_mm;  ///< y at z_front is row_scale * y + row_shift_mm
+  T cosine, sine, inverse_cosine;
+  T eye_y_mm, row_vergence;  ///< row_vergence: 1 / (viewing distance + gap)
+  T z_front_mm, row_scale,
+      row_shift_mm;  ///< a ray from height y on the panel has height row_scale * y + row_shift_mm at z_front
 
   template <class U>
   LenticularConstants<U> as() const {
@@ -50,9 +51,9 @@ LIPPMANN_INLINE Crossing crossing(const LenticularRays& c, float px, float py) {
 void write_block(const LenticularRays& constants, const RayFrame& frame, const float* px, const float* py,
                  const RayArrays& rays);
 
-class LenticularSight;  // optics/sight.hpp
+class LenticularSight;
 
-// ---- Model interface (optics/model.hpp) -------------------------------------------------------------------------------
+// The functions of optics/model.hpp follow.
 
 constexpr std::string_view kind_of(const LenticularSheet&) { return "lenticular"; }
 constexpr int sub_pixels_of(const LenticularSheet&) { return 1; }

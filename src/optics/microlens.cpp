@@ -45,14 +45,11 @@ void write_block(const HexagonalMicrolensRays& c, const RayFrame& frame, const f
 
 namespace {
 
-/// Collects the pixels that see a point.
 struct Search {
   MicrolensConstants<double> c;
   double width, height;
   std::vector<Vec2f>& pixels;
 
-  /// Returns the panel point at (dx, dy) pixels from the centre of the cell (column, row). In hexagonal packing, the column may
-  /// be k + 1/2.
   Vec2d panel_point(double column, double row, double dx = 0.0, double dy = 0.0) const {
     return {c.columns.start_px + (column + 0.5) * c.columns.cell_px + dx, c.rows.start_px + (row + 0.5) * c.rows.cell_px + dy};
   }
@@ -77,8 +74,6 @@ struct Search {
   }
 };
 
-// ---- Square packing ---------------------------------------------------------------------------------------------------
-
 void append_square_cell(const Search& s, double x, double down) {
   const double column = lens_at(s.c.columns, x), row = lens_at(s.c.rows, down);
   const auto belongs = [&](double px, double py) { return cell_of(s.c.columns, px) == column && cell_of(s.c.rows, py) == row; };
@@ -99,8 +94,6 @@ void append_square(const Search& s, double x, double down, double z) {
   }
 }
 
-// ---- Hexagonal packing ------------------------------------------------------------------------------------------------
-
 void append_hexagonal_cell(const Search& s, double x, double down) {
   const HexagonalCell<double> lens =
       nearest_hexagon((x - s.c.columns.lens0_mm) / s.c.columns.pitch_mm, (down - s.c.rows.lens0_mm) / s.c.rows.pitch_mm);
@@ -111,8 +104,8 @@ void append_hexagonal_cell(const Search& s, double x, double down) {
   s.append_centres(s.panel_point(lens.column, lens.row), {0.5 * s.c.columns.cell_px, s.c.rows.cell_px}, belongs);
 }
 
-/// Each lens images the point to a position p on the panel. Appends p if it lies in the lens's own cell. A hexagonal cell
-/// extends half a column step to each side and 2/3 of a row step up and down.
+/// Each lens images the point to a position p on the panel. Appends p if it lies in the lens's own cell, which extends half a
+/// column step to each side and 2/3 of a row step up and down.
 void append_hexagonal(const Search& s, double x, double down, double z) {
   const double step_x = s.c.columns.cell_px, step_y = s.c.rows.cell_px;
   const LensRange columns = lenses_near(s.c.columns, x, z, 0.5 * step_x, -step_x, s.width + step_x);
@@ -248,9 +241,8 @@ void set_lenses(MicrolensArray& array, float pitch_mm, float gap_mm, Vec2f offse
 
 namespace {
 
-/// Returns the panel size. Microlenses are round, so that a lens has as many pixels down as across.
 PanelSize microlens_size(const OpticsParams& params, Vec2i) {
-  constexpr float kHexagonalRow = 0.8660254f;  // row pitch divided by lens pitch
+  constexpr float kHexagonalRow = 0.8660254f;  // row pitch divided by lens pitch, sqrt(3)/2
   const float pixels = lens_pixels_across(params);
   if (params.lens_pixels.y > 0.0f && params.lens_pixels.y != pixels)
     throw usage_error("lens-pixels", fmt::format("is {} pixels across but {} down", pixels, params.lens_pixels.y),

@@ -1,9 +1,8 @@
 // Computes the rays of a microlens array. A ray runs straight from a pixel through the centre of the lenslet whose cell
 // contains the pixel.
 //
-// Columns and rows of lenses count as pixels do: columns to the right along x, rows downwards along -y. Pixels and cells are
-// both half-open: pixel (i, j) is [i, i + 1) x [j, j + 1). In hexagonal packing, rows are lens_pitch sqrt(3)/2 apart, odd rows
-// are shifted right by half a pitch, and a panel point belongs to the nearest cell centre.
+// Columns of lenses count to the right along x, rows downwards along -y. In hexagonal packing, rows are lens_pitch sqrt(3)/2
+// apart, odd rows are shifted right by half a pitch, and a panel point belongs to the nearest cell centre.
 #pragma once
 
 #include <variant>
@@ -28,7 +27,6 @@ struct MicrolensConstants {
   }
 };
 
-/// Separate types for the two packings, so that each packing has its own loop.
 struct SquareMicrolensRays : MicrolensConstants<float> {};
 struct HexagonalMicrolensRays : MicrolensConstants<float> {};
 
@@ -39,17 +37,16 @@ LIPPMANN_INLINE Crossing crossing(const SquareMicrolensRays& c, float px, float 
   return {across.lens_mm + c.z_front_mm * across.slope, -(down.lens_mm + c.z_front_mm * down.slope), across.slope, -down.slope};
 }
 
-/// A position in a hexagonal lattice: the row and column of a lattice point, and the offset of the position from the lattice
-/// point, in column steps and row steps.
+/// A position in a hexagonal lattice: the row and column of a lattice point, and the offset from it, in column steps and row
+/// steps.
 template <class T>
 struct HexagonalCell {
-  T row, column;  ///< in odd rows, column is k + 1/2
+  T row, column;
   T from_column, from_row;
 };
 
-/// Returns the nearest lattice point. u and v are column steps and row steps from the centre of lens (0, 0). Only the next row
-/// above and the next row below the position are checked, because every position is within 1/sqrt(3) column steps of a lens,
-/// and rows are sqrt(3)/2 column steps apart.
+/// Returns the nearest lattice point. u and v are column steps and row steps from the centre of lens (0, 0). The two adjacent
+/// rows suffice, because every position is within 1/sqrt(3) column steps of a lens, and rows are sqrt(3)/2 column steps apart.
 template <class T>
 LIPPMANN_INLINE HexagonalCell<T> nearest_hexagon(T u, T v) {
   const T upper = std::floor(v), parity = upper - T(2) * std::floor(upper * T(0.5));
@@ -85,9 +82,9 @@ void write_block(const SquareMicrolensRays& constants, const RayFrame& frame, co
 void write_block(const HexagonalMicrolensRays& constants, const RayFrame& frame, const float* px, const float* py,
                  const RayArrays& rays);
 
-class MicrolensSight;  // optics/sight.hpp
+class MicrolensSight;
 
-// ---- Model interface (optics/model.hpp) -------------------------------------------------------------------------------
+// The functions of optics/model.hpp follow.
 
 constexpr std::string_view kind_of(const MicrolensArray&) { return "microlens"; }
 constexpr int sub_pixels_of(const MicrolensArray&) { return 1; }

@@ -1,6 +1,5 @@
-// The interface that models of optics implement. The header of a model, such as lenticular.hpp, declares overloads of the
-// functions below for the model. models.hpp lists all models; the compiler checks that each model has all functions. The public
-// functions (lippmann/optics/*.hpp) use only this interface.
+// The interface of optics models. The header of a model, such as lenticular.hpp, overloads the functions below. models.hpp
+// lists all models. The public functions (lippmann/optics/*.hpp) use only this interface.
 #pragma once
 
 #include <algorithm>
@@ -20,43 +19,40 @@
 
 namespace lippmann {
 
-class JsonFields;       // core/json_fields.hpp
-struct OpticsKindInfo;  // optics/optics_kind.hpp
+class JsonFields;
+struct OpticsKindInfo;
 
-/// The spacing of a view's samples in the plane z = 0.
 struct SampleGrid {
   double across_mm = 1.0, down_mm = 1.0;
 };
 
-/// The properties of a model that do not depend on a pixel or point.
 struct OpticsFacts {
   std::optional<LensArray> lenses = {};
   std::optional<ViewTiles> tiles = {};
   std::optional<SensorLenses> sensor_lenses = {};
-  Vec2i whole_pixels_per_lens{0};  ///< see whole_pixels_per_lens()
-  Vec2f window_size_mm{0.0f};      ///< see window_size_mm()
-  Window window = {};              ///< see display_window()
+  Vec2i whole_pixels_per_lens{0};
+  Vec2f window_size_mm{0.0f};
+  Window window = {};
   float viewing_distance_mm = kInfinity;
-  float eye_height_mm = 0.0f;  ///< height of the viewer above the middle of the display
+  float eye_height_mm = 0.0f;
   float viewing_zone = 0.0f;
   float depth_budget_mm = kInfinity;
   Parallax parallax = {false, false};
   Vec2i view_counts{1, 1};
   SampleGrid samples = {};  ///< spacing of the samples of a view; for a slanted panel, spacing of its pixels
-  /// Distance between the samples of a view along a row if each sample is a lens; otherwise 0.
   double lens_step_mm = 0.0;
-  bool single_view = false;          ///< see is_single_view()
+  bool single_view = false;
   bool views_by_angle = false;       ///< true: the eyes of the views are at equal angles; false: at equal distances
   bool repeats_beyond_zone = false;  ///< whether eyes beyond the viewing zone see pixels of neighbouring lenses
   /// Slanted panels only: shift of a lens to the right from one film row to the next, in film columns.
   std::optional<double> lens_columns_per_row = {};
-  /// Factors that convert the blur of the lenses to the axes x and y. The sigma along an axis is the sigma across the lenses
-  /// divided by the factor. Sigmas are in pixels or, for quilts, in views. 0: the lenses have no power along the axis.
+  /// The sigma of the lens blur along x and y is the sigma across the lenses divided by these factors. Sigmas are in pixels or,
+  /// for quilts, in views. 0: the lenses have no power along the axis.
   Vec2d crosstalk_pitch{0.0};
 };
 
-/// Returns the width that one pixel covers through its lens at depth z. The width is the larger of the lens pitch (scaled by
-/// perspective from the viewing distance) and the magnified pixel.
+/// Returns the width that one pixel covers through its lens at depth z: the lens pitch (scaled by perspective from the viewing
+/// distance) or the magnified pixel, whichever is larger.
 inline float lens_footprint_mm(float pitch_mm, float gap_mm, float viewing_distance_mm, float pixel_pitch_mm, float z_mm) {
   return std::max(pitch_mm * std::abs(1.0f - z_mm / viewing_distance_mm), std::abs(z_mm) * pixel_pitch_mm / gap_mm);
 }
@@ -65,40 +61,34 @@ inline float lens_footprint_mm(float pitch_mm, float gap_mm, float viewing_dista
 /// otherwise 4 panel diagonals.
 float front_of_lenses_mm(const Panel& panel, float viewing_distance_mm, float chosen_mm);
 
-/// Returns the viewing zone of a lens array, as a full angle.
 float lens_zone(float pitch_mm, float gap_mm, float viewing_distance_mm);
 
-/// Returns the facts common to all lens arrays.
 OpticsFacts facts_of_lenses(const Panel& panel, const LensArray& lenses, Vec2i whole_pixels_per_lens);
 
-/// Returns the facts common to all optics whose window consists of the panel's pixels in the plane z = 0: the window and the
-/// samples of a view.
+/// Returns the facts of optics whose window is the panel's pixels in the plane z = 0: the window and the samples of a view.
 OpticsFacts facts_of_window(const Panel& panel, float viewing_distance_mm);
 
-/// Rounds a number of samples to a whole number: at least one, at most the maximum side of a panel.
 int rounded_count(double samples);
 inline int rounded_up_count(double samples) { return rounded_count(std::ceil(samples - 0.01)); }
 
-/// Returns the eyes of the n.x times n.y pixels below a lens, starting at the lower left eye. Neighbouring eyes are eye_step_mm
-/// apart.
 std::vector<Vec2d> lens_eyes(Vec2i n, double eye_step_mm, double eye_height_mm);
 
 enum class StepsWithin {
-  kView,  ///< steps lead to pixels of the same directional view
-  kLens,  ///< steps lead to pixels below the same lens
+  kView,
+  kLens,
 };
 
-/// The steps from a pixel to its neighbours in the same picture, and the bounds of the picture. A picture is a directional view
-/// or the pixels below one lens (StepsWithin).
+/// The steps from a pixel to its neighbours in the same picture (a directional view or the pixels below one lens), and the
+/// bounds of the picture.
 struct StepRule {
   enum class Bounds { kPanel, kTile, kSheetLens, kSquareLens, kHexagon };
 
-  Vec2f across{1.0f, 0.0f}, down{0.0f, 1.0f};  ///< steps to the right and down, in film pixels
+  Vec2f across{1.0f, 0.0f}, down{0.0f, 1.0f};
   Bounds bounds = Bounds::kPanel;
   LensAxis<float> columns{}, rows{};  ///< axes of the cells; a sheet has only `columns`, across its lenses
   float cosine = 1.0f, sine = 0.0f, inverse_cosine = 1.0f;  ///< cosine, sine and 1 / cosine of a sheet's slant
   Vec2i tile{1, 1}, last_tile{0, 0};                        ///< quilts: size of a tile, and (column, row) of the last tile
-  int padding_top = 0;                                      ///< quilts: number of unused rows at the top
+  int padding_top = 0;
 };
 
 /// The functions that every model must have. `panel` and `model` must pass check_model(), except in calls of kind_of(),
@@ -106,32 +96,25 @@ struct StepRule {
 template <class Model>
 concept CompleteModel = requires(const Panel& panel, const Model& model, Model& read, nlohmann::ordered_json& json,
                                  const JsonFields& members, float mm, Vec2d share, StepsWithin within) {
-  /// Returns the name in report.json.
   { kind_of(model) } -> std::convertible_to<std::string_view>;
-  /// Returns the number of film pixels that lie side by side in one panel pixel.
   { sub_pixels_of(model) } -> std::convertible_to<int>;
-  /// Throws Error naming an invalid field.
   check_model(panel, model);
   /// write_model() writes the members of the model to JSON, and read_model() reads them back. If a member is missing or
   /// invalid, `members` throws Error.
   write_model(model, json);
   read_model(members, read);
-  /// Returns the properties that do not depend on a pixel or point.
   { facts_of(panel, model) } -> std::same_as<OpticsFacts>;
-  /// Returns resolved_z_front_mm() for optics with z_front_mm = mm.
   { front_mm(panel, model, mm) } -> std::same_as<float>;
-  /// Returns the constants of the model's rays: one of the types of AnyRays (models.hpp), or a variant of several of them.
   make_rays(panel, model, mm);
-  /// Returns sample_footprint_mm() at z = mm.
   { footprint_mm(panel, model, mm) } -> std::same_as<Vec2f>;
-  /// Returns the slope (right, up) of the direction to the eye at `share` of the viewing zone, relative to the slope at the
-  /// zone's middle. Both components of `share` are from 0 (left or lower end) to 1.
+  /// Returns the slope (right, up) of the direction to an eye, relative to the middle of the viewing zone. `share` is the
+  /// position in the zone, from 0 (left or lower end) to 1.
   { zone_slope(panel, model, share) } -> std::same_as<Vec2d>;
   { step_rule(panel, model, within) } -> std::same_as<StepRule>;
 };
 
 /// Models with an inverse mapping: pixels_seeing(), and sight_of() for replay. sight_of() returns one of the types of AnySight
-/// (models.hpp). Operations that need an inverse mapping throw Error for other models.
+/// (models.hpp).
 template <class Model>
 concept HasInverse = requires(const Panel& panel, const Model& model, Vec3f point_mm, std::vector<Vec2f>& pixels) {
   pixels_seeing(panel, model, point_mm, pixels);
@@ -150,14 +133,14 @@ concept HasViewPhases = requires(const Model& model) {
   { view_phases_of(model) } -> std::same_as<ViewPhases>;
 };
 
-/// Models with lenses that can map a pixel's ray to its lens (optics/lens_cells.hpp).
+/// Models that can map a pixel's ray to its lens (optics/lens_cells.hpp).
 template <class Model>
 concept HasLensCells = requires(const Panel& panel, const Model& model) {
   { lens_cells_of(panel, model) } -> std::same_as<LensCells>;
 };
 
 /// Models whose lenses can be replaced by set_lenses(). Its arguments are the pitch across the lenses, the gap and the centre
-/// of lens 0. set_lenses() also sets the viewing distance to infinity.
+/// of lens 0. It also sets the viewing distance to infinity.
 template <class Model>
 concept HasLenses = requires(Model& model, float mm, Vec2f offset_mm) {
   set_lenses(model, mm, mm, offset_mm);
@@ -170,14 +153,12 @@ concept HasKindInfo = requires(const Model& model) {
   { kind_info(model) } -> std::same_as<const OpticsKindInfo&>;
 };
 
-/// Returns the properties of the optics' model.
 OpticsFacts optics_facts(const Optics& optics);
 
-/// Returns a model of the same kind with other lenses, viewed from infinity. `pitch_mm` is measured across the lenses. Returns
-/// nothing if the model has no lenses. The caller must adapt the panel.
+/// Returns a model of the same kind with other lenses, viewed from infinity, or nothing if the model has no lenses. `pitch_mm`
+/// is measured across the lenses. The caller must adapt the panel.
 std::optional<OpticsModel> with_lenses(OpticsModel model, float pitch_mm, float gap_mm, Vec2f offset_mm);
 
-/// Throws a usage Error for optics without an inverse mapping.
 [[noreturn]] void throw_no_inverse();
 
 }  // namespace lippmann

@@ -1,5 +1,3 @@
-// Lists all models of optics. To add a model, include its header here and add its rays and its sight to the variants below. The
-// compiler then checks that the model has all functions of model.hpp.
 #pragma once
 
 #include <utility>
@@ -18,12 +16,11 @@
 
 namespace lippmann {
 
-/// The constants from which rays are computed. Each type has write_block(), and write_ray_of() or crossing().
-/// Types of models that block light also have is_blocked(constants, px, py).
+/// The constants from which rays are computed. Each type has write_block(), and write_ray_of() or crossing(). Types of models
+/// that block light also have is_blocked(constants, px, py).
 using AnyRays = std::variant<LenticularRays, SquareMicrolensRays, HexagonalMicrolensRays, MultiViewRays, SingleViewRays,
                              SlantedPanelRays, RayTableRays, SquarePlenopticRays, HexagonalPlenopticRays>;
 
-/// The classes that map an eye and a point of the plane z = 0 to a point of the panel.
 using AnySight = std::variant<SlantedSight, LenticularSight, MicrolensSight, QuiltSight>;
 
 namespace detail {

@@ -9,7 +9,6 @@
 namespace lippmann {
 namespace {
 
-/// Angle of the first eye, and angle between neighbouring eyes, as seen from the centre of the panel.
 struct EyeAngles {
   double first, step;
 };
@@ -22,7 +21,6 @@ EyeAngles eye_angles(const MultiView& views) {
   return count > 1 ? EyeAngles{cone * (shift / (count - 1) - 0.5), cone / (count - 1)} : EyeAngles{0.0, 0.0};
 }
 
-/// Returns the position of the first eye along one axis of a camera grid, relative to the grid's middle.
 double first_eye(double baseline_mm, int count, float shift) { return baseline_mm * (shift - 0.5 * (count - 1)); }
 
 }  // namespace
@@ -118,8 +116,7 @@ namespace {
 
 bool is_grid(const MultiView& views) { return views.baseline_mm > 0.0f; }
 
-/// Returns the angle of the viewing zone. For a camera grid with n eyes along its longer side, the zone is n baselines wide at
-/// the distance of the eyes.
+/// For a camera grid with n eyes along its longer side, the zone is n baselines wide at the distance of the eyes.
 float views_zone(const MultiView& views) {
   if (!is_grid(views)) return views.view_cone;
   const auto eyes = static_cast<float>(std::max(views.columns, views.rows));
@@ -191,7 +188,6 @@ std::optional<ViewCameras> cameras_of(const Panel& panel, const MultiView& views
 
 namespace {
 
-/// Returns the panel size. The default is 8x6 views of 256x256 pixels.
 PanelSize quilt_size(const OpticsParams& params, Vec2i) {
   constexpr int kDefaultTile = 256;
   const Extent<int> views = params.views.x > 0 ? params.views : Extent<int>{8, 6}, size = params.size;
@@ -203,8 +199,8 @@ PanelSize quilt_size(const OpticsParams& params, Vec2i) {
   return {size.x, size.y, 0.0f, views};
 }
 
-/// Returns the model. In a camera grid with N eyes along its longer side, eyes are 2 V tan(a/2) / N apart, with the viewing
-/// distance V and the angle a of the viewing zone. If the outermost eyes are at the ends of the viewing zone, N - 1 replaces N.
+/// In a camera grid with N eyes along its longer side, eyes are 2 V tan(a/2) / N apart, with the viewing distance V and the
+/// angle a of the viewing zone. If the outermost eyes are at the ends of the zone, N - 1 replaces N.
 OpticsModel views_of_params(const ModelSetup& setup) {
   const Extent<int> views = setup.size.views;
   const float distance_mm = setup.viewing_distance_mm;

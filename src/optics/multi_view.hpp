@@ -4,8 +4,8 @@
 // 1. Tiles have floor(width / columns) x floor(height / rows) pixels and are anchored at the bottom left. Remaining pixels at
 //    the top and at the right are padding. The rays of padding continue the adjacent view; pixels_seeing() skips padding.
 // 2. The tile of view v is in column v mod columns and row floor(v / columns), counted from the bottom.
-// 3. The eye of view v is at (distance tan(cone ((v + 1/2) / N - 1/2)), 0, distance). In a camera grid, it is at
-//    (baseline (column - (columns - 1)/2), baseline (row - (rows - 1)/2), distance).
+// 3. The eye of view v of N is at (distance tan(cone ((v + 1/2) / N - 1/2)), 0, distance). In a camera grid, it is at (baseline
+//    (column - (columns - 1)/2), baseline (row - (rows - 1)/2), distance).
 // 4. The eye's x and y are scaled by the parallax. Then the eye height is added to y.
 #pragma once
 
@@ -23,14 +23,13 @@ struct MultiViewRays {
   float padding_top_px;
   float pixel_pitch_mm, pixel_height_mm;
   float first_half_angle, half_angle_step;  ///< half the angle of view 0's eye, and half the angle between neighbouring views
-  Vec2f first_eye_mm;                       ///< camera grid: position of the lower left eye; cone: (0, eye height)
+  Vec2f first_eye_mm;                       ///< camera grid: position of the lower left eye; otherwise (0, eye height)
   float baseline_mm;                        ///< camera grid: distance between eyes; otherwise 0
   float eye_reach_mm;                       ///< an eye's x divided by the tangent of its angle
   float distance_mm, inverse_distance;
   float front_from_eye_mm;  ///< z of the plane z_front relative to the eye: z_front - distance, <= 0
 };
 
-/// The eye of a view in the plane z = distance.
 struct EyeMm {
   double x, y;
 };
@@ -50,8 +49,7 @@ LIPPMANN_INLINE float tile_index(float p, float size, float per_px, float count)
 }
 
 /// Returns tan(2 h) for |h| < pi/4. Computes tan h by Lambert's continued fraction up to the term h^2/9 (error 2e-8 at pi/4),
-/// then applies the double-angle formula. Unlike a table of eyes, this vectorises without gathers. Unlike std::tan(), it gives
-/// the same bits on every machine.
+/// then applies the double-angle formula. Unlike std::tan(), it vectorises and gives the same bits on every machine.
 LIPPMANN_INLINE float tangent_of_double(float h) {
   const float h2 = h * h;
   const float p = h * (945.0f + h2 * (h2 - 105.0f)), q = 945.0f + h2 * (15.0f * h2 - 420.0f);
@@ -76,9 +74,9 @@ LIPPMANN_INLINE Crossing crossing(const MultiViewRays& c, float px, float py) {
 void write_block(const MultiViewRays& constants, const RayFrame& frame, const float* px, const float* py,
                  const RayArrays& rays);
 
-class QuiltSight;  // optics/sight.hpp
+class QuiltSight;
 
-// ---- Model interface (optics/model.hpp) -------------------------------------------------------------------------------
+// The functions of optics/model.hpp follow.
 
 constexpr std::string_view kind_of(const MultiView&) { return "multiview"; }
 constexpr int sub_pixels_of(const MultiView&) { return 1; }

@@ -14,8 +14,6 @@ auto visit_model(const Optics& optics, const Function& function) {
 
 }  // namespace
 
-// ---- Shared by several models ---------------------------------------------------------------------------------------------
-
 float front_of_lenses_mm(const Panel& panel, float viewing_distance_mm, float chosen_mm) {
   if (std::isfinite(chosen_mm)) return chosen_mm;
   if (std::isfinite(viewing_distance_mm)) return viewing_distance_mm;
@@ -73,8 +71,6 @@ void throw_no_inverse() {
   throw usage_error("optics", "the pixels that see a point cannot be computed for these optics",
                     "other optics than a table of rays or a plenoptic camera");
 }
-
-// ---- Queries ----------------------------------------------------------------------------------------------
 
 OpticsFacts optics_facts(const Optics& optics) {
   return visit_model(optics, [](const Panel& panel, const auto& model) { return facts_of(panel, model); });
@@ -144,8 +140,6 @@ float viewing_distance_mm(const Optics& optics) { return optics_facts(optics).vi
 float viewing_zone(const Optics& optics) { return optics_facts(optics).viewing_zone; }
 float depth_budget_mm(const Optics& optics) { return optics_facts(optics).depth_budget_mm; }
 Vec2f window_size_mm(const Optics& optics) { return optics_facts(optics).window_size_mm; }
-
-// ---- Modified optics ---------------------------------------------------------------------------------------
 
 Optics with_parallax(Optics optics, float parallax) {
   std::visit(

@@ -18,7 +18,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Calls visit(model) with a default model of each kind, until a call returns true. Returns whether a call returned true.
 template <class Visit>
 bool any_kind(const Visit& visit) {
   return [&]<std::size_t... i>(std::index_sequence<i...>) {
@@ -39,7 +38,7 @@ OpticsModel model_from(const std::string& kind, const JsonFields& json) {
   return read;
 }
 
-/// Reads the panel. "width" and "pixel_pitch_mm" describe the film, whose pixels may be sub-pixels of the panel.
+/// "width" and "pixel_pitch_mm" describe the film, whose pixels may be sub-pixels of the panel.
 Panel panel_from(const JsonFields& json, int sub_pixels) {
   const int width = json.whole("width", kAnyCount);
   if (width % sub_pixels != 0)

@@ -10,9 +10,8 @@
 
 namespace lippmann {
 
-/// Returns JSON that describes the physical display. The parallax factor is not part of it. "width" and "pixel_pitch_mm" refer
-/// to the film; for a slanted panel, they refer to sub-pixels. The JSON includes the derived values "viewing_zone_deg" and
-/// "depth_budget_mm".
+/// Returns JSON that describes the physical display, without the parallax factor. "width" and "pixel_pitch_mm" refer to the
+/// film; for a slanted panel, they refer to sub-pixels. "viewing_zone_deg" and "depth_budget_mm" are derived values.
 nlohmann::ordered_json optics_json(const Optics& optics);
 
 /// Returns optics from untrusted JSON. The result passes validate(). Derived values and unknown keys are ignored. "offset_mm",

@@ -21,7 +21,6 @@ std::vector<OpticsKind> kinds_of_models(std::index_sequence<i...>) {
   return kinds;
 }
 
-/// Joins texts by commas, with "or" before the last text.
 std::string alternatives(const std::vector<std::string>& texts) {
   std::string list;
   for (std::size_t i = 0; i < texts.size(); ++i) list += (i == 0 ? "" : i + 1 < texts.size() ? ", " : " or ") + texts[i];

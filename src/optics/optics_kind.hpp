@@ -1,5 +1,3 @@
-// Describes the kinds of optics that flags and job files can select, and makes optics from parameters. A kind is a model whose
-// header declares kind_info() (optics/model.hpp).
 #pragma once
 
 #include <array>
@@ -12,30 +10,28 @@
 
 namespace lippmann {
 
-/// The size of a panel, computed from the parameters.
 struct PanelSize {
-  int width = 512, height = 512;  ///< size in pixels
-  float lens_pixels = 0.0f;       ///< number of pixels across a lens, along a pixel row; 0: no lenses
-  Extent<int> views{1, 1};        ///< number of columns and rows of views side by side
+  int width = 512, height = 512;
+  float lens_pixels = 0.0f;  ///< number of pixels across a lens, along a pixel row; 0: no lenses
+  Extent<int> views{1, 1};
 };
 
-/// The inputs for making a model.
 struct ModelSetup {
   const OpticsParams& params;
   Panel panel;
   PanelSize size;
   float viewing_distance_mm;  ///< may be infinite for optics with lenses; for a camera: its distance from the plane z = 0
-  Vec2f pixel_offset{0.0f};   ///< shift of the sample points of the scene's camera, in pixels
+  Vec2f pixel_offset{0.0f};
   /// Distance from the panel to a pinhole with the field of view of the scene's camera.
   float pinhole_mm = kInfinity;
   float f_number = 0.0f;  ///< f-number of a camera; 0: not given
 };
 
 struct OpticsKindInfo {
-  std::string_view name;                       ///< the result of kind_of() for the model
-  std::string_view help = {};                  ///< text that follows the name in --help; may be empty
+  std::string_view name;
+  std::string_view help = {};
   std::array<std::string_view, 7> takes = {};  ///< names of the elements of kKindParams that have an effect on this kind
-  bool has_parallax = true;                    ///< whether the picture changes as the eye moves
+  bool has_parallax = true;
   bool is_camera = false;  ///< whether the panel is a camera's sensor, with the main lens at the scene's camera
 
   /// Returns the panel size. `scene_resolution` is the size that the scene's file requests, or {0, 0}. Throws a usage Error for
@@ -48,13 +44,11 @@ struct OpticsKindInfo {
 
 extern const OpticsKindInfo lenticular_kind, microlens_kind, multiview_kind, single_kind, plenoptic_kind;
 
-/// Returns all kinds that flags can select, in the order of OpticsModel.
 std::span<const OpticsKind> optics_kinds();
 
 /// Throws a usage Error for parameters that have no effect on this kind.
 void check_kind_params(const OpticsParams& params, OpticsKind kind);
 
-/// Returns the names and help texts of all kinds, such as "NAME (HELP), NAME or NAME".
 std::string_view optics_kinds_help();
 
 }  // namespace lippmann

@@ -1,4 +1,3 @@
-// The parameters for making optics, read from flags and job files.
 #pragma once
 
 #include <array>
@@ -11,14 +10,12 @@
 
 namespace lippmann {
 
-struct OpticsKindInfo;  // optics/optics_kind.hpp
+struct OpticsKindInfo;
 
-/// A kind of optics that flags can select.
 class OpticsKind {
  public:
   static const OpticsKind kLenticular, kMicrolens, kMultiview, kSingle;
 
-  /// `info` must outlive the result.
   constexpr explicit OpticsKind(const OpticsKindInfo& info) : info_(&info) {}
 
   const OpticsKindInfo& info() const { return *info_; }
@@ -29,20 +26,19 @@ class OpticsKind {
   const OpticsKindInfo* info_;
 };
 
-/// The height of the viewer's eyes above the middle of the display. Negative heights are below the middle.
 struct EyeHeight {
-  float value = 0.0f;     ///< height in mm, or in degrees if is_angle
+  float value = 0.0f;
   bool is_angle = false;  ///< whether the height is an angle as seen from the middle of the display
 };
 
 struct OpticsParams {
-  std::string display{};                       ///< name of a preset, a display file or a calibration; empty: no display
-  std::optional<OpticsKind> kind{};            ///< no value: the kind of the display, or lenticular without a display
-  LensPacking packing = LensPacking::kSquare;  ///< packing of microlens arrays
-  Extent<int> lenses{};                        ///< number of lenses; 0: 64 across, and as many down as fit the panel
-  Extent<float> lens_pixels{};                 ///< number of pixels below a lens, may be fractional; 0: 8
-  Extent<int> size{};                          ///< size of the whole panel in pixels; 0: lenses x lens_pixels
-  Extent<int> views{};                         ///< multi-view: number of columns and rows of the quilt; 0: 8x6
+  std::string display{};             ///< name of a preset, a display file or a calibration; empty: no display
+  std::optional<OpticsKind> kind{};  ///< no value: the kind of the display, or lenticular without a display
+  LensPacking packing = LensPacking::kSquare;
+  Extent<int> lenses{};         ///< number of lenses; 0: 64 across, and as many down as fit the panel
+  Extent<float> lens_pixels{};  ///< number of pixels below a lens, may be fractional; 0: 8
+  Extent<int> size{};           ///< size of the whole panel in pixels; 0: lenses x lens_pixels
+  Extent<int> views{};          ///< multi-view: number of columns and rows of the quilt; 0: 8x6
   /// Multi-view. True: eyes are at equal distances across and up. False: eyes are at equal angles in one row.
   bool camera_grid = false;
   bool cone_ends = false;  ///< multi-view: the outermost eyes are at the ends of the viewing zone
@@ -58,7 +54,7 @@ struct OpticsParams {
   std::optional<double> crosstalk_px{};     ///< sigma of the lens blur (optics/crosstalk.hpp); no value: the display's
   bool precompensate = false;               ///< whether to change pictures to counteract the display's crosstalk
   /// Lengths of a plenoptic camera. Defaults: the sensor is kSensorWidthMm wide; the main lens has the field of view of the
-  /// scene's camera; the gap is such that the images below the lenses touch; the microlenses are focused at infinity.
+  /// scene's camera; the images below the lenses touch; the microlenses are focused at infinity.
   std::optional<float> sensor_width_mm{}, focal_length_mm{}, gap_mm{}, lens_focal_length_mm{};
 };
 
@@ -82,7 +78,6 @@ inline constexpr std::array kKindParams{
     KindParam{"lens-focal-length", [](const OpticsParams& params) { return params.lens_focal_length_mm.has_value(); }},
 };
 
-/// Returns the full angle of the viewing zone in radians. The default is 28 degrees.
 float view_angle(const OpticsParams& params);
 
 }  // namespace lippmann

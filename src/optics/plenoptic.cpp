@@ -9,7 +9,6 @@
 namespace lippmann {
 namespace {
 
-/// Returns the microlens array, with the main lens as its viewer.
 MicrolensArray array_of(const PlenopticCamera& camera) {
   return {.packing = camera.packing,
           .lens_pitch_mm = camera.lens_pitch_mm,
@@ -18,7 +17,6 @@ MicrolensArray array_of(const PlenopticCamera& camera) {
           .viewing_distance_mm = static_cast<float>(array_distance_mm(camera))};
 }
 
-/// Returns the distance between rows of lenses, in lens pitches.
 float row_share(LensPacking packing) { return packing == LensPacking::kHexagonal ? std::sqrt(0.75f) : 1.0f; }
 
 }  // namespace
@@ -113,7 +111,7 @@ Vec2f footprint_mm(const Panel& panel, const PlenopticCamera& camera, float z_mm
 
 namespace {
 
-constexpr double kDefaultFNumber = 2.0;  // the aperture of the first Lytro camera
+constexpr double kDefaultFNumber = 2.0;
 
 PanelSize sensor_size(const OpticsParams& params, Vec2i scene_resolution) {
   return microlens_kind.panel_size(params, scene_resolution);
@@ -133,8 +131,8 @@ double given_image_distance(const ModelSetup& setup) {
   return image_distance_mm(f, z);
 }
 
-/// Returns the given gap. If no gap is given, returns the focal length of the microlenses. If neither is given, returns the gap
-/// at which the images below the microlenses touch.
+/// Returns the given gap. Without one, returns the focal length of the microlenses, or else the gap at which the images below
+/// them touch.
 double gap_of(const ModelSetup& setup, double cell) {
   if (setup.params.gap_mm) return static_cast<double>(*setup.params.gap_mm);
   if (setup.params.lens_focal_length_mm) return static_cast<double>(*setup.params.lens_focal_length_mm);

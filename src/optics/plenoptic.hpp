@@ -10,23 +10,22 @@
 //   m, p   pixel pitch and pitch of the microlenses
 //   l      position of a microlens
 //   A      position on the main lens
-// All lengths on the sensor are those of the upright picture, so that their signs are opposite to the signs of the real
-// positions behind the main lens.
+// All lengths on the sensor are those of the upright picture, so their signs are opposite to the real positions behind the main
+// lens.
 //
 // 1. The centre of the main lens is imaged by microlens l to l (1 + b/t). Cells are therefore those of a lens array seen from
 //    the distance t (optics/lens_axis.hpp), and are p (1 + b/t) apart.
 // 2. The ray of a pixel at offset o (in pixels) from the centre of its cell passes through the point A = o m t/b of the main
 //    lens. The ray is blocked if |A| > f / 2N. The images below the microlenses touch if b = N p (1 + b/t) t/f.
-// 3. The main lens (a thin lens) adds A/f to the slope of the ray. In front of the camera, the line is
-//    x(Z) = A - Z (A/f - (A + l)/t).
+// 3. The main lens (a thin lens) adds A/f to the slope of the ray. In front of the camera, the line is x(Z) = A - Z (A/f - (A +
+//    l)/t).
 //
 // For e = 0, the line is x(Z) = A (1 - Z/Zf) + l Z/s. Then all pixels below a microlens see the same point of the plane z = 0.
 // A point (X, Z) appears in the view through A at l = s (X/Z + A (1/Zf - 1/Z)). Neighbouring views are m t/b apart on the main
 // lens. Their disparity is s (1/Zf - 1/Z) m t / (b p) lenses, which is 0 in the plane z = 0.
 //
-// Microlenses are modelled as pinholes, so that their focal length and the sharpness of their images play no role. In a
-// plenoptic camera 2.0, microlenses of focal length g image the main lens's image of the plane z = 0 sharply if
-// 1/e + 1/b = 1/g.
+// Microlenses are modelled as pinholes, so the sharpness of their images plays no role. In a plenoptic camera 2.0, microlenses
+// of focal length g image the main lens's image of the plane z = 0 sharply if 1/e + 1/b = 1/g.
 #pragma once
 
 #include <algorithm>
@@ -42,17 +41,18 @@ namespace lippmann {
 
 template <class LensRays>
 struct PlenopticRays {
-  LensRays lenses;            ///< rays of the microlens array, in the plane of the array
-  float array_mm;             ///< t, distance from the main lens to the array
-  float power;                ///< 1/f, per mm
-  float front_from_lens_mm;   ///< z of the plane z_front relative to the main lens: z_front - Zf, <= 0
-  float aperture_radius_mm2;  ///< square of the aperture's radius
+  LensRays lenses;
+  float array_mm;            ///< distance from the main lens to the array
+  float power;               ///< 1 / focal length, per mm
+  float front_from_lens_mm;  ///< z of the plane z_front relative to the main lens, <= 0
+  float aperture_radius_mm2;
 };
 
 struct SquarePlenopticRays : PlenopticRays<SquareMicrolensRays> {};
 struct HexagonalPlenopticRays : PlenopticRays<HexagonalMicrolensRays> {};
 
-/// The point A where a ray meets the main lens, and the slope of the ray on the sensor's side, -(A + l)/t.
+/// The point A where a ray meets the main lens, and the slope of the ray on the sensor's side, -(A + l)/t. plenoptic.hpp
+/// explains the symbols.
 struct MainLensCrossing {
   Vec2f at, slope;
 };
@@ -81,17 +81,16 @@ void write_block(const SquarePlenopticRays& constants, const RayFrame& frame, co
 void write_block(const HexagonalPlenopticRays& constants, const RayFrame& frame, const float* px, const float* py,
                  const RayArrays& rays);
 
-/// Returns s, the distance from the main lens to its image of the plane z = 0.
+/// Returns the distance from the main lens to its image of the plane z = 0.
 inline double image_distance_mm(double focal_length_mm, double distance_mm) {
   return focal_length_mm * distance_mm / (distance_mm - focal_length_mm);
 }
 
-/// Returns t, the distance from the main lens to the array.
 inline double array_distance_mm(const PlenopticCamera& camera) {
   return image_distance_mm(camera.focal_length_mm, camera.distance_mm) + static_cast<double>(camera.array_shift_mm);
 }
 
-// ---- Model interface (optics/model.hpp) -------------------------------------------------------------------------------
+// The functions of optics/model.hpp follow.
 
 constexpr std::string_view kind_of(const PlenopticCamera&) { return "plenoptic"; }
 constexpr int sub_pixels_of(const PlenopticCamera&) { return 1; }

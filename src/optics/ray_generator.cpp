@@ -8,7 +8,6 @@ AnyRays any_rays(Rays rays) {
   return rays;
 }
 
-/// Converts a variant of a model's types of rays to AnyRays.
 template <class... Kinds>
 AnyRays any_rays(std::variant<Kinds...> rays) {
   return std::visit([](const auto& kind) -> AnyRays { return kind; }, rays);

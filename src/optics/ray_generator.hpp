@@ -1,4 +1,3 @@
-// Generates world-space rays for many pixels. Constants are computed once per frame.
 #pragma once
 
 #include "lippmann/optics/optics.hpp"
@@ -7,8 +6,6 @@
 
 namespace lippmann {
 
-/// Generates rays of points on the panel. Thread-safe after construction. Construct one per frame, because construction is too
-/// slow for each packet.
 class RayGenerator {
  public:
   /// `optics` must pass validate(). `world_from_display` consists of a rotation, a uniform scale and a translation. Rays have
@@ -16,21 +13,19 @@ class RayGenerator {
   explicit RayGenerator(const Optics& optics, const Affine3f& world_from_display = {});
 
   /// Computes the rays of `count` points of the panel, in continuous pixel coordinates. Rays start in the plane z = z_front
-  /// (see resolved_z_front_mm()). Rays of a table start at their own origins. A multiple of 16 points is most efficient. The
+  /// (see resolved_z_front_mm()), and rays of a table at their own origins. A multiple of 16 points is most efficient. The
   /// arrays must not overlap.
   void rays(const float* pixel_x, const float* pixel_y, int count, const RayArrays& rays) const;
 
-  /// Returns the ray of one point, bit-identical to rays().
   Ray ray(Vec2f pixel) const;
 
   /// Sets mark[i] to `value` for each point i whose light is blocked (is_blocked()).
   void mark_blocked(const float* pixel_x, const float* pixel_y, int count, float value, float* mark) const;
 
-  /// Returns the unit vector along the display's -z in world space.
   Vec3f forward() const { return frame_.unit_forward; }
 
-  /// Returns the distance between the planes where rays start and end, in world units along forward(). The distance is infinite
-  /// if z_back is infinite. The length of a ray is depth() / dot(direction, forward()).
+  /// Returns the distance between the planes where rays start and end, in world units along forward(). It is infinite if z_back
+  /// is infinite. The length of a ray is depth() / dot(direction, forward()).
   float depth() const { return depth_; }
 
  private:

@@ -13,10 +13,9 @@ namespace lippmann {
 struct RayTableRays {
   std::shared_ptr<const std::vector<Ray>> rays;
   float samples_per_px;
-  int columns, rows;  ///< number of samples in the table, across and down
+  int columns, rows;
   float z_front_mm;
 
-  /// Returns the ray at a point of the panel. Points outside the panel are clamped to its edge.
   const Ray& at(float px, float py) const {
     const auto index = [this](float p, int count) {
       return static_cast<std::size_t>(std::clamp(static_cast<int>(std::floor(p * samples_per_px)), 0, count - 1));
@@ -25,11 +24,8 @@ struct RayTableRays {
   }
 };
 
-/// Writes the ray of one panel point. The ray starts at the origin that the table states.
 void write_ray_of(const RayTableRays& constants, const RayFrame& frame, float px, float py, const RayArrays& rays, int i);
 void write_block(const RayTableRays& constants, const RayFrame& frame, const float* px, const float* py, const RayArrays& rays);
-
-// ---- Model interface (optics/model.hpp) -------------------------------------------------------------------------------
 
 constexpr std::string_view kind_of(const RayTable&) { return "rays"; }
 constexpr int sub_pixels_of(const RayTable&) { return 1; }

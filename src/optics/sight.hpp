@@ -1,8 +1,8 @@
 // Computes which point of the panel an eye sees through a point of the display plane z = 0.
 //
 // Each lens is a pinhole. The line from the eye to a point of a lens is moved, without changing its slope, to the centre of the
-// lens, and continues straight to the panel. Outside the viewing zone, the line ends in the cell of a neighbouring lens, and
-// the picture flips. For a cylindrical lens, the line is moved only across the lens.
+// lens, and continues straight to the panel. Outside the viewing zone, it ends in the cell of a neighbouring lens. For a
+// cylindrical lens, the line is moved only across the lens.
 #pragma once
 
 #include "lippmann/optics/viewer.hpp"
@@ -11,15 +11,13 @@
 
 namespace lippmann {
 
-/// A point of the panel behind a lens array.
 struct PanelPoint {
-  Vec2d pixel{0.0};  ///< continuous pixel coordinates; may lie outside the panel
+  Vec2d pixel{0.0};
   /// Column and row of the lens through which the eye sees the point. In odd rows of a hexagonal array, columns are k + 1/2.
   /// For a sheet, the row is 0.
   Vec2d lens{0.0};
 };
 
-/// The column and row of the cell that contains a panel point, numbered like the lenses.
 using CellOf = Vec2d;
 
 class LenticularSight {
@@ -46,12 +44,11 @@ class MicrolensSight {
   bool hexagonal_;
 };
 
-/// A point of a quilt: the view, and the position in the tile of the view.
 struct QuiltPoint {
-  /// Column and row of the view in a camera grid, or (view, 0) in a cone of N views. An eye between two views has a fractional
-  /// view. Cones repeat beyond their ends, so that views are from -1/2 to N - 1/2. Camera grids do not repeat.
+  /// Column and row of the view in a camera grid, or (view, 0) in a cone of N views. Views may be fractional, for eyes between
+  /// two views. Cones repeat beyond their ends, so views are from -1/2 to N - 1/2.
   Vec2d view{0.0};
-  Vec2d pixel{0.0};  ///< position in the tile, in pixels from its top left corner
+  Vec2d pixel{0.0};
   bool in_zone = true;
 };
 
@@ -64,13 +61,13 @@ class QuiltSight {
   QuiltPoint seen_from(const Viewer& viewer, Vec2d point_mm) const;
   Vec2i views() const { return views_; }  ///< returns (columns, rows) of a camera grid, otherwise (number of views, 1)
   Vec2i tile_size() const { return tile_; }
-  Vec2i tile_origin(Vec2i view) const;  ///< returns the top left pixel of a view's tile
+  Vec2i tile_origin(Vec2i view) const;
 
  private:
-  int columns_ = 1, panel_height_;  ///< number of columns of tiles, and height of the panel in pixels
+  int columns_ = 1, panel_height_;
   Vec2i views_{1, 1};
   Vec2i tile_;
-  Vec2d centre_px_;  ///< position of x = y = z = 0 in a tile, in pixels
+  Vec2d centre_px_;
   Vec2d pixel_mm_;
   double distance_, first_angle_ = 0.0, angle_step_ = 0.0, baseline_ = 0.0;
 };

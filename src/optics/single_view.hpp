@@ -1,4 +1,3 @@
-// Computes the rays of one pinhole in front of the display plane, through the rectangle of the panel in the plane z = 0.
 #pragma once
 
 #include <vector>
@@ -9,13 +8,13 @@
 
 namespace lippmann {
 
-/// The rays of a pinhole at (0, eye_height, distance). They are computed relative to the pinhole, so that they start exactly at
-/// the pinhole if z_front = distance.
+/// The rays of a pinhole at (0, eye_height, distance). They are computed relative to the pinhole, so that they start exactly
+/// there if z_front = distance.
 struct SingleViewRays {
   float centre_x_px, centre_y_px;  ///< the panel's centre minus the offset of the sample points
   float pixel_pitch_mm;
   float eye_y_mm;
-  float inverse_distance;   ///< 1 / distance, per mm
+  float inverse_distance;
   float front_from_eye_mm;  ///< z of the plane z_front relative to the eye: z_front - distance, <= 0
 };
 
@@ -30,9 +29,9 @@ LIPPMANN_INLINE Crossing crossing(const SingleViewRays& c, float px, float py) {
 void write_block(const SingleViewRays& constants, const RayFrame& frame, const float* px, const float* py,
                  const RayArrays& rays);
 
-class QuiltSight;  // optics/sight.hpp
+class QuiltSight;
 
-// ---- Model interface (optics/model.hpp) -------------------------------------------------------------------------------
+// The functions of optics/model.hpp follow.
 
 constexpr std::string_view kind_of(const SingleView&) { return "single"; }
 constexpr int sub_pixels_of(const SingleView&) { return 1; }

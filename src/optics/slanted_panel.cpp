@@ -2,8 +2,8 @@
 // 1. The line from an eye at (e, D) through the point crosses z = 0 at x = X M + e (1 - M), where M = D / (D - Z).
 // 2. A sub-pixel below lens k with the phase k + f lies at x = (k + f - c) p, where c is the phase at x = 0.
 // 3. The eye of this sub-pixel is at e = s D tan(cone (v - 1/2)), with the parallax s and v = 1 - f (inverted) or v = f.
-// 4. Therefore f solves G(f) = p f + a tan(cone (f - 1/2)) = X M - (k - c) p. If v = 1 - f, a = (1 - M) D s; if v = f,
-//    a = -(1 - M) D s.
+// 4. Therefore f solves G(f) = p f + a tan(cone (f - 1/2)) = X M - (k - c) p. If v = 1 - f, a = (1 - M) D s; if v = f, a = -(1
+//    - M) D s.
 // 5. G is monotone, except for some points in front of the panel, near the depth where a lens shows one point over its full
 //    width (Z cone = p). There G has two turning points, at cos^2(cone (f - 1/2)) = -a cone / p. In each interval where G is
 //    monotone, there is at most one solution per lens.
@@ -25,7 +25,6 @@ class LensEquation {
 
   double value(double f) const { return pitch_ * f + a_ * std::tan(cone_ * (f - 0.5)); }
 
-  /// Returns the ends of the intervals in [0, 1] where G is monotone, in ascending order.
   std::vector<double> ends() const {
     const double cos2 = -a_ * cone_ / pitch_;
     std::vector<double> ends{0.0};
@@ -61,7 +60,6 @@ class LensEquation {
 constexpr double kMaxTilt = 1e3, kMaxPhase = 1e6;  ///< within these limits, phases are exact to 1e-7 lenses
 constexpr double kMaxOffset = 4;                   ///< maximum distance of a sub-pixel from its pixel's centre, in pixels
 
-/// Appends all sub-pixels at a point of the plane z = 0. The point is given in panel pixels from the left and from the bottom.
 void append_sub_pixels(const Panel& panel, const SlantedPanel& slanted, double x, double y, std::vector<Vec2f>& pixels) {
   const int width = panel.width, height = panel.height;
   for (int up = 0; up < 4; ++up)
@@ -133,7 +131,6 @@ void pixels_seeing(const Panel& panel, const SlantedPanel& slanted, Vec3f point_
   std::vector<double> values;
   for (const double end : ends) values.push_back(equation.value(end));
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
-  // Finds the range of lenses above the panel that may show the point.
   const double offset = phase_at_middle + x_mm / pitch, half_panel = 0.5 * slanted.periods + kReach * pixel_mm / pitch;
   const double first = std::max(std::floor(offset - *most / pitch), std::floor(phase_at_middle - half_panel));
   const double last = std::min(std::ceil(offset - *least / pitch), std::floor(phase_at_middle + half_panel));
@@ -167,7 +164,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Returns nested lists with the indices [row from the bottom][column][colour].
 Json sub_pixels_json(const SubPixelOffsets& offsets) {
   Json rows = Json::array();
   for (const auto& row : offsets) {
@@ -182,7 +178,6 @@ Json sub_pixels_json(const SubPixelOffsets& offsets) {
   return rows;
 }
 
-/// Reads a JSON list, which must have exactly list.size() elements.
 template <class List>
 void read_list(const JsonFields& members, const Json& json, List& list, const auto& read_element) {
   if (!json.is_array() || json.size() != list.size())
@@ -240,8 +235,7 @@ OpticsFacts facts_of(const Panel& panel, const SlantedPanel& slanted) {
 }
 
 LensCells lens_cells_of(const Panel& panel, const SlantedPanel& slanted) {
-  // The phase at (x, y), from 0 to 1 across and up the panel, is (x + y T) P - center (slanted_panel.hpp). Here it is converted
-  // to a function of mm from the panel's centre.
+  // Converts the phase (x + y T) P - center (slanted_panel.hpp) to a function of mm from the panel's centre.
   const double periods = slanted.periods, pixel = panel.pixel_pitch_mm;
   LensCells cells;
   cells.lenses_per_mm = Vec2d(1.0 / panel.width, slanted.tilt / panel.height) * (periods / pixel);
@@ -260,7 +254,7 @@ StepRule step_rule(const Panel& panel, const SlantedPanel& slanted, StepsWithin)
   StepRule rule;
   rule.across.x = static_cast<float>(3.0 / std::abs(c.lenses_per_px));
   rule.down.x =
-      // A row down has lenses_per_row less phase; the step to the right restores it.
+      // One row down, the phase is lower by lenses_per_row. The step to the right compensates for this.
       static_cast<float>(3.0 * c.lenses_per_row / c.lenses_per_px);
   return rule;
 }

@@ -1,5 +1,5 @@
 // Computes the rays of a calibrated slanted panel. Each sub-pixel has one ray, in the direction in which the lens above it
-// emits its light. Rendering sub-pixels directly, without intermediate views, gives the panel's full resolution.
+// emits its light.
 //
 // 1. (x, y) is the position of a sub-pixel, from 0 to 1 across and up the panel. Its phase below the lenses is (x + y T) P -
 //    center, with T = SlantedPanel::tilt and P = SlantedPanel::periods.
@@ -21,24 +21,23 @@ namespace lippmann {
 
 struct SlantedPanelRays {
   double lenses_per_px, lenses_per_row;  ///< increase of the phase per panel pixel to the right, and per panel row up
-  double phase_at_corner;                ///< phase at the panel's bottom left corner
-  float phase_sign;                      ///< -1 if v = 1 - fract(phase), otherwise 1
-  float half_cone;                       ///< half the view cone, for tangent_of_double()
-  float width_px, height_px;             ///< size of the panel in panel pixels
+  double phase_at_corner;
+  float phase_sign;  ///< -1 if view v = 1 - fract(phase), 1 if v = fract(phase)
+  float half_cone;
+  float width_px, height_px;
   float pixel_mm;
   float eye_reach_mm;  ///< an eye's x divided by the tangent of its angle
   float eye_y_mm;
   float distance_mm, inverse_distance;
   float front_from_eye_mm;  ///< z of the plane z_front relative to the eye: z_front - distance, <= 0
-  /// Positions of sub-pixels relative to their pixel's centre, in panel pixels, y up. The index of a sub-pixel is
-  /// 3 (2 (row mod 4) + column mod 2) + colour, where rows count from the bottom.
+  /// Positions of sub-pixels relative to their pixel's centre, in panel pixels, y up. The index of a sub-pixel is 3 (2 (row mod
+  /// 4) + column mod 2) + colour, where rows count from the bottom.
   float offset_x[24], offset_y[24];
 };
 
 SlantedPanelRays make_slanted_panel(const Panel& panel, const SlantedPanel& slanted, float z_front_mm);
 
 LIPPMANN_INLINE Crossing crossing(const SlantedPanelRays& c, float px, float py) {
-  // First, finds the sub-pixel (colour, column, and row from the bottom). Then finds the position within the sub-pixel.
   const float sub_pixel = std::floor(px), column = std::floor((sub_pixel + 0.5f) * (1.0f / 3.0f)), row = std::floor(py);
   const float color = sub_pixel - 3.0f * column;
   const float up = c.height_px - 1.0f - row;
@@ -58,12 +57,11 @@ LIPPMANN_INLINE Crossing crossing(const SlantedPanelRays& c, float px, float py)
 void write_block(const SlantedPanelRays& constants, const RayFrame& frame, const float* px, const float* py,
                  const RayArrays& rays);
 
-class SlantedSight;  // optics/slanted_sight.hpp
+class SlantedSight;
 
-/// The sub-pixels below one lens, along a row.
 struct SlantedLens {
   float pitch_mm;
-  float slope_step;  ///< change of dx/dz from one sub-pixel to the next
+  float slope_step;
 };
 
 inline SlantedLens slanted_lens(const Panel& panel, const SlantedPanel& slanted) {
@@ -71,7 +69,7 @@ inline SlantedLens slanted_lens(const Panel& panel, const SlantedPanel& slanted)
   return {sub_pixels * (panel.pixel_pitch_mm / 3.0f), 2.0f * std::tan(0.5f * slanted.view_cone) / sub_pixels};
 }
 
-// ---- Model interface (optics/model.hpp) -------------------------------------------------------------------------------
+// The functions of optics/model.hpp follow.
 
 constexpr std::string_view kind_of(const SlantedPanel&) { return "slanted"; }
 constexpr int sub_pixels_of(const SlantedPanel&) { return 3; }

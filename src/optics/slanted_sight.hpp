@@ -14,8 +14,8 @@
 namespace lippmann {
 
 struct SlantedPoint {
-  double lens = 0.0;      ///< index of the lens: the whole part of the phase
-  double fraction = 0.5;  ///< fraction of the phase at the point below the lens that the eye sees
+  double lens = 0.0;
+  double fraction = 0.5;
   bool in_zone = true;
 };
 
@@ -24,19 +24,17 @@ class SlantedSight {
  public:
   SlantedSight(const Panel& panel, const SlantedPanel& slanted);
 
-  Vec2i size() const { return size_; }  ///< size of the panel in pixels
+  Vec2i size() const { return size_; }
 
-  /// Returns the continuous pixel coordinates of a point of the plane z = 0.
   Vec2d pixel_at(Vec2d point_mm) const;
 
   /// Returns the point below the lens that the eye sees through a point of the plane z = 0, in the panel's row `row`.
   SlantedPoint seen_from(const Viewer& viewer, Vec2d point_mm, int row) const;
 
   /// Returns the position along a row, in continuous pixel coordinates, of the pixel whose sub-pixel of this colour has the
-  /// phase of `point`. `near_column` is an estimate of the column, which selects the arrangement of sub-pixels.
+  /// phase of `point`. `near_column` is an estimate of it.
   double column_of(const SlantedPoint& point, int color, int row, double near_column) const;
 
-  /// Returns the index of the lens above a sub-pixel.
   double lens_of(int column, int row, int color) const;
 
  private:

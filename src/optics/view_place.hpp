@@ -20,10 +20,10 @@ class ViewPlaces {
   /// `optics` must pass validate().
   explicit ViewPlaces(const Optics& optics);
 
-  /// Returns 1 / V, per mm; 0 if the rays of a view are parallel.
+  /// Returns 1 / (viewer's distance), per mm; 0 if the rays of a view are parallel.
   double vergence() const { return vergence_; }
   /// Returns the number of samples of a view per mm in the plane z = 0, to the right and down. For slanted panels, returns the
-  /// number of pixels per mm, although a view has samples only on some of the sub-pixels.
+  /// number of pixels per mm.
   glm::dvec2 samples_per_mm() const { return samples_per_mm_; }
 
   /// Returns the position at which a view sees a point, in samples right and down from x = y = 0. `ray` is any ray of the view,

@@ -1,4 +1,3 @@
-// Describes and changes the angular spacing of a quilt's views.
 #pragma once
 
 #include <string>

@@ -28,12 +28,10 @@ void ViewSteps::limit_to_tile(Vec2f place, ViewWalk& walk) const {
   const Vec2i at(place.x, std::max(0.0f, place.y - static_cast<float>(rule_.padding_top)));
   const Vec2i tile = glm::min(at / rule_.tile, rule_.last_tile),
               first(tile.x * rule_.tile.x, rule_.padding_top + tile.y * rule_.tile.y);
-  // Padding of a quilt counts as part of the adjacent tile.
   walk.low_ = {first.x, tile.y == 0 ? 0 : first.y};
   walk.high_ = {tile.x == rule_.last_tile.x ? film_.x : first.x + rule_.tile.x, first.y + rule_.tile.y};
 }
 
-/// Limits the walk to the pixels whose centres lie below the lens at `place`.
 void ViewSteps::limit_to_lens(Vec2f place, ViewWalk& walk) const {
   const auto limit = [](const LensAxis<float>& axis, float s, float shift, float scale, float& low, float& high) {
     const float begin = axis.start_px + std::floor((s - axis.start_px) * axis.cells_per_px) * axis.cell_px;

@@ -1,4 +1,3 @@
-// Steps from a pixel to its neighbours in the same picture. A picture is a directional view, or the pixels below one lens.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +15,6 @@ inline constexpr StepDirection kStepDirections[] = {StepDirection::kLeft, StepDi
 /// Iterates over the pixels of one picture in one direction.
 class ViewWalk {
  public:
-  /// Returns the index of the next pixel, or nothing at the end of the view, the lens or the panel.
   std::optional<std::uint32_t> next() {
     place_ += step_;
     if (!(place_.x >= low_.x && place_.x < high_.x && place_.y >= low_.y && place_.y < high_.y)) return std::nullopt;
@@ -31,19 +29,17 @@ class ViewWalk {
 };
 
 /// Finds the neighbours of a pixel.
-/// - kView: the pixels at the same offset below the neighbouring lenses, or the pixels nearest to this offset. Along the lenses
-///   of a lenticular sheet or a slanted panel, the neighbours are pixels of the next row.
+/// - kView: the pixels at (or nearest to) the same offset below the neighbouring lenses. Along cylindrical lenses, the
+///   neighbours are pixels of the next row.
 /// - kLens: the neighbouring pixels below the same lens. For hexagonal packing, the area below a lens is approximated by a
 ///   rectangle of lens pitch by row pitch.
 /// In single views and quilts, kView and kLens both mean the neighbouring pixels of the same view.
 class ViewSteps {
  public:
-  /// `optics` must pass validate().
   ViewSteps(const Optics& optics, StepsWithin within);
 
   ViewWalk walk(std::uint32_t pixel, StepDirection direction) const;
 
-  /// Returns the length of a step in pixels.
   float length_px(StepDirection direction) const { return glm::length(step_of(direction)); }
 
  private:

@@ -8,13 +8,12 @@
 namespace lippmann {
 namespace {
 
-/// Returns the slope (right, up) of the direction to the eye at `share` of the viewing zone (0 to 1 on each axis), relative to
-/// the slope at the zone's middle.
+/// Returns the slope (right, up) of the direction to an eye, relative to the middle of the viewing zone. `share` is the
+/// position in the zone, from 0 to 1 on each axis.
 Vec2d slope_in_zone(const Optics& optics, Vec2d share) {
   return std::visit([&](const auto& model) { return zone_slope(optics.panel, model, share); }, optics.model);
 }
 
-/// Returns the number of pixels of the panel, or of one view of a quilt, across and down.
 Vec2i window_pixels(const Optics& optics, const OpticsFacts& facts) {
   return facts.tiles ? picture_size(optics) / Vec2i(facts.tiles->columns, facts.tiles->rows) : picture_size(optics);
 }

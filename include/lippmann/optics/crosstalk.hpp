@@ -2,8 +2,7 @@
 // take the place of pixels.
 //
 // The blur of a lens is a Gaussian on the panel, whose sigma is given in pixels. The weight of a pixel is the integral of the
-// Gaussian over the pixel. Replay simulates crosstalk by this definition. Precompensation (layout/precompensate.hpp)
-// counteracts it.
+// Gaussian over the pixel.
 #pragma once
 
 #include <array>
@@ -16,7 +15,6 @@ namespace lippmann {
 
 inline constexpr double kMaxBlurPx = 8.0;
 
-/// The weight of one pixel along one axis of a filter.
 struct Tap {
   int index;
   double weight;
@@ -32,15 +30,14 @@ struct Taps {
   const Tap* end() const { return tap.data() + count; }
 };
 
-/// Returns the weights of the pixels seen at a position in continuous pixel coordinates, where pixel i covers [i, i + 1). The
-/// weight of a pixel is the integral of a Gaussian of `sigma_px` over the pixel. The Gaussian is cut off at 4 sigma. `sigma_px`
-/// is above 0 and at most kMaxBlurPx. Indices may lie outside the image. Callers skip such indices and renormalise the
-/// remaining weights.
+/// Returns the weights of the pixels seen at a position in continuous pixel coordinates, where pixel i covers [i, i + 1). A
+/// weight is the integral of a Gaussian of `sigma_px`, cut off at 4 sigma. `sigma_px` is above 0 and at most kMaxBlurPx.
+/// Callers skip indices outside the image and renormalise the remaining weights.
 Taps gaussian_taps(double position_px, double sigma_px);
 
-/// Returns the sigma of the blur along x and along y, in pixels of the panel. A sigma is 0 if the lenses have no power along
-/// the axis. For quilts, the unit is columns and rows of views. For slanted panels, the unit is whole pixels, and each colour
-/// is blurred separately. `sigma_px` is measured perpendicular to the lenses.
+/// Returns the sigma of the blur along x and y, in pixels of the panel; 0 if the lenses have no power along the axis. For
+/// quilts, the unit is columns and rows of views. For slanted panels, each colour is blurred separately. `sigma_px` is measured
+/// perpendicular to the lenses.
 Vec2d crosstalk_sigmas(const Optics& optics, double sigma_px);
 
 /// Returns the weight of each of the two neighbouring pixels, for an eye that sees the middle of a pixel.

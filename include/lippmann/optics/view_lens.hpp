@@ -4,8 +4,7 @@
 // the focal plane z = f. With aperture A and eye distance D, a point at depth z blurs to a disc of diameter A |z - f| / (D - z)
 // in the focal plane. In the display plane z = 0, the disc is D / (D - f) times as large.
 //
-// Only views can have such lenses: single views, quilts, camera grids and stereo pairs. Pixels below lens arrays have their own
-// directions and blur with depth by the optics of the array.
+// Only views can have such lenses: single views, quilts, camera grids and stereo pairs.
 #pragma once
 
 #include "lippmann/optics/optics.hpp"
@@ -15,8 +14,7 @@ namespace lippmann {
 /// The opening of the lens, by default a pinhole. At most one of aperture_mm and f_number may be non-zero.
 struct ViewLens {
   float aperture_mm = 0.0f;  ///< diameter of the lens in mm of the display frame; 0: f_number determines it
-  /// F-number for a sensor of width kSensorWidthMm and a scene in metres. If f_number and aperture_mm are both 0, the lens is a
-  /// pinhole.
+  /// F-number for a sensor of width kSensorWidthMm and a scene in metres; 0: aperture_mm determines the aperture.
   float f_number = 0.0f;
   float focal_plane_mm = 0.0f;  ///< z of the plane in focus; the display plane is z = 0
 

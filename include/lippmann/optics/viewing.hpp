@@ -22,33 +22,31 @@ struct Window {
   }
 };
 
-/// Returns the size of the panel's picture in pixels.
 inline Vec2i picture_size(const Optics& optics) { return {optics.panel.width, optics.panel.height}; }
 
 /// Returns the part of the plane z = 0 that the design viewer sees through the panel (or through one tile of a quilt).
 Window display_window(const Optics& optics);
 
-/// Returns the viewer that the display is made for. If the viewing distance of the display is infinite, the viewer is
-/// infinitely far away.
+/// Returns the viewer that the display is made for, who may be infinitely far away.
 Viewer design_viewer(const Optics& optics);
 
 /// Returns the eye at `share` of the viewing zone, from 0 at its left end to 1 at its right end, at the design viewer's height
 /// and distance. With N pixels per lens, or N views, the i-th eye from the left has share (i + 1/2) / N. For a single view, the
 /// eye is the same for every share.
 Viewer viewer_in_zone(const Optics& optics, double share);
-/// Returns the eye at `share` of the viewing zone from bottom to top. Without vertical parallax, the eye is the same for every
-/// share.
+/// Returns the eye at `share` of the viewing zone, from 0 at its bottom to 1 at its top. Without vertical parallax, the eye is
+/// the same for every share.
 Viewer viewer_in_zone_vertically(const Optics& optics, double share);
 
-/// Returns the x in mm of an eye that is at `share` of the viewing zone and at the distance z_mm from the display.
+/// Returns the x in mm of an eye at `share` of the viewing zone (0 to 1) and at the distance z_mm from the display.
 double zone_x_mm(const Optics& optics, double share, double z_mm);
 
 /// Returns the default eye position: the design viewer's, or 3 window heights in front if the design viewer is infinitely far
 /// away.
 Vec3d default_eye_mm(const Optics& optics);
 
-/// Returns the number of samples of one view in the plane z = 0, across and down. There is one sample per lens along axes with
-/// lens power, and one sample per pixel along other axes.
+/// Returns the number of samples of one view in the plane z = 0, across and down: one sample per lens along axes with lens
+/// power, and one per pixel along other axes.
 Vec2i lens_grid(const Optics& optics);
 
 /// Returns the spacing of one view's samples in mm. Across a slanted panel, the spacing is the distance between lenses along a
