@@ -11,7 +11,7 @@
 namespace lippmann {
 namespace {
 
-/// Returns the rotation of a node, computed from its -z and y directions. Returns the identity if the transform is degenerate.
+/// Returns the rotation of a node from its -z and y directions, or the identity if the transform is degenerate.
 Quatf orientation(const Affine3f& world_from_node) {
   const Vec3f z = world_from_node.linear[2], x = glm::cross(world_from_node.linear[1], z);
   const float z_length = glm::length(z), x_length = glm::length(x);
@@ -29,20 +29,18 @@ const MetallicRoughness* physical_surface(const Scene& scene, const Instance& in
   return std::get_if<MetallicRoughness>(&material_of(scene, instance).surface);
 }
 
-/// Returns whether lamps change the appearance of the material.
 bool is_lit_by_lamps(const Material& material) {
   if (const auto* phong = std::get_if<PhongSurface>(&material.surface)) return phong->diffuse > 0.0f;
   return !std::get<MetallicRoughness>(material.surface).unlit;
 }
 
-/// Returns whether the material is visible without lamps in Whitted shading.
 bool is_self_lit(const Material& material) {
   const auto* phong = std::get_if<PhongSurface>(&material.surface);
   return phong && (phong->ambient > 0.0f || phong->emission != Vec3f(0.0f));
 }
 
-/// Returns whether path tracing treats the material as a light source. Materials with ambient but no diffuse light are included
-/// because scenes use them for backdrops.
+/// Returns whether path tracing treats the material as a light source. Scenes use materials with ambient but no diffuse light
+/// for backdrops.
 bool is_phong_lamp(const Material& material) {
   const auto* phong = std::get_if<PhongSurface>(&material.surface);
   return phong && (phong->emission != Vec3f(0.0f) || (phong->diffuse == 0.0f && phong->ambient > 0.0f));
@@ -50,14 +48,12 @@ bool is_phong_lamp(const Material& material) {
 
 float brightest(Vec3f color) { return std::max({color.x, color.y, color.z}); }
 
-/// Returns whether some lamp has a colour with a channel of at least the smallest normal float. The renderer rounds smaller
-/// values to 0.
+/// The renderer rounds channels below the smallest normal float to 0.
 bool has_lamps(const Scene& scene) {
   return std::any_of(scene.lights.begin(), scene.lights.end(),
                      [](const Light& light) { return brightest(light.color) >= std::numeric_limits<float>::min(); });
 }
 
-/// Returns the area of a mesh in world units. Ignores skins and morph targets.
 double area_of(const Mesh& mesh, const Affine3f& world_from_mesh) {
   double twice = 0.0;
   for (const auto& triangle : mesh.triangles) {
@@ -109,8 +105,8 @@ Quatf viewer_orientation(const Scene& scene) {
 }
 
 void add_default_light(Scene& scene) {
-  // A white diffuse surface that faces the key light gets radiance 0.8 from this light, plus 0.2 from the background's mean. A
-  // surface in shadow gets only the mean. The background is a gradient so that such surfaces stand out from it.
+  // A white diffuse surface that faces the key light gets radiance 0.8 from this light, plus 0.2 from the background's mean.
+  // The background is a gradient so that surfaces in shadow stand out from it.
   constexpr float kKey = 0.8f * kPi, kHorizon = 0.08f, kZenith = 0.32f;
   constexpr float kUp = radians(30.0f), kLeft = radians(15.0f);
   const Quatf viewer = viewer_orientation(scene);

@@ -3,8 +3,8 @@
 // 2. The skin moves it to v' = sum_i w_i J_i B_i v. J_i is the world transform of joint i, and B_i is its inverse bind matrix.
 //    The transform of the mesh's node is ignored.
 //
-// Normals are transformed by the cofactor matrix of sum_i w_i J_i B_i. The cofactor matrix equals the inverse transpose up to
-// scale, but it also exists for singular matrices. It keeps normals on the side from which triangles are counter-clockwise.
+// Normals are transformed by the cofactor matrix of sum_i w_i J_i B_i, which equals the inverse transpose up to scale but also
+// exists for singular matrices.
 #include "scene/deform.hpp"
 
 #include <algorithm>

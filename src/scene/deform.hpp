@@ -1,6 +1,3 @@
-// Computes the vertices of deforming meshes at a given time: first the morph targets are applied, then the skin.
-//
-// The results are in world space. The transform of the instance's node is already included.
 #pragma once
 
 #include <utility>
@@ -11,26 +8,23 @@
 
 namespace lippmann {
 
-/// Returns whether the instance's mesh has a skin or morph targets.
 bool is_posed(const Scene& scene, const Instance& instance);
 
-/// Returns for each instance whether its position or shape ever changes.
 std::vector<bool> moving_instances(const Scene& scene);
 
 struct PosedVertex {
   Vec3f position{0.0f};
-  Vec3f normal{0.0f};   ///< unit length; 0 if the mesh has no normals
-  Vec4f tangent{0.0f};  ///< as in Mesh::tangents; 0 if the mesh has no tangents
+  Vec3f normal{0.0f};
+  Vec4f tangent{0.0f};
   bool operator==(const PosedVertex&) const = default;
 };
 
 /// The deformed mesh of one instance at one time. Requires is_posed(). Thread-safe.
 class MeshPose {
  public:
-  /// The largest coordinate of a result. Larger coordinates and NaN are clamped.
+  /// Larger coordinates and NaN are clamped to this.
   static constexpr float kReach = 1e18f;
 
-  /// `scene` must have passed validate(). `scene` and `resolved` must outlive this object.
   MeshPose(const Scene& scene, const Instance& instance, const ResolvedScene& resolved);
 
   Vec3f position(std::size_t vertex) const;
@@ -38,8 +32,7 @@ class MeshPose {
   /// counter-clockwise.
   PosedVertex vertex(std::size_t vertex) const;
 
-  /// Returns whether the mesh is mirrored, so that counter-clockwise triangles face inwards. Only the transform of the first
-  /// joint, or of the node if there is no skin, decides.
+  /// Returns whether the mesh is mirrored, as decided by the transform of the first joint, or of the node if there is no skin.
   bool mirrors() const;
 
  private:
@@ -52,9 +45,9 @@ class MeshPose {
   Vec3f morphed_position(std::size_t vertex) const;
 
   const Mesh& mesh_;
-  std::vector<Weighted> targets_;  ///< morph targets with a non-zero weight
+  std::vector<Weighted> targets_;
   bool has_skin_;
-  std::vector<Affine3f> world_from_mesh_;  ///< one transform per joint; without a skin, only the node's transform
+  std::vector<Affine3f> world_from_mesh_;
 };
 
 }  // namespace lippmann

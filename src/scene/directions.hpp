@@ -5,7 +5,7 @@
 
 namespace lippmann {
 
-/// Returns the unit vector along v, for any finite non-zero v. Uses double precision so that no length overflows or underflows.
+/// Uses double precision so that no length overflows or underflows.
 Vec3f direction_of(Vec3f v);
 
 /// Returns the rotation of a node whose -z points along `forward` and whose +y is as close to `up` as possible. Both vectors

@@ -2,8 +2,7 @@
 
 #include "core/fingerprint.hpp"
 
-// Every structured binding lists all members of its struct. After a member is added to a struct, this file does not compile
-// until the binding contains that member.
+// Every structured binding lists all members of its struct. A new member causes a compile error until it is hashed.
 
 namespace lippmann {
 namespace {
@@ -20,7 +19,7 @@ class SceneFingerprint {
   void add(const Scene& scene) {
     const auto& [name, nodes, shapes, textures, materials, instances, skins, lights, webs, cameras, display, background,
                  timeline, animation_names, animation, variant_names, origin, encoding, max_depth, resolution, kind] = scene;
-    static_cast<void>(kind);  // unused: kind only selects default options
+    static_cast<void>(kind);  // kind only selects default options
     add_each(nodes);
     add_each(shapes);
     add_each(textures);

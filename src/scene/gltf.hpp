@@ -1,4 +1,4 @@
-// Reads glTF 2.0, the Khronos Group's exchange format: JSON with separate files (.gltf), or a single binary file (.glb).
+// Reads glTF 2.0: JSON with separate files (.gltf), or a single binary file (.glb).
 //
 // Supported contents:
 // - the node hierarchy of the default scene, and its cameras,
@@ -10,8 +10,8 @@
 //   _anisotropy, _iridescence, _pbrSpecularGlossiness, _variants, KHR_texture_transform, EXT_texture_webp,
 //   KHR_mesh_quantization, KHR_draco_mesh_compression, EXT_meshopt_compression, EXT_mesh_gpu_instancing.
 //
-// Each kind of unsupported content, such as another extension or a second scene, causes one warning. An unsupported extension
-// that the file requires is an Error. The reader adds no default lights.
+// Each kind of unsupported content causes one warning. An unsupported extension that the file requires is an Error. The reader
+// adds no default lights.
 //
 // The reader does not trust the file. It checks every index, count and byte range before use. It allocates memory in proportion
 // to the actual data and within GltfLimits. It opens no file outside the scene's folder and the asset root.
@@ -31,30 +31,29 @@ namespace lippmann {
 /// Frame rate of animations whose keys fit no other rate. glTF itself has no frame rate.
 inline constexpr double kGltfFramesPerSecond = 30.0;
 
-/// Resource limits of one scene. Exceeding a limit is an Error.
 struct GltfLimits {
-  std::uint64_t file_bytes = 0xffff'ffff;        ///< size of each file; the default is the largest length that a .glb can state
-  std::uint64_t json_values = 20'000'000;        ///< number of JSON values; the limit corresponds to about 2 GB of parsed JSON
-  std::uint64_t json_objects = 2'000'000;        ///< total number of nodes, meshes, accessors and other objects
-  int json_depth = 64;                           ///< nesting depth of the JSON; glTF itself needs 9
-  std::uint64_t unpacked_bytes = 8'000'000'000;  ///< total size of meshes, instances and key frames
-  int texture_side = 16384;                      ///< width or height of a texture, in pixels
-  int frames = 1'000'000;                        ///< number of frames of an animation
+  std::uint64_t file_bytes = 0xffff'ffff;  ///< size of each file; the default is the largest length that a .glb can state
+  std::uint64_t json_values = 20'000'000;  ///< number of JSON values; this limit corresponds to about 2 GB of parsed JSON
+  std::uint64_t json_objects = 2'000'000;
+  int json_depth = 64;  ///< nesting depth of the JSON; glTF itself needs 9
+  std::uint64_t unpacked_bytes = 8'000'000'000;
+  int texture_side = 16384;
+  int frames = 1'000'000;
 };
 
-/// Loads a file. The timeline shows frame f at the time f / options.frames_per_second. It has as many frames as fit into the
-/// animation without repeating the first one, and at least one. If options.frames_per_second is 0, the rate is the first of 30,
-/// 24, 25 and 60 at which every key falls on a frame, or 30 if there is none. Ignores options.camera_path. Throws Error naming
-/// the file and the element ("Box.glb: accessors[3]: ...").
+/// Loads a file. Frame f is at the time f / options.frames_per_second. There are as many frames as fit into the animation
+/// without repeating the first one. If options.frames_per_second is 0, the rate is the first of 30, 24, 25 and 60 at which
+/// every key falls on a frame, or 30 if there is none. Ignores options.camera_path. Throws Error naming the file and the
+/// element ("Box.glb: accessors[3]: ...").
 Scene load_gltf(const std::filesystem::path& path, const LoadOptions& options, const Context& context,
                 const GltfLimits& limits = {});
 
-/// Same as load_gltf(), for the contents of a file. `path` names the file in messages. Files that the scene refers to are
-/// searched in the folder of `path`.
+/// Same as load_gltf(), for the contents of a file. `path` names the file in messages, and its folder holds the files that the
+/// scene refers to.
 Scene parse_gltf(std::vector<std::byte> contents, const std::filesystem::path& path, const LoadOptions& options,
                  const Context& context, const GltfLimits& limits = {});
 
-/// Returns whether a file has meshes and all of them are splats (KHR_gaussian_splatting). Returns false for unreadable files.
+/// Returns whether a file has meshes and all of them are splats. Returns false for unreadable files.
 bool is_gltf_splat_file(const std::filesystem::path& path);
 
 }  // namespace lippmann

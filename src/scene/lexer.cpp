@@ -14,14 +14,12 @@ bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
 char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
-/// Removes a leading plus sign because std::from_chars does not accept it.
 std::string_view without_plus(std::string_view word) {
   if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
   return word;
 }
 
-/// Returns whether the text after a number may be ignored, as in other programs. It is either the C suffix f, or an exponent in
-/// which the sign precedes the e.
+/// Returns whether the text after a number may be ignored: the C suffix f, or an exponent in which the sign precedes the e.
 bool is_harmless_rest(std::string_view rest) {
   if (rest == "f" || rest == "F") return true;
   if (rest.size() < 3 || (rest[0] != '+' && rest[0] != '-') || upper(rest[1]) != 'E') return false;

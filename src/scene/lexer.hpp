@@ -1,7 +1,7 @@
 // Splits the text of a scene file into words and numbers, and tracks line numbers.
 //
 // Words are separated by white space. A word that starts with `#` begins a comment that ends with its line. Keywords are
-// case-insensitive; names of textures and files are case-sensitive.
+// case-insensitive.
 #pragma once
 
 #include <limits>
@@ -21,13 +21,10 @@ class Lexer {
   Lexer(const Lexer&) = delete;  // not copyable because returned words point into text_
   Lexer& operator=(const Lexer&) = delete;
 
-  /// Returns whether only white space and comments remain.
   bool at_end();
 
-  /// Returns whether the line of the last word contains no further word.
   bool at_line_end();
 
-  /// Returns the next word without consuming it, or an empty word at the end of the file.
   std::string_view peek();
 
   /// Reads the next word. The view is valid as long as the Lexer exists. Throws Error at the end of the file; the message names
@@ -37,13 +34,10 @@ class Lexer {
   /// Reads the next word. Throws Error if it is not `keyword`, which must be upper case. The comparison ignores case.
   void expect(std::string_view keyword);
 
-  /// Reads the rest of the last word's line, including comments, without leading and trailing white space.
   std::string_view rest_of_line();
 
-  /// Reads a finite number from -largest to largest. `wanted` names the number in errors.
   float number(std::string_view wanted, float largest = std::numeric_limits<float>::max());
 
-  /// Reads a whole number from `lowest` to `highest`.
   int integer(std::string_view wanted, int lowest, int highest);
 
   Vec3f vector(std::string_view wanted, float largest = std::numeric_limits<float>::max());
@@ -51,22 +45,19 @@ class Lexer {
   /// Reads one coordinate of a position (axis 0 to 2) and subtracts the origin's coordinate in double precision.
   float coordinate(int axis, std::string_view wanted, float largest = std::numeric_limits<float>::max());
 
-  /// Reads the three coordinates of a position.
   Vec3f point(std::string_view wanted, float largest = std::numeric_limits<float>::max());
   void set_origin(const Vec3d& origin) { origin_ = origin; }
   const Vec3d& origin() const { return origin_; }
 
-  // Each of these functions reads the given keyword and then a value.
+  // Each reads the given keyword and then a value.
   float number_after(std::string_view keyword);
   Vec3f vector_after(std::string_view keyword);
   Vec3f point_after(std::string_view keyword);
 
-  /// Returns "file:line" for the last word read.
   std::string where() const;
   const std::string& name() const { return name_; }
   int line() const { return word_line_; }
 
-  /// Returns an Error located at the last word read.
   Error error(std::string problem, std::string accepted = {}) const {
     return {where(), std::move(problem), std::move(accepted)};
   }
@@ -81,11 +72,10 @@ class Lexer {
   std::string name_, text_;
   Vec3d origin_{0.0};
   std::size_t position_ = 0;
-  int line_ = 1;       ///< line number of position_
-  int word_line_ = 1;  ///< line number of the last word read
+  int line_ = 1;
+  int word_line_ = 1;
 };
 
-/// Returns whether `word` equals `keyword`, which must be upper case. The comparison ignores case.
 bool is_keyword(std::string_view word, std::string_view keyword);
 
 std::string upper(std::string_view word);

@@ -28,7 +28,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Sets the frame rate of a scene without animation.
 Scene at_rate(Scene scene, const LoadOptions& options) {
   if (options.frames_per_second > 0.0) scene.timeline.frames_per_second = options.frames_per_second;
   return scene;
@@ -39,7 +38,7 @@ Scene load_dat(const fs::path& path, const LoadOptions& options, const Context& 
   return load_tachyon(path, options.camera_path, context, fps, options.asset_root, origin);
 }
 
-/// Loads a glTF file. Ignores the origin because load_gltf() moves the scene's origin itself.
+/// Ignores the origin because load_gltf() moves the scene's origin itself.
 Scene load_gltf_file(const fs::path& path, const LoadOptions& options, const Context& context, const Vec3d&) {
   return load_gltf(path, options, context);
 }
@@ -59,18 +58,17 @@ Scene load_ply_file(const fs::path& path, const LoadOptions& options, const Cont
 
 bool always_false(const fs::path&) { return false; }
 
-/// A file format. Rows of the table with the same loader must be adjacent.
+/// Formats with the same loader must be adjacent in the table.
 struct Format {
-  std::string_view extension;  ///< lower case, with the dot
+  std::string_view extension;
   bool takes_camera_path;
   /// The format supports several animations and material variants.
   bool has_animations;
   /// A scene without surfaces is valid because its background is visible.
   bool may_be_empty;
-  /// The surfaces and lights are physically based; otherwise they are made for Whitted shading.
   bool is_physical;
   bool may_be_points;
-  std::string_view kind;  ///< name of the format in describe_content(); only for binary files
+  std::string_view kind;
   bool (*is_splat_file)(const fs::path&);
   Scene (*load)(const fs::path&, const LoadOptions&, const Context&, const Vec3d& origin);
 };
@@ -128,10 +126,10 @@ void require_readable_file(const fs::path& path) {
   if (fs::is_directory(status)) throw Error(path.string(), "is a folder", accepted_names());
 }
 
-/// Throws Error if the content of a file does not match its extension. The message describes the content.
+/// Throws Error if the content of a file does not match its extension.
 void require_scene_content(const fs::path& path, std::string_view own_kind) {
   constexpr std::size_t kLooked = 512;
-  if (!RegularFile(path).problem().empty()) return;  // the loader reports the problem
+  if (!RegularFile(path).problem().empty()) return;
   const std::string begin = read_file_begin(path, kLooked);
   const FileContent content = describe_content(std::as_bytes(std::span(begin)));
   if (!content.advice.empty()) throw Error(path.string(), "is " + content.what, content.advice);
@@ -158,8 +156,8 @@ void require_surfaces(const Scene& scene, const fs::path& path) {
   throw Error(path.string(), "has no surfaces to show", "a scene with faces or solid shapes; points and lines are not shown");
 }
 
-/// Loads a scene. If the scene is far from its origin, loads it again with a new origin. The second time, the loader subtracts
-/// the origin before it rounds positions to floats.
+/// If the scene is far from its origin, loads it again with a new origin, which the loader subtracts before it rounds positions
+/// to floats.
 Scene load_near_origin(const Format& format, const fs::path& path, const LoadOptions& options, const Context& context) {
   Scene scene = format.load(path, options, context, Vec3d(0.0));
   const std::optional<Vec3d> origin = distant_origin(scene);
@@ -205,7 +203,7 @@ const BuiltinScene* find_builtin(const std::string& name) {
   return nullptr;
 }
 
-/// Builds a built-in scene. A different frame rate changes the number of frames but not the speed of the motion.
+/// A different frame rate changes the number of frames but not the speed of the motion.
 Scene build(const BuiltinScene& builtin, const LoadOptions& options) {
   if (options.camera_path)
     throw usage_error("camera-path", fmt::format("{} has its own cameras", builtin.name), "a Tachyon .dat scene");

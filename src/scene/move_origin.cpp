@@ -1,11 +1,11 @@
-// Every node may have an anchor: the point, in the node's coordinates, that becomes the new origin of these coordinates.
-// Let a_n be the anchor of a node and a_p the anchor of its parent. For root nodes, a_p is the new origin of the scene. Let
-// T(v) be the translation by v.
+// A node may have an anchor: the point, in the node's coordinates, that becomes the new origin of these coordinates. Let a_n be
+// the anchor of a node and a_p the anchor of its parent. For root nodes, a_p is the new origin of the scene. Let T(v) be the
+// translation by v.
 // 1. The node's transform L becomes T(-a_p) L T(a_n).
 // 2. Shapes at the node move by -a_n.
 //
 // Nodes near the new origin keep their coordinates: a_n = 0. For other nodes, such as a root at the old origin, the anchor is
-// the new origin of the scene, so that no transform contains a large distance.
+// the new origin of the scene.
 #include "scene/move_origin.hpp"
 
 #include <algorithm>
@@ -93,8 +93,8 @@ class OriginMover {
  private:
   Vec3d anchor(int node) const { return node < 0 ? origin_ : anchors_[at(node)]; }
 
-  /// Returns for each node whether it must keep its origin, so that it gets no anchor. True for nodes with animated rotation or
-  /// scale, and for nodes of cameras, lights and the display, whose origin has a meaning.
+  /// Returns for each node whether it must keep its origin: nodes with animated rotation or scale, and nodes of cameras, lights
+  /// and the display.
   std::vector<bool> nodes_without_anchor() const {
     std::vector<bool> without(scene_.nodes.size(), false);
     const auto exclude = [&](int node) {
@@ -150,10 +150,10 @@ class OriginMover {
     }
   }
 
-  /// Moves the shape of each instance. A shape whose instances move by different vectors is copied.
+  /// A shape whose instances move by different vectors is copied.
   void move_instances() {
     std::map<int, Vec3d> of_skin;
-    std::map<std::pair<int, std::array<double, 3>>, int> moved;  // maps a shape and its translation to the moved shape
+    std::map<std::pair<int, std::array<double, 3>>, int> moved;
     std::map<int, int> users;
     std::vector<std::pair<int, Vec3d>> moves;
     for (Instance& instance : scene_.instances) {
@@ -191,7 +191,6 @@ class OriginMover {
     }
   }
 
-  /// Attaches cameras, lights and the display to a new node at the old origin if they have no node.
   void attach_to_old_origin() {
     int node = -1;
     const auto place = [&](int& of) {
@@ -211,8 +210,8 @@ class OriginMover {
 
   Scene& scene_;
   Vec3d origin_;
-  std::vector<Affine3d> local_;  ///< parent_from_node of each node
-  double reach_;                 ///< nodes whose distance from the new origin exceeds this get an anchor
+  std::vector<Affine3d> local_;
+  double reach_;  ///< nodes farther from the new origin than this get an anchor
   std::vector<Vec3d> anchors_;
 };
 
@@ -232,9 +231,8 @@ bool is_distant(const Bounds3f& bounds) {
   return std::isfinite(away) && std::isfinite(size) && away > kFarthest * size;
 }
 
-/// Returns the middle of the bounds, rounded to a multiple of a power of two. This power of two is about the size of the
-/// bounds, but not below the precision of floats at the middle's distance. After this rounding, differences from the middle are
-/// exact.
+/// Returns the middle of the bounds, rounded to a multiple of a power of two near the size of the bounds. Differences from it
+/// are then exact.
 Vec3d rounded_middle(const Bounds3f& bounds) {
   const Vec3d middle = middle_of(bounds);
   const double step = std::exp2(std::floor(std::log2(std::max(size_of(bounds), glm::length(middle) * 0x1p-22))));

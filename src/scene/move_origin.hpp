@@ -1,4 +1,3 @@
-// Moves the origin of a scene, in double precision.
 #pragma once
 
 #include <vector>
@@ -8,7 +7,6 @@
 
 namespace lippmann {
 
-/// The map p -> linear * p + translation.
 struct Affine3d {
   glm::dmat3 linear{1.0};
   Vec3d translation{0.0};

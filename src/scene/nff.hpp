@@ -13,7 +13,6 @@ namespace lippmann {
 /// Error naming file and line.
 Scene load_nff(const std::filesystem::path& path, const Context& context, const Vec3d& origin = Vec3d(0.0));
 
-/// Parses the text of a file; `name` names the file in messages.
 Scene parse_nff(const std::string& name, std::string text, const Context& context, const Vec3d& origin = Vec3d(0.0));
 
 }  // namespace lippmann

@@ -20,8 +20,7 @@ std::string describe_halved(const std::vector<int>& halvings, std::uint64_t byte
                      halvings.size(), most == 1 ? "half" : fmt::format("1/2 to 1/{}", 1 << most), bytes >> 20);
 }
 
-/// Returns how many images to decode at the same time. Images are decoded at full size before they are reduced, so that all
-/// images in progress must fit into `bytes`.
+/// Images are decoded at full size before they are reduced, so all images in progress must fit into `bytes`.
 int decoded_at_once(const std::vector<TextureExtent>& extents, std::uint64_t bytes) {
   constexpr std::uint64_t kMost = 4;
   std::uint64_t largest = 1;

@@ -1,6 +1,5 @@
-// Collects the textures of a scene file and decodes all of them at the end.
-//
-// The sizes of all images are known before decoding, so that textures can be reduced to fit into memory (texture_budget.hpp).
+// Collects the textures of a scene file. decode() decodes them when all sizes are known, so that they can be reduced to fit
+// into memory.
 #pragma once
 
 #include <cstdint>
@@ -15,31 +14,27 @@
 namespace lippmann {
 
 struct TextureLimits {
-  int longest_side = 16384;  ///< longest side of an image, in texels
-  /// Limit for the decoded size of all textures together. It also limits each image before reduction.
+  int longest_side = 16384;
+  /// Limit for the decoded size of all textures together, and of each image before reduction.
   std::uint64_t bytes = LoadOptions{}.texture_bytes;
 };
 
 class PendingTextures {
  public:
-  /// Returns the encoded bytes of an image. May use `storage` to keep them. add() and decode() call this function; decode()
-  /// calls it from several threads.
+  /// Returns the encoded bytes of an image. May use `storage` to keep them. decode() calls it from several threads.
   using Picture = std::function<FileBytes(std::vector<std::byte>& storage)>;
-  /// Modifies a texture after decoding.
   using Change = std::function<void(Texture&)>;
 
   explicit PendingTextures(const TextureLimits& limits) : limits_(limits) {}
 
-  /// Appends a texture that has the width and height of its image but no texels. Returns its index in `textures`. Throws Error
-  /// at `where` if the image is unsupported or too large.
+  /// Appends a texture with the width and height of its image but no texels. Returns its index in `textures`. Throws Error at
+  /// `where` if the image is unsupported or too large.
   int add(Texture described, std::string where, Picture picture, std::vector<Texture>& textures, Change change = {});
 
-  /// Appends another texture with the image of texture `of`, which must have been added before, and with another `change`.
-  /// Returns its index.
   int add_changed(int of, Change change, std::vector<Texture>& textures);
 
-  /// Decodes all textures. Uses only a few of the context's threads, because decoding needs several times the memory of the
-  /// texels. If the textures exceed the limit, halves the largest ones and calls `warn`. Throws Error for corrupt images.
+  /// Decodes all textures, on only a few threads, because decoding needs several times the memory of the texels. If the
+  /// textures exceed the limit, halves the largest ones and calls `warn`. Throws Error for corrupt images.
   void decode(std::vector<Texture>& textures, const Context& context, const std::function<void(const std::string&)>& warn);
 
  private:

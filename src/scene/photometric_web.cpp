@@ -10,7 +10,7 @@ namespace {
 /// Tolerance in radians, so that rounding does not lose directions at the ends of the measured range.
 constexpr float kAngleMargin = 1e-5f;
 
-/// The position of an angle in the grid: grid angle `first` plus the fraction `share` of the step to the next grid angle.
+/// An angle in the grid: grid angle `first` plus the fraction `share` of the step to the next grid angle.
 struct WebPlace {
   std::size_t first;
   float share;
@@ -40,7 +40,6 @@ PolarWeights polar_weights(double from, double to) {
   return {whole - rising, rising};
 }
 
-/// Returns the integral of intensity * sine over the polar angles at one azimuth.
 double polar_integral(const PhotometricWeb& web, std::size_t azimuth) {
   const float* row = web.intensity.data() + azimuth * web.polar.size();
   double sum = 0.0;

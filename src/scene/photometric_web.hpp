@@ -1,4 +1,3 @@
-// Evaluates the angular distribution of a lamp's light (PhotometricWeb).
 #pragma once
 
 #include "lippmann/core/math.hpp"
@@ -7,11 +6,10 @@
 namespace lippmann {
 
 /// Returns the relative intensity of the light that leaves the lamp in `direction`, a unit vector in the light's coordinates.
-/// The result is interpolated linearly in polar angle and azimuth. Returns 0 outside the measured range and for directions that
-/// are not finite.
+/// Returns 0 outside the measured range and for directions that are not finite.
 float intensity(const PhotometricWeb& web, Vec3f direction);
 
-/// Returns the mean intensity over the sphere. The integral over the interpolated distribution is exact.
+/// Returns the mean intensity over the sphere.
 double mean_intensity(const PhotometricWeb& web);
 
 }  // namespace lippmann

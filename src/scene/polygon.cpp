@@ -4,8 +4,8 @@
 // - I. Sutherland et al., "A Characterization of Ten Hidden-Surface Algorithms", 1974 (Newell's normal).
 //
 // We deviate from Eberly:
-// 1. A reflex corner at the same position as a corner of the ear does not prevent cutting. Polygons with holes need this
-//    because two coincident edges connect the hole to the outline.
+// 1. A reflex corner at the same position as a corner of the ear does not prevent cutting, because in polygons with holes two
+//    coincident edges connect the hole to the outline.
 // 2. If no ear is left, which only happens in self-intersecting polygons, the rest becomes a triangle fan.
 #include "scene/polygon.hpp"
 
@@ -15,8 +15,7 @@
 namespace lippmann {
 namespace {
 
-/// Returns the normal that points to the side from which the polygon is counter-clockwise. The length of the normal is twice
-/// the area.
+/// The length of the normal is twice the area. It points to the side from which the polygon is counter-clockwise.
 Vec3d newell_normal(std::span<const Vec3f> corners) {
   Vec3d normal(0.0);
   const Vec3d origin(corners[0]);
@@ -25,8 +24,7 @@ Vec3d newell_normal(std::span<const Vec3f> corners) {
   return normal;
 }
 
-/// Returns the polygon projected along the largest axis of its normal. The result is counter-clockwise. Returns no points if
-/// the polygon has no area.
+/// Returns the polygon projected along the largest axis of its normal, counter-clockwise, or no points if it has no area.
 std::vector<Vec2d> flattened(std::span<const Vec3f> corners) {
   const Vec3d normal = newell_normal(corners), size = glm::abs(normal);
   if (normal == Vec3d(0.0)) return {};
@@ -39,7 +37,6 @@ std::vector<Vec2d> flattened(std::span<const Vec3f> corners) {
   return flat;
 }
 
-/// Returns twice the signed area of a triangle. Counter-clockwise triangles have a positive area.
 double turn(Vec2d a, Vec2d b, Vec2d c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
 
 bool all_turn_left(const std::vector<Vec2d>& flat) {
@@ -64,7 +61,7 @@ class EarClipper {
       cut(at);
       at = next_[at];
     }
-    for (; left_ >= 3; --left_) {  // adds the last triangle, or a fan if no ear was found
+    for (; left_ >= 3; --left_) {
       triangles_.push_back({previous_[at], at, next_[at]});
       const std::uint32_t after = next_[at];
       next_[previous_[at]] = after, previous_[after] = previous_[at];

@@ -14,12 +14,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Returns whether `path` is `folder` or lies below it. Both paths must be free of symbolic links, "." and "..".
 bool lies_in(const fs::path& path, const fs::path& folder) {
   return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
 }
 
-/// Returns `folder` with symbolic links resolved. An empty path stays empty.
 fs::path canonical_folder(const fs::path& folder, const std::string& where) {
   if (folder.empty()) return {};
   std::error_code failure;
@@ -30,7 +28,6 @@ fs::path canonical_folder(const fs::path& folder, const std::string& where) {
 
 fs::path folder_of(const SideFolders& folders) { return folders.folder.empty() ? fs::path(".") : folders.folder; }
 
-/// Returns whether `name` lies in one of the folders, both before and after symbolic links are resolved.
 bool is_allowed(const SideFolders& folders, std::string_view name, const std::string& where) {
   if (name.empty() || name.find('\0') != name.npos) return false;
   const fs::path home = canonical_folder(folder_of(folders), where), root = canonical_folder(folders.asset_root, where);

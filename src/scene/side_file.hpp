@@ -1,7 +1,7 @@
 // Finds the files that a scene file refers to. Such a file must lie in the scene's folder or below the asset root.
 //
-// File names are relative to the scene's folder. Each name is checked twice: before symbolic links are resolved, so that the
-// rejection of a name does not depend on the disk, and afterwards, so that no link leads outside.
+// File names are relative to the scene's folder. Each name is checked before symbolic links are resolved, so that the rejection
+// of a name does not depend on the disk, and afterwards, so that no link leads outside.
 #pragma once
 
 #include <filesystem>
@@ -11,20 +11,20 @@
 namespace lippmann {
 
 struct SideFolders {
-  std::filesystem::path folder{};      ///< folder of the scene file; empty: the current folder
-  std::filesystem::path asset_root{};  ///< a second folder that may contain files; empty: none
+  std::filesystem::path folder{};
+  std::filesystem::path asset_root{};
 };
 
 struct SideFile {
-  std::filesystem::path path{};  ///< location of the file; empty if there is a problem
-  std::string problem{};         ///< why the file may not be opened: it is outside the folders, or missing; empty: no problem
+  std::filesystem::path path{};
+  std::string problem{};  ///< why the file may not be opened; empty: no problem
 };
 
 /// Looks for the regular file that a scene refers to as `name`. Throws Error at `where` only if the scene's folder cannot be
 /// read.
 SideFile find_side_file(const SideFolders& folders, std::string_view name, const std::string& where);
 
-/// Returns the location of the file that a scene refers to as `name`. The file need not exist. Throws Error at `where` if the
+/// Returns the location of the file that a scene refers to as `name`. It need not exist. Throws Error at `where` if the
 /// location is outside `folders`.
 std::filesystem::path side_file(const SideFolders& folders, std::string_view name, const std::string& where);
 

@@ -1,4 +1,3 @@
-// Loads the image files that OBJ materials and PLY files use as textures.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +13,8 @@ namespace lippmann {
 
 class SideTextures {
  public:
-  /// `folders` are the folders that may contain the images. `texture_bytes` is as in LoadOptions. Textures are added to
-  /// `scene`. `scene` and `context` must outlive this object.
+  /// `folders` may contain the images. `texture_bytes` is as in LoadOptions. Textures are added to `scene`. `scene` and
+  /// `context` must outlive this object.
   SideTextures(SideFolders folders, std::uint64_t texture_bytes, Scene& scene, const Context& context);
 
   /// Returns the index of the texture whose image the scene file calls `name` at `where`. If the image cannot be used, warns
@@ -28,7 +27,7 @@ class SideTextures {
   SideFolders folders_;
   Scene& scene_;
   const Context& context_;
-  std::map<std::string, int, std::less<>> known_;  ///< texture index by name; -1: the image cannot be used
+  std::map<std::string, int, std::less<>> known_;
   PendingTextures pending_;
 };
 

@@ -12,10 +12,10 @@
 namespace lippmann {
 namespace {
 
-/// Bounds for positions and standard deviations. Products of two numbers within these bounds stay finite floats.
+/// Products of two numbers within these bounds stay finite floats.
 constexpr float kLargestSplatNumber = 1e18f, kLeastDeviation = 1e-15f;
-/// Smallest ratio of a splat's smallest to its largest deviation. Flatter splats are thickened to this ratio, which is
-/// invisible but avoids numerical problems.
+/// Flatter splats are thickened to this ratio of their smallest to their largest deviation, which is invisible but avoids
+/// numerical problems.
 constexpr float kFlattest = 1e-4f;
 
 bool is_bounded(float x) { return std::abs(x) <= kLargestSplatNumber; }
@@ -28,7 +28,6 @@ void make_unit(Quatf& rotation) {
   if (length > 1e-12f && is_bounded(length)) rotation = rotation * (1.0f / length);
 }
 
-/// Thickens a splat whose deviations differ by more than kFlattest allows. Does nothing if a deviation is negative.
 void thicken(Vec3f& deviations) {
   const float largest = std::max({deviations.x, deviations.y, deviations.z});
   if (std::min({deviations.x, deviations.y, deviations.z}) >= 0.0f)
@@ -43,7 +42,6 @@ void keep(std::vector<T>& values, const std::vector<std::size_t>& kept, std::siz
   values.resize(to);
 }
 
-/// Returns x with two zero bits inserted before each bit.
 std::uint64_t spread_bits(std::uint32_t x) {
   std::uint64_t bits = 0;
   for (int b = 0; b < 21; ++b) bits |= static_cast<std::uint64_t>((x >> b) & 1u) << (3 * b);
@@ -71,7 +69,6 @@ struct WeightedPlace {
   float place, weight;
 };
 
-/// Returns the position below which the given share of the total weight lies. `places` must be sorted by position.
 float weighted_quantile(const std::vector<WeightedPlace>& places, double share) {
   double total = 0.0, below = 0.0;
   for (const WeightedPlace& p : places) total += static_cast<double>(p.weight);
@@ -80,7 +77,6 @@ float weighted_quantile(const std::vector<WeightedPlace>& places, double share) 
   return places.back().place;
 }
 
-/// Returns the indices of every n-th splat, at most 65,536 of them.
 std::vector<std::size_t> sampled_splats(const Splats& splats) {
   constexpr std::size_t kMostSampled = 1 << 16;
   const std::size_t count = splats.centers.size(), step = count / kMostSampled + 1;
@@ -89,7 +85,6 @@ std::vector<std::size_t> sampled_splats(const Splats& splats) {
   return sampled;
 }
 
-/// Returns the box that contains the centres of all splats except outliers (see bulk_bounds()).
 Bounds3f fence(const Splats& splats, const Affine3f& a) {
   constexpr double kTail = 0.02;
   constexpr float kMargin = 0.25f;
@@ -109,7 +104,7 @@ bool is_within(const Bounds3f& box, Vec3f p) {
   return glm::all(glm::lessThanEqual(box.lower, p)) && glm::all(glm::lessThanEqual(p, box.upper));
 }
 
-/// Returns the extent of a splat from its centre along each world axis, at a distance of `deviations` standard deviations.
+/// Returns the extent of a splat along each world axis, at a distance of `deviations` standard deviations from its centre.
 Vec3f reach_along_axes(const Splats& splats, std::size_t i, const Affine3f& a, float deviations) {
   const glm::dmat3 rows = glm::transpose(axes_of_splat(splats, i, a));
   return deviations * Vec3f(glm::length(rows[0]), glm::length(rows[1]), glm::length(rows[2]));

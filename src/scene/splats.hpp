@@ -1,4 +1,3 @@
-// Utilities for splats (3D Gaussians): validity, visibility and bounds.
 #pragma once
 
 #include <cstddef>
@@ -23,25 +22,21 @@ float reach_of_splat(float opacity);
 bool is_sound(const Splats& splats, std::size_t i);
 
 /// Normalises all rotations and replaces zero deviations along single axes. Then removes the splats that fail is_sound(), and
-/// returns their number. All vectors must have matching lengths.
+/// returns their number.
 std::size_t drop_unsound(Splats& splats);
 
-/// Sorts splats along a space-filling curve, so that the splats on neighbouring rays are close in memory.
 void sort_by_place(Splats& splats);
 
-/// Returns the unlit material that all instances of splats have.
 Material splat_material();
 
-/// Returns a splat's principal axes after the transform `a`, as matrix columns. The length of a column is one standard
-/// deviation. Uses double precision because splats may be very flat.
+/// Returns a splat's principal axes after the transform `a`, as matrix columns as long as one standard deviation. Uses double
+/// precision because splats may be very flat.
 glm::dmat3 axes_of_splat(const Splats& splats, std::size_t i, const Affine3f& a);
 
-/// Returns the bounds of the visible parts of all splats after the transform `a`.
 Bounds3f whole_bounds(const Splats& splats, const Affine3f& a);
 
-/// Returns the bounds of all splats except outliers, which are common in captures. Along each axis, the middle 96 % of the
-/// centres, weighted by opacity, span a range. An outlier is a splat whose centre lies outside a range by more than a quarter
-/// of its length.
+/// Returns the bounds of all splats except outliers. Along each axis, the middle 96 % of the centres, weighted by opacity, span
+/// a range. Outliers lie outside it by more than a quarter of its length.
 Bounds3f bulk_bounds(const Splats& splats, const Affine3f& a);
 
 /// Returns the number of visible splats that are more than 20 diagonals of the bulk bounds away from these bounds.

@@ -1,6 +1,5 @@
-// The radiance of the studio is the sum of a smooth background (wall and floor) and several soft boxes. A soft box is a
-// rectangle in the plane that touches the unit sphere at the centre of the box. The radiance is linear and equal in all three
-// channels, so that the studio adds no tint.
+// The radiance of the studio is the sum of a smooth background (wall and floor) and several rectangular soft boxes. It is
+// linear and grey.
 
 #include "scene/studio_light.hpp"
 
@@ -13,17 +12,17 @@ namespace {
 
 constexpr int kWidth = 512, kHeight = 256;
 
-/// A soft box: a rectangular light. The azimuth counts to the right of the view direction, the elevation from the horizon
-/// upwards. All angles are in degrees.
+/// A rectangular light. The azimuth counts to the right of the view direction, the elevation from the horizon upwards. All
+/// angles are in degrees.
 struct SoftBox {
   float azimuth, elevation, half_width, half_height;
   float radiance;
 };
 
 constexpr SoftBox kBoxes[] = {
-    {-140.0f, 45.0f, 22.0f, 18.0f, 5.4f},  // key light
-    {120.0f, 25.0f, 14.0f, 24.0f, 1.5f},   // fill light
-    {15.0f, 65.0f, 26.0f, 11.0f, 1.8f},    // above and behind the subject, to separate its edges from the wall
+    {-140.0f, 45.0f, 22.0f, 18.0f, 5.4f},
+    {120.0f, 25.0f, 14.0f, 24.0f, 1.5f},
+    {15.0f, 65.0f, 26.0f, 11.0f, 1.8f},  // above and behind the subject, to separate its edges from the wall
 };
 constexpr float kHorizon = 0.32f, kZenith = 0.16f, kFloor = 0.12f;
 
@@ -37,9 +36,9 @@ float wall(Vec3f d) {
   return glm::mix(kFloor, above, smooth_step(-0.35f, 0.05f, d.y));
 }
 
-/// Returns the weight of a soft box in direction d: 1 inside the box, 0 outside, with a smooth transition.
+/// Returns 1 inside the box, 0 outside, with a smooth transition.
 float share_of(const SoftBox& box, Vec3f d) {
-  constexpr float kEdge = 0.2f;  // width of the transition, relative to the half width or half height
+  constexpr float kEdge = 0.2f;
   const float azimuth = radians(box.azimuth), elevation = radians(box.elevation);
   const Vec3f right(std::cos(azimuth), 0.0f, std::sin(azimuth));
   const Vec3f centre(std::sin(azimuth) * std::cos(elevation), std::sin(elevation), -std::cos(azimuth) * std::cos(elevation));
@@ -57,7 +56,7 @@ float radiance(Vec3f d) {
 }
 
 /// Returns the azimuth of the view direction, in radians from +x towards +z. If the viewer looks straight up or down, the
-/// direction of the picture's top replaces the view direction.
+/// direction of the picture's top replaces it.
 float heading(const Quatf& viewer) {
   Vec3f ahead = viewer * Vec3f(0.0f, 0.0f, -1.0f);
   if (std::hypot(ahead.x, ahead.z) < 1e-3f) ahead = viewer * Vec3f(0.0f, ahead.y < 0.0f ? 1.0f : -1.0f, 0.0f);

@@ -11,7 +11,6 @@ namespace {
 
 std::uint64_t texels(Vec2i size) { return static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y); }
 
-/// Converts 8-bit values to 16-bit linear light and back.
 class Curve {
  public:
   explicit Curve(bool srgb) : codes_(65536) {
@@ -35,8 +34,7 @@ class Curve {
   std::vector<std::uint8_t> codes_;
 };
 
-/// The range of fine texels, along one axis, that a coarse texel averages. It contains two texels, or three at the end of an
-/// odd side.
+/// The range of fine texels, along one axis, that a coarse texel averages: two, or three at the end of an odd side.
 struct Covered {
   int begin, end;
 };

@@ -1,6 +1,4 @@
 // Fits textures into a memory budget by halving the largest ones.
-//
-// A display rarely shows more than a few thousand texels across, so reduced resolution is better than refusing the scene.
 #pragma once
 
 #include <cstdint>
@@ -12,14 +10,12 @@
 
 namespace lippmann {
 
-/// The size of a texture before reduction.
 struct TextureExtent {
-  Vec2i size{1};  ///< width and height in texels
+  Vec2i size{1};
   /// true: the texture contains data, not colours. Among textures of equal size, data textures are halved first.
   bool is_data = true;
 };
 
-/// Returns half of each side, rounded down, but at least 1.
 Vec2i halved(Vec2i size);
 
 /// Returns for each texture how often to halve it so that all textures together take at most `bytes`, at 4 bytes per texel. The
@@ -27,9 +23,8 @@ Vec2i halved(Vec2i size);
 /// earlier ones. If the budget is smaller than one texel per texture, all textures become single texels.
 std::vector<int> halvings_within(std::uint64_t bytes, std::span<const TextureExtent> textures);
 
-/// Halves the width and height of a texture by averaging 2 x 2 texels. Colours are averaged in linear light. If a side is odd,
-/// the last column or row of the result covers three texels. The result equals a level of a mip pyramid (shading/texture.hpp),
-/// except that it is rounded to bytes.
+/// Halves the width and height of a texture by averaging 2 x 2 texels in linear light. If a side is odd, the last column or row
+/// of the result covers three texels.
 void halve(Texture& texture);
 
 }  // namespace lippmann

@@ -1,6 +1,5 @@
 // Based on: Khronos Group, "glTF 2.0 Specification", 2021, section 3.8 "Texture Data": the first texel is the top left one, and
-// readers ignore colour profiles and orientation tags. We apply this to all scene formats because the other formats do not
-// specify it.
+// readers ignore colour profiles and orientation tags. We apply this to all scene formats.
 #include "scene/texture_image.hpp"
 
 #include <fmt/format.h>
@@ -18,7 +17,6 @@
 namespace lippmann {
 namespace {
 
-/// Returns samples of 16 bits rounded to 8 bits. Returns samples of 8 bits unchanged.
 std::vector<std::uint8_t> to_bytes(Samples samples) {
   if (auto* bytes = std::get_if<std::vector<std::uint8_t>>(&samples)) return std::move(*bytes);
   const auto& words = std::get<std::vector<std::uint16_t>>(samples);
@@ -28,7 +26,6 @@ std::vector<std::uint8_t> to_bytes(Samples samples) {
   return bytes;
 }
 
-/// Returns RGBA values for an image of 1 (grey), 2 (grey and alpha), 3 (RGB) or 4 channels.
 std::vector<std::uint8_t> expanded_to_rgba(std::vector<std::uint8_t> codes, std::size_t channels) {
   if (channels == 4) return codes;
   std::vector<std::uint8_t> rgba;
@@ -49,7 +46,6 @@ struct Reader {
 constexpr Reader kReaders[] = {
     {is_png, png_header, decode_png}, {is_jpeg, jpeg_header, decode_jpeg}, {is_webp, webp_header, decode_webp}};
 
-/// Returns the reader for the image's format, or null if the format is unknown.
 const Reader* find_reader(FileBytes encoded) {
   for (const Reader& reader : kReaders)
     if (reader.recognises(encoded)) return &reader;

@@ -1,4 +1,3 @@
-// Decodes the images that scene files use as textures: PNG, JPEG and WebP. The first bytes determine the format.
 #pragma once
 
 #include <string>
@@ -9,7 +8,6 @@
 
 namespace lippmann {
 
-/// Advice in errors about KTX2 images, which this program cannot decode.
 constexpr std::string_view kKtx2Advice =
     "convert to PNG first, with gltf-transform ktxdecompress IN OUT (npm's @gltf-transform/cli; it needs KTX-Software)";
 

@@ -23,16 +23,13 @@
 namespace lippmann {
 namespace {
 
-// ---- Channels -------------------------------------------------------------------------------------------------------
-
 float interpolate(float a, float b, float u) { return (1.0f - u) * a + u * b; }
 Vec3f interpolate(Vec3f a, Vec3f b, float u) { return (1.0f - u) * a + u * b; }
 
 Quatf interpolate(Quatf a, Quatf b, float u) {
   float cosine = glm::dot(a, b);
   if (cosine < 0.0f) b = -b, cosine = -cosine;
-  // For angles below 0.03 degrees, linear interpolation is exact to the last bits. The spherical formula would lose precision
-  // because it divides by a small sine.
+  // Below 0.03 degrees, linear interpolation is exact to the last bits, while the spherical formula divides by a small sine.
   if (cosine > 1.0f - 1e-7f) return glm::normalize((1.0f - u) * a + u * b);
   const float angle = std::acos(cosine);
   return glm::normalize((std::sin((1.0f - u) * angle) * a + std::sin(u * angle) * b) / std::sin(angle));
@@ -95,21 +92,16 @@ bool changes(const Channel<T>& channel, Component c = {}) {
   return false;
 }
 
-// ---- Nodes ----------------------------------------------------------------------------------------------------------
-
 Affine3f affine(const Transform& t) {
   const Mat3f r = glm::mat3_cast(glm::normalize(t.rotation));
   return {{t.scale.x * r[0], t.scale.y * r[1], t.scale.z * r[2]}, t.translation};
 }
-
-// ---- Bounds ---------------------------------------------------------------------------------------------------------
 
 void add_around(Bounds3f& bounds, Vec3f center, Vec3f reach) {
   bounds.add(center - reach);
   bounds.add(center + reach);
 }
 
-/// Returns the extent of a disc from its centre, along each axis of the frame.
 Vec3f disc_reach(const Affine3f& frame_from_node, Vec3f normal, float radius) {
   const Mat3f rows = glm::transpose(frame_from_node.linear);
   Vec3f reach;
@@ -164,7 +156,6 @@ void add_shape(Bounds3f& bounds, const Affine3f& a, const Boxes& boxes) {
 
 void add_shape(Bounds3f& bounds, const Affine3f& a, const Splats& splats) { bounds.add(bulk_bounds(splats, a)); }
 
-/// Throws Error if a node's parent does not precede the node, or if an animated node does not exist.
 void require_nodes(const Scene& scene) {
   const int count = static_cast<int>(scene.nodes.size());
   for (int i = 0; i < count; ++i)
@@ -215,8 +206,7 @@ ResolvedScene evaluate(const Scene& scene, double time) {
 }
 
 bool keys_fall_on_frames(const Timeline& timeline, double frames_per_second) {
-  // Tolerance in frames, because files may round times. Rounding to four decimals moves a key by up to 0.003 frames at 60
-  // frames per second.
+  // Tolerance in frames. Times rounded to four decimals are off by up to 0.003 frames at 60 frames per second.
   constexpr double kNearFrame = 0.02;
   const auto on_frames = [&](const std::vector<double>& times) {
     return std::all_of(times.begin(), times.end(), [&](double time) {

@@ -1,4 +1,3 @@
-// Validates a whole Scene after loading, so that later code need not check indices and numbers.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,7 +25,7 @@ bool finite(const Affine3f& a) {
   return finite(a.linear[0]) && finite(a.linear[1]) && finite(a.linear[2]) && finite(a.translation);
 }
 
-/// Returns whether a vector has unit length. Tolerates 1 % for normals with 8 bits per component.
+/// Tolerates 1 % for normals with 8 bits per component.
 template <class V>
 bool unit(const V& v) {
   return std::abs(glm::dot(v, v) - 1.0f) < 0.02f;
@@ -37,7 +36,6 @@ bool uniform(Vec3f scale) {
   return std::max({s.x, s.y, s.z}) <= 1.001f * std::min({s.x, s.y, s.z});
 }
 
-/// Returns whether the columns of the matrix have equal lengths and are orthogonal, within a relative error of 1e-3.
 bool similarity(const Mat3f& m) {
   const Vec3f square(glm::dot(m[0], m[0]), glm::dot(m[1], m[1]), glm::dot(m[2], m[2]));
   const float tolerance = 1e-3f * square.x;
@@ -82,8 +80,6 @@ class Validator {
   }
   void require_node(int node, std::string_view element) const { require_index(node, scene_.nodes.size(), -1, element, "node"); }
 
-  // ---- Shapes ----
-
   void check_shape(const Mesh& mesh, const std::string& element) const {
     const std::size_t vertices = mesh.positions.size();
     check_attribute(mesh.positions, vertices, element, "position");
@@ -111,7 +107,6 @@ class Validator {
                   fmt::format("triangle {} refers to vertex {}, but the number of vertices is {}", i, index, vertices));
   }
 
-  /// Checks the values of a vertex attribute. An empty attribute is valid.
   template <class T>
   void check_attribute(const std::vector<T>& values, std::size_t vertices, const std::string& element, const char* what) const {
     require(values.empty() || values.size() == vertices, element, fmt::format("needs one {} per vertex", what));
@@ -173,8 +168,6 @@ class Validator {
     if (!finite(b.lower) || !finite(b.upper)) return "the box's corners are not finite";
     return glm::all(glm::lessThanEqual(b.lower, b.upper)) ? nullptr : "the box's lower corner is above its upper one";
   }
-
-  // ---- Textures and materials ----
 
   void check_texture(const Texture& texture, std::size_t index) const {
     const std::string element = label("texture", index, texture.name);
@@ -242,8 +235,6 @@ class Validator {
     // The distance may be infinite.
     require(s.volume->attenuation_distance > 0.0f, element, "the attenuation distance is not above 0");
   }
-
-  // ---- Nodes, instances, lights and cameras ----
 
   void check_nodes() const {
     for (std::size_t i = 0; i < scene_.nodes.size(); ++i) {
@@ -394,8 +385,6 @@ class Validator {
     require(finite(map.strength) && map.strength >= 0.0f && finite(map.rotation), "environment",
             "the strength is not a number >= 0, or the rotation is not finite");
   }
-
-  // ---- Time ----
 
   void check_timeline() const {
     const Timeline& timeline = scene_.timeline;

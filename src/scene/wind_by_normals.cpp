@@ -7,8 +7,7 @@ namespace {
 
 using MeshTriangle = std::array<std::uint32_t, 3>;
 
-/// Returns whether a triangle faces away from the sum of its vertex normals. Uses double precision because the products of
-/// coordinates up to 1e18 overflow floats.
+/// Uses double precision because the products of coordinates up to 1e18 overflow floats.
 bool faces_away(const Mesh& mesh, const MeshTriangle& triangle) {
   const Vec3d a(mesh.positions[triangle[0]]), b(mesh.positions[triangle[1]]), c(mesh.positions[triangle[2]]);
   Vec3d outwards(0.0);

@@ -1,4 +1,4 @@
-// A scene as described by its file: shapes, materials, lights, cameras, a node hierarchy and its animation. Plain data.
+// A scene as described by its file: shapes, materials, lights, cameras, a node hierarchy and its animation.
 //
 // Conventions for everything in this header:
 // - Elements refer to each other by index into the Scene's vectors. Index -1 means none.
@@ -6,9 +6,6 @@
 // - Colours are linear and scene-referred unless Scene::encoding says otherwise.
 // - Texture row 0 is the top row. Texture coordinate v grows downwards, as in glTF.
 // - The coordinates of a shape are local to the node of the instance that shows it.
-//
-// trace/device_scene.hpp builds the structures for ray tracing from a Scene. scene/timeline.hpp evaluates a Scene at a given
-// time.
 #pragma once
 
 #include <array>
@@ -25,16 +22,14 @@
 
 namespace lippmann {
 
-// ---- Shapes ---------------------------------------------------------------------------------------------------------
-
-/// A morph target: offsets that are multiplied by the target's weight and added to the vertices of a mesh. The weight comes
-/// from Node::morph_weights or its animation. Each vector has one element per vertex, or is empty.
+/// A morph target: offsets of a mesh's vertices, multiplied by the target's weight (Node::morph_weights or its animation). Each
+/// vector has one element per vertex, or is empty.
 struct MorphTarget {
   std::vector<Vec3f> positions{}, normals{}, tangents{};
 };
 
-/// The joints that move each vertex of a mesh, and their weights. The joints belong to the instance's Skin. The entries of
-/// vertex v are v * per_vertex to (v + 1) * per_vertex - 1.
+/// The joints that move each vertex of a mesh, and their weights. The entries of vertex v are v * per_vertex to (v + 1) *
+/// per_vertex - 1.
 struct SkinWeights {
   int per_vertex = 0;                   ///< number of joints per vertex; 0: the mesh cannot be skinned
   std::vector<std::uint32_t> joints{};  ///< indices into Skin::joints
@@ -60,26 +55,26 @@ inline const std::vector<Vec2f>& uvs_of(const Mesh& mesh, int set) { return set 
 
 struct Sphere {
   Vec3f center{0.0f};
-  float radius = 1.0f;  ///< > 0
+  float radius = 1.0f;
 };
 
 /// The side of a cylinder, without caps.
 struct Cylinder {
   Vec3f base{0.0f};
   Vec3f apex{0.0f, 1.0f, 0.0f};
-  float radius = 1.0f;  ///< > 0
+  float radius = 1.0f;
 };
 
 /// An infinite plane. Rays hit both sides.
 struct Plane {
   Vec3f point{0.0f};
-  Vec3f normal{0.0f, 1.0f, 0.0f};  ///< unit length
+  Vec3f normal{0.0f, 1.0f, 0.0f};
 };
 
 /// A flat ring, or a disc if inner_radius is 0. Rays hit both sides.
 struct Ring {
   Vec3f center{0.0f};
-  Vec3f normal{0.0f, 1.0f, 0.0f};  ///< unit length
+  Vec3f normal{0.0f, 1.0f, 0.0f};
   float inner_radius = 0.0f;
   float outer_radius = 1.0f;
 };
@@ -90,20 +85,20 @@ struct Box {
   Vec3f upper{1.0f};
 };
 
-/// 3D Gaussians that emit their own colours, trained on photographs of a real scene. Along a ray, splat i covers the fraction
-/// opacities[i] * exp(-d^2 / 2) of everything behind it, where d is the smallest distance between the ray and the splat's
-/// centre, in standard deviations. All vectors except `harmonics` have one element per splat.
+/// 3D Gaussians that emit their own colours. Along a ray, splat i covers the fraction opacities[i] * exp(-d^2 / 2) of
+/// everything behind it, where d is the smallest distance between the ray and the splat's centre, in standard deviations. All
+/// vectors except `harmonics` have one element per splat.
 struct Splats {
   std::vector<Vec3f> centers{};
   std::vector<Quatf> rotations{};   ///< unit length; rotates the splat's principal axes into the shape's axes
   std::vector<Vec3f> deviations{};  ///< standard deviations along the splat's three principal axes, > 0
-  std::vector<float> opacities{};   ///< 0 to 1
-  int degree = 0;                   ///< degree of the spherical harmonics, 0 to 3
+  std::vector<float> opacities{};
+  int degree = 0;  ///< degree of the spherical harmonics, 0 to 3
   /// (degree + 1)^2 coefficients for each splat, ordered by l and then by m from -l to l. The colour of a splat is max(0, 0.5 +
-  /// sum of coefficient * basis function). The basis functions are real, include the Condon-Shortley phase, and are evaluated
+  /// sum of coefficient * basis function). The basis functions are the real spherical harmonics with the Condon-Shortley phase,
   /// at the ray's direction in the shape's axes.
   std::vector<Vec3f> harmonics{};
-  /// True: colours are linear light. False: colours are sRGB-encoded, and splats are also blended in that encoding.
+  /// True: colours are linear. False: colours are sRGB-encoded, and splats are also blended in that encoding.
   bool is_linear = false;
 };
 
@@ -113,11 +108,8 @@ using Planes = std::vector<Plane>;
 using Rings = std::vector<Ring>;
 using Boxes = std::vector<Box>;
 
-/// Analytic shapes are intersected exactly, without tessellation. The transforms of their nodes must scale uniformly. Splats
-/// are unlit and ignore their material.
+/// Analytic shapes are intersected exactly. The transforms of their nodes must scale uniformly. Splats ignore their material.
 using Shape = std::variant<Mesh, Spheres, Cylinders, Planes, Rings, Boxes, Splats>;
-
-// ---- Materials ------------------------------------------------------------------------------------------------------
 
 enum class Wrap { kRepeat, kMirror, kClamp };
 
@@ -135,7 +127,7 @@ enum class ProjectionKind {
   kSphere,    ///< u runs around v_axis, v from 0 at the -v_axis pole to 1 at the +v_axis pole (TEXFUNC 8)
 };
 
-/// Projects a texture onto the surfaces of a material, as Tachyon's image maps do (formulas: trace/projection.hpp).
+/// Projects a texture onto the surfaces of a material, as Tachyon's image maps do (formulas: shading/projection.hpp).
 struct ImageProjection {
   ProjectionKind kind = ProjectionKind::kPlane;
   Vec3f center{0.0f}, rotate{0.0f}, scale{1.0f};
@@ -156,7 +148,7 @@ enum class Highlight {
 /// - emission.
 struct PhongSurface {
   Vec3f color{0.8f};
-  int texture = -1;  ///< index of the texture; a projected texture replaces `color`, and a texture mapped by uv multiplies it
+  int texture = -1;  ///< a projected texture replaces `color`, and a texture mapped by uv multiplies it
   std::optional<ImageProjection> projection{};  ///< none: the texture is mapped by the mesh's uvs
   float ambient = 0.1f, diffuse = 0.9f;
   Highlight highlight_kind = Highlight::kNone;
@@ -175,7 +167,7 @@ struct TextureMap {
   Vec2f offset{0.0f};
 };
 
-/// Fibres that scatter light at grazing angles (KHR_materials_sheen). The sheen lies above all layers except the clear coat.
+/// Fibres that scatter light at grazing angles (KHR_materials_sheen), above all layers except the clear coat.
 struct Sheen {
   Vec3f color{0.0f};  ///< black: no sheen
   TextureMap color_map{};
@@ -228,8 +220,7 @@ struct SurfaceExtensions {
 };
 
 /// glTF 2.0's metallic-roughness model with the extensions listed in docs/reference/gltf.md. Each map multiplies the factor
-/// declared before it. The comments name the channels that a map uses. Colour maps are sRGB textures; all other maps are
-/// linear.
+/// declared before it. Colour maps are sRGB textures; all other maps are linear.
 struct MetallicRoughness {
   Vec4f base_color{1.0f};
   TextureMap base_color_map{};
@@ -267,12 +258,10 @@ struct Material {
   std::variant<PhongSurface, MetallicRoughness> surface{};
 };
 
-// ---- Lights, background, camera, display ----------------------------------------------------------------------------
-
 enum class LightKind { kPoint, kDirectional, kSpot };
 
-/// Measured angular distribution of a lamp's light (IES LM-63). Intensities are given on a grid of polar angles and azimuths,
-/// and are interpolated linearly. Directions outside the grid get no light.
+/// Measured angular distribution of a lamp's light (IES LM-63), interpolated linearly on a grid of polar angles and azimuths.
+/// Directions outside the grid get no light.
 struct PhotometricWeb {
   std::string name{};
   std::vector<float> polar{};  ///< radians from the web's +z; at least two values, increasing, within 0 to pi
@@ -281,8 +270,7 @@ struct PhotometricWeb {
   /// One value, >= 0, per azimuth and polar angle; all polar angles of the first azimuth come first. The mean over the sphere
   /// is 1.
   std::vector<float> intensity{};
-  /// Maps directions from the axes of the light, which shines along -z, to the axes of the web. It is a rotation, possibly with
-  /// a mirroring.
+  /// Maps directions from the axes of the light, which shines along -z, to the axes of the web.
   Mat3f web_from_light{1.0f};
 };
 
@@ -296,27 +284,26 @@ struct Light {
   /// Point and spot lights: at distance d, the light is divided by x + y * d + z * d^2 (x, y and z of this vector), as in
   /// Tachyon.
   Vec3f attenuation{1.0f, 0.0f, 0.0f};
-  /// Point and spot lights: true: the light is also divided by the squared distance, as in glTF.
+  /// Point and spot lights: whether the light is also divided by the squared distance, as in glTF.
   bool inverse_square = false;
   float range = kInfinity;     ///< the light does not reach beyond this distance
   float inner_cone = 0.0f;     ///< spot lights: half angle in radians of the cone with full strength
   float outer_cone = kPi / 4;  ///< spot lights: half angle in radians of the cone that contains all light
   /// If > 0, rays see the light as a sphere of this radius in the light's colour. The sphere casts no shadow.
   float visible_radius = 0.0f;
-  /// The next two members give the size of the emitter. Path tracing uses it to soften shadows; Whitted shading treats lights
-  /// as points. The size changes neither the power of a lamp nor the light at points without shadow. Mirrors show the emitter,
-  /// but cameras do not.
-  float radius = 0.0f;            ///< point and spot lights: radius of the emitter, in world units; needs inverse_square
-  float angular_diameter = 0.0f;  ///< directional lights: angular diameter of the emitting disc in radians, at most pi
-  /// Spot lights: falloff from the inner cone to the outer cone as a function of t. t is linear in the cosine of the angle, 1
-  /// at the inner cone and 0 at the outer cone. true: 3 t^2 - 2 t^3, as in Blender. false: t^2.
+  /// The size of the emitter, by which path tracing softens shadows. It changes neither the power of a lamp nor the light at
+  /// points without shadow. Mirrors show the emitter, but cameras do not.
+  float radius = 0.0f;            ///< point and spot lights: radius in world units; needs inverse_square
+  float angular_diameter = 0.0f;  ///< directional lights: angular diameter of the disc in radians, at most pi
+  /// Spot lights: falloff between the cones, where t is linear in the cosine of the angle, 1 at the inner cone and 0 at the
+  /// outer cone. true: 3 t^2 - 2 t^3, as in Blender. false: t^2.
   bool smooth_edge = false;
   /// Point lights: index into Scene::webs. The intensity of the web multiplies the colour. -1: the light is the same in all
   /// directions.
   int web = -1;
 };
 
-/// A panorama that surrounds the scene. transport/environment.hpp defines the orientation of the panorama.
+/// A panorama that surrounds the scene, oriented as in transport/environment.hpp.
 struct EnvironmentMap {
   static constexpr int kMostWidth = 32768, kMostHeight = 16384;
   Image radiance{};  ///< 3 channels, linear, finite and >= 0; equirectangular
@@ -324,12 +311,12 @@ struct EnvironmentMap {
   float rotation = 0.0f;  ///< rotation about +y in radians, from +x towards +z
 };
 
-/// Radiance of rays that hit nothing. If there is a map, the radiance comes from the map. Otherwise it is `horizon` where
-/// dot(direction, up) <= horizon_at, `zenith` where dot(direction, up) >= zenith_at, and a linear blend in between.
+/// Radiance of rays that hit nothing: the map if there is one, otherwise `horizon` where dot(direction, up) <= horizon_at,
+/// `zenith` where dot(direction, up) >= zenith_at, and a linear blend in between.
 struct Background {
   Vec3f horizon{0.0f};
   Vec3f zenith{0.0f};
-  Vec3f up{0.0f, 1.0f, 0.0f};  ///< unit length
+  Vec3f up{0.0f, 1.0f, 0.0f};
   /// Sines of the elevations at which the blend begins and ends. They must differ. If horizon_at > zenith_at, the horizon
   /// colour is above the zenith colour.
   float horizon_at = 0.0f, zenith_at = 1.0f;
@@ -343,7 +330,7 @@ struct Camera {
   float vertical_fov = radians(45.0f);  ///< full vertical angle in radians
   float aspect = 1.0f;                  ///< width / height of the image that the file requests; 0: unknown
   float focus_distance = 0.0f;          ///< distance of the plane that the author wants in focus, in node units; 0: none
-  /// Shifts the ray of each pixel by this many pixels (x right, y down). Only for single views, not for lens arrays.
+  /// Shifts the ray of each pixel by this many pixels (x right, y down). Only for single views.
   Vec2f pixel_offset{0.0f};
   /// If > 0, the camera is orthographic and shows this height in node units. vertical_fov is ignored.
   float orthographic_height = 0.0f;
@@ -360,9 +347,6 @@ struct DisplayPlacement {
   float viewing_distance = kInfinity;  ///< distance of the viewer from the array, in node units
 };
 
-// ---- Nodes and time -------------------------------------------------------------------------------------------------
-
-/// Applies scale, then rotation, then translation.
 struct Transform {
   Vec3f translation{0.0f};
   Quatf rotation{1.0f, 0.0f, 0.0f, 0.0f};
@@ -382,14 +366,13 @@ struct Node {
 /// joints j of weight_j * world_from_node[joints[j]] * joint_from_mesh[j] * v.
 struct Skin {
   std::string name{};
-  std::vector<int> joints{};                ///< indices of the joints' nodes
+  std::vector<int> joints{};
   std::vector<Affine3f> joint_from_mesh{};  ///< inverse bind matrix of each joint
 };
 
 enum class Interpolation { kStep, kLinear, kCubicSpline };
 
-/// Keyframes of one animated quantity. Before the first key, the quantity has the first value; after the last key, the last
-/// value.
+/// Keyframes of one animated quantity, which is constant before the first key and after the last one.
 template <class T>
 struct Channel {
   std::vector<double> times{};  ///< in seconds, strictly increasing; empty: the quantity is not animated
@@ -414,8 +397,6 @@ struct Timeline {
   double time(int frame) const { return frame / frames_per_second; }
 };
 
-// ---- The scene ------------------------------------------------------------------------------------------------------
-
 /// A shape with a material at a node. The index in Scene::instances is the instance's object id.
 struct Instance {
   std::string name{};
@@ -424,11 +405,11 @@ struct Instance {
   int skin = -1;
   /// Meshes only: camera rays pass through the instance, but mirrors show it, and it still emits light.
   bool hidden_from_cameras = false;
-  /// If true, the instance casts no shadow. Only meshes may set this, unless no instance of the scene casts shadows.
+  /// Only meshes may set this, unless no instance of the scene casts shadows.
   bool casts_no_shadow = false;
 };
 
-/// The shading model of a scene. It selects the default sampling: see completed() in frames/frame_params.hpp.
+/// The shading model of a scene, which selects the default sampling.
 enum class SceneKind {
   /// Physically based materials and lights: glTF, OBJ and PLY files, and scenes made in memory.
   kPhysical,
@@ -456,8 +437,7 @@ struct Scene {
   std::vector<std::string> animation_names{};  ///< names of all animations of the file
   int animation = -1;                          ///< index into animation_names of the animation that `timeline` contains
   std::vector<std::string> variant_names{};
-  /// Origin of the scene's coordinates, in file coordinates (scene/origin.hpp). A point p of the scene lies at origin + p in
-  /// the file.
+  /// A point p of the scene lies at origin + p in the file (scene/origin.hpp).
   Vec3d origin{0.0};
   Encoding encoding = Encoding::kSrgb;
   int max_depth = 6;       ///< maximum number of vertices of a path; the file's limit, if it states one

@@ -8,7 +8,7 @@
 
 namespace lippmann {
 
-/// World transforms and morph weights of all nodes of a scene at one time. Both vectors are indexed like Scene::nodes.
+/// World transforms and morph weights of all nodes of a scene at one time, indexed like Scene::nodes.
 struct ResolvedScene {
   std::vector<Affine3f> world_from_node{};
   std::vector<std::vector<float>> morph_weights{};  ///< one list per node; empty if no node has morph weights
@@ -17,29 +17,26 @@ struct ResolvedScene {
 };
 
 /// Returns the state of all nodes at a time in seconds. Equal times give the same bits. Throws Error if a node does not come
-/// after its parent, or if an animated node does not exist. Cubic splines follow glTF 2.0, appendix C ("Animation sampler
-/// interpolation modes").
+/// after its parent, or if an animated node does not exist. Cubic splines follow glTF 2.0, appendix C.
 ///
 /// Except for these two errors, the functions of this header require a scene that passes validate() (scene/load.hpp).
 ResolvedScene evaluate(const Scene& scene, double time);
 
-/// Returns for each node whether it ever moves. A node moves if it or one of its ancestors has an animation with more than one
-/// value.
+/// Returns for each node whether it or one of its ancestors has an animation with more than one value.
 std::vector<bool> moving_nodes(const Scene& scene);
 
-/// Returns whether every key of the animation falls on a frame at the given rate. Tolerates a fiftieth of a frame. Returns true
-/// if the animation has no keys.
+/// Returns whether every key of the animation falls on a frame at the given rate, within a fiftieth of a frame. Returns true if
+/// the animation has no keys.
 bool keys_fall_on_frames(const Timeline& timeline, double frames_per_second);
 
 /// Returns for each node whether its morph weights ever change.
 std::vector<bool> morphing_nodes(const Scene& scene);
 
-/// Returns the bounds of all finite shapes (all shapes except planes) at one time, along the axes of the frame that
-/// frame_from_world maps to. The default is the world's axes. Returns empty bounds if there are no finite shapes. Ignores
-/// outlying splats (bulk_bounds() in scene/splats.hpp).
+/// Returns the bounds of all shapes except planes at one time, along the axes of the frame that frame_from_world maps to, by
+/// default the world's. Returns empty bounds if there are none. Ignores outlying splats (bulk_bounds() in scene/splats.hpp).
 Bounds3f finite_bounds(const Scene& scene, const ResolvedScene& resolved, const Affine3f& frame_from_world = {});
 
-/// Returns the bounds of one instance. They are exact in any affine frame, even a sheared one.
+/// Returns the bounds of one instance, exact in any affine frame.
 Bounds3f finite_bounds(const Scene& scene, const Instance& instance, const ResolvedScene& resolved,
                        const Affine3f& frame_from_world = {});
 

@@ -1,8 +1,7 @@
 // Based on: Gerald Farin, "Curves and Surfaces for CAGD", 5th ed., 2002, sections 14.1-14.6 (tensor-product patches, their
 // derivatives, and normals at degenerate edges).
 //
-// dP/du is zero along an edge that is a single point. There, the mixed derivative d2P/dudv replaces it, because near the edge
-// dP/du is about the distance to the edge times the mixed derivative.
+// dP/du is zero along an edge that is a single point. There, the mixed derivative d2P/dudv replaces it.
 #include "scene/builtin/bezier_patch.hpp"
 
 #include <cstdint>
@@ -54,7 +53,7 @@ void tessellate(const BezierPatch& patch, int steps, Mesh& mesh) {
       mesh.normals.push_back(normal_on(patch, u, v));
       mesh.uvs.push_back({u, v});
     }
-  // If an edge is a single point, rounding errors may separate its vertices. Such vertices count as equal.
+  // If an edge is a single point, rounding errors may separate its vertices.
   const float rounding = 1e-6f * glm::length(patch[3][3] - patch[0][0]);
   const auto apart = [&](std::uint32_t a, std::uint32_t b) {
     return glm::length(mesh.positions[a] - mesh.positions[b]) > rounding;

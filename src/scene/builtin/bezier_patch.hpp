@@ -1,4 +1,3 @@
-// Bicubic Bezier patches: evaluation of points and exact normals, and tessellation.
 #pragma once
 
 #include <array>
@@ -12,12 +11,11 @@ using BezierPatch = std::array<std::array<Vec3f, 4>, 4>;
 
 Vec3f point_on(const BezierPatch& patch, float u, float v);
 
-/// Returns the unit normal along dP/du x dP/dv. At an edge that is a single point, one of the derivatives is zero; the result
-/// is then the limit of the normal.
+/// Returns the unit normal along dP/du x dP/dv, or its limit at an edge that is a single point.
 Vec3f normal_on(const BezierPatch& patch, float u, float v);
 
-/// Adds (steps + 1)^2 vertices and up to 2 steps^2 triangles. Skips triangles without area, which occur at edges that are
-/// single points. Triangles are counter-clockwise from the side that the normal points to. The texture coordinates are (u, v).
+/// Adds (steps + 1)^2 vertices and up to 2 steps^2 triangles, counter-clockwise from the side that the normal points to. Skips
+/// triangles without area. The texture coordinates are (u, v).
 void tessellate(const BezierPatch& patch, int steps, Mesh& mesh);
 
 }  // namespace lippmann::builtin

@@ -11,8 +11,7 @@ namespace {
 
 constexpr float kGoldenAngle = 2.39996323f;
 
-/// Adds a leaf: a rhombus from `base` to `base + along` with half width `side`. It is folded along its length so that both
-/// halves rise towards `up`.
+/// Adds a rhombus from `base` to `base + along` with half width `side`. Both halves rise towards `up`.
 void add_leaf(Mesh& mesh, Vec3f base, Vec3f along, Vec3f side, Vec3f up, Vec3f shading_normal) {
   const std::uint32_t first = static_cast<std::uint32_t>(mesh.positions.size());
   const Vec3f middle = base + 0.55f * along, lift = 0.25f * glm::length(side) * up;
@@ -32,7 +31,6 @@ void add_twig(Mesh& mesh, const Twig& twig, float radius) {
   append(mesh, tube({twig.from, twig.to}, {radius, 0.5f * radius}, 4, false));
 }
 
-/// Returns side twigs that are arranged in a spiral around a twig.
 std::vector<Twig> side_twigs(const Twig& twig, int count, float length, Dice& dice) {
   std::vector<Twig> twigs;
   const Vec3f axis = twig.to - twig.from;

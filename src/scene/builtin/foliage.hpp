@@ -1,4 +1,3 @@
-// Parts of a tree: curved branches and sprays (twigs with leaves). Each part starts at the origin and grows along +y.
 #pragma once
 
 #include <cstdint>
@@ -8,11 +7,9 @@
 
 namespace lippmann::builtin {
 
-/// A sequence of random numbers. Equal seeds give equal sequences on every machine.
 class Dice {
  public:
   explicit Dice(std::uint32_t seed) : seed_(seed) {}
-  /// Returns a random number, uniform in [0, 1).
   float unit();
   float between(float low, float high) { return low + (high - low) * unit(); }
   std::uint32_t bits();
@@ -21,17 +18,14 @@ class Dice {
   std::uint32_t seed_, count_ = 0;
 };
 
-/// The centre line of a branch, and the radius at each of its points.
 struct Branch {
   std::vector<Vec3f> points;
   std::vector<float> radii;
 
-  /// Returns the point of the centre line at the given fraction (0 to 1) of its length.
   Vec3f point(float share) const;
 };
 
-/// Returns a branch that starts along +y and deviates from +y by about `bend` times its length. `pieces` is the number of
-/// segments.
+/// Returns a branch that starts along +y and deviates from +y by about `bend` times its length.
 Branch bent_branch(float length, float base_radius, float tip_radius, float bend, int pieces, std::uint32_t seed);
 
 /// Returns the rotation that turns +y to the unit vector `direction` and then rotates about `direction` by `roll` radians.
@@ -44,8 +38,8 @@ struct Spray {
   Mesh twigs, leaves;
 };
 
-/// Returns two generations of twigs with `leaf_count` leaves of two triangles. The spray is about `length` long. Leaf normals
-/// are blended with the direction out of the spray so that the shading resembles a round volume.
+/// Returns two generations of twigs with `leaf_count` leaves, about `length` long. Leaf normals are blended with the direction
+/// out of the spray, so that it is shaded like a round volume.
 Spray grow_spray(float length, int leaf_count, float leaf_length, std::uint32_t seed);
 
 }  // namespace lippmann::builtin

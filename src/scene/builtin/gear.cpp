@@ -30,9 +30,9 @@ float involute_half_angle(int teeth, float radius) {
 
 Vec2f polar(float radius, float angle) { return {radius * std::cos(angle), radius * std::sin(angle)}; }
 
-/// Adds teeth between two radii as strips of triangles from flank to flank. `half_angle(radius)` returns half the angle of a
-/// tooth. The first tooth is centred on the angle `first_angle`. Returns the points of the root circle: both ends of each
-/// tooth, and two points between neighbouring teeth.
+/// Adds teeth between two radii as strips of triangles. `half_angle(radius)` returns half the angle of a tooth. The first tooth
+/// is centred on `first_angle`. Returns the points of the root circle: both ends of each tooth, and two points between
+/// neighbouring teeth.
 template <class HalfAngle>
 AngularRing add_teeth(PlanarRegion& region, int teeth, float first_angle, float root, float tip, const HalfAngle& half_angle) {
   AngularRing root_ring;
@@ -78,8 +78,7 @@ AngularRing add_inner_teeth(PlanarRegion& region, int teeth) {
                    [=](float r) { return ring_tooth_half_angle(teeth, r); });
 }
 
-/// Adds a circle of points. There are `per_spoke` + 1 points across the width of each spoke, followed by `per_gap` - 1 points
-/// before the next spoke.
+/// Adds a circle with `per_spoke` + 1 points across each spoke, and `per_gap` - 1 points before the next spoke.
 AngularRing add_spoked_circle(PlanarRegion& region, float radius, int spokes, float width, int per_spoke, int per_gap) {
   AngularRing ring;
   const float pitch = 2.0f * kPi / static_cast<float>(spokes), half = std::asin(0.5f * width / radius);
@@ -103,7 +102,6 @@ AngularRing add_circle(PlanarRegion& region, float radius, int count) {
   return ring;
 }
 
-/// Adds the triangles of the spokes between two circles made by add_spoked_circle(). The gaps between the spokes stay open.
 void fill_spokes(PlanarRegion& region, const AngularRing& hub, const AngularRing& rim, int spokes, int per_spoke, int per_gap) {
   for (int spoke = 0; spoke < spokes; ++spoke)
     for (int i = 0; i < per_spoke; ++i) {
@@ -151,8 +149,8 @@ Mesh ring_gear_mesh(int inner_teeth, int outer_teeth, const GearBlank& blank) {
 }
 
 float meshing_angle(int driver_teeth, float driver_angle, int teeth, float direction) {
-  // Measure angles from the line of centres. If a tooth of the driver is at the angle d, the gap that it enters is at the angle
-  // -d * driver_teeth / teeth.
+  // If a tooth of the driver is at the angle d from the line of centres, the gap that it enters is at -d * driver_teeth /
+  // teeth.
   const float ratio = static_cast<float>(driver_teeth) / static_cast<float>(teeth);
   return direction + kPi + kPi / static_cast<float>(teeth) - ratio * (driver_angle - direction);
 }

@@ -1,8 +1,8 @@
 // Involute gears: tooth shapes, solid meshes, and the rotation angles at which gears mesh.
 //
-// A gear lies in the x-y plane and rotates about z. One of its teeth is centred on +x. For an internal ring, a gap between two
-// teeth is centred on +x instead. The unit of length is the module: the pitch diameter divided by the number of teeth. Any two
-// gears mesh if the distance between their centres is half the sum of their tooth counts.
+// A gear lies in the x-y plane and rotates about z. A tooth is centred on +x, or, for an internal ring, a gap. The unit of
+// length is the module: the pitch diameter divided by the number of teeth. Two gears mesh if the distance between their centres
+// is half the sum of their tooth counts.
 #pragma once
 
 #include "scene/builtin/planar_region.hpp"
@@ -16,8 +16,7 @@ inline constexpr float kBacklash = 0.06f;
 
 inline constexpr float pitch_radius(int teeth) { return 0.5f * static_cast<float>(teeth); }
 
-/// Returns half the angle that a tooth covers at a radius between the base circle and the tip, in radians. Below the base
-/// circle, the angle is constant.
+/// Returns half the angle of a tooth at a radius, in radians. Below the base circle, the angle is constant.
 float tooth_half_angle(int teeth, float radius);
 /// Returns tooth_half_angle() for the teeth of an internal ring, which point inwards.
 float ring_tooth_half_angle(int teeth, float radius);
@@ -26,9 +25,9 @@ struct GearBlank {
   float thickness = 4.0f;
   float bevel = 0.12f;
   float bore_radius = 1.0f;
-  int spokes = 0;            ///< number of spokes; 0: a solid disc
-  float spoke_width = 2.0f;  ///< width at the hub; the width at the rim is 0.75 times this
-  float rim_width = 2.0f;    ///< distance from the root circle to the inner edge of the rim
+  int spokes = 0;
+  float spoke_width = 2.0f;
+  float rim_width = 2.0f;
   float hub_radius = 2.5f;
 };
 

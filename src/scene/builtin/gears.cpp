@@ -1,5 +1,4 @@
-// The scene "gears": a planetary gear train whose ring drives more gears, in front of the engraved plate of a clockwork. The
-// unit of length is the module of the gears.
+// The scene "gears": a planetary gear train whose ring drives more gears. The unit of length is the module of the gears.
 //
 // Every gear makes a whole number w of turns per loop, so that the loop is seamless. The ring makes 1 turn and the carrier 2.
 // The others follow from Willis' equation, with 36 teeth inside the ring and 12 teeth for sun and planets:
@@ -28,7 +27,7 @@ struct Metals {
 struct Gear {
   Vec3f center{0.0f};
   int teeth = 0, turns = 0;
-  float angle = 0.0f;  ///< rotation at the start of the loop, in radians
+  float angle = 0.0f;
 };
 
 /// Returns a gear that meshes with `driver`. `direction` is the angle of the line from the driver to the gear. The resulting
@@ -43,7 +42,6 @@ Gear beside(const Gear& driver, int teeth, float direction) {
   return gear;
 }
 
-/// Returns a second gear on the shaft of `gear`, at the depth z.
 Gear on_shaft(const Gear& gear, int teeth, float z) {
   Gear other = gear;
   other.center.z = z;
@@ -63,7 +61,6 @@ int add_gear(SceneBuilder& scene, const Gear& gear, const GearBlank& blank, int 
   return node;
 }
 
-/// Adds a shaft along z. Its front end has a bearing jewel.
 void add_shaft(SceneBuilder& scene, int parent, Vec3f center, float back, float front, float radius, const Metals& metals) {
   const int node = scene.add_node("shaft", parent, at({center.x, center.y, 0.0f}));
   scene.show("shaft", Cylinders{{{0.0f, 0.0f, back}, {0.0f, 0.0f, front}, radius}}, metals.steel, node);
@@ -71,9 +68,8 @@ void add_shaft(SceneBuilder& scene, int parent, Vec3f center, float back, float 
   scene.show("jewel", Spheres{{{0.0f, 0.0f, front - 0.25f * radius}, 0.5f * radius}}, metals.ruby, node);
 }
 
-/// Decoration of a gear's face: a raised band, and blued steel screws along a circle.
 struct Trim {
-  float face;  ///< z of the gear's face
+  float face;
   float band_radius, screw_radius;
   int screws;
   int band_metal;
@@ -101,8 +97,7 @@ void add_planetary_set(SceneBuilder& scene, const Gear& ring, const Metals& meta
   scene.show("ring", ring_gear_mesh(kRingInside, kRingOutside, blank), metals.brass, ring_node);
   add_trim(scene, ring_node, {0.5f * blank.thickness, 19.9f, 21.4f, 16, metals.gold}, metals);
 
-  // The gears mesh if their angles are derived in this order: the planet on +x from the ring, the sun from this planet, the
-  // other planets from the sun.
+  // The gears mesh if their angles are derived in this order.
   const float planet_angle = static_cast<float>(kRingInside) / kPlanet * ring.angle;
   const float sun_angle = meshing_angle(kPlanet, planet_angle, kSun, kPi);
   const int sun = add_turning_node(scene, "sun", -1, ring.center, kSunTurns, sun_angle);
@@ -121,10 +116,8 @@ void add_planetary_set(SceneBuilder& scene, const Gear& ring, const Metals& meta
   }
 }
 
-/// Returns a metal plate with rows of overlapping circular brush marks, as on watch movements (perlage).
 Texture perlage(Vec3f color) {
   return paint("perlage", 256, 256, [=](Vec2f uv) {
-    // Discs of later rows cover earlier ones. The brush marks are circles around the centre of each disc.
     const Vec2f p = 4.0f * uv;
     Vec2f best(0.0f);
     for (int row = static_cast<int>(std::floor(p.y)) - 1; row <= static_cast<int>(std::floor(p.y)) + 1; ++row)
@@ -163,8 +156,6 @@ Scene build_gears() {
   add_trim(scene, lower_node, {0.5f * pinion.thickness, 5.6f, 4.0f, 6, metals.gold}, metals);
   add_gear(scene, left, pinion, metals.gold);
 
-  // The pinion on the upper shaft and the gear that it drives are in front. The large wheel on the same shaft and the gear that
-  // it drives are behind.
   const Gear front = on_shaft(upper, 12, 8.0f), front_partner = beside(front, 12, radians(-95.0f));
   add_gear(scene, front, {.thickness = 4.0f, .bore_radius = 1.4f}, metals.gold);
   add_gear(scene, front_partner, {.thickness = 3.0f, .bore_radius = 1.2f}, metals.brass);

@@ -1,5 +1,3 @@
-// Computes the normals of a mesh whose faces share vertices. Normals are smooth across gentle edges. Sharp edges get split
-// vertices.
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -15,7 +13,6 @@ struct Corner {
   Index triangle, corner;
 };
 
-/// Returns the normal of a triangle. Its length is twice the triangle's area.
 Vec3f area_normal(const Mesh& mesh, const std::array<Index, 3>& t) {
   return glm::cross(mesh.positions[t[1]] - mesh.positions[t[0]], mesh.positions[t[2]] - mesh.positions[t[0]]);
 }
@@ -46,7 +43,7 @@ Mesh with_creases(const Mesh& welded, float crease_angle) {
         if (glm::dot(a, b) >= cosine * glm::length(a) * glm::length(b)) normal += b;
       }
       normal = glm::normalize(normal);
-      Index index = first;  // corners with nearly equal normals share a vertex
+      Index index = first;
       while (index < mesh.positions.size() && glm::dot(mesh.normals[index], normal) < 0.99999f) ++index;
       if (index == mesh.positions.size()) {
         mesh.positions.push_back(welded.positions[vertex]);

@@ -10,7 +10,7 @@ using Index = std::uint32_t;
 
 Index vertex_count(const Mesh& mesh) { return static_cast<Index>(mesh.positions.size()); }
 
-/// Adds the two triangles of a grid cell. Triangles without area are skipped.
+/// Adds the two triangles of a grid cell, unless they have no area.
 void add_cell(Mesh& mesh, Index a, Index b, Index c, Index d) {
   const auto same = [&](Index i, Index j) { return mesh.positions[i] == mesh.positions[j]; };
   if (!same(a, b) && !same(b, c) && !same(a, c)) mesh.triangles.push_back({a, b, c});
@@ -22,8 +22,8 @@ Vec2f unit_or_zero(Vec2f v) {
   return length > 0.0f ? v / length : Vec2f(0.0f);
 }
 
-/// Returns the outward normals (radial, y) of a profile's points. At a crease, a point is listed twice: the first copy has the
-/// normal of the segment before the crease, the second copy the normal of the segment after it.
+/// Returns the outward normals (radial, y) of a profile's points. At a crease, a point is listed twice, with the normals of the
+/// segments before and after it.
 std::vector<Vec2f> profile_normals(const std::vector<Vec2f>& profile) {
   const std::size_t n = profile.size();
   const bool loop = n > 2 && profile.front() == profile.back();
@@ -45,7 +45,6 @@ Vec3f any_perpendicular(Vec3f v) {
   return glm::normalize(glm::cross(v, std::abs(v.x) < 0.7f ? Vec3f(1, 0, 0) : Vec3f(0, 1, 0)));
 }
 
-/// Returns the unit vector perpendicular to `axis` that is closest to `v`.
 Vec3f perpendicular_part(Vec3f v, Vec3f axis) { return glm::normalize(v - glm::dot(v, axis) * axis); }
 
 std::vector<Vec3f> curve_tangents(const std::vector<Vec3f>& points, bool closed) {
@@ -59,15 +58,13 @@ std::vector<Vec3f> curve_tangents(const std::vector<Vec3f>& points, bool closed)
   return tangents;
 }
 
-/// Returns normals along a curve by parallel transport, so that they do not twist around the curve.
 std::vector<Vec3f> transported_normals(const std::vector<Vec3f>& tangents) {
   std::vector<Vec3f> normals{any_perpendicular(tangents[0])};
   for (std::size_t i = 1; i < tangents.size(); ++i) normals.push_back(perpendicular_part(normals.back(), tangents[i]));
   return normals;
 }
 
-/// Transport of a normal once around a closed curve rotates the normal about the tangent. Returns the angle that rotates it
-/// back to the first normal.
+/// Returns the angle that undoes the rotation of a normal by parallel transport once around a closed curve.
 float closing_twist(const std::vector<Vec3f>& tangents, const std::vector<Vec3f>& normals) {
   const Vec3f arrived = perpendicular_part(normals.back(), tangents[0]);
   return std::atan2(glm::dot(glm::cross(arrived, normals[0]), tangents[0]), glm::dot(arrived, normals[0]));
@@ -112,7 +109,7 @@ std::vector<Vec2f> smooth_profile(const std::vector<Vec2f>& points, int steps) {
   for (std::size_t i = 0; i + 1 < n; ++i) {
     const Vec2f b = points[i], c = points[i + 1];
     profile.push_back(b);
-    if (b == c) continue;  // a crease: add no points between its two points
+    if (b == c) continue;
     const Vec2f a = i > 0 && points[i - 1] != b ? points[i - 1] : 2.0f * b - c;
     const Vec2f d = i + 2 < n && points[i + 2] != c ? points[i + 2] : 2.0f * c - b;
     for (int s = 1; s < steps; ++s)

@@ -14,8 +14,8 @@ using Index = std::uint32_t;
 
 constexpr Index kNone = ~Index{0};
 
-/// Returns for each point on the region's boundary the next boundary point, in the direction that has the region on the left.
-/// Returns kNone for points inside the region.
+/// Returns for each boundary point the next one, in the direction that has the region on the left. Returns kNone for points
+/// inside the region.
 std::vector<Index> next_on_boundary(const PlanarRegion& region) {
   std::map<std::pair<Index, Index>, int> directed;
   for (const auto& t : region.triangles)
@@ -31,7 +31,6 @@ Vec2f outward_normal(Vec2f from, Vec2f to) {
   return {along.y, -along.x};
 }
 
-/// Returns the points with the boundary moved inwards: each boundary point ends at `distance` from both adjacent edges.
 std::vector<Vec2f> inset(const PlanarRegion& region, const std::vector<Index>& next, float distance) {
   std::vector<Vec2f> inwards(region.points.size(), Vec2f(0.0f));
   for (Index i = 0; i < next.size(); ++i) {
@@ -44,7 +43,7 @@ std::vector<Vec2f> inset(const PlanarRegion& region, const std::vector<Index>& n
   for (Index i = 0; i < next.size(); ++i) {
     if (next[i] == kNone) continue;
     // A mitre moves a corner by distance / cos(a), where a is half the angle between the normals n1 and n2 of the two edges
-    // that meet there. |n1 + n2| = 2 cos(a). The factor 1 / cos(a) is limited to 2.
+    // that meet there, and |n1 + n2| = 2 cos(a). The factor 1 / cos(a) is limited to 2.
     const float cosine = 0.5f * glm::length(inwards[i]);
     points[i] += distance / std::max(cosine, 0.5f) * glm::normalize(inwards[i]);
   }
@@ -59,8 +58,6 @@ void fill_between(PlanarRegion& region, const AngularRing& inner, const AngularR
   const auto unrolled = [&](const AngularRing& ring, std::size_t i) {
     return ring.angles[i % ring.angles.size()] + (i < ring.angles.size() ? 0.0f : turn);
   };
-  // Start with the outer point that is nearest to the first inner point. In each step, advance along the curve whose next point
-  // has the smaller angle.
   std::size_t first = 0;
   const auto gap = [&](std::size_t i) { return std::abs(std::remainder(outer.angles[i] - inner.angles[0], turn)); };
   for (std::size_t i = 1; i < outer_count; ++i)
@@ -83,7 +80,6 @@ Mesh extrude(const PlanarRegion& region, float thickness, float bevel) {
   const Index count = static_cast<Index>(region.points.size());
   const float half = 0.5f * thickness;
 
-  // The points form four layers: bottom face, lower end of the walls, upper end of the walls, top face.
   Mesh mesh;
   for (const Vec2f& p : face) mesh.positions.push_back({p, -half});
   for (const Vec2f& p : region.points) mesh.positions.push_back({p, -half + bevel});

@@ -1,4 +1,3 @@
-// Flat, triangulated regions with holes, and their extrusion to solids.
 #pragma once
 
 #include <array>
@@ -11,7 +10,7 @@ namespace lippmann::builtin {
 
 struct PlanarRegion {
   std::vector<Vec2f> points;
-  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counter-clockwise; every point must belong to a triangle
+  std::vector<std::array<std::uint32_t, 3>> triangles;
 
   std::uint32_t add(Vec2f p) {
     points.push_back(p);
@@ -19,19 +18,17 @@ struct PlanarRegion {
   }
 };
 
-/// Points on a closed curve around the origin, in counter-clockwise order. The angles increase, by less than a full turn in
-/// total.
+/// Points on a closed curve around the origin, in counter-clockwise order.
 struct AngularRing {
   std::vector<std::uint32_t> points;
   std::vector<float> angles;
   void add(std::uint32_t point, float angle) { points.push_back(point), angles.push_back(angle); }
 };
 
-/// Triangulates the area between two closed curves around the origin. The triangles use all points of both curves.
 void fill_between(PlanarRegion& region, const AngularRing& inner, const AngularRing& outer);
 
-/// Returns a closed solid that is symmetric about z = 0, with bevelled edges and creased normals at sharp edges. `bevel` must
-/// be less than half the thickness, and less than half the width of the region at its narrowest place.
+/// Returns a closed solid that is symmetric about z = 0, with bevelled edges and creased normals. `bevel` must be less than
+/// half the thickness, and less than half the width of the region at its narrowest place.
 Mesh extrude(const PlanarRegion& region, float thickness, float bevel);
 
 }  // namespace lippmann::builtin

@@ -1,5 +1,3 @@
-// The scene "primitives": one of each analytic shape (sphere, cylinder, ring, box) and two meshes (cone, torus) on a
-// merry-go-round around a glass ball.
 #include <cmath>
 
 #include "scene/builtin/meshes.hpp"
@@ -71,7 +69,6 @@ void add_glass_ball(SceneBuilder& scene) {
   scene.bob(center, kUp, {.amplitude = 0.15f, .cycles = 1, .phase = 0.25f});
   scene.show("glass ball", Spheres{{Vec3f(0.0f), 1.2f}}, scene.add_material("glass", glass), center);
 
-  // The outer node turns the direction in which the ring is tilted.
   const int leaning = scene.add_node("where the ring leans", center);
   scene.spin(leaning, kUp, -2);
   const int ring = scene.add_node("ring", leaning, turned(Vec3f(0.0f), {0.0f, 0.0f, 1.0f}, radians(24.0f)));

@@ -1,6 +1,4 @@
-// The scene "room": a furnished room with a moving clock, globe, orrery, ornament and ball. The room is open towards the
-// viewer. The display sways in front of it, and a round mirror on the wall reflects the objects. The unit of length is the
-// metre.
+// The scene "room": a furnished room with a moving clock, globe, orrery, ornament and ball. The unit of length is the metre.
 #include <cmath>
 
 #include "scene/builtin/meshes.hpp"
@@ -25,8 +23,6 @@ int textured(SceneBuilder& scene, const char* name, Texture texture, PhongSurfac
   surface.texture = scene.add_texture(std::move(texture));
   return scene.add_material(name, surface);
 }
-
-// ---- Static objects ----------------------------------------------------------------------------------------------
 
 void add_walls(SceneBuilder& scene, const Materials& m) {
   const float middle = 0.5f * (kBack + kFront), half_depth = 0.5f * (kFront - kBack);
@@ -108,7 +104,7 @@ void add_vase(SceneBuilder& scene, Vec3f place, float size, int material) {
 
 void add_mirror(SceneBuilder& scene, const Materials& m) {
   constexpr float kRadius = 0.68f;
-  // The mirror is turned half-way towards the table and tilted forward, so that the viewer sees the table in the mirror.
+  // The mirror is turned so that the viewer sees the table in it.
   const int hook = scene.add_node("mirror's hook", -1, turned({-1.0f, 2.15f, kBack + 0.26f}, kUp, radians(14.0f)));
   const int node = scene.add_node("mirror", hook, turned(Vec3f(0.0f), kRight, radians(90.0f + 9.0f)));
   const int glass = scene.add_material("mirror", glossy(Vec3f(0.02f), 0.0f, 1.0f, 0.92f));
@@ -117,8 +113,6 @@ void add_mirror(SceneBuilder& scene, const Materials& m) {
   append(frame, torus(kRadius + 0.10f, 0.035f, 128, 16));
   scene.show("mirror's frame", std::move(frame), m.brass, node);
 }
-
-// ---- Moving objects -----------------------------------------------------------------------------------------------------
 
 void add_ornament(SceneBuilder& scene, const Materials& m) {
   std::vector<Vec3f> knot;
@@ -167,7 +161,6 @@ void add_globe(SceneBuilder& scene, const Materials& m) {
 
 void add_clock(SceneBuilder& scene, const Materials& m) {
   const int clock = scene.add_node("clock", -1, at({1.35f, 0.0f, kBack + 0.2f}));
-  // The case is tall and open in front of the pendulum.
   scene.show("clock's case",
              Boxes{box({0.0f, 0.15f, 0.0f}, {0.66f, 0.30f, 0.38f}), box({0.0f, 2.15f, 0.0f}, {0.66f, 0.62f, 0.36f}),
                    box({0.0f, 2.50f, 0.0f}, {0.76f, 0.08f, 0.42f}), box({-0.25f, 1.05f, 0.0f}, {0.07f, 1.6f, 0.30f}),
@@ -196,7 +189,6 @@ void add_clock(SceneBuilder& scene, const Materials& m) {
   scene.show("pendulum's bob", Spheres{{{0.0f, -1.16f, 0.0f}, 0.115f}}, m.brass, pendulum);
 }
 
-/// Adds an orrery: planets that circle a lamp hanging from the ceiling.
 void add_orrery(SceneBuilder& scene, const Materials& m) {
   const Vec3f center(0.25f, 2.85f, -0.9f);
   const int lamp = scene.add_node("orrery", -1, at(center));
@@ -221,8 +213,7 @@ void add_orrery(SceneBuilder& scene, const Materials& m) {
   }
 }
 
-/// Adds a ball that rolls around the table without slipping. The radius of its path is eight times its own radius, so that it
-/// makes eight turns per round.
+/// The radius of the ball's path is eight times its own radius, so it makes eight turns per round.
 void add_ball(SceneBuilder& scene) {
   constexpr float kRadius = 0.14f, kDistance = 8.0f * kRadius;
   const int around = scene.add_node("ball's way", -1, at(kTable));

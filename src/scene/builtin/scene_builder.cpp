@@ -11,11 +11,10 @@
 namespace lippmann::builtin {
 namespace {
 
-// Number of cubic spline keys per cycle of a sine. The spline deviates from the sine by less than 1e-4 of its amplitude.
+// A cubic spline with this many keys per cycle deviates from a sine by less than 1e-4 of its amplitude.
 constexpr int kKeysPerCycle = 16;
 
-// Distance, half width and half height of the backdrop, in units of the height of the array. The backdrop is behind all
-// objects. It is wide enough for the outermost rays of a wide array.
+// In units of the height of the array. The backdrop is wide enough for the outermost rays of a wide array.
 constexpr float kBackdropDistance = 1.2f, kBackdropHalfWidth = 1.6f, kBackdropHalfHeight = 1.0f;
 
 /// Calls add(time, value, slope per second) for each spline key of an oscillation. The last key equals the first one exactly.

@@ -1,4 +1,3 @@
-// The functions that build the built-in scenes. builtin_scenes.cpp lists them.
 #pragma once
 
 #include "lippmann/scene/scene.hpp"

@@ -1,9 +1,6 @@
 // The scene "small-balls": the sphereflake of Eric Haines' Standard Procedural Databases ("A Proposal for Standard Graphics
-// Environments", IEEE CG&A 7(11), 1987). Every sphere carries nine spheres of a third of its size. They are at nine of the
-// twelve neighbouring positions in a close packing of spheres: six around the equator and three above it.
-//
-// The whole flake rotates about its axis. Each of its nine branches also rotates about its own axis, and so do the nine
-// branches of each branch.
+// Environments", IEEE CG&A 7(11), 1987). Every sphere carries nine spheres of a third of its size, at nine of the twelve
+// neighbouring positions in a close packing of spheres: six around the equator and three above it.
 #include <cmath>
 
 #include "scene/builtin/scene_builder.hpp"
@@ -31,7 +28,7 @@ Transform child_place(int child, float radius) {
   return {(1.0f + kChildSize) * radius * direction, Quatf(kUp, direction), Vec3f(1.0f)};
 }
 
-/// Adds to `spheres` the descendants of a sphere that are `generation` generations below it. `place` is the sphere's transform.
+/// Adds the descendants of a sphere that are `generation` generations below it.
 void collect(const Affine3f& place, float radius, int generation, Spheres& spheres) {
   if (generation == 0) {
     spheres.push_back({place.translation, radius});

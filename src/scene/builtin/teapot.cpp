@@ -1,4 +1,3 @@
-// The scene "teapot": the Utah teapot rotates on a marble table. Three rotating tea cups circle it in the opposite direction.
 #include <cmath>
 
 #include "scene/builtin/meshes.hpp"
@@ -10,8 +9,7 @@
 namespace lippmann::builtin {
 namespace {
 
-// Segments per side of a patch. The 32 patches have 2 x 44 x 44 triangles each. In an image of 4096 lines, their edges are much
-// shorter than a pixel.
+// The edges of a patch's 2 x 44 x 44 triangles are shorter than a pixel in an image of 4096 lines.
 constexpr int kPatchSteps = 44;
 constexpr int kCups = 3;
 constexpr float kOrbitRadius = 3.3f;
@@ -31,7 +29,6 @@ Mesh cup_mesh() {
   points.insert(points.end(), inside.begin(), inside.end());
   Mesh mesh = lathe(smooth_profile(points, 5), 72);
 
-  // Both ends of the handle are inside the cup's wall.
   std::vector<Vec3f> ear;
   for (const Vec2f& p :
        smooth_profile({{0.605f, 0.65f}, {0.76f, 0.68f}, {0.88f, 0.56f}, {0.80f, 0.38f}, {0.62f, 0.29f}, {0.465f, 0.285f}}, 6))

@@ -1,8 +1,8 @@
 // The control points are from: Martin Newell, "The Utilization of Procedure Models in Digital Image Synthesis", PhD thesis,
 // University of Utah, 1975. The bottom was added by Frank Crow ("The Origins of the Teapot", IEEE CG&A 7(1), 1987).
 //
-// Rim, body, lid and bottom are nearly surfaces of revolution. They consist of four equal quarters; the table lists one of
-// them. Handle and spout are symmetric about the plane y = 0; the table lists the side y <= 0.
+// Rim, body, lid and bottom consist of four equal quarters; the table lists one of them. Handle and spout are symmetric about
+// the plane y = 0; the table lists the side y <= 0.
 #include "scene/builtin/teapot_patches.hpp"
 
 namespace lippmann::builtin {
@@ -15,7 +15,6 @@ struct QuarterRow {
 };
 using QuarterPatch = std::array<QuarterRow, 4>;
 
-/// One quarter of the rim, of the body (2 patches), of the lid (2 patches), and of the bottom.
 constexpr QuarterPatch kQuarters[] = {
     {{{1.4f, 0.784f, 2.4f}, {1.3375f, 0.749f, 2.53125f}, {1.4375f, 0.805f, 2.53125f}, {1.5f, 0.84f, 2.4f}}},
     {{{1.5f, 0.84f, 2.4f}, {1.75f, 0.98f, 1.875f}, {2.0f, 1.12f, 1.35f}, {2.0f, 1.12f, 0.9f}}},
@@ -25,7 +24,6 @@ constexpr QuarterPatch kQuarters[] = {
     {{{1.5f, 0.84f, 0.15f}, {1.5f, 0.84f, 0.075f}, {1.425f, 0.798f, 0.0f}, {0.0f, 0.0f, 0.0f}}},
 };
 
-/// The side y <= 0 of the handle's upper and lower patch, and of the spout's patches at the root and at the tip.
 constexpr float kSides[4][4][4][3] = {
     {{{-1.6f, 0, 2.025f}, {-1.6f, -0.3f, 2.025f}, {-1.5f, -0.3f, 2.25f}, {-1.5f, 0, 2.25f}},
      {{-2.3f, 0, 2.025f}, {-2.3f, -0.3f, 2.025f}, {-2.5f, -0.3f, 2.25f}, {-2.5f, 0, 2.25f}},
@@ -45,7 +43,6 @@ constexpr float kSides[4][4][4][3] = {
      {{2.8f, 0, 2.4f}, {2.8f, -0.15f, 2.4f}, {3.2f, -0.15f, 2.4f}, {3.2f, 0, 2.4f}}},
 };
 
-/// Returns the point rotated about z by a number of quarter turns.
 Vec3f turned_quarter(Vec3f p, int quarters) {
   for (int i = 0; i < quarters; ++i) p = {-p.y, p.x, p.z};
   return p;
@@ -65,7 +62,6 @@ BezierPatch side_patch(const float (&points)[4][4][3], bool mirrored) {
   BezierPatch patch;
   for (std::size_t row = 0; row < 4; ++row)
     for (std::size_t column = 0; column < 4; ++column) {
-      // Mirroring flips the normals; reversing the columns flips them back.
       const float* p = points[row][mirrored ? 3 - column : column];
       patch[row][column] = {p[0], mirrored ? -p[1] : p[1], p[2]};
     }

@@ -1,4 +1,3 @@
-// The Utah teapot: Martin Newell's bicubic patches of 1975 with a bottom, 32 in total.
 #pragma once
 
 #include <vector>

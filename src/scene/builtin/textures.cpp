@@ -23,11 +23,10 @@ float ramp(float from, float to, float x) {
 
 LIPPMANN_INLINE int wrapped(int i, int period) { return i >= 0 && i < period ? i : ((i % period) + period) % period; }
 
-/// The position of a point between two lattice lines along one axis.
 struct LatticePlace {
   int before, after;  // indices of the lattice lines before and after the point, modulo the period
-  float offset;       // distance of the point from the line before it
-  float weight;       // interpolation weight of the line after the point
+  float offset;
+  float weight;
 };
 
 LIPPMANN_INLINE LatticePlace lattice_place(float p, int period) {
@@ -43,8 +42,6 @@ LIPPMANN_INLINE Vec2f lattice_gradient(int x, std::uint32_t row_hash) {
   return kGradients[hash(static_cast<std::uint32_t>(x) ^ row_hash) >> 29];
 }
 
-/// Interpolates gradient noise. `above` and `below` return the gradient at a lattice column, in the lattice rows above and
-/// below the point.
 template <class Above, class Below>
 LIPPMANN_INLINE float noise_between(const LatticePlace& u, const LatticePlace& v, const Above& above, const Below& below) {
   const Vec2f f(u.offset, v.offset);
@@ -52,14 +49,13 @@ LIPPMANN_INLINE float noise_between(const LatticePlace& u, const LatticePlace& v
   const float b = glm::dot(above(u.after), f - Vec2f(1, 0));
   const float c = glm::dot(below(u.before), f - Vec2f(0, 1));
   const float d = glm::dot(below(u.after), f - Vec2f(1, 1));
-  constexpr float kToUnitRange = 1.41421356f;  // the noise of unit gradients is at most sqrt(1/2), in the middle of a cell
+  constexpr float kToUnitRange = 1.41421356f;
   return kToUnitRange * glm::mix(glm::mix(a, b, u.weight), glm::mix(c, d, u.weight), v.weight);
 }
 
 constexpr float kFractalScale = 1.3f;
 
-/// Returns fractal_noise(period * uv, period, ...) for every texel of a square texture, rows from top to bottom. Values that
-/// depend only on the row or only on the column are computed once per row or column.
+/// Returns fractal_noise(period * uv, period, ...) for every texel of a square texture, rows from top to bottom.
 std::vector<float> fractal_noise_of_texels(int period, int octaves, std::uint32_t seed) {
   const auto place_of = [&period](int texel) {
     return lattice_place(static_cast<float>(period) * ((static_cast<float>(texel) + 0.5f) / static_cast<float>(kTexels)),
@@ -88,13 +84,11 @@ std::vector<float> fractal_noise_of_texels(int period, int octaves, std::uint32_
   return sums;
 }
 
-/// Returns the element of `values` for the texel at uv.
 float value_at(const std::vector<float>& values, Vec2f uv) {
   return values[static_cast<std::size_t>(uv.y * kTexels) * kTexels + static_cast<std::size_t>(uv.x * kTexels)];
 }
 
-/// Returns 1 for x close to a whole number, and 0 elsewhere. The range where the result is 1 has smooth edges, and is about 2
-/// half_width wide.
+/// Returns 1 within about half_width of a whole number, 0 elsewhere, with smooth edges.
 float joint(float x, float half_width) {
   const float distance = std::abs(x - std::round(x));
   return 1.0f - ramp(0.5f * half_width, 1.5f * half_width, distance);

@@ -1,4 +1,3 @@
-// Procedural textures: stone, wood, plaster, a carpet, a globe. All of them repeat seamlessly in u and v.
 #pragma once
 
 #include <functional>
@@ -8,25 +7,22 @@
 
 namespace lippmann::builtin {
 
-/// Returns a texture whose texels are color_at(uv), where uv is the centre of the texel, in [0, 1). `color_at` returns linear
-/// colours, which are clamped to [0, 1].
 Texture paint(std::string name, int width, int height, const std::function<Vec3f(Vec2f)>& color_at);
 
 /// Returns smooth noise in [-1, 1]. Its features are about one unit large, and it repeats after `period` units in x and y.
 float noise(Vec2f p, Vec2i period, std::uint32_t seed);
 
-/// Returns the sum of several octaves of noise. Each octave has twice the frequency and half the amplitude of the previous one.
-/// The sum is about within [-1, 1].
+/// Returns the sum of octaves of noise, each with twice the frequency and half the amplitude of the previous one. The sum is
+/// about within [-1, 1].
 float fractal_noise(Vec2f p, Vec2i period, int octaves, std::uint32_t seed);
 
-/// Returns 2 x 2 tiles of light and dark veined stone with thin joints.
 Texture marble_tiles(Vec3f light, Vec3f dark);
 
 Texture wood_boards(Vec3f light, Vec3f dark, int boards);
 
 Texture striped_plaster(Vec3f color, Vec3f stripe, int stripes);
 
-/// Returns a woven carpet with a border and a rhombic pattern. The texture shows the whole carpet once.
+/// The texture shows the whole carpet once.
 Texture carpet(Vec3f ground, Vec3f ornament, Vec3f border);
 
 /// Returns land and sea of an imaginary planet with ice at the poles. u runs once around the planet. v runs from 0 at the north

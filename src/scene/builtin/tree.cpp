@@ -1,5 +1,5 @@
-// The scene "tree": an autumn maple on an island in the sky. Limbs, boughs and sprays sway as rigid pieces. Each piece is
-// attached to its parent piece. Instances of a few meshes make up about 900,000 triangles. The unit of length is the metre.
+// The scene "tree": an autumn maple on an island in the sky. Limbs, boughs and sprays sway as rigid pieces. Instances of a few
+// meshes make up about 900,000 triangles. The unit of length is the metre.
 #include <array>
 #include <cmath>
 
@@ -13,14 +13,13 @@ namespace lippmann::builtin {
 namespace {
 
 constexpr int kLimbs = 9, kBoughsPerLimb = 6, kSpraysPerBough = 4;
-constexpr int kVariants = 3;  // number of different meshes for each kind of piece
+constexpr int kVariants = 3;
 constexpr int kLeavesPerSpray = 1750;
 constexpr float kLeafLength = 0.055f;
 
-/// The initial pose of a piece of the tree, in world space.
 struct Pose {
   int node = -1;
-  Quatf rotation{1.0f, 0.0f, 0.0f, 0.0f};  ///< world_from_node
+  Quatf rotation{1.0f, 0.0f, 0.0f, 0.0f};
   Vec3f position{0.0f};
 };
 
@@ -63,7 +62,6 @@ class TreeGrower {
     }
   }
 
-  /// Returns the mesh of the trunk, which gets wider towards its roots.
   static Mesh trunk_mesh(Branch trunk) {
     for (std::size_t i = 0; i < trunk.points.size(); ++i) {
       const float height = trunk.points[i].y;
@@ -73,8 +71,8 @@ class TreeGrower {
     return tube(trunk.points, trunk.radii, 32, false);
   }
 
-  /// Attaches a new piece at `place` in the parent's frame. The piece grows along `direction`, which is in world space, and
-  /// sways about a horizontal axis. Returns its pose.
+  /// Attaches a piece at `place` in the parent's frame. It grows along `direction`, in world space, and sways about a
+  /// horizontal axis. Returns its pose.
   Pose attach(const char* name, const Pose& parent, Vec3f place, Vec3f direction, const Swing& sway, float scale = 1.0f) {
     Pose pose;
     pose.rotation = growing_towards(direction, 2.0f * kPi * dice_.unit());
@@ -88,7 +86,7 @@ class TreeGrower {
   }
 
   void grow_limb(const Branch& trunk, int index) {
-    const float share = static_cast<float>(index) / (kLimbs - 1);  // the last limb continues the trunk upwards
+    const float share = static_cast<float>(index) / (kLimbs - 1);
     const float lean = radians(glm::mix(74.0f, 6.0f, share) + dice_.between(-4.0f, 4.0f));
     const Vec3f direction = leaning(lean, 2.39996323f * static_cast<float>(index) + 0.4f);
     const Vec3f place = trunk.point(glm::mix(0.64f, 0.98f, share)) - Vec3f(0.0f, 0.15f, 0.0f);
@@ -121,7 +119,7 @@ class TreeGrower {
     const Pose pose = attach("spray", bough, branch.point(share), lifted, sway, dice_.between(0.8f, 1.15f));
     const std::size_t variant = dice_.bits() % kVariants;
     scene_.show("twigs", twigs_shape_[variant], wood_, pose.node);
-    // Leaves are redder at the top and towards -x, the sunny side, and more golden below.
+    // Leaves are redder at the top and towards -x, the sunny side.
     const float warmth = 0.32f * (pose.position.y - 4.2f) - 0.16f * pose.position.x + dice_.between(-0.9f, 0.9f);
     const std::size_t color = warmth > 0.75f ? 0 : warmth > 0.1f ? 1 : warmth > -0.55f ? 2 : 3;
     scene_.show("leaves", leaves_shape_[variant], leaf_[color], pose.node);
@@ -135,7 +133,6 @@ class TreeGrower {
   std::array<int, kVariants> limb_shape_{}, bough_shape_{}, twigs_shape_{}, leaves_shape_{};
 };
 
-/// Adds the island: grass on top with fallen leaves under the crown, and rock below.
 void add_island(SceneBuilder& scene) {
   constexpr float kRadius = 3.4f;
   PhongSurface grass = matte(Vec3f(1.0f));
@@ -145,7 +142,7 @@ void add_island(SceneBuilder& scene) {
         glm::mix(Vec3f(0.10f, 0.20f, 0.03f), Vec3f(0.24f, 0.30f, 0.06f), 0.5f + 0.5f * patch) * (1.0f + 0.35f * blade);
     const Vec2f cell = glm::floor(96.0f * uv);
     Dice dice(static_cast<std::uint32_t>(cell.x) * 1000u + static_cast<std::uint32_t>(cell.y));
-    const float fallen = 0.55f - 0.9f * glm::length(uv - 0.5f);  // probability of a fallen leaf, smaller far from the trunk
+    const float fallen = 0.55f - 0.9f * glm::length(uv - 0.5f);
     if (dice.unit() < fallen) color = glm::mix(Vec3f(0.55f, 0.08f, 0.02f), Vec3f(0.80f, 0.45f, 0.05f), dice.unit());
     return color;
   }));
@@ -161,7 +158,7 @@ void add_island(SceneBuilder& scene) {
       smooth_profile(
           {{0.0f, -2.5f}, {0.4f, -2.3f}, {1.0f, -1.9f}, {1.9f, -1.55f}, {2.5f, -1.1f}, {3.1f, -0.8f}, {kRadius, -0.42f}}, 10),
       160);
-  // Displace the surface of the rock by noise so that it looks weathered. The noise is periodic around the rock.
+  // Noise that is periodic around the rock makes it look weathered.
   std::vector<Vec3f>& points = rock.positions;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Vec2f uv = rock.uvs[i];

@@ -1,5 +1,5 @@
-// Based on: Khronos Group, "glTF 2.0 Specification", 2021, sections 3.6.2 "Accessors" and 3.11 "Animations". The latter defines
-// the value of a normalised integer c: c / max if unsigned, max(c / max, -1) if signed. max is the largest value of the type.
+// Based on: Khronos Group, "glTF 2.0 Specification", 2021, sections 3.6.2 "Accessors" and 3.11 "Animations", which defines the
+// value of a normalised integer c: c / max if unsigned, max(c / max, -1) if signed, where max is the largest value of the type.
 #include "scene/gltf/accessor.hpp"
 
 #include <fmt/format.h>
@@ -13,9 +13,6 @@
 namespace lippmann::gltf {
 namespace {
 
-// ---- Layout ---------------------------------------------------------------------------------------------------------
-
-/// Returns the size of a component in bytes, or 0 for a type that glTF does not define.
 std::size_t component_bytes(ComponentType type) {
   switch (type) {
     case ComponentType::kByte:
@@ -36,22 +33,20 @@ bool is_unsigned(ComponentType type) {
   return type == ComponentType::kUnsignedByte || type == ComponentType::kUnsignedShort || type == ComponentType::kUnsignedInt;
 }
 
-/// Returns the size of an element in bytes. Each column of a matrix begins at a multiple of four bytes.
+/// Each column of a matrix begins at a multiple of four bytes.
 std::size_t element_bytes(const Accessor& a) {
   const std::size_t component = component_bytes(a.component_type), side = static_cast<std::size_t>(a.matrix_side);
   return side ? side * ((side * component + 3) / 4 * 4) : static_cast<std::size_t>(a.components) * component;
 }
 
-/// The elements of an accessor in its buffer view.
 struct Elements {
-  Bytes bytes;  ///< begins at the first element
+  Bytes bytes;
   std::size_t stride = 0;
   std::size_t count = 0;
   const std::byte* operator[](std::size_t i) const { return bytes.data() + i * stride; }
 };
 
-/// Returns the location of `count` elements. Throws Error unless offset + (count - 1) * stride + size <= view.byte_length. The
-/// check is written so that it cannot overflow.
+/// Throws Error unless offset + (count - 1) * stride + size <= view.byte_length. The check cannot overflow.
 Elements locate(const Document& document, int view_index, std::size_t offset, std::size_t size, std::size_t count,
                 const std::string& where) {
   const BufferView& view = document.buffer_views[static_cast<std::size_t>(view_index)];
@@ -86,8 +81,6 @@ SparseElements sparse_elements(const Document& document, const Accessor& a, cons
           locate(document, s.value_view, s.value_offset, element_bytes(a), s.count, where + ".sparse.values")};
 }
 
-// ---- Conversion -----------------------------------------------------------------------------------------------------
-
 template <class C>
 C load(const std::byte* at) {
   C value;
@@ -95,7 +88,6 @@ C load(const std::byte* at) {
   return value;
 }
 
-/// Calls use(C{}), where C is the C++ type of an unsigned component type.
 template <class F>
 void with_unsigned(ComponentType type, const F& use) {
   switch (type) {
@@ -108,7 +100,6 @@ void with_unsigned(ComponentType type, const F& use) {
   }
 }
 
-/// Calls use(C{}), where C is the C++ type of the component type. The type must have passed check_accessors().
 template <class F>
 void with_component(ComponentType type, const F& use) {
   switch (type) {
@@ -123,7 +114,6 @@ void with_component(ComponentType type, const F& use) {
   }
 }
 
-/// The number of components of T. Each component of T has four bytes.
 template <class T>
 constexpr std::size_t kComponents = sizeof(T) / 4;
 

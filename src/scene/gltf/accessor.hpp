@@ -1,5 +1,3 @@
-// Unpacks glTF accessors, which are typed arrays in buffers. Supports all component types and strided, normalised and sparse
-// accessors.
 #pragma once
 
 #include <cstdint>
@@ -11,9 +9,7 @@
 
 namespace lippmann::gltf {
 
-/// Checks that all buffer views lie within their buffers; the schema cannot check this. Throws Error.
 void check_views(const Document& document);
-/// Checks that all accessors lie within their buffer views. Call check_views() first. Throws Error.
 void check_accessors(const Document& document);
 
 /// Returns the elements of an accessor as T: float, Vec2f, Vec3f, Vec4f or glm::mat4. Normalised integers become fractions.

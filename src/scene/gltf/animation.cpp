@@ -1,4 +1,3 @@
-// Based on: Khronos Group, "glTF 2.0 Specification", 2021, section 3.11 "Animations".
 #include "scene/gltf/animation.hpp"
 
 #include <fmt/format.h>
@@ -31,7 +30,6 @@ class AnimationReader {
   AnimationReader(Document& document, const NodeMap& nodes, Scene& scene)
       : document_(document), report_(document.report), nodes_(nodes), scene_(scene) {}
 
-  /// Time of the last key of all channels read so far, in seconds.
   double duration = 0.0;
 
   void read(std::size_t index) {
@@ -122,8 +120,7 @@ class AnimationReader {
   std::map<int, std::size_t> animation_of_node_;
 };
 
-/// Returns a frame rate at which all keys fall on frames, because exporters write a key per frame, or every few frames. If no
-/// rate fits, returns kGltfFramesPerSecond.
+/// Returns a frame rate at which all keys fall on frames, or kGltfFramesPerSecond if there is none.
 double rate_of_keys(const Timeline& timeline) {
   for (const double rate : {kGltfFramesPerSecond, 24.0, 25.0, 60.0})
     if (keys_fall_on_frames(timeline, rate)) return rate;
@@ -147,7 +144,7 @@ void read_animation(Document& document, const NodeMap& nodes, const std::string&
   const double rate = frames_per_second > 0.0 ? frames_per_second : rate_of_keys(scene.timeline);
   scene.timeline.frames_per_second = rate;
 
-  // The last key gets no frame of its own, because in a loop this frame would repeat the first frame.
+  // In a loop, a frame for the last key would repeat the first frame.
   const double frames = std::round(reader.duration * rate);
   if (frames > document.limits.frames)
     document.report.fail(element("animations", chosen),

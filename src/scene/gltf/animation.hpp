@@ -1,4 +1,3 @@
-// Reads a glTF animation into a Timeline.
 #pragma once
 
 #include "lippmann/scene/scene.hpp"

@@ -1,4 +1,3 @@
-// Reads vertex attributes of glTF mesh primitives.
 #pragma once
 
 #include <string>
@@ -14,7 +13,6 @@ struct PrimitiveId {
   auto operator<=>(const PrimitiveId&) const = default;
 };
 
-/// glTF's primitive modes and their numbers.
 enum class Mode : int { kPoints = 0, kTriangles = 4, kTriangleStrip, kTriangleFan };
 Mode mode_of(Value primitive);
 
@@ -22,7 +20,6 @@ std::vector<PrimitiveId> all_primitives(const Document& document);
 Value primitive_of(const Document& document, PrimitiveId id);
 std::string element(PrimitiveId id);
 
-/// Returns the accessor index of an attribute, or -1 if the primitive does not have the attribute.
 int attribute(Value primitive, const std::string& name);
 
 /// Returns one value per vertex, or no values if the primitive does not have the attribute. T is Vec2f, Vec3f or Vec4f.
@@ -35,8 +32,8 @@ std::vector<T> read_per_vertex(Document& document, PrimitiveId id, int accessor,
 
 void warn_about_unread_attributes(Document& document, PrimitiveId id);
 
-/// Reads COLOR_0, which is RGB or RGBA, into mesh.colors and mesh.alphas. Leaves mesh.colors empty if all colours are white,
-/// and mesh.alphas empty if all vertices are opaque.
+/// Reads COLOR_0, which is RGB or RGBA. Leaves mesh.colors empty if all colours are white, and mesh.alphas empty if all
+/// vertices are opaque.
 void read_colors(Document& document, PrimitiveId id, Mesh& mesh);
 
 /// Reads TANGENT into mesh.tangents. Tangents are normalised, and w becomes -1 or 1. If a tangent has zero length, warns and

@@ -17,7 +17,7 @@ Camera read_perspective(Value from) {
   return camera;
 }
 
-/// Returns the distance from a node to the scene's centre along the node's -z, in the node's units. Returns `otherwise` if the
+/// Returns the distance from a node to the scene's centre along the node's -z, in the node's units, or `otherwise` if the
 /// centre is behind the node.
 float distance_to_centre(const Affine3f& node_from_world, const Bounds3f& bounds, float otherwise) {
   if (bounds.empty()) return otherwise;
@@ -36,8 +36,7 @@ bool shows_nothing(Value orthographic) {
   return orthographic["xmag"].number(0.0) == 0.0 || orthographic["ymag"].number(0.0) == 0.0;
 }
 
-/// Reads an orthographic camera. Its vertical_fov is chosen so that a perspective camera with this field of view would show the
-/// same height at the scene's centre.
+/// vertical_fov is chosen so that a perspective camera would show the same height at the scene's centre.
 Camera read_orthographic(Value from, int node, const Scene& scene) {
   const ResolvedScene rest = evaluate(scene, 0.0);
   const Bounds3f bounds = finite_bounds(scene, rest);

@@ -1,4 +1,3 @@
-// Reads the cameras of a glTF file.
 #pragma once
 
 #include "lippmann/scene/scene.hpp"
@@ -7,9 +6,7 @@
 
 namespace lippmann::gltf {
 
-/// Sets scene.cameras, in the order of the Scene's nodes. An orthographic camera also gets a field of view, with which a
-/// perspective camera would show the same height at the distance of the scene's centre. The Scene's instances must have been
-/// read before.
+/// Sets scene.cameras, in the order of the Scene's nodes. The Scene's instances must have been read before.
 void read_cameras(Document& document, const NodeMap& nodes, Scene& scene);
 
 }  // namespace lippmann::gltf

@@ -13,7 +13,6 @@
 namespace lippmann::gltf {
 namespace {
 
-/// Formats names and indices for a message: "Walk (0), Run (1)".
 std::string listed(const std::vector<std::string>& names) {
   constexpr std::size_t kMost = 20;
   std::string text;

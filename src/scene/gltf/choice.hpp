@@ -1,4 +1,3 @@
-// Selects an element of a glTF array by name or index.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // Based on: Khronos Group, "glTF 2.0 Specification", 2021, section 4 "GLB File Format Specification".
-// 1. A .glb begins with a header of three 32-bit words: magic, version, total length. All words are little-endian.
+// 1. A .glb begins with a header of three little-endian 32-bit words: magic, version, total length.
 // 2. The chunks follow. A chunk consists of two words (length, type) and its data. The first chunk is JSON, and the optional
 //    second chunk is BIN. Chunks of other types are skipped.
 #include "scene/gltf/container.hpp"

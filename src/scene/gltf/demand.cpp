@@ -122,8 +122,7 @@ class Demand {
       for (const auto& [name, index] : targets.at(i).index_map())
         if (name == "POSITION" || (name == "NORMAL" && attribute(primitive, "NORMAL") >= 0)) add_floats(index);
     for (int set = 0; is_skinned && attribute(primitive, fmt::format("JOINTS_{}", set)) >= 0; ++set) {
-      for (int copy = 0; copy < 2; ++copy)  // once for the unpacked accessor, once for its copy in SkinWeights
-        add(fmt::format("JOINTS_{}", set)), add(fmt::format("WEIGHTS_{}", set));
+      for (int copy = 0; copy < 2; ++copy) add(fmt::format("JOINTS_{}", set)), add(fmt::format("WEIGHTS_{}", set));
     }
     spend(count_of(indices >= 0 ? indices : attribute(primitive, "POSITION")),
           sizeof(std::uint32_t) + sizeof(std::array<std::uint32_t, 3>), element(id));
@@ -133,7 +132,7 @@ class Demand {
   const NodeMap& nodes_;
   Budget left_;
   std::set<int> draco_views_, draco_accessors_;
-  std::set<std::pair<PrimitiveId, int>> shapes_;  ///< primitives, with their skins, that have been added
+  std::set<std::pair<PrimitiveId, int>> shapes_;
 };
 
 }  // namespace

@@ -54,10 +54,8 @@ constexpr std::string_view kExtensions[] = {
     "KHR_node_visibility",
     "KHR_texture_transform",
 };
-/// Extensions that do not affect the picture and are ignored without a warning.
 constexpr std::string_view kSilent[] = {"KHR_xmp", "KHR_xmp_json_ld"};
 
-/// Advice for an extension that is not supported but required.
 struct Advice {
   std::string_view extension, text;
 };
@@ -72,7 +70,6 @@ constexpr Advice kAdvice[] = {
      "export it again without it, or remove it from extensionsRequired; its animations are then ignored"},
     {"MSFT_lod", "remove it from extensionsRequired; the nodes are then shown in full detail"},
 };
-/// Advice for extensions that are not in kAdvice.
 constexpr std::string_view kAnyAdvice =
     "export it again without it, or remove it from extensionsRequired; it is then ignored with a warning";
 
@@ -80,7 +77,7 @@ bool is_among(std::span<const std::string_view> names, const std::string& extens
   return std::find(names.begin(), names.end(), extension) != names.end();
 }
 
-/// Checks the glTF version. This check precedes the schema check because version 1 has another schema.
+/// This check precedes the schema check because version 1 has another schema.
 void check_version(const Json& root, const Report& report) {
   const Json::json_pointer version("/asset/version"), min_version("/asset/minVersion");
   if (!root.contains(version) || !root.at(version).is_string()) report.fail("asset.version", "is missing", "2.0");
@@ -103,7 +100,7 @@ std::string_view advice_on(const std::string& extension) {
 }
 
 /// Returns the list of objects that use an extension, for a message: " (materials[2] 'Silk', materials[4] and 3 more)". Returns
-/// an empty text if the extension occurs only in extensionsUsed.
+/// an empty text if only extensionsUsed names the extension.
 std::string users_of(const ExtensionUse& use) {
   std::string text;
   for (const ExtensionUse::User& user : use.users) {
@@ -125,7 +122,7 @@ void check_extensions(const Json& root, UsedExtensions used, Report& report) {
 }
 
 /// Returns the contents of a buffer, from a file or from embedded data. `left` is the number of bytes that buffers may still
-/// load; the size of this buffer is subtracted from it.
+/// load.
 Bytes fetch_buffer(Value buffer, const std::string& where, std::uint64_t& left, Document& document) {
   const std::string& uri = buffer["uri"].text();
   document.loaded.push_back(fetch(uri, document.folders, left, where, document.report));
@@ -194,7 +191,7 @@ void read_layout(Document& document) {
   for (std::size_t i = 0; i < accessors.size(); ++i) document.accessors.push_back(read_accessor(accessors.at(i)));
 }
 
-/// Checks the sampler indices of animation channels. The schema check only covers indices into the root's arrays.
+/// The schema check only covers indices into the root's arrays.
 void check_channels(const Document& document) {
   const Value animations = document.root["animations"];
   for (std::size_t i = 0; i < animations.size(); ++i) {

@@ -1,4 +1,3 @@
-// A glTF document that has passed the schema check, and its binary data.
 #pragma once
 
 #include <cstddef>
@@ -18,12 +17,10 @@
 
 namespace lippmann::gltf {
 
-/// Limits the memory that the data of a file may take.
 class Budget {
  public:
   explicit Budget(std::uint64_t bytes) : limit_(bytes), left_(bytes) {}
-  /// Subtracts the size of `count` objects of `size` bytes from the remaining bytes. Throws Error at `element` if not enough
-  /// bytes remain.
+  /// Subtracts `count` objects of `size` bytes from the remaining bytes. Throws Error at `element` if not enough bytes remain.
   void spend(std::uint64_t count, std::uint64_t size, std::string_view element, const Report& report);
 
  private:
@@ -51,20 +48,19 @@ struct Accessor {
   std::size_t byte_offset = 0, count = 0;
   ComponentType component_type = ComponentType::kFloat;
   bool normalized = false;
-  int components = 1;   ///< number of components per element
-  int matrix_side = 0;  ///< number of rows and columns of matrix elements; 0: not a matrix
+  int components = 1;
+  int matrix_side = 0;
   std::optional<Sparse> sparse;
 };
 
-/// A buffer view that meshoptimizer has compressed (meshopt.hpp).
 struct PackedView {
   int buffer = 0;
   std::size_t byte_offset = 0, byte_length = 0;
-  std::size_t byte_stride = 0, count = 0;  ///< size in bytes and number of the decompressed elements
+  std::size_t byte_stride = 0, count = 0;
   std::string mode, filter;
 };
 
-/// A document. After reading, every index in `root` is valid, every buffer view lies within its buffer, and every accessor lies
+/// A document. After reading, every index in `root` is valid, every buffer view lies within its buffer, and every accessor
 /// within its buffer views.
 struct Document {
   Document(const std::filesystem::path& path, const LoadOptions& options, const Context& context, const GltfLimits& file_limits)
@@ -75,37 +71,35 @@ struct Document {
         unpacked(limits.unpacked_bytes) {}
 
   SideFolders folders;
-  std::uint64_t texture_bytes;  ///< as in LoadOptions
+  std::uint64_t texture_bytes;
   GltfLimits limits;
   Report report;
   Budget unpacked;
   Value root;
   std::vector<Bytes> buffers;
-  std::vector<BufferView> buffer_views;                 ///< the file's buffer views, followed by those for decompressed data
-  std::vector<std::optional<PackedView>> packed_views;  ///< one per buffer view of the file; none: not compressed
+  std::vector<BufferView> buffer_views;
+  std::vector<std::optional<PackedView>> packed_views;
   std::vector<Accessor> accessors;
 
   Value at(std::string_view array, int index) const { return root[array].at(static_cast<std::size_t>(index)); }
   const Accessor& accessor(int index) const { return accessors[static_cast<std::size_t>(index)]; }
   Bytes view(int index) const;
 
-  std::shared_ptr<const nlohmann::json> json;  ///< the JSON values that `root` refers to
-  std::vector<std::byte> contents;             ///< contents of the scene file
-  std::vector<std::vector<std::byte>> loaded;  ///< contents of buffers that are not in the scene file
+  std::shared_ptr<const nlohmann::json> json;
+  std::vector<std::byte> contents;
+  std::vector<std::vector<std::byte>> loaded;
 };
 
-/// Reads a document from the contents of a file. Does not decompress data, and does not check byte ranges yet. Warns about
-/// ignored extensions.
+/// Reads a document from the contents of a file, without decompressing data or checking byte ranges. Warns about ignored
+/// extensions.
 void read_document(std::vector<std::byte> contents, Document& document);
 
-/// Decompresses all compressed data, and then checks all byte ranges.
 void unpack_document(Document& document);
 
-/// Returns why an image's file cannot be used: it is missing, or outside the permitted folders. Returns an empty text if the
-/// file can be used.
+/// Returns why an image's file cannot be used, or an empty text if it can.
 std::string image_problem(const Document& document, std::size_t image);
 
-/// Returns the encoded bytes of an image. If the image is not in a buffer, its bytes are stored in `storage`.
+/// Returns the encoded bytes of an image, stored in `storage` unless they are in a buffer.
 Bytes image_bytes(const Document& document, std::size_t image, std::vector<std::byte>& storage);
 
 }  // namespace lippmann::gltf

@@ -1,8 +1,7 @@
 // Based on: Khronos Group, "KHR_draco_mesh_compression", 2018; Google, "Draco Bitstream Specification" 2.2, 2019, sections
 // "DecodeSequentialConnectivityData" and "ParseEdgebreakerConnectivityData", which define where the counts are stored.
 //
-// Draco allocates as much memory as the counts in the stream require. We check the counts before the decoder reads the
-// connectivity, and again before it reads the attributes.
+// Draco allocates as much memory as the counts in the stream require, so we check the counts first.
 #include "scene/gltf/draco.hpp"
 
 #include <draco/compression/mesh/mesh_edgebreaker_decoder.h>
@@ -30,7 +29,6 @@ struct Allowance {
   std::function<void(std::uint64_t bytes)> attributes;
 };
 
-/// One of Draco's two mesh decoders, extended by the checks of Allowance.
 template <class Decoder>
 class CarefulDecoder final : public Decoder {
  public:
@@ -81,8 +79,7 @@ draco::Status decode(Bytes packed, const Allowance& allowance, draco::Mesh& mesh
   return decode_with(decoder, stream, mesh);
 }
 
-/// Writes the elements of an attribute to `out`, with the number of components of the accessor. Returns false if a value cannot
-/// be converted.
+/// Writes the elements of an attribute to `out`. Returns false if a value cannot be converted.
 template <class T>
 bool write_values(const draco::PointAttribute& attribute, int components, std::vector<std::byte>& out) {
   const std::size_t size = static_cast<std::size_t>(components) * sizeof(T), count = out.size() / size;
@@ -137,8 +134,7 @@ class PrimitiveUnpacker {
  private:
   Accessor& accessor_at(int index) { return document_.accessors[static_cast<std::size_t>(index)]; }
 
-  /// Returns the mesh of a buffer view. The mesh is decoded on first use. Throws Error if it has more faces or points than
-  /// allowed.
+  /// Returns the mesh of a buffer view, decoded on first use. Throws Error if it has more faces or points than allowed.
   const draco::Mesh& mesh_of(int view, std::uint64_t most_faces, std::uint64_t most_points, const std::string& where) {
     std::unique_ptr<draco::Mesh>& mesh = meshes_[view];
     if (mesh) return *mesh;
@@ -164,8 +160,8 @@ class PrimitiveUnpacker {
     return *mesh;
   }
 
-  /// Returns whether the accessor still has to be filled from the given buffer view and attribute. Throws Error if the accessor
-  /// does not have `count` elements, or if it was filled from other data.
+  /// Returns whether the accessor still has to be filled from the given buffer view and attribute. Throws Error if it does not
+  /// have `count` elements, or if it was filled from other data.
   bool begin(int accessor, int view, int unique_id, std::uint64_t count, const std::string& where) {
     const auto [known, is_new] = filled_.try_emplace(accessor, std::pair(view, unique_id));
     if (!is_new && known->second == std::pair(view, unique_id)) return false;
@@ -235,7 +231,7 @@ class PrimitiveUnpacker {
 
   Document& document_;
   Report& report_;
-  std::map<int, std::unique_ptr<draco::Mesh>> meshes_;  ///< decoded mesh for each buffer view
+  std::map<int, std::unique_ptr<draco::Mesh>> meshes_;
   /// The buffer view and attribute that each accessor was filled from. Attribute -1 stands for the vertex indices.
   std::map<int, std::pair<int, int>> filled_;
 };

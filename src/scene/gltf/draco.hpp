@@ -1,4 +1,3 @@
-// Decompresses mesh primitives that were compressed with Draco (KHR_draco_mesh_compression).
 #pragma once
 
 #include <cstdint>

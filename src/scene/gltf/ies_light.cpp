@@ -1,5 +1,4 @@
-// Based on: T. Blut, L. Kettner, P. Arden, "EXT_lights_ies". The lights are point lights whose intensity distribution comes
-// from a photometric file. The zero direction of the file is the node's -z.
+// Based on: T. Blut, L. Kettner, P. Arden, "EXT_lights_ies". The zero direction of the photometric file is the node's -z.
 #include "scene/gltf/ies_light.hpp"
 
 #include <algorithm>
@@ -14,12 +13,10 @@ namespace {
 
 constexpr const char* kExtension = "EXT_lights_ies";
 
-/// Reads each light profile once, as a Light without the node's colour and multiplier.
 class ProfileReader {
  public:
   ProfileReader(Document& document, Scene& scene) : document_(document), scene_(scene) {}
 
-  /// Returns the light of a profile, or none if the profile's file is missing.
   std::optional<Light> light(int profile) {
     const auto [known, is_new] = known_.try_emplace(profile);
     if (is_new) known->second = read(profile);

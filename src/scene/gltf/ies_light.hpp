@@ -1,4 +1,3 @@
-// Reads glTF lights with measured light profiles (EXT_lights_ies).
 #pragma once
 
 #include "lippmann/scene/scene.hpp"
@@ -7,7 +6,7 @@
 
 namespace lippmann::gltf {
 
-/// Appends the lights to scene.lights, in the order of the Scene's nodes. Adds each profile once to scene.webs. If a profile's
+/// Appends the lights to scene.lights, in the order of the Scene's nodes, and each profile once to scene.webs. If a profile's
 /// file is missing, warns and skips its lights. Throws Error for an invalid profile.
 void read_ies_lights(Document& document, const NodeMap& nodes, Scene& scene);
 

@@ -1,11 +1,8 @@
 // Based on: Khronos Group, "EXT_lights_image_based", 2019. The extension stores the radiance around a scene as a cube map with
 // a rotation and an intensity. Each level of the cube map has six images in the order +x, -x, +y, -y, +z, -z. Images with four
 // channels are RGBD: colours are divided by alpha.
-// 1. Decode the faces of the first level to linear light. Only this level is not blurred.
-// 2. Look up the cube map for each direction of a panorama.
 //
-// We ignore the other levels, which are blurred for rough surfaces, and the irradiance harmonics, because path tracing computes
-// both effects.
+// We use only the first level, which is not blurred, because path tracing computes the effects of the others.
 //
 // The specification leaves two questions open:
 // - Colour encoding: we assume sRGB, as in the extension's JPEG images and in the RGBD of Babylon.js, whose authors wrote the
@@ -43,9 +40,8 @@ const std::array<FaceAxes, kFaces> kAxes{{{{1, 0, 0}, {0, 1, 0}},
                                           {{0, 0, 1}, {0, 1, 0}},
                                           {{0, 0, -1}, {0, 1, 0}}}};
 
-using CubeMap = std::array<Image, kFaces>;  ///< linear light, 3 channels; all faces are squares of the same size
+using CubeMap = std::array<Image, kFaces>;
 
-/// Returns the linear values of all 256 sRGB codes.
 std::array<float, 256> linear_codes() {
   std::array<float, 256> values{};
   for (std::size_t i = 0; i < values.size(); ++i)
@@ -53,8 +49,7 @@ std::array<float, 256> linear_codes() {
   return values;
 }
 
-/// Returns a face as linear light. RGBD cannot represent an alpha of 0, so it counts as 1/255, which gives the brightest
-/// possible value.
+/// Returns a face as linear light. RGBD cannot represent an alpha of 0, so it counts as 1/255.
 Image linear_light(const Texture& picture) {
   const std::array<float, 256> linear = linear_codes();
   Image light(picture.width, picture.height, 3);
@@ -66,8 +61,7 @@ Image linear_light(const Texture& picture) {
   return light;
 }
 
-/// Returns the bilinearly interpolated value of a face, clamped at the edges. x and y are in [0, 1] and start at the upper left
-/// corner.
+/// Returns the bilinearly interpolated value of a face. x and y are in [0, 1] and start at the upper left corner.
 Vec3f look_up(const Image& face, float x, float y) {
   const float last = static_cast<float>(face.width - 1);
   const float px = std::clamp(x * static_cast<float>(face.width) - 0.5f, 0.0f, last);
@@ -82,7 +76,6 @@ Vec3f look_up(const Image& face, float x, float y) {
   return glm::mix(glm::mix(texel(x0, y0), texel(x1, y0), right), glm::mix(texel(x0, y1), texel(x1, y1), right), below);
 }
 
-/// Returns the radiance in direction d, in the cube's frame. d may have any length.
 Vec3f look_up(const CubeMap& cube, Vec3f d) {
   const Vec3f size = glm::abs(d);
   const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
@@ -92,19 +85,17 @@ Vec3f look_up(const CubeMap& cube, Vec3f d) {
   return look_up(cube[face], 0.5f + 0.5f * across, 0.5f - 0.5f * upwards);
 }
 
-/// Returns the direction of the point (x, y) of a panorama, with x and y in [0, 1]. The orientation is that of EnvironmentMap.
 Vec3f direction_at(float x, float y) {
   const float azimuth = (x - 0.5f) * 2.0f * kPi, polar = y * kPi;
   return {std::sin(polar) * std::cos(azimuth), std::cos(polar), std::sin(polar) * std::sin(azimuth)};
 }
 
-/// Returns the width of a panorama with about the same resolution as cube faces of width `face`, within limits.
+/// Returns the width of a panorama with about the resolution of cube faces of width `face`.
 int width_of_panorama(int face) {
   constexpr int kNarrowest = 64, kWidest = 4096;
   return std::clamp(4 * face, kNarrowest, kWidest);
 }
 
-/// Sets row y of the panorama. Each texel is the mean of several directions so that a small sun is not missed.
 void fill_row(const CubeMap& cube, const Quatf& cube_from_world, int y, Image& panorama) {
   const int steps = std::max(2, (4 * cube[0].width + panorama.width - 1) / panorama.width);
   const auto place = [steps](int texel, int step, int count) {
@@ -137,7 +128,6 @@ class ImageLightReader {
         where_(fmt::format("{}.{}", kImageBased, element("lights", light))),
         light_(document.root.extension(kImageBased)["lights"].at(light)) {}
 
-  /// Returns the environment, or none if an image cannot be read.
   std::optional<EnvironmentMap> read() {
     const std::optional<CubeMap> cube = read_cube();
     if (!cube) return std::nullopt;
@@ -176,8 +166,7 @@ class ImageLightReader {
     return cube;
   }
 
-  /// Subtracts the decoded size of an image from the memory budget. The size comes from the image's header. Returns whether the
-  /// image can be read.
+  /// Subtracts the decoded size of an image from the memory budget. Returns whether the image can be read.
   bool has_room(std::size_t image) {
     std::vector<std::byte> storage;
     std::string problem = image_problem(document_, image);

@@ -1,4 +1,3 @@
-// Reads the environment light of a glTF scene (EXT_lights_image_based).
 #pragma once
 
 #include "lippmann/scene/scene.hpp"

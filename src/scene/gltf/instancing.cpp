@@ -1,5 +1,5 @@
-// Based on: Khronos Group, "EXT_mesh_gpu_instancing", 2021. The transform of each copy is the node's transform times the copy's
-// own translation, rotation and scale, which are stored in attributes.
+// Based on: Khronos Group, "EXT_mesh_gpu_instancing", 2021. The transform of a copy is the node's transform times the copy's
+// translation, rotation and scale.
 #include "scene/gltf/instancing.hpp"
 
 #include <fmt/format.h>

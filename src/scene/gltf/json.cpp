@@ -21,8 +21,8 @@ std::string line_and_column(std::string_view text, std::size_t offset) {
   return fmt::format("line {}, column {}", 1 + std::count(before.begin(), before.end(), '\n'), before.size() - line_start + 1);
 }
 
-/// Builds the document while the text is parsed, and stops at the first error or exceeded limit. The library's simpler callback
-/// interface is not used because its time is quadratic in the length of an array.
+/// Builds the document while the text is parsed, and stops at the first exceeded limit. The library's simpler callback
+/// interface takes quadratic time in the length of an array.
 class LimitedBuilder : public Json::json_sax_t {
  public:
   LimitedBuilder(std::string_view text, const GltfLimits& limits, const Report& report)
@@ -36,7 +36,7 @@ class LimitedBuilder : public Json::json_sax_t {
   bool number_unsigned(number_unsigned_t value) override { return add(value); }
   bool number_float(number_float_t value, const string_t&) override { return add(value); }
   bool string(string_t& value) override { return add(std::move(value)); }
-  bool binary(binary_t&) override { return false; }  // JSON text has no binary values
+  bool binary(binary_t&) override { return false; }
   bool key(string_t& name) override {
     count_value();
     key_ = name;
@@ -92,8 +92,8 @@ class LimitedBuilder : public Json::json_sax_t {
   const GltfLimits& limits_;
   const Report& report_;
   std::uint64_t values_ = 0, objects_ = 0;
-  std::string key_;  ///< name of the property that was parsed last
-  /// The arrays and objects that are still open, outermost first. Their addresses do not change until they are closed.
+  std::string key_;
+  /// The open arrays and objects, outermost first. Their addresses do not change until they are closed.
   std::vector<Json*> open_;
 };
 

@@ -1,4 +1,3 @@
-// Parses the JSON of a glTF document. The depth and the number of values are limited.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

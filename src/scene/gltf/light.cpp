@@ -14,18 +14,16 @@ namespace {
 
 constexpr const char* kPunctual = "KHR_lights_punctual";
 
-/// Lumens per watt: the luminous efficacy with which Blender's exporter converts watts to candela and lux. The exporter does
-/// not convert emission. Without the reverse conversion, the lamps of such files would be 683 times too bright relative to
-/// emission.
+/// Blender's exporter multiplies lamps by this, in lumens per watt, but not emission. Without the reverse conversion, lamps
+/// would be 683 times too bright relative to emission.
 constexpr float kLumensPerWatt = 683.0f;
 
 using Version = std::array<int, 3>;
 
-/// The first exporter version that converts units (October 2022, released with Blender 3.4). Earlier versions wrote Blender's
-/// own numbers: watts for point and spot lamps, emitted into 4 pi steradians, and watts per square metre for suns.
+/// The first exporter version that converts units (released with Blender 3.4). Earlier versions wrote watts for point and spot
+/// lamps, emitted into 4 pi steradians, and watts per square metre for suns.
 constexpr Version kFirstInLumens{3, 4, 39};
 
-/// Returns the version in a generator name such as "... v3.4.50". Missing numbers are 0.
 Version version_in(std::string_view generator) {
   Version version{};
   const std::size_t v = generator.rfind(" v");
@@ -38,7 +36,6 @@ Version version_in(std::string_view generator) {
   return version;
 }
 
-/// Returns whether the generator is Blender's exporter before version 1.0.0, whose name contains no version number.
 bool is_unnumbered_exporter(std::string_view generator) {
   return generator.find("Khronos Blender glTF 2.0 I/O") != generator.npos;
 }
@@ -47,27 +44,26 @@ bool is_blender_exporter(std::string_view generator) {
   return is_unnumbered_exporter(generator) || generator.find("Blender I/O") != generator.npos;
 }
 
-/// Returns the factor that converts a light's intensity to watts per steradian, or to watts per square metre for suns. The
-/// lights then have the units of the emission of surfaces in the same file.
+/// Returns the factor that converts a light's intensity to watts per steradian, or to watts per square metre for suns, which
+/// are the units of emissive surfaces.
 float scale_of(std::string_view generator, LightKind kind) {
   if (!is_blender_exporter(generator)) return 1.0f;
   if (!is_unnumbered_exporter(generator) && version_in(generator) >= kFirstInLumens) return 1.0f / kLumensPerWatt;
   return kind == LightKind::kDirectional ? 1.0f : 1.0f / (4.0f * kPi);
 }
 
-/// Returns a custom property of a light or lamp. Blender's custom properties and our Blender add-on store the sizes of lights
-/// there (docs/reference/gltf.md), because the extension has no light sizes.
+/// Returns a custom property of a light. Blender's custom properties and our add-on store the sizes of lights there
+/// (docs/reference/gltf.md).
 float extra(Value from, const char* name) { return static_cast<float>(from["extras"][name].number(0.0)); }
 
-/// Sets the inner cone from Blender's `blend`. The soft edge lies between the outer and the inner cone. It covers the fraction
-/// `blend` of the range of cosines from cos(outer cone) to 1.
+/// Sets the inner cone so that the soft edge covers the fraction `blend` of the cosines from cos(outer cone) to 1.
 void blend_edge(float blend, Light& light) {
   const float cos_outer = std::cos(light.outer_cone);
   light.inner_cone = std::min(std::acos(cos_outer + (1.0f - cos_outer) * blend), light.outer_cone);
   light.smooth_edge = true;
 }
 
-/// Reads the edge between the two cones. Blender's exporter writes inner = outer (1 - blend), from which `blend` is computed.
+/// Blender's exporter writes inner = outer (1 - blend), from which `blend` is computed.
 void read_edge(Value from, std::string_view generator, Light& light) {
   if (from["extras"]["blend"])
     blend_edge(extra(from, "blend"), light);

@@ -1,4 +1,3 @@
-// Reads the lights of a glTF file (KHR_lights_punctual).
 #pragma once
 
 #include "lippmann/scene/scene.hpp"
@@ -8,7 +7,7 @@
 namespace lippmann::gltf {
 
 /// Sets scene.lights, in the order of the Scene's nodes. Values in candela and lux are used as radiometric values without
-/// conversion. Files from Blender's exporter are an exception: their values are converted back to watts.
+/// conversion, except that files from Blender's exporter are converted back to watts.
 void read_lights(Document& document, const NodeMap& nodes, Scene& scene);
 
 }  // namespace lippmann::gltf

@@ -1,4 +1,3 @@
-// Combines the parts of a glTF file into a Scene.
 #include "scene/gltf.hpp"
 
 #include <fmt/format.h>
@@ -39,7 +38,6 @@ void check_finite(const Affine3f& a, int file_node, const Report& report) {
 /// Creates the Scene's shapes and instances. Nodes with the same primitive share a shape.
 class InstanceReader {
  public:
-  /// `variant` is the index of the material variant; -1: the default materials.
   InstanceReader(Document& document, const NodeMap& nodes, int variant, Scene& scene)
       : document_(document),
         nodes_(nodes),
@@ -51,7 +49,7 @@ class InstanceReader {
   void read() {
     for (std::size_t i = 0; i < nodes_.file_node.size(); ++i)
       scene_.nodes[i].morph_weights = read_morph_weights(document_, nodes_.file_node[i]);
-    std::map<int, std::vector<int>> places;  // result of places_of() for each Scene node with a mesh
+    std::map<int, std::vector<int>> places;
     bool any_hidden = false;
     for (std::size_t i = 0; i < nodes_.file_node.size(); ++i) {
       const int file_node = nodes_.file_node[i];
@@ -69,7 +67,7 @@ class InstanceReader {
  private:
   Value node_at(int file_node) const { return document_.at("nodes", file_node); }
 
-  /// Returns the Scene nodes that show the mesh of a node: either the node itself, or its copies (EXT_mesh_gpu_instancing).
+  /// Returns the Scene nodes that show the mesh of a node: the node itself, or its copies (EXT_mesh_gpu_instancing).
   std::vector<int> places_of(int file_node, int scene_node) {
     if (!node_at(file_node).extension(kInstancing)) return {scene_node};
     if (!node_at(file_node)["skin"]) return read_places(document_, file_node, scene_node, scene_);
@@ -109,8 +107,7 @@ class InstanceReader {
     }
   }
 
-  /// Checks the memory and the vertex positions of a deformed mesh. A deformed mesh needs its own vertices at every node that
-  /// shows it.
+  /// A deformed mesh needs its own vertices at every node that shows it.
   void check_pose(const Instance& instance, PrimitiveId id) {
     const std::size_t vertices = std::get<Mesh>(scene_.shapes[static_cast<std::size_t>(instance.shape)]).positions.size();
     document_.unpacked.spend(vertices, sizeof(PosedVertex), element(id), document_.report);
@@ -120,7 +117,6 @@ class InstanceReader {
         document_.report.fail(element(id), fmt::format("skinning or morphing moves vertex {} too far away", i));
   }
 
-  /// Returns the shape index of a primitive, or -1 if the primitive has no mesh.
   int shape_of(PrimitiveId id, int skin, const MaterialNeeds& needs) {
     const auto [known, is_new] = shapes_.try_emplace({id, skin}, -1);
     if (!is_new) return known->second;
@@ -132,7 +128,6 @@ class InstanceReader {
     return known->second;
   }
 
-  /// Returns the shape index of a splat primitive, or -1 if no splat is valid.
   int splats_of(PrimitiveId id, int skin) {
     const auto [known, is_new] = shapes_.try_emplace({id, -1}, -1);
     if (!is_new) return known->second;
@@ -152,13 +147,12 @@ class InstanceReader {
   Document& document_;
   const NodeMap& nodes_;
   int variant_;
-  int material_of_splats_ = -1;  ///< -1: not created yet
+  int material_of_splats_ = -1;
   Scene& scene_;
   MaterialTable materials_;
   SkinReader skins_;
-  /// The scene without animation, evaluated before the timeline is read.
   ResolvedScene rest_;
-  std::map<std::pair<PrimitiveId, int>, int> shapes_;  ///< shape index for each primitive and skin
+  std::map<std::pair<PrimitiveId, int>, int> shapes_;
 };
 
 void check_transforms(const Document& document, const NodeMap& nodes, const Scene& scene) {

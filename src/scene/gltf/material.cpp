@@ -84,8 +84,7 @@ class MaterialReader {
     if (surface.transmission > 0.0f) surface.transmission_map = data(extension["transmissionTexture"]);
   }
 
-  /// Returns the index of refraction, or 0 if the file gives 0. An index between 0 and 1 would be below that of vacuum, so it
-  /// is replaced by 1, with a warning.
+  /// Returns the index of refraction, or 0 if the file gives 0. An index between 0 and 1 is replaced by 1, with a warning.
   double checked_ior(Value from, const std::string& where) {
     const double ior = from.extension("KHR_materials_ior")["ior"].number(1.5);
     if (ior == 0.0 || ior >= 1.0) return ior;
@@ -96,7 +95,7 @@ class MaterialReader {
 
   static constexpr float kMirrorLike = 1000.0f;
 
-  /// Converts an ior of 0, which means full reflection at all angles in KHR_materials_ior. A very high index approximates it.
+  /// In KHR_materials_ior, 0 means full reflection at all angles, which a very high index approximates.
   static float ior_of(double ior) { return ior == 0.0 ? kMirrorLike : static_cast<float>(ior); }
 
   void read_specular(Value from, MetallicRoughness& surface) {
@@ -119,8 +118,8 @@ class MaterialReader {
     surface.clearcoat_normal_scale = static_cast<float>(normal["scale"].number(1.0));
   }
 
-  /// Reads sheen, anisotropy, iridescence, diffuse transmission, volume and dispersion into surface.extensions. If none of
-  /// these has an effect, leaves surface.extensions empty.
+  /// Reads sheen, anisotropy, iridescence, diffuse transmission, volume and dispersion. If none of these has an effect, leaves
+  /// surface.extensions empty.
   void read_extensions(Value from, MetallicRoughness& surface) {
     SurfaceExtensions e;
     read_sheen(from.extension("KHR_materials_sheen"), e.sheen);
@@ -131,15 +130,14 @@ class MaterialReader {
     const Value volume = from.extension("KHR_materials_volume");
     if (volume && passes) e.volume = read_volume(volume);
     const bool is_thin = e.volume && !e.volume->is_solid;
-    const bool refracts =
-        surface.transmission > 0.0f && !is_thin && surface.ior < kMirrorLike;  // an ior of 0 reflects everything
+    const bool refracts = surface.transmission > 0.0f && !is_thin && surface.ior < kMirrorLike;
     if (refracts) e.dispersion = static_cast<float>(from.extension("KHR_materials_dispersion")["dispersion"].number(0.0));
     if (e.sheen.color != Vec3f(0.0f) || e.anisotropy.strength > 0.0f || e.iridescence.share > 0.0f ||
         e.diffuse_transmission.share > 0.0f || e.volume || e.dispersion > 0.0f)
       surface.extensions = e;
   }
 
-  /// Reads KHR_materials_volume. Of thicknessFactor, only the sign is used, because ray tracing finds the actual thickness.
+  /// Uses only the sign of thicknessFactor, because ray tracing finds the actual thickness.
   static Volume read_volume(Value extension) {
     Volume volume;
     volume.is_solid = extension["thicknessFactor"].number(0.0) > 0.0;
@@ -183,9 +181,8 @@ class MaterialReader {
     transmission.color_map = color(extension["diffuseTransmissionColorTexture"]);
   }
 
-  /// Converts KHR_materials_pbrSpecularGlossiness to a dielectric with full reflection. The specular colour scales the
-  /// reflection at normal incidence, which gives the reflectance of the old model. The file's metallic-roughness properties are
-  /// replaced because they are only meant for readers without this extension.
+  /// Converts KHR_materials_pbrSpecularGlossiness to a dielectric with full reflection, whose specular colour is the
+  /// reflectance of the old model. The file's metallic-roughness properties are only meant for readers without this extension.
   void read_specular_glossiness(Value old, MetallicRoughness& surface) {
     surface.metallic = 0.0f;
     surface.ior = ior_of(0.0);

@@ -18,7 +18,6 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// Returns the vertex of each triangle corner. Without an index buffer, the corners are the vertices 0, 1, 2, ...
 std::vector<std::uint32_t> read_corners(Document& document, PrimitiveId id, std::size_t vertices) {
   const int indices = primitive_of(document, id)["indices"].index();
   if (indices < 0) {
@@ -49,13 +48,13 @@ std::vector<Triangle> assemble(const std::vector<std::uint32_t>& v, Mode mode) {
   return triangles;
 }
 
-/// Normalises all normals. A normal of zero length is replaced by the mean normal of the vertex's triangles, weighted by area.
+/// A normal of zero length is replaced by the mean normal of the vertex's triangles, weighted by area.
 void normalize_normals(Mesh& mesh, const std::string& where, Report& report) {
   std::vector<std::uint32_t> missing;
   for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
     const float longest = std::max({std::abs(mesh.normals[i].x), std::abs(mesh.normals[i].y), std::abs(mesh.normals[i].z)});
     if (longest > 0.0f)
-      mesh.normals[i] = glm::normalize(mesh.normals[i] / longest);  // division by `longest` avoids overflow and underflow
+      mesh.normals[i] = glm::normalize(mesh.normals[i] / longest);
     else
       missing.push_back(static_cast<std::uint32_t>(i));
   }

@@ -1,4 +1,3 @@
-// Reads a primitive of a glTF mesh as a triangle mesh.
 #pragma once
 
 #include <optional>

@@ -1,7 +1,7 @@
 // Based on: Khronos Group and A. Kapoulkine, "EXT_meshopt_compression", 2021, with the codecs and filters of meshoptimizer.
 //
-// Before allocating memory, we check that the compressed bytes can contain the stated number of elements. The vertex codec
-// needs at least 2 bits per 16 bytes. The index codecs need at least one byte per index or triangle.
+// Before allocating memory, we check that the compressed bytes can contain the stated number of elements: the vertex codec
+// needs at least 2 bits per 16 bytes, and the index codecs one byte per index or triangle.
 #include "scene/gltf/meshopt.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +22,6 @@ Bytes packed_bytes(const Document& document, const PackedView& view, const std::
   return buffer.subspan(view.byte_offset, view.byte_length);
 }
 
-/// Throws Error if the codec or the filter does not support the size of the elements.
 void check_shape(const PackedView& view, const std::string& where, const Report& report) {
   const bool attributes = view.mode == "ATTRIBUTES", whole_words = view.byte_stride % 4 == 0;
   const auto fail = [&](std::string_view what, const std::string& accepted) {

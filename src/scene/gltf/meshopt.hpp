@@ -1,4 +1,3 @@
-// Decompresses buffer views that meshoptimizer has compressed (EXT_meshopt_compression).
 #pragma once
 
 #include <optional>
@@ -7,7 +6,6 @@
 
 namespace lippmann::gltf {
 
-/// Returns the extension's data of a buffer view, or none if the view is not compressed.
 std::optional<PackedView> packed_view(Value view);
 
 /// Returns whether a buffer only contains uncompressed copies for readers without the extension. Such a buffer may lack data,
@@ -18,7 +16,6 @@ bool is_fallback(Value buffer);
 /// Error at the view.
 void check_packed_views(const Document& document);
 
-/// Decompresses every compressed view into a new buffer. Throws Error at the view.
 void unpack_views(Document& document);
 
 }  // namespace lippmann::gltf

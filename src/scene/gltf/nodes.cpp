@@ -11,7 +11,6 @@ namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-/// Returns the transform of a column-major 4 x 4 matrix. Throws Error if the matrix is not affine.
 Affine3f affine(const std::vector<double>& m, const std::string& where, const Report& report) {
   constexpr double kTolerance = 1e-5;  // exporters multiply matrices in float precision, so the last row is only nearly 0 0 0 1
   if (std::abs(m[3]) + std::abs(m[7]) + std::abs(m[11]) + std::abs(m[15] - 1.0) > kTolerance)
@@ -38,7 +37,6 @@ Node read_node(Value from, const std::string& where, const Report& report) {
   return node;
 }
 
-/// Returns the transform of a node in double precision. read_node() must have accepted the node.
 Affine3d exact_transform(Value from) {
   if (const std::vector<double> m = from["matrix"].numbers(); !m.empty())
     return {glm::dmat3(m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]), Vec3d(m[12], m[13], m[14])};
@@ -95,7 +93,6 @@ void check_cycles(Value nodes, const std::vector<int>& parents, const Report& re
                 "is part of or below a cycle of nodes");
 }
 
-/// Returns for each node of the file whether one of its ancestors is in `listed`.
 std::vector<bool> below_listed(Value nodes, const std::vector<int>& listed, const std::vector<int>& parents) {
   std::vector<bool> in_scene(parents.size(), false), below(parents.size(), false);
   for (const int node : listed) in_scene[at(node)] = true;
@@ -104,9 +101,9 @@ std::vector<bool> below_listed(Value nodes, const std::vector<int>& listed, cons
   return below;
 }
 
-/// Returns the roots of a scene that lists the nodes `listed`. The specification only allows root nodes in this list. If a
-/// listed node has a listed ancestor, it is part of the scene through this ancestor. Any other listed node becomes a root,
-/// without the transforms of its parents.
+/// Returns the roots of a scene that lists the nodes `listed`. The specification only allows root nodes in this list. A listed
+/// node with a listed ancestor is part of the scene through this ancestor. Any other listed node becomes a root, without the
+/// transforms of its parents.
 std::vector<int> roots_among(const std::vector<int>& listed, const std::vector<int>& parents, const std::string& where,
                              Document& document) {
   const auto child = std::find_if(listed.begin(), listed.end(), [&](int node) { return parents[at(node)] >= 0; });
@@ -130,8 +127,7 @@ std::vector<int> roots_of(Document& document, const std::vector<int>& parents) {
   return roots_among(scenes.at(chosen)["nodes"].indices(), parents, element("scenes", chosen), document);
 }
 
-/// Returns whether a node is invisible. Its descendants are then invisible too. Based on: Khronos Group, "KHR_node_visibility",
-/// 2025.
+/// Returns whether a node, and thus all its descendants, is invisible. Based on: Khronos Group, "KHR_node_visibility", 2025.
 bool hides_itself(Value node) { return !node.extension("KHR_node_visibility")["visible"].flag(true); }
 
 }  // namespace

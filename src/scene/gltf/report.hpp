@@ -1,4 +1,3 @@
-// Errors and warnings of the glTF reader. They name the file and the element.
 #pragma once
 
 #include <set>
@@ -10,7 +9,6 @@
 
 namespace lippmann::gltf {
 
-/// Return the name of an element in messages: "meshes[3]" or "meshes[3].primitives[0]".
 std::string element(std::string_view array, std::size_t index);
 std::string element(std::string_view array, std::size_t index, std::string_view sub_array, std::size_t sub_index);
 
@@ -21,7 +19,6 @@ class Report {
 
   const Context& context() const { return context_; }
 
-  /// Returns "file: element", or only the file if `element` is empty.
   std::string where(std::string_view element) const;
 
   [[noreturn]] void fail(std::string_view element, const std::string& problem, const std::string& accepted = {}) const;
@@ -38,7 +35,6 @@ class Report {
   void not_supported(const std::string& feature, const std::string& instead, std::string_view first_element);
 
  private:
-  /// Reports `text` unless a text with the same topic has been reported before.
   void report_once(const std::string& topic, const std::string& text);
 
   std::string file_;

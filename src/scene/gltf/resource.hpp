@@ -1,4 +1,3 @@
-// Loads the data that a URI in a glTF file refers to: embedded data, or a file in a permitted folder.
 #pragma once
 
 #include <cstddef>
@@ -11,13 +10,13 @@
 
 namespace lippmann::gltf {
 
-/// Returns the bytes of a data URI, or of a regular file in `folders`. Symbolic links must not lead out of `folders`. A file
-/// may have at most `limit` bytes. Throws Error at `element` if this is not possible.
+/// Returns the bytes of a data URI, or of a regular file in `folders` of at most `limit` bytes. Symbolic links must not lead
+/// out of `folders`. Throws Error at `element` if this is not possible.
 std::vector<std::byte> fetch(std::string_view uri, const SideFolders& folders, std::uint64_t limit, std::string_view element,
                              const Report& report);
 
-/// Returns why a URI cannot be loaded. Returns an empty text if it can be loaded, and for data URIs. If the scene's folder
-/// cannot be read, throws Error at `where`.
+/// Returns why a URI cannot be loaded, or an empty text if it can, and for data URIs. If the scene's folder cannot be read,
+/// throws Error at `where`.
 std::string uri_problem(std::string_view uri, const SideFolders& folders, const std::string& where);
 
 }  // namespace lippmann::gltf

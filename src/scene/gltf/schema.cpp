@@ -1,4 +1,3 @@
-// Walks through the document and checks each value against the tables of schema_table.hpp.
 #include "scene/gltf/schema.hpp"
 
 #include <fmt/format.h>
@@ -16,7 +15,7 @@ namespace {
 using Json = nlohmann::json;
 using namespace schema;
 
-/// The path from the root to the current value, as a linked list on the call stack. text() is only called for messages.
+/// The path from the root to the current value, as a linked list on the call stack.
 struct Path {
   const Path* parent = nullptr;
   std::string_view name{};
@@ -77,8 +76,7 @@ class Checker {
     for (const auto& entry : found->items()) note_use(entry.key(), value, path);
   }
 
-  /// Records a property that glTF does not define. Ignores properties that glTF defines but the reader does not use, and
-  /// properties within extras and extensions.
+  /// Records a property that glTF does not define, outside extras and extensions.
   void note_unknown(const std::string& name, const Path& path) {
     constexpr std::string_view kUnused[] = {"name",
                                             "extras",
@@ -110,7 +108,7 @@ class Checker {
         if (!value.is_boolean()) fail(path, "is not true or false");
         return;
       case Kind::kFlag:
-        return;  // has_other_kind() has checked the type
+        return;
       case Kind::kString:
         return check_string(value, property, path);
       case Kind::kNumber:
@@ -172,7 +170,7 @@ class Checker {
     fail(path, fmt::format("is {}", x), open ? fmt::format("{} or more", lower) : fmt::format("{} to {}", lower, upper));
   }
 
-  /// Checks an integer. Numbers such as 3.0 are accepted and converted to integers.
+  /// Numbers such as 3.0 are accepted and converted to integers.
   void check_integer(Json& value, const Property& property, const Path& path) const {
     if (!value.is_number()) fail(path, "is not an integer");
     const double x = value.get<double>();

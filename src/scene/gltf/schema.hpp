@@ -1,4 +1,3 @@
-// Checks the JSON of a glTF document against the part of the glTF 2.0 schema that the reader uses.
 #pragma once
 
 #include <cstddef>
@@ -12,26 +11,23 @@
 
 namespace lippmann::gltf {
 
-/// The objects of the document that use an extension.
 struct ExtensionUse {
   static constexpr std::size_t kMostNamed = 4;
   struct User {
-    std::string where, name;  ///< path, such as "materials[2]", and name, which may be empty
+    std::string where, name;
   };
   std::size_t count = 0;
-  std::vector<User> users;  ///< the first kMostNamed objects; `count` includes all
+  std::vector<User> users;
 };
 using UsedExtensions = std::map<std::string, ExtensionUse>;
 
-/// Results of the schema check that are not errors.
 struct SchemaFindings {
   UsedExtensions extensions;
-  LeftOut unknown;  ///< properties that glTF 2.0 does not define, outside extras and extensions
+  LeftOut unknown;
 };
 
 /// Checks the document. Afterwards every remaining property has the right type, range and length, every required property
-/// exists, and every index is valid. Removes the properties that the reader does not use, such as unknown extensions. Throws
-/// Error naming the element.
+/// exists, and every index is valid. Removes the properties that the reader does not use. Throws Error naming the element.
 SchemaFindings check_schema(nlohmann::json& root, const Report& report);
 
 }  // namespace lippmann::gltf

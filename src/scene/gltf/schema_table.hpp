@@ -1,5 +1,4 @@
-// The glTF properties that the reader uses, with their types, ranges and the arrays that indices refer to. Only schema.cpp
-// includes this file.
+// The glTF properties that the reader uses, with their types, ranges and the arrays that indices refer to.
 //
 // Based on: Khronos Group, "glTF 2.0 Specification", 2021, section 5 "Properties Reference", and the specifications of the
 // extensions listed in gltf.hpp.
@@ -12,30 +11,28 @@
 
 namespace lippmann::gltf::schema {
 
-// ---- Rules ---------------------------------------------------------------------------------------------
-
 enum class Kind {
   kBool,
-  kFlag,  ///< a boolean or a number
+  kFlag,
   kString,
   kStrings,
   kNumber,
   kNumbers,
   kInteger,
-  kIndex,       ///< an index into the root's array `refers_to`
-  kIndices,     ///< an array of indices, all of them different
+  kIndex,
+  kIndices,
   kIndexLists,  ///< an array of arrays of indices; each has the length `length`
-  kIndexMap,    ///< an object whose values are indices
-  kIntegerMap,  ///< an object whose values are integers
-  kIndexMaps,   ///< an array of objects whose values are indices
-  kObject,      ///< an object with the properties `object`
-  kObjects,     ///< an array of objects with the properties `object`
+  kIndexMap,
+  kIntegerMap,
+  kIndexMaps,
+  kObject,
+  kObjects,
 };
 
 enum Need {
   kOptional,
   kRequired,
-  /// The property is optional. It is removed if its type is wrong, because any program may write properties into extras.
+  /// The property is removed if its type is wrong, because any program may write properties into extras.
   kIfKindMatches,
 };
 
@@ -43,9 +40,9 @@ struct Property {
   std::string_view name;
   Kind kind = Kind::kObject;
   Need need = kOptional;
-  double lower = -FLT_MAX, upper = FLT_MAX;  ///< smallest and largest allowed number
-  int multiple_of = 1;                       ///< integers must be multiples of this number
-  std::size_t length = 0;                    ///< number of elements of a number array; 0: any
+  double lower = -FLT_MAX, upper = FLT_MAX;
+  int multiple_of = 1;
+  std::size_t length = 0;  ///< number of elements of a number array; 0: any
   std::string_view refers_to{};
   std::string_view choices{};  ///< accepted strings, as "|A|B|"; empty: any string
   std::span<const Property> object{};
@@ -87,8 +84,6 @@ constexpr Property object(std::string_view name, std::span<const Property> prope
 constexpr Property objects(std::string_view name, std::span<const Property> properties, Need need = kOptional) {
   return {.name = name, .kind = Kind::kObjects, .need = need, .object = properties};
 }
-
-// ---- Buffers and accessors ------------------------------------------------------------------------------------------
 
 constexpr Property kPackedBuffer[] = {boolean("fallback")};
 constexpr Property kBufferExtensions[] = {object("EXT_meshopt_compression", kPackedBuffer)};
@@ -141,8 +136,6 @@ constexpr Property kAccessor[] = {
     object("sparse", kSparse),
 };
 
-// ---- Meshes and skins -----------------------------------------------------------------------------------------------
-
 constexpr Property kDraco[] = {
     index("bufferView", "bufferViews", kRequired),
     {.name = "attributes", .kind = Kind::kIntegerMap, .need = kRequired, .lower = 0.0, .upper = kMaxInt},
@@ -173,8 +166,6 @@ constexpr Property kSkin[] = {
     indices("joints", "nodes", kRequired),
     index("inverseBindMatrices", "accessors"),
 };
-
-// ---- Textures and materials -----------------------------------------------------------------------------------------
 
 constexpr Property kImage[] = {string("name"), string("uri"), index("bufferView", "bufferViews")};
 constexpr Property kWebpTexture[] = {index("source", "images", kRequired)};
@@ -292,8 +283,6 @@ constexpr Property kMaterial[] = {
     object("extensions", kMaterialExtensions),
 };
 
-// ---- Cameras and lights ---------------------------------------------------------------------------------------------
-
 constexpr Property kPerspective[] = {
     number("aspectRatio", kPositive, 1e6),
     number("yfov", kPositive, 3.14, kRequired),
@@ -365,8 +354,6 @@ constexpr std::string_view kProfilesPath = "/extensions/EXT_lights_ies/lights";
 constexpr std::string_view kImageLightsPath = "/extensions/EXT_lights_image_based/lights";
 constexpr std::string_view kLightsPath = "/extensions/KHR_lights_punctual/lights";
 
-// ---- Nodes and animations -------------------------------------------------------------------------------------------
-
 constexpr Property kNodeLight[] = {index("light", kLightsPath, kRequired)};
 constexpr Property kNodeProfile[] = {
     index("light", kProfilesPath, kRequired),
@@ -412,8 +399,6 @@ constexpr Property kAnimation[] = {
     objects("channels", kChannel, kRequired),
     objects("samplers", kAnimationSampler, kRequired),
 };
-
-// ---- The root -------------------------------------------------------------------------------------------------------
 
 constexpr Property kAsset[] = {string("version", kRequired), string("minVersion"), string("generator")};
 constexpr Property kRoot[] = {

@@ -1,4 +1,3 @@
-// Based on: Khronos Group, "glTF 2.0 Specification", 2021, sections 3.7.2.2 "Morph Targets" and 3.7.3 "Skins".
 #include "scene/gltf/skin.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +21,6 @@ std::vector<Affine3f> read_inverse_binds(Document& document, Value skin, const s
   return matrices;
 }
 
-/// The attributes JOINTS_n and WEIGHTS_n for one index n. Both have one entry per vertex.
 struct Influences {
   std::vector<Joints> joints;
   std::vector<Vec4f> weights;

@@ -1,4 +1,3 @@
-// Reads the data that deform glTF meshes: skins, the weights of vertices, and morph targets with their weights.
 #pragma once
 
 #include <map>
@@ -8,7 +7,7 @@
 
 namespace lippmann::gltf {
 
-/// Reads each skin once, when a node uses it for the first time.
+/// Reads each skin when a node first uses it.
 class SkinReader {
  public:
   SkinReader(Document& document, const NodeMap& nodes, Scene& scene) : document_(document), nodes_(nodes), scene_(scene) {}
@@ -31,8 +30,8 @@ void read_skin_weights(Document& document, PrimitiveId id, std::size_t joints, M
 /// Reads the morph targets of a primitive into mesh.targets. Skips normals and tangents of targets if the mesh itself has none.
 void read_targets(Document& document, PrimitiveId id, Mesh& mesh);
 
-/// Returns one weight per morph target of the node's mesh. The weights are those of the node if it has any, otherwise those of
-/// the mesh, otherwise zeros. Throws Error if the number of weights differs from the number of targets.
+/// Returns one weight per morph target of the node's mesh: those of the node if it has any, otherwise those of the mesh,
+/// otherwise zeros. Throws Error if the number of weights differs from the number of targets.
 std::vector<float> read_morph_weights(Document& document, int file_node);
 
 }  // namespace lippmann::gltf

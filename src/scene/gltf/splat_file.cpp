@@ -1,4 +1,3 @@
-// Detects files that contain only splats. Reads only the JSON because the binary data may have gigabytes.
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -22,7 +21,7 @@ constexpr std::string_view kSplatExtension = "KHR_gaussian_splatting";
 /// part.
 std::string leading_json(const std::filesystem::path& path, std::uint64_t limit) {
   RegularFile file(path);
-  std::array<char, 20> start{};  // header of a .glb and header of its first chunk
+  std::array<char, 20> start{};
   const std::size_t begun = file.read(start.data(), start.size());
   const bool binary = begun == start.size() && std::string_view(start.data(), 4) == "glTF";
   std::uint32_t chunk = 0;
@@ -36,7 +35,6 @@ std::string leading_json(const std::filesystem::path& path, std::uint64_t limit)
   return text;
 }
 
-/// Returns an array property, or an empty array if the property is absent or not an array.
 const Json& array_of(const Json& object, const char* name) {
   static const Json kNone = Json::array();
   const auto found = object.is_object() ? object.find(name) : object.end();

@@ -1,6 +1,5 @@
-// Based on: Khronos Group, "KHR_gaussian_splatting", release candidate of 2026. Splats are point primitives with additional
-// attributes. Scales are standard deviations. In the draft of 2025 they were logarithms; such files are recognised because most
-// of their scales are negative.
+// Based on: Khronos Group, "KHR_gaussian_splatting", release candidate of 2026. Scales are standard deviations. In the draft of
+// 2025 they were logarithms; such files are recognised because most of their scales are negative.
 #include "scene/gltf/splats.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,3 @@
-// Reads splats (3D Gaussians) from glTF files (KHR_gaussian_splatting).
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

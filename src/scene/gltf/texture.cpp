@@ -25,14 +25,13 @@ Wrap wrap_mode(Value mode, const std::string& where, const Report& report) {
   }
 }
 
-/// Returns the image index of a texture; -1: none. If there is a WebP image, it is used, because the other image is then only a
+/// Returns the image index of a texture; -1: none. A WebP image takes precedence, because the other image is then only a
 /// replacement for readers without WebP.
 int image_of(Value texture) {
   const Value webp = texture.extension("EXT_texture_webp");
   return (webp ? webp : texture)["source"].index();
 }
 
-/// Converts glossiness in channel A to roughness in channel G, the channel of metallic-roughness textures.
 void make_roughness(float glossiness, Texture& texture) {
   for (std::size_t i = 0; i < texture.rgba.size(); i += 4) {
     const float rough = 255.0f - glossiness * static_cast<float>(texture.rgba[i + 3]);

@@ -1,4 +1,3 @@
-// Decodes the textures that glTF materials use.
 #pragma once
 
 #include <map>
@@ -12,8 +11,8 @@
 
 namespace lippmann::gltf {
 
-/// Collects the textures that materials use, and decodes all of them at the end. An image is decoded once for each combination
-/// of wrap modes and encoding.
+/// Collects the textures that materials use, and decodes all of them at the end, once for each combination of wrap modes and
+/// encoding.
 class TextureReader {
  public:
   TextureReader(Document& document, Scene& scene)
@@ -23,23 +22,19 @@ class TextureReader {
   /// image, warns and returns -1. `srgb` is true for colours and false for data.
   int read(int texture, bool srgb);
 
-  /// Returns a texture whose channel G is the roughness 1 - `glossiness` * a, with a the value of channel A of the file's
-  /// texture.
+  /// Returns a texture whose channel G is the roughness 1 - `glossiness` * a, where a is channel A of the file's texture.
   int read_roughness(int texture, float glossiness);
 
-  /// Decodes all textures that have been read.
   void decode();
 
  private:
-  /// Returns why an image cannot be decoded, or an empty text if it can.
   const std::string& problem_of(int image);
 
   Document& document_;
   Scene& scene_;
   PendingTextures pending_;
-  std::map<int, std::string> problems_;  ///< result of problem_of() for each image
+  std::map<int, std::string> problems_;
   std::map<std::tuple<int, Wrap, Wrap, bool>, int> known_;
-  /// Maps a texture of the Scene and a glossiness factor to the roughness texture made from both.
   std::map<std::pair<int, float>, int> roughness_;
 };
 

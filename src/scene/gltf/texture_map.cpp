@@ -1,6 +1,6 @@
-// Based on: Khronos Group, "glTF 2.0 Specification", 2021, section 5.29 "Texture Info", and KHR_texture_transform. The
-// extension defines uv' = T R S uv, where R rotates by the angle a: u' = u cos a + v sin a, v' = -u sin a + v cos a. The
-// extension's texCoord overrides that of the textureInfo.
+// Based on: Khronos Group, "glTF 2.0 Specification", 2021, section 5.29 "Texture Info", and KHR_texture_transform, which
+// defines uv' = T R S uv, where R rotates by the angle a: u' = u cos a + v sin a, v' = -u sin a + v cos a. The extension's
+// texCoord overrides that of the textureInfo.
 #include "scene/gltf/texture_map.hpp"
 
 #include <cmath>
@@ -19,7 +19,7 @@ void set_transform(Value transform, TextureMap& map) {
   map.uv_set = transform["texCoord"].integer(map.uv_set);
 }
 
-/// Returns all maps of a surface. choose_uv_sets() prefers the uv sets of maps that come first in this list.
+/// choose_uv_sets() prefers the uv sets of maps that come first in this list.
 std::vector<TextureMap*> maps_of(MetallicRoughness& s) {
   std::vector<TextureMap*> maps{&s.base_color_map, &s.normal_map,           &s.metallic_roughness_map, &s.emissive_map,
                                 &s.occlusion_map,  &s.transmission_map,     &s.specular_map,           &s.specular_color_map,

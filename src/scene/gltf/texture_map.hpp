@@ -1,4 +1,3 @@
-// Reads the texture references of glTF materials.
 #pragma once
 
 #include <array>
@@ -12,12 +11,10 @@ namespace lippmann::gltf {
 /// choose_uv_sets() changes it. `srgb` is true for colours and false for data.
 TextureMap read_map(Value info, bool srgb, TextureReader& textures);
 
-/// Same as read_map(), but `read` converts a texture index of the file to one of the Scene.
 TextureMap read_map_from(Value info, const std::function<int(int)>& read);
 
-/// Chooses the TEXCOORD numbers that become Mesh::uvs and Mesh::uvs_1, and sets uv_set in all maps of the surface accordingly.
-/// Returns the two numbers; -1: none. If the maps use more than two sets, warns, and maps of the remaining sets use the first
-/// set.
+/// Chooses the TEXCOORD numbers that become Mesh::uvs and Mesh::uvs_1, and sets uv_set in all maps of the surface. Returns the
+/// two numbers; -1: none. If the maps use more than two sets, warns, and maps of the remaining sets use the first set.
 std::array<int, 2> choose_uv_sets(MetallicRoughness& surface, const std::string& where, Report& report);
 
 }  // namespace lippmann::gltf

@@ -17,31 +17,22 @@ class Value {
   Value() = default;
   explicit Value(const nlohmann::json& json) : json_(&json) {}
 
-  /// Returns whether the value exists.
   explicit operator bool() const { return json_ != nullptr; }
 
-  /// Returns a property of an object; it may be absent.
   Value operator[](std::string_view property) const;
-  /// Returns an extension of an object; it may be absent.
   Value extension(std::string_view name) const { return (*this)["extensions"][name]; }
-  /// Returns element i of an array. Requires i < size().
   Value at(std::size_t i) const;
-  /// Returns the number of elements of an array; 0 if absent.
   std::size_t size() const;
 
   double number(double otherwise) const;
   int integer(int otherwise) const;
-  /// Returns a number of bytes or elements; 0 if absent.
   std::size_t count() const;
-  /// Returns an index into one of the document's arrays; -1 if absent.
   int index() const { return integer(-1); }
   /// Returns a boolean, or whether a number is not zero. `otherwise` is returned for an absent value.
   bool flag(bool otherwise) const;
-  /// Returns a string; empty if absent.
   const std::string& text() const;
 
-  /// These functions return all elements of an array, or all properties of an object. The result is empty if the value is
-  /// absent.
+  /// The elements of an array, or the properties of an object. Empty if the value is absent.
   std::vector<double> numbers() const;
   std::vector<int> indices() const;
   std::map<std::string, int> index_map() const;

@@ -1,4 +1,3 @@
-// Based on: Khronos Group, "KHR_materials_variants".
 #include "scene/gltf/variants.hpp"
 
 #include <algorithm>

@@ -1,4 +1,3 @@
-// Reads the material variants of a glTF file (KHR_materials_variants).
 #pragma once
 
 #include <string>
@@ -14,9 +13,8 @@ std::vector<std::string> variant_names(const Document& document);
 /// matches, throws a usage Error that lists the names.
 int choose_variant(const std::vector<std::string>& names, const std::string& wanted);
 
-/// Returns the file's material index for a primitive in a variant. If the variant does not change the primitive, or if
-/// `variant` is -1 (no variant), this is the primitive's own material. -1 means glTF's default material. `where` names the
-/// primitive in errors.
+/// Returns the file's material index for a primitive in a variant, or the primitive's own material if the variant does not
+/// change it or if `variant` is -1 (no variant). -1 means glTF's default material. `where` names the primitive in errors.
 int material_in(Value primitive, int variant, const std::string& where, const Report& report);
 
 }  // namespace lippmann::gltf

@@ -27,19 +27,18 @@ namespace {
 
 constexpr float kMostCandelas = 1e12f;
 constexpr int kMostAngles = 100000;
-constexpr float kLeastStep = 1e-3f;  ///< smallest allowed difference of consecutive angles, in degrees
+constexpr float kLeastStep = 1e-3f;
 
 enum class Photometry { kC = 1, kB = 2, kA = 3 };
 
-/// The contents of a file. Angles are in degrees. candelas[h][v] belongs to horizontal angle h and vertical angle v.
 struct MeasuredWeb {
   Photometry type = Photometry::kC;
   std::vector<float> vertical, horizontal;
   std::vector<std::vector<float>> candelas;
 };
 
-/// Returns whether a keyword is known and does not affect the light. This includes the names of makers and catalogues, dates,
-/// and the user's own keywords [_NAME].
+/// Returns whether a keyword is known and does not affect the light. Examples are names of makers, dates, and the user's own
+/// keywords [_NAME].
 bool is_known_keyword(std::string_view keyword) {
   constexpr std::string_view kKnown[] = {"TEST",      "TESTLAB",       "TESTMETHOD",   "TESTDATE",  "ISSUEDATE",
                                          "DATE",      "MANUFAC",       "LUMCAT",       "LUMINAIRE", "LAMPCAT",
@@ -143,13 +142,11 @@ class IesReader {
   MeasuredWeb web_;
 };
 
-/// Appends the mirror images of all angles with respect to the last angle.
 void mirror_back(std::vector<float>& angles) {
   const float last = angles.back();
   for (std::size_t i = angles.size() - 1; i-- > 0;) angles.push_back(2.0f * last - angles[i]);
 }
 
-/// Prepends the mirror images of all angles with respect to the first angle.
 void mirror_front(std::vector<float>& angles) {
   const float first = angles.front();
   std::vector<float> before;
@@ -176,7 +173,6 @@ bool go_from(const std::vector<float>& angles, float from, float to) { return an
               accepted);
 }
 
-/// Completes the horizontal angles of type C to a full circle by symmetry.
 void complete_circle(const Lexer& lexer, MeasuredWeb& web) {
   std::vector<float>& angles = web.horizontal;
   if (angles.size() == 1) return;
@@ -189,7 +185,6 @@ void complete_circle(const Lexer& lexer, MeasuredWeb& web) {
     throw_range_error(lexer, "horizontal", angles, "0 to 90, 0 to 180, 0 to 360, or 90 to 270 degrees");
 }
 
-/// Completes the angles of types A and B to the range from -90 to 90 degrees by symmetry.
 void complete_sides(const Lexer& lexer, MeasuredWeb& web) {
   const auto require_full_range = [&](const char* what, const std::vector<float>& angles) {
     if (!go_from(angles, -90.0f, 90.0f)) throw_range_error(lexer, what, angles, "0 to 90, or -90 to 90 degrees");
@@ -217,7 +212,7 @@ PhotometricWeb web_of_type_c(const MeasuredWeb& measured) {
   return web;
 }
 
-/// Converts type A. The polar axis points down, along the light's -y. Horizontal angles are azimuths around this axis.
+/// The polar axis of type A points down, along the light's -y. Horizontal angles are azimuths around it.
 PhotometricWeb web_of_type_a(const MeasuredWeb& measured) {
   PhotometricWeb web;
   web.polar = in_radians(measured.vertical, 90.0f), web.azimuth = in_radians(measured.horizontal, 0.0f);
@@ -226,7 +221,7 @@ PhotometricWeb web_of_type_a(const MeasuredWeb& measured) {
   return web;
 }
 
-/// Converts type B. The polar axis points to the left, along the light's -x. Vertical angles are azimuths around this axis.
+/// The polar axis of type B points to the left, along the light's -x. Vertical angles are azimuths around it.
 PhotometricWeb web_of_type_b(const MeasuredWeb& measured) {
   PhotometricWeb web;
   web.polar = in_radians(measured.horizontal, 90.0f), web.azimuth = in_radians(measured.vertical, 0.0f);

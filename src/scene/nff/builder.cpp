@@ -46,7 +46,6 @@ bool has_area(Vec3f a, Vec3f b, Vec3f c) {
   return glm::cross(glm::dvec3(b) - glm::dvec3(a), glm::dvec3(c) - glm::dvec3(a)) != glm::dvec3(0.0);
 }
 
-/// Returns the normal of a polygon whose corners have no normals. The normal is computed from one of the polygon's triangles.
 Vec3f facet_normal(std::span<const Vec3f> corners, const Triangle& triangle) {
   const glm::dvec3 a(corners[triangle[0]]), b(corners[triangle[1]]), c(corners[triangle[2]]);
   return Vec3f(glm::normalize(glm::cross(b - a, c - a)));

@@ -1,5 +1,5 @@
-// Collects the shapes of an NFF file into a Scene. There is one instance per surface and kind of shape, so that thousands of
-// spheres become a single shape. Shapes without size are dropped and counted.
+// Collects the shapes of an NFF file into a Scene, with one instance per surface and kind of shape. Shapes without size are
+// dropped and counted.
 #pragma once
 
 #include <array>
@@ -12,7 +12,6 @@
 
 namespace lippmann::nff {
 
-/// The parameters of NFF's statement "f", which describes a surface.
 struct Fill {
   Vec3f color{1.0f};
   float diffuse = 1.0f, specular = 0.0f, shine = 1.0f;
@@ -21,7 +20,6 @@ struct Fill {
 
 class Builder {
  public:
-  /// Sets the surface of all shapes that are added afterwards. The default is white.
   void set_fill(const Fill& fill);
 
   void add_sphere(Vec3f center, float radius);                                            // radius >= 0
@@ -31,7 +29,6 @@ class Builder {
   int left_out() const { return left_out_; }
   int cones() const { return cones_; }
 
-  /// Adds the collected shapes to the scene.
   void finish(Scene& scene);
 
  private:
@@ -42,9 +39,9 @@ class Builder {
   };
   Group& group();
 
-  std::map<std::array<float, 8>, std::size_t> known_;  ///< index into fills_ for the eight numbers of a Fill
+  std::map<std::array<float, 8>, std::size_t> known_;
   std::vector<Fill> fills_;
-  std::vector<Group> groups_;  ///< one per element of fills_
+  std::vector<Group> groups_;
   std::size_t current_ = 0;
   int left_out_ = 0, cones_ = 0;
 };

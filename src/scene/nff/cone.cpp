@@ -9,8 +9,8 @@ void add_cone(Mesh& mesh, Vec3f base, float base_radius, Vec3f apex, float apex_
   const double length = glm::length(axis);
   const Vec3d w = axis / length, a = glm::abs(w);
   const Vec3d off_axis = a.x <= a.y && a.x <= a.z ? Vec3d(1, 0, 0) : a.y <= a.z ? Vec3d(0, 1, 0) : Vec3d(0, 0, 1);
-  const Vec3d u = glm::normalize(glm::cross(off_axis, w)), v = glm::cross(w, u);  // right-handed: u x v = w
-  const double lean = double{base_radius} - double{apex_radius};                  // decrease of the radius from base to apex
+  const Vec3d u = glm::normalize(glm::cross(off_axis, w)), v = glm::cross(w, u);
+  const double lean = double{base_radius} - double{apex_radius};  // decrease of the radius from base to apex
 
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
   for (int i = 0; i < kConeSides; ++i) {

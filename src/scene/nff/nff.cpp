@@ -1,6 +1,5 @@
-// Based on: E. Haines, "Neutral File Format", version 3.9, 1996. A file consists of words separated by white space. Each
-// statement consists of a keyword and its parameters. Line ends only matter in the statement "l", whose last parameters may be
-// absent.
+// Based on: E. Haines, "Neutral File Format", version 3.9, 1996. Line ends only matter in the statement "l", whose last
+// parameters may be absent.
 #include "scene/nff.hpp"
 
 #include <fmt/format.h>
@@ -116,8 +115,7 @@ void parse_fill(Lexer& lexer, State& state) {
   state.builder.set_fill(fill);
 }
 
-/// Parses a cone or cylinder. Negative radii mean a surface seen from inside; their sign is ignored because both sides are
-/// visible.
+/// Negative radii mean a surface seen from inside; their sign is ignored because both sides are visible.
 void parse_cone(Lexer& lexer, State& state) {
   const Vec3f base = point(lexer, "c's base");
   const float base_radius = number(lexer, "c's base radius");
@@ -188,7 +186,6 @@ void add_camera(Scene& scene, const View& view) {
 }
 
 void add_lights(Scene& scene, const std::vector<PointLight>& lights) {
-  // NFF defines this intensity for lights without a colour.
   const float intensity = 1.0f / std::sqrt(static_cast<float>(lights.size()));
   for (const PointLight& point : lights) {
     Node node;

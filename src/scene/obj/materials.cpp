@@ -48,8 +48,8 @@ bool is_number(std::string_view word) {
   return !word.empty() && word.find_first_not_of("0123456789+-.eE") == std::string_view::npos;
 }
 
-/// Returns the file name in a map statement such as "-s 1 1 1 -clamp on name", with '/' as folder separator. The options have
-/// no effect; their names are added to `left_out`.
+/// Returns the file name in a map statement such as "-s 1 1 1 -clamp on name". The options have no effect; their names are
+/// added to `left_out`.
 std::string map_file(std::string_view statement, const std::string& where, LeftOut& left_out) {
   std::string_view rest = statement;
   for (;;) {
@@ -71,10 +71,9 @@ std::string map_file(std::string_view statement, const std::string& where, LeftO
   return name;
 }
 
-/// A material while its statements are read.
 struct Draft {
   MetallicRoughness surface = matt_grey();
-  float roughness = -1.0f;  ///< from Pr; below 0: not set
+  float roughness = -1.0f;
   float exponent = 0.0f;
   bool dull = false;  ///< Ks is black, so that there is no reflection
 
@@ -93,7 +92,7 @@ float number(Lexer& lexer, std::string_view wanted) {
 }
 float share(Lexer& lexer, std::string_view wanted) { return std::min(1.0f, number(lexer, wanted)); }
 
-/// Reads a colour: either R, or R G B. A single number is used for all three channels.
+/// A single number is used for all three channels.
 Vec3f color(Lexer& lexer, std::string_view wanted) {
   const float red = number(lexer, wanted);
   if (lexer.at_line_end()) return Vec3f(red);
@@ -101,7 +100,6 @@ Vec3f color(Lexer& lexer, std::string_view wanted) {
   return {red, green, blue};
 }
 
-/// Parses a statement that sets a number or a colour. Returns false for other statements.
 bool parse_value(std::string_view keyword, Lexer& lexer, Draft& draft) {
   MetallicRoughness& s = draft.surface;
   if (keyword == "Kd")

@@ -1,4 +1,3 @@
-// Reads the materials of an OBJ file from its .mtl files.
 #pragma once
 
 #include <map>
@@ -15,15 +14,14 @@ namespace lippmann::obj {
 
 class Materials {
  public:
-  /// `folders` are the folders that may contain material files and images. `texture_bytes` is as in LoadOptions. Materials and
-  /// textures are added to `scene`.
+  /// `folders` may contain material files and images. `texture_bytes` is as in LoadOptions. Materials and textures are added to
+  /// `scene`.
   Materials(SideFolders folders, std::uint64_t texture_bytes, Scene& scene, const Context& context);
 
-  /// Reads all .mtl files that an mtllib statement at `where` names. Warns about files that cannot be used.
   void read_library(std::string_view names, const std::string& where);
 
   /// Returns the index of the material called `name`. For unknown names, warns and returns a grey material. For an empty name,
-  /// returns the grey material without a warning.
+  /// returns it without a warning.
   int find(std::string_view name, const std::string& where);
 
   void decode_textures() { textures_.decode(); }
@@ -36,9 +34,9 @@ class Materials {
   SideTextures textures_;
   Scene& scene_;
   const Context& context_;
-  std::map<std::string, int, std::less<>> known_;  ///< material index by name
-  std::set<std::string> read_;                     ///< names of the .mtl files read so far
-  std::size_t text_left_;                          ///< maximum total size in bytes of the .mtl files still to be read
+  std::map<std::string, int, std::less<>> known_;
+  std::set<std::string> read_;
+  std::size_t text_left_;  ///< maximum total size in bytes of the .mtl files still to be read
 };
 
 }  // namespace lippmann::obj

@@ -1,4 +1,3 @@
-// Based on: Alias/Wavefront, "Object files (.obj)", version 3.0, 1991. Of its geometry, only polygons are read.
 #include "scene/obj.hpp"
 
 #include <fmt/format.h>
@@ -29,7 +28,6 @@ namespace {
 constexpr std::size_t kLargestFile = std::size_t{1} << 30;
 constexpr float kLargestCoordinate = 1e18f;  // squares and products of two such numbers are finite floats
 
-/// The indices of a face corner. -1: the corner does not have the attribute.
 struct Corner {
   int position = -1, uv = -1, normal = -1;
   bool operator==(const Corner&) const = default;
@@ -46,7 +44,7 @@ struct CornerHash {
 /// The faces that have the same object, material and kinds of attributes.
 struct Part {
   Mesh mesh;
-  std::unordered_map<Corner, std::uint32_t, CornerHash> placed;  ///< vertex index of each corner
+  std::unordered_map<Corner, std::uint32_t, CornerHash> placed;
 };
 
 Vec3f linear(Vec3f srgb) {
@@ -99,14 +97,12 @@ class Reader {
     is_smoothed_ = group != "off" && group != "0" && !group.empty();
   }
 
-  /// Warns that faces are not smooth because the file contains smoothing groups but no normals.
   void warn_about_smoothing() {
     if (!is_smoothed_ || warned_about_smoothing_) return;
     warned_about_smoothing_ = true;
     context_.warning(fmt::format("{}: faces of smoothing groups (s) without normals (vn) are faceted.", lexer_.where()));
   }
 
-  /// Parses "x y z", "x y z w", "x y z r g b" or "x y z w r g b" after v.
   void parse_position() {
     positions_.push_back(three("v", [&](int axis) { return lexer_.coordinate(axis, "v", kLargestCoordinate); }));
     std::array<float, 4> more{};
@@ -117,7 +113,6 @@ class Reader {
     colors_.back() = linear({more[count - 3], more[count - 2], more[count - 1]});
   }
 
-  /// Reads three numbers on one line. `read(axis)` must read the next number.
   template <class Read>
   Vec3f three(std::string_view keyword, const Read& read) {
     Vec3f result;
@@ -140,7 +135,7 @@ class Reader {
     lexer_.rest_of_line();
   }
 
-  /// Converts an index of the file, which counts from 1 or backwards from -1, to an index from 0. `size` is the number of
+  /// Converts an index of the file, which counts from 1, or backwards from -1, to an index from 0. `size` is the number of
   /// elements so far.
   int index(std::string_view digits, std::size_t size, std::string_view word, const char* what) const {
     std::int64_t value = 0;
@@ -153,7 +148,6 @@ class Reader {
     return static_cast<int>(value > 0 ? value - 1 : count + value);
   }
 
-  /// Parses a face corner: position, position/uv, position//normal or position/uv/normal.
   Corner parse_corner(std::string_view word) const {
     const std::size_t first = std::min(word.find('/'), word.size());
     const std::size_t second = first == word.size() ? first : std::min(word.find('/', first + 1), word.size());
@@ -206,7 +200,7 @@ class Reader {
     if (has_uv) part.mesh.uvs.push_back(uvs_[static_cast<std::size_t>(corner.uv)]);
     if (has_normal) part.mesh.normals.push_back(direction_of(normals_[static_cast<std::size_t>(corner.normal)]));
     if (!colors_.empty()) {
-      part.mesh.colors.resize(part.mesh.positions.size() - 1, Vec3f(1.0f));  // vertices before the first colour are white
+      part.mesh.colors.resize(part.mesh.positions.size() - 1, Vec3f(1.0f));
       part.mesh.colors.push_back(position < colors_.size() ? colors_[position] : Vec3f(1.0f));
     }
     return known->second;
@@ -231,15 +225,14 @@ class Reader {
   Scene& scene_;
   const Context& context_;
   Materials materials_;
-  /// colors_ may be shorter than positions_. Vertices without an element in colors_ are white.
+  /// colors_ may be shorter than positions_; the remaining vertices are white.
   std::vector<Vec3f> positions_, normals_, colors_;
   std::vector<Vec2f> uvs_;
-  std::vector<Corner> corners_;  ///< corners of the current face
+  std::vector<Corner> corners_;
   std::vector<Vec3f> outline_;
   std::string object_, material_;
   /// The key is: object name, material index, whether corners have texture coordinates, whether they have normals.
   std::map<std::tuple<std::string, int, bool, bool>, Part> parts_;
-  /// Part of the last face; null after the object or material has changed.
   Part* part_ = nullptr;
   bool part_uv_ = false, part_normal_ = false;
   bool is_smoothed_ = false, warned_about_smoothing_ = false;

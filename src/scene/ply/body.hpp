@@ -1,4 +1,3 @@
-// Reads the values of a PLY file's body in order, for any of the three encodings (text, little-endian, big-endian).
 #pragma once
 
 #include <span>
@@ -10,11 +9,10 @@
 
 namespace lippmann::ply {
 
-/// The values of a PLY file's body. All functions throw Error for invalid values and at the end of the file. The message names
-/// the element and the row.
+/// The values of a PLY file's body, in order, in any of its three encodings. All functions throw Error for invalid values and
+/// at the end of the file. The message names the element and the row.
 class Body {
  public:
-  /// `name` and `bytes` must outlive this object.
   Body(const std::string& name, std::string_view bytes, Format format) : name_(name), bytes_(bytes), format_(format) {}
 
   /// Sets the element and the row that messages name. `element` must outlive this object.
@@ -27,17 +25,13 @@ class Body {
   /// Reads a value. Throws Error if is_usable(value) is false.
   double bounded(Type type);
 
-  /// Reads a whole number from 0 to `highest`.
   std::uint32_t index(Type type, double highest, std::string_view what) { return checked_index(value(type), highest, what); }
   std::uint32_t checked_index(double value, double highest, std::string_view what) const;
 
-  /// Fills `row` with floats, which the file must store in this machine's byte order.
   void floats(std::span<float> row);
 
-  /// Reads the length of a list. The length must be at most `most`.
   std::uint32_t length(const Property& list, double most = 4294967295.0);
 
-  /// Skips one property: a single value or a whole list.
   void skip(const Property& property);
 
   void skip(const Element& element);

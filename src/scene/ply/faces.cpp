@@ -20,15 +20,14 @@ int corners_column(Columns& columns, const std::string& name, std::string_view p
 
 double last_vertex(const Mesh& mesh) { return static_cast<double>(mesh.positions.size()) - 1.0; }
 
-/// The columns of a face's values. -1: the face does not have the value.
 struct FaceColumns {
   int corners = -1, uvs = -1, picture = -1, alpha = -1;
   std::optional<std::array<int, 3>> color;
   bool has_appearance() const { return uvs >= 0 || picture >= 0 || alpha >= 0 || color; }
 };
 
-/// Finds the columns of a face's values. If vertices and faces both have colours, those of the vertices are used. If both have
-/// texture coordinates, those of the faces are used.
+/// Colours of vertices take precedence over those of faces; texture coordinates of faces take precedence over those of
+/// vertices.
 FaceColumns find_face_columns(const std::string& name, const Element& element, const Mesh& mesh, const Context& context) {
   Columns columns(element);
   FaceColumns found;
@@ -106,7 +105,7 @@ class FaceReader {
   Body& body_;
   PlyMesh& ply_;
   Row row_;
-  std::vector<std::uint32_t> corners_;  ///< corners of the current face
+  std::vector<std::uint32_t> corners_;
   std::vector<Vec3f> outline_;
   std::vector<float> uvs_;
 };
@@ -132,8 +131,7 @@ class StripReader {
   /// Returns whether a value ends a strip. The value is -1 in a signed type, or the same bits in an unsigned type.
   static bool ends_strip(double value) { return value == -1.0 || value == 4294967295.0; }
 
-  /// Adds a corner and the triangle that it completes. Every second triangle of a strip has the opposite winding. Triangles
-  /// with repeated corners are skipped; they only connect strips.
+  /// Every second triangle of a strip has the opposite winding. Triangles with repeated corners only connect strips.
   void extend(std::uint32_t corner) {
     corners_.push_back(corner);
     const std::size_t n = corners_.size();
@@ -145,7 +143,7 @@ class StripReader {
 
   Body& body_;
   Mesh& mesh_;
-  std::vector<std::uint32_t> corners_;  ///< corners of the current strip
+  std::vector<std::uint32_t> corners_;
 };
 
 }  // namespace

@@ -1,4 +1,3 @@
-// Based on: G. Turk, "The PLY Polygon File Format", 1994.
 #include "scene/ply/header.hpp"
 
 #include <fmt/format.h>
@@ -103,8 +102,8 @@ class HeaderReader {
       header_.foreign_lines.add(words[0], fmt::format("{}:{}", name_, line_));
   }
 
-  /// Returns whether a line is probably a damaged or misspelt statement. All other unknown lines count as comments because some
-  /// programs omit the keyword `comment`.
+  /// Returns whether a line is probably a damaged statement. All other unknown lines count as comments because some programs
+  /// omit the keyword `comment`.
   static bool resembles_statement(std::string_view word) {
     constexpr std::string_view kStatements[] = {"format", "element", "property", "end_header"};
     constexpr int kMisspelt = 2;

@@ -1,4 +1,3 @@
-// The header of a PLY file: its elements and their properties.
 #pragma once
 
 #include <cstdint>
@@ -26,20 +25,19 @@ struct Property {
 
 struct Element {
   std::string name;
-  std::int64_t count = 0;  ///< number of rows, 0 to 2^31 - 1
+  std::int64_t count = 0;
   std::vector<Property> properties;
 };
 
 struct Header {
   Format format = Format::kText;
   std::vector<Element> elements;
-  std::size_t size = 0;                    ///< length of the header in bytes
-  std::vector<std::string> texture_files;  ///< from the comments "TextureFile NAME", in file order
-  bool is_z_up = false;                    ///< the file contains nerfstudio's comment "Vertical Axis: z"
-  LeftOut foreign_lines;                   ///< first words of the lines that are not statements
+  std::size_t size = 0;
+  std::vector<std::string> texture_files;
+  bool is_z_up = false;
+  LeftOut foreign_lines;
 };
 
-/// Parses the header at the beginning of `contents`. `name` names the file in messages. Throws Error naming file and line.
 Header parse_header(const std::string& name, std::string_view contents);
 
 }  // namespace lippmann::ply

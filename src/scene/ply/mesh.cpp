@@ -24,8 +24,7 @@ constexpr const char* kCompressedSplats = "has compressed splats (a .compressed.
 constexpr const char* kCompressedAdvice =
     "an uncompressed .ply, which splat-transform IN OUT.ply writes (npm's @playcanvas/splat-transform)";
 
-/// A vertex attribute, such as the normal, and its columns. The attribute is left out for all vertices if one value is
-/// unusable.
+/// A vertex attribute and its columns. The attribute is left out for all vertices if one value is unusable.
 struct VertexAttribute {
   VertexAttribute() = default;
   template <std::size_t N>
@@ -33,7 +32,6 @@ struct VertexAttribute {
     if (found) columns.assign(found->begin(), found->end());
   }
 
-  /// Checks the values of a row. Returns whether the attribute exists and has only had usable values so far.
   bool check(const Row& row) {
     for (const int column : columns)
       if (unusable < 0 && !is_usable(row.exact(column))) unusable = column;
@@ -41,7 +39,7 @@ struct VertexAttribute {
   }
 
   std::vector<int> columns;
-  int unusable = -1;  ///< first column that had an unusable value; -1: none
+  int unusable = -1;
 };
 
 void read_vertices(const std::string& name, const Element& element, Body& body, const Context& context, PlyMesh& ply) {
@@ -91,7 +89,6 @@ void skip(const std::string& name, const Element& element, Body& body, const Con
   body.skip(element);
 }
 
-/// Normalises the normals. Removes all of them if one is zero.
 void tidy_normals(Mesh& mesh) {
   const auto is_zero = [](Vec3f n) { return n == Vec3f(0.0f); };
   if (std::any_of(mesh.normals.begin(), mesh.normals.end(), is_zero)) mesh.normals.clear();
@@ -116,7 +113,7 @@ PlyMesh read_elements(const std::string& name, const Header& header, Body& body,
     (element.name == "face" ? read_faces : read_strips)(name, element, rows, context, ply);
   };
   for (const Element& element : header.elements) {
-    if (element.properties.empty()) continue;  // rows without properties have no bytes
+    if (element.properties.empty()) continue;
     const bool has_triangles = element.name == "face" || element.name == "tristrips";
     if (has_triangles) faces += element.count;
     if (element.name == "vertex")
@@ -132,12 +129,10 @@ PlyMesh read_elements(const std::string& name, const Header& header, Body& body,
     for (auto& [element, rows] : before_vertices) read_triangles(*element, rows);
   if (ply.mesh.triangles.empty()) throw no_triangles(name, !ply.mesh.positions.empty(), faces > 0);
   tidy_normals(ply.mesh);
-  // Strips have no face attributes, so their triangles get the default.
   if (!ply.appearances.empty()) ply.appearances.resize(ply.mesh.triangles.size());
   return ply;
 }
 
-/// Gives each triangle the texture of its first vertex, if vertices have textures and faces do not.
 void assign_vertex_textures(PlyMesh& ply, const Header& header) {
   const bool uses_vertices = !ply.vertex_picture.empty() && header.texture_files.size() > 1 && ply.appearances.empty();
   if (!uses_vertices) return;

@@ -1,4 +1,3 @@
-// Reads the mesh of a PLY file: vertices, faces, strips and textures.
 #pragma once
 
 #include <string>
@@ -12,7 +11,7 @@
 namespace lippmann::ply {
 
 /// Adds one instance per texture to the scene. Subtracts scene.origin from all positions. Warns about unused properties,
-/// elements and textures. `name` names the file in messages. `textures` must add to the same scene. Throws Error.
+/// elements and textures. `textures` must add to the same scene. Throws Error.
 void read_mesh(const std::string& name, const Header& header, Body& body, SideTextures& textures, const Context& context,
                Scene& scene);
 

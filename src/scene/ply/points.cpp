@@ -1,6 +1,6 @@
 // Coloured points become unlit splats because their colours include the lighting. The splats are round Gaussians whose full
-// width at half maximum is the diameter of the point. Points without colours become spheres because the shading of spheres
-// shows the shape of the cloud.
+// width at half maximum is the diameter of the point. Points without colours become spheres, whose shading shows the shape of
+// the cloud.
 #include "scene/ply/points.hpp"
 
 #include <fmt/format.h>
@@ -20,14 +20,12 @@
 namespace lippmann::ply {
 namespace {
 
-/// The full width at half maximum of a Gaussian, in standard deviations: 2 sqrt(2 ln 2).
 constexpr float kFullWidth = 2.3548200f;
 
 /// Diameters k of spheres and splats, relative to the median distance from a point to its third nearest neighbour.
 ///
 /// If points are scattered at random on a surface, this distance is about 1 / sqrt(density). Spheres then leave a fraction
-/// exp(-pi k^2 / 4) of the surface uncovered, which is 4 % for k = 2. Splats need a smaller k, because Gaussians extend beyond
-/// their diameter. In pictures of points scattered on a sphere, no hole is visible for k >= 1.6; larger values only add blur.
+/// exp(-pi k^2 / 4) of the surface uncovered, which is 4 % for k = 2. Splats show no hole for k >= 1.6.
 constexpr float kSphereOverlap = 2.0f, kSplatOverlap = 1.6f;
 
 Splats read_rows(const std::string& name, const Element& element, Body& body, const Vec3d& origin, const Context& context) {
@@ -55,8 +53,8 @@ Splats read_rows(const std::string& name, const Element& element, Body& body, co
   return points;
 }
 
-/// Returns the distance from point i to its third nearest neighbour. Only the 32 points before and after i in `centers` are
-/// searched. Points at the same position as i are ignored. Returns 0 if no other point is left.
+/// Returns the distance from point i to its third nearest neighbour among the 32 points before and after i in `centers`. Points
+/// at the same position as i are ignored. Returns 0 if no other point is left.
 float third_distance(const std::vector<Vec3f>& centers, std::size_t i) {
   constexpr std::size_t kBeside = 32;
   const std::size_t begin = i - std::min(i, kBeside), end = std::min(centers.size(), i + kBeside + 1);
@@ -70,8 +68,7 @@ float third_distance(const std::vector<Vec3f>& centers, std::size_t i) {
 }
 
 /// Returns the median distance to the third nearest neighbour, from a sample of the points. `centers` must be sorted by
-/// sort_by_place(). For points scattered on a surface, the result is about 1 / sqrt(density), which is the spacing of a square
-/// grid with this density.
+/// sort_by_place().
 float spacing(const std::vector<Vec3f>& centers) {
   constexpr std::size_t kMostSampled = 1 << 14;
   std::vector<float> distances;
@@ -86,7 +83,7 @@ float spacing(const std::vector<Vec3f>& centers) {
 float diameter(const std::vector<Vec3f>& centers, double wanted, float overlap) {
   if (wanted > 0.0) return static_cast<float>(wanted);
   const float step = spacing(centers);
-  return step > 0.0f ? overlap * step : 1.0f;  // 1.0 if all points coincide
+  return step > 0.0f ? overlap * step : 1.0f;
 }
 
 Spheres spheres_of(const Splats& points, float size) {

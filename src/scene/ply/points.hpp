@@ -1,4 +1,3 @@
-// Reads PLY point clouds, such as those from scanners and COLMAP.
 #pragma once
 
 #include <string>
@@ -10,15 +9,13 @@
 
 namespace lippmann::ply {
 
-/// Returns whether a header describes a point cloud: vertices with positions, but no faces or strips.
 bool has_points(const Header& header);
 
-/// Returns whether the points have colours. Coloured points become unlit splats; points without colours become lit spheres.
+/// Coloured points become unlit splats; points without colours become lit spheres.
 bool has_point_colors(const Header& header);
 
-/// Returns a scene with one instance that contains all points. `size` is the diameter of the points in the file's units. If
-/// `size` is 0, the diameter is the median distance to the third nearest neighbour, multiplied by 2 for spheres or by 1.6 for
-/// splats.
+/// Returns a scene with one instance that contains all points. `size` is the diameter of the points in the file's units. If it
+/// is 0, the diameter is the median distance to the third nearest neighbour, multiplied by 2 for spheres or by 1.6 for splats.
 ///
 /// Subtracts `origin` (Scene::origin). Leaves out points that are not finite, and unused properties and elements, and warns
 /// about them. Throws Error.

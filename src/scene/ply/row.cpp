@@ -33,7 +33,7 @@ double Row::share(int column) {
   const auto i = static_cast<std::size_t>(column);
   const double scale = full_scale(element_.properties[i].type), value = values_[i] / scale;
   if (!(0.0 <= value && value <= 1.0)) ++cut_, cut_scale_ = scale;
-  return value >= 0.0 ? std::min(value, 1.0) : 0.0;  // NaN becomes 0
+  return value >= 0.0 ? std::min(value, 1.0) : 0.0;
 }
 
 Vec3f Row::color(const std::array<int, 3>& columns) {

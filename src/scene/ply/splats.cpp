@@ -36,16 +36,15 @@ bool has_property(const Element& element, std::string_view name) {
 
 struct SplatColumns {
   std::array<int, 3> center{}, color{};
-  std::vector<int> scale;                      ///< one column: round splats; two: discs; three: ellipsoids
-  std::optional<std::array<int, 4>> rotation;  ///< none: round splats
+  std::vector<int> scale;
+  std::optional<std::array<int, 4>> rotation;
   int opacity = -1;
-  bool has_harmonics = true;  ///< true: `color` contains f_dc; false: red, green and blue
-  std::vector<int> rest;      ///< columns of f_rest
+  bool has_harmonics = true;
+  std::vector<int> rest;
 };
 
 class SplatReader {
  public:
-  /// `origin`, in the file's coordinates, is subtracted from all centres.
   SplatReader(const std::string& name, const Header& header, Body& body, const Vec3d& origin, const Context& context)
       : name_(name),
         element_(*vertices_of(header)),
@@ -136,7 +135,7 @@ class SplatReader {
     return {x, std::exp(at(scale[1])), scale.size() == 3 ? std::exp(at(scale[2])) : 0.0f};
   }
 
-  /// Returns the harmonic of degree 0. It is computed from red, green and blue if the file has no harmonics.
+  /// Returns the harmonic of degree 0, from red, green and blue if the file has no harmonics.
   Vec3f first_harmonic() const {
     const Vec3f value = at(columns_.color);
     if (columns_.has_harmonics) return value;
@@ -162,14 +161,13 @@ class SplatReader {
   Body& body_;
   Vec3d origin_;
   SplatColumns columns_;
-  bool is_floats_;  ///< every value in the file is a float in this machine's byte order
+  bool is_floats_;
   int degree_ = 0;
   std::vector<float> floats_;
   std::vector<double> row_;
 };
 
-/// Returns the node that turns the file's splats upright. In captures, y points down, as in photographs. Files may state that z
-/// points up.
+/// Returns the node that turns the file's splats upright. In captures, y points down, unless the file states that z points up.
 Node upright_node(bool is_z_up) {
   Node node;
   node.name = "splats";

@@ -1,4 +1,3 @@
-// Reads splats (3D Gaussians) from PLY files in the layout of the 3D Gaussian Splatting program.
 #pragma once
 
 #include <string>
@@ -11,11 +10,9 @@
 
 namespace lippmann::ply {
 
-/// Returns whether a header describes splats: vertices with a scale, and a rotation or an opacity.
 bool has_splats(const Header& header);
 
-/// Returns a scene with one instance that contains the file's splats. In the file, y points down unless the header states that
-/// z points up. The node of the instance turns the splats so that y points up.
+/// Returns a scene with one instance that contains the file's splats, turned so that y points up.
 ///
 /// Subtracts `origin` (Scene::origin). Leaves out invalid splats (no size, no rotation, values that are not finite) and unused
 /// properties and elements, and warns about them. Throws Error.

@@ -18,7 +18,6 @@ struct SplitCornerHash {
   std::size_t operator()(const SplitCorner& c) const {
     std::uint64_t hash = c.vertex;
     for (const float value : {c.uv.x, c.uv.y, c.color.x, c.color.y, c.color.z, c.alpha})
-      // Adding 0.0f turns -0 into 0, because equal corners must have equal hashes.
       hash = (hash ^ std::bit_cast<std::uint32_t>(value + 0.0f)) * 0x9e3779b97f4a7c15u;
     return hash ^ hash >> 32;
   }
@@ -26,7 +25,7 @@ struct SplitCornerHash {
 
 struct SplitPart {
   Mesh mesh;
-  std::unordered_map<SplitCorner, std::uint32_t, SplitCornerHash> placed;  ///< vertex index of each corner
+  std::unordered_map<SplitCorner, std::uint32_t, SplitCornerHash> placed;
 };
 
 std::uint32_t place(SplitPart& part, const SplitCorner& corner, const Mesh& from, const FaceAttributes& own) {

@@ -1,4 +1,3 @@
-// Converts the colours and texture coordinates of PLY faces to attributes of vertices.
 #pragma once
 
 #include <array>
@@ -9,15 +8,14 @@
 
 namespace lippmann::ply {
 
-/// The face attributes of one triangle.
 struct FaceAppearance {
-  std::array<Vec2f, 3> uvs{};  ///< texture coordinates of the three corners
-  Vec3f color{1.0f};           ///< linear colour
+  std::array<Vec2f, 3> uvs{};
+  Vec3f color{1.0f};
   float alpha = 1.0f;
-  int picture = -1;  ///< texture number in the file; -1: none
+  int picture = -1;
 };
 
-/// Marks the attributes that are taken from FaceAppearance. All other attributes are taken from the vertices.
+/// The attributes that are taken from FaceAppearance. All others are taken from the vertices.
 struct FaceAttributes {
   bool uvs = false, colors = false, alphas = false;
 };

@@ -1,4 +1,3 @@
-// Helpers shared by the readers of splats and of point clouds.
 #pragma once
 
 #include <string>
@@ -10,7 +9,6 @@
 
 namespace lippmann::ply {
 
-/// Returns the first element called "vertex", or nullptr if there is none. The result points into `header`.
 const Element* vertices_of(const Header& header);
 
 /// Reads past the elements before the vertices, and warns about all elements other than the vertices.
@@ -19,7 +17,6 @@ void skip_others(const std::string& name, const Header& header, Body& body, cons
 /// Returns the coefficient of degree 0 that gives a splat a constant colour c: (c - 1/2) / Y_0, with Y_0 = 1 / sqrt(4 pi).
 Vec3f first_harmonic_of(Vec3f color);
 
-/// Returns the rotation that turns +z to +y.
 Quatf z_to_y();
 
 }  // namespace lippmann::ply

@@ -17,7 +17,6 @@ float positive_number(Lexer& lexer, std::string_view keyword) {
   return value;
 }
 
-/// Reads PROJECTION, its name and the keyword ZOOM. PROJECTION and its name may be absent.
 void parse_projection(Lexer& lexer, CameraRecord& record, const Context& context) {
   std::string word = upper(lexer.word("PROJECTION or ZOOM"));
   if (word == "PROJECTION") word = upper(lexer.word("PROJECTION's name"));

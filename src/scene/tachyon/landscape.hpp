@@ -12,8 +12,8 @@
 namespace lippmann::tachyon {
 
 struct LandscapeSize {
-  int columns = 2, rows = 2;        ///< number of grid points along x and along z, each >= 2
-  double width = 1.0, depth = 1.0;  ///< size along x and along z
+  int columns = 2, rows = 2;
+  double width = 1.0, depth = 1.0;
 };
 
 /// Returns the heights of all grid points in row-major order: heights[row * columns + column]. All heights are >= 0. The number

@@ -1,4 +1,3 @@
-// Reads SCAPE, a fractal landscape, as smooth triangles.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,8 +19,7 @@ float positive(Lexer& lexer, std::string_view keyword) {
   return value;
 }
 
-/// Returns the grid points of a landscape around `center`. Normals are central differences of the heights. Along the border,
-/// normals are vertical.
+/// Normals are central differences of the heights. Along the border, normals are vertical.
 std::vector<Vertex> landscape_vertices(const LandscapeSize& size, Vec3f center) {
   const std::vector<double> heights = landscape_heights(size);
   const double step_x = size.width / (size.columns - 1), step_z = size.depth / (size.rows - 1);

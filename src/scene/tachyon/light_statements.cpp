@@ -1,4 +1,3 @@
-// Reads LIGHT, SPOTLIGHT and DIRECTIONAL_LIGHT.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,14 +7,12 @@
 namespace lippmann::tachyon {
 namespace {
 
-/// Reads RAD, the radius of the visible sphere of a light. Lights with radius 0 are invisible.
 float parse_visible_radius(Lexer& lexer) {
   const float radius = lexer.number_after("RAD");
   if (radius < 0.0f) throw lexer.error(fmt::format("RAD is {}", radius), "a number >= 0");
   return radius;
 }
 
-/// Reads "COLOR r g b", with an optional ATTENUATION before it.
 void parse_attenuated_color(Lexer& lexer, Light& light) {
   const std::string_view word = lexer.word("COLOR");
   if (is_keyword(word, "COLOR")) {

@@ -1,4 +1,3 @@
-// Reads the statements that contain many triangles: VERTEXARRAY and TPOLYFILE.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -14,8 +13,6 @@ namespace {
 constexpr int kAnyCount = std::numeric_limits<int>::max();
 using Vertex = SceneBuilder::Vertex;
 using IndexedTriangles = SceneBuilder::IndexedTriangles;
-
-// ---- VERTEXARRAY ----
 
 std::vector<Vertex> parse_vertices(Lexer& lexer) {
   lexer.expect("NUMVERTS");
@@ -44,7 +41,7 @@ void parse_trimesh(Lexer& lexer, IndexedTriangles& triangles) {
   }
 }
 
-/// Reads a strip of triangles. Every vertex forms a triangle with the two vertices before it, with alternating winding.
+/// Every vertex of a strip forms a triangle with the two vertices before it, with alternating winding.
 void parse_tristrip(Lexer& lexer, IndexedTriangles& triangles) {
   const int count = lexer.integer("TRISTRIP", 0, kAnyCount);
   int before_last = 0, last = 0;
@@ -56,8 +53,6 @@ void parse_tristrip(Lexer& lexer, IndexedTriangles& triangles) {
     last = index;
   }
 }
-
-// ---- TPOLYFILE ----
 
 /// Returns Tachyon's matrix for rotations about x, y and z. It is not a proper rotation: the term sin y in the third row should
 /// be negative. We keep Tachyon's sign so that pictures are the same.

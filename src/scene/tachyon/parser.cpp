@@ -15,7 +15,7 @@
 namespace lippmann::tachyon {
 namespace {
 
-constexpr int kDeepestInclude = 16, kMostIncludes = 1000;  // limit recursive includes
+constexpr int kDeepestInclude = 16, kMostIncludes = 1000;
 constexpr int kLargestResolution = 65536;
 
 void parse_statements(Lexer& lexer, ParserState& state, bool must_end);
@@ -24,9 +24,9 @@ void parse_background(Lexer& lexer, ParserState& state) {
   state.background.horizon = state.background.zenith = lexer.vector("BACKGROUND");
 }
 
-/// Reads a background gradient. For a ray with the direction d, let h be the dot product of d and UPDIR. The colour is
-/// BOTTOMCOLOR where h <= BOTTOMVAL, TOPCOLOR where h >= TOPVAL, and a blend in between. For SKY_ORTHO_PLANE, d is the origin
-/// of the ray instead of its direction.
+/// For a ray with the direction d, let h be the dot product of d and UPDIR. The colour is BOTTOMCOLOR where h <= BOTTOMVAL,
+/// TOPCOLOR where h >= TOPVAL, and a blend in between. For SKY_ORTHO_PLANE, d is the origin of the ray instead of its
+/// direction.
 void parse_background_gradient(Lexer& lexer, ParserState& state) {
   const std::string kind = upper(lexer.word("SKY_SPHERE"));
   if (kind != "SKY_SPHERE" && kind != "SKY_ORTHO_PLANE")

@@ -12,7 +12,7 @@ namespace {
 
 std::uint32_t next_index(const Mesh& mesh) { return static_cast<std::uint32_t>(mesh.positions.size()); }
 
-/// Swaps two corners because mirroring reverses the winding.
+/// Mirroring reverses the winding, so two corners are swapped.
 std::array<std::uint32_t, 3> mirrored_triangle(std::uint32_t i0, std::uint32_t i1, std::uint32_t i2) { return {i0, i2, i1}; }
 
 }  // namespace

@@ -1,8 +1,8 @@
 // Collects the elements of a Tachyon file into a Scene and mirrors them (handedness.hpp). Callers pass coordinates as in the
 // file.
 //
-// Shapes are grouped by material and kind, with one instance per group, so that a scene of 10^5 spheres consists of few shapes.
-// Shapes without size, which are invisible in Tachyon too, are dropped and counted.
+// Shapes are grouped by material and kind, with one instance per group. Shapes without size, which are invisible in Tachyon
+// too, are dropped and counted.
 #pragma once
 
 #include <array>
@@ -16,7 +16,6 @@ namespace lippmann::tachyon {
 
 class SceneBuilder {
  public:
-  /// Returns the index of a material. Equal materials get the same index. `name` has no effect on rendering.
   int add_material(const PhongSurface& surface, std::string name);
   int add_texture(Texture texture);
 
@@ -37,16 +36,13 @@ class SceneBuilder {
   void add_smooth_triangle(int material, const std::array<Vertex, 3>& corners) {
     add_corners(group(material).smooth, corners, false);
   }
-  /// Adds a smooth triangle. Its vertex colours multiply the material's colour.
   void add_colored_triangle(int material, const std::array<Vertex, 3>& corners) {
     add_corners(group(material).colored, corners, true);
   }
 
-  /// Smooth triangles that share a list of vertices.
   class IndexedTriangles {
    public:
     IndexedTriangles(SceneBuilder& builder, const std::vector<Vertex>& vertices);
-    /// Sets the material of the triangles that are added afterwards, and whether vertex colours multiply it.
     void set_material(int material, bool colored);
     bool add(int i0, int i1, int i2);
 
@@ -55,18 +51,16 @@ class SceneBuilder {
     const std::vector<Vertex>& vertices_;
     int material_ = -1;
     bool colored_ = false;
-    std::vector<std::int64_t> placed_;  ///< index of each vertex in the mesh of the current material; -1: not added yet
-    std::vector<int> used_;             ///< vertices for which `placed_` is not -1
+    std::vector<std::int64_t> placed_;
+    std::vector<int> used_;
   };
 
   /// Adds a light at `position` that shines along `direction`, which must not be zero. Directional lights ignore `position`;
   /// point lights ignore `direction`.
   void add_light(Light light, Vec3f position, Vec3f direction = Vec3f(0.0f, 0.0f, 1.0f));
 
-  /// Returns the number of shapes that were dropped because they have no size.
   int left_out() const { return left_out_; }
 
-  /// Returns the scene, which has no camera yet. Leaves the builder empty.
   Scene take();
 
  private:
@@ -88,7 +82,7 @@ class SceneBuilder {
   static MaterialKey key_of(const PhongSurface& surface);
 
   Scene scene_;
-  std::vector<Group> groups_;  ///< one per material
+  std::vector<Group> groups_;
   std::map<MaterialKey, int> materials_;
   int left_out_ = 0;
 };

@@ -1,5 +1,4 @@
-// Finds and reads the files that a Tachyon scene refers to. They must lie in the scene's folder or below the asset root. The
-// total size of the text read is limited.
+// Finds and reads the files that a Tachyon scene refers to. They must lie in the scene's folder or below the asset root.
 #pragma once
 
 #include <cstddef>
@@ -13,18 +12,17 @@ namespace lippmann::tachyon {
 
 class SceneFolder {
  public:
-  /// `scene_file` is the .dat file. `asset_root` is a second folder that may contain files; empty: none.
   explicit SceneFolder(const std::filesystem::path& scene_file, const std::filesystem::path& asset_root = {});
 
   /// Looks for an image that the scene refers to as `name`. If the image cannot be used, the result states the reason.
   SideFile find(std::string_view name, const std::string& where) const;
 
-  /// Returns the path of a file that the scene refers to as `name`, relative to the scene's folder. The file need not exist.
-  /// Throws Error at `where` if the path lies outside both the scene's folder and the asset root.
+  /// Returns the path of a file that the scene refers to as `name`. The file need not exist. Throws Error at `where` if the
+  /// path lies outside both the scene's folder and the asset root.
   std::filesystem::path resolve(std::string_view name, const std::string& where) const;
 
   /// Returns the contents of a regular file. Throws Error at `where` if the file cannot be read, or if this object would read
-  /// more than 1 GiB of text in total. The limit is needed because a few lines may include the same file many times.
+  /// more than 1 GiB of text in total, because a few lines may include the same file many times.
   std::string read_text(const std::filesystem::path& file, const std::string& where);
 
  private:

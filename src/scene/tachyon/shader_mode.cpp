@@ -1,4 +1,3 @@
-// Reads SHADER_MODE, which selects the shading quality and the appearance of transparent surfaces.
 #include <fmt/format.h>
 
 #include "scene/tachyon/parser.hpp"

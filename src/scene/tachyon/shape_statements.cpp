@@ -1,4 +1,3 @@
-// Reads the statements that contain a single shape: TRI, STRI, VCSTRI, SPHERE, PLANE, RING, BOX, FCYLINDER and POLYCYLINDER.
 #include <fmt/format.h>
 
 #include <limits>

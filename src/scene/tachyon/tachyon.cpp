@@ -15,7 +15,6 @@ namespace lippmann {
 namespace tachyon {
 namespace {
 
-/// The vertical angle under which an assumed viewer sees an orthographic picture.
 constexpr double kViewerAngle = 45.0 * std::numbers::pi / 180.0;
 
 void add_camera(Scene& scene, const CameraRecord& record) {
@@ -29,7 +28,6 @@ void add_camera(Scene& scene, const CameraRecord& record) {
 }
 
 /// Converts the gradient of SKY_ORTHO_PLANE, which depends on the heights where rays start, to a gradient over ray directions.
-/// An assumed viewer sees the picture's full height under kViewerAngle.
 Background over_directions(Background plane, const CameraRecord& camera, const Vec3d& origin) {
   const Vec3d center = Vec3d(camera.pose.center) + origin;
   const double middle = glm::dot(Vec3d(center.x, center.y, -center.z), Vec3d(plane.up));
@@ -42,7 +40,6 @@ Background over_directions(Background plane, const CameraRecord& camera, const V
   return plane;
 }
 
-/// Returns the background of the scene. `origin` is the point that the lexer has subtracted from all positions.
 Background background_of(const ParserState& state, const Vec3d& origin) {
   if (!state.gradient) return state.background;
   if (!state.gradient_is_plane || !state.camera.is_orthographic) return *state.gradient;
@@ -50,10 +47,9 @@ Background background_of(const ParserState& state, const Vec3d& origin) {
   return sky.horizon_at == sky.zenith_at ? *state.gradient : sky;
 }
 
-/// Warns that the scene is orthographic. Also warns if the picture shows only a small part of the scene, which happens in files
-/// of programs that use pixels as units, such as Jmol.
+/// Warns that the scene is orthographic. Also warns if the picture shows only a small part of the scene, as in files that use
+/// pixels as units.
 void warn_about_orthographic(const Scene& scene, const std::string& name, const Context& context) {
-  // Limit of picture height / size of the scene, and the smallest `zoom` that the warning suggests.
   constexpr float kSmall = 0.05f, kLeastZoom = 1e-3f;
   const float height = scene.cameras.front().orthographic_height;
   context.warning(

@@ -1,4 +1,3 @@
-// Reads TEXDEF, TEXALIAS, IMAGEDEF, and the TEXTURE at the end of a shape.
 #include <fmt/format.h>
 
 #include <limits>
@@ -11,7 +10,6 @@ namespace {
 
 constexpr int kConstantTexture = 0, kCylindricalImage = 7, kSphericalImage = 8, kPlanarImage = 9, kLastTexfunc = 10;
 
-/// Reads "kind strength PHONG_SIZE exponent" after PHONG.
 void parse_highlight(Lexer& lexer, PhongSurface& surface) {
   const std::string kind = upper(lexer.word("PLASTIC or METAL"));
   if (kind != "PLASTIC" && kind != "METAL")
@@ -21,7 +19,6 @@ void parse_highlight(Lexer& lexer, PhongSurface& surface) {
   surface.highlight_size = lexer.number_after("PHONG_SIZE");
 }
 
-/// Reads the coefficients of a texture, from AMBIENT to the keyword `last`, which follows the optional words.
 void parse_coefficients(Lexer& lexer, ParserState& state, PhongSurface& surface, std::string_view last) {
   surface.ambient = lexer.number_after("AMBIENT");
   surface.diffuse = lexer.number_after("DIFFUSE");
@@ -77,7 +74,6 @@ void parse_image_map(Lexer& lexer, ParserState& state, ProjectionKind kind, Phon
   surface.projection = projection;
 }
 
-/// Reads the number of TEXFUNC and the parameters of this texture function.
 void parse_texfunc(Lexer& lexer, ParserState& state, PhongSurface& surface) {
   const int function = lexer.integer("TEXFUNC", 0, std::numeric_limits<int>::max());
   switch (function) {
@@ -95,7 +91,7 @@ void parse_texfunc(Lexer& lexer, ParserState& state, PhongSurface& surface) {
   }
 }
 
-/// Assigns a material to a texture's name. If the name is already defined, the first definition stays valid, as in Tachyon.
+/// If the name is already defined, the first definition stays valid, as in Tachyon.
 void define(Lexer& lexer, ParserState& state, std::string name, int material) {
   const auto [entry, is_new] = state.textures.emplace(std::move(name), material);
   if (is_new || entry->second == material || state.redefined_textures++ > 0) return;
