@@ -1,11 +1,10 @@
-// Affine transforms in double precision, for chains of transforms in worlds that are large compared to a pixel.
+// Affine transforms in double precision, for large worlds.
 #pragma once
 
 #include "lippmann/core/math.hpp"
 
 namespace lippmann {
 
-/// The map p -> linear * p + translation.
 struct Affine3d {
   glm::dmat3 linear{1.0};
   glm::dvec3 translation{0.0};
@@ -25,8 +24,8 @@ inline Affine3d inverse(const Affine3d& a) {
 
 inline glm::dvec3 transform_point(const Affine3d& a, glm::dvec3 p) { return a.linear * p + a.translation; }
 
-/// Returns the world-space transform that moves a node from the pose `from` to the pose `to`. Returns exactly the identity if
-/// both poses are equal.
+/// Returns the world-space transform that moves a node from the pose `from` to the pose `to`: exactly the identity if both are
+/// equal.
 inline Affine3d world_motion(const Affine3f& from, const Affine3f& to) {
   return from == to ? Affine3d{} : to_double(to) * inverse(to_double(from));
 }

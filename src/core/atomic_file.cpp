@@ -34,12 +34,9 @@ void check_destination(const fs::path& path) {
 
 constexpr std::string_view kMark = ".tmp-";
 
-/// Returns eight random hexadecimal digits. They make file names unique even if containers have equal host names and process
-/// ids.
 std::string unique_letters() { return fmt::format("{:08x}", platform::random_bits()); }
 
-/// A parsed file name of the form `.STEM.tmp-PID-HOST-LETTERS.EXT`, where HOST is this machine. `mark` is the position of
-/// ".tmp-"; `process` is PID.
+/// A parsed file name of the form `.STEM.tmp-PID-HOST-LETTERS.EXT`, where HOST is this machine.
 struct TemporaryName {
   std::size_t mark;
   int process;
@@ -53,7 +50,7 @@ std::optional<TemporaryName> parse_temporary(std::string_view name) {
   const auto [end, problem] = std::from_chars(rest.data(), rest.data() + rest.size(), process);
   if (problem != std::errc{} || process <= 0) return std::nullopt;
   const std::string_view after = rest.substr(static_cast<std::size_t>(end - rest.data()));
-  constexpr std::size_t kLetters = 9;  // length of "-LETTERS"
+  constexpr std::size_t kLetters = 9;
   const std::string_view name_and_letters = after.substr(0, after.find('.'));
   if (name_and_letters.size() < kLetters) return std::nullopt;
   if (name_and_letters.substr(0, name_and_letters.size() - kLetters) != fmt::format("-{}", platform::host_name()))

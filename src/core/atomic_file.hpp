@@ -1,10 +1,9 @@
 // Writes files that appear under their final name only when complete. A file is written under a temporary name in the same
 // folder and then renamed.
 //
-// The temporary name is .<stem>.tmp-<process id>-<host>-<letters><extension>. It keeps the extension because libraries choose
-// a format by it. A temporary file that remains after a crash is removed by remove_stale_temporaries(). After a loss of power,
-// a file has either its previous or its new contents, never a part of them. Call sync_folder (core/platform.hpp) to make sure
-// that the new contents survive.
+// The temporary name is .<stem>.tmp-<process id>-<host>-<letters><extension>. It keeps the extension because libraries choose a
+// format by it. After a loss of power, a file has either its previous or its new contents. Call sync_folder (core/platform.hpp)
+// to make sure that the new contents survive.
 #pragma once
 
 #include <cstddef>
@@ -13,12 +12,11 @@
 
 namespace lippmann {
 
-/// A file that a library writes by its path: pass temporary_path() to the library, then call commit().
+/// A file that a library writes by its path: pass temporary_path() to the library, then call commit(). Without commit(), the
+/// destructor removes the file.
 class AtomicFile {
  public:
-  /// Throws Error if the folder is missing or not writable, or if the name belongs to something other than a regular file.
   explicit AtomicFile(std::filesystem::path path);
-  /// Removes the temporary file unless commit() succeeded.
   ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
@@ -34,11 +32,10 @@ class AtomicFile {
   bool committed_ = false;
 };
 
-/// Writes a whole file atomically. Throws Error that names `path` on failure.
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
 /// Removes the temporary files in a folder whose process ran on this machine and has ended. If `file` is not empty, removes
-/// only the temporary files of `file`. Ignores temporary files that cannot be removed.
+/// only its temporary files. Ignores files that cannot be removed.
 void remove_stale_temporaries(const std::filesystem::path& folder, const std::filesystem::path& file = {});
 
 }  // namespace lippmann

@@ -110,7 +110,7 @@ void BackgroundQueue::submit(std::function<void()> work, std::function<void()> i
   const bool accepted = !impl_->failed;
   if (accepted) {
     impl_->waiting.push_back({impl_->submitted, std::move(work), std::move(in_order)});
-    ++impl_->submitted, ++impl_->existing;  // after push_back(), because the piece must not be counted if push_back() throws
+    ++impl_->submitted, ++impl_->existing;  // after push_back(), which may throw
   }
   lock.unlock();
   impl_->changed.notify_all();

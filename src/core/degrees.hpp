@@ -1,4 +1,3 @@
-// Converts angles between radians in memory and degrees in files.
 #pragma once
 
 #include <numbers>

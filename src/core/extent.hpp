@@ -1,9 +1,8 @@
-// A number of columns and a number of rows, as in flags and job files.
+// A number of columns x and rows y, as in flags and job files. 0 means "not given".
 #pragma once
 
 namespace lippmann {
 
-/// x: columns, y: rows. 0 means "not given": other parameters then determine the number.
 template <class T>
 struct Extent {
   T x = 0, y = 0;

@@ -12,13 +12,13 @@ namespace lippmann {
 
 struct FileChecksum {
   std::uint64_t bytes = 0;
-  std::string xxh3;  ///< 16 hexadecimal digits
+  std::string xxh3;
   bool operator==(const FileChecksum&) const = default;
 };
 
 FileChecksum checksum_of(std::span<const std::byte> bytes);
 
-/// Returns the checksum of a file. Returns nothing if the file does not exist, is not a regular file, or cannot be read.
+/// Returns nothing if the file does not exist, is not a regular file, or cannot be read.
 std::optional<FileChecksum> file_checksum(const std::filesystem::path& path);
 
 }  // namespace lippmann

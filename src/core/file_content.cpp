@@ -87,7 +87,6 @@ bool is_web_page(std::string_view text) {
   return std::any_of(kTags.begin(), kTags.end(), [&](auto tag) { return starts_with_any_case(text, tag); });
 }
 
-/// Returns whether the bytes are text, in UTF-8 or a code page: they have no control characters other than white space.
 bool is_text(std::string_view begin) {
   constexpr std::size_t kLooked = 512;
   return std::all_of(begin.begin(), begin.begin() + static_cast<std::ptrdiff_t>(std::min(begin.size(), kLooked)), [](char c) {
@@ -96,7 +95,6 @@ bool is_text(std::string_view begin) {
   });
 }
 
-/// Returns whether the file begins with P1 to P7, followed by white space or a comment.
 bool is_netpbm_kind(std::string_view begin) {
   return begin.size() > 2 && begin[0] == 'P' && begin[1] >= '1' && begin[1] <= '7' &&
          std::string_view(" \t\r\n#").find(begin[2]) != std::string_view::npos;
@@ -104,7 +102,6 @@ bool is_netpbm_kind(std::string_view begin) {
 
 std::string first_line(std::string_view text) { return std::string(text.substr(0, text.find_first_of("\r\n"))); }
 
-/// Returns the file size from the line "size 12345" of a Git LFS pointer, as text for a message: " of 12345 bytes".
 std::string pointed_size(std::string_view pointer) {
   constexpr std::string_view kKey = "\nsize ";
   const std::size_t at = pointer.find(kKey);

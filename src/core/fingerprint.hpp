@@ -1,5 +1,4 @@
-// A 64-bit hash of contents for caches and journals. Equal contents have equal hashes on all machines of the same byte order.
-// The hash is fast and not cryptographic.
+// A 64-bit hash of contents for caches and journals, equal on all machines of the same byte order. It is not cryptographic.
 #pragma once
 
 #include <cstdint>
@@ -35,8 +34,8 @@ class Fingerprint {
     return value;
   }
 
-  /// Multiplies as FNV-1a does, but by whole 64-bit words instead of bytes. Then XORs the upper half of the product into its
-  /// lower half, because the upper bits of a factor do not affect the lower bits of the product.
+  /// Multiplies as FNV-1a does, but by 64-bit words. Then XORs the upper half of the product into its lower half, because the
+  /// upper bits of a factor do not affect the lower bits of the product.
   void mix(std::uint64_t value) {
     state_ = (state_ ^ value) * 0x9e3779b97f4a7c15u;
     state_ ^= state_ >> 32;

@@ -1,4 +1,3 @@
-// Creates folders for results.
 #pragma once
 
 #include <filesystem>
@@ -6,7 +5,7 @@
 
 namespace lippmann {
 
-/// Creates a folder and its parents. An empty path means the working folder. Throws Error that names the folder on failure.
+/// Creates a folder and its parents. Throws Error that names the folder on failure.
 void make_folder(const std::filesystem::path& folder);
 
 /// Removes a file, a link or an empty folder. Does nothing if `path` does not exist. Throws Error that names `path` on failure.
@@ -16,7 +15,6 @@ void remove_if_there(const std::filesystem::path& path);
 /// leaves nothing behind.
 class NewFolder {
  public:
-  /// Throws Error that names the folder if it cannot be created.
   explicit NewFolder(std::filesystem::path folder);
   ~NewFolder();
   NewFolder(const NewFolder&) = delete;

@@ -7,8 +7,7 @@
 
 namespace lippmann {
 
-/// Compares letters by their codes, and runs of digits by value. Different names are never equal, even if they differ only in
-/// leading zeros.
+/// Compares runs of digits by value. Different names are never equal, even if they differ only in leading zeros.
 bool natural_less(std::string_view a, std::string_view b);
 
 /// Returns the entries of a folder in natural order, without hidden entries (.name). Throws Error that names the folder if it

@@ -12,7 +12,6 @@
 namespace lippmann {
 namespace {
 
-/// Parses A, A-B or A-B:S.
 std::optional<FrameRange> parse_range(std::string_view text) {
   const std::size_t colon = text.find(':');
   const std::string_view ends = text.substr(0, colon);

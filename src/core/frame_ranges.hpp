@@ -7,15 +7,13 @@
 
 namespace lippmann {
 
-/// The frames first, first + step, ... up to `last`.
 struct FrameRange {
   int first = 0;
   int last = 0;
-  int step = 1;  ///< >= 1
+  int step = 1;
   bool operator==(const FrameRange&) const = default;
 };
 
-/// Ranges in any order; they may overlap.
 using FrameRanges = std::vector<FrameRange>;
 
 /// Returns the frames of the ranges, each once, in ascending order.

@@ -1,5 +1,3 @@
-// Checked access to the members of a JSON object. Errors name the file, the object, the key and the accepted values. Use this
-// for untrusted files, except glTF, which has a schema (src/scene/gltf/schema.hpp).
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -11,16 +9,14 @@
 
 namespace lippmann {
 
-/// An inclusive range of numbers.
 struct NumberRange {
   double low, high;
 };
 
-/// Default range of lengths and angles.
 inline constexpr NumberRange kAnyNumber{-1e30, 1e30};
 inline constexpr NumberRange kAnyCount{1.0, 1e9};
 
-/// Reads the members of an object. A null member counts as missing, unless stated otherwise.
+/// A null member counts as missing, unless stated otherwise.
 class JsonFields {
  public:
   using Json = nlohmann::ordered_json;
@@ -31,31 +27,26 @@ class JsonFields {
   JsonFields(const Json& json, std::string where, std::string object);
 
   bool has(std::string_view key) const { return !value(key).is_null(); }
-  /// Returns a member's value, or null if it is missing.
   const Json& value(std::string_view key) const;
 
   double number(std::string_view key, NumberRange range = kAnyNumber) const;
   double number_or(std::string_view key, NumberRange range, double otherwise) const;
   float float_number(std::string_view key) const { return static_cast<float>(number(key)); }
   float float_or(std::string_view key, float otherwise) const { return has(key) ? float_number(key) : otherwise; }
-  /// Returns a number, or infinity for null, because JSON has no infinity. The member must exist.
+  /// Returns a number, or infinity for null. The member must exist.
   float float_or_infinity(std::string_view key) const;
   int whole(std::string_view key, NumberRange range) const;
   int whole_or(std::string_view key, NumberRange range, int otherwise) const;
-  /// Returns the value of a boolean member, or whether a numeric member is not 0.
   bool flag_or(std::string_view key, bool otherwise) const;
   std::string text(std::string_view key) const;
   std::string text_or(std::string_view key, std::string otherwise) const;
   std::vector<std::string> texts_or_none(std::string_view key) const;
-  /// Returns a list of `count` numbers.
   std::vector<double> numbers(std::string_view key, std::size_t count, NumberRange range = kAnyNumber) const;
   glm::dvec2 pair(std::string_view key, NumberRange range = kAnyNumber) const;
   Vec2i whole_pair(std::string_view key, NumberRange range) const;
-  /// Returns the index in `words` of the member's text.
   std::size_t word(std::string_view key, const std::vector<std::string_view>& words) const;
   std::size_t word_or(std::string_view key, const std::vector<std::string_view>& words, std::size_t otherwise) const;
 
-  /// Returns the member as a nested object.
   JsonFields inner(std::string_view key) const;
   /// Returns `json`, which is part of the value of `key`, as an object.
   JsonFields element(std::string_view key, const Json& json) const { return {json, where_, std::string(key)}; }

@@ -7,10 +7,10 @@
 
 namespace lippmann {
 
-/// Parses JSON and keeps the order of keys. For invalid text, is_discarded() of the result is true.
+/// Keeps the order of keys. For invalid text, is_discarded() of the result is true.
 nlohmann::ordered_json json_from_text(std::string_view text);
 
-/// Writes JSON indented by `indent` spaces, or on one line if `indent` is below 0. Bytes that are not UTF-8 become U+FFFD.
+/// Writes JSON on one line if `indent` is below 0. Bytes that are not UTF-8 become U+FFFD.
 std::string json_to_text(const nlohmann::ordered_json& json, int indent = 2);
 
 }  // namespace lippmann

@@ -16,15 +16,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the file that contains this code: the program, a shared library or a Python module.
 fs::path own_file() {
   const fs::path file = platform::file_of_code(reinterpret_cast<const void*>(&load_module));
-  // For code in a program, file_of_code() may return the name that the program was called by, without its folder.
   return file.filename().string().find(".so") != std::string::npos ? file : platform::program_file();
 }
 
 /// Returns the paths where a module may be: beside the program or library (in the build tree and in wheels), or installed in
-/// lib/lippmann. Packages of Debian's Python are two folders below lib. Only this function knows these locations.
+/// lib/lippmann. Packages of Debian's Python are two folders below lib.
 std::array<fs::path, 2> places_of(const ModuleName& module) {
   const fs::path folder = own_file().parent_path(), parent = folder.parent_path();
   const bool is_python_package = parent.filename() == "dist-packages";

@@ -1,5 +1,3 @@
-// Loads modules: shared objects of this project that link libraries which most commands do not need. A module is loaded on
-// first use.
 #pragma once
 
 #include <string>
@@ -7,19 +5,18 @@
 namespace lippmann {
 
 struct ModuleName {
-  const char* file;  ///< for example liblippmann_video.so
+  const char* file;
   /// Name of the only exported function, of type const void*(int version). It returns null if the module does not support the
   /// version.
   const char* entry;
   const char* purpose;  ///< what needs the module, for messages; for example "videos"
-  const char* package;  ///< name of the package that installs the module
+  const char* package;
 };
 
-/// Loads the module, calls its entry function with `version` and returns the result. The module is never unloaded, because its
-/// libraries do not support unloading. Throws Error if the module or one of its libraries is missing.
+/// Calls the module's entry function with `version` and returns the result. The module is never unloaded, because its libraries
+/// do not support unloading. Throws Error if the module or one of its libraries is missing.
 const void* load_module(const ModuleName& module, int version);
 
-/// Returns whether the module's file exists.
 bool is_module_installed(const ModuleName& module);
 
 }  // namespace lippmann

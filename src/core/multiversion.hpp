@@ -2,15 +2,13 @@
 // the loader selects one version. LIPPMANN_INLINE marks the small functions inside such kernels.
 //
 // Write plain loops over lanes or pixels: the compiler vectorises them for each instruction set. Only inlined code uses the
-// wide instructions, so mark the functions that the loops call with LIPPMANN_INLINE. -ffp-contract=off (cmake/options.cmake)
-// keeps all versions bit-identical.
+// wide instructions. -ffp-contract=off (cmake/options.cmake) keeps all versions bit-identical.
 //
-// Multiple versions need x86-64, glibc (whose loader resolves such functions), and GCC or Clang 19. Other platforms have one
-// version for the compiler's target (-march). Clang 14 has the attribute, but its resolver does not test for architecture
-// levels.
+// Multiple versions need x86-64, glibc (whose loader resolves such functions), and GCC or Clang 19. Clang 14 has the attribute,
+// but its resolver does not test for architecture levels.
 #pragma once
 
-#include <cstddef>  // because it defines __GLIBC__
+#include <cstddef>
 
 #if defined(LIPPMANN_NO_MULTIVERSION) || !defined(__x86_64__) || !defined(__GLIBC__) || \
     (defined(__clang__) && __clang_major__ < 19)

@@ -24,7 +24,7 @@ struct NpyHeader {
   bool is_big_endian = false, is_fortran = false;
   std::size_t item = 8;
   std::vector<std::size_t> shape;
-  std::size_t data = 0;  ///< offset of the array's data in the file
+  std::size_t data = 0;
 };
 
 std::size_t little_endian(std::span<const std::byte> bytes) {

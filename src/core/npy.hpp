@@ -18,7 +18,7 @@ namespace lippmann {
 
 struct NpyArray {
   std::vector<std::size_t> shape;
-  std::vector<double> values;  ///< in C order: the last index changes fastest
+  std::vector<double> values;
 };
 
 /// Reads an array of floats ('f4', 'f8') of either byte order, in C or Fortran order. Throws Error naming `where` for any other
@@ -29,7 +29,7 @@ NpyArray parse_npy(std::span<const std::byte> file, const std::string& where);
 std::vector<std::byte> npy_file(const std::string& type, const std::vector<std::size_t>& shape,
                                 std::span<const std::byte> bytes);
 
-/// Returns the bytes of a file that contains `values` in C order. The product of `shape` is the number of values.
+/// Returns the bytes of a file with `values` in C order. The product of `shape` is the number of values.
 template <class T>
 requires std::is_arithmetic_v<T> std::vector<std::byte> encode_npy(std::span<const T> values,
                                                                    const std::vector<std::size_t>& shape) {

@@ -1,4 +1,3 @@
-// Parses numbers in a range.
 #pragma once
 
 #include <charconv>
@@ -23,7 +22,7 @@ std::optional<T> parse_number(std::string_view text) {
 /// Parses an integer from lowest to highest. Throws a usage Error at `where` with the accepted range.
 std::int64_t read_integer(std::string_view text, std::int64_t lowest, std::int64_t highest, const std::string& where);
 
-/// Parses an integer as read_integer() does; returns nothing for "auto".
+/// Same as read_integer(); returns nothing for "auto".
 std::optional<int> read_integer_or_auto(std::string_view text, int lowest, int highest, const std::string& where);
 
 /// Parses a finite number from lowest to highest. Throws a usage Error at `where` with the accepted range.

@@ -22,8 +22,8 @@ DenormalsAreZero::~DenormalsAreZero() { platform::restore_float_control(saved_);
 
 namespace {
 
-/// Sums the CPU time of worker threads inside an arena. While a worker is inside, its time is read from its thread's clock,
-/// which is valid because a thread leaves the arena before it ends.
+/// Sums the CPU time of worker threads inside an arena. A thread's clock can be read while the thread is inside, because
+/// threads leave the arena before they end.
 class CpuMeter : public tbb::task_scheduler_observer {
  public:
   explicit CpuMeter(tbb::task_arena& arena) : task_scheduler_observer(arena) { observe(true); }

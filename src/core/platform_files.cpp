@@ -40,7 +40,6 @@ int flags_of(OpenFile::Mode mode) {
   return 0;
 }
 
-/// Waits until a file's bytes are on the disk. Returns 0, or an errno.
 int sync_descriptor(int descriptor) {
   while (fsync(descriptor) != 0) {
     if (errno == EINTR) continue;
@@ -50,7 +49,7 @@ int sync_descriptor(int descriptor) {
   return 0;
 }
 
-/// Waits until a file or folder is on the disk. Throws Error on failure. Unreadable folders cannot be synced and are ignored.
+/// Throws Error on failure. Unreadable folders cannot be synced and are ignored.
 void sync_path(const fs::path& path, int flags) {
   const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC | flags);
   int problem = 0;

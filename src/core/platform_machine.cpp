@@ -61,7 +61,7 @@ void restore_float_control(unsigned control) { _mm_setcsr(control); }
 
 // Only the lower half of FPCR is saved, because the upper half is reserved.
 unsigned flush_denormals() {
-  constexpr std::uint64_t kFlushToZero = std::uint64_t{1} << 24;  // applies to inputs and results
+  constexpr std::uint64_t kFlushToZero = std::uint64_t{1} << 24;
   std::uint64_t control = 0;
   asm volatile("mrs %0, fpcr" : "=r"(control));
   asm volatile("msr fpcr, %0" : : "r"(control | kFlushToZero));

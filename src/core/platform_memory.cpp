@@ -20,14 +20,12 @@ namespace fs = std::filesystem;
 
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
-/// Returns the first number in a file, or nothing if the file contains a word ("max") or does not exist.
 std::optional<double> number_in(const fs::path& path) {
   std::ifstream file(path);
   double number = 0.0;
   return file >> number ? std::optional(number) : std::nullopt;
 }
 
-/// Returns the number after a word at the beginning of a line.
 std::optional<double> number_after(const fs::path& path, const std::string& word) {
   std::ifstream file(path);
   for (std::string line; std::getline(file, line);) {
@@ -39,7 +37,6 @@ std::optional<double> number_after(const fs::path& path, const std::string& word
   return std::nullopt;
 }
 
-/// The file names that one version of cgroups uses.
 struct CgroupFiles {
   const char *limit, *usage, *cache;
 };
@@ -52,15 +49,15 @@ double left_in(const fs::path& group, const CgroupFiles& files) {
   return *limit - *usage + number_after(group / "memory.stat", files.cache).value_or(0.0);
 }
 
-/// Returns the smallest number of bytes left in a cgroup and its parents. In a container, `path` may be a path of the host.
-/// Then only `root` exists.
+/// Returns the smallest number of bytes left in a cgroup and its parents. If `path` is a path of the host, as in some
+/// containers, only `root` exists.
 double left_in_all(const fs::path& root, std::string path, const CgroupFiles& files) {
   double left = left_in(root, files);
   for (; path.size() > 1; path.resize(path.rfind('/'))) left = std::min(left, left_in(root / path.substr(1), files));
   return left;
 }
 
-/// Returns the smallest number of bytes left in the cgroups listed in proc/self/cgroup. The lines of this file are
+/// Returns the smallest number of bytes left in the cgroups listed in proc/self/cgroup, whose lines are
 /// NUMBER:CONTROLLERS:PATH. For cgroups version 2, CONTROLLERS is empty.
 double left_in_cgroups(const fs::path& proc, const fs::path& root) {
   std::ifstream file(proc / "self/cgroup");
@@ -77,10 +74,9 @@ double left_in_cgroups(const fs::path& proc, const fs::path& root) {
   return left;
 }
 
-/// Bytes of address space for the stacks and heaps of threads that start later.
 constexpr double kThreadBytes = 64e6;
 
-/// Returns the bytes left of a resource limit. `column` is the column of /proc/self/statm that counts the used pages.
+/// `column` is the column of /proc/self/statm that counts the used pages.
 double left_of_limit(decltype(RLIMIT_AS) resource, const fs::path& proc, int column) {
   rlimit limit{};
   if (getrlimit(resource, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return kUnlimited;

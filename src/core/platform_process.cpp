@@ -40,8 +40,8 @@ bool send_signal([[maybe_unused]] int descriptor, [[maybe_unused]] int signal) {
 
 std::string open_files_of(int process) { return fmt::format("/proc/{}/fd", process); }
 
-/// Returns whether `link`, an entry of /proc/PID/fd, refers to `file` and is open for writing. Linux sets the write permission
-/// of the link if the file is open for writing.
+/// Returns whether `link`, an entry of /proc/PID/fd, refers to `file` and is open for writing. Linux then sets the link's write
+/// permission.
 bool is_open_for_writing(const fs::path& link, const struct stat& file) {
   struct stat opened {
   }, itself{};
@@ -49,7 +49,6 @@ bool is_open_for_writing(const fs::path& link, const struct stat& file) {
          opened.st_ino == file.st_ino && (itself.st_mode & S_IWUSR) != 0;
 }
 
-/// Sets up the child's files and folder before the program starts.
 class ChildActions {
  public:
   explicit ChildActions(const ChildCommand& command) {
@@ -71,8 +70,8 @@ class ChildActions {
   posix_spawn_file_actions_t actions_{};
 };
 
-/// Restores the default action of signals that this process may ignore. Shells start background jobs with SIGINT ignored.
-/// ignore_write_signals() ignores SIGPIPE and SIGXFSZ.
+/// Restores the default action of signals that this process may ignore: SIGINT in background jobs of shells, and SIGPIPE and
+/// SIGXFSZ after ignore_write_signals().
 class ChildAttributes {
  public:
   ChildAttributes() {
@@ -135,7 +134,6 @@ ChildProcess::ChildProcess(const ChildCommand& command, std::error_code& problem
 
 ChildProcess::~ChildProcess() { wait(); }
 
-/// Returns whether the process has ended. options: 0 to wait for its end, WNOHANG to return at once.
 bool ChildProcess::has_ended(int options) {
   if (process_ == 0) return true;
   int status = 0;

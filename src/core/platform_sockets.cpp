@@ -16,8 +16,7 @@ namespace {
 
 int descriptor_of(std::intptr_t handle) { return static_cast<int>(handle); }
 
-/// Returns a socket that listens at an address, or a closed socket on failure. Does not set SO_REUSEPORT, which would let
-/// several processes listen at the same address.
+/// Does not set SO_REUSEPORT, which would let several processes listen at the same address.
 Socket listener_at(const addrinfo& address, int port) {
   const int descriptor = socket(address.ai_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
   Socket made(descriptor);

@@ -7,8 +7,8 @@
 namespace lippmann {
 namespace {
 
-/// Returns the length in bytes of the first character of `text`. Returns 0 if the character is not printable: not UTF-8, a
-/// control character, a line separator, or a character that changes the text direction.
+/// Returns the length in bytes of the first character of `text`, or 0 if it is not printable: not UTF-8, a control character, a
+/// line separator, or a character that changes the text direction.
 std::size_t character_bytes(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
   if (byte(0) < 0x80) return byte(0) < 0x20 || byte(0) == 0x7f ? 0 : 1;
@@ -26,7 +26,6 @@ std::size_t character_bytes(std::string_view text) {
   return is_control || turns_text ? 0 : length;
 }
 
-/// Moves the first character of `text` to the end of `line`. Replaces characters that are not printable by '?'.
 void move_character(std::string_view& text, std::string& line) {
   const std::size_t bytes = character_bytes(text);
   line += bytes ? text.substr(0, bytes) : "?";

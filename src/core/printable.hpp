@@ -1,4 +1,3 @@
-// Makes untrusted text (file contents, names) safe for messages.
 #pragma once
 
 #include <string>
@@ -16,8 +15,7 @@ std::string printable_line(std::string_view text);
 /// Returns the first 60 characters as printable() does, in single quotes.
 std::string shown(std::string_view text);
 
-/// Returns the text as one word of a shell command: unchanged if no character is special to the shell, otherwise quoted. The
-/// text is not shortened.
+/// Returns the text as one word of a shell command: unchanged if no character is special to the shell, otherwise quoted.
 std::string shell_word(std::string_view text);
 
 }  // namespace lippmann

@@ -20,7 +20,6 @@ LIPPMANN_INLINE std::uint32_t hash(std::uint32_t a, std::uint32_t b, std::uint32
   return hash(a ^ hash(b, c, d));
 }
 
-/// Returns the top 24 bits as a float in [0, 1).
 LIPPMANN_INLINE float unit_float(std::uint32_t bits) { return static_cast<float>(bits >> 8) * 0x1p-24f; }
 
 }  // namespace lippmann

@@ -28,10 +28,9 @@ using Json = nlohmann::ordered_json;
 constexpr const char* kJournal = ".lippmann";
 constexpr std::uintmax_t kMostJournalBytes = std::uintmax_t{4} << 30;  // the same limit as in folder/journal.cpp
 
-/// A file and the folder of the render that it belongs to.
 struct RenderFile {
   fs::path folder;
-  std::string name;  ///< path of the file relative to the folder
+  std::string name;
 };
 
 std::optional<RenderFile> render_file_of(const fs::path& file) {
@@ -41,7 +40,6 @@ std::optional<RenderFile> render_file_of(const fs::path& file) {
   return RenderFile{parent.parent_path(), (parent.filename() / whole.filename()).string()};
 }
 
-/// Calls `line` for each complete line of a journal file. Throws Error for an invalid line.
 void read_lines(const fs::path& part, const std::function<void(std::string_view)>& line) {
   if (!is_regular_file_there(part)) return;
   const std::string text = read_file_text(part, kMostJournalBytes, "the journal of a render");
@@ -64,7 +62,6 @@ void read_journal_lines(const fs::path& folder, const std::function<void(std::st
     if (entry.path().extension() == ".jsonl") read_lines(entry.path(), line);
 }
 
-/// Returns whether a journal file contains more than a single incomplete line.
 bool has_more_than_cut_line(const fs::path& part) {
   std::ifstream in(part, std::ios::binary);
   std::string line;
@@ -86,7 +83,6 @@ std::string_view video_of(std::string_view name) {
   return name.ends_with(kSideFile) ? name.substr(0, name.size() - kSideFile.size()) : name;
 }
 
-/// Returns the checksum of file `name` in a line of a journal, or nothing if the line does not name the file.
 std::optional<FileChecksum> recorded_in(std::string_view line, const std::string& name) {
   const std::string_view video = video_of(name);
   if (line.find(video) == std::string_view::npos) return std::nullopt;

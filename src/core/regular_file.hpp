@@ -1,7 +1,5 @@
-// Opens files for reading, and rejects everything except regular files and links to them.
-//
-// Opening a FIFO may wait forever, and reading a device may never end. Therefore every reader of a file that the user names
-// (scenes, images, displays, jobs) opens it through this interface.
+// Opens files for reading. Rejects everything except regular files and links to them, because opening a FIFO or reading a
+// device may never end.
 #pragma once
 
 #include <cstddef>
@@ -19,8 +17,8 @@ class RegularFile {
  public:
   explicit RegularFile(const std::filesystem::path& path);
 
-  /// Returns the reason why the file cannot be read, to be printed after the file's name, such as "does not exist". Returns an
-  /// empty text if the file is open.
+  /// Returns the reason why the file cannot be read, to be printed after the file's name, such as "does not exist". Empty if
+  /// the file is open.
   const std::string& problem() const { return problem_; }
   bool exists() const { return exists_; }
   std::uintmax_t size() const { return size_; }
@@ -36,16 +34,14 @@ class RegularFile {
   std::string problem_;
 };
 
-/// Return the whole file. Throw Error that names the file if it cannot be read or is larger than `limit_bytes`. The message
-/// ends with `accepted`.
+/// Throw Error that names the file if it cannot be read or is larger than `limit_bytes`. The message ends with `accepted`.
 std::string read_file_text(const std::filesystem::path& path, std::uintmax_t limit_bytes, const std::string& accepted = {});
 std::vector<std::byte> read_file_bytes(const std::filesystem::path& path, std::uintmax_t limit_bytes,
                                        const std::string& accepted = {});
 
-/// Returns the first `count` bytes; fewer if the file is shorter, none if it cannot be read.
 std::string read_file_begin(const std::filesystem::path& path, std::size_t count);
 
-/// Throws Error that names the file if it cannot be read. Call this before a library opens the file by name.
+/// Call this before a library opens the file by name. Throws Error that names the file if it cannot be read.
 void require_regular_file(const std::filesystem::path& path, const std::string& accepted = {});
 
 /// Returns true for a regular file, and false if nothing has the name `path`. Throws Error if `path` is something else or

@@ -1,4 +1,3 @@
-// A new folder for temporary files.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +7,6 @@ namespace lippmann {
 /// A folder in the system's temporary folder (TMPDIR). The destructor removes it with its contents.
 class ScratchFolder {
  public:
-  /// Throws Error that names the path if no folder can be created.
   ScratchFolder();
   ~ScratchFolder();
   ScratchFolder(const ScratchFolder&) = delete;

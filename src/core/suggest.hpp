@@ -1,4 +1,3 @@
-// Finds the known name most similar to a misspelt one, for messages.
 #pragma once
 
 #include <span>
@@ -7,8 +6,8 @@
 
 namespace lippmann {
 
-/// Returns the restricted Damerau-Levenshtein distance: the number of edits that turn `a` into `b`. An edit inserts, removes or
-/// replaces a letter, or exchanges two neighbours; no letter is edited twice.
+/// Returns the restricted Damerau-Levenshtein distance: the number of letters that are inserted, removed, replaced or exchanged
+/// with a neighbour to turn `a` into `b`. No letter is edited twice.
 int edit_distance(std::string_view a, std::string_view b);
 
 /// Returns a name similar to `name`, by these rules:
@@ -17,7 +16,6 @@ int edit_distance(std::string_view a, std::string_view b);
 /// 3. otherwise an empty string.
 std::string nearest_name(std::string_view name, std::span<const std::string_view> candidates);
 
-/// Returns a suffix for messages, such as ", did you mean 'lenses'?", or an empty string.
 std::string did_you_mean(std::string_view name, std::span<const std::string_view> candidates);
 
 }  // namespace lippmann

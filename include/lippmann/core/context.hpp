@@ -15,8 +15,8 @@ struct Context {
   int threads = 0;  ///< worker threads; 0: one per processor that this process may use
   /// Receives one complete sentence per call, without newline; called from any thread.
   std::function<void(std::string_view)> warn{};
-  /// Receives the traced share of the current frame, 0 to 1. Called often, from any thread. If a requested frame needs other
-  /// frames first, such as the key frames around an interpolated frame, the share restarts from 0 for each of these frames.
+  /// Receives the traced fraction of the current frame, 0 to 1. Called often, from any thread. If a requested frame needs other
+  /// frames first, such as key frames, the fraction restarts from 0 for each of these frames.
   std::function<void(double)> frame_progress{};
   std::atomic<bool> cancelled{false};  ///< set to true to stop at the next tile or frame; signal handlers may set it
 
@@ -25,7 +25,7 @@ struct Context {
   }
 };
 
-/// Returns context.threads. If context.threads is 0, returns the number of processors that this process may use.
+/// Returns context.threads, or, if it is 0, the number of processors that this process may use.
 int resolved_threads(const Context& context);
 
 }  // namespace lippmann

@@ -1,8 +1,7 @@
 // The only exception type of the library: invalid input from outside (a file, a flag, a size), with enough details to correct
 // it.
 //
-// The library throws it only while it loads and sets up, never in kernels. Only main() catches it, prints what() and exits with
-// exit_code(). Internal bugs are asserts, not Errors.
+// The library throws it only while it loads and sets up, never in kernels.
 #pragma once
 
 #include <stdexcept>
@@ -11,7 +10,7 @@
 namespace lippmann {
 
 enum class ErrorKind {
-  kInput,  ///< the operation cannot be done: invalid file contents, I/O, limits; exit code 1
+  kInput,  ///< invalid file contents, I/O, limits; exit code 1
   kUsage,  ///< invalid flag, key or value on the command line or in a job file; exit code 2
 };
 

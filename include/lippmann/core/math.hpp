@@ -17,8 +17,8 @@ using Vec4f = glm::vec4;
 using Vec2d = glm::dvec2;
 using Vec3d = glm::dvec3;
 using Vec2i = glm::ivec2;
-using Mat3f = glm::mat3;  ///< stored column by column
-using Quatf = glm::quat;  ///< glm's constructor takes (w, x, y, z)
+using Mat3f = glm::mat3;
+using Quatf = glm::quat;
 
 inline constexpr float kInfinity = std::numeric_limits<float>::infinity();
 inline constexpr float kPi = std::numbers::pi_v<float>;
@@ -48,7 +48,6 @@ inline Affine3f inverse(const Affine3f& a) {
 /// Returns the cube root of the factor by which a transform scales volumes. For similarities, this is the scale of lengths.
 inline float uniform_scale(const Affine3f& a) { return std::cbrt(std::abs(glm::determinant(a.linear))); }
 
-/// An axis-aligned box. Initially empty.
 struct Bounds3f {
   Vec3f lower{kInfinity};
   Vec3f upper{-kInfinity};

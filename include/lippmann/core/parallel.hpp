@@ -4,8 +4,8 @@
 // 1. The division into pieces does not depend on the number of threads.
 // 2. Each piece writes only its own data.
 // 3. Reductions happen after all pieces, in the order of the pieces.
-// Worker threads flush denormals to zero, as Embree recommends. Therefore results do not depend on the caller's floating-point
-// mode.
+//
+// Worker threads flush denormals to zero, as Embree recommends.
 #pragma once
 
 #include <cstddef>
@@ -16,10 +16,10 @@
 
 namespace lippmann {
 
-/// A pool of threads. Create one per process or render, because creating a pool takes longer than tracing a small frame.
+/// Create one per process or render, because creating a pool takes longer than tracing a small frame.
 class ThreadPool {
  public:
-  explicit ThreadPool(int threads);  ///< threads >= 1; this number includes the calling thread
+  explicit ThreadPool(int threads);  ///< threads >= 1, including the calling thread
   ~ThreadPool();
   ThreadPool(const ThreadPool&) = delete;
   ThreadPool& operator=(const ThreadPool&) = delete;
@@ -33,8 +33,8 @@ class ThreadPool {
   /// Runs fn on this pool's threads, so that libraries that use oneTBB internally (Embree's builders) use only this pool.
   void run(const std::function<void()>& fn) const;
 
-  /// Returns the CPU seconds of the calling thread plus the CPU seconds that other threads spent on this pool's work. The
-  /// difference of two calls is the CPU time of the work between the calls. Threads that write files are not included.
+  /// Returns the CPU seconds of the calling thread plus those that other threads spent on this pool's work. Threads that write
+  /// files are not included.
   double cpu_seconds() const;
 
  private:

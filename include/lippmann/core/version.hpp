@@ -1,15 +1,12 @@
-// The version of Lippmann. CMake reads the three numbers from this file; scripts/release checks that all copies of the numbers
-// agree.
+// The version of Lippmann. CMake reads the three numbers from this file.
 #pragma once
 
 #define LIPPMANN_VERSION_MAJOR 0
 #define LIPPMANN_VERSION_MINOR 3
 #define LIPPMANN_VERSION_PATCH 0
 
-/// The version as a number for `#if`: version 1.2.3 is 10203.
 #define LIPPMANN_VERSION (LIPPMANN_VERSION_MAJOR * 10000 + LIPPMANN_VERSION_MINOR * 100 + LIPPMANN_VERSION_PATCH)
 
-/// The version as text, such as "0.3.0".
 #define LIPPMANN_VERSION_STRING LIPPMANN_VERSION_JOIN(LIPPMANN_VERSION_MAJOR, LIPPMANN_VERSION_MINOR, LIPPMANN_VERSION_PATCH)
 #define LIPPMANN_VERSION_JOIN(major, minor, patch) \
   LIPPMANN_VERSION_QUOTE(major) "." LIPPMANN_VERSION_QUOTE(minor) "." LIPPMANN_VERSION_QUOTE(patch)
