@@ -5,7 +5,6 @@
 namespace lippmann {
 namespace {
 
-/// Returns the TaskOrder. All builders share it, because a callback is not passed the builder that calls it.
 TaskOrder& order() {
   static TaskOrder order;
   return order;

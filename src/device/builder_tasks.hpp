@@ -1,4 +1,3 @@
-// Runs Embree's builders. They call our callbacks on any thread of the calling oneTBB arena.
 #pragma once
 
 #include "device/embree_shim.hpp"

@@ -33,8 +33,7 @@ Error embree_error(RTCError code, const std::string& doing, std::uint64_t wanted
 }
 
 EmbreeDevice make_embree_device(int threads, EmbreeMemory& memory) {
-  // Embree builds on the oneTBB threads of the calling arena. It would start its own threads if `threads` were larger than the
-  // arena.
+  // Embree would start its own threads if `threads` were larger than the oneTBB arena.
   const std::string config = fmt::format("threads={},set_affinity=0", threads);
   EmbreeDevice device(rtcNewDevice(config.c_str()));
   if (!device) throw embree_error(rtcGetDeviceError(nullptr), "making a device", 0);

@@ -2,14 +2,13 @@
 //
 // There are two Embree scenes, `fixed` and `moving`. Each packet is traced through both.
 // - `fixed` is built once. It holds everything that never moves: meshes flattened to world space, and meshes with many
-// instances as Embree instances.
-// - `moving` is rebuilt for each frame. It holds Embree instances and moving primitives. The meshes of its instances are built
-// once.
-// - Deforming meshes belong to `moving` and get new vertices for each frame. Their trees are built for the first frame of the
-// animation and refitted for all others, so the result does not depend on the order of frames.
+//   instances as Embree instances.
+// - `moving` is rebuilt for each frame. It holds Embree instances, moving primitives and deforming meshes. The trees of
+//   deforming meshes are built for the first frame of the animation and refitted for all others, so the result does not depend
+//   on the order of frames.
 //
-// Ids of geometries are unique over both scenes: the id is the index of the GeometryRecord. Infinite planes are not part of
-// Embree's scenes. They are intersected first and shorten the rays.
+// The id of a geometry is the index of its GeometryRecord in both scenes. Infinite planes are not part of Embree's scenes. They
+// are intersected first and shorten the rays.
 #pragma once
 
 #include <map>
@@ -35,11 +34,10 @@ struct RayScene::Embree {
   bool has_fixed = false, has_moving = false;
   std::map<std::pair<int, int>, EmbreeScene> mesh_scenes;  ///< the key is (shape index, material index)
   PrimitiveGeometries fixed_primitives, moving_primitives;
-  std::vector<std::unique_ptr<ShadowCaster>> shadow_casters;  ///< one per mesh geometry that is not opaque
-  std::vector<EmbreeGeometry> placed;                         ///< Embree instances that may move; the index is the record id
-  std::vector<int> moving_records;                            ///< record ids of the mesh instances in `moving`
-  /// Deforming meshes in the order of SceneGeometry::posed; Embree reads beyond the last vertex, so they have padded copies of
-  /// the vertices.
+  std::vector<std::unique_ptr<ShadowCaster>> shadow_casters;
+  std::vector<EmbreeGeometry> placed;
+  std::vector<int> moving_records;
+  /// Embree reads beyond the last vertex, so the vertices are padded copies.
   std::vector<EmbreeGeometry> posed;
 };
 
@@ -53,7 +51,6 @@ struct BuiltScene {
 void build_scene(const BuiltScene& scene, const ResolvedScene& resolved, const ShadowMaterials& materials,
                  const ThreadPool& pool);
 
-/// Moves all objects to their positions in `resolved`.
 void move_scene(const BuiltScene& scene, const ResolvedScene& resolved, const ThreadPool& pool);
 
 }  // namespace lippmann

@@ -9,7 +9,6 @@ namespace {
 
 static_assert(RTC_MAX_INSTANCE_LEVEL_COUNT == 1, "one level of instances is all that scene_builder.cpp makes");
 
-// These layouts must agree, because packets are passed to Embree without conversion.
 static_assert(kNoId == RTC_INVALID_GEOMETRY_ID);
 static_assert(sizeof(RayPacket) == sizeof(RTCRay16) && alignof(RayPacket) == alignof(RTCRay16));
 static_assert(offsetof(RayPacket, tnear) == offsetof(RTCRay16, tnear) &&
@@ -19,7 +18,6 @@ static_assert(offsetof(HitPacket, primID) == offsetof(RTCHit16, primID) &&
               offsetof(HitPacket, instID) == offsetof(RTCHit16, instID));
 static_assert(offsetof(RayHitPacket, hit) == offsetof(RTCRayHit16, hit));
 
-// A packet of 16 rays and its halves of 8 rays have the same fields in the same order. Each field is an array of 16 or 8 words.
 template <class Wide, class Half>
 void take_half(const Wide& wide, int half, Half& out) {
   constexpr std::size_t fields = sizeof(Half) / (8 * sizeof(float));

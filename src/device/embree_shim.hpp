@@ -1,8 +1,7 @@
-// Wraps Embree, so that no other header includes Embree's headers. Provides ownership of devices and scenes, and the calls that
-// differ between Embree 3.13 and 4.
+// Wraps Embree 3.13 and 4, so that no other header includes Embree's headers.
 //
 // All packets have 16 rays. On machines with 8 native lanes (AVX2), a packet is traced as two halves, so that callbacks of user
-// geometries still get full native packets. On other machines, Embree splits packets itself.
+// geometries still get full native packets.
 #pragma once
 
 #if __has_include(<embree4/rtcore.h>)
@@ -44,7 +43,6 @@ using EmbreeDevice = EmbreeHandle<RTCDevice, rtcReleaseDevice>;
 using EmbreeScene = EmbreeHandle<RTCScene, rtcReleaseScene>;
 using EmbreeGeometry = EmbreeHandle<RTCGeometry, rtcReleaseGeometry>;
 
-/// Returns the width of packets that the device supports natively: 16, 8 or 4.
 int native_packet_width(RTCDevice device);
 
 /// The context of an occlusion query. At transparent surfaces, geometry filters reduce the transmittance.
@@ -57,13 +55,13 @@ struct ShadowContext {
   // `embree` must be the first member, because Embree passes its address to filters, which cast it to ShadowContext. The id of
   // a ray is its lane.
   alignas(64) float transmittance[kLanes];
-  Lanes3 tint;  ///< factor on the transmittance if is_tinted is true
+  Lanes3 tint;
   bool is_tinted = false;
   const SceneGeometry* geometry = nullptr;  ///< lets filters of meshes look up hits
 };
 
-/// Returns the active lanes whose rays have finite coordinates within `reach`. All other lanes hit nothing. Invalid rays occur
-/// because products of valid inputs may overflow. `reach` is below kLargestReach if instances magnify coordinates.
+/// Returns the active lanes whose rays have finite coordinates within `reach`. All other lanes hit nothing. Rays become invalid
+/// if products of valid inputs overflow.
 LaneMask sound_lanes(const RayPacket& rays, float reach, const LaneMask& active);
 
 /// Traces the active lanes, which must come from sound_lanes(). Sets tfar and the hit of each lane that hits something nearer
@@ -86,7 +84,7 @@ struct SplatContext {
 void gather(RTCScene scene, int native_width, const LaneMask& active, RayHitPacket& packet, SplatContext& context);
 
 /// Sets tfar to -inf for active lanes that are occluded between tnear and tfar. The lanes must come from sound_lanes(). The
-/// caller sets context.transmittance to 1. Each transparent surface on the way multiplies it by its own transmittance.
+/// caller sets context.transmittance to 1, and each transparent surface on the way multiplies it by its own transmittance.
 void occluded(RTCScene scene, int native_width, const LaneMask& active, RayPacket& packet, ShadowContext& context);
 
 }  // namespace lippmann

@@ -1,4 +1,4 @@
-// Logarithm and powers that compilers can vectorise, unlike those of the standard library. Their errors are at most 1e-6.
+// Logarithm and powers that compilers can vectorise. Their errors are at most 1e-6.
 #pragma once
 
 #include <bit>
@@ -9,7 +9,7 @@
 
 namespace lippmann {
 
-/// Returns log2(x). x must be positive and not denormal. The result is exact at powers of two.
+/// Returns log2(x), exactly at powers of two. x must be positive and not denormal.
 LIPPMANN_INLINE float fast_log2(float x) {
   const auto bits = std::bit_cast<std::int32_t>(x);
   // The exponent is chosen so that the mantissa m is in [sqrt(1/2), sqrt(2)).

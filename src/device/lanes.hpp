@@ -1,4 +1,3 @@
-// Groups of sixteen values, one per ray of a packet. All kernels loop over these lanes.
 #pragma once
 
 #include <cstddef>
@@ -10,13 +9,12 @@
 namespace lippmann {
 
 inline constexpr int kLanes = 16;
-/// Returns the number of packets that hold a number of rays.
 constexpr std::size_t packets_of(std::size_t rays) { return (rays + kLanes - 1) / kLanes; }
-/// A loop over the lanes of a packet. The iterations are independent. Without the pragma, the compiler must assume that the
-/// arrays of a packet overlap, and does not vectorise the loop.
+/// The iterations are independent. Without the pragma, the compiler must assume that the arrays of a packet overlap, and does
+/// not vectorise the loop.
 #define LIPPMANN_FOR_LANES(i) _Pragma("GCC ivdep") for (int i = 0; i < kLanes; ++i)
 
-/// A mask of lanes. Active lanes are -1, and inactive lanes 0.
+/// Active lanes are -1, and inactive lanes 0.
 struct alignas(64) LaneMask {
   int lane[kLanes];
 };

@@ -5,7 +5,6 @@
 namespace lippmann {
 namespace {
 
-// Centre and half axes of a box in world space.
 struct BoxFrame {
   Vec3f center;
   Mat3f half_axes;

@@ -2,7 +2,7 @@
 //
 // Each `distance(primitive, ray)` returns the parameter t of the nearest intersection with t_near < t < t_far, or +infinity.
 // The functions are scalar and branch-free, so that loops over the lanes of a packet vectorise. Directions may have any length,
-// except where a primitive requires unit length.
+// except for spheres.
 #pragma once
 
 #include <cstdint>
@@ -21,14 +21,13 @@ LIPPMANN_INLINE float nearest_valid(float t0, float t1, bool valid0, bool valid1
   return valid0 ? t0 : second;
 }
 
-/// A sphere. Directions of rays must have unit length.
 struct WorldSphere {
   float x, y, z, radius;
 };
 
 /// The intersection of a ray with a sphere. The discriminant uses the part of (centre - origin) that is perpendicular to the
-/// ray. It is accurate even for small, distant spheres: Haines, Gunther, Akenine-Moller, "Precision Improvements for Ray/Sphere
-/// Intersection", Ray Tracing Gems, 2019.
+/// ray, which is accurate even for small, distant spheres: Haines, Gunther, Akenine-Moller, "Precision Improvements for
+/// Ray/Sphere Intersection", Ray Tracing Gems, 2019.
 struct SphereCrossing {
   float middle;        ///< t at the ray's point closest to the centre
   float discriminant;  ///< squared half length of the chord; negative if the ray misses
@@ -57,8 +56,7 @@ LIPPMANN_INLINE bool crosses(const Primitive& primitive, const LaneRay& r) {
   return distance(primitive, r) < kInfinity;
 }
 
-/// Returns whether the ray intersects the sphere. Compares squares to avoid half = sqrt(squared): the condition b - half >
-/// t_near is equivalent to b - t_near > half. The other conditions are rewritten in the same way.
+/// Compares squares to avoid half = sqrt(squared): the condition b - half > t_near is equivalent to b - t_near > half.
 LIPPMANN_INLINE bool crosses(const WorldSphere& s, const LaneRay& r) {
   const auto [b, squared] = crossing(s, r);
   const float past_near = b - r.t_near, past_far = b - r.t_far;
@@ -69,8 +67,8 @@ LIPPMANN_INLINE bool crosses(const WorldSphere& s, const LaneRay& r) {
 }
 
 struct WorldCylinder {
-  float x, y, z;     ///< centre of the base
-  float ax, ay, az;  ///< axis, unit length
+  float x, y, z;
+  float ax, ay, az;
   float length, radius;
 };
 
@@ -94,7 +92,6 @@ LIPPMANN_INLINE float distance(const WorldCylinder& c, const LaneRay& r) {
                        real & (t1 > r.t_near) & (t1 < r.t_far) & (h1 >= 0.0f) & (h1 <= c.length));
 }
 
-/// The plane n . p = offset.
 struct WorldPlane {
   float nx, ny, nz, offset;
 };
@@ -120,7 +117,6 @@ LIPPMANN_INLINE float distance(const WorldRing& g, const LaneRay& r) {
   return valid ? t : kInfinity;
 }
 
-/// A box: the cube [-1, 1]^3 under an affine map.
 struct WorldBox {
   float m[9];  ///< linear part of box_from_world, column by column
   float t[3];  ///< translation of box_from_world
@@ -144,8 +140,6 @@ LIPPMANN_INLINE float distance(const WorldBox& b, const LaneRay& r) {
                        real & (leave > r.t_near) & (leave < r.t_far));
 }
 
-// ---- Conversion of the scene's shapes to world space; bounds and normals ------------------------------------------------
-
 WorldSphere to_world(const Affine3f& world_from_local, const struct Sphere& sphere);
 WorldCylinder to_world(const Affine3f& world_from_local, const struct Cylinder& cylinder);
 WorldPlane to_world(const Affine3f& world_from_local, const struct Plane& plane);
@@ -165,7 +159,7 @@ LIPPMANN_INLINE Vec3f normal_at(const WorldCylinder& c, Vec3f p) {
 }
 LIPPMANN_INLINE Vec3f normal_at(const WorldRing& g, Vec3f) { return {g.nx, g.ny, g.nz}; }
 LIPPMANN_INLINE Vec3f normal_at(const WorldPlane& p, Vec3f) { return {p.nx, p.ny, p.nz}; }
-/// Returns the normal of the box's face that contains p. This is the face on the axis where p has its largest box coordinate.
+/// Returns the normal of the box's face that contains p: the face on the axis where p has its largest box coordinate.
 Vec3f normal_at(const WorldBox& b, Vec3f p);
 /// Returns the normal by Tachyon's rule: the world axis on which p - centre has its largest component. On elongated boxes, it
 /// may differ from the face's normal.

@@ -1,13 +1,11 @@
-// A packet of sixteen rays and their hits.
-//
-// The memory layout is Embree's, so packets need no conversion. embree_shim.cpp asserts this. No header depends on Embree.
+// A packet of sixteen rays and their hits, in Embree's memory layout.
 #pragma once
 
 #include "device/lanes.hpp"
 
 namespace lippmann {
 
-/// The caller sets origin, direction, tnear and tfar. make_ready() sets the other fields, which only src/device uses.
+/// The caller sets origin, direction, tnear and tfar. make_ready() sets the other fields.
 struct alignas(64) RayPacket {
   float org_x[kLanes], org_y[kLanes], org_z[kLanes], tnear[kLanes];
   float dir_x[kLanes], dir_y[kLanes], dir_z[kLanes], time[kLanes];
@@ -15,7 +13,6 @@ struct alignas(64) RayPacket {
   unsigned mask[kLanes], id[kLanes], flags[kLanes];
 };
 
-/// Sets the fields that only src/device uses.
 LIPPMANN_INLINE void make_ready(RayPacket& rays) {
   LIPPMANN_FOR_LANES(i) {
     rays.time[i] = 0.0f;
@@ -25,7 +22,7 @@ LIPPMANN_INLINE void make_ready(RayPacket& rays) {
   }
 }
 
-/// The hits of a packet. The values of a lane are defined if its geomID is not kNoId.
+/// The values of a lane are defined if its geomID is not kNoId.
 struct alignas(64) HitPacket {
   /// Normal of the facet, any length; in mesh space if the mesh is an Embree instance, otherwise in world space.
   float Ng_x[kLanes], Ng_y[kLanes], Ng_z[kLanes];
@@ -39,20 +36,17 @@ struct alignas(64) RayHitPacket {
   HitPacket hit;
 };
 
-/// Prepares a packet for tracing, and clears its hits.
 void clear_hits(RayHitPacket& packet);
 
 inline constexpr unsigned kNoId = 0xffffffffu;
-/// kPlaneId + p is the geometry id of infinite plane p.
+/// kPlaneId + p is the geometry id of infinite plane p; kLightId + l is that of visible light l.
 inline constexpr unsigned kPlaneId = 0x80000000u;
-/// kLightId + l is the geometry id of visible light l.
 inline constexpr unsigned kLightId = 0xC0000000u;
 
 /// Bits of RayPacket::mask. A ray intersects only geometries whose mask shares a bit with the ray's mask. Rays that are neither
 /// camera nor shadow rays have all bits set.
 inline constexpr unsigned kCameraRay = 1, kShadowRay = 2;
 
-/// Whether the rays of a packet have similar directions.
 enum class Coherence { kCoherent, kIncoherent };
 
 }  // namespace lippmann

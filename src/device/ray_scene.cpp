@@ -29,7 +29,6 @@ LIPPMANN_INLINE void record_hit(RayHitPacket& packet, const LaneMask& active, in
   packet.hit.instID[0][i] = hit ? kNoId : packet.hit.instID[0][i];
 }
 
-/// Intersects the active rays with the infinite planes. Shortens tfar, and records hits with the id kPlaneId + index.
 LIPPMANN_MULTIVERSION void meet_planes(const WorldPlaneRecord* planes, std::size_t count, const LaneMask& active,
                                        RayHitPacket& packet) {
   for (std::size_t p = 0; p < count; ++p) {
@@ -39,7 +38,6 @@ LIPPMANN_MULTIVERSION void meet_planes(const WorldPlaneRecord* planes, std::size
   }
 }
 
-/// Sets the masks of rays so that camera rays miss objects that are hidden from cameras.
 LIPPMANN_INLINE void hide(const LaneMask& of_cameras, RayPacket& rays) {
   LIPPMANN_FOR_LANES(i) rays.mask[i] = of_cameras.lane[i] != 0 ? kCameraRay : ~0u;
 }
@@ -62,8 +60,8 @@ LIPPMANN_MULTIVERSION void meet_lights(const WorldSphere* lights, std::size_t co
   }
 }
 
-/// Ends the active rays that cross an opaque plane, by setting tfar to -inf. Rays that cross a transparent plane lose
-/// transmittance instead. Sets `lit` to the lanes whose rays have not ended. Returns whether `lit` has any lanes.
+/// Ends the active rays that cross an opaque plane, by setting tfar to -inf. Transparent planes reduce the transmittance
+/// instead. Sets `lit` to the lanes whose rays have not ended. Returns whether there are any.
 LIPPMANN_MULTIVERSION int cross_planes(const WorldPlaneRecord* planes, std::size_t count, const LaneMask& active,
                                        RayPacket& rays, Lanes& transmittance, LaneMask& lit) {
   for (std::size_t p = 0; p < count; ++p) {
@@ -83,8 +81,8 @@ LIPPMANN_MULTIVERSION int cross_planes(const WorldPlaneRecord* planes, std::size
   return any;
 }
 
-// Returns the distance at which secondary rays start. For Tachyon scenes it is 1e-4, measured on Tachyon's images. For other
-// scenes it is a share of the scene's size, about ten times the rounding error of a hit point.
+// Returns the distance at which secondary rays start: 1e-4 for Tachyon scenes, measured on Tachyon's images, otherwise about
+// ten times the rounding error of a hit point.
 float choose_t_near(const Scene& scene, const Bounds3f& b) {
   if (scene.encoding == Encoding::kTachyonTruncate) return 1e-4f;
   return b.empty() ? 1e-4f : 1e-5f * glm::length(b.size());

@@ -1,8 +1,4 @@
-// The interface for tracing rays. update() moves the scene. trace() and trace_shadows() trace rays. The rest of this folder is
-// the implementation.
-//
-// The data that hits refer to (records, planes and others) are public, because shading reads them. Embree's structures are
-// private.
+// The interface for tracing rays. The rest of this folder is the implementation.
 #pragma once
 
 #include <memory>
@@ -18,8 +14,8 @@
 
 namespace lippmann {
 
-/// Build a RayScene once per scene, and update it once per frame. Static objects are built once. Rigidly moving objects are
-/// transformed instead of rebuilt. Any number of threads may trace at once, but not during update().
+/// Build a RayScene once per scene, and update it once per frame. Any number of threads may trace at once, but not during
+/// update().
 class RayScene : public SceneGeometry {
  public:
   /// Builds the scene in the state `resolved`, which must be the first frame of the timeline. `scene`, and the data that the
@@ -29,21 +25,20 @@ class RayScene : public SceneGeometry {
   RayScene(const RayScene&) = delete;
   RayScene& operator=(const RayScene&) = delete;
 
-  /// Moves all objects to their positions in `resolved`.
   void update(const ResolvedScene& resolved, const ThreadPool& pool);
 
   /// Finds the nearest hit of each active lane, and sets tfar to its distance. Without a hit, tfar is unchanged. `of_cameras`
-  /// marks camera rays that have only passed surfaces made transparent by alpha. The marked lanes ignore objects that are
-  /// hidden from cameras. A null pointer marks no lanes.
+  /// marks camera rays that have only passed surfaces made transparent by alpha; these ignore objects that are hidden from
+  /// cameras.
   void trace(const LaneMask& active, RayHitPacket& packet, Coherence coherence, const LaneMask* of_cameras = nullptr) const;
 
   /// Sets tfar to -inf for active lanes that an opaque surface occludes between tnear and tfar. In the other active lanes,
-  /// transparent surfaces reduce the transmittance: transmittance.white is multiplied by their factors, and an earlier tint is
-  /// discarded. Removes lanes with invalid rays from `active`, so that they receive no light.
+  /// multiplies transmittance.white by the transmittance of the surfaces. An earlier tint is discarded. Removes lanes with
+  /// invalid rays from `active`, so that they receive no light.
   void trace_shadows(LaneMask& active, RayPacket& rays, Transmittance& transmittance) const;
 
   bool has_splats() const { return !splats.splats.empty(); }
-  /// Collects the splats along the active rays from tnear to tfar, up to the point where the transmittance falls below kDark.
+  /// Collects the splats along the active rays, up to the point where the transmittance falls below kDark.
   void meet_splats(const LaneMask& active, const RayPacket& rays, SplatHits& hits) const;
 
   struct Embree;

@@ -1,4 +1,3 @@
-// Builds Embree's scenes from a scene description, and moves their objects.
 #include <algorithm>
 #include <map>
 
@@ -13,23 +12,20 @@
 namespace lippmann {
 namespace {
 
-// Fixed meshes with several instances are flattened if the copies have at most this number of triangles in total. Larger meshes
-// become Embree instances, which share one tree.
 constexpr std::size_t kFlattenTriangles = 200'000;
 
-/// Rays may always reach coordinates of kLeastReach times the scene's size, however strongly instances magnify coordinates.
+/// Rays may reach coordinates of this many times the scene's size, however strongly instances magnify coordinates.
 constexpr float kLeastReach = 1000.0f;
 
-/// Makes a scene with robust intersection. Embree's faster test rounds an edge differently for the two triangles that share it,
-/// so that one in ten rays along the edge would pass between them.
+/// Embree's faster test rounds an edge differently for the two triangles that share it, so that one in ten rays along the edge
+/// would pass between them.
 EmbreeScene make_scene(RTCDevice device, RTCSceneFlags flags) {
   EmbreeScene scene(rtcNewScene(device));
   rtcSetSceneFlags(scene.get(), flags | RTC_SCENE_FLAG_ROBUST);
   return scene;
 }
 
-/// Returns a matrix that transforms normals like the inverse transpose, up to a factor, and keeps them on the outer side. Each
-/// of its columns is the cross product of the other two columns of m, so that it also works for singular m.
+/// Returns a multiple of the inverse transpose that keeps normals on the outer side. It also works for singular m.
 Mat3f outward_normals(const Mat3f& m) {
   const Mat3f cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
   return glm::determinant(m) < 0.0f ? -cofactors : cofactors;
@@ -40,14 +36,12 @@ Vec3f normalized_or(Vec3f v, Vec3f otherwise) {
   return length > 0.0f ? v / length : otherwise;
 }
 
-/// Returns whether m scales by 0 along an axis, so that rays cannot be transformed to the node's space.
 bool is_singular(const Mat3f& m) {
   const float volume = std::abs(glm::determinant(m));
   return !(volume > 1e-12f * glm::length(m[0]) * glm::length(m[1]) * glm::length(m[2]));
 }
 
-/// Returns the limit of a ray's world coordinates. Within this limit, the ray's coordinates in a node's space stay within
-/// kLargestReach.
+/// Returns the limit of a ray's world coordinates that keeps its coordinates in a node's space within kLargestReach.
 float reach_of(const Affine3f& mesh_from_world) {
   const Mat3f& m = mesh_from_world.linear;
   const Vec3f sums = glm::abs(m[0]) + glm::abs(m[1]) + glm::abs(m[2]), moved = glm::abs(mesh_from_world.translation);
@@ -55,7 +49,6 @@ float reach_of(const Affine3f& mesh_from_world) {
   return std::max(0.0f, (kLargestReach - offset) / factor);  // std::max turns NaN into 0
 }
 
-/// Attaches geometries to Embree's scenes, and assigns record ids.
 class SceneBuilder {
  public:
   SceneBuilder(const BuiltScene& built, const ResolvedScene& resolved, const ShadowMaterials& materials, const ThreadPool& pool)
@@ -203,7 +196,6 @@ class SceneBuilder {
     return geometry;
   }
 
-  /// Sets the mask that selects which kinds of rays intersect the instance.
   void set_rays_met(RTCGeometry geometry, std::uint32_t index) const {
     const Instance& instance = scene_.instances[index];
     const unsigned hidden_from =
@@ -281,8 +273,7 @@ class SceneBuilder {
   std::map<int, int> uses_;
 };
 
-/// Places a mesh instance. Hides the instance if its scale is practically 0. This is the case if its transform is singular. It
-/// is also the case if rays with world coordinates below least_reach could exceed kLargestReach in mesh space.
+/// Hides the instance if its transform is singular, or if rays within least_reach could exceed kLargestReach in mesh space.
 void place(GeometryRecord& record, RTCGeometry geometry, const Affine3f& world_from_mesh, float least_reach) {
   record.reach = reach_of(inverse(world_from_mesh));
   if (is_singular(world_from_mesh.linear) || !(record.reach >= least_reach)) {  // animations hide objects by scaling them to 0
@@ -311,7 +302,6 @@ float least_reach_of(const std::vector<GeometryRecord>& records) {
   return reach;
 }
 
-/// Moves the primitives of one table. The table holds the primitives in the order in which the builder has added them.
 template <class Source, class Primitive>
 void move_primitives(PrimitiveTable<Primitive>& table, const EmbreeGeometry& geometry, const Scene& scene,
                      const ResolvedScene& resolved) {

@@ -21,8 +21,7 @@ inline constexpr float kLargestReach = 1e18f;
 
 enum class GeometryKind : std::uint8_t { kMesh, kSpheres, kCylinders, kRings, kBoxes };
 
-/// The facet's normal and the gradients of texture coordinates on a triangle, in mesh space. Texture filtering reads them at
-/// every hit.
+/// The facet's normal and the gradients of texture coordinates on a triangle, in mesh space.
 struct UvGradient {
   Vec3f du, dv;  ///< gradients of u and v within the facet; 0 if the triangle is degenerate
   Vec3f normal;  ///< unit length; 0 if the triangle is degenerate
@@ -32,8 +31,8 @@ struct GeometryRecord {
   GeometryKind kind = GeometryKind::kMesh;
   /// True for an Embree instance of a mesh, whose normals and positions must be transformed by world_from_mesh.
   bool placed = false;
-  bool hidden = false;         ///< true for a placed mesh whose scale is practically 0
-  std::uint32_t instance = 0;  ///< index in Scene::instances; meshes only
+  bool hidden = false;  ///< true for a placed mesh whose scale is practically 0
+  std::uint32_t instance = 0;
   const Mesh* mesh = nullptr;  ///< its vertices are in mesh space if `placed` is set, otherwise in world space
   /// For each uv set, one gradient per triangle; null if the mesh lacks the set.
   std::array<const std::vector<UvGradient>*, 2> uv_gradients{};
@@ -49,9 +48,9 @@ struct GeometryRecord {
 template <class Primitive>
 struct PrimitiveTable {
   std::vector<Primitive> primitives;
-  std::vector<std::uint32_t> instance;  ///< index in Scene::instances for each primitive
-  std::vector<float> transmittance;     ///< share of light that each primitive transmits along shadow rays; 0: opaque
-  bool see_through = false;             ///< whether any primitive has a transmittance > 0
+  std::vector<std::uint32_t> instance;
+  std::vector<float> transmittance;  ///< transmittance of each primitive for shadow rays; 0: opaque
+  bool see_through = false;          ///< whether any primitive has a transmittance > 0
 };
 
 struct PrimitiveTables {
@@ -61,7 +60,6 @@ struct PrimitiveTables {
   PrimitiveTable<WorldBox> boxes;
 };
 
-/// A deforming mesh in its current pose, in world space.
 struct PosedMesh {
   std::uint32_t record;
   Mesh mesh;
@@ -70,7 +68,7 @@ struct PosedMesh {
 };
 
 struct SplatSet {
-  std::uint32_t instance;  ///< index in Scene::instances
+  std::uint32_t instance;
   const Splats* splats;
   Mat3f local_from_world;  ///< maps directions from world space to the axes of the shape
 };
@@ -84,21 +82,21 @@ struct SplatTable {
 struct WorldPlaneRecord {
   WorldPlane plane;
   std::uint32_t instance;
-  float transmittance;  ///< share of light that the plane transmits along shadow rays; 0: opaque
+  float transmittance;  ///< transmittance of the plane for shadow rays; 0: opaque
 };
 
 struct SceneGeometry {
   const Scene* scene = nullptr;
   float reach = kLargestReach;  ///< largest allowed coordinate of rays: the minimum over all records
   float size = 1.0f;            ///< largest coordinate of the scene in the first frame, without planes
-  float radius = 1.0f;          ///< half the diagonal of the scene in the first frame, without planes
+  float radius = 1.0f;
   /// Whether Tachyon's conventions apply to box normals, mirrors at the depth limit and visible lights (Scene::encoding).
   bool tachyon = false;
   float secondary_t_near = 1e-4f;  ///< distance at which secondary rays start
 
   std::vector<GeometryRecord> records;
-  std::vector<std::unique_ptr<Mesh>> flattened;                                 ///< copies of fixed meshes in world space
-  std::map<std::pair<const Mesh*, int>, std::vector<UvGradient>> uv_gradients;  ///< the key is (mesh, uv set)
+  std::vector<std::unique_ptr<Mesh>> flattened;
+  std::map<std::pair<const Mesh*, int>, std::vector<UvGradient>> uv_gradients;
   std::vector<std::unique_ptr<PosedMesh>> posed;
   PrimitiveTables fixed_tables, moving_tables;
   SplatTable splats;
@@ -107,7 +105,7 @@ struct SceneGeometry {
   bool any_visible_light = false;
   /// Whether any instance is hidden from camera rays, and from shadow rays.
   bool hides_from_cameras = false, hides_from_shadows = false;
-  bool has_shadows = false;  ///< whether any instance casts a shadow
+  bool has_shadows = false;
   std::vector<bool> instance_moves;
 };
 

@@ -3,8 +3,7 @@
 namespace lippmann {
 namespace {
 
-/// Returns the hit of ray i. The ids of geometries that are attached to `fixed` or `moving` are record ids. For placed meshes,
-/// Embree passes the ray in mesh space.
+/// Returns the hit of ray i. For placed meshes, Embree passes the ray in mesh space.
 ShadowHit shadow_hit(const RTCFilterFunctionNArguments* args, const SceneGeometry& geometry, unsigned i) {
   const unsigned placed = RTCHitN_instID(args->hit, args->N, i, 0);
   const GeometryRecord& record = geometry.records[placed != kNoId ? placed : RTCHitN_geomID(args->hit, args->N, i)];
@@ -17,7 +16,6 @@ ShadowHit shadow_hit(const RTCFilterFunctionNArguments* args, const SceneGeometr
           record.placed ? record.world_from_mesh.linear * direction : direction};
 }
 
-/// Multiplies the transmittance of a lane by `passes`.
 void weaken(ShadowContext& context, unsigned lane, Vec3f passes) {
   if (passes.x == passes.y && passes.y == passes.z) {
     context.transmittance[lane] *= passes.x;

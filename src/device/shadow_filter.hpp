@@ -1,4 +1,3 @@
-// The filter that lets shadow rays pass meshes that are not fully opaque.
 #pragma once
 
 #include "device/embree_shim.hpp"
@@ -6,8 +5,8 @@
 
 namespace lippmann {
 
-/// From now on, `caster` is called for each hit of a shadow ray with the geometry. A hit reduces the ray's transmittance
-/// (ShadowContext), and ends the ray only if no light passes. `caster` must outlive the geometry.
+/// Calls `caster` for each later hit of a shadow ray with the geometry. A hit reduces the ray's transmittance (ShadowContext),
+/// and ends the ray only if no light passes. `caster` must outlive the geometry.
 void filter_shadows(RTCGeometry geometry, const ShadowCaster& caster);
 
 }  // namespace lippmann

@@ -1,4 +1,4 @@
-// The interface by which shadow rays get the share of light that passes straight through surfaces.
+// The interface by which shadow rays get the transmittance of surfaces.
 #pragma once
 
 #include <cstdint>
@@ -18,20 +18,17 @@ struct ShadowHit {
   Vec3f direction;    ///< direction of the ray in world space, from the surface to the light
 };
 
-/// The transmittance of a mesh that is not fully opaque. Thread-safe.
 class ShadowCaster {
  public:
   virtual ~ShadowCaster() = default;
-  /// Returns the shares of red, green and blue light that pass the hit. If all are 0, the ray ends.
+  /// Returns the transmittance of red, green and blue light. If all are 0, the ray ends.
   virtual Vec3f transmittance(const ShadowHit& hit) const = 0;
 };
 
 class ShadowMaterials {
  public:
   virtual ~ShadowMaterials() = default;
-  /// Returns the transmittance of an instance, the same at all points; 0: opaque.
   virtual float transmittance(std::uint32_t instance) const = 0;
-  /// Returns the shadow caster of an instance of a mesh, or null if the mesh is opaque.
   virtual std::unique_ptr<ShadowCaster> caster(std::uint32_t instance) const = 0;
 };
 

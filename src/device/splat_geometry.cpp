@@ -10,8 +10,7 @@
 namespace lippmann {
 namespace {
 
-/// Returns splat i of a set in world space. Returns nothing if the splat is invisible, or if its node scales it to practically
-/// 0 or infinity.
+/// Returns splat i of a set in world space, or nothing if it is invisible, or scaled to practically 0 or infinity.
 std::optional<WorldSplat> world_splat(const SplatSet& set, std::uint32_t set_index, std::uint32_t i, const Affine3f& place) {
   const Splats& splats = *set.splats;
   const float reach = reach_of_splat(splats.opacities[i]);
@@ -36,8 +35,8 @@ void splat_bounds(const RTCBoundsFunctionArguments* args) {
   const glm::dmat3 rows = glm::transpose(glm::inverse(to_splat));
   const Vec3f center(splat.x, splat.y, splat.z);
   const Vec3f half = std::sqrt(splat.reach) * Vec3f(glm::length(rows[0]), glm::length(rows[1]), glm::length(rows[2]));
-  // The bounds are padded by more than rounding errors. Otherwise grazing rays could miss them, and the bounds of flat splats
-  // might have no thickness.
+  // The bounds are padded by more than rounding errors, so that grazing rays hit them and the bounds of flat splats have a
+  // thickness.
   const Vec3f pad = 1e-4f * half + 1e-6f * (glm::abs(center) + half);
   const Vec3f lower = center - half - pad, upper = center + half + pad;
   args->bounds_o->lower_x = lower.x, args->bounds_o->upper_x = upper.x;
@@ -45,7 +44,6 @@ void splat_bounds(const RTCBoundsFunctionArguments* args) {
   args->bounds_o->lower_z = lower.z, args->bounds_o->upper_z = upper.z;
 }
 
-/// The hits of a packet of n rays with one splat.
 struct SplatMeeting {
   alignas(64) float t[kLanes], alpha[kLanes];
   alignas(64) int met[kLanes];
@@ -80,7 +78,6 @@ LIPPMANN_MULTIVERSION int meet_splat(const WorldSplat& splat, const int* valid, 
   return meet_in_lanes(splat, valid, words, n, meeting);
 }
 
-/// Prefetches the splat's spherical harmonics, which are probably not in the cache.
 void fetch_colour(const SplatTable& table, const WorldSplat& splat) {
   constexpr std::size_t kCacheLine = 64;
   const Splats& splats = *table.sets[splat.set].splats;

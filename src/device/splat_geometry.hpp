@@ -1,4 +1,3 @@
-// Makes an Embree geometry of splats, and collects the splats that rays hit.
 #pragma once
 
 #include "device/embree_scene.hpp"
@@ -6,7 +5,6 @@
 
 namespace lippmann {
 
-/// Fills the table of splats, and builds their Embree scene for the node transforms in `resolved`.
 void place_splats(const BuiltScene& built, const ResolvedScene& resolved);
 
 /// Adds to `hits` the splats that the active lanes hit between tnear and tfar. The lanes must come from sound_lanes().

@@ -1,8 +1,7 @@
 // The splats along sixteen rays, nearest first.
 //
-// The list of a ray ends where the transmittance falls below kDark. Splats behind this point are dropped, and the search stops
-// there. The final list does not depend on the order in which splats are found. A splat is only dropped if the splats in front
-// of it are opaque enough, and further splats in front only lower the transmittance.
+// The list of a ray ends where the transmittance falls below kDark. The order in which splats are found does not affect the
+// list.
 #pragma once
 
 #include <algorithm>
@@ -18,13 +17,13 @@ namespace lippmann {
 inline constexpr float kDark = 1.0f / 1024.0f;
 
 struct SplatHit {
-  float t;              ///< distance along the ray at which the splat has its maximum
-  float alpha;          ///< opacity of the splat at distance t
-  float left;           ///< transmittance of this splat and all splats in front of it
-  std::uint32_t splat;  ///< index in SplatTable::splats
+  float t;
+  float alpha;  ///< opacity of the splat at distance t
+  float left;   ///< transmittance of this splat and all splats in front of it
+  std::uint32_t splat;
 };
 
-/// The hits of each lane. The memory is reused from packet to packet.
+/// The memory is reused from packet to packet.
 class SplatHits {
  public:
   void clear() {

@@ -8,15 +8,14 @@
 namespace lippmann {
 namespace {
 
-// Padding of boxes relative to their coordinates. It is larger than the rounding errors of ray intersections.
+// Padding of boxes relative to their coordinates, larger than the rounding errors of ray intersections.
 constexpr float kPadding = 1e-5f;
 
 struct Slab {
   float enter, leave;
 };
 
-/// Intersects a ray with the slab between two planes across one axis. A direction of 0 is replaced by a tiny one, so that rays
-/// parallel to the slab are tested correctly.
+/// A direction of 0 is replaced by a tiny one, so that rays parallel to the slab are tested correctly.
 LIPPMANN_INLINE Slab cross(float lower, float upper, float origin, float direction) {
   const float inverse = std::copysign(1.0f / std::max(std::abs(direction), 1e-20f), direction);
   const float a = (lower - origin) * inverse, b = (upper - origin) * inverse;
@@ -26,9 +25,8 @@ LIPPMANN_INLINE Slab cross(float lower, float upper, float origin, float directi
 LIPPMANN_INLINE float larger(float a, float b) { return a > b ? a : b; }
 LIPPMANN_INLINE float smaller(float a, float b) { return a < b ? a : b; }
 
-/// Intersects n rays with a box. The rays are in Embree's layout, which consists of arrays of n words. `lowest` holds, for each
-/// ray, the lowest horizon (HorizonBox) of the boxes that the ray has hit. Rays that hit a box with horizon 0 end, because no
-/// horizon is lower.
+/// Intersects n rays in Embree's layout (arrays of n words) with a box. `lowest` holds, for each ray, the lowest horizon
+/// (HorizonBox) of the boxes that it has hit. Rays that hit a box with horizon 0 end, because no horizon is lower.
 LIPPMANN_INLINE void meet_lanes(const Vec3f lower, const Vec3f upper, float horizon, const int* valid, float* words, unsigned n,
                                 float* lowest) {
   const auto* id = reinterpret_cast<const unsigned*>(words + 10 * n);
@@ -46,7 +44,6 @@ LIPPMANN_INLINE void meet_lanes(const Vec3f lower, const Vec3f upper, float hori
 
 }  // namespace
 
-/// The finite boxes after padding, and the Embree scene that contains them.
 struct TouchProbe::Boxes {
   struct Box {
     Vec3f lower, upper;
@@ -108,7 +105,7 @@ TouchProbe::~TouchProbe() = default;
 std::uint8_t TouchProbe::lowest_met(const RayPacket& rays, const LaneMask& active) const {
   RayPacket packet = rays;
   ShadowContext context;
-  make_ready(packet);  // sets the fields that only src/device uses, which shadow rays lack before they are traced
+  make_ready(packet);  // shadow rays lack these fields before they are traced
   std::fill_n(context.transmittance, kLanes, static_cast<float>(everything_));
   if (!boxes_->boxes.empty())
     occluded(boxes_->scene.get(), boxes_->native_width, sound_lanes(packet, kLargestReach, active), packet, context);

@@ -11,10 +11,8 @@
 
 namespace lippmann {
 
-/// Tests rays against a set of boxes. Thread-safe.
 class TouchProbe {
  public:
-  /// Uses the Embree device of `scene`, which must outlive this object.
   TouchProbe(const RayScene& scene, const std::vector<HorizonBox>& boxes);
   ~TouchProbe();
   TouchProbe(const TouchProbe&) = delete;
@@ -29,7 +27,7 @@ class TouchProbe {
   std::uint8_t everything_ = TouchedBlocks::kNever;  ///< lowest horizon of the infinite boxes, which all rays hit
 };
 
-/// Collects the lowest horizon that the rays of one block have met.
+/// Collects the lowest horizon (see TouchedBlocks) that the rays of one block have met.
 class BlockProbe {
  public:
   explicit BlockProbe(const TouchProbe& probe) : probe_(probe) {}
@@ -37,7 +35,7 @@ class BlockProbe {
   void add(const RayPacket& rays, const LaneMask& active) {
     if (lowest_ > 0) lowest_ = std::min(lowest_, probe_.lowest_met(rays, active));
   }
-  /// Returns the lowest horizon (see TouchedBlocks) that rays of the block have met, and resets the probe for the next block.
+  /// Returns the lowest horizon, and resets the probe for the next block.
   std::uint8_t take() { return std::exchange(lowest_, TouchedBlocks::kNever); }
 
  private:

@@ -1,12 +1,11 @@
 // Finds the blocks of a frame whose rays hit given boxes. Rays of all kinds count.
 //
-// A block is the unit of tracing: neighbouring packets, and the mirrored and refracted rays that follow from them. Retracing a
-// block gives the same bits, whether alone or with other blocks. Retracing single pixels does not, because the rays that share
-// a packet affect rounding.
+// A block is neighbouring packets, and the mirrored and refracted rays that follow from them. Retracing a block gives the same
+// bits, whether alone or with other blocks. Retracing single pixels does not, because the rays that share a packet affect
+// rounding.
 //
-// If boxes enclose everything that moves in the following frames, the blocks without hits provably stay unchanged, because
-// their rays meet only static objects and static light. Based on the voxels of D. A. Jevans, "Object space temporal coherence
-// for ray tracing", Graphics Interface 1992.
+// If boxes enclose everything that moves in the following frames, the blocks without hits provably stay unchanged. Based on the
+// voxels of D. A. Jevans, "Object space temporal coherence for ray tracing", Graphics Interface 1992.
 #pragma once
 
 #include <cstdint>
@@ -17,17 +16,17 @@
 namespace lippmann {
 
 struct HorizonBox {
-  Bounds3f bounds;           ///< bounds in world space, which may be infinite
+  Bounds3f bounds;
   std::uint8_t horizon = 0;  ///< number that the caller assigns to the box, < 255
 };
 
 struct TouchedBlocks {
   static constexpr std::uint8_t kNever = 255;
 
-  std::vector<HorizonBox> boxes;  ///< input: the boxes to test
+  std::vector<HorizonBox> boxes;
   /// Output: for each block, the lowest horizon of the boxes that its rays hit; kNever: no box hit.
   std::vector<std::uint8_t> lowest_horizon;
-  std::vector<std::uint32_t> rays;  ///< output: for each block, the number of traced rays
+  std::vector<std::uint32_t> rays;
 };
 
 }  // namespace lippmann

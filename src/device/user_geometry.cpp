@@ -13,7 +13,7 @@ void bounds_callback(const RTCBoundsFunctionArguments* args) {
   const Vec3f size = b.size();
   const float extent = size.x + size.y + size.z;
   if (!(extent > 0.0f && std::isfinite(extent))) b = {};  // no ray can hit a primitive scaled to 0, so its bounds are empty
-  // The bounds are padded by 10^-6, so that rays that graze the exact surface do not miss the rounded bounds.
+  // Without padding, rays that graze the exact surface could miss the rounded bounds.
   const Vec3f pad = 1e-6f * glm::max(glm::abs(b.lower), glm::abs(b.upper));
   args->bounds_o->lower_x = b.lower.x - pad.x, args->bounds_o->upper_x = b.upper.x + pad.x;
   args->bounds_o->lower_y = b.lower.y - pad.y, args->bounds_o->upper_y = b.upper.y + pad.y;

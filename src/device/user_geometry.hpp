@@ -1,5 +1,4 @@
-// Analytic primitives as Embree user geometries, with one geometry per kind of primitive. A geometry's callbacks test one
-// primitive against a whole packet.
+// Analytic primitives as Embree user geometries, with one geometry per kind of primitive.
 #pragma once
 
 #include "device/embree_shim.hpp"
@@ -7,7 +6,7 @@
 
 namespace lippmann {
 
-/// These functions return a committed geometry that reads `table`. The table must outlive the geometry, at the same address.
+/// Returns a committed geometry that reads `table`, which must outlive the geometry, at the same address.
 EmbreeGeometry make_user_geometry(RTCDevice device, PrimitiveTable<WorldSphere>& table);
 EmbreeGeometry make_user_geometry(RTCDevice device, PrimitiveTable<WorldCylinder>& table);
 EmbreeGeometry make_user_geometry(RTCDevice device, PrimitiveTable<WorldRing>& table);

@@ -12,19 +12,19 @@
 namespace lippmann {
 
 struct WorldSplat {
-  float m[9];     ///< columns of the matrix from world offsets to offsets in standard deviations
-  float x, y, z;  ///< centre in world space
+  float m[9];  ///< columns of the matrix from world offsets to offsets in standard deviations
+  float x, y, z;
   float opacity;
-  float reach;                ///< squared distance from the centre up to which the splat is visible, in squared sigmas
-  std::uint32_t source, set;  ///< source: index of the splat within its set; set: index in SplatTable::sets
+  float reach;  ///< squared distance from the centre up to which the splat is visible, in squared standard deviations
+  std::uint32_t source, set;
 };
 static_assert(sizeof(WorldSplat) == 64, "one line of the cache");
 
-/// The point of a ray that is nearest to the splat, if distances are measured in standard deviations. `squared` is the point's
-/// squared distance from the splat's centre. The ray's direction must have unit length.
+/// The point of a ray that is nearest to the splat in standard deviations, and its squared distance from the splat's centre.
+/// The ray's direction must have unit length.
 ///
-/// approach() computes this point as an offset from the ray's point that is nearest to the centre in world space. The detour
-/// avoids cancellation for distant eyes and flat splats.
+/// approach() computes this point as an offset from the ray's point that is nearest to the centre in world space, which avoids
+/// cancellation for distant eyes and flat splats.
 struct SplatApproach {
   float t, squared;
 };
@@ -44,7 +44,7 @@ LIPPMANN_INLINE SplatApproach approach(const WorldSplat& s, const LaneRay& r) {
   return {near + along, fx * fx + fy * fy + fz * fz};
 }
 
-/// Returns the splat's opacity at a point. `squared` is the squared distance of the point from the centre, in squared standard
+/// Returns the splat's opacity at a point. `squared` is the point's squared distance from the centre, in squared standard
 /// deviations.
 LIPPMANN_INLINE float alpha_at(const WorldSplat& s, float squared) {
   constexpr float kHalfLog2E = 0.72134752f;
