@@ -9,13 +9,12 @@ namespace lippmann {
 namespace {
 
 constexpr int kFilterSteps[] = {1, 2, 4};
-/// Added to the albedo before light is divided by the albedo. Highlights do not scale with the albedo, so on dark surfaces the
-/// quotient would otherwise become very large.
+/// Added to the albedo before light is divided by it. Highlights do not scale with the albedo, so on dark surfaces the quotient
+/// would otherwise become very large.
 constexpr float kLeastFactor = 0.04f;
-/// Upper limit of light. Sums of squares of larger values would overflow.
+/// Sums of squares of brighter light would overflow.
 constexpr float kMostLight = 1e15f;
 
-/// Calls fn(pixel), in parallel, for each pixel of the views that shows a surface.
 template <class Fn>
 void for_each_texel(const SortedViews& views, const Texels& texels, const ThreadPool& pool, const Fn& fn) {
   const Vec2i size = views.size();
@@ -33,8 +32,7 @@ void set_rgb(Vec3f color, float* image, std::size_t p) {
 
 Vec3f limited(Vec3f light) { return glm::clamp(light, Vec3f(-kMostLight), Vec3f(kMostLight)); }
 
-/// Returns the factor that converts Texels::light of pixel p to light in the film. Texels::albedo must already be divided by
-/// `met`.
+/// Returns the factor from Texels::light of pixel p to light in the film. Texels::albedo must already be divided by `met`.
 Vec3f factor_of(const Texels& texels, std::size_t p) { return texels.met[p] * (rgb(texels.albedo, p) + Vec3f(kLeastFactor)); }
 
 }  // namespace
@@ -61,8 +59,7 @@ int Denoiser::rows_around(const Optics& optics) {
   for (const int step : kFilterSteps) rows += step * (kNeighbours / 2);
   const int film_rows = film_size(optics).y;
   if (const std::optional<ViewTiles> tiles = view_tiles(optics)) return tiles->rows > 1 ? film_rows : rows;
-  // Without tiles, a row of a view is a row of lenses. Two rows are added because hexagonal cells overlap the rows of lenses
-  // above and below.
+  // Two rows are added because hexagonal cells overlap the rows of lenses above and below.
   if (const std::optional<LensCells> cells = lens_cells(optics))
     return std::min(film_rows, std::max(rows, static_cast<int>(std::ceil((rows + 2) * cells->cell_px.y))));
   return rows;

@@ -11,37 +11,33 @@
 namespace lippmann {
 namespace {
 
-// Standard deviations of the Gaussian weights that compare two surfaces. docs/lab/decisions/0013 has the measurements
-// behind them.
-constexpr float kNormalSpread = 0.2f;  ///< standard deviation of the length of the difference between two unit normals
+// Standard deviations of the Gaussian weights that compare two surfaces. docs/lab/decisions/0013 has the measurements behind
+// them.
+constexpr float kNormalSpread = 0.2f;  ///< length of the difference between two unit normals
 constexpr float kAlbedoSpread = 0.2f;
 constexpr float kMetSpread = 0.2f;
-/// Standard deviation of a point's distance from the plane of the surface. The unit is the distance between samples.
+/// Distance of a point from the plane of the surface, in distances between samples.
 constexpr float kPlaneSpread = 3.0f;
-/// Relative difference in light that counts as one standard deviation, in addition to the noise. Smaller differences are
-/// invisible.
 constexpr float kRelativeSpread = 0.01f;
 
 constexpr int kViewReach = 3;  ///< number of views searched to the left, to the right, up and down
 
 // Thresholds of the test for fireflies (find_outliers()).
-/// Minimum ratio of noise to light. The ratio is 0.4 if one half of the samples has 70 % of the light.
+/// Minimum ratio of noise to light. A ratio of 0.4 means that one half of the samples has 70 % of the light.
 constexpr float kOneHalf = 0.4f;
-constexpr float kBrighter = 2.0f;         ///< minimum ratio of the pixel's light to the light of its second-brightest neighbour
-constexpr float kSameMaterial = 4.0f;     ///< maximum material_difference() of two pixels of the same material
-constexpr float kLeastNeighbours = 8.0f;  ///< minimum number of neighbours of the same material
+constexpr float kBrighter = 2.0f;  ///< minimum ratio of the pixel's light to the light of its second-brightest neighbour
+constexpr float kSameMaterial = 4.0f;
+constexpr float kLeastNeighbours = 8.0f;
 
 /// A neighbour gets a lower weight if its variance exceeds the pixel's variance by more than this factor. Otherwise the noisy
 /// edge of a highlight would spread into its surroundings.
 constexpr float kInfluence = 16.0f;
 
-/// Largest squared change of light by the filter that counts as removed noise, as a fraction of the estimated variance. The
-/// estimate is about twice the true variance (NoisyFrame::noise). Sums over 7 x 7 pixels are accurate to about 25 %.
+/// If the filter's squared change of light is below this fraction of the estimated variance, the change counts as removed
+/// noise. The estimated variance is about twice the true variance (NoisyFrame::noise).
 constexpr float kExplained = 0.7f;
 
 constexpr float kNoNoise = 1e-10f;
-
-// ---- Rows of a part of a view: one array per component, with margins on both sides --------------------------------------
 
 constexpr int kColumns = 128, kMargin = 8, kRow = kColumns + 2 * kMargin;
 constexpr int kRowsPerPiece = 16;
@@ -49,7 +45,7 @@ constexpr int kRowsPerPiece = 16;
 struct alignas(64) SurfaceRow {
   float x[kRow], y[kRow], z[kRow];
   float normal_x[kRow], normal_y[kRow], normal_z[kRow];
-  float red[kRow], green[kRow], blue[kRow];  ///< albedo
+  float red[kRow], green[kRow], blue[kRow];
   float met[kRow];
   float there[kRow];  ///< 1 if the pixel shows a surface; 0 if not, and then the other arrays are undefined
 };
@@ -77,13 +73,12 @@ LIPPMANN_INLINE void set_light(const float* light, float variance, int i, LightR
 
 void set_light(const Estimate& estimate, int i, LightRow& row) { set_light(&estimate.light.x, estimate.variance, i, row); }
 
-/// A rectangle of a view that one task processes: `columns` columns from `column` on, and `rows` rows from `row` on. The rows
-/// are `stride` rows apart.
+/// A rectangle of a view that one task processes. Its first column is `column` and its first row is `row`. Rows are `stride`
+/// rows apart.
 struct Piece {
   int view, column, columns, row, rows, stride;
 };
 
-/// Calls fn(piece), in parallel, for pieces that cover all views.
 template <class Fn>
 void for_each_piece(const SortedViews& views, int stride, const ThreadPool& pool, const Fn& fn) {
   const Vec2i size = views.size();
@@ -102,8 +97,7 @@ void for_each_piece(const SortedViews& views, int stride, const ThreadPool& pool
   });
 }
 
-/// The `kHeight` rows of a view around the current row. If a piece is processed from top to bottom, each row is loaded only
-/// once.
+/// The `kHeight` rows of a view around the current row. From top to bottom, each row is loaded only once.
 template <int kHeight, class Row>
 class RowWindow {
  public:
@@ -145,7 +139,6 @@ class RowWindow {
   std::array<const Row*, kHeight> around_;
 };
 
-/// Calls fn(y) for each row of a piece in which any pixel shows a surface.
 template <class Fn>
 void for_each_row(const SortedViews& views, const Piece& piece, const float* met, const Fn& fn) {
   for (int row = 0; row < piece.rows; ++row) {
@@ -157,7 +150,6 @@ void for_each_row(const SortedViews& views, const Piece& piece, const float* met
   }
 }
 
-/// Calls fn(pixel, column) for each pixel of row y that shows a surface. `column` counts from the first column of the piece.
 template <class Fn>
 void for_each_pixel(const SortedViews& views, const Piece& piece, int y, const float* met, const Fn& fn) {
   const std::uint32_t* pixels = views.row(piece.view, y) + piece.column;
@@ -170,15 +162,12 @@ int whole_lanes(int columns) { return (columns + 15) / 16 * 16; }
 
 #define LIPPMANN_FOR_COLUMNS(i, count) _Pragma("GCC ivdep") for (int i = 0; i < (count); ++i)
 
-// ---- Weights --------------------------------------------------------------------------------------------------------------
-
 LIPPMANN_INLINE float square(float x) { return x * x; }
 LIPPMANN_INLINE float squares(float x, float y, float z) { return x * x + y * y + z * z; }
 constexpr float inverse_square(float x) { return 1.0f / (x * x); }
 LIPPMANN_INLINE float least(float a, float b) { return a < b ? a : b; }
 LIPPMANN_INLINE float most(float a, float b) { return a > b ? a : b; }
 
-/// Returns the sum of the squared differences in normal, albedo and coverage. Each difference is divided by its spread.
 LIPPMANN_INLINE float material_difference(const SurfaceRow& a, int i, const SurfaceRow& b, int j) {
   return squares(a.normal_x[i] - b.normal_x[j], a.normal_y[i] - b.normal_y[j], a.normal_z[i] - b.normal_z[j]) *
              inverse_square(kNormalSpread) +
@@ -195,8 +184,7 @@ LIPPMANN_INLINE float light_difference(const LightRow& a, int i, const LightRow&
   return most(difference, 0.0f) / (variance + visible);
 }
 
-/// Returns a factor from 0 to 1 for the weight of a neighbour with the variance `of_other`. The factor is below 1 if the
-/// neighbour is much noisier (see kInfluence).
+/// Returns a factor from 0 to 1 for the weight of a neighbour, below 1 if it is much noisier (see kInfluence).
 LIPPMANN_INLINE float influence(float variance, float of_other) {
   return least(1.0f, kInfluence * (variance + kNoNoise) / (of_other + kNoNoise));
 }
@@ -208,8 +196,8 @@ LIPPMANN_INLINE float weight_of(float difference) {
   return power;
 }
 
-/// Scaled normals of the points of a row. The dot product of a normal and the offset to another point is that point's distance
-/// from the plane, divided by kPlaneSpread sample distances.
+/// Scaled normals of the points of a row. The dot product with an offset is the distance from the plane, divided by
+/// kPlaneSpread sample distances.
 struct alignas(64) PlaneRow {
   float x[kColumns], y[kColumns], z[kColumns];
 };
@@ -251,14 +239,12 @@ LIPPMANN_INLINE void add(const LightRow& light, int j, float weight, SumRow& sum
   sums.weight[i] += weight;
 }
 
-// ---- Kernels: each computes one row of a piece --------------------------------------------------------------------------
-
 using RowsOfFive = std::array<const TexelRow*, kNeighbours>;
 using RowsOfSeven = std::array<const TexelRow*, 7>;
 static_assert(2 * kOutlierReach + 1 == 7 && 2 * kBlurReach + 1 == 7 && 2 * kGuideReach + 1 == kNeighbours);
 
-/// Results of a search among the neighbours of each pixel, within 7 x 7 pixels and of the same material. `brightest` and
-/// `second` are the squared light of the two brightest neighbours; `neighbours` is the number of neighbours.
+/// The squared light of the two brightest neighbours of each pixel, among neighbours within 7 x 7 pixels and of the same
+/// material.
 struct alignas(64) BrightRow {
   float brightest[kColumns], second[kColumns], neighbours[kColumns];
 };
@@ -325,15 +311,13 @@ void smooth_row(const RowsOfFive& rows, int step, float distance_mm, float verge
   }
 }
 
-/// Data that gather() reads for a row of pixels. The pixels may come from several rows of another view.
 struct GatherRow {
   SurfaceRow surface{};
   LightRow light{}, guide{};
 };
 
 /// Positions of the points of a row in another view. `column` and `row` are those of the pixel to the left of the point.
-/// `right` is 1 if the pixel to the right of the point contributes as well. Positions outside the view are clamped to just
-/// beyond its edge.
+/// `right` is 1 if the pixel to the right of the point contributes as well.
 struct alignas(64) PlaceRow {
   int column[kColumns], row[kColumns], right[kColumns];
 };
@@ -417,8 +401,6 @@ void add_changes(const std::array<const BlurRow*, 7>& rows, int count, ChangeRow
 
 }  // namespace
 
-// ---- Passes over a frame ------------------------------------------------------------------------------------------------
-
 void find_outliers(const SortedViews& views, const Texels& texels, const ThreadPool& pool, std::vector<Estimate>& estimates) {
   for_each_piece(views, 1, pool, [&](const Piece& piece) {
     RowWindow<7, TexelRow> window(views, piece);
@@ -492,7 +474,6 @@ class Gatherer {
     set_light(guides_[p], i, row.guide);
   }
 
-  /// Adds the four pixels of a view around each point.
   void add_view(int view) {
     const int lanes = whole_lanes(columns_);
     for (int below = 0; below < 2; ++below) {

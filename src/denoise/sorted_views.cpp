@@ -36,15 +36,14 @@ void for_each_line(const Optics& optics, double vergence, const Fn& fn) {
   }
 }
 
-/// Returns the column and row of the pixel within its cell. Positions on the boundary between two pixels occur below many
-/// lenses. The constant moves them off the boundary, because otherwise rounding errors would choose the pixel.
+/// Below many lenses, positions lie exactly between two pixels. The constant moves them off this boundary, so that rounding
+/// errors do not choose the pixel.
 Vec2i in_cell_px(const LensCells::Cell& cell) { return Vec2i(glm::floor(cell.in_cell + 0.0137)); }
 
-/// Ranges of the lens indices, and of the pixel indices within cells.
 struct LensBounds {
   std::map<int, Vec2i> columns_of_rows;
   Vec2i first_px{std::numeric_limits<int>::max()}, last_px{std::numeric_limits<int>::min()};
-  int most_in_row = 0;  ///< maximum number of pixels below one lens within one row of the film
+  int most_in_row = 0;
 
   void add(const LensCells::Cell& cell, int row) {
     Vec2i& columns = columns_of_rows.try_emplace(cell.lens.y, cell.lens.x, cell.lens.x).first->second;
@@ -84,7 +83,7 @@ void SortedViews::sort_by_tiles(const Optics& optics, RowRange rows) {
   const ViewLayout layout = view_tiles(optics) ? film_layout(optics, "denoise") : ViewLayout{LayoutKind::kStack, {1, 1}, {}};
   grid_ = layout.grid;
   const Vec2i size = view_size(layout, film, "denoise"), middle = size / 2;
-  const bool one_row = size.y == film.y;  // true if the quilt has a single row of tiles
+  const bool one_row = size.y == film.y;
   first_row_ = one_row ? rows.first : 0;
   size_ = {size.x, one_row ? rows.end - rows.first : size.y};
   shifts_.assign(static_cast<std::size_t>(size_.y + 2 * kBeyond), 0.0f);
@@ -119,7 +118,7 @@ int SortedViews::free_view(Vec2i at, int x, int y) const {
 void SortedViews::sort_by_lenses(const Optics& optics, const LensCells& cells, RowRange rows) {
   const auto is_in_rows = [rows](const PixelLine& line) { return line.row >= rows.first && line.row < rows.end; };
   LensBounds bounds;
-  Vec2i lens_rows(std::numeric_limits<int>::max(), std::numeric_limits<int>::min());  // first and last row of lenses
+  Vec2i lens_rows(std::numeric_limits<int>::max(), std::numeric_limits<int>::min());
   for_each_line(optics, vergence_, [&](const PixelLine& line) {
     const LensCells::Cell cell = cells.cell_of(line.place, line.k, line.row);
     bounds.add(cell, line.row);
@@ -151,8 +150,7 @@ void SortedViews::sort_by_lenses(const Optics& optics, const LensCells& cells, R
     pixels_[slot(view, y) + static_cast<std::size_t>(x)] = line.pixel - before;
     shifts_[static_cast<std::size_t>(y + kBeyond)] = static_cast<float>(at.x - cell.in_lens - x);
   });
-  // A view may hold only surplus pixels of its neighbours and then has no direction of its own. It gets the Sight of the
-  // previous view.
+  // A view without pixels in its own direction gets the Sight of the previous view.
   Sight sight;
   for (const Sums& sum : sums) {
     if (sum.pixels > 0.0) sight = {Vec2f(sum.k / sum.pixels), Vec2f(sum.first / sum.pixels)};

@@ -7,8 +7,7 @@
 // The views of a quilt are its tiles. Optics with lenses have views with one pixel below each lens. If lenses cover a whole
 // number of pixels, it is the same pixel below every lens. Otherwise it is the pixel whose ray is nearest to the view's
 // direction, to within half a pixel. The grid of a view has gaps at the panel's edge, for hexagonal lenses, and for lenses of a
-// fractional width. The pixels of a slanted panel are its sub-pixels. All other optics have a single view, which is the film.
-// Lenses narrower than a pixel also give a single view.
+// fractional width. All other optics have a single view, which is the film.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +21,6 @@ namespace lippmann {
 
 struct LensCells;
 
-/// Rows `first` to `end` - 1 of a film.
 struct RowRange {
   int first, end;
 };
@@ -32,12 +30,10 @@ class SortedViews {
   static constexpr std::uint32_t kNoPixel = 0xffffffff;
 
   /// `rows` are the rows of the film that a frame holds. Pixel indices count from the first pixel of these rows. Views have the
-  /// columns and rows of the views of the whole film, except for rows that have no pixel in the frame.
+  /// columns and rows of the whole film's views, except for rows without a pixel in the frame.
   SortedViews(const Optics& optics, RowRange rows);
 
-  /// Returns the width and height of a view, in pixels.
   Vec2i size() const { return size_; }
-  /// Returns the number of columns and rows of views. The index of a view is row * columns + column.
   const ViewGrid& grid() const { return grid_; }
   int views() const { return grid_.count(); }
 
@@ -46,8 +42,8 @@ class SortedViews {
 
   /// How a view maps points to pixels. k is the direction of the view's rays (see the top of this file). A position `place` in
   /// the plane z = 0 belongs to column samples_per_mm.x place.x - first.x - shifts()[row], and to row first.y -
-  /// samples_per_mm.y place.y - first_row(). This is exact if lenses cover a whole number of pixels. Otherwise the direction
-  /// may differ by half a pixel.
+  /// samples_per_mm.y place.y - first_row(). If lenses do not cover a whole number of pixels, the direction may differ by half
+  /// a pixel.
   struct Sight {
     Vec2f k{0.0f}, first{0.0f};
   };
@@ -55,20 +51,17 @@ class SortedViews {
   /// Returns the offset of the first lens of each row, in columns. Valid indices are -kBeyond to size().y + kBeyond - 1.
   const float* shifts() const { return shifts_.data() + kBeyond; }
   static constexpr int kBeyond = 2;
-  /// Returns the index of row 0 of these views within the rows of the whole film's views.
   int first_row() const { return first_row_; }
-  float vergence() const { return vergence_; }  ///< returns 1 / viewing distance, per mm
+  float vergence() const { return vergence_; }
   Vec2f samples_per_mm() const { return samples_per_mm_; }
 
-  /// Returns the distance between neighbouring samples of a view in the plane z = 0, in mm. If the distances along x and y
-  /// differ, returns the larger one.
+  /// Returns the distance between neighbouring samples of a view in the plane z = 0, in mm: the larger of those along x and y.
   float sample_distance_mm() const { return std::max(1.0f / samples_per_mm_.x, 1.0f / samples_per_mm_.y); }
 
  private:
   void sort_by_tiles(const Optics& optics, RowRange rows);
   void sort_by_lenses(const Optics& optics, const LensCells& cells, RowRange rows);
-  /// Looks in row at.y of the grid of views for views without a pixel at (x, y). Returns the one nearest to column at.x, or -1
-  /// if there is none.
+  /// Returns the nearest view to column at.x among those in row at.y of the grid that have no pixel at (x, y), or -1.
   int free_view(Vec2i at, int x, int y) const;
   std::size_t slot(int view, int y) const {
     return (static_cast<std::size_t>(view) * static_cast<std::size_t>(size_.y) + static_cast<std::size_t>(y)) *
