@@ -1,8 +1,8 @@
 // The interface to OpenCV: a module (liblippmann_align.so) that is loaded on first use.
 //
-// OpenCV is optional, and loading it loads about thirty shared libraries. The rest of the program therefore uses only this
-// interface, which src/align/opencv implements. The origin of pixel positions is the corner of the top-left pixel. OpenCV runs
-// single-threaded, so that results do not depend on the number of threads. The functions are thread-safe.
+// OpenCV is optional, and loading it loads about thirty shared libraries. The origin of pixel positions is the corner of the
+// top-left pixel. OpenCV runs single-threaded, so that results do not depend on the number of threads. The functions are
+// thread-safe.
 #pragma once
 
 #include <array>
@@ -15,13 +15,11 @@
 
 namespace lippmann {
 
-/// Feature points of an image with their descriptors.
 struct Features {
   std::vector<Vec2f> places;
   std::vector<std::array<float, 128>> descriptors;
 };
 
-/// A point found in two images, given by the indices of its features.
 struct FeatureMatch {
   std::uint32_t first = 0, second = 0;
 };
@@ -29,8 +27,8 @@ struct FeatureMatch {
 class AlignModule {
  public:
   virtual ~AlignModule() = default;
-  /// Returns the strongest features, at most `most`. SIFT: D. Lowe, "Distinctive image features from scale-invariant
-  /// keypoints", IJCV 60(2), 2004.
+  /// Returns at most the `most` strongest features. SIFT: D. Lowe, "Distinctive image features from scale-invariant keypoints",
+  /// IJCV 60(2), 2004.
   virtual Features features(const GreyPicture& picture, int most) const = 0;
   /// Returns pairs of features with similar descriptors: each is the other's nearest neighbour and clearly nearer than the
   /// second nearest one. Pairs are in the order of the first image's features.
@@ -40,11 +38,10 @@ class AlignModule {
   virtual Image disparity(const GreyPicture& first, const GreyPicture& second, int least, int most) const = 0;
 };
 
-/// Version of this header, to be increased with every change. A module of another version is refused.
+/// Increase with every change of this header. A module of another version is refused.
 inline constexpr int kAlignModuleVersion = 1;
 
-/// Loads the module on the first call. Thread-safe. Throws Error naming the module and what is missing: the module itself or a
-/// library that it needs.
+/// Loads the module on the first call. Thread-safe. Throws Error naming the module and what is missing.
 const AlignModule& align_module();
 
 }  // namespace lippmann

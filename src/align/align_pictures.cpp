@@ -21,8 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMaxPictures = 500;  ///< limits the memory for features and reduced images
-constexpr int kMinSidePx = 16;             ///< smallest side of the common area
+constexpr std::size_t kMaxPictures = 500;
+constexpr int kMinSidePx = 16;
 
 void require_other_folder(const AlignParams& params) {
   std::error_code ignored;
@@ -38,8 +38,8 @@ Vec2d focus_of(const AlignParams& params, Vec2i size) {
   return focus;
 }
 
-/// Finds the largest window of whole pixels that every image covers. For the small rotations of cameras in a row, the window is
-/// bounded by the innermost corners.
+/// Finds the largest window of whole pixels that every image covers. For the small rotations of cameras in a row, the innermost
+/// corners bound it.
 void find_window(const std::vector<Similarity>& pictures, AlignedPictures& result) {
   const Vec2d size(result.read_size);
   Vec2d low(-1e300), high(1e300);

@@ -8,12 +8,11 @@ namespace lippmann {
 namespace {
 
 constexpr std::size_t kNearPlaces = 15;
-constexpr int kSearchPx = 3;  ///< search radius around the predicted position, in pixels of the reduced images
+constexpr int kSearchPx = 3;
 constexpr int kRefinements = 12;
 constexpr double kMinLikeness = 0.7;  ///< smallest correlation of two patches that are taken to show the same point
 constexpr double kMinContrast = 2.0;  ///< smallest standard deviation of a patch that can be found again, in 8-bit grey codes
 
-/// Brightness of the pixels around a point, minus its mean and divided by its standard deviation.
 struct Patch {
   std::vector<double> values;
   double contrast = 0.0;
@@ -36,7 +35,6 @@ double code_at(const GreyPicture& grey, Vec2d place) {
          share.y * ((1.0 - share.x) * code(0, 1) + share.x * code(1, 1));
 }
 
-/// Searches for the focus point in one set of images.
 class FocusSearch {
  public:
   FocusSearch(const RegisteredPictures& registered, Vec2d focus)
@@ -67,8 +65,6 @@ class FocusSearch {
   }
 
  private:
-  /// Returns the horizontal motions, from image `from` to `picture`, of the shared points nearest to the focus, in ascending
-  /// order.
   std::vector<double> near_steps(std::size_t picture, std::size_t from, double known) const {
     const auto pair = std::find_if(registered_.shared.begin(), registered_.shared.end(), [&](const SharedPlaces& shared) {
       return shared.first == std::min(picture, from) && shared.second == std::max(picture, from);
@@ -92,7 +88,6 @@ class FocusSearch {
     return moves;
   }
 
-  /// Returns the patch of the aligned image around the focus point, shifted by `offset` pixels to the right.
   Patch patch(std::size_t picture, double offset) const {
     const Similarity back = inverse(registered_.pictures[picture]);
     const GreyPicture& grey = registered_.greys[picture];

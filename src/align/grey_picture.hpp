@@ -1,4 +1,4 @@
-// Grey images for comparisons. They have 8-bit codes, row-major from the top left.
+// Grey images for comparisons, with 8-bit codes, row-major from the top left.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +14,7 @@ struct GreyPicture {
   std::vector<std::uint8_t> codes;
 };
 
-/// Returns the mean of the channels' sRGB codes. If a side is longer than `longest` pixels, the image is reduced by area
-/// averaging.
+/// Returns the mean of the channels' sRGB codes. If a side is longer than `longest` pixels, the image is reduced.
 GreyPicture grey_of(const Picture& picture, int longest);
 
 }  // namespace lippmann

@@ -12,8 +12,8 @@ struct Range {
   double low = 0.0, high = 0.0;
 };
 
-/// Returns the range of the horizontal motion of a pair's points: x in the other image minus x in the middle image. The share
-/// kLeftOut of the points is left out at each end.
+/// Returns the range of the horizontal motion of a pair's points: x in the other image minus x in the middle image. The
+/// fraction kLeftOut of the points is left out at each end.
 Range range_in(const RegisteredPictures& registered, const SharedPlaces& pair) {
   std::vector<double> moves;
   for (std::size_t i = 0; i < pair.in_first.size(); ++i)

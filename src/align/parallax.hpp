@@ -22,10 +22,9 @@ struct Parallax {
 /// extrapolates from images nearer to the middle.
 Parallax parallax_of(const RegisteredPictures& registered);
 
-/// The parallax of images that are cropped to the display's shape and fill it.
 struct ShownParallax {
   double mm_per_px = 0.0;
-  double lens_mm = 0.0;          ///< width of a lens
+  double lens_mm = 0.0;
   int views = 0;                 ///< number of views that the display can distinguish, at most one per image
   double resolved_lenses = 0.0;  ///< largest motion without visible tearing, in lenses: one per view step
 };

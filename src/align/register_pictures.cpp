@@ -16,10 +16,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kLongestPx = 1600;     ///< longer side of the compared images; noise and blur hide finer detail
-constexpr int kMaxFeatures = 2500;   ///< maximum number of features per image; matching time is quadratic in it
-constexpr int kMaxReaders = 8;       ///< maximum number of images that are read at once, since each is held in memory
-constexpr double kTolerance = 2e-3;  ///< vertical tolerance between neighbours, as a share of the longer side
+constexpr int kLongestPx = 1600;    ///< longer side of the compared images; noise and blur hide finer detail
+constexpr int kMaxFeatures = 2500;  ///< maximum number of features per image; matching time is quadratic in it
+constexpr int kMaxReaders = 8;
+constexpr double kTolerance = 2e-3;  ///< vertical tolerance between neighbours, as a fraction of the longer side
 constexpr std::size_t kMinPlaces = 20;
 
 std::vector<Features> features_of(const std::vector<fs::path>& files, RegisteredPictures& result, int threads,
@@ -40,7 +40,6 @@ std::vector<Features> features_of(const std::vector<fs::path>& files, Registered
   return features;
 }
 
-/// Returns the pairs of images to compare: each image with the next one, and each image with the middle one.
 std::vector<SharedPlaces> compared_pairs(std::size_t count, std::size_t middle) {
   std::vector<SharedPlaces> pairs;
   for (std::size_t i = 0; i + 1 < count; ++i) pairs.push_back({i, i + 1, {}, {}});
@@ -65,8 +64,8 @@ void require_places(const SharedPlaces& pair, const std::vector<fs::path>& files
               fmt::format("{} or more: pictures of one scene with texture, in the order of their cameras", kMinPlaces));
 }
 
-/// Rotates all images about the centre of the middle one until the line of the cameras is horizontal. If the rotation would
-/// have no visible effect, leaves the images alone, so that the middle image keeps its pixels.
+/// Rotates all images about the centre of the middle one until the line of the cameras is horizontal, unless the rotation would
+/// have no visible effect.
 void level(RegisteredPictures& registered, double slope) {
   constexpr double kVisiblePx = 0.1;
   if (std::abs(slope) * parallax_of(registered).total_px() < kVisiblePx) return;

@@ -1,5 +1,5 @@
-// Similarity transforms of an image plane, which consist of rotation, scale and translation. Positions are in pixels, x right
-// and y down from the corner of the top-left pixel.
+// Similarity transforms of an image plane: rotation, scale and translation. Positions are in pixels, x right and y down from
+// the corner of the top-left pixel.
 #pragma once
 
 #include <cmath>
@@ -20,7 +20,6 @@ struct Similarity {
   bool operator==(const Similarity&) const = default;
 };
 
-/// Returns the transform that applies `first`, then `second`.
 inline Similarity operator*(const Similarity& second, const Similarity& first) {
   const Vec2d moved = second(Vec2d(first.x, first.y));
   return {second.a * first.a - second.b * first.b, second.b * first.a + second.a * first.b, moved.x, moved.y};

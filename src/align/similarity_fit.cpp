@@ -13,8 +13,8 @@ namespace {
 /// Number of RANSAC samples. If 1/3 of the matches are correct, the chance that no sample has only correct matches is 1 in
 /// 10^8.
 constexpr int kSamples = 500;
-constexpr double kMaxTurn = 0.5, kMaxScale = 2.0;  ///< limits of |b| (rotation) and a (scale) between two images
-constexpr int kRounds = 8;                         ///< number of rounds, enough for the weights to converge
+constexpr double kMaxTurn = 0.5, kMaxScale = 2.0;
+constexpr int kRounds = 8;
 constexpr double kSlopeSigma = 0.02;  ///< standard deviation of the slope: a slider holds a camera level to about a degree
 
 /// Predicts the height b q.x + a q.y + y in the first image of a point q of the second image.
@@ -38,7 +38,6 @@ HeightRule rule_of(const std::array<Vec2d, 3>& q, const std::array<Vec2d, 3>& p)
 /// A symmetric matrix with leading zeros in its rows, solved by Cholesky factorisation, which preserves these zeros.
 class EnvelopeMatrix {
  public:
-  /// begins: the column of the first possible non-zero of each row, at most the diagonal.
   explicit EnvelopeMatrix(std::vector<std::size_t> begins) : begins_(std::move(begins)), rows_(begins_.size()) {
     for (std::size_t row = 0; row < rows_.size(); ++row) rows_[row].assign(row + 1 - begins_[row], 0.0);
   }
@@ -84,7 +83,6 @@ class PictureFit {
   PictureFit(const std::vector<SharedPlaces>& shared, std::size_t count, std::size_t fixed, Vec2i size)
       : shared_(shared), fixed_(fixed), middle_(0.5 * Vec2d(size)), unit_px_(0.5 * glm::length(Vec2d(size))), rules_(count) {}
 
-  /// Runs one round: computes weights from the errors of the last round, then solves the linear equations.
   void solve() {
     const double sigma = std::max(1.5 * median_error(), 0.01 / unit_px_);
     EnvelopeMatrix matrix(row_begins());
@@ -124,7 +122,7 @@ class PictureFit {
   std::size_t index_of(std::size_t picture) const { return 3 * (picture < fixed_ ? picture : picture - 1); }
 
   std::vector<std::size_t> row_begins() const {
-    std::vector<std::size_t> begins(unknowns(), 0);  // the last row belongs to the slope and has no leading zeros
+    std::vector<std::size_t> begins(unknowns(), 0);
     for (std::size_t row = 0; row < slope_index(); ++row) begins[row] = row / 3 * 3;
     for (const SharedPlaces& pair : shared_) {
       if (pair.first == fixed_ || pair.second == fixed_) continue;

@@ -2,7 +2,7 @@
 //
 // 1. Features visible in both images give the range of disparities.
 // 2. Semiglobal matching computes the disparities of the left image, and separately those of the right image.
-// 3. Disparities that the other image contradicts are removed, since points visible in only one image have no match.
+// 3. Disparities that the other image contradicts are removed.
 // 4. The holes are filled with the disparity of the farther neighbour in the row.
 //
 // Based on: H. Hirschmueller, "Stereo processing by semiglobal matching and mutual information", IEEE PAMI 30(2), 2008, as
@@ -27,13 +27,12 @@ namespace {
 
 constexpr int kMatchedPx = 1600, kMatchedFeatures = 3000;
 constexpr std::size_t kMinShared = 20;
-/// Limit for the median row difference of shared points, in pixels of the matched images. Beyond it, a warning is given.
+/// The pair causes a warning if the median row difference of shared points exceeds this, in pixels of the matched images.
 constexpr double kMaxRowError = 1.0;
 /// Largest difference between the disparities of both images at one point, in pixels of the matched images.
 constexpr double kMaxContradiction = 1.5;
 constexpr float kUnknown = -std::numeric_limits<float>::infinity();
 
-/// Mirrors an image horizontally.
 void mirror(Image& image) {
   for (int y = 0; y < image.height; ++y) std::reverse(image.pixel(0, y), image.pixel(0, y) + image.width);
 }
@@ -79,7 +78,6 @@ void warn_of_rows(const SharedPlaces& shared, const std::string& name, const Con
                     name, error));
 }
 
-/// Returns the range of the disparities of shared points, with a margin for surfaces without such points.
 DisparityRange range_of_pair(const SharedPlaces& shared) {
   std::vector<double> moves;
   for (std::size_t i = 0; i < shared.in_first.size(); ++i) moves.push_back(shared.in_first[i].x - shared.in_second[i].x);

@@ -1,6 +1,3 @@
-// Computes a disparity for every pixel of a stereo pair.
-//
-// The pair must be aligned (align/align_pictures.hpp), with each point in the same row of both images.
 #pragma once
 
 #include "lippmann/core/context.hpp"
@@ -13,7 +10,7 @@ namespace lippmann {
 /// 1 channel each, at most 1600 pixels a side. Points that only one image shows have the disparity of the surface behind them.
 struct StereoDisparity {
   Image of_left, of_right;
-  double least = 0.0, most = 0.0;  ///< range in which disparities were searched for
+  double least = 0.0, most = 0.0;
 };
 
 /// Computes the disparities of two images of one size. name: name of the pair in errors and warnings. Warns if the rows do not

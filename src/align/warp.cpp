@@ -19,7 +19,6 @@ double lanczos(double x) {
   return 3.0 * std::sin(t) * std::sin(t / 3.0) / (t * t);
 }
 
-/// Returns a table of the filter's weights for pixels -2 to 3, for positions between pixels 0 and 1.
 std::array<Taps, kPhases + 1> tap_table() {
   std::array<Taps, kPhases + 1> table{};
   for (int phase = 0; phase <= kPhases; ++phase) {
@@ -34,7 +33,6 @@ std::array<Taps, kPhases + 1> tap_table() {
   return table;
 }
 
-/// The pixels around a coordinate, clamped to the image, and their weights.
 struct TapPlace {
   std::array<int, kTaps> pixels{};
   const Taps* weights = nullptr;

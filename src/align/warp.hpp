@@ -1,4 +1,3 @@
-// Resamples a window of an aligned image.
 #pragma once
 
 #include "align/similarity.hpp"

@@ -1,4 +1,3 @@
-// Implements features, matching and dense disparity with OpenCV 4.5 or newer.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -17,7 +16,6 @@ namespace {
 
 static_assert(sizeof(std::array<float, 128>) == 128 * sizeof(float));
 
-/// Returns an OpenCV matrix that shares the memory of the image. OpenCV only reads it.
 cv::Mat matrix_of(const GreyPicture& picture) {
   return {picture.height, picture.width, CV_8UC1, const_cast<std::uint8_t*>(picture.codes.data())};
 }
@@ -27,7 +25,6 @@ cv::Mat matrix_of(const Features& features) {
           const_cast<float*>(features.descriptors.front().data())};
 }
 
-/// Returns, for each feature of `from`, the index of the most similar feature of `to`; -1 if another one is nearly as similar.
 std::vector<int> nearest_features(const Features& from, const Features& to) {
   // Largest ratio of the distances to the nearest and to the second nearest feature; Lowe, section 7.1.
   constexpr float kMaxRatio = 0.8f;
@@ -71,7 +68,7 @@ class OpenCvModule : public AlignModule {
   Image disparity(const GreyPicture& first, const GreyPicture& second, int least, int most) const override {
     constexpr int kBlock = 5, kSubPixels = 16;
     const int count = (most - least + 16) / 16 * 16;
-    // OpenCV computes no disparity for pixels whose search range leaves the other image. Therefore, extend both images by their
+    // OpenCV computes no disparity for pixels whose search range leaves the other image, so both images are extended by their
     // edge pixels.
     const int border = std::max(std::abs(least), std::abs(least + count)) + kBlock;
     cv::Mat wide_first, wide_second, found;
