@@ -14,7 +14,7 @@ struct WorkDone {
   int frame = 0;
   double seconds = 0.0;
   std::uint64_t rays = 0;
-  std::uint64_t bytes = 0;  ///< total size of the frame's files, which are complete
+  std::uint64_t bytes = 0;
 };
 
 /// The connection of one process to the job. Call begin(), then next() until no work is left, then end(). If a process exits
@@ -26,8 +26,8 @@ class Ranks {
   virtual int rank() const = 0;
   virtual int size() const = 0;
 
-  /// Sets the function that rank 0 calls for finished work of other ranks. It is called on a separate thread until end()
-  /// returns. Call this before begin().
+  /// Sets the function that rank 0 calls for finished work of other ranks, on a separate thread until end() returns. Call this
+  /// before begin().
   virtual void listen(std::function<void(const WorkDone&)> listener) = 0;
 
   /// Other ranks wait until rank 0 has called begin().

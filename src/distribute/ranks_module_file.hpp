@@ -2,7 +2,6 @@
 
 namespace lippmann {
 
-/// Returns whether the MPI module (distribute/ranks.hpp) is installed. Does not load it.
 bool is_ranks_module_installed();
 
 }  // namespace lippmann

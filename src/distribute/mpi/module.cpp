@@ -1,4 +1,4 @@
-// Implements Ranks with MPI. A thread of rank 0 receives requests for numbers and reports of finished work.
+// A thread of rank 0 receives requests for numbers and reports of finished work.
 #include <mpi.h>
 
 #include <atomic>
@@ -78,7 +78,6 @@ class MpiRanks final : public Ranks {
     wait(request);
   }
 
-  /// Answers the messages of other ranks until a stop is requested and no message is left.
   void serve(const std::stop_token& stop) {
     for (;;) {
       const bool is_last_look = stop.stop_requested();
