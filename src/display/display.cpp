@@ -8,7 +8,6 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-/// Returns the index in calibration.cells for a pixel. Rows count from the bottom.
 int cell_at(const Calibration& calibration, int column, int row) {
   const bool by_columns = calibration.patterns == Calibration::Patterns::kColumns;
   int cell = 0;
@@ -48,14 +47,13 @@ SubPixelOffsets offsets_of(const Calibration& calibration) {
   return offsets;
 }
 
-/// Pitch and gap of lenses whose cells converge to the viewer and fill the display's view cone.
 struct Lenses {
   double pitch_mm, gap_mm;
 };
 
 Lenses lenses_of(const Display& display, double distance_mm) {
-  // With the gap g, the lens pitch p and the viewing distance V, cells are p (1 + g/V) wide. It follows from
-  // 2 atan(cell / 2g) = cone that g = p / (2 tan(cone/2) - p/V).
+  // Cells are p (1 + g/V) wide, with the gap g, the lens pitch p and the viewing distance V. Solving 2 atan(cell / 2g) = cone
+  // for g gives g = p / (2 tan(cone/2) - p/V).
   const double p = display.lenses.pitch_mm, spread = 2.0 * std::tan(0.5 * display.view_cone_deg * kDegree);
   return {p, p / (spread - p / distance_mm)};
 }
@@ -65,8 +63,7 @@ double centre_of_strips(const Display& display, const LensStrips& strips) {
   return 0.5 * (display.pixels.x * strips.cosine - display.pixels.y * strips.sine);
 }
 
-/// Returns the distance in mm, across the lenses, from the panel's centre to the centre of a lens. The result is between 0.5
-/// and 1.5 pitches.
+/// Returns the distance in mm, across the lenses, from the panel's centre to the centre of a lens, between 0.5 and 1.5 pitches.
 float sheet_offset_mm(const Display& display) {
   const LensStrips strips = lens_strips(display);
   const double edge = (strips.start_px - centre_of_strips(display, strips)) / strips.cell_px;
@@ -94,8 +91,8 @@ SlantedPanel slanted_panel(const Display& display, double distance_mm) {
   const Calibration& c = display.calibration;
   SlantedPanel panel;
   panel.periods = periods_of(display), panel.tilt = tilt_of(display);
-  // The sub-pixels of colour c = 0, 1, 2 are s apart. panel.sub_pixels places striped sub-pixels at x + (c - 1) s, with x the
-  // centre of the pixel. The formula of Calibration places them at x + c s. The center corrects this difference of s.
+  // For a pixel centred at x, panel.sub_pixels places the sub-pixel of colour c = 0, 1, 2 at x + (c - 1) s, but the formula of
+  // Calibration at x + c s. The center corrects this difference of s.
   const double step = c.cells.empty() ? (flips_step(c) ? -1.0 : 1.0) / (3.0 * display.pixels.x) : 0.0;
   const bool flips_center = c.flip_image_x && c.flip == Calibration::Flip::kSlopeStepAndCenter;
   panel.center = c.center + (flips_center ? 0.5 : 0.0) - panel.periods * step;

@@ -71,7 +71,7 @@ int line_of(std::string_view text, std::size_t offset) {
 }  // namespace
 
 Json parse_toml(std::string_view text, const std::string& where) {
-  if (text.size() > kMaxDocumentBytes) check_limits(text, where, "TOML");  // toml++ limits the nesting
+  if (text.size() > kMaxDocumentBytes) check_limits(text, where, "TOML");
   try {
     return unwrapped(json_of(toml::parse(text, where)));
   } catch (const toml::parse_error& error) {

@@ -7,7 +7,6 @@
 
 namespace lippmann {
 
-/// Maximum size of a file. Larger files are rejected.
 inline constexpr std::size_t kMaxDocumentBytes = 1 << 20;
 
 /// Parse a text and return an object. Members of the form {"value": x} become x. Dates become null. Throw Error naming `where`

@@ -54,7 +54,6 @@ Display named_preset(const PresetFile& preset) {
   return display;
 }
 
-/// Returns the preset with the longest prefix of `serial` among its serials, or nothing if no prefix matches.
 std::optional<Display> preset_of_serial(const std::string& serial) {
   std::optional<Display> best;
   std::size_t length = 0;
@@ -64,7 +63,7 @@ std::optional<Display> preset_of_serial(const std::string& serial) {
   return best;
 }
 
-/// Returns a display for an unknown device, with the quilt that is most common for a portrait or landscape panel.
+/// Returns a display for an unknown device, with the most common quilt for a portrait or landscape panel.
 Display unknown_device(Vec2i pixels) {
   Display display;
   display.pixels = pixels;
@@ -74,7 +73,6 @@ Display unknown_device(Vec2i pixels) {
   return display;
 }
 
-/// Throws Error if `key` (screenW, screenH or DPI) is missing. Called if no preset matches the serial number.
 void require(const Json& json, const char* key, const std::string& where, const std::string& serial) {
   if (!json.contains(key))
     throw Error(where + ": " + key, "is missing, and no known device has the serial number " + shown(serial),

@@ -20,7 +20,6 @@ constexpr NumberRange kSide{1, 65536}, kTiles{1, 64}, kDpi{1, 1e5}, kCone{0.1, 1
     kAngle{-360, 360};
 constexpr std::size_t kMaxCells = 8;
 
-/// The tables of a display file.
 enum class Level { kFile, kLenses, kCalibration, kQuilt, kVideo };
 
 constexpr std::array<const char*, 5> kPlaces{"the top of the file, before the first table", "[lenses]", "[calibration]",
@@ -38,7 +37,7 @@ const std::vector<std::string_view>& keys_of(Level level) {
   return keys[static_cast<std::size_t>(level)];
 }
 
-/// Throws Error for an unknown key and for a key that belongs to another table. The message names the other table.
+/// Throws Error for an unknown key and for a key that belongs to another table, which the message names.
 void allow_keys_of(Level level, const JsonFields& fields) {
   const std::vector<std::string_view>& own = keys_of(level);
   for (std::size_t other = 0; other < kPlaces.size(); ++other)
@@ -48,7 +47,6 @@ void allow_keys_of(Level level, const JsonFields& fields) {
   fields.allow_only(own);
 }
 
-/// Reads the slope of lenses. Throws Error for magnitudes below 0.001 or above 10000.
 double read_slope(const JsonFields& fields, double otherwise) {
   const double slope = fields.number_or("slope", {-1e4, 1e4}, otherwise);
   if (std::abs(slope) < 1e-3)
@@ -132,7 +130,6 @@ DisplayVideo read_video(const JsonFields& fields) {
   return video;
 }
 
-/// Reads crosstalk: a sigma in pixels, or a share of light as text such as "10%".
 double read_crosstalk_of(const JsonFields& fields) {
   if (!fields.value("crosstalk").is_string()) return fields.number("crosstalk", {0.0, kMaxBlurPx});
   try {

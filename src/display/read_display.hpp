@@ -1,4 +1,3 @@
-// Converts the tables of display files to displays. Private to src/display.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -16,7 +15,6 @@ Display display_from_tables(const nlohmann::ordered_json& json, const std::strin
 /// display_from_tables() does.
 Display display_from_visual(const nlohmann::ordered_json& json, const std::string& where, Display base);
 
-/// Throws Error naming `where` unless the optics of the display pass validate().
 void check_display(const Display& display, const std::string& where);
 
 }  // namespace lippmann

@@ -72,7 +72,6 @@ std::optional<Vec2d> named_paper_mm(std::string name) {
   return Vec2d(sides[0], sides[1]);
 }
 
-/// Returns the width and height of a paper in pixels, not rounded.
 Vec2d paper_px(const std::string& paper, double dpi) {
   if (const std::optional<Vec2d> named = named_paper_mm(paper)) return *named / kInchMm * dpi;
   static const TextPattern size("([0-9.]+)x([0-9.]+)(mm|cm|in|px)", TextPattern::Letters::kEitherCase);
@@ -103,7 +102,6 @@ Vec2i print_px(const SheetValues& values, double dpi) {
   return Vec2i(sides);
 }
 
-/// Returns the key that states the pitch, and the pitch in mm.
 std::pair<std::string, double> pitch_of(const SheetValues& values) {
   std::optional<std::pair<std::string, double>> pitch;
   for (const std::string_view key : kPitchKeys) {

@@ -1,4 +1,4 @@
-// Reads a one-line description of a lenticular sheet on a print: "lpi=60.12 dpi=600 paper=A5". Private to src/display.
+// Reads a one-line description of a lenticular sheet on a print: "lpi=60.12 dpi=600 paper=A5".
 //
 // One of the first four keys is required:
 //   lpi                lenses per inch; without viewing-distance, the print has the same pitch as the lenses
@@ -13,9 +13,8 @@
 //   slant              angle between the lenses and the vertical, in degrees; default 0
 //   phase              left edge of a lens, in pixels from the left edge of the print; default 0
 //
-// The lenses have the pitch p and are a gap g in front of the print. The eye is at distance D from the lenses and D + g from
-// the print. Rays from the eye through two neighbouring lens centres meet the print p (D + g) / D apart. This is the pitch of
-// the print, which is larger than the pitch of the lenses.
+// The lenses have the pitch p and are a gap g in front of the print. The eye is at distance D from the lenses. Rays from the
+// eye through two neighbouring lens centres meet the print p (D + g) / D apart, which is the pitch of the print.
 #pragma once
 
 #include <string>
@@ -24,7 +23,6 @@
 
 namespace lippmann {
 
-/// Returns whether a text is a one-line description of a sheet, and neither the name of a preset nor of a file.
 bool is_sheet_line(const std::string& text);
 
 /// Reads a one-line description of a sheet. Throws a usage Error naming the key.

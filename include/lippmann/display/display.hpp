@@ -1,5 +1,4 @@
-// Describes a display (a panel and its lenses) and computes its optics. The description comes from a preset, a user's file or a
-// device's calibration.
+// Describes a display (a panel and its lenses) and computes its optics.
 //
 // There are three kinds of displays:
 // 1. slanted panels such as Looking Glass, where a calibration determines the direction of each sub-pixel;
@@ -24,7 +23,7 @@ enum class DisplayKind { kSlantedPanel, kLenticularSheet, kMicrolensArray };
 struct DisplayQuilt {
   int columns = 8, rows = 6;        ///< number of tiles across and down
   int width = 4096, height = 4096;  ///< size of the whole image in pixels
-  double aspect = 0.75;             ///< width / height of the display; the pixels of a tile need not be square
+  double aspect = 0.75;
 
   bool operator==(const DisplayQuilt&) const = default;
 };
@@ -66,11 +65,11 @@ struct Calibration {
   ///   3        (row + 2 (column mod 2)) mod 4      (row + 2 (column mod 2)) mod 4
   ///   4        row mod 2                           column mod 2
   enum class Patterns { kColumns, kRows } patterns = Patterns::kColumns;
-  /// Meaning of invView, which differs between tools. Most tools always invert the order of views. Older tools invert it only
-  /// if invView is set.
+  /// Meaning of invView, which differs between tools: most always invert the order of views, and older ones only if invView is
+  /// set.
   enum class Inversion { kAlways, kIfFlagged } inversion = Inversion::kAlways;
-  /// Selects which terms of the formula above flipImageX changes. All tools negate T. Newer tools also negate s. The newest
-  /// tools also add 1/2 to the center.
+  /// Terms of the formula above that flipImageX changes. All tools negate T, newer tools also s, and the newest also add 1/2 to
+  /// the center.
   enum class Flip { kSlope, kSlopeAndStep, kSlopeStepAndCenter } flip = Flip::kSlopeAndStep;
 };
 
@@ -86,23 +85,23 @@ struct DisplayLenses {
 
 /// The videos that a device can play.
 struct DisplayVideo {
-  std::string codec = "hevc";  ///< h264, hevc, vp9, av1 or ffv1
-  int longest_side = 8192;     ///< maximum width and height in pixels
-  bool quilts = true;          ///< true: the device plays videos of quilts; false: it shows only still quilts
+  std::string codec = "hevc";
+  int longest_side = 8192;
+  bool quilts = true;  ///< true: the device plays videos of quilts; false: it shows only still quilts
 };
 
 struct Display {
-  std::string name{};         ///< the preset's name, or the file's name without its ending
-  std::string description{};  ///< one line of text for users
+  std::string name{};
+  std::string description{};
   DisplayKind kind = DisplayKind::kSlantedPanel;
-  std::vector<std::string> serials{};  ///< prefixes of the device type's serial numbers, or a device's whole serial number
-  Vec2i pixels{1536, 2048};            ///< width and height of the panel or print
-  double dpi = 324.0;                  ///< pixels per inch
-  double view_cone_deg = 40.0;         ///< full angle of the viewing zone
+  std::vector<std::string> serials{};
+  Vec2i pixels{1536, 2048};
+  double dpi = 324.0;
+  double view_cone_deg = 40.0;
   std::optional<double> viewing_distance_mm{};  ///< no value: the distance at which the panel's height spans 14 degrees
   std::optional<double> crosstalk_px{};         ///< sigma of the lens blur, in display pixels (optics/crosstalk.hpp)
-  Calibration calibration{};                    ///< slanted panels only
-  DisplayLenses lenses{};                       ///< lenticular sheets and microlens arrays only
+  Calibration calibration{};
+  DisplayLenses lenses{};
   std::optional<DisplayQuilt> quilt{};
   DisplayVideo video{};
 
@@ -125,26 +124,25 @@ Optics native_optics(const Display& display);
 /// stretched to the size of the display, is the view from one eye position.
 std::optional<Optics> quilt_optics(const Display& display);
 
-/// Return P and T of the formula of Calibration.
 double periods_of(const Display& display);
 double tilt_of(const Display& display);
 
-/// Returns the number of pixels (not sub-pixels) across one lens. The number may be fractional.
+/// Returns the number of pixels (not sub-pixels) across one lens, which may be fractional.
 double pixels_below_lens(const Display& display);
 
 /// Division of the print of a lenticular sheet into strips, one below each lens. Strip k contains the points (x, y) of the
 /// print, in pixels with y down, for which
 ///   start + k cell <= x cos(slant) - y sin(slant) < start + (k + 1) cell.
-/// The eye is at distance D from the lenses. The print is a gap g behind the lenses, whose pitch is p. Rays from the eye
-/// through two neighbouring lens centres meet the print p (D + g) / D apart, which is the width of a strip (cell).
+/// Rays from the eye, at distance D from the lenses, through two neighbouring lens centres meet the print p (D + g) / D apart,
+/// which is the width of a strip (cell). g is the gap between print and lenses, and p their pitch.
 struct LensStrips {
   double start_px = 0.0, cell_px = 1.0;
   double cosine = 1.0, sine = 0.0;
 };
 LensStrips lens_strips(const Display& display);
 
-/// Returns the number of views of the quilt. For displays without a quilt, returns the number of pixels across a lens, rounded
-/// down. Slanted panels count sub-pixels instead of pixels. For microlens arrays, the number is squared.
+/// Returns the number of views of the quilt, or, without a quilt, of pixels (slanted panels: sub-pixels) across a lens, rounded
+/// down. For microlens arrays, the number is squared.
 int views_of(const Display& display);
 
 const char* to_string(DisplayKind kind);
