@@ -1,5 +1,5 @@
-# Toolchain for building for ARM64 on an x86-64 Debian. It uses g++-aarch64-linux-gnu and the libraries of Debian's architecture
-# arm64, and runs tests under qemu-user.
+# Toolchain for building for ARM64 on an x86-64 Debian with g++-aarch64-linux-gnu and Debian's arm64 libraries. Tests run under
+# qemu-user.
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR aarch64)
 set(CMAKE_CXX_COMPILER aarch64-linux-gnu-g++)

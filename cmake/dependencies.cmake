@@ -30,8 +30,8 @@ pkg_check_modules(HDF5 IMPORTED_TARGET hdf5)  # optional, for HCI light fields i
 pkg_check_modules(FFmpeg REQUIRED IMPORTED_TARGET libavcodec libavformat libavutil libswscale)
 pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET tomlplusplus)
 
-# Prefer the static library, because Debian's shared libdraco exports copies of image and glTF readers, whose symbols clash with ours.
-# Fedora and Arch package only the shared library.
+# Prefer the static library, because Debian's shared libdraco exports copies of image and glTF readers, whose symbols clash with
+# ours. Fedora and Arch package only the shared library.
 find_library(DRACO_LIBRARY NAMES libdraco.a draco REQUIRED)
 find_path(DRACO_INCLUDE_DIR draco/draco_features.h REQUIRED)
 add_library(draco::library UNKNOWN IMPORTED)
@@ -39,8 +39,7 @@ set_target_properties(draco::library PROPERTIES
   IMPORTED_LOCATION ${DRACO_LIBRARY}
   INTERFACE_INCLUDE_DIRECTORIES ${DRACO_INCLUDE_DIR})
 
-# OpenCV is optional, for aligning pictures. It is searched without its CMake files, because only libopencv-dev contains them, and this
-# package installs VTK, too.
+# OpenCV is searched without its CMake files, because only libopencv-dev contains them, and this package installs VTK, too.
 find_path(OPENCV_INCLUDE_DIR opencv2/calib3d.hpp PATH_SUFFIXES opencv4)
 set(OPENCV_LIBRARIES "")
 foreach(component core features2d calib3d)

@@ -1,4 +1,3 @@
-# Writes OUTPUT, the C++ source of page_files() (src/view/page_files.hpp), from the built page in FOLDER.
 set(entries "")
 set(texts "")
 foreach(file "index.html|text/html" "app.js|text/javascript" "app.css|text/css")

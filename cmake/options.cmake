@@ -1,28 +1,26 @@
-# Compile options of all targets (INTERFACE target lippmann_options), and functions that declare parts and tests.
-
 add_library(lippmann_options INTERFACE)
 target_include_directories(lippmann_options INTERFACE ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src)
 target_compile_options(lippmann_options INTERFACE -Wall -Wextra -Wshadow -Wno-unknown-pragmas)
 # Allow designated initialisers that leave other members at their defaults.
 target_compile_options(lippmann_options INTERFACE -Wno-missing-field-initializers)
-# Do not warn that the ABI of vectors passed by value depends on the instruction set. No such vector is in the library's interface.
+# The ABI of vectors passed by value depends on the instruction set, but no such vector is in the library's interface.
 target_compile_options(lippmann_options INTERFACE -Wno-psabi)
 # This warning of GCC 13 is wrong for functions that take a temporary and return a reference to something else.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 13 AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 14)
   target_compile_options(lippmann_options INTERFACE -Wno-dangling-reference)
 endif()
-# Allow & and | between comparisons. In loops over lanes, && and || would branch and prevent vectorisation.
+# In loops over lanes, && and || would branch and prevent vectorisation.
 target_compile_options(lippmann_options INTERFACE $<$<CXX_COMPILER_ID:Clang>:-Wno-bitwise-instead-of-logical>)
 
 # Clang 19 and later omit constructors that only function versions (core/multiversion.hpp) call, unless this is set.
 target_compile_options(lippmann_options INTERFACE
   $<$<AND:$<COMPILE_LANG_AND_ID:CXX,Clang>,$<VERSION_GREATER_EQUAL:$<CXX_COMPILER_VERSION>,19>>:SHELL:-Xclang -mno-constructor-aliases>)
 
-# FMA contraction is off, so that all versions of a function (core/multiversion.hpp) give the same bits. The code uses neither errno
-# nor floating-point traps. Saying so lets the compiler vectorise floor, sqrt and selects.
+# FMA contraction is off, so that all versions of a function (core/multiversion.hpp) give the same bits. Without errno and
+# floating-point traps, the compiler vectorises floor, sqrt and selects.
 target_compile_options(lippmann_options INTERFACE -ffp-contract=off -fno-math-errno -fno-trapping-math)
 
-# Parts are also linked into a shared library (library.cmake), so they need -fPIC. Functions still call each other directly.
+# Parts are also linked into a shared library (library.cmake). Functions still call each other directly.
 target_compile_options(lippmann_options INTERFACE -fPIC $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>)
 
 if(LIPPMANN_WERROR)
@@ -38,8 +36,8 @@ if(LIPPMANN_SANITIZE)
   target_compile_definitions(lippmann_options INTERFACE LIPPMANN_NO_MULTIVERSION)
 endif()
 
-# lippmann_may_join(TARGET): with LIPPMANN_UNITY, joins every twelve sources of TARGET in one file, so that each header is compiled once
-# for twelve sources. Larger groups would leave processors idle while the last group is compiled.
+# lippmann_may_join(TARGET): with LIPPMANN_UNITY, joins every twelve sources of TARGET in one file. Larger groups would leave
+# processors idle while the last group is compiled.
 function(lippmann_may_join target)
   if(LIPPMANN_UNITY)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
@@ -59,8 +57,8 @@ function(lippmann_part name)
   set_property(GLOBAL APPEND PROPERTY LIPPMANN_PARTS ${name})
   target_link_libraries(lippmann_${name} PUBLIC lippmann_options ${PART_DEPENDS} PRIVATE ${PART_PRIVATE_DEPENDS})
   lippmann_use_precompiled(lippmann_${name} lippmann_common_headers)
-  # Clang cannot compile several versions of a function (core/multiversion.hpp) if an earlier source of a joined file calls it. Builds
-  # with sanitizers and builds with Clang before 19 have no function versions, so their sources may be joined.
+  # Clang cannot compile several versions of a function (core/multiversion.hpp) if an earlier source of a joined file calls it.
+  # Builds with sanitizers and builds with Clang before 19 have no function versions.
   if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang" OR CMAKE_CXX_COMPILER_VERSION VERSION_LESS 19 OR LIPPMANN_SANITIZE)
     lippmann_may_join(lippmann_${name})
   endif()
@@ -71,8 +69,8 @@ if(LIPPMANN_SANITIZE)
   set(LIPPMANN_TEST_TIMEOUT 3000)
 endif()
 
-# lippmann_optimise_tests(TARGET [COMPUTES]): compiles the code of tests without optimisation, because most of it runs only once. With
-# COMPUTES, some optimisation is enabled, for tests whose own code takes time. The tested library is optimised as usual.
+# lippmann_optimise_tests(TARGET [COMPUTES]): compiles the code of tests without optimisation, because most of it runs only once.
+# COMPUTES enables some optimisation, for tests whose own code takes time.
 function(lippmann_optimise_tests target)
   cmake_parse_arguments(TEST "COMPUTES" "" "" ${ARGN})
   target_compile_options(${target} PRIVATE $<$<NOT:$<CONFIG:Debug>>:$<IF:$<BOOL:${TEST_COMPUTES}>,-O1,-O0>>)
@@ -103,7 +101,7 @@ function(lippmann_test name)
     set_tests_properties(${name} PROPERTIES LABELS quick TIMEOUT ${LIPPMANN_TEST_TIMEOUT})
   else()
     # DISCOVERY_TIMEOUT: on a loaded machine, listing the tests of a program may take far longer than CMake's default of 5 s.
-    # NO_PRETTY_VALUES: test names do not contain parameter values, because structs are printed as bytes and would include pointers.
+    # NO_PRETTY_VALUES: structs would be printed as bytes and include pointers.
     gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 120 NO_PRETTY_VALUES
       PROPERTIES TIMEOUT ${LIPPMANN_TEST_TIMEOUT})
   endif()

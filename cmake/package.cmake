@@ -1,7 +1,7 @@
-# Debian packages, made by `cpack -G DEB` in the build folder: the tool, its modules for videos, HEIC pictures, HDF5 files and
-# alignment, the library for other programs, and the Python package, which contains the parts of the library that it uses.
+# Debian packages, made by `cpack -G DEB` in the build folder: the tool, its modules, the library for other programs, and the
+# Python package, which contains the parts of the library that it uses.
 
-set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)  # packages do not need tests and benchmarks
+set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)
 set(CPACK_PACKAGE_NAME lippmann)
 set(CPACK_PACKAGE_CONTACT "The authors of Lippmann <lippmann@localhost>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")

@@ -1,5 +1,4 @@
-# Linker flags. ELF linkers (GNU ld, gold, lld, mold) get the flags below. Other linkers get none, so that their binaries export and
-# link more than necessary.
+# ELF linkers (GNU ld, gold, lld, mold) get the flags below. Other linkers get none.
 
 set(LIPPMANN_ELF_LINKER OFF)
 if(UNIX AND NOT APPLE)

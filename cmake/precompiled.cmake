@@ -1,6 +1,6 @@
-# Precompiles headers of standard and third-party libraries that many files include. This saves a quarter of the time of a first build.
-# It makes a compiler cache useless, because then each object depends on all these headers. Therefore the default is OFF with a
-# compiler launcher. Every file still includes all that it uses, and compiles without precompiled headers.
+# Precompiles headers that many files include, which saves a quarter of the time of a first build. With a compiler launcher, the
+# default is OFF, because each object would depend on all these headers, which makes a compiler cache useless. Every file compiles
+# without precompiled headers.
 
 set(precompile ON)
 if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU" OR CMAKE_CXX_COMPILER_LAUNCHER OR LIPPMANN_SANITIZE)
