@@ -15,8 +15,6 @@ void add_scenes(CLI::App& command, Request& request, const std::string& help) {
   command.add_option("SCENE,--scene", request.scenes, help)->type_name("SCENE");
 }
 
-/// Adds the option SCENES of benchmarks that measure single frames of built-in scenes or files. `default_scenes` is named in
-/// the help text.
 void add_scenes_with_default(CLI::App& command, Request& request, const std::string& default_scenes) {
   add_scenes(command, request, "Scenes to measure: names of built-in scenes or files; default: " + default_scenes);
 }

@@ -1,4 +1,3 @@
-// Declares the functions that benchmarks() lists. Each is in its own source file.
 #pragma once
 
 #include "bench/bench.hpp"

@@ -30,7 +30,7 @@ import fixtures  # noqa: E402
 import peers  # noqa: E402
 
 HERE = pathlib.Path(__file__).parent
-VERTICES = 8  # vertices per path, the same for both renderers
+VERTICES = 8
 COLUMNS, ROWS, CONE_DEG = 8, 6, 40.0
 VIEWS = COLUMNS * ROWS
 FAN = VIEWS // 3  # number of views in a row that uses the eyes of every third view; our converged views are rendered as such rows
@@ -39,7 +39,6 @@ BAR = 20.0
 
 
 class LightField:
-    """The scene, its display and the views to be compared."""
 
     def __init__(self, options, work):
         self.options, self.work = options, work
@@ -70,7 +69,6 @@ class LightField:
 
 
 def ours(field, optics, folder, frames, spp, *more):
-    """Renders frames with our program, and returns the CPU seconds of the process."""
     options = field.options
     command = [options.tool, "render", field.scene, *optics, "--integrator", "path", "--spp", spp, "--frames", frames, "--layout", "views",
                "--max-depth", VERTICES, "--format", "exr", "--exr-pixels", "float", "--threads", options.threads, "-o", folder, *more]

@@ -21,7 +21,7 @@ import fixtures  # noqa: E402
 import peers  # noqa: E402
 
 HERE = pathlib.Path(__file__).parent
-VERTICES = 8  # vertices per path, the same for both renderers
+VERTICES = 8
 
 
 def ours(tool, scene, panorama, size, spp, folder, threads):

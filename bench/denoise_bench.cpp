@@ -1,6 +1,5 @@
-// Compares path-traced frames at 4, 16 and 64 samples per pixel, with and without denoising, with converged frames. Measures
-// PSNR, flicker between views, and CPU time. Each scene is rendered as one frame through 64 lenses of 8 pixels, and as a quilt
-// of 8 views.
+// Compares path-traced frames at 4, 16 and 64 samples per pixel, with and without denoising, with converged frames: PSNR,
+// flicker between views, and CPU time.
 #include <fmt/core.h>
 
 #include "bench/benchmarks.hpp"

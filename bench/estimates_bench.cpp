@@ -1,5 +1,5 @@
 // Measures how often the PSNR interval that frames report (psnr_at_least_db to psnr_at_most_db in report.json) contains the
-// true PSNR. It renders all rows of `lippmann-bench light` with several seeds and compares them with converged references.
+// true PSNR.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -17,10 +17,9 @@ namespace {
 
 constexpr int kSeeds = 5, kQuickSeeds = 2, kFramesPerSeed = 4;
 
-/// Counts and sums over the frames of a LightCase, which is a row of the table.
+/// Counts and sums over the frames of one row of the table.
 struct Intervals {
-  /// `contain`: frames whose interval contains the true PSNR; `too_low`: frames whose interval is below it; `too_high`: frames
-  /// whose interval is above it
+  /// frames whose interval contains the true PSNR (`contain`), is below it (`too_low`) or above it (`too_high`)
   int frames = 0, contain = 0, too_low = 0, too_high = 0;
   int bounded = 0;  ///< frames with an estimate and an interval; other frames have only a lower bound
   /// sums over the bounded frames of the estimate minus the true PSNR, and of the width of the interval

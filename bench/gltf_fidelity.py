@@ -41,12 +41,11 @@ import peers  # noqa: E402
 import pictures  # noqa: E402
 import scenarios  # noqa: E402
 
-VIEW = (25.0, 15.0)  # yaw and pitch in degrees for files without a camera
+VIEW = (25.0, 15.0)
 
 
 @dataclasses.dataclass
 class Shot:
-    """A scenario with the file, the camera and the light that all renderers use."""
 
     scenario: scenarios.Scenario
     file: pathlib.Path

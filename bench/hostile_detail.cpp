@@ -1,4 +1,3 @@
-// Builds scenes with geometry and textures as fine as pixels, so that neighbouring pixels show different surfaces or colours.
 #include <cmath>
 #include <vector>
 
@@ -14,7 +13,6 @@ constexpr float kPixel = kViewHeight / 120.0f;  ///< size of a pixel in the plan
 
 void look_into_detailed_room(Scene& scene) { look_at(scene, {0.0f, 0.9f, 0.0f}, 0.0f, radians(6.0f), kViewHeight, 3.6f); }
 
-/// Returns a straight rod that is `pixels` pixels wide.
 Mesh rod(Vec3f from, Vec3f to, float pixels) {
   const float radius = 0.5f * pixels * kPixel;
   return builtin::tube({from, to}, {radius, radius}, 6, false);
@@ -80,13 +78,13 @@ Scene thin_things() {
 }
 
 Scene textured_room() {
-  constexpr float kSquares = 4.0f * kPixel;  // period of the checkerboard: two squares that are two pixels wide each
+  constexpr float kSquares = 4.0f * kPixel;
   Scene scene = empty_scene("textured");
   Room room;
   room.floor = add_textured(scene, matte(Vec3f(1.0f)), checker(Vec3f(0.75f), {0.15f, 0.2f, 0.3f}));
   room.rear = room.left = add_textured(scene, matte(Vec3f(1.0f)), checker({0.75f, 0.6f, 0.4f}, {0.3f, 0.1f, 0.08f}));
   MetallicRoughness plaster = matte(Vec3f(1.0f));
-  plaster.base_color_map.matrix = glm::mat2(1.0f / 16.0f);  // the texture repeats every 64 pixels
+  plaster.base_color_map.matrix = glm::mat2(1.0f / 16.0f);
   room.right = room.ceiling = room.viewer_end = add_textured(scene, plaster, grain({0.5f, 0.5f, 0.45f}, 1));
   room.tile = kSquares;
   add_room(scene, room);

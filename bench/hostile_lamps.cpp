@@ -1,4 +1,3 @@
-// Builds closed rooms with lamps that move fast, are tiny, or are on in some frames only.
 #include <array>
 #include <cmath>
 
@@ -14,7 +13,6 @@ void add_post(Scene& scene) {
 
 void look_into_lamp_room(Scene& scene) { look_at(scene, {0.0f, 0.95f, -0.2f}, 0.0f, radians(8.0f), 2.1f, 3.6f); }
 
-/// Returns the position of a lamp that circles the post in 16 frames and moves about 0.3 m per frame.
 Vec3f place_on_flight(float frame) {
   const float angle = radians(22.5f) * frame + 0.4f;
   return {0.9f * std::cos(angle), 0.9f + 0.25f * std::sin(2.0f * angle), -0.4f + 0.75f * std::sin(angle)};
@@ -59,7 +57,7 @@ Scene tiny_lamp() {
 Scene flashing_lamps() {
   constexpr std::array<bool, kHostileFrames> kOn{true, true,  true,  false, false, true, false, true,
                                                  true, false, false, false, true,  true, false, true};
-  constexpr Vec3f kAway(0.0f, 1.0f, 0.0f);  // above the ceiling, where a lamp does not light the closed room
+  constexpr Vec3f kAway(0.0f, 1.0f, 0.0f);
   Scene scene = empty_scene("flash");
   add_room(scene, painted_room(scene));
   add_post(scene);

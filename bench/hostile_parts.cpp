@@ -43,8 +43,6 @@ Scene empty_scene(const std::string& name) {
   return scene;
 }
 
-// ---- Materials ----------------------------------------------------------------------------------------------------------
-
 MetallicRoughness matte(Vec3f color) { return glossy(color, 1.0f); }
 
 MetallicRoughness glossy(Vec3f color, float roughness) {
@@ -93,8 +91,6 @@ Texture grain(Vec3f color, std::uint32_t seed) {
     return color * (1.0f + 0.9f * builtin::fractal_noise(16.0f * uv, {16, 16}, 4, seed));
   });
 }
-
-// ---- Shapes -------------------------------------------------------------------------------------------------------------
 
 Mesh box_mesh(Vec3f center, Vec3f size) {
   const Vec3f half = 0.5f * size;
@@ -173,8 +169,6 @@ void add_point_light(Scene& scene, Vec3f color, int node) {
   scene.lights.push_back(std::move(light));
 }
 
-// ---- Motion -------------------------------------------------------------------------------------------------------------
-
 void move(Scene& scene, int node, const std::function<Vec3f(float frame)>& of_frame, Interpolation interpolation) {
   animation_of(scene, node).translation = keys_of(of_frame, interpolation);
 }
@@ -183,8 +177,6 @@ void turn(Scene& scene, int node, Vec3f axis, const std::function<float(float fr
   const std::function<Quatf(float)> rotation = [&](float frame) { return glm::angleAxis(of_frame(frame), axis); };
   animation_of(scene, node).rotation = keys_of(rotation, Interpolation::kLinear);
 }
-
-// ---- The view -----------------------------------------------------------------------------------------------------------
 
 int look_at(Scene& scene, Vec3f center, float yaw, float pitch, float height, float distance) {
   const int display = add_node(scene, -1, center);

@@ -21,7 +21,6 @@ RenderParams quilt(const std::string& name, Extent<int> views, int view_pixels) 
   return params;
 }
 
-/// Returns a scene that is rendered as three views of 120 x 120 pixels.
 HostileScene three_views(std::string name, std::string difficulty, std::function<Scene()> build) {
   RenderParams params = quilt(name, {3, 1}, 120);
   return {std::move(name), std::move(difficulty), std::move(build), std::move(params)};
@@ -33,7 +32,6 @@ HostileScene many_views(std::string name, std::string difficulty, std::function<
   return scene;
 }
 
-/// Returns a scene that is rendered as 512 x 512 pixels below 64 lenses.
 HostileScene lenticular(std::string name, std::string difficulty, std::function<Scene()> build) {
   HostileScene scene = three_views(std::move(name), std::move(difficulty), std::move(build));
   scene.params = path_params_of(scene.name);

@@ -1,7 +1,7 @@
-// Scenes that are hard to denoise. Each scene is built in code and has one difficulty.
+// Scenes that are hard to denoise, each with one difficulty.
 //
 // Lengths are in metres, +y points upwards, and materials are those of glTF. Each scene is an animation of 16 frames at 25
-// frames per second. Its objects move by several pixels per frame.
+// frames per second, in which objects move by several pixels per frame.
 #pragma once
 
 #include <functional>
@@ -15,13 +15,12 @@ namespace lippmann::bench {
 
 struct HostileScene {
   std::string name;
-  std::string difficulty;        ///< describes the difficulty in one line
-  std::function<Scene()> build;  ///< builds the scene, which must pass validate()
-  RenderParams params;           ///< optics, size and samples of path tracing
+  std::string difficulty;
+  std::function<Scene()> build;
+  RenderParams params;
   int frames = 16;
 };
 
-/// Returns the scenes in the order of lists and runs.
 const std::vector<HostileScene>& hostile_scenes();
 
 }  // namespace lippmann::bench

@@ -1,4 +1,3 @@
-// Builds scenes in which a bar rotates above a floor, so that its shadow moves over static surfaces.
 #include "bench/hostile_builders.hpp"
 #include "bench/hostile_parts.hpp"
 
@@ -16,7 +15,7 @@ void add_bar_and_floor(Scene& scene) {
   look_at(scene, {0.0f, 0.15f, 0.0f}, radians(15.0f), radians(32.0f), 1.5f, 4.0f);
 }
 
-/// Returns a dim blue sky. A sun of 3 x 3 texels at the front left gives most of the light.
+/// A sun of 3 x 3 texels at the front left gives most of the light.
 EnvironmentMap sky_with_sun() {
   constexpr int kWidth = 256, kHeight = 128, kSunColumn = 205, kSunRow = 36;
   EnvironmentMap map;

@@ -1,4 +1,3 @@
-// Builds interiors that are seen from a moving camera or lit indirectly, and a skinned mesh that walks.
 #include <cmath>
 
 #include "bench/hostile_builders.hpp"
@@ -10,7 +9,6 @@ namespace {
 
 constexpr Vec3f kRight(1.0f, 0.0f, 0.0f);
 
-/// Returns a box that extends along y from 0 to `height`. It is divided into segments, so that it can bend.
 Mesh segmented_box(float width, float height, int segments) {
   Mesh mesh;
   const float w = 0.5f * width, h = 0.5f * height / static_cast<float>(segments);
@@ -25,7 +23,6 @@ Mesh segmented_box(float width, float height, int segments) {
   return mesh;
 }
 
-/// Binds every vertex to its two nearest joints. The joints are equally spaced over the height.
 void bind_to_joints(Mesh& mesh, float height, int joints) {
   mesh.skin.per_vertex = 2;
   for (const Vec3f& p : mesh.positions) {
@@ -37,7 +34,6 @@ void bind_to_joints(Mesh& mesh, float height, int joints) {
   }
 }
 
-/// Adds chairs, shelves and a table. All consist of boxes.
 void add_furniture(Scene& scene, int wood, int cloth) {
   show(scene, box_mesh({-0.7f, 0.42f, -0.5f}, {0.9f, 0.06f, 0.6f}), wood);
   for (const float x : {-1.1f, -0.3f})
@@ -47,7 +43,6 @@ void add_furniture(Scene& scene, int wood, int cloth) {
   for (const float y : {0.9f, 1.2f, 1.5f}) show(scene, box_mesh({-0.9f, y, -1.38f}, {0.9f, 0.04f, 0.24f}), wood);
 }
 
-/// Adds a light at `from` that shines towards `to`.
 void add_aimed_light(Scene& scene, LightKind kind, Vec3f from, Vec3f to, Vec3f color) {
   Light light;
   light.kind = kind;
@@ -110,7 +105,7 @@ Scene furnished_room() {
   Scene scene = empty_scene("furnished");
   Room room = painted_room(scene);
   room.left = room.ceiling;
-  room.right = -1;  // an opening that lets in the sun
+  room.right = -1;
   room.floor = add_material(scene, matte({0.5f, 0.35f, 0.2f}));
   add_room(scene, room);
   const int wood = add_material(scene, glossy({0.4f, 0.22f, 0.1f}, 0.5f)),

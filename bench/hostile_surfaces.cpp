@@ -1,4 +1,3 @@
-// Builds scenes with mirrors, glass and gloss. Their pixels show light that comes from other surfaces.
 #include <cmath>
 
 #include "bench/hostile_builders.hpp"

@@ -1,9 +1,8 @@
-// Measures the cost of many lamps. Renders path-traced frames of a room with 10, 100, 1,000 and 10,000 lamps of the same total
-// power. Computes the CPU time that each frame needs to reach the error of the frame with ten lamps.
+// Measures the cost of many lamps: the CPU time that a path-traced frame with up to 10,000 lamps needs to reach the error of
+// the frame with ten lamps of the same total power.
 //
 // The squared error is inversely proportional to the number of samples, so the product of squared error and CPU time measures
-// efficiency. Error and time come from the same run. The time is the minimum over several runs. The reference frames use
-// another random seed.
+// efficiency. The time is the minimum over several runs.
 #include <fmt/core.h>
 
 #include <random>
@@ -21,10 +20,10 @@ namespace {
 
 constexpr int kLampsSamples = 64, kLampsReferenceSamples = 1024, kQuickLampsReferenceSamples = 64, kLampsRepetitions = 3;
 constexpr std::uint32_t kLampsReferenceSeed = 77;
-constexpr float kLampsPower = 12.0f;  ///< total radiant intensity of all lamps of a room
+constexpr float kLampsPower = 12.0f;
 
-// The eye looks slightly down at the middle of the picture. Its distance is five times the height of the picture. Objects more
-// than kLampsFront units in front of the middle are invisible, such as the wall behind the viewer.
+// The eye looks slightly down at this point, from five times the height of the picture. Objects more than kLampsFront units in
+// front of it are invisible.
 constexpr Vec3f kLampsMiddle{0.0f, 0.95f, -0.2f};
 constexpr float kLampsPitch = radians(8.0f), kLampsPictureHeight = 2.1f, kLampsPanelMm = 100.0f, kLampsEyeMm = 500.0f,
                 kLampsFront = 3.6f;
@@ -54,7 +53,6 @@ class LampPlaces {
   std::mt19937 random_{5};
 };
 
-/// Returns a rotation that turns -z to `direction`.
 Quatf turned_to(Vec3f direction) {
   const Vec3f axis = glm::cross(Vec3f(0.0f, 0.0f, -1.0f), direction);
   return glm::normalize(Quatf(1.0f - direction.z, axis.x, axis.y, axis.z));
@@ -78,9 +76,8 @@ Vec3f lamps_eye() {
          kLampsPictureHeight * kLampsEyeMm / kLampsPanelMm * Vec3f(0.0f, std::sin(kLampsPitch), std::cos(kLampsPitch));
 }
 
-/// Adds square lamps of the same total area, in one mesh for each hue. The eye lies in the plane of each square, so no lamp is
-/// visible. Visible lamps would be smaller than pixels and much brighter than white. The noise at their edges does not depend
-/// on how lights are chosen, and would hide the result.
+/// Adds square lamps of the same total area, in one mesh for each hue. The eye lies in the plane of each square and sees none
+/// of them, because the noise at their edges would hide the result.
 void add_square_lamps(Scene& scene, int count, LampPlaces& places) {
   Mesh meshes[4];
   const float half = std::min(0.05f, 0.4f / std::sqrt(static_cast<float>(count)));

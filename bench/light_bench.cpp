@@ -1,9 +1,7 @@
-// Compares denoised path tracing at 16 samples per pixel with path tracing at 64 samples per pixel without denoising. Both are
-// measured against converged reference frames.
+// Compares denoised path tracing at 16 samples per pixel with path tracing at 64 samples per pixel without denoising.
 //
 // The benchmark fails if a frame contains a NaN, or if the mean light of the denoised frames differs from the references by
-// more than kMeanLight. It reports whether the PSNR of the denoised frames is at most kCloseDb below that of 64 samples, both
-// for all pixels and for pixels at edges.
+// more than kMeanLight. It reports whether the PSNR of the denoised frames is at most kCloseDb below that of 64 samples.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -105,7 +103,7 @@ Image8 error_picture(const Image8& reference, const Image8& test) {
 /// Writes FOLDER/SCENE_FRAME_NAME.png, where NAME is reference, denoised, full or error. The views are stacked vertically.
 void write_pictures(const std::filesystem::path& folder, const LightCase& row, const References& references,
                     const LightFigures& denoised, const LightFigures& full) {
-  std::error_code ignored;  // write_picture() reports the error
+  std::error_code ignored;
   std::filesystem::create_directories(folder, ignored);
   for (std::size_t f = 0; f < references.size(); ++f) {
     const std::string stem = std::filesystem::path(row.name).stem().string();

@@ -9,7 +9,8 @@
 namespace lippmann::bench {
 namespace {
 
-/// Accumulates the mean squared error against a reference: the product of the differences from the reference's two halves.
+/// The mean squared error is the mean product of the differences from the two halves of the reference, which have independent
+/// noise.
 struct SquaredError {
   double sum = 0.0;
   std::size_t count = 0;
@@ -18,7 +19,6 @@ struct SquaredError {
   double mean() const { return count > 0 ? std::max(0.0, sum / static_cast<double>(count)) : std::nan(""); }
 };
 
-/// Accumulates the mean of |a - 2 b + c|, where a, b and c are the codes of a pixel in three successive frames or views.
 struct SecondDifference {
   double sum = 0.0;
   std::size_t count = 0;

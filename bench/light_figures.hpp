@@ -1,9 +1,8 @@
 // Measures the error of path-traced frames against converged frames in 8-bit codes, and the flicker between views and between
 // frames.
 //
-// A frame is a vertical stack of views (layout/light_field.hpp). Each view is divided into blocks of 8 x 8 pixels from its
-// upper left corner; incomplete blocks at the edges are ignored. In the mean of a block, noise that is independent in each
-// pixel is reduced to 1/8 of its standard deviation. Errors that neighbouring pixels share are not reduced.
+// A frame is a vertical stack of views (layout/light_field.hpp). Each view is divided into blocks of 8 x 8 pixels. In the mean
+// of a block, independent noise is reduced to 1/8, but errors that neighbouring pixels share are not.
 #pragma once
 
 #include <array>
@@ -19,7 +18,6 @@ inline constexpr int kBlockSide = 8;
 /// an edge is a difference of at least this many codes between neighbouring pixels in any channel
 inline constexpr int kEdgeCodes = 16;
 
-/// Shape of a stack of views.
 struct ViewStack {
   ViewGrid grid;
   Vec2i view_size{0, 0};
@@ -27,33 +25,30 @@ struct ViewStack {
 
 using Frames = std::vector<Image8>;
 
-/// A converged frame that is rendered twice with independent random numbers. Multiplying a frame's differences from both halves
-/// gives its squared error; on average, the noise of the reference does not contribute.
+/// A converged frame that is rendered twice with independent random numbers. In the product of a frame's differences from both
+/// halves, the noise of the reference averages to 0.
 using Reference = std::array<Image8, 2>;
 using References = std::vector<Reference>;
 
-/// Returns the mean of the two halves of the reference.
 Image8 mean_of(const Reference& reference);
 
-/// Returns the mean squared error over all frames, pixels and channels in squared codes. It is at least 0. Both arguments must
-/// have the same number of frames of the same size.
+/// Returns the mean squared error over all frames, pixels and channels in squared codes. Both arguments must have the same
+/// number of frames of the same size.
 double mean_squared_error(const References& references, const Frames& test);
 
-/// Returns the three mean codes (red, green, blue) of every block.
 std::vector<double> block_means(const Image8& stack, Vec2i view_size);
 
 /// Returns the mean squared error of the block means in squared codes, or NaN if there are no blocks.
 double block_squared_error(const References& references, const Frames& test, Vec2i view_size);
 
-/// Returns the mean squared error of the pixels on both sides of edges in the reference, or NaN if there are no edges.
 double edge_squared_error(const References& references, const Frames& test, Vec2i view_size);
 
-/// Returns the ratio of the linear light of `test` to that of the references, each summed over all frames, pixels and channels.
-/// Light above the brightest code is clipped. Returns NaN if the references are black.
+/// Returns the ratio of the linear light of `test` to that of the references, each summed over all frames, or NaN if the
+/// references are black. Light above the brightest code is clipped.
 double mean_light_ratio(const References& references, const Frames& test);
 
-/// Returns the mean of |a - 2 b + c| in codes. a, b and c are neighbouring views in a row of the grid, or consecutive frames.
-/// Returns NaN if there are fewer than three.
+/// Returns the mean of |a - 2 b + c| in codes, where a, b and c are neighbouring views in a row of the grid, or consecutive
+/// frames. Returns NaN if there are fewer than three.
 double view_flicker(const Frames& frames, const ViewStack& views);
 double frame_flicker(const Frames& frames);
 

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Reads a kept half of a reference. Returns nullopt if the file is missing, damaged or of another size than `like`.
+/// Returns nullopt if the file is missing, damaged or of another size than `like`.
 std::optional<Image8> read_kept(const fs::path& file, const Image8& like) {
   if (!fs::exists(file)) return std::nullopt;
   try {
@@ -50,8 +50,7 @@ LightReferences::LightReferences(Stage& stage, Sampling sampling, fs::path folde
       context_(context),
       say_(std::move(say)) {}
 
-/// Renders one half of a reference frame. Sets `fingerprint` to a hash of the film's bits, which depend on the scene, the
-/// optics and the program.
+/// Sets `fingerprint` to a hash of the film's bits, which depend on the scene, the optics and the program.
 Image8 LightReferences::render(int frame, std::uint32_t seed, int spp, std::uint64_t* fingerprint) {
   Sampling sampling = sampling_;
   sampling.seed = seed, sampling.spp = spp, sampling.denoise = Denoise::kNone;
@@ -78,7 +77,7 @@ Image8 LightReferences::half(const std::string& name, int frame, std::uint32_t s
   const int spp = std::max(1, samples_per_pixel(sampling_) / 2);
   if (say_) say_(fmt::format("{}, frame {}: rendering a reference of {} samples", name, frame, spp));
   Image8 codes = render(frame, seed, spp);
-  std::error_code ignored;  // write_picture() reports the error
+  std::error_code ignored;
   fs::create_directories(folder_, ignored);
   write_picture(file, codes);
   ++rendered_;

@@ -1,5 +1,4 @@
-// Provides converged reference frames. They are kept in a folder, because rendering them takes much longer than the benchmark
-// itself.
+// Provides converged reference frames, which are kept in a folder.
 #pragma once
 
 #include <filesystem>
@@ -12,11 +11,10 @@
 
 namespace lippmann::bench {
 
-/// Returns `requested`. If it is empty, returns $XDG_CACHE_HOME/lippmann/references, or ~/.cache/lippmann/references if
-/// XDG_CACHE_HOME is not set. Throws a usage Error if HOME is needed and not set.
+/// Returns `requested`, or, if it is empty, lippmann/references in $XDG_CACHE_HOME or ~/.cache. Throws a usage Error if HOME is
+/// needed and not set.
 std::filesystem::path reference_folder(const std::string& requested);
 
-/// Renders the reference frames of a scene, or reads them from the folder.
 class LightReferences {
  public:
   /// `sampling` must select path tracing. Its samples per pixel are those of both halves together. The first half uses its seed
@@ -25,8 +23,8 @@ class LightReferences {
   LightReferences(Stage& stage, Sampling sampling, std::filesystem::path folder, const ThreadPool& pool, const Context& context,
                   std::function<void(std::string_view)> say);
 
-  /// Returns both halves of a frame as stacks of views. A kept half is reused if rendering one sample per pixel still gives the
-  /// same bits as when the half was rendered. Throws Error if a half cannot be written, or if the context is cancelled.
+  /// A kept half is reused if rendering one sample per pixel still gives the same bits as when it was rendered. Throws Error if
+  /// a half cannot be written, or if the context is cancelled.
   Reference frame(const std::string& name, int frame);
 
   int rendered() const { return rendered_; }
@@ -42,7 +40,7 @@ class LightReferences {
   const ThreadPool& pool_;
   const Context& context_;
   std::function<void(std::string_view)> say_;
-  int rendered_ = 0, kept_ = 0;  ///< number of halves that were rendered, and number of halves that were read from the folder
+  int rendered_ = 0, kept_ = 0;
 };
 
 }  // namespace lippmann::bench

@@ -16,7 +16,7 @@
 namespace lippmann::bench {
 namespace {
 
-constexpr int kFrames = 3;  // flicker can only be measured with at least this many frames
+constexpr int kFrames = 3;
 constexpr int kQuickReferenceSamples = 64, kQuickViewPixels = 16;
 constexpr std::string_view kQuilt = "-quilt";
 constexpr const char* kQuietRows[] = {"teapot", "room", "small-balls", "tree", "room-quilt", "tree-quilt"};
@@ -47,8 +47,8 @@ void set_views(Extent<int> views, int pixels, RenderParams& params) {
   params.optics.size = {views.x * pixels, views.y * pixels};
 }
 
-/// Selects consecutive frames of the row. They begin at one third of the timeline, where all objects have moved. `all` is the
-/// number of frames of the timeline.
+/// Selects consecutive frames that begin at one third of the timeline, where all objects have moved. `all` is the number of
+/// frames of the timeline.
 void set_frames(int all, const Request& request, LightCase& row) {
   row.count = std::min(request.frames > 0 ? request.frames : is_quilt(row.name) ? 1 : kFrames, all);
   row.first = std::min(all / 3, all - row.count);

@@ -16,7 +16,7 @@
 namespace lippmann::bench {
 namespace {
 
-/// Seed of the reference frames. It is far from the seeds of the measured frames, so that they share no paths.
+/// Far from the seeds of the measured frames, so that they share no paths.
 constexpr std::uint32_t kReferenceSeed = 1u << 20;
 
 JobScene scene_of(const LightCase& row, const Context& context) {

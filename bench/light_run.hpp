@@ -1,8 +1,8 @@
-// Renders the frames of a LightCase (a row of the benchmark's table) with several samplings. Measures the CPU time. Measures
-// error, mean light and flicker relative to converged frames.
+// Renders the frames of a LightCase (a row of the benchmark's table) with several samplings, and measures CPU time, error, mean
+// light and flicker relative to converged frames.
 //
-// CPU seconds are the rendering time of all threads together. Each frame is rendered with all samplings before the next frame,
-// so that changes in the machine's speed affect all samplings equally.
+// Each frame is rendered with all samplings before the next frame, so that changes in the machine's speed affect all samplings
+// equally.
 #pragma once
 
 #include <filesystem>
@@ -18,22 +18,20 @@
 
 namespace lippmann::bench {
 
-/// The cost and quality of the frames of a LightCase with one sampling.
 struct LightFigures {
   double cpu_seconds = 0.0;
-  double psnr_db = 0.0, block_psnr_db = 0.0, edge_psnr_db = 0.0;  ///< computed from the mean squared error over all frames
-  double mean_light = 1.0;                                        ///< ratio of the mean light to that of the references
-  double view_flicker = 0.0, frame_flicker = 0.0;                 ///< flicker minus the flicker of the references, in codes
-  std::vector<FrameReport> reports;                               ///< one report per frame
+  double psnr_db = 0.0, block_psnr_db = 0.0, edge_psnr_db = 0.0;
+  double mean_light = 1.0;
+  double view_flicker = 0.0, frame_flicker = 0.0;  ///< flicker minus the flicker of the references, in codes
+  std::vector<FrameReport> reports;
   std::vector<double> psnr_db_by_frame;
   Frames frames;
 };
 
-/// Renders and measures the frames of one LightCase.
 class LightBench {
  public:
-  /// Builds the scene, and renders the references that are not kept. `row`, `request` and `context` must outlive this object.
-  /// Throws Error if the scene is invalid or a reference cannot be rendered.
+  /// Renders the references that are not kept. `row`, `request` and `context` must outlive this object. Throws Error if the
+  /// scene is invalid or a reference cannot be rendered.
   LightBench(const LightCase& row, const Request& request, const Context& context);
 
   /// Returns one result for each sampling. Samplings may differ from the row's sampling only in samples, denoising and seed.
@@ -57,7 +55,6 @@ class LightBench {
   References references_;
 };
 
-/// Returns `sampling` with the given samples per pixel and denoising.
 Sampling with_samples(Sampling sampling, int spp, Denoise denoise);
 
 }  // namespace lippmann::bench

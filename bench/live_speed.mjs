@@ -1,8 +1,6 @@
 // Measures how soon `lippmann view room` shows a change: the time until the first coarse light field, the time until the draft,
 // and the PSNR of the draft against the final render.
 //   node bench/live_speed.mjs [LIPPMANN]
-// Prints wall-clock seconds, and the CPU seconds of all server threads. With two free cores, the ideal wall-clock time is half
-// of the CPU time.
 import { execFileSync, spawn } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";

@@ -1,7 +1,6 @@
 // lippmann-bench NAME runs one benchmark and prints its rows as a table or as JSON.
 //
 // Exit codes: 0 for success, 1 if the benchmark or one of its checks failed, 2 for wrong usage, 128 + n if stopped by signal n.
-// Figures are printed on standard output. Progress and messages are printed on standard error.
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
@@ -63,7 +62,6 @@ Error foreign_option(const std::string& option, const CLI::App& command) {
   return usage_error(option, "is not an option of " + command.get_name(), fmt::format("{}", fmt::join(accepted, ", ")));
 }
 
-/// Returns an error that describes CLI11's error in the terms of this program.
 Error wrong_usage(const CLI::App& root, const CLI::ParseError& refusal) {
   const std::vector<std::string> words = root.remaining(), all_words = root.remaining(true);
   const std::vector<const CLI::App*> commands = root.get_subcommands([](const CLI::App* app) { return app->parsed(); });
@@ -73,8 +71,7 @@ Error wrong_usage(const CLI::App& root, const CLI::ParseError& refusal) {
   return usage_error(commands.front()->get_name(), refusal.what());
 }
 
-/// Runs a benchmark. Throws interrupted() if it was cancelled, because frames that were stopped half-way give meaningless
-/// results and errors.
+/// Throws interrupted() if the benchmark was cancelled, because frames that were stopped half-way give meaningless results.
 Report run_to_the_end(const Benchmark& benchmark, const Request& request, const Context& context) {
   try {
     Report report = benchmark.run(request, context);
@@ -86,7 +83,6 @@ Report run_to_the_end(const Benchmark& benchmark, const Request& request, const 
   }
 }
 
-/// Runs a benchmark, prints its report, and returns the exit code.
 int run_benchmark(const std::string& name, const Options& options, const Context& context) {
   const auto benchmark = std::find_if(benchmarks().begin(), benchmarks().end(), [&](const auto& b) { return b.name == name; });
   const Report report = run_to_the_end(*benchmark, options.request, context);
@@ -111,7 +107,7 @@ int run(int argc, char** argv) {
     root.parse(argc, argv);
   } catch (const CLI::ParseError& outcome) {
     if (outcome.get_exit_code() != 0) throw wrong_usage(root, outcome);
-    return root.exit(outcome);  // for --help and --version
+    return root.exit(outcome);
   }
   Context context;
   context.threads = options.threads;
@@ -126,7 +122,6 @@ int run(int argc, char** argv) {
   return run_benchmark(root.get_subcommands().front()->get_name(), options, context);
 }
 
-/// Runs the command line, and returns the exit code. If it fails, prints one message.
 int run_and_report(int argc, char** argv) {
   try {
     const int code = run(argc, argv);

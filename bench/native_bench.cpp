@@ -1,10 +1,7 @@
-// Compares two ways to make the native frame of a calibrated slanted panel: rendering it with one ray per sub-pixel, and
-// interlacing it from a quilt of 48 views, which is the usual input of such displays. The reference frame is interlaced from
-// 512 views, each with as many pixels as the panel.
+// Compares two ways to make the native frame of a calibrated slanted panel: one ray per sub-pixel, and interlacing a quilt of
+// 48 views. The reference frame is interlaced from 512 views, each with as many pixels as the panel.
 //
-// The panel is an eighth of a Looking Glass Portrait in width and height. It has the same pixels and lenses, and the same ratio
-// of tile pixels to panel pixels. PSNR is computed from 8-bit codes. The CPU time is that of rendering alone, although the
-// quilt must also be interlaced.
+// The panel is an eighth of a Looking Glass Portrait in width and height.
 #include <fmt/core.h>
 
 #include "bench/benchmarks.hpp"
@@ -24,7 +21,7 @@ namespace lippmann::bench {
 namespace {
 
 constexpr int kShrink = 8;
-constexpr double kLeastGain = 3.0;  // minimum advantage in PSNR, in dB
+constexpr double kLeastGain = 3.0;
 
 Display small_portrait() {
   Display display = load_display("looking-glass-portrait");
@@ -33,7 +30,6 @@ Display small_portrait() {
   return display;
 }
 
-/// Returns the display with a quilt of 512 views. Each view has as many pixels as the panel.
 Display with_many_views(Display display) {
   display.quilt->columns = 32, display.quilt->rows = 16;
   display.quilt->width = 32 * display.pixels.x, display.quilt->height = 16 * display.pixels.y;
@@ -45,7 +41,6 @@ class NativeBench {
   NativeBench(const BenchScene& scene, const ThreadPool& pool, const Context& context)
       : scene_(scene), pool_(pool), context_(context), stage_(ResolvedJob(scene.params), pool, context) {}
 
-  /// Renders a frame with `optics`, and adds its CPU seconds to `seconds`.
   Image render(const Optics& optics, double& seconds) {
     stage_.placed.optics = optics;
     stage_.placed.units_per_mm = scene_units_per_mm(stage_.array, window_size_mm(optics).y);

@@ -22,7 +22,7 @@ import tempfile
 import cv2
 import numpy as np
 
-LENS_PIXELS = 8  # the default array of `lippmann render`
+LENS_PIXELS = 8
 BEYOND = 4  # number of additional key frames; minterpolate needs later frames and ends early
 
 
@@ -61,7 +61,7 @@ def dis_flow(keys):
     for before, after in zip(keys, keys[1:]):
         between = np.empty_like(before)
         for view in range(LENS_PIXELS):
-            # A view has one column per lens, so its pixels are wider than high. It is resized to square pixels for the search.
+            # A view has one column per lens, so it is resized to square pixels for the search.
             a, b = (cv2.resize(key[:, view::LENS_PIXELS], (before.shape[1], before.shape[0])) for key in (before, after))
             gray_a, gray_b = (cv2.cvtColor(picture, cv2.COLOR_BGR2GRAY) for picture in (a, b))
             forth, back = dis.calc(gray_a, gray_b, None), dis.calc(gray_b, gray_a, None)

@@ -1,4 +1,4 @@
-// Makes the tables of the paper on which this project is based, for the built-in scenes and for Tachyon's scenes.
+// Makes the tables of the paper on which this project is based.
 #include <fmt/core.h>
 
 #include <cmath>
@@ -75,8 +75,6 @@ Json frames_of(const ReuseRun& run) {
   return frames;
 }
 
-/// Measures the time to trace the first lens and the time to trace the whole frame, with one pixel-tracing style. A style is an
-/// order of pixels.
 class StyleTimer {
  public:
   StyleTimer(const BenchScene& scene, const ThreadPool& pool, const Context& context)
@@ -129,7 +127,6 @@ class StyleTimer {
   Image film_;
 };
 
-/// Measures the pixel-tracing styles on one thread, so that CPU time equals wall time.
 std::vector<StyleRow> measure_styles(const Request& request, const Context& context) {
   const ThreadPool pool(1);
   std::vector<StyleRow> rows;

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns a data block for gnuplot. Key frames, and frames whose value is missing, leave gaps in the curve.
+/// Key frames, and frames whose value is missing, leave gaps in gnuplot's curve.
 template <class Fn>
 std::string data(const std::string& name, const ReuseRun& run, const Fn& value) {
   std::string text = "$" + name + " << EOD\n";

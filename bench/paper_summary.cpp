@@ -14,9 +14,8 @@ Reproduced figures_of(const ReuseRun& run) {
   return {run.scene, run.keyframes, run.saving(), run.mean_psnr(), papers_saving(run.scene), papers_psnr_db(run.scene)};
 }
 
-/// Returns whether `b` reproduces the paper better than `a`. A run that saves as much as the paper is better than a run that
-/// does not. Of two runs that do, the run with the shorter key frame interval is better. Of two runs that do not, the run that
-/// saves more is better.
+/// Returns whether `b` reproduces the paper better than `a`. A run that saves as much as the paper is better than one that does
+/// not. Among such runs, the shorter key frame interval is better; among the others, the larger saving.
 bool is_better(const Reproduced& b, const Reproduced& a) {
   const auto saves_enough = [](const Reproduced& r) { return r.paper_saving && r.saving >= *r.paper_saving; };
   if (saves_enough(a) != saves_enough(b)) return saves_enough(b);

@@ -19,7 +19,7 @@ constexpr PaperFrame kTable1[] = {{103, 21.4394, 34.8187}, {104, 24.7497, 34.195
                                   {106, 25.3311, 34.0943}, {107, 22.0668, 34.6934}, {108, 25.7705, 34.0196},
                                   {109, 22.8951, 34.5334}};
 
-constexpr double kPaperMeanPsnr = 34.52;  ///< dB, mean over 11 frames of the teapot
+constexpr double kPaperMeanPsnr = 34.52;
 
 struct PaperAnimation {
   std::string_view scene;
@@ -30,12 +30,11 @@ constexpr PaperAnimation kTable2[] = {
 
 struct PaperStyles {
   std::string_view scene;
-  double vertical, horizontal;  ///< seconds
+  double vertical, horizontal;
 };
 constexpr PaperStyles kTable3[] = {{"teapot", 0.046, 0.046},     {"room", 0.016, 0.016}, {"small-balls", 0.016, 0.016},
                                    {"primitives", 0.015, 0.016}, {"tree", 0.156, 0.230}, {"gears", 0.062, 0.078}};
 
-/// Returns the name that the paper uses for one of our scenes.
 std::string papers_name(const std::string& scene) {
   constexpr std::string_view kTachyon = "tachyon ";
   const std::string name = scene.starts_with(kTachyon) ? scene.substr(kTachyon.size()) : scene;
@@ -69,8 +68,6 @@ std::string line_of(const ReuseFrame& frame, int keyframes) {
   return line + '\n';
 }
 
-/// Returns the scene for table 1, for which the paper uses a teapot: Tachyon's teapot if it was measured, else our own teapot,
-/// else the first scene.
 std::string scene_of_table_1(const std::vector<ReuseRun>& runs) {
   for (const std::string_view name : {"tachyon teapot", "teapot"})
     for (const ReuseRun& run : runs)
@@ -78,8 +75,7 @@ std::string scene_of_table_1(const std::vector<ReuseRun>& runs) {
   return runs.front().scene;
 }
 
-/// Returns whether table 1 lists a frame. It lists the frames of the paper's table if the run contains all of them, and
-/// otherwise the first nine frames.
+/// Table 1 lists the frames of the paper's table if the run contains all of them, and otherwise the first nine frames.
 bool is_listed(const ReuseRun& run, const ReuseFrame& frame) {
   const int from = std::begin(kTable1)->frame, to = std::prev(std::end(kTable1))->frame;
   const bool has_them = run.frames.front().frame <= from && run.frames.back().frame >= to;

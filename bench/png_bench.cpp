@@ -1,5 +1,3 @@
-// Measures the CPU time and the size of a 512 x 512 PNG for each way of compression. Prints the table of
-// docs/lab/decisions/0002-png-compression.md.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,7 +22,7 @@ namespace {
 constexpr int kPngSize = 512, kLensPixels = 8;
 
 struct Ball {
-  Vec3f center;  // position in pixels; z is the shift in pixels per view
+  Vec3f center;
   float radius;
   Vec3f color;
 };
@@ -34,8 +32,6 @@ const Ball kBalls[] = {{{180, 300, 1.5f}, 110, {0.8f, 0.3f, 0.2f}},
                        {{410, 380, 3.0f}, 60, {0.7f, 0.7f, 0.2f}},
                        {{90, 150, -2.0f}, 40, {0.3f, 0.7f, 0.3f}}};
 
-/// Returns the colour of a pixel in a view. Views are numbered from -3.5 to 3.5. The picture shows shaded balls with highlights
-/// above a checkered floor and in front of a sky with a gradient.
 Vec3f shade(float x, float y, float view) {
   const Vec3f light = glm::normalize(Vec3f(-0.4f, -0.7f, 0.6f)), half = glm::normalize(light + Vec3f(0, 0, 1));
   Vec3f color(0.2f + 0.001f * y, 0.3f + 0.0008f * y, 0.7f - 0.0005f * y);
@@ -59,8 +55,6 @@ Vec3f shade(float x, float y, float view) {
 
 enum class Kind { kView, kIntegral, kNoisyIntegral };
 
-/// Returns a directional view, an integral image with 64 lenses of 8 pixels, or an integral image with the noise of a few
-/// path-traced samples.
 Image8 make_picture(Kind kind) {
   Image film(kPngSize, kPngSize, 3);
   for (int y = 0; y < kPngSize; ++y)

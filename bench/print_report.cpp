@@ -23,7 +23,6 @@ std::string cell(const Json& value) {
   return value.is_string() ? value.get<std::string>() : json_to_text(value, -1);
 }
 
-/// Prints each entry as a line of right-aligned cells. Columns are as wide as their widest cell.
 void print_columns(const std::vector<std::vector<std::string>>& lines) {
   std::vector<std::size_t> widths;
   for (const auto& line : lines) {

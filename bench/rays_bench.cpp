@@ -1,10 +1,8 @@
-// Measures the rays per second of primary rays and of whole Whitted frames. Compares them with a bare Embree loop over the same
-// rays.
+// Measures the rays per second of primary rays and of whole Whitted frames, and compares them with a bare Embree loop over the
+// same rays.
 //
-// The bare loop traces prepared packets of rays: it copies a packet, traces it and keeps the hits in registers. It makes no
-// rays, shading or picture. It is timed for a strip of the picture at a time, so that the packets of the strip are in the
-// cache. All measurements use one thread. Each repetition measures the ratio of the bare loop's time to our time. A row states
-// the median of these ratios.
+// The bare loop copies a prepared packet, traces it and keeps the hits in registers. It is timed for a strip of the picture at
+// a time, so that the packets of the strip are in the cache. A row states the median ratio of the bare loop's time to our time.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -26,7 +24,6 @@ namespace {
 
 constexpr int kRaysRepetitions = 7;
 
-/// Makes the ray packets of a strip. Records them in `log` if it is not null.
 struct LoggedStrip {
   StripPackets packets;
   RayLog* log = nullptr;
@@ -55,8 +52,7 @@ LIPPMANN_MULTIVERSION void store_hits(const RayHitPacket& packet, float* t, floa
   }
 }
 
-/// An integrator for measuring primary rays. It stores the hits of camera rays packet by packet. For a lane without a hit, t is
-/// the end of the ray.
+/// Stores the hits of camera rays packet by packet. For a lane without a hit, t is the end of the ray.
 class StoredHits {
  public:
   explicit StoredHits(const PacketSource& source) {
@@ -71,7 +67,7 @@ class StoredHits {
   }
   void finish() {}
 
-  std::vector<float> t;  ///< distance along the ray from its origin
+  std::vector<float> t;
 
  private:
   std::size_t at_ = 0;
@@ -79,7 +75,7 @@ class StoredHits {
   std::vector<std::uint32_t> geometry_, primitive_;
 };
 
-/// Traces prepared packets. Returns a sum over the results, so that the compiler cannot remove the work.
+/// Returns a sum over the results, so that the compiler cannot remove the work.
 double trace_bare(const RayScene& rays, const RayLog& log) {
   const RayScene::Embree& scene = rays.embree();
   RayHitPacket packet;
@@ -131,7 +127,7 @@ class RayBench {
       Times times;
       result.primary_rays = result.all_rays = 0;
       for (int strip = 0; strip < source_.strips(); ++strip) measure_strip(strip, times, result);
-      if (repetition < 0) continue;  // the first repetition only warms up the caches
+      if (repetition < 0) continue;
       all.push_back(times);
       primary_ratios.push_back(times.bare_primary / times.primary);
       whitted_ratios.push_back(times.bare_all / times.whitted);
@@ -148,7 +144,6 @@ class RayBench {
     return result;
   }
 
-  /// Checks that our primary rays and the bare loop have the same hits.
   void check() {
     const int strip = source_.strips() / 2;
     log_.clear(), hits_.clear();

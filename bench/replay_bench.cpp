@@ -1,10 +1,8 @@
 // Compares two pictures for each of 25 eyes inside the viewing zone: what the eye sees through a lens array that shows the
 // built-in room, and a pinhole view rendered for the eye.
 //
-// Both pictures have one sample per lens at the centre of the lens. For a lenticular sheet, they have one sample per lens and
-// row of the panel. PSNR is computed from 8-bit codes, for all pixels and for four ranges of depth. The depth is that of the
-// pinhole view, relative to the depth budget: up to a quarter, up to a half, up to all of it, and beyond it. The depth budget
-// is the gap times the number of pixels per lens; beyond it, a pixel is wider than a lens.
+// PSNR is computed from 8-bit codes, for all pixels and for four ranges of depth in the pinhole view, relative to the depth
+// budget. The depth budget is the gap times the number of pixels per lens; beyond it, a pixel is wider than a lens.
 //
 // Each view is also compared with the view of another eye, a fifth of the zone away. Depth must be orthoscopic both behind and
 // in front of the display, and pseudoscopic after the conversion.
@@ -33,15 +31,15 @@
 namespace lippmann::bench {
 namespace {
 
-/// number of eyes along each axis of the zone; if the parallax has one axis only, kEyes * kEyes eyes lie along it
+/// number of eyes along each axis of the zone; with parallax along one axis only, kEyes * kEyes eyes lie along it
 constexpr int kEyes = 5;
-constexpr double kBaseline = 1.0 / 5;  ///< distance between two eyes as a share of the zone
+constexpr double kBaseline = 1.0 / 5;  ///< distance between two eyes as a fraction of the zone
 
 /// One value for each range of depth: up to 1/4, up to 1/2, up to 1 of the depth budget, and beyond it.
 using Layers = std::array<double, 4>;
 constexpr Layers kLayerEnds{0.25, 0.5, 1.0, kInfinity};
 
-/// The pinhole view of an eye: its colours and depths. If n pixel columns are traced per lens, only every n-th column is kept.
+/// The pinhole view of an eye. If n pixel columns are traced per lens, only every n-th column is kept.
 struct DirectView {
   Image film, depth;
 };
@@ -67,8 +65,7 @@ class ReplayBench {
 
   const Optics& optics() const { return recorded_.optics; }
 
-  /// Returns the position of the eye at the shares `across` and `along` of the zone. They are counted from the left and from
-  /// the lower end.
+  /// `across` and `along` are positions in the zone from 0 to 1, counted from the left and from the lower end.
   Vec3d eye_at(double across, double along) const {
     const double up = parallax_of(optics()).along ? zone_x_mm(optics(), along, eye_z_mm_) : 0.0;
     return {zone_x_mm(optics(), across, eye_z_mm_), up, eye_z_mm_};
@@ -80,8 +77,7 @@ class ReplayBench {
     return eye_view(panel, view, pool_);
   }
 
-  /// Returns the pinhole view of an eye, traced with square pixels. If a lens has an even number of pixels, the lens centre is
-  /// between two pixels. Samples are then moved to the centre.
+  /// If a lens has an even number of pixels, its centre is between two pixels, so the samples are moved there.
   DirectView direct(Vec3d eye_mm) const {
     const int per_lens =
         std::max(1, static_cast<int>(std::lround(static_cast<double>(grid_.y) / grid_.x * display_window(optics()).size.x /
@@ -124,7 +120,7 @@ class ReplayBench {
   double eye_z_mm_ = 0.0;
 };
 
-/// Returns the PSNR of codes over the pixels selected by `wanted`. It is infinite if no pixel is selected.
+/// Returns the PSNR of codes over the pixels selected by `wanted`, or infinity if there are none.
 template <class Wanted>
 double psnr_where(const Image8& a, const Image8& b, const Wanted& wanted) {
   double sum = 0.0;

@@ -1,5 +1,4 @@
-// Measures how much time reuse between frames saves compared with full tracing, and the PSNR of the frames. The figures are for
-// whole animations including key frames.
+// Measures how much time reuse between frames saves compared with full tracing, and the PSNR of the frames.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -19,7 +18,6 @@ using Json = nlohmann::ordered_json;
 constexpr double kFloor = 50.0;  // minimum PSNR of interpolated frames, in dB
 constexpr int kRounds = 3;
 
-/// Returns the kinds of reuse to be measured. Interpolation without a minimum PSNR is measured by `lippmann-bench paper`.
 std::vector<ReuseMethod> reuse_methods(RenderParams params) {
   params.reuse.choice = ReuseChoice::kCopy;
   const ReuseMethod exact{"exact", params};
@@ -28,8 +26,8 @@ std::vector<ReuseMethod> reuse_methods(RenderParams params) {
   return {exact, {fmt::format("forward, {:.0f} dB", kFloor), params}};
 }
 
-/// Returns a row of the report. psnr_db is the mean over the frames that differ from the traced frames, or null if none
-/// differs. tachyon_ratio is the time of the program tachyon for the same number of pixels, divided by our time.
+/// psnr_db is the mean over the frames that differ from the traced frames, or null if none differs. tachyon_ratio is the time
+/// of the program tachyon for the same number of pixels, divided by our time.
 Json row_of(const ReuseRun& run, std::optional<double> tachyon_seconds) {
   const double frames = static_cast<double>(run.frames.size());
   const Json ratio = tachyon_seconds ? Json(rounded(*tachyon_seconds * frames / run.seconds())) : Json(nullptr);

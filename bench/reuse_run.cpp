@@ -16,7 +16,7 @@
 namespace lippmann::bench {
 namespace {
 
-constexpr int kTurn = 8;  ///< number of frames that a method renders before the next method continues
+constexpr int kTurn = 8;
 
 struct TracedFrame {
   Image8 codes;
@@ -156,7 +156,7 @@ std::vector<ReuseRun> run_round(Stage& stage, const BenchAnimation& animation, c
     const std::size_t pixels = static_cast<std::size_t>(panel.width) * static_cast<std::size_t>(panel.height);
     runs.push_back({animation.name, method.name, method.params.reuse.keyframes.value_or(kDefaultKeyframes), pixels, {}});
   }
-  render_frame(stage, animation.params.sampling, animation.first, pool, context);  // the first frame only warms up the caches
+  render_frame(stage, animation.params.sampling, animation.first, pool, context);
   TracedFrames traced;
   for (int first = animation.first; first < end; first += kTurn) {
     begin_step(request, context, fmt::format("{}: frames {} to {}", animation.name, first, std::min(first + kTurn, end) - 1));

@@ -1,8 +1,7 @@
 // Renders an animation with full tracing and with several kinds of reuse. Compares CPU time and error frame by frame.
 //
-// CPU seconds are the rendering time of all threads. The methods alternate after every eight frames, so that changes in the
-// machine's speed affect all methods. With several rounds, the minimum time of each frame and method counts. Savings are
-// relative to our fastest full tracing.
+// The methods alternate after every eight frames, so that changes in the machine's speed affect all methods. With several
+// rounds, the minimum time of each frame and method counts. Savings are relative to our fastest full tracing.
 #pragma once
 
 #include <map>
@@ -17,9 +16,9 @@ namespace lippmann::bench {
 
 struct ReuseFrame {
   int frame = 0;
-  bool key = false;  ///< whether the frame is a key frame, which is fully traced
+  bool key = false;
   double traced_seconds = 0.0, seconds = 0.0;
-  PictureMetrics likeness;  ///< comparison with the traced frame
+  PictureMetrics likeness;
   /// PSNR in dB over the pixels that differ between the two key frames; no value if no pixel differs
   std::optional<double> moving_psnr;
   double blend_psnr = 0.0;  ///< PSNR in dB of the mean of the two key frames, which ignores motion
@@ -29,15 +28,14 @@ struct ReuseFrame {
 struct ReuseRun {
   std::string scene, method;
   int keyframes = 0;
-  std::size_t pixels = 0;  ///< number of pixels per frame
+  std::size_t pixels = 0;
   std::vector<ReuseFrame> frames;
 
   double traced_seconds() const;
   double seconds() const;
   double saving() const { return 1.0 - seconds() / traced_seconds(); }
   double saving_in_between() const;
-  /// Return the mean or the minimum over the in-between frames that differ from the traced frames. Return no value if none
-  /// differs.
+  /// The mean or the minimum over the in-between frames that differ from the traced frames; no value if none differs.
   std::optional<double> mean_psnr() const;
   std::optional<double> min_psnr() const;
   std::optional<double> mean_moving_psnr() const;
@@ -51,8 +49,8 @@ struct ReuseMethod {
   RenderParams params;  ///< includes the kind of reuse; for interpolation, a key frame interval of 2, 4 or 8, or none
 };
 
-/// Returns one run for each method, in the order of the methods. Throws Error if a fully traced frame, or a frame made by exact
-/// reuse, differs from the traced frame in any bit.
+/// Returns one run for each method. Throws Error if a fully traced frame, or a frame made by exact reuse, differs from the
+/// traced frame in any bit.
 std::vector<ReuseRun> run_reuse(const BenchAnimation& animation, const std::vector<ReuseMethod>& methods,
                                 const Request& request, const Context& context, int rounds = 1);
 

@@ -1,4 +1,3 @@
-// Rounds numbers for the reports of benchmarks.
 #pragma once
 
 #include <cmath>
@@ -10,7 +9,7 @@
 
 namespace lippmann::bench {
 
-/// Returns the value, rounded to three decimals. Returns null if it is missing or not finite, because JSON has no infinity.
+/// Returns the value, rounded to three decimals, or null if it is missing or not finite.
 inline nlohmann::ordered_json rounded_or_null(const std::optional<double>& value) {
   return value && std::isfinite(*value) ? nlohmann::ordered_json(rounded(*value)) : nlohmann::ordered_json(nullptr);
 }

@@ -14,7 +14,7 @@ import math
 import random
 
 NODES = [1, 10, 100, 300, 1000, 3000, 10000]
-UNITS_PER_NODE = 8  # number of units per MPI rank in `lippmann render`
+UNITS_PER_NODE = 8
 
 
 @dataclasses.dataclass(frozen=True)
@@ -23,11 +23,11 @@ class Film:
 
     frames: int = 10_000
     segment: int = 1  # number of frames rendered together: the key frame interval if frames are reused
-    frame_s: float = 60.0  # time to render a frame on one node
+    frame_s: float = 60.0
     first_s: float = 0.0  # extra time of the first frame of a segment
     startup_s: float = 25.0  # time to start a process and load the scene, for every unit
     spread: float = 0.1  # standard deviation of a unit's time relative to its mean
-    frame_bytes: float = 30e6  # size of a frame's files
+    frame_bytes: float = 30e6
     disk_bytes_s: float = 1e9  # write rate of the shared folder for all nodes together
     syncs: int = 3  # number of times that a frame waits until the disk has synced
     disk_syncs_s: float = 250.0  # syncs per second of the shared folder for all nodes together

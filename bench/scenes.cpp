@@ -24,7 +24,6 @@ bool is_tachyons(const std::string& name) {
   return std::find(std::begin(kTachyonNames), std::end(kTachyonNames), name) != std::end(kTachyonNames);
 }
 
-/// Returns the files of Tachyon's scenes that the request needs and that its folder does not contain.
 std::vector<std::string> missing_tachyon_files(const Request& request) {
   std::vector<std::string> missing;
   for (const std::string name : kTachyonNames)
@@ -38,7 +37,6 @@ Error no_tachyon_scenes(const Request& request) {
           "a folder with Tachyon's scenes (--tachyon-scenes DIR); Debian has them in the package tachyon-doc"};
 }
 
-/// Throws Error if the request names an unknown animation, or an animation of Tachyon whose files are missing.
 void require_animations(const Request& request) {
   std::string known;
   for (const BuiltinScene& builtin : builtin_scenes()) known += std::string(builtin.name) + ", ";
@@ -53,8 +51,8 @@ void require_animations(const Request& request) {
   }
 }
 
-/// Warns about missing files of Tachyon's scenes. The benchmark continues with the built-in scenes "teapot" and "room", which
-/// have the names of two of Tachyon's scenes.
+/// Without Tachyon's files, the benchmark continues with the built-in scenes "teapot" and "room", which have the names of two
+/// of Tachyon's scenes.
 void warn_of_missing_tachyon_files(const Request& request, const Context& context) {
   const std::vector<std::string> missing = missing_tachyon_files(request);
   if (missing.empty()) return;

@@ -1,6 +1,5 @@
 // Compares two ways to trace spheres: our user geometry, which tests whole packets of rays, and Embree's
-// RTC_GEOMETRY_TYPE_SPHERE_POINT. Both get the same spheres and the same primary packets on one thread. Only the calls of
-// Embree are timed.
+// RTC_GEOMETRY_TYPE_SPHERE_POINT. Only the calls of Embree are timed.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -67,8 +66,7 @@ std::vector<float> distances(const EmbreeScene& scene, int native_width, const P
   return result;
 }
 
-/// Returns the CPU seconds of Embree's calls. The packets of a strip are prepared before they are timed, so that they are in
-/// the cache.
+/// The packets of a strip are prepared before they are timed, so that they are in the cache.
 double seconds_to_trace(const EmbreeScene& scene, int native_width, const Packets& packets) {
   constexpr std::size_t kStrip = 256;
   std::vector<RayHitPacket> ready(kStrip);
@@ -87,7 +85,6 @@ double seconds_to_trace(const EmbreeScene& scene, int native_width, const Packet
   return total;
 }
 
-/// Checks that both sides hit the same spheres at the same distances. A few rays that graze a sphere may differ.
 void check(const std::vector<float>& ours, const std::vector<float>& theirs) {
   std::size_t different = 0;
   for (std::size_t i = 0; i < ours.size(); ++i)

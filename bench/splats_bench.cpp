@@ -1,9 +1,7 @@
-// Measures the cost of Gaussian splats. The scene imitates a capture: splats of typical sizes on the surfaces of a few shapes.
-// It is rendered as a quilt of 48 views.
+// Measures the cost of Gaussian splats in an imitated capture, rendered as a quilt of 48 views.
 //
 // The CPU time of a whole frame is compared with the time that Embree needs to find the nearest hits of the same camera rays on
-// opaque surfaces. For these surfaces, each splat is replaced by two triangles. Both run on one thread. The minimum of several
-// runs counts.
+// opaque surfaces, where two triangles replace each splat. Both run on one thread. The minimum of several runs counts.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -27,7 +25,6 @@ namespace {
 
 constexpr int kSplatViewsAcross = 8, kSplatViewsDown = 6, kSplatRepetitions = 3;
 
-/// A point on a surface with its normal and colour.
 struct SurfacePlace {
   Vec3f position, normal, color;
 };
@@ -45,11 +42,10 @@ class Capture {
   }
 
  private:
-  static constexpr float kArea = 40.0f;  ///< approximate area of all surfaces together
+  static constexpr float kArea = 40.0f;
 
   float number(float from, float to) { return from + (to - from) * static_cast<float>(random_() & 0xffffffu) * 0x1p-24f; }
 
-  /// Returns a random point on a ball, a ring or a wavy floor.
   SurfacePlace place(int shape) {
     const float u = number(0.0f, 2.0f * kPi), v = number(0.0f, 2.0f * kPi);
     if (shape < 2) {
@@ -67,8 +63,8 @@ class Capture {
     return {{x, y, z}, {0.0f, 1.0f, 0.0f}, dark ? Vec3f(0.25f, 0.3f, 0.35f) : Vec3f(0.7f, 0.7f, 0.65f)};
   }
 
-  /// Adds a splat that is flat in the direction of the normal. It is about as wide as the distance to the next splat. A few
-  /// splats are much larger. Most splats are dense.
+  /// Adds a splat that is flat in the direction of the normal, and about as wide as the distance to the next splat. A few are
+  /// much larger.
   void add(const SurfacePlace& at) {
     const float size = spacing_ * std::exp(number(-0.7f, 0.7f)) * (number(0.0f, 1.0f) < 0.01f ? 4.0f : 1.0f);
     splats_.centers.push_back(at.position + 0.1f * size * number(-1.0f, 1.0f) * at.normal);
@@ -99,7 +95,6 @@ Scene scene_of(Shape shape) {
   return scene;
 }
 
-/// Returns a mesh of two triangles for each splat. They extend to one standard deviation.
 Mesh squares_of(const Splats& splats) {
   Mesh mesh;
   for (std::size_t i = 0; i < splats.centers.size(); ++i) {
@@ -120,7 +115,7 @@ Optics quilt_of_splats(Vec2i view) {
   return optics;
 }
 
-/// Returns the share of light that passes all splats along a ray. Each splat is tested, without an acceleration structure.
+/// Returns the transmittance of all splats along a ray, without an acceleration structure.
 float passed_by_all(const ShadedScene& scene, const LaneRay& ray) {
   std::vector<std::pair<float, float>> met;
   for (const WorldSplat& splat : scene.splats.splats)
@@ -146,7 +141,6 @@ CameraPackets packets_of_strip(const PacketSource& source, int strip) {
   return packets;
 }
 
-/// Compares the light along a few rays with passed_by_all(), and throws Error if they differ.
 void check_rays(const ShadedScene& scene, const PacketSource& source) {
   const CameraPackets packets = packets_of_strip(source, source.strips() / 2);
   SplatHits hits;
@@ -161,8 +155,6 @@ void check_rays(const ShadedScene& scene, const PacketSource& source) {
   }
 }
 
-/// Returns the CPU seconds to find the nearest hits of the camera rays. The packets of a strip are prepared before they are
-/// timed.
 double seconds_of_hits(const ShadedScene& scene, const PacketSource& source) {
   double total = 0.0;
   for (int strip = 0; strip < source.strips(); ++strip) {

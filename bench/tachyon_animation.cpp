@@ -16,7 +16,6 @@ namespace {
 
 constexpr int kTinySize = 8;
 
-/// A temporary file with a camera path for tachyon. Each line is a frame of the animation.
 class CameraFile {
  public:
   explicit CameraFile(const BenchAnimation& animation)

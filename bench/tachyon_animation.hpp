@@ -1,4 +1,3 @@
-// Measures how long the program tachyon needs for frames of its own animations. The paper compares its savings with tachyon.
 #pragma once
 
 #include <optional>
@@ -8,8 +7,8 @@
 namespace lippmann::bench {
 
 /// Returns the CPU seconds per frame along the animation's camera path, for frames of `pixels` pixels without antialiasing, on
-/// one thread. The time to read the scene is excluded. Returns no value if the animation is not one of Tachyon's, or if the
-/// program is not installed.
+/// one thread, or no value if the animation is not one of Tachyon's, or if the program is not installed. The time to read the
+/// scene is excluded.
 std::optional<double> tachyon_seconds_per_frame(const BenchAnimation& animation, double pixels);
 
 }  // namespace lippmann::bench

@@ -1,10 +1,9 @@
 // Compares the CPU time per pixel of our Whitted frames with that of the program tachyon. Both render tachyon's own scenes and
 // cameras with one thread.
 //
-// The time of tachyon is the difference between the times of a large and of a tiny picture. It therefore excludes reading the
-// scene and building its data structures, as our time does. Two of our frames are measured: a single view of the same size, and
-// the integral image of our default array around the same camera. The integral image has as many pixels of the scene as the
-// single view, seen from 8 directions each.
+// The time of tachyon is the difference between the times of a large and of a tiny picture, which excludes reading the scene
+// and building its data structures. Two of our frames are measured: a single view of the same size, and the integral image of
+// our default array around the same camera.
 #include <fmt/core.h>
 
 #include <filesystem>

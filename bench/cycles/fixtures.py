@@ -283,7 +283,6 @@ FIXTURES = {"diffuse-box": (diffuse_box, False, 35.0), "textured": (textured_poi
 
 
 def write_panorama(path, width=256):
-    """Writes a soft sky with a warm spot as an uncompressed Radiance .hdr file."""
     def texel(x, y):
         u, v = (x + 0.5) / width, (y + 0.5) / (width // 2)
         sky = 0.9 - 0.7 * v

@@ -32,8 +32,7 @@ LATER = {"Specular": "Specular IOR Level", "Transmission": "Transmission Weight"
 
 
 def socket(node, key):
-    """Returns the input of a node that has the number or name `key`, or the input with the later name of `key` (LATER)
-    if the node has it."""
+    """Returns the input of a node with the number or name `key`, or with the later name of `key` (LATER)."""
     later = LATER.get(key)
     return node.inputs[later if later and later in node.inputs else key]
 
@@ -43,7 +42,7 @@ def below_gloss(roughness, f0, stops=24):
     alpha2 = max(roughness, 0.03)**4
     u = (np.arange(4096) + 0.5) / 4096
     turn = 2 * np.pi * ((np.arange(4096) * 0.6180339887) % 1.0)
-    cosine_h = np.sqrt((1 - u) / (1 + (alpha2 - 1) * u))  # draws facets of the surface from their GGX distribution
+    cosine_h = np.sqrt((1 - u) / (1 + (alpha2 - 1) * u))
     sine_h = np.sqrt(1 - cosine_h**2)
     shares = []
     for place in np.linspace(0, 1, stops):
@@ -60,8 +59,6 @@ def below_gloss(roughness, f0, stops=24):
 
 
 class Surface:
-    """Builds a glTF material from nodes of Cycles, in place of the importer's Principled surface."""
-
     def __init__(self, material, source):
         self.tree = material.node_tree
         self.principled = next((n for n in self.tree.nodes if n.type == "BSDF_PRINCIPLED"), None)
@@ -109,7 +106,7 @@ class Surface:
         return self.node("ShaderNodeMixRGB", {0: 1.0, 1: color, 2: factor}, blend_type="MULTIPLY")
 
     def mixed(self, shader, make_other, share):
-        """Mixes two shaders. `share` is the weight of the second shader, which is made only if its weight is not 0."""
+        """`share` is the weight of the second shader, which is made only if its weight is not 0."""
         if share == 0.0:
             return shader
         other = make_other()
@@ -128,19 +125,15 @@ class Surface:
                          distribution="MULTI_GGX")
 
     def plastic(self):
-        """Returns the shader for plastic. It is the gloss of a black Principled surface plus the diffuse light below it. Fresnel's
-        term applies to the facets of the gloss."""
+        """Returns the shader for plastic: the gloss of a black Principled surface plus the diffuse light below it."""
         f0 = self.specular * ((self.ior - 1) / (self.ior + 1))**2
-        # The reflectance f0 is given by the input "Specular". Since Blender 4.0, an input of 0.5
-        # means the reflectance that the index of refraction gives. In earlier versions, an input of
-        # 1 means 0.08.
+        # The input "Specular" gives the reflectance f0. Since Blender 4.0, an input of 0.5 means the reflectance of the index of
+        # refraction. In earlier versions, an input of 1 means 0.08.
         of_ior = LATER["Specular"] in self.principled.inputs
         gloss = self.gloss(Base_Color=[0, 0, 0], Specular=0.5 * self.specular if of_ior else f0 / 0.08)
         return self.node("ShaderNodeAddShader", {0: gloss, 1: self.diffuse(self.times(self.input("Base Color"), self.left(f0)))})
 
     def left(self, f0):
-        """Returns the share of light that the gloss does not reflect."""
-        # output 1 is 1 - cosine of the view angle
         facing = self.node("ShaderNodeLayerWeight", {"Blend": 0.5, "Normal": self.normal()}, output=1)
         roughness = self.input("Roughness")
         if isinstance(roughness, float):
@@ -178,8 +171,7 @@ class Surface:
         return self.node("ShaderNodeMixShader", {0: share, 1: shader, 2: coat})
 
     def glowing(self, shader, source):
-        """Adds emission with the factor, the strength and the texture of the file. The importer drops the texture if the factor is not
-        grey."""
+        """The importer drops the emission texture if the factor is not grey."""
         factor = source.get("emissiveFactor", [0.0, 0.0, 0.0])
         if not any(factor):
             return shader
@@ -198,8 +190,8 @@ class Surface:
         return self.node("ShaderNodeMixShader", {0: coverage, 1: self.node("ShaderNodeBsdfTransparent", {}), 2: shader})
 
     def absorb(self, volume):
-        """Sets absorption as KHR_materials_volume defines it, by the logarithm of the colour. The
-        importer uses 1 - colour instead. Cycles absorbs density (1 - colour) per unit of length."""
+        """Sets absorption as KHR_materials_volume defines it, by the logarithm of the colour. Cycles absorbs density (1 -
+        colour) per unit of length."""
         node = next((n for n in self.tree.nodes if n.type == "VOLUME_ABSORPTION"), None)
         distance = volume.get("attenuationDistance", math.inf)
         if node is None:
@@ -215,7 +207,6 @@ class Surface:
 
 
 def numbered(file, folder):
-    """Returns a copy of the file. Materials and lights are named by their index, and every primitive has a material."""
     copy = one_file.OneFile(pathlib.Path(file))
     doc = copy.doc
     bare = [p for mesh in doc.get("meshes", []) for p in mesh["primitives"] if "material" not in p]
@@ -232,12 +223,11 @@ def numbered(file, folder):
 
 
 def number_of(thing):
-    """Returns the number N in the name "material-N". Copies with vertex colours are named "material-N.001"."""
+    """Returns N for "material-N" and for copies with vertex colours, "material-N.001"."""
     return int(thing.name.split("-")[1].split(".")[0])
 
 
 def load(file, own_surfaces=False):
-    """Loads the file into an empty Blender, at the start of the animation. If `own_surfaces`, the importer's surfaces are kept."""
     bpy.ops.wm.read_factory_settings(use_empty=True)
     with tempfile.TemporaryDirectory() as folder:
         source, lights = numbered(file, pathlib.Path(folder))
@@ -251,8 +241,8 @@ def load(file, own_surfaces=False):
 
 
 def importers_extensions():
-    """Returns the glTF extensions that Blender's importer reads. The importer of Blender 3.4 also reads volumes, but its own list does
-    not contain them."""
+    """Returns the glTF extensions that Blender's importer reads. The importer of Blender 3.4 also reads volumes, which its
+    own list lacks."""
     from io_scene_gltf2.io.imp.gltf2_io_gltf import glTFImporter
     return set(glTFImporter("", {"import_user_extensions": []}).extensions_managed) | {"KHR_materials_volume"}
 
@@ -278,7 +268,6 @@ def light_up(lamp, light, generator):
 
 
 def surround(scene, panorama):
-    """Makes the world black, or lights it by a panorama file."""
     scene.world = bpy.data.worlds.new("world")
     scene.world.use_nodes = True
     nodes, links = scene.world.node_tree.nodes, scene.world.node_tree.links
@@ -320,7 +309,6 @@ def render(scene, samples, seed, out):
 
 
 def cpu_seconds():
-    """Returns the CPU seconds that all threads of this process have used."""
     usage = resource.getrusage(resource.RUSAGE_SELF)
     return usage.ru_utime + usage.ru_stime
 

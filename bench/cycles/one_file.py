@@ -16,7 +16,6 @@ def split_glb(data):
 
 
 def bytes_of(uri, folder):
-    """Returns the bytes of a data URI, or of a file in the folder."""
     if uri.startswith("data:"):
         return base64.b64decode(uri.split(",", 1)[1])
     return (folder / urllib.parse.unquote(uri)).read_bytes()
@@ -33,7 +32,6 @@ class OneFile:
         self.take_images_in()
 
     def append(self, data):
-        """Appends the data to the buffer, and returns its position in the buffer."""
         self.blob += b"\0" * (-len(self.blob) % 16)
         self.blob += data
         return len(self.blob) - len(data)
@@ -42,7 +40,6 @@ class OneFile:
         starts = []
         for buffer in self.doc.get("buffers", []):
             data = bytes_of(buffer["uri"], self.folder) if "uri" in buffer else chunk
-            # fallback buffers of compressed data have no bytes
             starts.append(self.append(bytes(data).ljust(buffer["byteLength"], b"\0")))
         for view in self.doc.get("bufferViews", []):
             for part in (view, view.get("extensions", {}).get("EXT_meshopt_compression")):

@@ -12,7 +12,7 @@ import sys
 import one_file
 
 HERE = pathlib.Path(__file__).resolve().parent
-PATH = "/usr/bin:/bin"  # Blender needs Debian's Python
+PATH = "/usr/bin:/bin"
 BLENDER = os.environ.get("BLENDER", "blender")  # this environment variable names another version of Blender
 
 
@@ -21,14 +21,13 @@ class Failed(SystemExit):
 
 
 def reason(text):
-    """Returns the line of a program's output that states the error. Returns the last line if there is no such line."""
+    """Returns the line of a program's output that states the error, or the last line."""
     lines = [line.strip() for line in text.splitlines() if line.strip()]
     errors = [line for line in lines if re.match(r"(\w+\.)*\w*(Error|Exception)\b.*:", line) and not line.startswith(("Error: Python:", "Error: script failed"))]
     return (errors or lines or ["no message"])[-1]
 
 
 def has_blender():
-    """Returns whether Blender is installed. Prints a message if it is not."""
     if shutil.which(BLENDER, path=PATH):
         return True
     print("skipped: Blender is not installed (apt-get install blender)", file=sys.stderr)
@@ -46,7 +45,6 @@ def blender(script, words, mark):
 
 
 def info(tool, scene, *flags):
-    """Returns the JSON that `lippmann info` prints."""
     done = subprocess.run([str(word) for word in (tool, "info", scene, *flags, "--json")], capture_output=True, text=True)
     if done.returncode:
         raise Failed(done.stderr.strip())
@@ -66,7 +64,6 @@ def with_camera(tool, asset, view, work):
 
 
 def mse(tool, reference, test):
-    """Returns the mean squared error between the 8-bit sRGB codes of two pictures."""
     done = subprocess.run([str(tool), "compare", str(reference), str(test), "--json"], capture_output=True, text=True)
     if done.returncode:
         raise SystemExit(done.stderr)

@@ -34,8 +34,7 @@ def load(index):
     animations = []
     restore = BlenderAnimation.restore_animation
 
-    # Selects the wanted animation. The importer would select the first one, which changes values that the wanted animation does not
-    # animate.
+    # The importer would select the first animation, which changes values that the wanted one does not animate.
     def restore_ours(gltf, _):
         for animation in gltf.data.animations:
             ends = [gltf.data.accessors[animation.samplers[channel.sampler].input].max[0] for channel in animation.channels]
@@ -54,7 +53,7 @@ def load(index):
 
 
 def frame_of(seconds):
-    return seconds * bpy.context.scene.render.fps  # the importer converts seconds to frames
+    return seconds * bpy.context.scene.render.fps
 
 
 def slerp_rotations(times):
@@ -67,7 +66,7 @@ def slerp_rotations(times):
 
 
 def slerp_rotation(curves, frames):
-    keys = np.array([[key.co for key in curve.keyframe_points] for curve in curves])  # axes: curve, key, and (frame, value)
+    keys = np.array([[key.co for key in curve.keyframe_points] for curve in curves])
     for frame in frames:
         after = int(np.searchsorted(keys[0, :, 0], frame))
         if after in (0, keys.shape[1]) or np.abs(keys[0, :, 0] - frame).min() < 0.02:  # Blender merges keys that are nearer than this
@@ -108,7 +107,6 @@ def poses_by_lippmann(index, times):
 
 
 def reach(points, others):
-    """Returns the largest distance from one of `points` to the nearest of `others`."""
     tree = mathutils.kdtree.KDTree(len(others))
     for i, point in enumerate(others):
         tree.insert(point, i)

@@ -39,7 +39,7 @@ class Views:
         self.camera.data.clip_start, self.camera.data.clip_end = 1e-3 * job["distance"], 1e4 * job["distance"]
         self.scene.collection.objects.link(self.camera)
         self.scene.camera = self.camera
-        self.window = job["window_height"] * max(1.0, job["width"] / job["height"])  # length of the longer side of the window
+        self.window = job["window_height"] * max(1.0, job["width"] / job["height"])
         # number of Blender frames per frame of the job; the importer converts seconds to frames
         self.frames_per_frame = self.scene.render.fps / job["frames_per_second"]
 

@@ -16,14 +16,13 @@ RGB_TO_XYZ = np.array([[10135552 / 24577794, 8788810 / 24577794, 4435075 / 24577
 WHITE = RGB_TO_XYZ.sum(axis=1)
 COLOR_POWER, COLOR_SPLIT, COLOR_SHARE, FEATURE_POWER = 0.7, 0.4, 0.95, 0.5
 FEATURE_WIDTH_DEG = 0.082
-# Contrast sensitivity of the eye for lightness, red-green and blue-yellow. A pair (a, b) is the
-# Gaussian a sqrt(pi / b) exp(-(pi x)^2 / b) of the distance x in degrees.
+# Contrast sensitivity of the eye for lightness, red-green and blue-yellow. A pair (a, b) is the Gaussian a sqrt(pi / b) exp(-(pi
+# x)^2 / b), with the distance x in degrees.
 SENSITIVITY = (((1.0, 0.0047),), ((1.0, 0.0053),), ((34.1, 0.04), (13.5, 0.025)))
 WIDEST = 0.04
 
 
 def linear(codes):
-    """Returns the linear light of sRGB values from 0 to 1."""
     return np.where(codes <= 0.04045, codes / 12.92, ((codes + 0.055) / 1.055)**2.4)
 
 
@@ -83,7 +82,6 @@ def color_difference(a, b):
 
 
 def features(lightness):
-    """Returns the strengths of edges and of points at every pixel."""
     deviation = 0.5 * FEATURE_WIDTH_DEG * PIXELS_PER_DEGREE
     x = np.arange(-int(np.ceil(3 * deviation)), int(np.ceil(3 * deviation)) + 1)
     bell = np.exp(-x**2 / (2 * deviation**2))

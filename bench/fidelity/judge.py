@@ -21,9 +21,8 @@ def psnr(a, b, counted):
 
 
 def noise(few, many, times):
-    """Returns the mean squared noise of the picture `many`. It is derived from the difference to the picture `few`, which has
-    independent noise and 1 / `times` of the samples. If samples are stratified, the result is an upper bound, because the noise then
-    decreases faster than with the number of samples."""
+    """Returns the mean squared noise of the picture `many`, from the difference to the picture `few`, which has independent
+    noise and 1 / `times` of the samples. For stratified samples, it is an upper bound."""
     counted = (few[..., 3] > 0) | (many[..., 3] > 0)
     a, b = pictures.before_grey(few).astype(float), pictures.before_grey(many)
     return float(np.mean((a[counted] - b[counted])**2) / (times + 1)) if counted.any() else 0.0
@@ -40,7 +39,6 @@ def median_of(others):
 
 
 def counted_pixels(named):
-    """Returns a mask of the pixels that are covered in at least one picture."""
     counted = np.any([p[..., 3] > 0 for p in named.values()], axis=0)
     if not counted.any():
         raise SystemExit("all pictures show only the background; check that the camera sees the model")
@@ -48,8 +46,8 @@ def counted_pixels(named):
 
 
 def among_others(named, own):
-    """Returns the PSNR in dB among the pictures of all renderers except `own`. It is derived from the mean square of the differences
-    of each picture from the median of the remaining pictures. Returns None for fewer than two pictures."""
+    """Returns the PSNR in dB among the pictures of all renderers except `own`, from the mean squared difference of each
+    picture from the median of the others. Returns None for fewer than two pictures."""
     counted = counted_pixels(named)
     flat = [pictures.before_grey(p) for name, p in named.items() if name != own]
     if len(flat) < 2:

@@ -39,8 +39,8 @@ def key_of(job, shot, programs):
 
 
 def kept(shot, name, job, programs, render):
-    """Returns the result that an earlier run with the same inputs has stored. Otherwise calls render() with the file of the job,
-    stores its result and returns it."""
+    """Returns the stored result of an earlier run with the same inputs, or calls render() with the file of the job and stores
+    its result."""
     file, key = shot.folder / f"{name}.json", key_of(job, shot, programs)
     if file.exists() and json.loads(file.read_text())["key"] == key:
         return json.loads(file.read_text())["renders"]
@@ -75,7 +75,6 @@ def unread(shot, name):
 
 
 def has_three():
-    """Returns whether three-gpu-pathtracer is installed. Prints a message if it is not."""
     if shutil.which("node") and (THREE / "node_modules").is_dir():
         return True
     print("skipped: three-gpu-pathtracer is not installed (apt-get install nodejs npm chromium; npm ci in bench/fidelity/three)", file=sys.stderr)

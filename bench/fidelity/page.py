@@ -59,7 +59,6 @@ def table(rows):
 
 
 def figure(name, judged, picture):
-    """Returns the HTML of a renderer's picture. `judged` is None if there is nothing to compare the picture with."""
     if judged is None:
         return f"<figure><figcaption><b>{html.escape(name)}</b></figcaption>{shown(pictures.before_grey(picture))}</figure>"
     return (f"<figure><figcaption><b>{html.escape(name)}</b> {decibels(judged['psnr_db'])} dB, FLIP {judged['flip']:.4f}</figcaption>" +
@@ -73,8 +72,6 @@ class Page:
         self.rows, self.sections = [], []
 
     def add(self, row, judged, named):
-        """Adds a scenario. `row` is its row of the table, `judged` the result of judge.judged, and `named` the RGBA pictures by
-        renderer."""
         self.rows.append(row)
         notes = "".join(f"<p>{html.escape(note)}</p>" for note in row["notes"])
         figures = "".join(figure(name, judged.get(name), named[name]) for name in named)

@@ -81,7 +81,6 @@ def png(codes):
 
 
 def encode(light):
-    """Returns the 8-bit sRGB codes of linear light."""
     light = np.clip(light, 0, 1)
     return np.round(255 * np.where(light <= 0.0031308, 12.92 * light, 1.055 * light**(1 / 2.4) - 0.055)).astype(np.uint8)
 

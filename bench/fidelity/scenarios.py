@@ -38,7 +38,7 @@ class Scenario:
     target: tuple = (0.0, 0.0, 0.0)
     vertical_fov_deg: float = 45.0
     skybox: bool = False
-    references: dict = dataclasses.field(default_factory=dict)  # file of the reference picture of each renderer
+    references: dict = dataclasses.field(default_factory=dict)
 
     def size(self, longest):
         """Returns the width and height in pixels. They are reduced so that the longer side is at most `longest`."""
