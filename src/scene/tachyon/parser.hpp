@@ -20,8 +20,8 @@ namespace lippmann::tachyon {
 
 struct ShaderMode {
   bool shadows = true;
-  bool plain_colors = false;
-  bool opacity_dims = false;
+  bool plain_colors = false;  ///< colours without lighting
+  bool opacity_dims = false;  ///< opacity multiplies a surface's own light
 };
 
 struct ParserState {
@@ -51,7 +51,6 @@ Scene read_scene(Lexer& lexer, SceneFolder& folder, const Context& context, doub
 
 void animate_camera(Scene& scene, Lexer& path);
 
-// Shading modes (shader_mode.cpp).
 void parse_shader_mode(Lexer& lexer, ParserState& state);
 void apply_shader_mode(const ShaderMode& mode, Scene& scene);
 
