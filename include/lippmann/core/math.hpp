@@ -17,8 +17,8 @@ using Vec4f = glm::vec4;
 using Vec2d = glm::dvec2;
 using Vec3d = glm::dvec3;
 using Vec2i = glm::ivec2;
-using Mat3f = glm::mat3;
-using Quatf = glm::quat;
+using Mat3f = glm::mat3;  ///< stored column by column
+using Quatf = glm::quat;  ///< glm's constructor takes (w, x, y, z)
 
 inline constexpr float kInfinity = std::numeric_limits<float>::infinity();
 inline constexpr float kPi = std::numbers::pi_v<float>;

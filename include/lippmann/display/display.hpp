@@ -23,7 +23,7 @@ enum class DisplayKind { kSlantedPanel, kLenticularSheet, kMicrolensArray };
 struct DisplayQuilt {
   int columns = 8, rows = 6;        ///< number of tiles across and down
   int width = 4096, height = 4096;  ///< size of the whole image in pixels
-  double aspect = 0.75;
+  double aspect = 0.75;             ///< width / height of the display; the pixels of a tile need not be square
 
   bool operator==(const DisplayQuilt&) const = default;
 };
@@ -85,7 +85,7 @@ struct DisplayLenses {
 
 /// The videos that a device can play.
 struct DisplayVideo {
-  std::string codec = "hevc";
+  std::string codec = "hevc";  ///< h264, hevc, vp9, av1 or ffv1
   int longest_side = 8192;
   bool quilts = true;  ///< true: the device plays videos of quilts; false: it shows only still quilts
 };
@@ -94,14 +94,14 @@ struct Display {
   std::string name{};
   std::string description{};
   DisplayKind kind = DisplayKind::kSlantedPanel;
-  std::vector<std::string> serials{};
+  std::vector<std::string> serials{};  ///< prefixes of the device type's serial numbers, or a device's whole serial number
   Vec2i pixels{1536, 2048};
   double dpi = 324.0;
-  double view_cone_deg = 40.0;
+  double view_cone_deg = 40.0;                  ///< full angle of the viewing zone
   std::optional<double> viewing_distance_mm{};  ///< no value: the distance at which the panel's height spans 14 degrees
   std::optional<double> crosstalk_px{};         ///< sigma of the lens blur, in display pixels (optics/crosstalk.hpp)
-  Calibration calibration{};
-  DisplayLenses lenses{};
+  Calibration calibration{};                    ///< slanted panels only
+  DisplayLenses lenses{};                       ///< lenticular sheets and microlens arrays only
   std::optional<DisplayQuilt> quilt{};
   DisplayVideo video{};
 

@@ -34,8 +34,8 @@ struct Panel {
 struct LenticularSheet {
   float lens_pitch_mm = 1.0f;
   float gap_mm = 2.0f;
-  float slant = 0.0f;  ///< angle between the lenses and the vertical in radians, |slant| < pi/2
-  float offset_mm = 0.5f;
+  float slant = 0.0f;      ///< angle between the lenses and the vertical in radians, |slant| < pi/2
+  float offset_mm = 0.5f;  ///< xi coordinate of the centre of lens 0
   /// Distance at which the cells converge. If infinite, each cell lies straight below its lens.
   float viewing_distance_mm = kInfinity;
   /// Y of the point to which the rays of all pixel rows converge, if viewing_distance_mm is finite.
@@ -51,7 +51,7 @@ struct MicrolensArray {
   LensPacking packing = LensPacking::kSquare;
   float lens_pitch_mm = 1.0f;
   float gap_mm = 2.0f;
-  Vec2f offset_mm{0.5f, 0.5f};
+  Vec2f offset_mm{0.5f, 0.5f};  ///< centre of lens (0, 0)
   float viewing_distance_mm = kInfinity;
   float parallax = 1.0f;
 };
@@ -67,19 +67,19 @@ struct MultiView {
   float view_cone = radians(40.0f);  ///< full angle that the N views cover
   /// True: the angle of view v uses v / (N - 1) instead of (v + 1/2) / N, as in some tools.
   bool cone_ends_included = false;
-  float distance_mm = 500.0f;
-  float baseline_mm = 0.0f;  ///< if above 0: eye spacing of a camera grid, which ignores view_cone
+  float distance_mm = 500.0f;  ///< distance from the eyes to the plane z = 0
+  float baseline_mm = 0.0f;    ///< if above 0: eye spacing of a camera grid, which ignores view_cone
   /// Height of a pixel in pixel widths. Differs from 1 for quilts whose tiles are stretched on the display.
   float pixel_height = 1.0f;
   float parallax = 1.0f;
-  Vec2f eye_shift{0.0f};  ///< shifts all eyes right and up, in units of the view spacing (optics/angular_filter.hpp)
-  float eye_height_mm = 0.0f;
+  Vec2f eye_shift{0.0f};       ///< shifts all eyes right and up, in units of the view spacing (optics/angular_filter.hpp)
+  float eye_height_mm = 0.0f;  ///< height of all eyes above the middle of the plane z = 0
 };
 
 /// One pinhole at (0, eye_height, distance) through the rectangle of the panel in z = 0.
 struct SingleView {
-  float distance_mm = 500.0f;
-  Vec2f pixel_offset{0.0f};  ///< shift of sample points, in pixels right and down
+  float distance_mm = 500.0f;  ///< distance from the viewer to the plane z = 0
+  Vec2f pixel_offset{0.0f};    ///< shift of sample points, in pixels right and down
   float eye_height_mm = 0.0f;
 };
 
@@ -112,7 +112,7 @@ struct SlantedPanel {
 struct PlenopticCamera {
   LensPacking packing = LensPacking::kSquare;
   float lens_pitch_mm = 0.5f;
-  float gap_mm = 1.0f;
+  float gap_mm = 1.0f;    ///< distance from the microlens array to the sensor
   Vec2f offset_mm{0.0f};  ///< centre of lens (0, 0) relative to the axis of the main lens
   float focal_length_mm = 50.0f;
   float f_number = 2.0f;       ///< f-number of the main lens; light outside its aperture is blocked
@@ -123,8 +123,8 @@ struct PlenopticCamera {
 };
 
 struct Ray {
-  Vec3f origin{0.0f};
-  Vec3f direction{0.0f, 0.0f, -1.0f};
+  Vec3f origin{0.0f};                  ///< in mm
+  Vec3f direction{0.0f, 0.0f, -1.0f};  ///< unit length, z < 0
 };
 
 /// Optics defined only by a table of rays: a simulated lens, a measured display, or any function from pixel to ray
@@ -208,14 +208,14 @@ Vec2f sample_footprint_mm(const Optics& optics, float z_mm);
 
 /// A lens array seen from the front. pitch_mm is measured along a row of pixels, row_pitch_mm perpendicular to it.
 struct LensArray {
-  double pitch_mm = 0.0;
-  double row_pitch_mm = 0.0;
+  double pitch_mm = 0.0;      ///< distance between lenses along a row of pixels, for any slant
+  double row_pitch_mm = 0.0;  ///< distance between rows of lenses; 0: cylindrical lenses
   double gap_mm = 0.0;
-  double viewing_distance_mm = 0.0;
+  double viewing_distance_mm = 0.0;  ///< distance at which the cells converge, or infinity
   double eye_height_mm = 0.0;
-  double cell_mm = 0.0;       ///< width of the panel area below one lens
-  double slant_cosine = 1.0;  ///< cosine of a sheet's slant: lens_pitch_mm = pitch_mm * slant_cosine
-  float lens_pitch_mm = 0.0f;
+  double cell_mm = 0.0;        ///< width of the panel area below one lens
+  double slant_cosine = 1.0;   ///< cosine of a sheet's slant: lens_pitch_mm = pitch_mm * slant_cosine
+  float lens_pitch_mm = 0.0f;  ///< distance between lenses, measured perpendicular to them
 };
 
 /// Returns the lenses of a lenticular sheet or a microlens array, or nothing for other optics.
@@ -227,7 +227,7 @@ inline bool has_lenses(const Optics& optics) { return lens_array(optics).has_val
 /// The images of a plenoptic camera's main lens on its sensor, one below each microlens.
 struct SensorLenses {
   double pitch_px = 0.0, row_pitch_px = 0.0;
-  Vec2d centre_px{0.0};
+  Vec2d centre_px{0.0};  ///< centre of one of the images
   LensPacking packing = LensPacking::kSquare;
 };
 

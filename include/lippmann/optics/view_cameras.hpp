@@ -21,10 +21,10 @@ namespace lippmann {
 /// Parallel cameras that look along -z, off-axis through the same rectangle in the plane z = 0. Lengths are in mm of the
 /// display frame (optics/optics.hpp).
 struct ViewCameras {
-  double distance_mm = 0.0;  ///< distance from every eye to the plane z = 0, where the views coincide
-  Vec2d pixel_mm{0.0};
-  Vec2d centre_px{0.0};  ///< position of x = y = 0 in every view, from its top left corner
-  std::vector<Vec2d> eyes_mm = {};
+  double distance_mm = 0.0;         ///< distance from every eye to the plane z = 0, where the views coincide
+  Vec2d pixel_mm{0.0};              ///< size of a view's pixel in the plane z = 0
+  Vec2d centre_px{0.0};             ///< position of x = y = 0 in every view, from its top left corner
+  std::vector<Vec2d> eyes_mm = {};  ///< position of each view's eye, x right and y up
 };
 
 /// Returns the cameras of the views if every view consists of whole pixels. Returns nothing for other optics, and for lenses

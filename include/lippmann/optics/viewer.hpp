@@ -12,7 +12,7 @@ namespace lippmann {
 
 struct Viewer {
   Vec2d slope_at_centre{0.0};
-  double vergence = 0.0;
+  double vergence = 0.0;  ///< 1 / distance, per mm
 
   Vec2d slope_at(Vec2d point_mm) const { return slope_at_centre - point_mm * vergence; }
 };

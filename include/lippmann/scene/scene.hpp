@@ -55,26 +55,26 @@ inline const std::vector<Vec2f>& uvs_of(const Mesh& mesh, int set) { return set 
 
 struct Sphere {
   Vec3f center{0.0f};
-  float radius = 1.0f;
+  float radius = 1.0f;  ///< > 0
 };
 
 /// The side of a cylinder, without caps.
 struct Cylinder {
   Vec3f base{0.0f};
   Vec3f apex{0.0f, 1.0f, 0.0f};
-  float radius = 1.0f;
+  float radius = 1.0f;  ///< > 0
 };
 
 /// An infinite plane. Rays hit both sides.
 struct Plane {
   Vec3f point{0.0f};
-  Vec3f normal{0.0f, 1.0f, 0.0f};
+  Vec3f normal{0.0f, 1.0f, 0.0f};  ///< unit length
 };
 
 /// A flat ring, or a disc if inner_radius is 0. Rays hit both sides.
 struct Ring {
   Vec3f center{0.0f};
-  Vec3f normal{0.0f, 1.0f, 0.0f};
+  Vec3f normal{0.0f, 1.0f, 0.0f};  ///< unit length
   float inner_radius = 0.0f;
   float outer_radius = 1.0f;
 };
@@ -92,8 +92,8 @@ struct Splats {
   std::vector<Vec3f> centers{};
   std::vector<Quatf> rotations{};   ///< unit length; rotates the splat's principal axes into the shape's axes
   std::vector<Vec3f> deviations{};  ///< standard deviations along the splat's three principal axes, > 0
-  std::vector<float> opacities{};
-  int degree = 0;  ///< degree of the spherical harmonics, 0 to 3
+  std::vector<float> opacities{};   ///< 0 to 1
+  int degree = 0;                   ///< degree of the spherical harmonics, 0 to 3
   /// (degree + 1)^2 coefficients for each splat, ordered by l and then by m from -l to l. The colour of a splat is max(0, 0.5 +
   /// sum of coefficient * basis function). The basis functions are the real spherical harmonics with the Condon-Shortley phase,
   /// at the ray's direction in the shape's axes.
@@ -316,7 +316,7 @@ struct EnvironmentMap {
 struct Background {
   Vec3f horizon{0.0f};
   Vec3f zenith{0.0f};
-  Vec3f up{0.0f, 1.0f, 0.0f};
+  Vec3f up{0.0f, 1.0f, 0.0f};  ///< unit length
   /// Sines of the elevations at which the blend begins and ends. They must differ. If horizon_at > zenith_at, the horizon
   /// colour is above the zenith colour.
   float horizon_at = 0.0f, zenith_at = 1.0f;
@@ -366,7 +366,7 @@ struct Node {
 /// joints j of weight_j * world_from_node[joints[j]] * joint_from_mesh[j] * v.
 struct Skin {
   std::string name{};
-  std::vector<int> joints{};
+  std::vector<int> joints{};                ///< indices of the joints' nodes
   std::vector<Affine3f> joint_from_mesh{};  ///< inverse bind matrix of each joint
 };
 
