@@ -25,10 +25,10 @@ void check(const Placement& placement, const Scene& scene) {
                 "a placement that was made for this scene");
   const auto is_size = [](float value) { return value > 0.0f && std::isfinite(value); };
   if (!is_size(array.plane_height) || !is_size(placement.placed.units_per_mm))
-    throw Error(
-        "placement",
-        fmt::format("the plane is {} units high, at {} units a millimetre", array.plane_height, placement.placed.units_per_mm),
-        "a placement that was made for this scene, with both numbers above 0");
+    throw Error("placement",
+                fmt::format("the height of the array is {} units, the scale {} units per mm", array.plane_height,
+                            placement.placed.units_per_mm),
+                "a placement that was made for this scene, with both numbers above 0");
   validate(placement.placed.optics);
 }
 

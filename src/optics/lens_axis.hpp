@@ -42,8 +42,8 @@ struct LensAxisSpec {
   double parallax = 1.0;
 };
 
-/// Returns the constants of an axis. Cells whose width and edges are within 1/100 pixel of whole numbers are rounded to them,
-/// and cell 0 begins at pixel 0. Otherwise lens 0 is the lens nearest to the centre.
+/// If the lens cells have a width and edges within 1/100 pixel of whole numbers, rounds them to these numbers and lets cell 0
+/// begin at pixel 0. Otherwise lens 0 is the lens nearest to the centre.
 LensAxis<double> make_lens_axis(const LensAxisSpec& spec);
 
 /// The line from a panel point through the centre of its lens.

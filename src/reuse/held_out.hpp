@@ -53,7 +53,7 @@ struct HeldOut {
   std::array<std::uint64_t, kUncertaintyLevels> drawn;
 };
 
-/// Returns the run length R, from 4 to 64. It aims at 400 drawn patches.
+/// Returns R: hold_out() draws one of R successive patches, about 400 in all. R is limited to 4 to 64.
 std::uint32_t patches_per_sample(std::size_t patches);
 
 HeldOut hold_out(std::span<const std::uint8_t> uncertainty, std::uint32_t seed, int frame);

@@ -244,8 +244,7 @@ struct Direction {
   float tangent_y = std::tan(0.5f * kDefaultFov);  ///< half the view's height / distance
 };
 
-/// Bounds of the subject over the animation: `straight` along the axes of the view, the others along the slanted sides of the
-/// view pyramid.
+/// Bounds of the subject over the animation. `straight` has the bounds along the axes of the view.
 struct SubjectBounds {
   Bounds3f straight;
   Vec2f right_up{-kInfinity}, left_down{-kInfinity};  ///< R and L (see the top of the file) of width (x) and height (y)

@@ -20,8 +20,8 @@ bool is_name_of_node(const Scene& scene, std::string_view name);
 Orbit read_orbit(std::string_view text, const std::string& where);
 std::string write_orbit(const Orbit& orbit);
 
-/// Parses one or three numbers separated by commas. For other text, throws a usage Error at `focus` that suggests names of the
-/// scene.
+/// Parses one or three numbers separated by commas. For other text, throws a usage Error at `focus` that lists
+/// the nodes of the scene.
 std::vector<double> read_focus(const Scene& scene, const std::string& text);
 
 }  // namespace lippmann

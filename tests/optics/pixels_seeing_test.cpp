@@ -65,7 +65,7 @@ std::vector<Vec2f> search(const Optics& optics, const RayGenerator& generator, V
       Vec2f there = start + step;
       if (std::abs(step.x) > 1.0f || std::abs(step.y) > 1.0f || !on_panel(optics, there)) continue;
       Vec2f left = pixel_step(optics, generator.ray(there), point);
-      // The eye of a slanted panel depends on a tangent, so one linear step is not exact.
+      // On a slanted panel, the ray does not depend linearly on the pixel, so a second step corrects the first.
       if (glm::length(left) < 0.2f && on_panel(optics, there + left))
         there += left, left = pixel_step(optics, generator.ray(there), point);
       if (glm::length(left) > 0.02f) continue;  // another lens or view

@@ -245,7 +245,7 @@ TEST(EyeView, cancelling_stops_before_the_next_pixel) {
 
 TEST(EyeView, coarse_pictures_average_all_lenses) {
   const RenderedPanel panel = numbered_lenses(test::sheet());
-  EXPECT_NEAR(view_from(panel, {0, 0, 4000}, {2, 1}).pixel(1, 0)[0], 10.0, 0.01);  // mean of the lenses from 0.5 to 19.5
+  EXPECT_NEAR(view_from(panel, {0, 0, 4000}, {2, 1}).pixel(1, 0)[0], 10.0, 0.01);  // the mean of lenses 0 to 20
 }
 
 TEST(EyeView, eyes_that_see_nothing_are_refused) {

@@ -118,7 +118,7 @@ Vec3d reference_radiance(const std::vector<ReferenceHit>& hits, bool is_linear) 
   return sum;
 }
 
-/// `wall_z` is the height of a black wall that hides everything behind it. Rays start above the wall.
+/// A black plane at z = `wall_z` hides everything with a smaller z. Rays start at a larger z.
 Image reference_picture(const Splats& splats, const Affine3f& place, const Optics& optics, double wall_z = -1e9) {
   const PacketSource source(optics, {}, RayOrder::kRows, SubPixel{});
   const Vec2i size = film_size(optics);

@@ -226,7 +226,8 @@ class PrimitiveUnpacker {
         good = false;
     }
     if (!good)
-      report_.fail(where, fmt::format("the Draco data does not fit {}", element("accessors", static_cast<std::size_t>(index))));
+      report_.fail(where, fmt::format("the Draco data has another type or count than {}",
+                                      element("accessors", static_cast<std::size_t>(index))));
   }
 
   Document& document_;
