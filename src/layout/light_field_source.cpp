@@ -121,6 +121,10 @@ LightFieldSource light_field_source(const fs::path& path, const std::string& fro
   source.format = &find_format(from.empty() ? format_of(path, source) : from, "from");
   if (!matches_report(path, source, options)) source.rendering.reset(), source.rendered.reset();
   if (source.rendering && !source.rendering->has_depth_layer) source.options.with_depth = false;
+  if (source.rendering && sensor_lenses(source.rendering->optics)) {
+    if (!source.options.plenoptic) source.options.plenoptic.emplace();
+    source.options.plenoptic->optics = source.rendering->optics;
+  }
   if (!source.rendered) return source;
   const ViewLayout& film = source.rendered->film;
   if (!source.options.views) source.options.views = film.grid;

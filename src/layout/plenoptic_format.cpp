@@ -8,6 +8,7 @@
 #include "layout/lens_grid_file.hpp"
 #include "layout/lytro_raw.hpp"
 #include "layout/plenoptic_views.hpp"
+#include "layout/rendered.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/layout/formats.hpp"
 
@@ -41,7 +42,8 @@ LightField read_plenoptic(const fs::path& path, const FormatOptions& options) {
   Image light = to_linear(raw.picture);
   if (calibration.white) divide_by_white(light, *calibration.white, path.string());
   const ViewGrid views = options.views.value_or(default_plenoptic_views(*calibration.grid));
-  return plenoptic_views(light, calibration, views, raw.picture, path.string());
+  const std::optional<Image> z_mm = options.with_depth && calibration.optics ? rendered_depth(path) : std::nullopt;
+  return plenoptic_views(light, calibration, views, raw.picture, path.string(), z_mm ? &*z_mm : nullptr);
 }
 
 std::vector<fs::path> write_plenoptic(const LightField&, const fs::path&, const FormatOptions&) {

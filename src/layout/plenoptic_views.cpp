@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "layout/plenoptic_cameras.hpp"
+#include "layout/posed_cameras.hpp"
 #include "lippmann/core/error.hpp"
 
 namespace lippmann {
@@ -61,7 +63,7 @@ Vec3f sample_light(const Image& light, Vec2d place, bool lanczos) {
 }
 
 /// A range of columns and rows of lenses, both ends included.
-struct LensRange {
+struct SampledRange {
   int left, right, top, bottom;
   int columns() const { return right - left + 1; }
   int rows() const { return bottom - top + 1; }
@@ -69,9 +71,9 @@ struct LensRange {
 
 /// Finds the largest rectangle of lenses whose samples lie in the picture. Samples are up to `reach` pixels from a lens's
 /// centre.
-class LensRangeSearch {
+class SampledRangeSearch {
  public:
-  LensRangeSearch(const LensGrid& grid, Vec2d size, Vec2d reach) : grid_(grid), size_(size) {
+  SampledRangeSearch(const LensGrid& grid, Vec2d size, Vec2d reach) : grid_(grid), size_(size) {
     constexpr double kSlackPx = 0.25;  // a tolerance for errors of an estimated offset
     const double c = std::abs(std::cos(grid.rotation)), s = std::abs(std::sin(grid.rotation));
     margin_ = Vec2d(c * reach.x + s * reach.y, s * reach.x + c * reach.y) + 0.5 - kSlackPx;
@@ -79,8 +81,8 @@ class LensRangeSearch {
 
   /// Starts with all lenses. Repeatedly drops the row or column at a side that has the largest share of lenses outside of the
   /// picture.
-  LensRange find() const {
-    LensRange range = all();
+  SampledRange find() const {
+    SampledRange range = all();
     while (range.columns() > 0 && range.rows() > 0) {
       const std::array<double, 4> outside{share_outside({range.left, range.top}, {range.left, range.bottom}),
                                           share_outside({range.right, range.top}, {range.right, range.bottom}),
@@ -97,8 +99,8 @@ class LensRangeSearch {
   }
 
  private:
-  LensRange all() const {
-    LensRange range{1 << 28, -(1 << 28), 1 << 28, -(1 << 28)};
+  SampledRange all() const {
+    SampledRange range{1 << 28, -(1 << 28), 1 << 28, -(1 << 28)};
     const double c = std::cos(grid_.rotation), s = std::sin(grid_.rotation);
     for (const Vec2d corner : {Vec2d(0.0), Vec2d(size_.x, 0.0), Vec2d(0.0, size_.y), size_}) {
       const Vec2d from = corner - grid_.offset_px;
@@ -129,7 +131,7 @@ class LensRangeSearch {
 /// Samples views: one sample per lens. Rows of hexagonal grids are then resampled to square pixels.
 class ViewSampler {
  public:
-  ViewSampler(const Image& light, const LensGrid& grid, const LensRange& range, bool lanczos)
+  ViewSampler(const Image& light, const LensGrid& grid, const SampledRange& range, bool lanczos)
       : light_(light),
         grid_(grid),
         range_(range),
@@ -143,6 +145,14 @@ class ViewSampler {
     // rows.
     const double span_px = (range_.columns() - 1.5) * grid_.pitch_px;
     return {static_cast<int>(std::floor(span_px / grid_.row_pitch_px + 1e-9)) + 1, range_.rows()};
+  }
+
+  /// Returns the lenses of the pixels. The rows of the grid must be level.
+  SampledLenses lenses() const {
+    const bool is_square = grid_.arrangement == LensArrangement::kSquare;
+    const Vec2d pitch_px(grid_.pitch_px, grid_.row_pitch_px);
+    return {grid_.offset_px + pitch_px * Vec2d(range_.left + (is_square ? 0.0 : 0.5), range_.top),
+            {is_square ? grid_.pitch_px : grid_.row_pitch_px, grid_.row_pitch_px}};
   }
 
   /// Samples a view. `offset_px`: offset from the centre of each lens, along the axes of the grid.
@@ -162,6 +172,21 @@ class ViewSampler {
         for (const int channel : {0, 1, 2}) made.pixel(i, j)[channel] = std::max(0.0f, color[channel]);
       }
     }
+    return made;
+  }
+
+  /// Returns the samples of `image`, which has one channel, nearest to those of view().
+  Image nearest(const Image& image, Vec2d offset_px) const {
+    const Vec2i extent = size(), last(image.width - 1, image.height - 1);
+    Image made(extent.x, extent.y, 1);
+    for (int j = 0; j < extent.y; ++j)
+      for (int i = 0; i < extent.x; ++i) {
+        const int row = range_.top + j;
+        const bool is_square = grid_.arrangement == LensArrangement::kSquare;
+        const int column = range_.left + (is_square ? i : static_cast<int>(std::lround(place_in_row(i, row))));
+        const Vec2i at = glm::clamp(Vec2i(glm::floor(lens_centre(grid_, column, row) + offset_px)), Vec2i(0), last);
+        *made.pixel(i, j) = *image.pixel(at.x, at.y);
+      }
     return made;
   }
 
@@ -187,7 +212,7 @@ class ViewSampler {
 
   const Image& light_;
   const LensGrid& grid_;
-  const LensRange& range_;
+  const SampledRange& range_;
   bool lanczos_;
   Vec2d right_, down_;  // vectors in pixels from a lens to the next one in its row and to the next row
 };
@@ -197,6 +222,23 @@ Image swap_axes(const Image& image) {
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x) std::copy_n(image.pixel(x, y), image.channels, swapped.pixel(y, x));
   return swapped;
+}
+
+/// Sets the cameras and, if `z_mm` is not null, the depth.
+void add_cameras(const Optics& optics, const ViewSampler& sampler, const std::vector<Vec2d>& offsets, const Image* z_mm,
+                 LightField& field) {
+  std::vector<PosedCamera> cameras = plenoptic_cameras(optics, sampler.lenses(), field.view_size, offsets);
+  const double lens_mm = cameras.front().position_mm.z;
+  field.cameras = shared_plane(cameras);
+  if (!field.cameras) field.poses = std::move(cameras);
+  if (!z_mm) return;
+  field.depth = Image(field.view_size.x, field.view_size.y * field.grid.count(), 1);
+  const auto moved = static_cast<float>((field.cameras ? field.cameras->distance_mm : 0.0) - lens_mm);
+  for (int view = 0; view < field.grid.count(); ++view) {
+    Image depth = sampler.nearest(*z_mm, offsets[static_cast<std::size_t>(view)]);
+    for (float& z : depth.data) z += moved;
+    set_depth(field, view, depth);
+  }
 }
 
 void check_views(const ViewGrid& views, const LensGrid& grid, const std::string& where) {
@@ -239,15 +281,15 @@ ViewGrid default_plenoptic_views(const LensGrid& grid) {
 }
 
 LightField plenoptic_views(const Image& light, const PlenopticCalibration& calibration, ViewGrid views, const Picture& like,
-                           const std::string& where) {
+                           const std::string& where, const Image* z_mm) {
   const bool swaps = calibration.grid->arrangement == LensArrangement::kHexagonalColumns;
   const LensGrid grid = swaps ? transposed(*calibration.grid) : *calibration.grid;
   check_views(views, grid, where);
   const Image swapped = swaps ? swap_axes(light) : Image();
   const Image& picture = swaps ? swapped : light;
   const Vec2d reach(0.5 * (views.columns - 1), 0.5 * (views.rows - 1));
-  const LensRange range =
-      LensRangeSearch(grid, {picture.width, picture.height}, swaps ? Vec2d(reach.y, reach.x) : reach).find();
+  const SampledRange range =
+      SampledRangeSearch(grid, {picture.width, picture.height}, swaps ? Vec2d(reach.y, reach.x) : reach).find();
   if (range.columns() < 2 || range.rows() < 2)
     throw Error(
         where,
@@ -262,13 +304,18 @@ LightField plenoptic_views(const Image& light, const PlenopticCalibration& calib
                        : field.view_size.x * pixel_width / (field.view_size.y * grid.row_pitch_px);
   field.stack = blank(like, stack_size(field));
   const double sign = calibration.inverted ? -1.0 : 1.0;
+  std::vector<Vec2d> offsets;
   for (int view = 0; view < views.count(); ++view) {
     const Vec2d right_down(view % views.columns - reach.x, reach.y - view / views.columns);
     const Vec2d offset = sign * (swaps ? Vec2d(right_down.y, right_down.x) : right_down);
     Image made = sampler.view(offset);
     if (swaps) made = swap_axes(made);
     set_view(field, view, with_samples_like(like, std::move(made)));
+    offsets.push_back(offset);
   }
+  if (calibration.optics && !swaps && grid.rotation == 0.0 &&
+      film_size(*calibration.optics) == Vec2i(light.width, light.height))
+    add_cameras(*calibration.optics, sampler, offsets, z_mm, field);
   return field;
 }
 

@@ -31,7 +31,11 @@ ViewGrid default_plenoptic_views(const LensGrid& grid);
 /// Extracts the views of `light` (linear, 3 channels). `like`: a picture with the sample type that the result should have.
 /// calibration.grid must be set; calibration.white is ignored. Throws Error naming `where` if fewer than 2 x 2 lenses lie in
 /// the picture. Throws a usage Error naming "views" if there are more views than pixels below a lens.
+///
+/// If calibration.optics is set, the rows of the grid are level and the picture has the size of the sensor, sets the cameras
+/// and, from `z_mm`, the depth. `z_mm`: z of every pixel of `light` in the display frame; null: unknown. The depth of a view's
+/// pixel is that of the nearest pixel below the nearest lens.
 LightField plenoptic_views(const Image& light, const PlenopticCalibration& calibration, ViewGrid views, const Picture& like,
-                           const std::string& where);
+                           const std::string& where, const Image* z_mm = nullptr);
 
 }  // namespace lippmann

@@ -206,6 +206,17 @@ TEST(Convert, rendered_plenoptic_pictures_become_views) {
   EXPECT_EQ(views["files"].size(), 25u);
 }
 
+TEST(Convert, rendered_plenoptic_pictures_keep_cameras_and_depth) {
+  const TempDir dir;
+  expect_done(dir, {"render", "room", "--optics", "plenoptic", "--lenses", "16x12", "--lens-pixels", "5", "--viewing-distance",
+                    "200", "--frames", "0", "--aov", "depth", "-o", "out"});
+  const RunResult run = run_tool(dir, {"convert", "out", "set", "--to", "nerf"});
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(run.err, "");
+  EXPECT_TRUE(fs::exists(dir / "set/frame_0000/depth/024.npy"));
+  EXPECT_EQ(json_of(bytes_of(dir / "set/frame_0000/transforms.json"))["frames"].size(), 25u);
+}
+
 TEST(Convert, plenoptic_flags_without_effect_are_refused) {
   const TempDir dir;
   write_lens_spots(dir / "raw.png", 104);

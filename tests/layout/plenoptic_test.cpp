@@ -10,6 +10,7 @@
 #include "layout/estimate_lens_grid.hpp"
 #include "layout/lens_grid_file.hpp"
 #include "layout/plenoptic_views.hpp"
+#include "layout/posed_cameras.hpp"
 #include "lippmann/layout/convert.hpp"
 #include "lippmann/layout/formats.hpp"
 #include "lippmann/layout/open_light_field.hpp"
@@ -401,6 +402,80 @@ TEST(PlenopticFormat, unknown_grid_and_writing_are_refused) {
   const LightFieldFormat& format = find_format("plenoptic", "from");
   EXPECT_THAT(error_message([&] { format.read(dir / "raw.png", {}); }), HasSubstr("lens-pitch-px"));
   EXPECT_THAT(error_message([&] { format.write({}, dir / "out.png", {}); }), HasSubstr("eslf or integral"));
+}
+
+/// Returns a camera with the focal length 50 mm, focused at 800 mm. Below its lenses are images of 9 x 9 pixels. The array is
+/// array_shift_mm behind the image of the plane in focus.
+Optics plenoptic_optics(float array_shift_mm, LensPacking packing = LensPacking::kSquare) {
+  const double t = 1.0 / (1.0 / 50.0 - 1.0 / 800.0) + static_cast<double>(array_shift_mm), b = 2.0, cell_mm = 9.0 * 0.01;
+  const auto pitch = static_cast<float>(cell_mm / (1.0 + b / t));
+  return {.panel = {180, 135, 0.01f},
+          .model = PlenopticCamera{.packing = packing,
+                                   .lens_pitch_mm = pitch,
+                                   .gap_mm = static_cast<float>(b),
+                                   .offset_mm = {0.5f * pitch, 0.0f},
+                                   .focal_length_mm = 50.0f,
+                                   .f_number = 1.0f,
+                                   .distance_mm = 800.0f,
+                                   .array_shift_mm = array_shift_mm}};
+}
+
+LightField views_of(const Optics& optics, ViewGrid views) {
+  const Image raw(optics.panel.width, optics.panel.height, 3), z(optics.panel.width, optics.panel.height, 1);
+  return plenoptic_views(raw, {.grid = lens_grid_of(optics), .optics = optics}, views, raw, "a", &z);
+}
+
+/// Compares the cameras with the rays of the sensor: the ray of the pixel below a lens must be that of the view's pixel. The
+/// array of the second camera is so near to the main lens that no plane has zero disparity.
+TEST(PlenopticViews, cameras_see_along_the_rays_of_the_sensor) {
+  for (const float shift_mm : {0.0f, 1.5f, -4.0f})
+    for (const LensPacking packing : {LensPacking::kSquare, LensPacking::kHexagonal}) {
+      const Optics optics = plenoptic_optics(shift_mm, packing);
+      const LensGrid grid = lens_grid_of(optics).value();
+      const LightField field = views_of(optics, {5, 3});
+      EXPECT_EQ(field.cameras.has_value(), shift_mm > -3.0f);
+      const std::vector<PosedCamera> cameras = posed_cameras(field, "a");
+      // Cameras that share a plane are in a frame of their own, whose origin differs from that of the display frame.
+      const Vec3d moved = Vec3d(0.0, 0.0, 800.0) - cameras[7].position_mm;
+      for (const int view : {0, 4, 7, 10}) {
+        const PosedCamera& camera = cameras[static_cast<std::size_t>(view)];
+        const Vec2d offset_px(view % 5 - 2, 1 - view / 5);
+        for (const Vec2i lens : {Vec2i(2, 2), Vec2i(-3, 4)}) {
+          const Ray ray = ray_of_pixel(optics, Vec2f(lens_centre(grid, lens.x, lens.y) + offset_px));
+          const Vec3d from(ray.origin), to(ray.direction);
+          const auto at = [&](double z) { return from + to * ((z - from.z) / to.z) - moved; };
+          EXPECT_LT(glm::distance(at(800.0), camera.position_mm), 2e-3) << shift_mm << " " << view;
+          const Vec2d pixel = projected(camera, at(0.0));
+          EXPECT_LT(glm::distance(pixel, projected(camera, at(-700.0))), 2e-3) << shift_mm << " " << view;
+          const double off_centre = glm::distance(pixel, glm::round(pixel - 0.5) + 0.5);
+          if (packing == LensPacking::kSquare) {
+            EXPECT_LT(off_centre, 2e-3);
+          }
+        }
+      }
+    }
+}
+
+TEST(PlenopticViews, views_coincide_in_the_plane_in_focus) {
+  const Optics optics = plenoptic_optics(0.0f);
+  const LightField field = views_of(optics, {9, 9});
+  ASSERT_TRUE(field.cameras);
+  EXPECT_NEAR(field.cameras->distance_mm, 800.0, 0.01);
+  // Neighbouring views are m t / b = 0.01 * 53.333 / 2 mm apart on the main lens.
+  EXPECT_NEAR(field.cameras->eyes_mm[1].x - field.cameras->eyes_mm[0].x, 0.01 * (800.0 / 15.0) / 2.0, 1e-5);
+  EXPECT_NEAR(field.cameras->eyes_mm[9].y - field.cameras->eyes_mm[0].y, 0.01 * (800.0 / 15.0) / 2.0, 1e-5);
+  ASSERT_TRUE(field.depth);
+  EXPECT_NEAR(field.depth->data[0], 0.0f, 0.01f);
+}
+
+TEST(PlenopticViews, cameras_of_other_grids_are_unknown) {
+  const Optics optics = plenoptic_optics(0.0f);
+  const Image raw(optics.panel.width, optics.panel.height, 3);
+  LensGrid grid = lens_grid_of(optics).value();
+  grid.rotation = 0.01;
+  EXPECT_FALSE(plenoptic_views(raw, {.grid = grid, .optics = optics}, {3, 3}, raw, "a").cameras);
+  const Image part(90, 135, 3);
+  EXPECT_FALSE(plenoptic_views(part, {.grid = lens_grid_of(optics), .optics = optics}, {3, 3}, part, "a").cameras);
 }
 
 }  // namespace

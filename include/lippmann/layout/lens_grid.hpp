@@ -51,6 +51,8 @@ struct PlenopticCalibration {
   bool lanczos = false;  ///< Lanczos interpolation between pixels, and between lenses of hexagonal grids; otherwise linear
   /// The pixels below each lens are rotated by 180 degrees, as behind the lenses of a display.
   bool inverted = false;
+  /// Optics that rendered the picture. None: the cameras of the views are unknown.
+  std::optional<Optics> optics = {};
 };
 
 }  // namespace lippmann

@@ -1,0 +1,26 @@
+// The cameras of the views that plenoptic_views() extracts from a rendered raw picture.
+//
+// With the symbols of optics/plenoptic.hpp, the rays of all pixels at the same offset o from the centres of their cells meet at
+// the point A = o m t/b of the main lens: the eye of their view. The ray through the microlens l has the slope
+// l/t - A (1/f - 1/t), so a view is a pinhole camera with the focal length t. Its principal point lies at l = A (t/f - 1).
+#pragma once
+
+#include <vector>
+
+#include "lippmann/layout/posed_camera.hpp"
+#include "lippmann/optics/optics.hpp"
+
+namespace lippmann {
+
+/// The microlenses that the pixels of a view sample, in pixels of the raw picture.
+struct SampledLenses {
+  Vec2d first_px{0.0};  ///< centre of the image of the lens at the first pixel of the view
+  Vec2d step_px{1.0};   ///< distance to the lens at the next pixel, across and down
+};
+
+/// Returns one camera per view, in the display frame. optics.model must be a PlenopticCamera. `offsets_px`: for each view, the
+/// offset of its samples from the centres of their cells, right and down.
+std::vector<PosedCamera> plenoptic_cameras(const Optics& optics, const SampledLenses& lenses, Vec2i view_size,
+                                           const std::vector<Vec2d>& offsets_px);
+
+}  // namespace lippmann
