@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/compare.hpp"
+#include "core/npy.hpp"
+#include "core/regular_file.hpp"
 #include "image/netpbm.hpp"
 #include "job/renders.hpp"
 #include "job/report.hpp"
@@ -91,6 +93,27 @@ TEST_F(LightFieldRenders, data_set_restores_pictures_and_depth) {
   EXPECT_FALSE(files_in(dir_ / "hci", ".pfm").empty());
   for (const auto& [name, depth] : files_in(dir_ / "hci", ".pfm"))
     expect_same_depth(dir_ / "hci" / name, dir_ / "again" / name);
+}
+
+TEST_F(LightFieldRenders, walls_parallel_to_the_views_have_constant_z) {
+  std::ofstream(dir_ / "wall.nff")
+      << "v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 40\nhither 0.1\nresolution 32 32\nb 0 0 0\nl 0 3 5\n"
+         "f 0.8 0.8 0.8 1 0 0 0 0\np 4\n-9 -9 -1\n9 -9 -1\n9 9 -1\n-9 9 -1\n";
+  render(job((dir_ / "wall.nff").string(), "wall", kGrid + Settings{{"to", "nerf"}, {"frames", "0"}}));
+  const auto json = nlohmann::json::parse(bytes("wall/frame_0000/transforms.json"));
+  const auto array = [&](const std::string& name) {
+    return parse_npy(read_file_bytes(dir_ / "wall/frame_0000" / name, 1 << 20), name).values;
+  };
+  for (const auto& frame : json["frames"]) {
+    const std::vector<double> z = array(frame["depth_file_path"]), rays = array(frame["ray_length_file_path"]);
+    ASSERT_EQ(z.size(), 16u * 16u);
+    for (std::size_t i = 0; i < z.size(); ++i) {
+      EXPECT_NEAR(z[i], z[0], 1e-5 * z[0]);
+      const double x = (static_cast<double>(i % 16) + 0.5 - frame["cx"].get<double>()) / frame["fl_x"].get<double>();
+      const double y = (static_cast<double>(i / 16) + 0.5 - frame["cy"].get<double>()) / frame["fl_y"].get<double>();
+      EXPECT_NEAR(rays[i], z[0] / std::cos(std::atan(std::hypot(x, y))), 1e-5 * z[0]);
+    }
+  }
 }
 
 TEST_F(LightFieldRenders, quilt_survives_a_round_trip) {
