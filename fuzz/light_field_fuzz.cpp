@@ -6,7 +6,7 @@
 //   'e' the JSON file of an ESLF picture
 //   'm' MIV's cameras.json
 //   't' NeRF's transforms.json
-//   'a' and 'i' COLMAP's cameras and images as text, 'A' and 'I' as binary files
+//   'a', 'i' and 'd' COLMAP's cameras, images and points as text, 'A', 'I' and 'D' as binary files
 //   'l' LLFF's poses_bounds.npy
 //   'n' any .npy file
 //   'q' the JSON file of a quilt
@@ -30,6 +30,7 @@
 #include <span>
 #include <string>
 
+#include "core/json_text.hpp"
 #include "core/npy.hpp"
 #include "image/netpbm.hpp"
 #include "layout/colmap_model.hpp"
@@ -103,12 +104,17 @@ void miv(const std::string& text) {
 void transforms(const std::string& text) {
   std::vector<PosedPicture> pictures = parse_transforms(text, "a");
   for (PosedPicture& picture : pictures) {
-    if (picture.camera.size.x < 1) picture.camera.size = {4, 3};
-    if (!(picture.camera.focal_px.x > 0.0)) picture.camera.focal_px = Vec2d(5.0);
+    picture.camera.size = glm::max(picture.camera.size, Vec2i(1));
+    picture.camera.focal_px = glm::max(picture.camera.focal_px, Vec2d(1e-3));
     if (!picture.depth.ends_with(".npy")) picture.depth.clear();
   }
   shared_plane({pictures.front().camera});
-  require(parse_transforms(transforms_text(pictures), "a").size() == pictures.size());
+  const std::vector<PosedPicture> again = parse_transforms(transforms_text(pictures), "a");
+  require(again.size() == pictures.size() && again.front().split == pictures.front().split);
+}
+
+void transforms_error(const std::string& text) {
+  if (json_from_text(text).is_discarded()) require(!json_error(text, "a").problem().empty());
 }
 
 template <class Text>
@@ -118,6 +124,8 @@ void colmap_cameras(const Text& text) {
   for (const auto& [id, camera] : parse_colmap_cameras(text, "a")) {
     picture.camera = camera;
     require(parse_colmap_cameras(colmap_cameras_text({picture}), "a").at(1).focal_px == camera.focal_px);
+    const std::string binary = colmap_cameras_binary({picture});
+    require(parse_colmap_cameras(std::as_bytes(std::span(binary)), "a").at(1).focal_px == camera.focal_px);
   }
 }
 
@@ -126,12 +134,26 @@ void colmap_images(const Text& text) {
   const ColmapCameras cameras = parse_colmap_cameras("1 PINHOLE 4 3 5 5 2 1", "a");
   const std::vector<PosedPicture> pictures = parse_colmap_images(text, cameras, "a");
   require(parse_colmap_images(colmap_images_text(pictures), cameras, "a").size() == pictures.size());
+  const std::string binary = colmap_images_binary(pictures);
+  require(parse_colmap_images(std::as_bytes(std::span(binary)), cameras, "a").size() == pictures.size());
+}
+
+template <class Text>
+void colmap_points(const Text& text) {
+  const std::vector<CloudPoint> points = parse_colmap_points(text, "a").points;
+  require(parse_colmap_points(colmap_points_text(points), "a").points.size() == points.size());
+  const std::string binary = colmap_points_binary(points);
+  require(parse_colmap_points(std::as_bytes(std::span(binary)), "a").points.size() == points.size());
 }
 
 void llff(std::span<const std::byte> file) {
   std::vector<PosedCamera> cameras;
-  for (const PosedPicture& picture : parse_llff_poses(file, "a")) cameras.push_back(picture.camera);
-  require(parse_llff_poses(encode_llff_poses(cameras, {1.0, 2.0}, "a"), "a").size() == cameras.size());
+  std::vector<Vec2d> bounds_mm;
+  for (const PosedPicture& picture : parse_llff_poses(file, "a")) {
+    cameras.push_back(picture.camera);
+    bounds_mm.push_back(picture.depth_bounds_mm.value());
+  }
+  require(parse_llff_poses(encode_llff_poses(cameras, bounds_mm, "a"), "a").size() == cameras.size());
 }
 
 void npy(std::span<const std::byte> file) {
@@ -179,6 +201,7 @@ void read(char kind, const std::string& text) {
     case 'e':
       return eslf(text);
     case 't':
+      transforms_error(text);
       return transforms(text);
     case 'a':
       return colmap_cameras(text);
@@ -188,6 +211,10 @@ void read(char kind, const std::string& text) {
       return colmap_cameras(std::as_bytes(std::span(text)));
     case 'I':
       return colmap_images(std::as_bytes(std::span(text)));
+    case 'd':
+      return colmap_points(text);
+    case 'D':
+      return colmap_points(std::as_bytes(std::span(text)));
     case 'l':
       return llff(std::as_bytes(std::span(text)));
     case 'n':

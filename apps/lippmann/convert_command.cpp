@@ -31,6 +31,7 @@ ConvertParams params_of(const ConvertOptions& options, std::string_view to) {
   if (options.aspect > 0.0) params.options.aspect = options.aspect;
   if (options.bits > 0) params.options.bits = options.bits;
   params.options.png = options.png;
+  params.options.binary = options.binary;
   if (options.has_display()) params.options.display = options.read_display();
   const InterlaceParams interlace = options.filter.read();
   params.options.filter = interlace.filter, params.options.sigma_views = interlace.sigma_views;
@@ -113,6 +114,9 @@ int run(const ConvertOptions& options, const Context& context) {
                                 params.display_picture
                                     ? "the picture shows their views in order"
                                     : "camera parameters and depth are left out, except in nerf, colmap and llff"));
+  if (!converted.left_out.empty())
+    context.warning(
+        fmt::format("not written, because {} cannot store them: {}", options.to, fmt::join(converted.left_out, ", ")));
   const bool can_store_depth = options.to != "stanford" && options.to != "llff" && !converted.drops_poses;
   if (converted.lacks_depth && can_store_depth)
     context.warning(
@@ -188,6 +192,7 @@ void add_convert_command(const Command& root, Action& chosen) {
   command.add_option("--crop", options->crop, "Keep only this window of every view; X and Y count from the top left")
       .type_name("WxH+X+Y");
   command.add_option("--bits", options->bits, "Bits per sample of PPM files; default: as read").range(8, 16);
+  command.add_flag("--binary", options->binary, "With --to colmap: write binary files in place of text");
   command.add_flag("--png", options->png, "With --to jpeg-pleno: write PNG in place of PPM files");
   command.add_option(
       "--display", options->display,

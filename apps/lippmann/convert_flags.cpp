@@ -111,6 +111,8 @@ constexpr std::array kIdleRules{
              "--to jpeg-pleno without --png"},
     IdleRule{"--png", [](const ConvertOptions& o) { return o.png; },
              [](const ConvertOptions&, const Conversion& c) { return is_written<&FormatUses::bits>(c); }, "--to jpeg-pleno"},
+    IdleRule{"--binary", [](const ConvertOptions& o) { return o.binary; },
+             [](const ConvertOptions&, const Conversion& c) { return is_written<&FormatUses::binary>(c); }, "--to colmap"},
     IdleRule{"--display", [](const ConvertOptions& o) { return !o.display.empty(); }, uses_display,
              "--from native, --to native, integral or quilt, --precompensate, or RGB-D pictures"},
     IdleRule{"--fit", [](const ConvertOptions& o) { return !o.picture.fit.empty(); }, is_for_display, "--display"},

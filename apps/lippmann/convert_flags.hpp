@@ -22,7 +22,7 @@ struct ConvertOptions {
   double aspect = 0.0;
   ViewFilterFlags filter;
   int bits = 0;
-  bool png = false;
+  bool png = false, binary = false;
   ResultFlags result;
   OrthoscopicFlags orthoscopic;
   CrosstalkFlags crosstalk;

@@ -1,7 +1,13 @@
-// COLMAP's folders: images/000.png, ..., sparse/0/cameras.txt, images.txt and points3D.txt (layout/colmap_model.hpp). The
-// points are an initial cloud, sampled from the depth of the light field, without tracks. The writer writes text. The reader
-// reads text and binary files, and prefers binary files as COLMAP does.
+// COLMAP's folders: images/000.png, ..., sparse/0/cameras, images and points3D as text (.txt) or binary files (.bin)
+// (layout/colmap_model.hpp). The points are those that were read, or an initial cloud, sampled from the depth of the light
+// field. The reader prefers binary files as COLMAP does.
+#include <fmt/format.h>
+
+#include <functional>
 #include <span>
+#include <string>
+#include <string_view>
+#include <utility>
 
 #include "core/atomic_file.hpp"
 #include "core/folder.hpp"
@@ -26,46 +32,55 @@ fs::path model_folder(const fs::path& folder) {
   throw Error(folder.string(), "contains no COLMAP model", "sparse/0 with cameras and images, .txt or .bin");
 }
 
-std::vector<PosedPicture> read_colmap_model(const fs::path& model, fs::path& images) {
-  if (const fs::path cameras = model / "cameras.bin"; is_regular_file_there(cameras)) {
-    images = model / "images.bin";
-    const ColmapCameras known = parse_colmap_cameras(read_recorded_bytes(cameras, kMaxModelBytes), cameras.string());
-    return parse_colmap_images(read_recorded_bytes(images, kMaxModelBytes), known, images.string());
-  }
-  const fs::path cameras = model / "cameras.txt";
-  images = model / "images.txt";
-  const ColmapCameras known = parse_colmap_cameras(read_recorded_text(cameras, kMaxModelBytes), cameras.string());
-  return parse_colmap_images(read_recorded_text(images, kMaxModelBytes), known, images.string());
+/// Reads a model with `read`, which returns the contents of a file as text or bytes.
+template <class Read>
+PosedSet read_model(const fs::path& model, const char* ending, const Read& read,
+                    const std::function<void(std::string_view)>& warn) {
+  const auto file = [&](const char* name) { return model / (std::string(name) + ending); };
+  const fs::path cameras = file("cameras"), points = file("points3D");
+  PosedSet set{file("images"), {}};
+  set.pictures = parse_colmap_images(read(set.file), parse_colmap_cameras(read(cameras), cameras.string()), set.file.string());
+  if (!is_regular_file_there(points)) return set;
+  ColmapPoints cloud = parse_colmap_points(read(points), points.string());
+  if (cloud.tracks > 0 && warn) warn(fmt::format("{}: the tracks of {} points are left out", points.string(), cloud.tracks));
+  set.points = std::move(cloud.points);
+  return set;
 }
 
 LightField read_colmap(const fs::path& folder, const FormatOptions& options) {
-  fs::path list;
-  std::vector<PosedPicture> pictures = read_colmap_model(model_folder(folder), list);
+  const fs::path model = model_folder(folder);
+  const auto bytes = [](const fs::path& file) { return read_recorded_bytes(file, kMaxModelBytes); };
+  const auto text = [](const fs::path& file) { return read_recorded_text(file, kMaxModelBytes); };
+  PosedSet set = is_regular_file_there(model / "cameras.bin") ? read_model(model, ".bin", bytes, options.warn)
+                                                              : read_model(model, ".txt", text, options.warn);
+  read_held_out_names(model / "test.txt", set.pictures);
   std::error_code ignored;
   const fs::path images = folder / "images";
-  return read_posed_pictures(fs::is_directory(images, ignored) ? images : folder, list, std::move(pictures), options);
+  return read_posed_pictures(fs::is_directory(images, ignored) ? images : folder, std::move(set), options);
 }
 
-std::vector<fs::path> write_colmap(const LightField& field, const fs::path& folder, const FormatOptions&) {
+std::vector<fs::path> write_colmap(const LightField& field, const fs::path& folder, const FormatOptions& options) {
   constexpr std::size_t kMostPoints = 100000;
-  const std::vector<PosedCamera> cameras = posed_cameras(field, folder.string());
-  std::vector<PosedPicture> pictures;
-  for (std::size_t view = 0; view < cameras.size(); ++view) {
-    PosedPicture picture;
-    picture.picture =
-        fs::path(posed_picture_name(static_cast<int>(view), field.grid.count(), exact_ending(field.stack))).filename().string();
-    picture.camera = cameras[view];
-    pictures.push_back(std::move(picture));
-  }
+  std::vector<PosedPicture> pictures = listed_pictures(field, folder);
+  for (PosedPicture& picture : pictures) picture.picture = fs::path(picture.picture).filename().string();
+  const std::vector<CloudPoint> cloud =
+      field.points.empty() ? point_cloud(field, posed_cameras(field, folder.string()), kMostPoints) : field.points;
   std::vector<fs::path> written = write_posed_pictures(field, folder);
   const fs::path model = folder / "sparse" / "0";
   make_folder(model);
-  const auto write = [&](const char* name, const std::string& text) {
-    write_file_atomically(written.emplace_back(model / name), std::as_bytes(std::span(text)));
+  const auto write = [&](const char* name, const std::string& contents) {
+    write_file_atomically(written.emplace_back(model / name), std::as_bytes(std::span(contents)));
   };
-  write("cameras.txt", colmap_cameras_text(pictures));
-  write("images.txt", colmap_images_text(pictures));
-  write("points3D.txt", colmap_points_text(point_cloud(field, cameras, kMostPoints)));
+  if (options.binary) {
+    write("cameras.bin", colmap_cameras_binary(pictures));
+    write("images.bin", colmap_images_binary(pictures));
+    write("points3D.bin", colmap_points_binary(cloud));
+  } else {
+    write("cameras.txt", colmap_cameras_text(pictures));
+    write("images.txt", colmap_images_text(pictures));
+    write("points3D.txt", colmap_points_text(cloud));
+  }
+  if (field.splits) write_held_out_names(written.emplace_back(model / "test.txt"), pictures);
   return written;
 }
 
@@ -78,9 +93,12 @@ LightFieldFormat colmap_format() {
       .is_folder = true,
       .uses_cameras = true,
       .keeps_poses = true,
+      .keeps_points = true,
+      .keeps_splits = true,
       .states_cameras = true,
       .read = read_colmap,
-      .write = write_colmap};
+      .write = write_colmap,
+      .writes = {.binary = true}};
 }
 
 }  // namespace lippmann

@@ -128,6 +128,7 @@ class ColmapBytes final : public ColmapSource {
 };
 
 constexpr std::uint64_t kAnyId = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint64_t kAnyPoint = std::numeric_limits<std::uint64_t>::max();
 
 PosedCamera camera_of_model(const ColmapModel& model, ColmapSource& source) {
   constexpr std::uint64_t kMostSide = 65536;
@@ -168,9 +169,8 @@ PosedCamera camera_with(const ColmapCameras& cameras, std::uint64_t id, const Co
   return found->second;
 }
 
-void add_picture(PosedPicture picture, std::vector<PosedPicture>& pictures, const ColmapSource& source,
-                 const std::string& where) {
-  check_inner_path(picture.picture, where + ": " + picture.entry);
+void add_picture(PosedPicture picture, std::vector<PosedPicture>& pictures, const ColmapSource& source) {
+  check_inner_path(picture.picture, picture.entry);
   if (pictures.size() >= kMostPosed) source.reject("has too many images", fmt::format("at most {} images", kMostPosed));
   pictures.push_back(std::move(picture));
 }
@@ -200,27 +200,6 @@ void visit_lines(const std::string& text, const Visit& visit) {
 }
 
 bool is_blank(std::string_view line) { return line.find_first_not_of(" \t") == std::string_view::npos; }
-
-bool same_lens(const PosedCamera& a, const PosedCamera& b) {
-  return a.size == b.size && a.focal_px == b.focal_px && a.principal_px == b.principal_px;
-}
-
-/// The distinct intrinsics in the order of the pictures, and for each picture the index of its intrinsics.
-struct SharedLenses {
-  std::vector<PosedCamera> lenses;
-  std::vector<std::size_t> of_picture;
-};
-
-SharedLenses shared_lenses(const std::vector<PosedPicture>& pictures) {
-  SharedLenses shared;
-  for (const PosedPicture& picture : pictures) {
-    const auto found = std::find_if(shared.lenses.begin(), shared.lenses.end(),
-                                    [&](const PosedCamera& lens) { return same_lens(lens, picture.camera); });
-    shared.of_picture.push_back(static_cast<std::size_t>(found - shared.lenses.begin()));
-    if (found == shared.lenses.end()) shared.lenses.push_back(picture.camera);
-  }
-  return shared;
-}
 
 }  // namespace
 
@@ -269,8 +248,8 @@ std::vector<PosedPicture> parse_colmap_images(const std::string& text, const Col
     picture.camera = camera_with(cameras, source.whole("camera number", kAnyId), source);
     picture.camera.rotation = posed.rotation, picture.camera.position_mm = posed.position_mm;
     picture.picture = source.remaining();
-    picture.entry = fmt::format("line {}", number);
-    add_picture(std::move(picture), pictures, source, where);
+    picture.entry = fmt::format("{}:{}", where, number);
+    add_picture(std::move(picture), pictures, source);
     is_points = true;
   });
   sort_by_name(pictures);
@@ -285,53 +264,56 @@ std::vector<PosedPicture> parse_colmap_images(std::span<const std::byte> binary,
   const std::uint64_t count = source.whole("number of images", kMostPosed);
   for (std::uint64_t i = 0; i < count; ++i) {
     PosedPicture picture;
-    picture.entry = fmt::format("image {}", i + 1);
-    source.enter(picture.entry);
+    const std::string entry = fmt::format("image {}", i + 1);
+    picture.entry = where + ": " + entry;
+    source.enter(entry);
     source.whole32("image number", kAnyId);
     read_pose(source, picture.camera);
     const PosedCamera posed = picture.camera;
     picture.camera = camera_with(cameras, source.whole32("camera number", kAnyId), source);
     picture.camera.rotation = posed.rotation, picture.camera.position_mm = posed.position_mm;
     picture.picture = source.name();
-    source.skip(source.whole("number of points", std::numeric_limits<std::uint64_t>::max()), kPointBytes);
-    add_picture(std::move(picture), pictures, source, where);
+    source.skip(source.whole("number of points", kAnyPoint), kPointBytes);
+    add_picture(std::move(picture), pictures, source);
   }
   sort_by_name(pictures);
   return pictures;
 }
 
-std::string colmap_cameras_text(const std::vector<PosedPicture>& pictures) {
-  std::string text = "# CAMERA_ID, MODEL, WIDTH, HEIGHT, PARAMS[]\n";
-  unsigned id = 0;
-  for (const PosedCamera& lens : shared_lenses(pictures).lenses)
-    text += fmt::format("{} PINHOLE {} {} {} {} {} {}\n", ++id, lens.size.x, lens.size.y, lens.focal_px.x, lens.focal_px.y,
-                        lens.principal_px.x, lens.principal_px.y);
-  return text;
+ColmapPoints parse_colmap_points(const std::string& text, const std::string& where) {
+  ColmapPoints read;
+  visit_lines(text, [&](std::string_view line, std::size_t number) {
+    if (is_blank(line)) return;
+    ColmapLine source(line, fmt::format("{}:{}", where, number));
+    source.whole("point number", kAnyPoint);
+    CloudPoint point;
+    for (const int axis : {0, 1, 2}) point.position_mm[axis] = kMmPerUnit * source.number("position", kMostPlace);
+    for (unsigned char& code : point.rgb) code = static_cast<unsigned char>(source.whole("colour", 255));
+    source.word("error");
+    read.points.push_back(point);
+    if (!source.remaining().empty()) ++read.tracks;
+  });
+  return read;
 }
 
-std::string colmap_images_text(const std::vector<PosedPicture>& pictures) {
-  const SharedLenses shared = shared_lenses(pictures);
-  std::string text = "# IMAGE_ID, QW, QX, QY, QZ, TX, TY, TZ, CAMERA_ID, NAME\n# POINTS2D[] as (X, Y, POINT3D_ID)\n";
-  for (std::size_t i = 0; i < pictures.size(); ++i) {
-    const PosedCamera& camera = pictures[i].camera;
-    const glm::dmat3 world_from_colmap(camera.rotation[0], -camera.rotation[1], -camera.rotation[2]);
-    const glm::dmat3 colmap_from_world = glm::transpose(world_from_colmap);
-    const glm::dquat q = glm::normalize(glm::quat_cast(colmap_from_world));
-    const Vec3d t = -(colmap_from_world * camera.position_mm) / kMmPerUnit + 0.0;
-    text += fmt::format("{} {} {} {} {} {} {} {} {} {}\n\n", i + 1, q.w, q.x, q.y, q.z, t.x, t.y, t.z, shared.of_picture[i] + 1,
-                        pictures[i].picture);
+ColmapPoints parse_colmap_points(std::span<const std::byte> binary, const std::string& where) {
+  constexpr std::size_t kTrackBytes = 8;  // bytes of an element of a track: the image and the index of its point
+  ColmapPoints read;
+  ColmapBytes source(binary, where);
+  const std::uint64_t count = source.whole("number of points", kAnyPoint);
+  for (std::uint64_t i = 0; i < count; ++i) {
+    source.enter(fmt::format("point {}", i + 1));
+    source.next<std::uint64_t>();  // the point's number
+    CloudPoint point;
+    for (const int axis : {0, 1, 2}) point.position_mm[axis] = kMmPerUnit * source.number("position", kMostPlace);
+    for (unsigned char& code : point.rgb) code = source.next<unsigned char>();
+    source.next<double>();  // the error
+    const std::uint64_t track = source.whole("track length", kAnyPoint);
+    source.skip(track, kTrackBytes);
+    read.points.push_back(point);
+    if (track > 0) ++read.tracks;
   }
-  return text;
-}
-
-std::string colmap_points_text(const std::vector<CloudPoint>& cloud) {
-  std::string text = "# POINT3D_ID, X, Y, Z, R, G, B, ERROR, TRACK[] as (IMAGE_ID, POINT2D_IDX)\n";
-  std::size_t id = 0;
-  for (const CloudPoint& point : cloud) {
-    const Vec3d p = point.position_mm / kMmPerUnit;
-    text += fmt::format("{} {:.9g} {:.9g} {:.9g} {} {} {} 0\n", ++id, p.x, p.y, p.z, point.rgb[0], point.rgb[1], point.rgb[2]);
-  }
-  return text;
+  return read;
 }
 
 }  // namespace lippmann

@@ -26,10 +26,21 @@ std::vector<PosedPicture> parse_colmap_images(const std::string& text, const Col
 std::vector<PosedPicture> parse_colmap_images(std::span<const std::byte> binary, const ColmapCameras& cameras,
                                               const std::string& where);
 
-/// Return the contents of the text files. Pictures with equal intrinsics share one camera entry. Points have no tracks, which
-/// would list the pictures that show a point.
+struct ColmapPoints {
+  std::vector<CloudPoint> points;
+  std::size_t tracks = 0;  ///< number of points with a track, which lists the pictures that show the point
+};
+
+/// Parse points. Errors and tracks of points are not kept.
+ColmapPoints parse_colmap_points(const std::string& text, const std::string& where);
+ColmapPoints parse_colmap_points(std::span<const std::byte> binary, const std::string& where);
+
+/// Return the contents of the files. Pictures with equal intrinsics share one camera entry. Points have no tracks.
 std::string colmap_cameras_text(const std::vector<PosedPicture>& pictures);
 std::string colmap_images_text(const std::vector<PosedPicture>& pictures);
 std::string colmap_points_text(const std::vector<CloudPoint>& cloud);
+std::string colmap_cameras_binary(const std::vector<PosedPicture>& pictures);
+std::string colmap_images_binary(const std::vector<PosedPicture>& pictures);
+std::string colmap_points_binary(const std::vector<CloudPoint>& cloud);
 
 }  // namespace lippmann

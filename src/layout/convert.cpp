@@ -85,6 +85,7 @@ class Conversion {
     const bool has_cameras = field.cameras || field.poses;
     result.lacks_cameras = to_.uses_cameras && !has_cameras;
     result.lacks_depth = to_.uses_cameras && has_cameras && !field.depth;
+    result.left_out = left_out_of(field);
   }
 
   /// Converts one light field to the picture for the display. Views in folders may be large photos, so each view is resized to
@@ -129,6 +130,15 @@ class Conversion {
   }
 
  private:
+  std::vector<std::string> left_out_of(const LightField& field) const {
+    std::vector<std::string> left_out;
+    if (!to_.uses_cameras) return left_out;
+    if (!field.points.empty() && !to_.keeps_points) left_out.push_back(fmt::format("{} points", field.points.size()));
+    if (field.depth_bounds_mm && !to_.keeps_depth_bounds) left_out.emplace_back("nearest and farthest depths");
+    if (field.splits && !to_.keeps_splits) left_out.emplace_back("the split into training and test views");
+    return left_out;
+  }
+
   void state_cameras(LightField& field, const fs::path& in) const {
     if (field.cameras)
       throw usage_error("baseline", fmt::format("has no effect: {} states its cameras", in.string()),

@@ -1,5 +1,5 @@
 // LLFF's folders: images/000.png, ... and poses_bounds.npy (layout/llff_poses.hpp), which has one row per picture, in the order
-// of the pictures' names.
+// of the pictures' names. Depth bounds come from the depth of the views if it is known, otherwise from the file that was read.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -32,13 +32,20 @@ LightField read_llff(const fs::path& folder, const FormatOptions& options) {
                 fmt::format("has {} rows, but {} has {} pictures", pictures.size(), images.string(), names.size()),
                 "a row for each picture");
   for (std::size_t i = 0; i < names.size(); ++i) pictures[i].picture = names[i];
-  return read_posed_pictures(images, file, std::move(pictures), options);
+  read_held_out_names(folder / "test.txt", pictures);
+  return read_posed_pictures(images, {file, std::move(pictures)}, options);
+}
+
+std::vector<Vec2d> bounds_of_views(const LightField& field) {
+  if (field.depth_bounds_mm && !field.depth) return *field.depth_bounds_mm;
+  return std::vector<Vec2d>(static_cast<std::size_t>(field.grid.count()), depth_bounds_mm(field));
 }
 
 std::vector<fs::path> write_llff(const LightField& field, const fs::path& folder, const FormatOptions&) {
   const std::vector<std::byte> poses =
-      encode_llff_poses(posed_cameras(field, folder.string()), depth_bounds_mm(field), folder.string());
+      encode_llff_poses(posed_cameras(field, folder.string()), bounds_of_views(field), folder.string());
   std::vector<fs::path> written = write_posed_pictures(field, folder);
+  if (field.splits) write_held_out_names(written.emplace_back(folder / "test.txt"), listed_pictures(field, folder));
   write_file_atomically(written.emplace_back(folder / "poses_bounds.npy"), poses);
   return written;
 }
@@ -51,6 +58,8 @@ LightFieldFormat llff_format() {
           .is_folder = true,
           .uses_cameras = true,
           .keeps_poses = true,
+          .keeps_depth_bounds = true,
+          .keeps_splits = true,
           .states_cameras = true,
           .read = read_llff,
           .write = write_llff};

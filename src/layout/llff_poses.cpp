@@ -15,10 +15,11 @@ constexpr std::size_t kColumns = 17;
 PosedPicture picture_from_row(std::span<const double> row, const std::string& entry, const std::string& where) {
   constexpr double kMost = 1e9, kMostSide = 65536.0;
   const std::string place = where + ": " + entry;
-  for (const double value : row.first(15))
+  for (const double value : row)
     if (!(std::abs(value) <= kMost)) throw Error(place, fmt::format("has the number {}", value), "numbers up to 1e9");
   PosedPicture picture;
-  picture.entry = entry;
+  picture.entry = place;
+  picture.depth_bounds_mm = kMmPerUnit * Vec2d(row[15], row[16]);
   PosedCamera& camera = picture.camera;
   double rotation[9];
   for (std::size_t i = 0; i < 3; ++i) {
@@ -42,15 +43,15 @@ void check_llff(const PosedCamera& camera, std::size_t view, const std::string& 
   constexpr double kTolerance_px = 1e-3;
   const Vec2d off = camera.principal_px - 0.5 * Vec2d(camera.size);
   if (std::abs(camera.focal_px.x / camera.focal_px.y - 1.0) > 1e-6)
-    throw Error(where, fmt::format("the pixels of view {} are not square, but the format `llff` requires square pixels", view),
-                "the formats `nerf` and `colmap`");
+    throw Error(where, fmt::format("the pixels of view {} are not square, but the format llff requires square pixels", view),
+                "the format nerf or colmap");
   if (std::max(std::abs(off.x), std::abs(off.y)) > kTolerance_px)
     throw Error(
         where,
         fmt::format("the axis of view {} is {:.4g} x {:.4g} pixels away from the middle of its picture, which the format "
-                    "`llff` cannot express",
+                    "llff cannot express",
                     view, off.x, off.y),
-        "the formats `nerf` and `colmap`, or a render with `cameras`");
+        "the format nerf or colmap, or a render with `cameras`");
 }
 
 }  // namespace
@@ -67,7 +68,8 @@ std::vector<PosedPicture> parse_llff_poses(std::span<const std::byte> file, cons
   return pictures;
 }
 
-std::vector<std::byte> encode_llff_poses(const std::vector<PosedCamera>& cameras, Vec2d bounds_mm, const std::string& where) {
+std::vector<std::byte> encode_llff_poses(const std::vector<PosedCamera>& cameras, const std::vector<Vec2d>& bounds_mm,
+                                         const std::string& where) {
   std::vector<double> values;
   for (std::size_t view = 0; view < cameras.size(); ++view) {
     const PosedCamera& camera = cameras[view];
@@ -77,7 +79,7 @@ std::vector<std::byte> encode_llff_poses(const std::vector<PosedCamera>& cameras
       for (const double value : {-camera.rotation[1][i] + 0.0, camera.rotation[0][i], camera.rotation[2][i],
                                  camera.position_mm[i] / kMmPerUnit, size_and_focal[i]})
         values.push_back(value);
-    values.push_back(bounds_mm.x / kMmPerUnit), values.push_back(bounds_mm.y / kMmPerUnit);
+    values.push_back(bounds_mm[view].x / kMmPerUnit), values.push_back(bounds_mm[view].y / kMmPerUnit);
   }
   return encode_npy(std::span<const double>(values), {cameras.size(), kColumns});
 }

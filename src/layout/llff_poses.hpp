@@ -15,12 +15,13 @@
 
 namespace lippmann {
 
-/// Parses a file. The paths of the pictures are not set. Throws Error naming `where` and the picture's row in the file for
-/// invalid cameras.
+/// Parses a file. Sets the depth bounds of the pictures, but not their paths. Throws Error naming `where` and the picture's row
+/// in the file for invalid cameras.
 std::vector<PosedPicture> parse_llff_poses(std::span<const std::byte> file, const std::string& where);
 
-/// Encodes cameras. Throws Error naming `where` if pixels are not square or a principal point is not in the middle, which the
-/// format cannot express.
-std::vector<std::byte> encode_llff_poses(const std::vector<PosedCamera>& cameras, Vec2d bounds_mm, const std::string& where);
+/// Encodes cameras, with the nearest and the farthest depth for each camera. Throws Error naming `where` if pixels are not
+/// square or a principal point is not in the middle, which the format cannot express.
+std::vector<std::byte> encode_llff_poses(const std::vector<PosedCamera>& cameras, const std::vector<Vec2d>& bounds_mm,
+                                         const std::string& where);
 
 }  // namespace lippmann

@@ -4,8 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
+#include <set>
 #include <span>
+#include <sstream>
+#include <string_view>
 
 #include "core/atomic_file.hpp"
 #include "core/folder.hpp"
@@ -24,30 +28,52 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Returns the path of a picture in the list of a camera file. Some programs omit the extension: "./train/r_0" is r_0.png.
-fs::path listed_picture(const fs::path& folder, const fs::path& file, const PosedPicture& picture) {
+fs::path listed_picture(const fs::path& folder, const PosedPicture& picture) {
   for (const char* ending : {"", ".png", ".jpg", ".exr"})
     if (const fs::path path = folder / (picture.picture + ending); is_regular_file_there(path)) return path;
-  throw Error(file.string(), fmt::format("{}: the picture {} is missing", picture.entry, shown(picture.picture)),
+  throw Error(picture.entry, fmt::format("the picture {} is missing", shown(picture.picture)),
               "a picture in " + folder.string());
 }
 
 /// Completes the camera: computes the values that the camera file lacks from the size of the picture.
-void complete(PosedPicture& picture, Vec2i size, const std::string& where) {
+void complete(PosedPicture& picture, Vec2i size) {
   PosedCamera& camera = picture.camera;
-  if (camera.size == Vec2i(0, 0)) camera.size = size;
+  for (const int axis : {0, 1}) {
+    if (camera.size[axis] == 0) camera.size[axis] = size[axis];
+    if (std::isnan(camera.principal_px[axis])) camera.principal_px[axis] = 0.5 * size[axis];
+  }
   if (camera.size != size)
-    throw Error(where,
-                fmt::format("{}: its camera has {}x{} pixels, but the picture {} has {}x{}", picture.entry, camera.size.x,
-                            camera.size.y, shown(picture.picture), size.x, size.y),
+    throw Error(picture.entry,
+                fmt::format("its camera has {}x{} pixels, but the picture {} has {}x{}", camera.size.x, camera.size.y,
+                            shown(picture.picture), size.x, size.y),
                 "a camera and a picture of the same size");
-  if (picture.angle_x > 0.0) camera.focal_px = Vec2d(0.5 * size.x / std::tan(0.5 * picture.angle_x));
-  if (!picture.has_principal_px) camera.principal_px = 0.5 * Vec2d(size);
+  if (camera.focal_px.x == 0.0) camera.focal_px.x = 0.5 * size.x / std::tan(0.5 * picture.angle_x);
+  if (camera.focal_px.y == 0.0) camera.focal_px.y = camera.focal_px.x;
 }
 
 std::vector<PosedCamera> cameras_of(const std::vector<PosedPicture>& pictures) {
   std::vector<PosedCamera> cameras;
   for (const PosedPicture& picture : pictures) cameras.push_back(picture.camera);
   return cameras;
+}
+
+/// Returns one value per picture, or none if a picture has no value.
+template <class T>
+std::optional<std::vector<T>> values_of(const std::vector<PosedPicture>& pictures, std::optional<T> PosedPicture::*member) {
+  std::vector<T> values;
+  for (const PosedPicture& picture : pictures) {
+    if (!(picture.*member)) return std::nullopt;
+    values.push_back(*(picture.*member));
+  }
+  return values;
+}
+
+/// Converts points from the world to the display frame of `cameras`. `first`: the camera in the world whose eye is the first
+/// one of `cameras`.
+void move_to_display(const PosedCamera& first, const ViewCameras& cameras, std::vector<CloudPoint>& points) {
+  const Vec3d eye(cameras.eyes_mm.front(), cameras.distance_mm);
+  for (CloudPoint& point : points)
+    point.position_mm = glm::transpose(first.rotation) * (point.position_mm - first.position_mm) + eye;
 }
 
 template <class T>
@@ -92,8 +118,20 @@ ViewGrid posed_grid(std::vector<PosedPicture>& pictures, std::optional<ViewCamer
   return options.views.value_or(grid);
 }
 
+Image read_depth_codes(const fs::path& path, Vec2i size) {
+  const Picture picture = read_picture(path);
+  const auto* codes = std::get_if<Image16>(&picture);
+  if (!codes || size_of(picture) != size)
+    throw Error(path.string(), codes ? "does not match its picture" : "does not have 16 bits",
+                fmt::format("a 16-bit PNG of {}x{} pixels", size.x, size.y));
+  Image depth(size.x, size.y, 1);
+  for (std::size_t i = 0; i < depth.data.size(); ++i) depth.data[i] = codes->rgb[3 * i];
+  return depth;
+}
+
 Image read_planar_depth(const fs::path& path, Vec2i size) {
   constexpr std::uintmax_t kMaxBytes = std::uintmax_t{1} << 32;
+  if (path.extension() == ".png") return read_depth_codes(path, size);
   const NpyArray array = parse_npy(read_recorded_bytes(path, kMaxBytes, "a .npy file"), path.string());
   const std::vector<std::size_t> shape{static_cast<std::size_t>(size.y), static_cast<std::size_t>(size.x)};
   if (array.shape != shape)
@@ -103,11 +141,24 @@ Image read_planar_depth(const fs::path& path, Vec2i size) {
   return depth;
 }
 
-/// Reads the depth of all views. If one view has no depth, field.depth stays empty. Only .npy files are read, because the unit
-/// of other formats is unknown.
-void read_depths(const fs::path& folder, const std::vector<PosedPicture>& pictures, LightField& field) {
-  for (const PosedPicture& picture : pictures)
-    if (!picture.depth.ends_with(".npy") || !is_regular_file_there(folder / picture.depth)) return;
+/// Returns why the depth of a picture cannot be read; empty if it can be.
+std::string depth_problem(const fs::path& folder, const PosedPicture& picture) {
+  if (picture.depth.empty()) return "has no depth file";
+  if (!picture.depth.ends_with(".npy") && !picture.depth.ends_with(".png"))
+    return fmt::format("its depth file {} is neither .npy nor .png", shown(picture.depth));
+  return is_regular_file_there(folder / picture.depth) ? "" : fmt::format("its depth file {} is missing", shown(picture.depth));
+}
+
+/// Reads the depth of all views. If the depth of one view cannot be read, warns and leaves field.depth empty.
+void read_depths(const fs::path& folder, const std::vector<PosedPicture>& pictures, LightField& field,
+                 const std::function<void(std::string_view)>& warn = {}) {
+  if (std::all_of(pictures.begin(), pictures.end(), [](const PosedPicture& p) { return p.depth.empty(); })) return;
+  for (const PosedPicture& picture : pictures) {
+    const std::string problem = depth_problem(folder, picture);
+    if (problem.empty()) continue;
+    if (warn) warn(fmt::format("{}: {}, so the depth of all views is left out", picture.entry, problem));
+    return;
+  }
   field.depth = Image(field.view_size.x, field.view_size.y * field.grid.count(), 1);
   const double plane = field.cameras ? field.cameras->distance_mm : 0.0;
   for (int view = 0; view < field.grid.count(); ++view) {
@@ -162,21 +213,71 @@ std::string ray_length_name(const std::string& depth_name) {
   return depth_name.substr(0, depth_name.size() - std::string(".npy").size()) + "_ray.npy";
 }
 
-LightField read_posed_pictures(const fs::path& folder, const fs::path& file, std::vector<PosedPicture> pictures,
-                               const FormatOptions& options) {
-  if (pictures.empty()) throw Error(file.string(), "lists no pictures", "at least one");
-  const Vec2i size = size_of(read_picture(listed_picture(folder, file, pictures.front())));
-  for (PosedPicture& picture : pictures) complete(picture, size, file.string());
+LightField read_posed_pictures(const fs::path& folder, PosedSet set, const FormatOptions& options) {
+  std::vector<PosedPicture>& pictures = set.pictures;
+  if (pictures.empty()) throw Error(set.file.string(), "lists no pictures", "at least one");
+  const Vec2i size = size_of(read_picture(listed_picture(folder, pictures.front())));
+  for (PosedPicture& picture : pictures) complete(picture, size);
   std::optional<ViewCameras> cameras = shared_plane(cameras_of(pictures));
-  const ViewGrid grid = posed_grid(pictures, cameras, options, file);
+  if (cameras) move_to_display(pictures.front().camera, *cameras, set.points);
+  const ViewGrid grid = posed_grid(pictures, cameras, options, set.file);
   std::vector<fs::path> by_view;
-  for (const PosedPicture& picture : pictures) by_view.push_back(listed_picture(folder, file, picture));
+  for (const PosedPicture& picture : pictures) by_view.push_back(listed_picture(folder, picture));
   LightField field = read_view_files(by_view, grid, options);
   if (!cameras) field.poses = cameras_of(pictures);
   if (options.fit_view) return field;  // views that fit_view has resized do not match the sizes of the cameras
   field.cameras = std::move(cameras);
-  read_depths(folder, pictures, field);
+  field.points = std::move(set.points);
+  field.depth_bounds_mm = values_of(pictures, &PosedPicture::depth_bounds_mm);
+  field.splits = values_of(pictures, &PosedPicture::split);
+  read_depths(folder, pictures, field, options.warn);
   return field;
+}
+
+std::vector<PosedPicture> pictures_of_split(const std::vector<PosedPicture>& pictures, Split split) {
+  std::vector<PosedPicture> part;
+  for (const PosedPicture& picture : pictures)
+    if (picture.split == split) part.emplace_back(picture).split.reset();
+  return part;
+}
+
+std::string held_out_names(const std::vector<PosedPicture>& pictures) {
+  std::string names;
+  for (const PosedPicture& picture : pictures)
+    if (picture.split != Split::kTraining) names += fs::path(picture.picture).filename().string() + '\n';
+  return names;
+}
+
+void read_held_out_names(const fs::path& file, std::vector<PosedPicture>& pictures) {
+  constexpr std::uintmax_t kMaxBytes = std::uintmax_t{64} << 20;
+  if (!is_regular_file_there(file)) return;
+  std::set<std::string> names;
+  std::istringstream lines(read_recorded_text(file, kMaxBytes));
+  for (std::string name; std::getline(lines, name);) {
+    if (name.ends_with('\r')) name.pop_back();
+    names.insert(name);
+  }
+  const auto is_held_out = [&](const PosedPicture& picture) { return names.contains(picture.picture); };
+  if (std::none_of(pictures.begin(), pictures.end(), is_held_out)) return;
+  for (PosedPicture& picture : pictures) picture.split = is_held_out(picture) ? Split::kTest : Split::kTraining;
+}
+
+void write_held_out_names(const fs::path& file, const std::vector<PosedPicture>& pictures) {
+  const std::string names = held_out_names(pictures);
+  write_file_atomically(file, std::as_bytes(std::span(names)));
+}
+
+std::vector<PosedPicture> listed_pictures(const LightField& field, const fs::path& folder) {
+  const std::vector<PosedCamera> cameras = posed_cameras(field, folder.string());
+  std::vector<PosedPicture> pictures;
+  for (int view = 0; view < field.grid.count(); ++view) {
+    const auto at = static_cast<std::size_t>(view);
+    PosedPicture& picture = pictures.emplace_back();
+    picture.picture = posed_picture_name(view, field.grid.count(), exact_ending(field.stack));
+    picture.camera = cameras[at];
+    if (field.splits) picture.split = (*field.splits)[at];
+  }
+  return pictures;
 }
 
 std::vector<fs::path> write_posed_pictures(const LightField& field, const fs::path& folder) {

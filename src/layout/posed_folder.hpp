@@ -5,6 +5,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,12 +18,21 @@ inline constexpr double kMmPerUnit = 1000.0;  ///< the files store lengths in me
 
 /// A picture that a camera file lists.
 struct PosedPicture {
-  std::string entry;           ///< position of the entry in the file, for messages: "frames[3]"
+  std::string entry;           ///< the file and the position of the entry in it, for messages: "transforms.json: frames[3]"
   std::string picture, depth;  ///< paths relative to the folder; `depth` is empty if there is no depth file
-  PosedCamera camera;          ///< its size is 0 x 0 if the picture determines it
-  /// Horizontal field of view if the file has no focal length; otherwise 0.
-  double angle_x = 0.0;
-  bool has_principal_px = true;  ///< false: the principal point is in the middle of the picture
+  /// Values that the file does not state are 0, or NaN for the principal point. Then the picture's size applies, its middle,
+  /// the focal length that `angle_x` determines, and the same focal length for x and y.
+  PosedCamera camera;
+  double angle_x = 0.0;                       ///< horizontal field of view; 0: not stated
+  std::optional<Vec2d> depth_bounds_mm = {};  ///< nearest and farthest depth
+  std::optional<Split> split = {};
+};
+
+/// The contents of a camera file.
+struct PosedSet {
+  std::filesystem::path file;  ///< for messages
+  std::vector<PosedPicture> pictures;
+  std::vector<CloudPoint> points = {};
 };
 
 /// Throws Error naming `where` if a path is empty, absolute, longer than 1000 characters, or leads outside the folder.
@@ -37,13 +47,27 @@ std::string posed_depth_name(int view, int count);
 std::string ray_length_name(const std::string& depth_name);
 
 /// Reads the pictures and arranges them as views. Parallel cameras whose views show the same rectangle of a plane become a
-/// grid, starting at the lower left. Other cameras stay in file order, as one row unless `options` has a grid. `file` is the
-/// camera file. Throws Error naming this file and the entry if a picture is missing or has another size than the entry states.
-LightField read_posed_pictures(const std::filesystem::path& folder, const std::filesystem::path& file,
-                               std::vector<PosedPicture> pictures, const FormatOptions& options);
+/// grid, starting at the lower left. Other cameras stay in file order, as one row unless `options` has a grid. Depth files are
+/// .npy arrays or 16-bit PNG files, in thousandths of the file's unit. Throws Error naming the entry if a picture is missing or
+/// has another size than the entry states.
+LightField read_posed_pictures(const std::filesystem::path& folder, PosedSet set, const FormatOptions& options);
+
+/// Returns the entries of the views for a camera file: names images/000.png, ..., cameras and splits, without depth files.
+/// Throws Error naming `folder` if the cameras are unknown.
+std::vector<PosedPicture> listed_pictures(const LightField& field, const std::filesystem::path& folder);
 
 /// Writes images/000.png, ... and returns their paths, one per view.
 std::vector<std::filesystem::path> write_posed_pictures(const LightField& field, const std::filesystem::path& folder);
+
+/// Returns the pictures of one part of the data set, without their `split`.
+std::vector<PosedPicture> pictures_of_split(const std::vector<PosedPicture>& pictures, Split split);
+
+/// The file test.txt beside COLMAP's and LLFF's cameras lists the names of the pictures that are not for training, one per
+/// line. held_out_names() returns its contents. read_held_out_names() sets `split` of all pictures if the file exists and
+/// lists one of them.
+std::string held_out_names(const std::vector<PosedPicture>& pictures);
+void write_held_out_names(const std::filesystem::path& file, const std::vector<PosedPicture>& pictures);
+void read_held_out_names(const std::filesystem::path& file, std::vector<PosedPicture>& pictures);
 
 /// Converts planar depth to the length of the ray through each pixel. 0 means no surface.
 Image ray_lengths(const Image& planar_depth, const PosedCamera& camera);
@@ -64,11 +88,6 @@ struct ViewOfSet {
 /// paths of the files written.
 std::vector<std::filesystem::path> write_posed_view(const LightField& field, const std::filesystem::path& folder,
                                                     const ViewOfSet& view);
-
-struct CloudPoint {
-  Vec3d position_mm;
-  unsigned char rgb[3];
-};
 
 /// Converts pixels to points in the world by their depth. Takes every n-th pixel across and down of every view, with n such
 /// that there are at most about `most` points. Returns no points if there is no depth.

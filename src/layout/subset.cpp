@@ -35,6 +35,7 @@ LightField like(const LightField& field, ViewGrid grid, Vec2i view_size) {
   other.grid = grid, other.view_size = view_size;
   other.aspect = field.aspect, other.tiles = field.tiles, other.bits = field.bits;
   other.cameras = field.cameras, other.positions = field.positions, other.poses = field.poses;
+  other.depth_bounds_mm = field.depth_bounds_mm, other.points = field.points, other.splits = field.splits;
   other.stack = blank(field.stack, stack_size(other));
   if (field.depth) other.depth = Image(view_size.x, view_size.y * grid.count(), 1);
   return other;
@@ -112,15 +113,20 @@ void keep(LightField& field, const KeptViews& kept, const std::string& flag) {
   if (fewer.cameras) fewer.cameras->eyes_mm.clear();
   if (fewer.positions) fewer.positions->clear();
   if (fewer.poses) fewer.poses->clear();
+  if (fewer.depth_bounds_mm) fewer.depth_bounds_mm->clear();
+  if (fewer.splits) fewer.splits->clear();
   int view = 0;
   for (const int row : rows)
     for (const int column : columns) {
       const int source = row * field.grid.columns + column;
+      const auto at = static_cast<std::size_t>(source);
       set_view(fewer, view, view_of(field, source));
       if (field.depth) set_depth(fewer, view, depth_of(field, source));
-      if (field.positions) fewer.positions->push_back((*field.positions)[static_cast<std::size_t>(source)]);
-      if (field.poses) fewer.poses->push_back((*field.poses)[static_cast<std::size_t>(source)]);
-      if (field.cameras) fewer.cameras->eyes_mm.push_back(field.cameras->eyes_mm[static_cast<std::size_t>(source)]);
+      if (field.positions) fewer.positions->push_back((*field.positions)[at]);
+      if (field.poses) fewer.poses->push_back((*field.poses)[at]);
+      if (field.cameras) fewer.cameras->eyes_mm.push_back(field.cameras->eyes_mm[at]);
+      if (field.depth_bounds_mm) fewer.depth_bounds_mm->push_back((*field.depth_bounds_mm)[at]);
+      if (field.splits) fewer.splits->push_back((*field.splits)[at]);
       ++view;
     }
   field = std::move(fewer);

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
-#include <string_view>
+#include <utility>
 
 #include "core/json_fields.hpp"
 #include "core/json_text.hpp"
@@ -31,17 +33,15 @@ void check_pinhole(const JsonFields& json) {
 void read_intrinsics(const JsonFields& json, PosedPicture& picture) {
   PosedCamera& camera = picture.camera;
   check_pinhole(json);
-  if (json.has("w") || json.has("h")) camera.size = {json.whole("w", kSizeRange), json.whole("h", kSizeRange)};
-  if (json.has("fl_x") || json.has("fl_y")) {
-    camera.focal_px.x = json.number("fl_x", kFocalRange);
-    camera.focal_px.y = json.number_or("fl_y", kFocalRange, camera.focal_px.x);
-    picture.angle_x = 0.0;
-  } else if (json.has("camera_angle_x")) {
+  camera.size = {json.whole_or("w", kSizeRange, camera.size.x), json.whole_or("h", kSizeRange, camera.size.y)};
+  if (json.has("camera_angle_x")) {
     picture.angle_x = json.number("camera_angle_x", kAngleRange);
+    camera.focal_px = Vec2d(0.0);
   }
-  if (!json.has("cx") && !json.has("cy")) return;
-  camera.principal_px = {json.number("cx", kPlaceRange), json.number("cy", kPlaceRange)};
-  picture.has_principal_px = true;
+  camera.focal_px.x = json.number_or("fl_x", kFocalRange, camera.focal_px.x);
+  camera.focal_px.y = json.number_or("fl_y", kFocalRange, camera.focal_px.y);
+  camera.principal_px.x = json.number_or("cx", kPlaceRange, camera.principal_px.x);
+  camera.principal_px.y = json.number_or("cy", kPlaceRange, camera.principal_px.y);
 }
 
 void read_matrix(const JsonFields& json, PosedCamera& camera, const std::string& where) {
@@ -59,16 +59,16 @@ void read_matrix(const JsonFields& json, PosedCamera& camera, const std::string&
   camera.rotation = checked_rotation(rows, where + ": transform_matrix");
 }
 
-PosedPicture frame_from(const JsonFields& json, PosedPicture picture, const std::string& where) {
+PosedPicture frame_from(const JsonFields& json, PosedPicture picture) {
   read_intrinsics(json, picture);
   picture.picture = json.text("file_path");
   std::replace(picture.picture.begin(), picture.picture.end(), '\\', '/');
-  check_inner_path(picture.picture, where + ": file_path");
+  check_inner_path(picture.picture, picture.entry + ": file_path");
   picture.depth = json.text_or("depth_file_path", "");
-  if (!picture.depth.empty()) check_inner_path(picture.depth, where + ": depth_file_path");
+  if (!picture.depth.empty()) check_inner_path(picture.depth, picture.entry + ": depth_file_path");
   if (picture.camera.focal_px.x <= 0.0 && picture.angle_x <= 0.0)
     json.reject("fl_x", "is missing", "fl_x in pixels, or camera_angle_x in radians");
-  read_matrix(json, picture.camera, where);
+  read_matrix(json, picture.camera, picture.entry);
   return picture;
 }
 
@@ -87,14 +87,37 @@ void write_intrinsics(const PosedCamera& camera, Json& json) {
   json["cx"] = camera.principal_px.x, json["cy"] = camera.principal_px.y;
 }
 
-/// Adds the lists of pictures that nerfstudio reads. nerfstudio requires all three lists.
-void list_split(const std::vector<PosedPicture>& pictures, const std::vector<bool>& is_test, Json& json) {
-  for (const char* key : {"train_filenames", "val_filenames", "test_filenames"}) {
-    Json& names = json[key] = Json::array();
-    const bool test = std::string_view(key) != "train_filenames";
-    for (std::size_t i = 0; i < pictures.size(); ++i)
-      if (is_test[i] == test) names.push_back(pictures[i].picture);
+constexpr std::pair<const char*, Split> kLists[] = {
+    {"test_filenames", Split::kTest}, {"val_filenames", Split::kValidation}, {"train_filenames", Split::kTraining}};
+
+/// Sets the splits of the pictures in the file's lists. A picture for testing may also be listed for validation. Pictures in no
+/// list count as pictures for training.
+void read_lists(const JsonFields& json, std::vector<PosedPicture>& pictures) {
+  std::map<std::string, Split> splits;
+  for (const auto& [key, split] : kLists)
+    for (std::string& name : json.texts_or_none(key)) {
+      std::replace(name.begin(), name.end(), '\\', '/');
+      splits.emplace(std::move(name), split);
+    }
+  if (splits.empty()) return;
+  for (PosedPicture& picture : pictures) {
+    const auto found = splits.find(picture.picture);
+    picture.split = found == splits.end() ? Split::kTraining : found->second;
   }
+}
+
+/// Adds the lists of pictures that nerfstudio reads. nerfstudio requires all three lists.
+void write_lists(const std::vector<PosedPicture>& pictures, Json& json) {
+  const auto add = [&](const char* key, Split split) {
+    Json& names = json[key] = Json::array();
+    for (const PosedPicture& picture : pictures)
+      if (picture.split == split) names.push_back(picture.picture);
+  };
+  const bool has_validation =
+      std::any_of(pictures.begin(), pictures.end(), [](const PosedPicture& p) { return p.split == Split::kValidation; });
+  add("train_filenames", Split::kTraining);
+  add("val_filenames", has_validation ? Split::kValidation : Split::kTest);
+  add("test_filenames", Split::kTest);
 }
 
 bool same_intrinsics(const PosedCamera& a, const PosedCamera& b) {
@@ -106,24 +129,27 @@ bool same_intrinsics(const PosedCamera& a, const PosedCamera& b) {
 std::vector<PosedPicture> parse_transforms(const std::string& text, const std::string& where) {
   constexpr std::size_t kMaxFrames = 65536;
   const Json json = json_from_text(text);
-  if (json.is_discarded() || !json.is_object()) throw Error(where, "is not JSON with a list of frames");
+  if (json.is_discarded()) throw json_error(text, where);
+  if (!json.is_object()) throw Error(where, "is not a JSON object", "an object with a list of frames");
   const JsonFields fields(json, where, "");
   const Json& frames = fields.value("frames");
   if (!frames.is_array() || frames.empty() || frames.size() > kMaxFrames)
     throw Error(where, frames.is_array() ? fmt::format("has {} frames", frames.size()) : "has no list of frames",
                 fmt::format("frames, 1 to {}", kMaxFrames));
   PosedPicture common;
-  common.has_principal_px = false;
+  common.camera.principal_px = Vec2d(std::numeric_limits<double>::quiet_NaN());
   read_intrinsics(fields, common);
   std::vector<PosedPicture> pictures;
   for (std::size_t i = 0; i < frames.size(); ++i) {
-    common.entry = fmt::format("frames[{}]", i);
-    pictures.push_back(frame_from(JsonFields(frames[i], where, common.entry), common, where + ": " + common.entry));
+    const std::string entry = fmt::format("frames[{}]", i);
+    common.entry = where + ": " + entry;
+    pictures.push_back(frame_from(JsonFields(frames[i], where, entry), common));
   }
+  read_lists(fields, pictures);
   return pictures;
 }
 
-std::string transforms_text(const std::vector<PosedPicture>& pictures, const std::vector<bool>& is_test) {
+std::string transforms_text(const std::vector<PosedPicture>& pictures) {
   const PosedCamera& first = pictures.front().camera;
   const bool is_common =
       std::all_of(pictures.begin(), pictures.end(), [&](const PosedPicture& p) { return same_intrinsics(p.camera, first); });
@@ -134,7 +160,7 @@ std::string transforms_text(const std::vector<PosedPicture>& pictures, const std
                      {"ray_length_file_path", "length of the ray from the camera"},
                      {"unit_scale_factor", 1.0 / kMmPerUnit},
                      {"nothing", 0}};
-  if (!is_test.empty()) list_split(pictures, is_test, json);
+  if (pictures.front().split) write_lists(pictures, json);
   json["frames"] = Json::array();
   for (const PosedPicture& picture : pictures) {
     Json frame{{"file_path", picture.picture}};

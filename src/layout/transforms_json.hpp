@@ -2,7 +2,8 @@
 // y up, z backwards).
 //
 // These keys are supported: w, h, fl_x, fl_y, cx, cy or camera_angle_x, for all frames or for one frame; file_path,
-// depth_file_path, transform_matrix (4x4 or 3x4). Lens distortion and fisheye cameras are errors.
+// depth_file_path, transform_matrix (4x4 or 3x4); train_filenames, val_filenames, test_filenames. Lens distortion and fisheye
+// cameras are errors.
 #pragma once
 
 #include <string>
@@ -12,12 +13,13 @@
 
 namespace lippmann {
 
-/// Parses a file. Throws Error naming `where` and the frame for invalid cameras.
+/// Parses a file. A frame inherits values that it does not state. Throws Error naming `where` and the frame for invalid
+/// cameras.
 std::vector<PosedPicture> parse_transforms(const std::string& text, const std::string& where);
 
 /// Returns the contents of a transforms.json for pictures with complete cameras. Depth files hold planar depth in thousandths
-/// of the unit of the matrices; ray lengths are in depth/NNN_ray.npy. `is_test` states for each picture whether it is listed
-/// for testing or for training; if it is empty, no lists are written.
-std::string transforms_text(const std::vector<PosedPicture>& pictures, const std::vector<bool>& is_test = {});
+/// of the unit of the matrices; ray lengths are in depth/NNN_ray.npy. If the pictures have splits, lists of their names are
+/// written. Pictures for testing are then also listed for validation if there are no others.
+std::string transforms_text(const std::vector<PosedPicture>& pictures);
 
 }  // namespace lippmann

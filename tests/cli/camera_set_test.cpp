@@ -73,6 +73,23 @@ TEST_F(CameraSets, convert_keeps_poses_or_says_that_it_does_not) {
                    kNoSharedPlane);
 }
 
+TEST_F(CameraSets, convert_keeps_the_split_and_names_lost_data) {
+  for (const char* from : {"nerf", "colmap", "llff"})
+    for (const char* to : {"nerf", "colmap", "llff"}) {
+      const std::string out = std::string(from) + "-as-" + to;
+      EXPECT_THAT(run_tool(dir_, {"convert", from, out, "--to", to}).err, Not(HasSubstr("split"))) << out;
+      const char* file = to == std::string("nerf")     ? "transforms_test.json"
+                         : to == std::string("colmap") ? "sparse/0/test.txt"
+                                                       : "test.txt";
+      EXPECT_THAT(bytes_of(dir_ / out / file), HasSubstr(".png")) << out;
+    }
+  EXPECT_THAT(run_tool(dir_, {"convert", "colmap", "a", "--to", "nerf"}).err,
+              testing::ContainsRegex("not written, because nerf cannot store them: [0-9]+ points"));
+  EXPECT_THAT(run_tool(dir_, {"convert", "llff", "b", "--to", "nerf"}).err, HasSubstr("nearest and farthest depths"));
+  EXPECT_THAT(run_tool(dir_, {"convert", "nerf", "c", "--to", "colmap", "--binary"}).err, Not(HasSubstr("warning")));
+  EXPECT_TRUE(fs::exists(dir_ / "c/sparse/0/points3D.bin"));
+}
+
 TEST_F(CameraSets, info_and_view_describe_the_cameras) {
   for (const char* to : {"nerf", "colmap", "llff"}) {
     const nlohmann::json info = report_of(dir_, {"info", to});

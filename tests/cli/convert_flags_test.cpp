@@ -74,6 +74,7 @@ const std::map<std::string, std::string>& values() {
                                                       {"--sensor-width", "20"},
                                                       {"--focus-distance", "900"},
                                                       {"--png", ""},
+                                                      {"--binary", ""},
                                                       {"--white", "d/colours.png"},
                                                       {"--lens-pitch-px", "7.5"},
                                                       {"--lens-row-pitch-px", "7"},

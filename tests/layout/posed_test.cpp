@@ -192,11 +192,14 @@ TEST(NerfFormat, wrong_cameras_are_refused_with_their_frame) {
     return error_message([&] { parse_transforms(text, "t.json"); });
   };
   EXPECT_THAT(error_message([] { parse_transforms("[", "t.json"); }), AllOf(HasSubstr("t.json"), HasSubstr("not JSON")));
+  EXPECT_THAT(error_message([] { parse_transforms("[]", "t.json"); }), HasSubstr("not a JSON object"));
   EXPECT_THAT(error_message([] { parse_transforms(R"({"frames": []})", "t.json"); }), HasSubstr("0 frames"));
   EXPECT_THAT(refusal("transform_matrix", "matrix"), AllOf(HasSubstr("frames[1]"), HasSubstr("missing")));
   EXPECT_THAT(refusal("\"b.png\"", "\"../b.png\""), AllOf(HasSubstr("frames[1]"), HasSubstr("inside the folder")));
   EXPECT_THAT(refusal("\"fl_x\": 50.0", "\"fl_x\": -50.0"), HasSubstr("fl_x"));
-  EXPECT_THAT(refusal("\"fl_x\": 50.0", "\"fl_x\": NaN"), HasSubstr("not JSON"));
+  EXPECT_THAT(refusal("\"fl_x\": 50.0", "\"fl_x\": NaN"), AllOf(HasSubstr("t.json: fl_x"), HasSubstr("'NaN'")));
+  EXPECT_THAT(error_message([] { parse_transforms(R"({"fl_y": 50, "frames": [{"file_path": "a"}]})", "t.json"); }),
+              AllOf(HasSubstr("frames[0]"), HasSubstr("fl_x: is missing")));
   EXPECT_THAT(refusal("\"fl_x\": 50.0", "\"k1\": 0.1, \"fl_x\": 50.0"), AllOf(HasSubstr("k1"), HasSubstr("distortion")));
   const auto matrix = [](const char* rows) {
     return error_message([&] {
@@ -208,6 +211,117 @@ TEST(NerfFormat, wrong_cameras_are_refused_with_their_frame) {
   EXPECT_THAT(matrix("[[2,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]"), HasSubstr("not a rotation"));
   EXPECT_THAT(matrix("[[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,2]]"), HasSubstr("last row"));
   EXPECT_THAT(matrix("[[1,0,0],[0,1,0],[0,0,1]]"), HasSubstr("transform_matrix"));
+  for (const char* number : {"NaN", "1e400", "-Infinity"})
+    EXPECT_THAT(matrix(("[[1,0,0,0],[0,1,0," + std::string(number) + "]]").c_str()),
+                AllOf(HasSubstr("t.json: frames[0].transform_matrix[1][3]"), HasSubstr(number)));
+}
+
+TEST(NerfFormat, frames_inherit_what_they_do_not_state) {
+  const auto pictures = parse_transforms(R"({"w": 40, "h": 30, "fl_x": 50, "fl_y": 51, "cx": 20, "cy": 15, "frames": [
+      {"file_path": "a", "fl_y": 52, "transform_matrix": [[1,0,0,0],[0,1,0,0],[0,0,1,0]]},
+      {"file_path": "b", "fl_x": 53, "cx": 21, "h": 31, "transform_matrix": [[1,0,0,0],[0,1,0,0],[0,0,1,0]]}]})",
+                                         "t.json");
+  EXPECT_EQ(pictures[0].camera.focal_px, Vec2d(50.0, 52.0));
+  EXPECT_EQ(pictures[0].camera.size, Vec2i(40, 30));
+  EXPECT_EQ(pictures[1].camera.focal_px, Vec2d(53.0, 51.0));
+  EXPECT_EQ(pictures[1].camera.principal_px, Vec2d(21.0, 15.0));
+  EXPECT_EQ(pictures[1].camera.size, Vec2i(40, 31));
+}
+
+/// Returns four turned views, the second for validation and the last for testing.
+LightField split_views() {
+  LightField field = turned_views();
+  field.splits = {Split::kTraining, Split::kValidation, Split::kTraining, Split::kTest};
+  return field;
+}
+
+TEST(NerfFormat, splits_come_back) {
+  const TempDir dir;
+  const LightField field = split_views();
+  nerf_format().write(field, dir / "m", {});
+  EXPECT_EQ(nerf_format().read(dir / "m", {}).splits, field.splits);
+  const auto json = nlohmann::json::parse(read_file_text(dir / "m/transforms_test.json", 1 << 20));
+  EXPECT_EQ(json["frames"].size(), 1u);
+  EXPECT_EQ(json["frames"][0]["file_path"], "images/003.png");
+}
+
+TEST(NerfFormat, files_of_parts_are_read_together) {
+  const TempDir dir;
+  nerf_format().write(split_views(), dir / "m", {});
+  std::filesystem::remove(dir / "m/transforms.json");
+  const LightField field = nerf_format().read(dir / "m", {});
+  EXPECT_EQ(field.splits, (std::vector{Split::kTraining, Split::kTraining, Split::kValidation, Split::kTest}));
+  EXPECT_EQ((*field.poses)[2].position_mm, (*turned_views().poses)[1].position_mm);
+}
+
+TEST(PosedFormats, held_out_views_are_listed_for_colmap_and_llff) {
+  for (const char* name : {"colmap", "llff"}) {
+    const TempDir dir;
+    find_format(name, "format").write(split_views(), dir / "m", {});
+    const char* list = name == std::string("llff") ? "m/test.txt" : "m/sparse/0/test.txt";
+    EXPECT_EQ(read_file_text(dir / list, 1 << 20), "001.png\n003.png\n") << name;
+    const auto splits = find_format(name, "format").read(dir / "m", {}).splits;
+    EXPECT_EQ(splits, (std::vector{Split::kTraining, Split::kTest, Split::kTraining, Split::kTest})) << name;
+  }
+}
+
+TEST(PosedFormats, subsets_keep_splits_and_bounds) {
+  LightField field = split_views();
+  field.depth_bounds_mm = {{1, 2}, {3, 4}, {5, 6}, {7, 8}};
+  keep(field, {{1, 3, 2}, {}}, "keep");
+  EXPECT_EQ(field.splits, (std::vector{Split::kValidation, Split::kTest}));
+  EXPECT_EQ(field.depth_bounds_mm, (std::vector<Vec2d>{{3, 4}, {7, 8}}));
+}
+
+TEST(NerfFormat, depth_of_16_bits_is_in_thousandths) {
+  const TempDir dir;
+  const LightField field = turned_views(1);
+  nerf_format().write(field, dir / "m", {});
+  Image16 codes{40, 30, std::vector<std::uint16_t>(std::size_t{3} * 40 * 30, 1234)};
+  std::fill_n(codes.rgb.begin(), 3, std::uint16_t{0});
+  const auto replace_depth = [&](const char* name) {
+    std::string text = read_file_text(dir / "m/transforms.json", 1 << 20);
+    text.replace(text.find("depth/000.npy"), 13, name);
+    std::ofstream(dir / "m/transforms.json") << text;
+  };
+  replace_depth("depth/000.png");
+  write_picture(dir / "m/depth/000.png", codes);
+  const LightField back = nerf_format().read(dir / "m", {});
+  ASSERT_TRUE(back.depth);
+  EXPECT_EQ(back.depth->data[0], -INFINITY) << "0 means no surface";
+  EXPECT_EQ(back.depth->data[1], -1234.0f) << "nerfstudio's default unit is 0.001";
+  write_picture(dir / "m/depth/000.png", Image8{40, 30, std::vector<unsigned char>(std::size_t{3} * 40 * 30, 9)});
+  EXPECT_THAT(error_message([&] { nerf_format().read(dir / "m", {}); }), AllOf(HasSubstr("000.png"), HasSubstr("16 bits")));
+}
+
+TEST(NerfFormat, depth_that_is_not_read_is_named) {
+  const TempDir dir;
+  nerf_format().write(turned_views(2), dir / "m", {});
+  std::filesystem::remove(dir / "m/depth/001.npy");
+  std::string warning;
+  const LightField field = nerf_format().read(dir / "m", {.warn = [&](std::string_view text) { warning += text; }});
+  EXPECT_FALSE(field.depth);
+  EXPECT_THAT(warning, AllOf(HasSubstr("frames[1]"), HasSubstr("depth/001.npy"), HasSubstr("missing")));
+}
+
+TEST(NerfFormat, huge_files_are_refused) {
+  const TempDir dir;
+  std::ofstream(dir / "transforms.json") << "{";
+  std::filesystem::resize_file(dir / "transforms.json", std::uintmax_t{2} << 30);  // a sparse file
+  EXPECT_THAT(error_message([&] { nerf_format().read(dir.path(), {}); }), HasSubstr("transforms.json"));
+}
+
+TEST(PosedFormats, pictures_of_other_sizes_are_refused) {
+  for (const char* name : {"nerf", "colmap", "llff"}) {
+    const TempDir dir;
+    const LightFieldFormat& format = find_format(name, "format");
+    format.write(turned_views(2), dir / "m", {});
+    for (const char* picture : {"m/images/000.png", "m/images/001.png"})
+      write_picture(dir / picture, numbered_field({1, 1}, {20, 15}).stack);
+    EXPECT_THAT(error_message([&] { format.read(dir / "m", {}); }),
+                AllOf(HasSubstr("40x30"), HasSubstr("20x15"), HasSubstr("000.png")))
+        << name;
+  }
 }
 
 TEST(NerfFormat, cameras_that_disagree_with_pictures_are_refused) {
@@ -244,6 +358,80 @@ TEST(ColmapFormat, clouds_lie_where_depth_is) {
   const auto& codes = std::get<Image8>(field.stack).rgb;
   EXPECT_EQ(all[0].rgb[1], codes[1]);
   EXPECT_LE(point_cloud(field, posed_cameras(field, "a"), 100).size(), 100u);
+}
+
+/// Returns parallel views of a grid whose file has points: one 250 mm behind the plane of the eyes' shared window.
+LightField views_with_points() {
+  LightField field = six_views();
+  field.depth.reset();
+  field.points = {{{10.0, 5.0, -250.0}, {1, 2, 3}}, {{-30.0, 0.25, 100.0}, {255, 0, 128}}};
+  return field;
+}
+
+TEST(ColmapFormat, points_come_back_as_text_and_binary) {
+  for (const bool binary : {false, true})
+    for (const bool turned : {false, true}) {
+      const TempDir dir;
+      LightField field = views_with_points();
+      if (turned) {
+        field = turned_views();
+        field.depth.reset(), field.points = views_with_points().points;
+      }
+      colmap_format().write(field, dir / "m", {.binary = binary});
+      EXPECT_EQ(std::filesystem::exists(dir / "m/sparse/0/points3D.bin"), binary);
+      EXPECT_NE(std::filesystem::exists(dir / "m/sparse/0/cameras.txt"), binary);
+      std::string warning;
+      const LightField back = colmap_format().read(dir / "m", {.warn = [&](std::string_view text) { warning += text; }});
+      EXPECT_EQ(warning, "");
+      expect_same_poses(posed_cameras(back, "a"), posed_cameras(field, "a"));
+      ASSERT_EQ(back.points.size(), 2u);
+      for (std::size_t i = 0; i < 2; ++i) {
+        EXPECT_LT(glm::distance(back.points[i].position_mm, field.points[i].position_mm), 1e-5) << i;
+        EXPECT_EQ(back.points[i].rgb, field.points[i].rgb) << i;
+      }
+    }
+}
+
+TEST(ColmapFormat, points_keep_their_pixels_in_grids) {
+  // The second camera is the first one moved by (20, 0, 0) mm, turned by 90 degrees about z together with the point. Both see
+  // the same window of the plane at a distance of 500 mm, so the views become a grid in another frame.
+  const TempDir dir;
+  LightField field = numbered_field({2, 1}, {40, 30});
+  const glm::dmat3 turn(Vec3d(0.0, 1.0, 0.0), Vec3d(-1.0, 0.0, 0.0), Vec3d(0.0, 0.0, 1.0));
+  for (const double x : {0.0, 20.0}) {
+    if (!field.poses) field.poses.emplace();
+    field.poses->push_back({{40, 30}, Vec2d(1000.0), Vec2d(20.0 + 2.0 * x, 15.0), turn, turn * Vec3d(x, 0.0, 7.0)});
+  }
+  field.points = {{turn * Vec3d(3.0, 2.0, -400.0), {}}};
+  colmap_format().write(field, dir / "m", {});
+  const LightField back = colmap_format().read(dir / "m", {});
+  ASSERT_TRUE(back.cameras);
+  for (const std::size_t view : {0u, 1u})
+    EXPECT_LT(glm::distance(projected(posed_cameras(back, "a")[view], back.points[0].position_mm),
+                            projected((*field.poses)[view], field.points[0].position_mm)),
+              1e-6);
+}
+
+TEST(ColmapFormat, tracks_are_named_as_left_out) {
+  const TempDir dir;
+  colmap_format().write(turned_views(2), dir / "m", {});
+  std::ofstream(dir / "m/sparse/0/points3D.txt") << "# comment\n7 0.5 -0.25 2 9 8 7 0.3 1 0 2 5\n8 1 1 1 0 0 0 -1\n";
+  std::string warning;
+  const LightField field = colmap_format().read(dir / "m", {.warn = [&](std::string_view text) { warning += text; }});
+  ASSERT_EQ(field.points.size(), 2u);
+  EXPECT_EQ(field.points[0].position_mm, Vec3d(500.0, -250.0, 2000.0));
+  EXPECT_EQ(field.points[0].rgb[0], 9);
+  EXPECT_THAT(warning, AllOf(HasSubstr("points3D.txt"), HasSubstr("the tracks of 1 points are left out")));
+}
+
+TEST(ColmapFormat, wrong_points_are_refused) {
+  const auto points = [](const char* text) { return error_message([&] { parse_colmap_points(text, "p.txt"); }); };
+  EXPECT_THAT(points("\n1 0 0 nan 1 2 3 0\n"), AllOf(HasSubstr("p.txt:2"), HasSubstr("'nan'")));
+  EXPECT_THAT(points("1 0 0 0 1 2 256 0\n"), HasSubstr("colour"));
+  const std::string binary = colmap_points_binary({{}, {}});
+  EXPECT_EQ(binary.size(), 8u + 2u * 51u) << "a number of 8 bytes; per point 8 + 24 + 3 + 8 + 8 bytes";
+  EXPECT_THAT(error_message([&] { parse_colmap_points(std::as_bytes(std::span(binary)).first(binary.size() - 1), "p.bin"); }),
+              AllOf(HasSubstr("p.bin: point 2"), HasSubstr("truncated")));
 }
 
 template <class T>
@@ -292,19 +480,35 @@ TEST(ColmapFormat, wrong_lines_are_refused_with_their_number) {
 
 TEST(LlffFormat, rows_have_axes_down_right_back) {
   const PosedCamera camera = turned_views().poses->at(0);
-  const NpyArray rows = parse_npy(encode_llff_poses({camera}, {1500.0, 2500.0}, "a"), "a");
+  const NpyArray rows = parse_npy(encode_llff_poses({camera}, {{1500.0, 2500.0}}, "a"), "a");
   EXPECT_EQ(rows.shape, (std::vector<std::size_t>{1, 17}));
   EXPECT_EQ(rows.values, (std::vector<double>{0, 1, 0, 0, 30, -1, 0, 0, 0, 40, 0, 0, 1, 2, 50, 1.5, 2.5}));
 }
 
+TEST(LlffFormat, depth_bounds_of_the_file_are_kept) {
+  const TempDir dir;
+  LightField field = turned_views(2);
+  field.depth.reset();
+  field.depth_bounds_mm = {{1500.0, 2500.0}, {1.25, 1e6}};
+  llff_format().write(field, dir / "m", {});
+  const LightField back = llff_format().read(dir / "m", {});
+  EXPECT_EQ(back.depth_bounds_mm, field.depth_bounds_mm);
+  field.depth = turned_views(2).depth;
+  llff_format().write(field, dir / "n", {});
+  EXPECT_EQ(llff_format().read(dir / "n", {}).depth_bounds_mm, std::vector<Vec2d>(2, Vec2d(2000.0)))
+      << "known depth takes precedence";
+}
+
 TEST(LlffFormat, shifted_sensors_and_oblong_pixels_are_refused) {
-  EXPECT_THAT(error_message([] {
-                encode_llff_poses(posed_cameras(six_views(), "a"), {1, 2}, "folder");
-              }),
-              AllOf(HasSubstr("view 0"), HasSubstr("-40 x"), HasSubstr("nerf")));
+  EXPECT_THAT(
+      error_message([] { encode_llff_poses(posed_cameras(six_views(), "a"), std::vector<Vec2d>(6), "folder"); }),
+      AllOf(HasSubstr("view 0"), HasSubstr("-40 x"), HasSubstr("the format llff cannot"), HasSubstr("format nerf or colmap")));
   PosedCamera oblong = turned_views().poses->at(0);
   oblong.focal_px.y = 60.0;
-  EXPECT_THAT(error_message([&] { encode_llff_poses({oblong}, {1, 2}, "folder"); }), HasSubstr("not square"));
+  EXPECT_THAT(error_message([&] {
+                encode_llff_poses({oblong}, {{1, 2}}, "folder");
+              }),
+              AllOf(HasSubstr("not square"), testing::Not(HasSubstr("`"))));
 }
 
 TEST(LlffFormat, rows_that_make_no_cameras_are_refused) {
@@ -314,6 +518,7 @@ TEST(LlffFormat, rows_that_make_no_cameras_are_refused) {
     return error_message([&] { parse_llff_poses(encode_npy(std::span<const double>(row), {1, 17}), "p.npy"); });
   };
   EXPECT_THAT(refusal(3, NAN), AllOf(HasSubstr("p.npy: row 0"), HasSubstr("nan")));
+  EXPECT_THAT(refusal(16, INFINITY), AllOf(HasSubstr("p.npy: row 0"), HasSubstr("inf")));
   EXPECT_THAT(refusal(1, -1.0), HasSubstr("left-handed"));
   EXPECT_THAT(refusal(4, 30.5), HasSubstr("30.5"));
   EXPECT_THAT(refusal(14, 0.0), HasSubstr("focal length"));

@@ -3,6 +3,7 @@
 // Views are numbered as in layout/view_layout.hpp: column 0 is seen by the leftmost eye, row 0 by the lowest.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,6 +15,15 @@
 #include "lippmann/optics/view_cameras.hpp"
 
 namespace lippmann {
+
+/// A point of a data set's initial point cloud.
+struct CloudPoint {
+  Vec3d position_mm{0.0};
+  std::array<unsigned char, 3> rgb{};  ///< sRGB codes
+};
+
+/// The part of a data set that a view belongs to.
+enum class Split { kTraining, kValidation, kTest };
 
 struct LightField {
   Picture stack{};  ///< views stacked vertically, view 0 on top
@@ -30,6 +40,10 @@ struct LightField {
   /// One camera per view, instead of `cameras`, if the cameras are rotated or do not show the same rectangle of a plane. Depth
   /// is then z in each camera's own frame, in mm.
   std::optional<std::vector<PosedCamera>> poses = {};
+  /// Nearest and farthest planar depth in mm that the file states for each view (LLFF).
+  std::optional<std::vector<Vec2d>> depth_bounds_mm = {};
+  std::vector<CloudPoint> points = {};            ///< points of the file (COLMAP), in the coordinates of `poses` or `cameras`
+  std::optional<std::vector<Split>> splits = {};  ///< one per view; none: the file has no split
 };
 
 /// Returns one camera per view. Cameras of a common plane look along -z of the display frame. Throws Error naming `where` if
