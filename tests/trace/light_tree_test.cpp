@@ -192,7 +192,8 @@ TEST(LightTree, draws_lights_with_the_stated_probability) {
           EXPECT_NEAR(choice->probability, tree.probability(choice->light, at), 1e-5f * choice->probability);
           ++drawn[choice->light];
         }
-      // Each light is chosen by the evenly spaced numbers in one interval. At each of its ends, the count is off by less than 1.
+      // Each light is chosen by the evenly spaced numbers in one interval. At each of its ends, the count is off by less
+      // than 1.
       for (std::uint32_t l = 0; l < 100; ++l)
         EXPECT_NEAR(drawn[l], tree.probability(l, at) * kDraws, 2.0f) << static_cast<int>(kind) << ' ' << l;
     }

@@ -32,11 +32,10 @@ struct Converted {
   std::vector<std::filesystem::path> written{};
   ViewGrid views{};
   Vec2i view_size{0, 0};
-  bool drops_positions = false;  ///< true: the output format cannot store the input's camera positions
-  bool drops_poses = false;      ///< true: the output does not state the input's cameras, which share no plane and window
-  /// Data of the input that the output format cannot store, such as "12 points".
-  std::vector<std::string> left_out = {};
-  std::string fitted = {};                          ///< how views were resampled for a display; empty: not resampled
+  bool drops_positions = false;            ///< the output format cannot store the input's camera positions
+  bool drops_poses = false;                ///< the output does not state the input's cameras, which share no plane and window
+  std::vector<std::string> left_out = {};  ///< data that the output format cannot store, such as "12 points"
+  std::string fitted = {};                 ///< how views were resampled for a display; empty: not resampled
   bool lacks_cameras = false, lacks_depth = false;  ///< the format can store cameras or depth, but the input has none
 };
 

@@ -35,9 +35,9 @@ struct FormatOptions {
   std::optional<double> aspect = {};
   bool with_depth = false;                ///< also reads a rendered picture's depth layer, if it exists
   std::optional<int> bits = {};           ///< bits per sample of PPM files, 1 ... 16; none: as in the source
-  bool png = false;                       ///< true: the writer writes PNG instead of PPM files
-  bool binary = false;                    ///< true: the writer of `colmap` writes binary instead of text files
-  std::optional<Display> display = {};    ///< display for a native picture
+  bool png = false;                       ///< writes PNG instead of PPM files
+  bool binary = false;                    ///< the writer of `colmap` writes binary instead of text files
+  std::optional<Display> display = {};    ///< for a native picture
   std::optional<ViewFilter> filter = {};  ///< how native frames interpolate between views; none: kNearest
   std::optional<double> sigma_views = {};
   std::optional<StereoLayout> stereo = {};  ///< packing of two views in one picture; none: from its name, or side by side
@@ -63,16 +63,16 @@ struct FormatUses {
 /// A format for one light field, in a picture or a folder `path`.
 struct LightFieldFormat {
   std::string_view name{};
-  std::string_view description{};   ///< one line of text for users
-  bool is_folder = false;           ///< true: a folder with one or more files per view; false: one picture
-  bool uses_cameras = false;        ///< true: the writer stores cameras and depth if the light field has them
-  bool keeps_positions = false;     ///< true: the files can hold camera positions without a unit
-  bool keeps_poses = false;         ///< true: the files can hold cameras that share no plane and window
-  bool keeps_points = false;        ///< true: the files can hold LightField::points
-  bool keeps_depth_bounds = false;  ///< true: the files can hold LightField::depth_bounds_mm
-  bool keeps_splits = false;        ///< true: the files can hold LightField::splits
-  bool states_cameras = false;      ///< true: the files contain cameras, so a report.json beside them is ignored
-  /// Reads a light field. Throws Error naming the file or the option.
+  std::string_view description{};   ///< one line for users
+  bool is_folder = false;           ///< a folder with one or more files per view; otherwise one picture
+  bool uses_cameras = false;        ///< the writer stores cameras and depth if the light field has them
+  bool keeps_positions = false;     ///< the files can hold camera positions without a unit
+  bool keeps_poses = false;         ///< the files can hold cameras that share no plane and window
+  bool keeps_points = false;        ///< the files can hold LightField::points
+  bool keeps_depth_bounds = false;  ///< the files can hold LightField::depth_bounds_mm
+  bool keeps_splits = false;        ///< the files can hold LightField::splits
+  bool states_cameras = false;      ///< the files contain cameras, so a report.json beside them is ignored
+  /// Throws Error naming the file or the option.
   LightField (*read)(const std::filesystem::path& path, const FormatOptions& options) = nullptr;
   /// Returns the written files, pictures first. Creates folders. Throws Error naming the file or the option.
   std::vector<std::filesystem::path> (*write)(const LightField& field, const std::filesystem::path& path,

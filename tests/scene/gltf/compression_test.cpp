@@ -290,7 +290,8 @@ TEST(GltfDraco, mismatch_with_accessors_is_an_error) {
   EXPECT_THAT(draco_message([](GltfBuilder& b) { b.accessor(0)["count"] = 3; }),
               HasSubstr("the Draco data has 2 triangles and 4 vertices, but the accessors have 2 and 3"));
   EXPECT_THAT(draco_message([](GltfBuilder& b) { b.accessor(1)["count"] = 3; }), HasSubstr("the accessors have 1 and 4"));
-  EXPECT_THAT(draco_message([](GltfBuilder& b) { b.accessor(0)["type"] = "VEC2"; }), HasSubstr("another type or count than accessors[0]"));
+  EXPECT_THAT(draco_message([](GltfBuilder& b) { b.accessor(0)["type"] = "VEC2"; }),
+              HasSubstr("another type or count than accessors[0]"));
   EXPECT_THAT(draco_message([](GltfBuilder& b) { b.accessor(1)["componentType"] = test::kFloat; }),
               HasSubstr("indices do not fit their accessor"));
 }
