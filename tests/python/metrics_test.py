@@ -2,6 +2,7 @@
 docs/reference/metrics.md."""
 
 import json
+import struct
 import unittest
 
 import numpy as np
@@ -47,11 +48,34 @@ def psnr_yuv(a, b):
     return db[0], (6 * db[0] + db[1] + db[2]) / 8
 
 
-def ms_ssim(a, b):
+def gaussian_window():
     t = np.arange(-5, 6)
     window = np.exp(-(t[:, None] ** 2 + t**2) / (2 * 1.5**2))
-    window /= window.sum()
-    a, b = (p @ np.array([0.299, 0.587, 0.114]) for p in (a, b))
+    return window / window.sum()
+
+
+def luma(picture):
+    return picture @ np.array([0.299, 0.587, 0.114])
+
+
+def ssim(a, b):
+    """Returns the mean of Wang's equation 13. Each window is compared directly: variances and covariances are weighted means of
+    products of deviations from the window's mean."""
+    weights = gaussian_window()
+    a, b = (sliding_window_view(luma(p), weights.shape) for p in (a, b))
+    mean_a, mean_b = (np.sum(weights * p, axis=(2, 3), keepdims=True) for p in (a, b))
+    variance_a, variance_b, covariance = (
+        np.sum(weights * p * q, axis=(2, 3)) for p, q in ((a - mean_a, a - mean_a), (b - mean_b, b - mean_b), (a - mean_a, b - mean_b))
+    )
+    mean_a, mean_b = mean_a[:, :, 0, 0], mean_b[:, :, 0, 0]
+    c1, c2 = (0.01 * 255) ** 2, (0.03 * 255) ** 2
+    similarity = (2 * mean_a * mean_b + c1) * (2 * covariance + c2)
+    return np.mean(similarity / ((mean_a**2 + mean_b**2 + c1) * (variance_a + variance_b + c2)))
+
+
+def ms_ssim(a, b):
+    window = gaussian_window()
+    a, b = luma(a), luma(b)
     product = 1.0
     for scale, weight in enumerate((0.0448, 0.2856, 0.3001, 0.2363, 0.1333)):
         mean_a, mean_b = correlate(a, window), correlate(b, window)
@@ -127,6 +151,67 @@ def flip(a, b):
     return np.mean(color ** (1 - (feature / np.sqrt(2)) ** 0.5))
 
 
+def write_motion(path, motion):
+    """Writes an uncompressed OpenEXR file with the channels motion.X and motion.Y. motion: (height, width, 2)."""
+    height, width, _ = motion.shape
+    box = struct.pack("<4i", 0, 0, width - 1, height - 1)
+    channel = struct.pack("<4i", 2, 0, 1, 1)  # 32-bit samples, one per pixel
+    attributes = {
+        "channels chlist": b"motion.X\0" + channel + b"motion.Y\0" + channel + b"\0",
+        "compression compression": b"\0",
+        "dataWindow box2i": box,
+        "displayWindow box2i": box,
+        "lineOrder lineOrder": b"\0",
+        "pixelAspectRatio float": struct.pack("<f", 1),
+        "screenWindowCenter v2f": struct.pack("<2f", 0, 0),
+        "screenWindowWidth float": struct.pack("<f", 1),
+    }
+    content = b"\x76\x2f\x31\x01\x02\0\0\0"
+    for name, value in attributes.items():
+        content += name.replace(" ", "\0").encode() + b"\0" + struct.pack("<i", len(value)) + value
+    content += b"\0"
+    rows = [struct.pack("<2i", y, 8 * width) + motion[y].T.astype("<f4").tobytes() for y in range(height)]
+    first = len(content) + 8 * height
+    content += struct.pack(f"<{height}Q", *(first + y * len(rows[0]) for y in range(height)))
+    path.write_bytes(content + b"".join(rows))
+
+
+def moving_pictures(count):
+    """Returns `count` frames: codes of a reference picture, codes of a test picture, and the motion since the frame before. The reference
+    shows waves that move by a different vector from frame to frame. The motion differs from this vector by up to half a pixel."""
+    rng = np.random.default_rng(3)
+    height, width = 32, 44
+    y, x = np.mgrid[:height, :width].astype(float)
+    place, frames = np.zeros(2), []
+    for _ in range(count):
+        step = rng.uniform(-3, 3, 2)
+        place = place + step
+        waves = [127 + 90 * np.sin((x - place[0]) / (5 + c) + c) * np.cos((y - place[1]) / 6) for c in range(3)]
+        reference = np.stack(waves, -1)
+        test = reference + rng.normal(0, 6, reference.shape)
+        codes = [np.clip(np.round(p), 0, 255).astype(np.uint8) for p in (reference, test)]
+        frames.append((*codes, (step + rng.uniform(-0.5, 0.5, (height, width, 2))).astype(np.float32)))
+    return frames
+
+
+def flicker(before, frame):
+    """Returns the flicker of a frame. The frame before is interpolated at p - motion(p): each of its pixels has the weight
+    max(0, 1 - |x|) max(0, 1 - |y|), where x and y are its distances from this place."""
+    (a0, b0, _), (a1, b1, motion) = before, frame
+    height, width = motion.shape[:2]
+    y, x = np.mgrid[:height, :width]
+    from_x, from_y = x - motion[..., 0].astype(float), y - motion[..., 1].astype(float)
+    inside = (from_x >= 0) & (from_x <= width - 1) & (from_y >= 0) & (from_y <= height - 1)
+    across, down = (
+        np.maximum(0, 1 - abs(place[inside][:, None] - np.arange(size))) for place, size in ((from_x, width), (from_y, height))
+    )
+    a0, b0 = (np.einsum("ny,nx,yxc->nc", down, across, p.astype(float), optimize=True) for p in (a0, b0))
+    a1, b1 = a1[inside].astype(float), b1[inside].astype(float)
+    weight = np.exp(-50 * np.sum(((a1 - a0) / 255) ** 2, axis=1, keepdims=True))
+    change = (b1 - a1) - (b0 - a0)
+    return np.sqrt(np.sum(weight * change**2) / np.sum(weight * np.ones(3)))
+
+
 class Metrics(Case):
     def compared(self, *words):
         return json.loads(tool("compare", self.folder / "a", self.folder / "b", "--json", *words))
@@ -147,6 +232,7 @@ class Metrics(Case):
             y, yuv = psnr_yuv(a, b)
             self.assertAlmostEqual(frame["psnr_y_db"], y, places=9)
             self.assertAlmostEqual(frame["psnr_yuv_db"], yuv, places=9)
+            self.assertAlmostEqual(frame["ssim"], ssim(a, b), places=9)
             self.assertAlmostEqual(frame["ms_ssim"], ms_ssim(a, b), places=9)
             self.assertAlmostEqual(frame["flip"], flip(a, b), places=9)
         for key, worst in (("psnr_y_db", min), ("ms_ssim", min), ("flip", max)):
@@ -161,18 +247,32 @@ class Metrics(Case):
             self.skipTest("scikit-image (python3-skimage) is not installed")
         pairs = self.write(10, pictures)
         for (a, b), frame in zip(pairs, self.compared()["frames"]):
-            luma = [p @ np.array([0.299, 0.587, 0.114]) for p in (a, b)]
             options = {"gaussian_weights": True, "sigma": 1.5, "use_sample_covariance": False, "data_range": 255}
-            self.assertAlmostEqual(frame["ssim"], structural_similarity(*luma, **options), places=6)
+            self.assertAlmostEqual(frame["ssim"], structural_similarity(luma(a), luma(b), **options), places=6)
 
     def test_angular_consistency_agrees_with_its_definition(self):
-        pairs = self.write(6, pictures)
-        found = self.compared("--metrics", "angular", "--views", "3x2")
-        errors = np.array([b.astype(int) - a for a, b in pairs]).reshape(2, 3, HEIGHT, WIDTH, 3)
+        pairs = self.write(10, pictures)
+        found = self.compared("--metrics", "angular", "--views", "5x2")
+        errors = np.array([b.astype(int) - a for a, b in pairs]).reshape(2, 5, HEIGHT, WIDTH, 3)
         changes = [np.diff(errors, axis=axis).ravel() for axis in (0, 1)]
         expected = 10 * np.log10(255**2 / np.mean(np.concatenate(changes) ** 2))
         self.assertAlmostEqual(found["consistency"][0]["angular_psnr_db"], expected, places=9)
-        self.assertEqual([frame["name"] for frame in found["frames"]], [f"a/view_{i:03}" for i in range(6)])
+        self.assertEqual([frame["name"] for frame in found["frames"]], [f"a/view_{i:03}" for i in range(10)])
+
+    def test_flicker_of_ten_frames_agrees_with_its_definition(self):
+        frames = moving_pictures(10)
+        for side, name in enumerate("ab"):
+            (self.folder / name).mkdir()
+            for i, frame in enumerate(frames):
+                write_ppm(self.folder / name / f"frame_{i:04}.ppm", frame[side])
+                if name == "a":
+                    write_motion(self.folder / name / f"aov_{i:04}.exr", frame[2])
+        found = self.compared("--metrics", "flicker", "--views", "1x1")["consistency"]
+        self.assertIsNone(found[0]["flicker"])
+        for i in range(1, 10):
+            expected = flicker(frames[i - 1], frames[i])
+            self.assertGreater(expected, 5)
+            self.assertAlmostEqual(found[i]["flicker"], expected, places=9)
 
 
 if __name__ == "__main__":
