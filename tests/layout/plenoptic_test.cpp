@@ -27,23 +27,18 @@ using testing::HasSubstr;
 /// vector from this centre to the pixel below the lens, which stands for the direction.
 using RawLight = std::function<double(Vec2d lens, Vec2d offset)>;
 
-struct NearestLens {
-  Vec2i index{0, 0};
-  Vec2d centre;
-};
-
-/// Returns the lens below which a pixel lies. Does not support kHexagonalColumns.
-NearestLens nearest_lens(const LensGrid& grid, Vec2d place) {
+/// Returns the centre of the lens below which a pixel lies. Does not support kHexagonalColumns.
+Vec2d nearest_lens(const LensGrid& grid, Vec2d place) {
   const double c = std::cos(grid.rotation), s = std::sin(grid.rotation);
   const Vec2d from = place - grid.offset_px;
-  const int row = static_cast<int>(std::lround((c * from.y - s * from.x) / grid.row_pitch_px));
-  const int column = static_cast<int>(std::lround((c * from.x + s * from.y) / grid.pitch_px));
-  NearestLens nearest{{0, 0}, Vec2d(1e9)};
-  for (int j = row - 1; j <= row + 1; ++j)
-    for (int i = column - 1; i <= column + 1; ++i) {
-      const Vec2d centre = lens_centre(grid, i, j);
-      if (glm::distance(centre, place) < glm::distance(nearest.centre, place)) nearest = {{i, j}, centre};
-    }
+  const Vec2d lenses((c * from.x + s * from.y) / grid.pitch_px, (c * from.y - s * from.x) / grid.row_pitch_px);
+  Vec2d nearest(1e9);
+  // The lens is in the row above or below the pixel, also if every second row is shifted.
+  for (int row = static_cast<int>(std::floor(lenses.y)), last = row + 1; row <= last; ++row) {
+    const double shift = grid.arrangement == LensArrangement::kHexagonal && row % 2 != 0 ? 0.5 : 0.0;
+    const Vec2d centre = lens_centre(grid, static_cast<int>(std::lround(lenses.x - shift)), row);
+    if (glm::distance(centre, place) < glm::distance(nearest, place)) nearest = centre;
+  }
   return nearest;
 }
 
@@ -56,7 +51,7 @@ Image raw_picture(const LensGrid& grid, Vec2i size, const RawLight& light, int c
       double sum = 0.0;
       for (int part = 0; part < kParts * kParts; ++part) {
         const Vec2d place(x + (part % kParts + 0.5) / kParts, y + (part / kParts + 0.5) / kParts);
-        const Vec2d centre = nearest_lens(grid, place).centre;
+        const Vec2d centre = nearest_lens(grid, place);
         sum += light(centre, place - centre);
       }
       for (int c = 0; c < channels; ++c) raw.pixel(x, y)[c] = static_cast<float>(sum / (kParts * kParts));
@@ -77,11 +72,11 @@ RawLight white_light(double pitch) {
 /// offsets of equal grids may differ, because they may refer to different lenses.
 double grid_distance(const LensGrid& estimate, const LensGrid& truth, Vec2i size) {
   double most = 0.0;
-  for (int j = -400; j <= 400; ++j)
-    for (int i = -400; i <= 400; ++i) {
+  for (int j = -100; j <= 100; ++j)
+    for (int i = -100; i <= 100; ++i) {
       const Vec2d centre = lens_centre(estimate, i, j);
       if (centre.x < 0.0 || centre.y < 0.0 || centre.x > size.x || centre.y > size.y) continue;
-      most = std::max(most, glm::distance(centre, nearest_lens(truth, centre).centre));
+      most = std::max(most, glm::distance(centre, nearest_lens(truth, centre)));
     }
   return most;
 }
@@ -255,25 +250,6 @@ TEST(PlenopticViews, vignetting_is_divided_out) {
       EXPECT_NEAR(view_sample(field, view, at.x, at.y) / view_sample(field, 12, at.x, at.y), 1.0, 0.01);
 }
 
-/// Every lens shows one colour in all directions. Such a picture shows an object in the plane of the lens array. All views must
-/// show this object at the same position, whatever the pitch is.
-TEST(PlenopticViews, wrong_pitch_drifts_one_lens_per_74) {
-  const double pitch = 10.135;
-  const Vec2i size(1600, 60);
-  const LensGrid truth = lens_grid(pitch, 0.0, {pitch / 2, pitch / 2}, LensArrangement::kSquare);
-  const Image raw = raw_picture(truth, size, [&](Vec2d lens, Vec2d) { return std::lround(lens.x / pitch - 0.5); });
-  const LightField right = views_of(raw, {.grid = truth}, {9, 3});
-  const int last = right.view_size.x - 1;
-  ASSERT_EQ(last, 156);
-  for (int view = 0; view < 27; ++view) {
-    EXPECT_NEAR(view_sample(right, view, 0, 1), 0.0, 0.5) << view;
-    EXPECT_NEAR(view_sample(right, view, last, 1), last, 0.5) << view;
-  }
-  const LensGrid wrong = lens_grid(10.0, 0.0, {5.0, 5.0}, LensArrangement::kSquare);
-  const LightField drifting = views_of(raw, {.grid = wrong}, {9, 3});
-  for (const int lenses : {1, 2}) EXPECT_NEAR(view_sample(drifting, 13, 74 * lenses + 1, 1), 74 * lenses + 1 - lenses, 0.5);
-}
-
 TEST(PlenopticViews, inverted_lenses_turn_views_round) {
   const LensGrid grid = lens_grid(10.0, 0.0, {5.0, 5.0}, LensArrangement::kSquare);
   const Image raw = raw_picture(grid, {60, 60}, [](Vec2d, Vec2d offset) { return 0.5 + 0.01 * offset.x - 0.03 * offset.y; });
@@ -345,7 +321,7 @@ TEST(PlenopticViews, simulated_camera_has_parallax_of_the_thin_lens) {
   const double s = kFocal * kFocus / (kFocus - kFocal), eye_step = kPixel * s / kGap;
   for (const double pixels : {9.0, 9.37}) {
     const double pitch = pixels * kPixel / (1.0 + kGap / s);
-    const Optics optics{.panel = {360, 360, static_cast<float>(kPixel)},
+    const Optics optics{.panel = {240, 240, static_cast<float>(kPixel)},
                         .model = PlenopticCamera{.lens_pitch_mm = static_cast<float>(pitch),
                                                  .gap_mm = static_cast<float>(kGap),
                                                  .offset_mm = Vec2f(static_cast<float>(0.5 * pitch)),
@@ -355,7 +331,7 @@ TEST(PlenopticViews, simulated_camera_has_parallax_of_the_thin_lens) {
     const LensGrid grid = *lens_grid_of(optics);
     EXPECT_NEAR(grid.pitch_px, pixels, 1e-4);
     for (const double z : {1000.0, 1600.0, 2000.0, 4000.0}) {
-      const Image raw = picture_of_wall(optics, kFocus, z, Vec2d(1.3, -0.8), 2.5 * pitch * z / s);
+      const Image raw = picture_of_wall(optics, kFocus, z, Vec2d(1.3, -0.8), 1.5 * pitch * z / s);
       const LightField views = views_of(raw, {.grid = grid}, {9, 9});
       const double disparity = s * (1.0 / kFocus - 1.0 / z) * eye_step / pitch;
       for (const int steps : {-2, 1, 3}) {

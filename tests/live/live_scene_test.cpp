@@ -20,9 +20,9 @@ using testing::HasSubstr;
 /// 270 million paths, in tiles that are fast enough for a change to interrupt the work between two of them.
 RenderParams slow_room() {
   RenderParams params = test::small_room();
-  params.optics.size = {2048, 512};
+  params.optics.size = {1024, 256};
   params.sampling.integrator = Integrator::kPath;
-  params.sampling.spp = 256;
+  params.sampling.spp = 1024;
   return params;
 }
 

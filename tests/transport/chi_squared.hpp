@@ -1,4 +1,4 @@
-// Pearson's chi-squared test of whether random directions follow a density.
+// Pearson's chi-squared test, over a grid of the sphere, of whether random directions follow a density.
 #pragma once
 
 #include <cmath>
@@ -14,8 +14,8 @@ namespace lippmann::test {
 struct ChiSquared {
   double statistic = 0.0;
   int degrees_of_freedom = 0;
-  /// Standard deviations by which the statistic exceeds its mean (Wilson and Hilferty's transform). 4 or more have a
-  /// probability of 1 in 30,000.
+  /// Returns by how many standard deviations the statistic exceeds its mean, by Wilson and Hilferty's transform. The
+  /// probability of 4 or more is 1 in 30,000.
   double deviations() const {
     const double n = degrees_of_freedom, t = 2.0 / (9.0 * n);
     return (std::cbrt(statistic / n) - (1.0 - t)) / std::sqrt(t);
@@ -26,7 +26,8 @@ struct ChiSquared {
 /// merged.
 inline ChiSquared chi_squared(int count, const std::function<std::optional<Vec3f>(int)>& draw,
                               const std::function<double(Vec3f)>& density) {
-  constexpr int kPolar = 24, kAzimuth = 48, kWithin = 24;
+  // Number of cells, and number of quadrature points along each side of a cell.
+  constexpr int kPolar = 24, kAzimuth = 48, kWithin = 12;
   std::vector<double> expected(kPolar * kAzimuth), found(kPolar * kAzimuth);
   for (int c = 0; c < kPolar * kAzimuth; ++c)
     for (int i = 0; i < kWithin * kWithin; ++i) {
