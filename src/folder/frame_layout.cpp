@@ -161,8 +161,8 @@ void FrameLayout::use_format(const LightFieldFormat& format, const Optics& optic
 void FrameLayout::arrange_views(const PictureParams& params, PictureLayout layout, const Optics& optics) {
   const ViewLayout film = film_layout(optics, "layout"), wanted = wanted_layout(params, layout, film);
   if (wanted.kind == LayoutKind::kQuilt) {
-    quilt_ = {wanted.tiles, display_aspect(optics)};
-    names_.suffix = quilt_ending(*quilt_);
+    quilt_ = {{wanted.tiles, display_aspect(optics)}, wanted.grid.count(), false, wanted.grid};
+    names_.suffix = quilt_ending(quilt_->quilt);
   }
   if (wanted.kind == LayoutKind::kStack) {
     names_.views = pictures_per_frame_ = film.grid.count();
@@ -199,7 +199,7 @@ Vec2i FrameLayout::picture_size() const {
 std::filesystem::path FrameLayout::video_path(const std::filesystem::path& plain) const {
   if (stereo_) return with_stereo_name(plain, *stereo_);
   if (is_rgbd_) return with_rgbd_name(plain);
-  return quilt_ ? with_quilt_name(plain, *quilt_) : plain;
+  return quilt_ ? with_quilt_name(plain, quilt_->quilt) : plain;
 }
 
 Image FrameLayout::arrange(const Image& film) const {

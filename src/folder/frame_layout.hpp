@@ -9,11 +9,11 @@
 
 #include "folder/picture_params.hpp"
 #include "layout/frame_names.hpp"
+#include "layout/quilt_side_file.hpp"
 #include "lippmann/display/display.hpp"
 #include "lippmann/frames/rendered_frame.hpp"
 #include "lippmann/layout/arrangement.hpp"
 #include "lippmann/layout/formats.hpp"
-#include "lippmann/layout/quilt_name.hpp"
 #include "lippmann/layout/view_layout.hpp"
 #include "lippmann/optics/optics.hpp"
 
@@ -44,8 +44,8 @@ class FrameLayout {
   /// Returns the path of a video of these pictures. Quilt, stereo and RGB-D videos get a suffix.
   std::filesystem::path video_path(const std::filesystem::path& requested) const;
 
-  /// Returns the tiles and the aspect of the display, for quilts only.
-  const std::optional<QuiltName>& quilt() const { return quilt_; }
+  /// Returns the tiles, the aspect of the display and the grid of the views, for quilts only.
+  const std::optional<QuiltSideFile>& quilt() const { return quilt_; }
 
   /// Returns the arrangement of the two views, for stereo pictures only.
   const std::optional<StereoLayout>& stereo() const { return stereo_; }
@@ -78,7 +78,7 @@ class FrameLayout {
   void use_format(const LightFieldFormat& format, const Optics& optics);
 
   Vec2i film_;
-  std::optional<QuiltName> quilt_;
+  std::optional<QuiltSideFile> quilt_;
   FrameNames names_;
   PictureFormat format_ = PictureFormat::kPng;
   const LightFieldFormat* light_field_ = nullptr;

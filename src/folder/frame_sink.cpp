@@ -107,7 +107,7 @@ struct FrameSink::Impl {
     std::vector<std::filesystem::path> written = write_frame_files(files, frame, rendered.pictures);
     if (const auto& quilt = settings.layout.quilt()) {
       const std::filesystem::path picture = written.front();
-      write_quilt_side_file(picture, {*quilt, quilt->tiles.count()});
+      write_quilt_side_file(picture, *quilt);
       written.push_back(quilt_side_path(picture));
     }
     if (const std::optional<LensGrid> grid = lens_grid_of(settings.optics))

@@ -20,15 +20,17 @@ namespace fs = std::filesystem;
 /// The properties of a quilt from flags, its name and its side file. A flag overrides the name and the side file, which must
 /// agree.
 struct Quilt {
-  ViewGrid tiles;
-  int views = 0;
+  ViewGrid tiles, grid;
   bool inverted = false;
   std::optional<double> aspect;
 };
 
+ViewGrid row_of_views(int views) { return {views, 1}; }
+
 Quilt described(const fs::path& path, const FormatOptions& options) {
   const std::optional<QuiltName> name = parse_quilt_name(path);
-  if (options.tiles) return {*options.tiles, options.tiles->count(), false, name ? std::optional(name->aspect) : std::nullopt};
+  if (options.tiles)
+    return {*options.tiles, row_of_views(options.tiles->count()), false, name ? std::optional(name->aspect) : std::nullopt};
   const std::optional<QuiltSideFile> side = read_quilt_side_file(path);
   if (!name && !side) {
     const bool has_side_file = is_regular_file_there(quilt_side_path(path));
@@ -43,14 +45,16 @@ Quilt described(const fs::path& path, const FormatOptions& options) {
                 fmt::format("its name states {}x{} tiles, but its side file {}x{}", name->tiles.columns, name->tiles.rows,
                             side->quilt.tiles.columns, side->quilt.tiles.rows),
                 "`quilt` with the right number of tiles");
-  if (side) return {side->quilt.tiles, side->views, side->inverted, side->quilt.aspect};
-  return {name->tiles, name->tiles.count(), false, name->aspect};
+  if (side) return {side->quilt.tiles, side->grid.value_or(row_of_views(side->views)), side->inverted, side->quilt.aspect};
+  return {name->tiles, row_of_views(name->tiles.count()), false, name->aspect};
 }
 
+/// Reverses the views of each row.
 void reverse_views(LightField& field) {
   const LightField from = field;
+  const int columns = field.grid.columns;
   for (int view = 0; view < field.grid.count(); ++view) {
-    const int source = field.grid.count() - 1 - view;
+    const int source = view + columns - 1 - 2 * (view % columns);
     set_view(field, view, view_of(from, source));
     if (field.depth) set_depth(field, view, depth_of(from, source));
   }
@@ -58,8 +62,8 @@ void reverse_views(LightField& field) {
 
 LightField read_quilt(const fs::path& path, const FormatOptions& options) {
   const Quilt quilt = described(path, options);
-  const ViewGrid grid = options.views.value_or(ViewGrid{quilt.views, 1});
-  if (grid.count() != quilt.views)
+  const ViewGrid grid = options.views.value_or(quilt.grid);
+  if (grid.count() != quilt.grid.count())
     throw usage_error("views", fmt::format("{}x{} views do not match {}x{} tiles", grid.columns, grid.rows, quilt.tiles.columns,
                                            quilt.tiles.rows));
   LightField field = read_packed(path, {LayoutKind::kQuilt, grid, quilt.tiles}, options.with_depth, options.warn);
@@ -83,7 +87,7 @@ std::vector<fs::path> write_quilt(const LightField& field, const fs::path& path,
   const QuiltName quilt{tiles_for(field, options), options.aspect.value_or(field.aspect)};
   const fs::path named = with_quilt_name(path, quilt);
   std::vector<fs::path> written = write_packed(field, {LayoutKind::kQuilt, field.grid, quilt.tiles}, named);
-  write_quilt_side_file(named, {quilt, field.grid.count(), false});
+  write_quilt_side_file(named, {quilt, field.grid.count(), false, field.grid});
   written.push_back(quilt_side_path(named));
   return written;
 }

@@ -1,5 +1,7 @@
 #include "layout/quilt_side_file.hpp"
 
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 #include <span>
 
@@ -19,7 +21,7 @@ using Json = nlohmann::ordered_json;
 /// Maximum number of tiles across and down, the same as in file names of quilts.
 constexpr int kMaxTiles = 9999;
 
-constexpr std::string_view kOwnTable = "quilt_settings";
+constexpr std::string_view kOwnTable = "quilt_settings", kGrid = "grid";
 
 /// Returns the key of the table that describes the quilt. Empty: the document itself is the table.
 std::string_view settings_table(const Json& json) {
@@ -38,6 +40,18 @@ std::optional<TileKeys> tile_keys(const JsonFields& settings, bool is_quilt) {
   for (const TileKeys keys : {kOwn, TileKeys{"columns", "rows"}, TileKeys{"quiltCols", "quiltRows"}})
     if (settings.has(keys.columns) && settings.has(keys.rows)) return keys;
   return is_quilt ? std::optional(kOwn) : std::nullopt;
+}
+
+/// Returns the grid of the views, or none if the document states no grid.
+std::optional<ViewGrid> grid_in(const JsonFields& document, int views) {
+  if (!document.has(kGrid)) return std::nullopt;
+  const JsonFields fields = document.inner(kGrid);
+  const NumberRange side{1, kMaxTiles};
+  const ViewGrid grid{fields.whole("columns", side), fields.whole("rows", side)};
+  if (grid.count() != views)
+    document.reject(kGrid, fmt::format("has {}x{} views, but the quilt has {}", grid.columns, grid.rows, views),
+                    "as many views as the quilt");
+  return grid;
 }
 
 std::string text_of(const fs::path& path) {
@@ -70,17 +84,19 @@ std::optional<QuiltSideFile> parse_quilt_side_file(const std::string& text, cons
   side.views = settings.whole_or("viewTotal", {1.0, static_cast<double>(side.quilt.tiles.count())}, side.quilt.tiles.count());
   side.quilt.aspect = settings.number_or("aspect", {1e-6, 1e6}, 1.0);
   side.inverted = settings.flag_or("invertViews", false);
+  if (table == kOwnTable) side.grid = grid_in(document, side.views);
   return side;
 }
 
 void write_quilt_side_file(const fs::path& image, const QuiltSideFile& side) {
-  const Json json{{"mediaType", "image"},
-                  {"quilt_settings",
-                   {{"viewX", side.quilt.tiles.columns},
-                    {"viewY", side.quilt.tiles.rows},
-                    {"viewTotal", side.views},
-                    {"aspect", side.quilt.aspect},
-                    {"invertViews", side.inverted}}}};
+  Json json{{"mediaType", "image"},
+            {kOwnTable,
+             {{"viewX", side.quilt.tiles.columns},
+              {"viewY", side.quilt.tiles.rows},
+              {"viewTotal", side.views},
+              {"aspect", side.quilt.aspect},
+              {"invertViews", side.inverted}}}};
+  if (side.grid && side.grid->rows > 1) json[kGrid] = {{"columns", side.grid->columns}, {"rows", side.grid->rows}};
   const std::string text = json_to_text(json) + '\n';
   write_file_atomically(quilt_side_path(image), std::as_bytes(std::span(text)));
 }

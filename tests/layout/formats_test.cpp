@@ -25,6 +25,7 @@ using test::same_samples;
 using test::TempDir;
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
 const LightFieldFormat& format(const std::string& name) { return find_format(name, "--from"); }
 
@@ -226,6 +227,38 @@ TEST(Quilt, inverted_views_are_turned_round) {
   for (int view = 0; view < 4; ++view) EXPECT_EQ(std::get<Image8>(view_of(back, view)).rgb[0], 3 - view);
 }
 
+TEST(Quilt, inverted_grids_keep_their_rows) {
+  const TempDir dir;
+  const fs::path written = format("quilt").write(coloured_field({3, 2}), dir / "q.png", {}).front();
+  std::ofstream(written.string() + ".json")
+      << R"({"quilt_settings":{"viewX":3,"viewY":2,"viewTotal":6,"invertViews":true},"grid":{"columns":3,"rows":2}})";
+  const LightField back = format("quilt").read(written, {});
+  for (int view = 0; view < 6; ++view) {
+    EXPECT_EQ(std::get<Image8>(view_of(back, view)).rgb[0], 2 - view % 3);
+    EXPECT_EQ(std::get<Image8>(view_of(back, view)).rgb[1], view / 3);
+  }
+}
+
+TEST(Quilt, side_file_keeps_the_grid) {
+  const TempDir dir;
+  const LightField field = coloured_field({4, 5});
+  for (const std::optional<ViewGrid>& tiles : {std::optional<ViewGrid>(), std::optional(ViewGrid{10, 2})}) {
+    const fs::path written = format("quilt").write(field, dir / "q.png", {.tiles = tiles}).front();
+    const LightField back = open_light_field(written, "", {}).field;
+    EXPECT_EQ(back.grid, field.grid);
+    EXPECT_EQ(back.tiles, tiles.value_or(field.grid));
+    EXPECT_TRUE(same_samples(back.stack, field.stack));
+    EXPECT_EQ(open_light_field(written, "", {.views = ViewGrid{20, 1}}).field.grid, (ViewGrid{20, 1}));
+  }
+}
+
+TEST(Quilt, one_row_needs_no_grid_in_the_side_file) {
+  const TempDir dir;
+  const fs::path written = format("quilt").write(coloured_field({4, 1}), dir / "q.png", {}).front();
+  std::ifstream side(written.string() + ".json");
+  EXPECT_THAT(std::string(std::istreambuf_iterator<char>(side), {}), Not(HasSubstr("grid")));
+}
+
 TEST(Quilt, rejects_conflicting_name_and_side_file) {
   const TempDir dir;
   const fs::path written = format("quilt").write(coloured_field({6, 1}), dir / "q.png", {.tiles = ViewGrid{3, 2}}).front();
@@ -237,6 +270,9 @@ TEST(Quilt, rejects_conflicting_name_and_side_file) {
   EXPECT_THAT(refusal(R"({"quilt_settings":{"viewX":0,"viewY":3}})"), HasSubstr("quilt_settings.viewX"));
   EXPECT_THAT(refusal(R"({"quilt_settings":{"viewX":3,"viewY":2,"viewTotal":7}})"),
               HasSubstr("quilt_settings.viewTotal: is 7"));
+  EXPECT_THAT(refusal(R"({"quilt_settings":{"viewX":3,"viewY":2},"grid":{"columns":2,"rows":2}})"),
+              AllOf(HasSubstr("grid: has 2x2 views"), HasSubstr("6")));
+  EXPECT_THAT(refusal(R"({"quilt_settings":{"viewX":3,"viewY":2},"grid":{"columns":6}})"), HasSubstr("grid.rows"));
   EXPECT_THAT(refusal(R"({"quilt_settings":{"viewX":"a"}})"), HasSubstr("quilt_settings.viewX: is not a number"));
   EXPECT_THAT(refusal("{"), HasSubstr("not JSON"));
 }
