@@ -159,6 +159,12 @@ double pixels_below_lens(const Display& display) {
   return display.lenses.pitch_mm / display.pixel_mm();
 }
 
+std::optional<double> crosstalk_of_picture(const Display& display, const Optics& optics) {
+  const std::optional<ViewTiles> views = view_tiles(optics);
+  if (!display.crosstalk_px || !views) return display.crosstalk_px;
+  return *display.crosstalk_px * views->columns * views->rows / pixels_below_lens(display);
+}
+
 int views_of(const Display& display) {
   if (display.quilt) return display.quilt->columns * display.quilt->rows;
   if (display.kind == DisplayKind::kSlantedPanel) return static_cast<int>(3.0 * pixels_below_lens(display));

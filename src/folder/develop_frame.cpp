@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "layout/precompensate.hpp"
 #include "lippmann/image/encode.hpp"
+#include "lippmann/layout/precompensate.hpp"
 
 namespace lippmann {
 namespace {

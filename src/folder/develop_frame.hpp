@@ -4,9 +4,9 @@
 #include <optional>
 
 #include "folder/frame_layout.hpp"
-#include "image/tone.hpp"
 #include "lippmann/frames/rendered_frame.hpp"
 #include "lippmann/image/encoding.hpp"
+#include "lippmann/image/tone.hpp"
 #include "lippmann/optics/optics.hpp"
 
 namespace lippmann {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/extent.hpp"
-#include "image/tone.hpp"
+#include "lippmann/image/tone.hpp"
 #include "lippmann/layout/depth_coding.hpp"
 #include "lippmann/layout/stereo.hpp"
 

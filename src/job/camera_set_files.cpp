@@ -11,8 +11,8 @@
 #include "layout/llff_poses.hpp"
 #include "layout/transforms_json.hpp"
 #include "lippmann/core/error.hpp"
+#include "lippmann/stage/camera_set.hpp"
 #include "optics/optics_kind.hpp"
-#include "stage/camera_set.hpp"
 
 namespace lippmann {
 namespace {

@@ -5,8 +5,8 @@
 #include "job/scene_light.hpp"
 #include "job/test_pattern.hpp"
 #include "lippmann/scene/load.hpp"
+#include "lippmann/stage/camera_set.hpp"
 #include "lippmann/stage/choose_camera.hpp"
-#include "stage/camera_set.hpp"
 
 namespace lippmann {
 namespace {

@@ -13,10 +13,10 @@
 #include "lippmann/core/math.hpp"
 #include "lippmann/frames/frame_params.hpp"
 #include "lippmann/scene/load.hpp"
+#include "lippmann/stage/camera_set.hpp"
 #include "lippmann/stage/choose_camera.hpp"
 #include "lippmann/stage/view_wish.hpp"
 #include "optics/optics_params.hpp"
-#include "stage/camera_set.hpp"
 #include "video/video_codec.hpp"
 
 namespace lippmann {

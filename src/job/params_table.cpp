@@ -15,6 +15,7 @@
 #include "job/reuse_params.hpp"
 #include "job/scene_light.hpp"
 #include "layout/frame_names.hpp"
+#include "lippmann/image/tone.hpp"
 #include "lippmann/layout/formats.hpp"
 #include "lippmann/optics/crosstalk.hpp"
 #include "lippmann/trace/aovs.hpp"
@@ -29,7 +30,6 @@ using Values = std::vector<std::string>;
 constexpr std::array<std::string_view, 6> kUpNames{"y", "x", "z", "-x", "-y", "-z"};
 constexpr std::array<std::string_view, 2> kPackingNames{"square", "hexagonal"};
 constexpr std::array<std::string_view, 3> kOrderNames{"rows", "columns", "view-tiles"};
-constexpr std::array<std::string_view, 3> kToneNames{"none", "neutral", "agx"};
 constexpr std::array<std::string_view, 4> kReuseNames{"auto", "none", "copy", "interpolate"};
 constexpr std::array<std::string_view, 2> kDenoiseNames{"auto", "none"};
 constexpr std::array<std::string_view, 2> kAngularNames{"none", "box"};

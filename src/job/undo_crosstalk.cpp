@@ -1,7 +1,7 @@
 #include "job/undo_crosstalk.hpp"
 
-#include "layout/precompensate.hpp"
 #include "lippmann/core/error.hpp"
+#include "lippmann/layout/precompensate.hpp"
 
 namespace lippmann {
 namespace {
@@ -10,10 +10,7 @@ constexpr const char* kPrecompensateFlag = "--precompensate";
 
 std::optional<double> known_crosstalk(const RenderParams& params, const Optics& optics, const Display* display) {
   if (params.optics.crosstalk_px) return params.optics.crosstalk_px;
-  if (!display || !display->crosstalk_px) return std::nullopt;
-  const std::optional<ViewTiles> views = view_tiles(optics);
-  if (!views) return display->crosstalk_px;
-  return *display->crosstalk_px * views->columns * views->rows / pixels_below_lens(*display);
+  return display ? crosstalk_of_picture(*display, optics) : std::nullopt;
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "layout/cameras.hpp"
 #include "lippmann/core/error.hpp"
+#include "lippmann/layout/film_views.hpp"
 
 namespace lippmann {
 
@@ -64,15 +65,28 @@ std::optional<ViewCameras> shared_plane(const std::vector<PosedCamera>& cameras)
   return shared;
 }
 
+void place_in_world(LightField& field, const Affine3f& world_from_display, const Vec3d& origin) {
+  constexpr double kPerUnit = 1000.0;
+  std::vector<PosedCamera> cameras = posed_cameras(field, "optics");
+  const glm::dmat3 linear(world_from_display.linear);
+  const glm::dmat3 turn(glm::normalize(linear[0]), glm::normalize(linear[1]), glm::normalize(linear[2]));
+  for (PosedCamera& camera : cameras) {
+    camera.position_mm = kPerUnit * (origin + linear * camera.position_mm + Vec3d(world_from_display.translation));
+    camera.rotation = turn * camera.rotation;
+  }
+  const double scale = kPerUnit * glm::length(linear[0]);
+  if (field.depth)
+    for (float& z : field.depth->data) z = static_cast<float>(-scale * planar_depth_mm(field, z));
+  field.cameras.reset();
+  field.poses = std::move(cameras);
+}
+
 PosedCamera camera_in_world(const Optics& single_view, const Affine3f& world_from_display, const Vec3d& origin) {
   LightField field;
   field.view_size = film_size(single_view);
   field.cameras = view_cameras(single_view);
-  PosedCamera camera = posed_cameras(field, "optics").front();
-  const glm::dmat3 linear(world_from_display.linear);
-  camera.position_mm = 1000.0 * (origin + linear * camera.position_mm + Vec3d(world_from_display.translation));
-  camera.rotation = glm::dmat3(glm::normalize(linear[0]), glm::normalize(linear[1]), glm::normalize(linear[2]));
-  return camera;
+  place_in_world(field, world_from_display, origin);
+  return field.poses->front();
 }
 
 double planar_depth_mm(const LightField& field, float z) {

@@ -22,8 +22,4 @@ PosedCamera camera_in_world(const Optics& single_view, const Affine3f& world_fro
 /// Converts z as in LightField::depth to planar depth in mm. Results that are <= 0 or not finite mean no surface.
 double planar_depth_mm(const LightField& field, float z);
 
-/// Returns a rotation matrix whose elements are given row by row. Throws Error naming `where` if its columns deviate from
-/// orthonormal vectors by more than 1e-3, or if it mirrors.
-glm::dmat3 checked_rotation(const double (&rows)[9], const std::string& where);
-
 }  // namespace lippmann

@@ -6,7 +6,7 @@
 //
 // Lines of neighbouring samples are independent. Microlenses and camera grids have crosstalk along two axes, A = Ax Ay: we
 // first invert Ay without bounds, then Ax with bounds.
-#include "layout/precompensate.hpp"
+#include "lippmann/layout/precompensate.hpp"
 
 #include <fmt/format.h>
 

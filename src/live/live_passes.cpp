@@ -4,11 +4,11 @@
 
 #include "folder/develop_frame.hpp"
 #include "frames/frame_maker.hpp"
-#include "image/tone.hpp"
 #include "job/test_pattern.hpp"
 #include "job/undo_crosstalk.hpp"
 #include "lippmann/image/encode.hpp"
 #include "lippmann/image/picture_file.hpp"
+#include "lippmann/image/tone.hpp"
 #include "live/view_rays.hpp"
 #include "trace/first_hits.hpp"
 #include "trace/trace_frame.hpp"

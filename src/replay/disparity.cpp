@@ -1,4 +1,4 @@
-#include "replay/disparity.hpp"
+#include "lippmann/replay/disparity.hpp"
 
 #include <fmt/format.h>
 

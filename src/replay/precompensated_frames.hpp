@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "layout/precompensate.hpp"
 #include "lippmann/core/context.hpp"
+#include "lippmann/layout/precompensate.hpp"
 
 namespace lippmann {
 

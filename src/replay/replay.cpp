@@ -10,11 +10,11 @@
 #include "lippmann/image/encode.hpp"
 #include "lippmann/optics/viewing.hpp"
 #include "lippmann/replay/all_in_focus.hpp"
+#include "lippmann/replay/disparity.hpp"
 #include "lippmann/replay/epipolar_image.hpp"
 #include "lippmann/replay/light_field_frames.hpp"
 #include "lippmann/replay/refocus.hpp"
 #include "optics/model.hpp"
-#include "replay/disparity.hpp"
 #include "replay/replay_files.hpp"
 
 namespace lippmann {

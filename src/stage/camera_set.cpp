@@ -1,4 +1,4 @@
-#include "stage/camera_set.hpp"
+#include "lippmann/stage/camera_set.hpp"
 
 #include <fmt/format.h>
 

@@ -5,6 +5,7 @@
 
 #include "lippmann/core/error.hpp"
 #include "lippmann/scene/load.hpp"
+#include "optics/single_view_distance.hpp"
 #include "stage/depth_budget.hpp"
 #include "stage/front_of_rays.hpp"
 
@@ -44,13 +45,18 @@ PlacedOptics placed_on(const Scene& scene, const FittedArray& array, Optics opti
 
 namespace {
 
-Placement placed_in(const Scene& scene, const Optics& optics, const PlacementWish& wish, bool for_display) {
+Placement placed_in(const Scene& scene, Optics optics, const PlacementWish& wish, bool for_display) {
   validate(scene, "scene");
   validate(optics);
   const Vec2f window = window_size_mm(optics);
   Placement placement;
   placement.array = fit_array(scene, window.x / window.y, wish.view);
-  placement.placed = placed_on(scene, placement.array, optics, fits_depth(wish.fit_depth, optics, for_display));
+  if (wish.at_camera) {
+    const float units_per_mm = scene_units_per_mm(placement.array, window.y);
+    optics = with_single_view_distance(std::move(optics), placement.array.viewing_distance / units_per_mm);
+  }
+  const bool fit_depth = fits_depth(wish.fit_depth, optics, for_display);
+  placement.placed = placed_on(scene, placement.array, std::move(optics), fit_depth);
   placement.placed.for_display = for_display;
   if (!placement.placed.cut.empty()) placement.array.how += " " + placement.placed.cut;
   return placement;

@@ -1,4 +1,4 @@
-#include "image/tone.hpp"
+#include "lippmann/image/tone.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "layout/precompensate.hpp"
+#include "lippmann/layout/precompensate.hpp"
 
 #include <gmock/gmock.h>
 

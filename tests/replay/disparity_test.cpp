@@ -1,4 +1,5 @@
-#include "replay/disparity.hpp"
+// Tests refocusing on planes whose position is given as a disparity.
+#include "lippmann/replay/disparity.hpp"
 
 #include <gmock/gmock.h>
 

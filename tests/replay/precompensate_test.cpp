@@ -1,5 +1,5 @@
-// A precompensated picture, replayed with light leaking between pixels, must look like the original.
-#include "layout/precompensate.hpp"
+// Tests that a precompensated picture that is replayed with crosstalk looks like the original without crosstalk.
+#include "lippmann/layout/precompensate.hpp"
 
 #include <gtest/gtest.h>
 

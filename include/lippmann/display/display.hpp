@@ -130,6 +130,10 @@ double tilt_of(const Display& display);
 /// Returns the number of pixels (not sub-pixels) across one lens, which may be fractional.
 double pixels_below_lens(const Display& display);
 
+/// Returns the display's crosstalk in pixels of the picture of `optics`, which are the display's quilt or its own pixels. In a
+/// quilt, these pixels are views. None: unknown.
+std::optional<double> crosstalk_of_picture(const Display& display, const Optics& optics);
+
 /// Division of the print of a lenticular sheet into strips, one below each lens. Strip k contains the points (x, y) of the
 /// print, in pixels with y down, for which
 ///   start + k cell <= x cos(slant) - y sin(slant) < start + (k + 1) cell.

@@ -12,7 +12,12 @@ namespace lippmann {
 /// (slanted or hexagonal lenses, calibrated panels), and for images whose size differs from the film's.
 LightField light_field_of(const Image& film, const Optics& optics, const Image* depth = nullptr);
 
-/// Returns the views of a layer (FrameAovs) as a stack. Throws Error as light_field_of().
+/// Replaces the cameras of views by their poses in the world (LightField::poses), and converts the depth to z in each camera's
+/// frame. Lengths become thousandths of the world's unit. `origin` is added to the positions. world_from_display must be a
+/// similarity. Throws Error if the cameras are unknown.
+void place_in_world(LightField& field, const Affine3f& world_from_display, const Vec3d& origin);
+
+/// Returns the views of a layer (FrameAovs), with any number of channels, as a stack. Throws Error as light_field_of().
 Image views_of_layer(const Image& layer, const Optics& optics);
 
 /// Returns the panel's picture of a film. Three pixels of a slanted panel's film, one per sub-pixel, make one pixel of the

@@ -5,6 +5,8 @@
 // corner; pixel centres lie at +0.5.
 #pragma once
 
+#include <string>
+
 #include "lippmann/core/math.hpp"
 
 namespace lippmann {
@@ -27,5 +29,9 @@ inline Vec3d unprojected(const PosedCamera& camera, Vec2d pixel, double depth_mm
   const Vec2d slope = (pixel - camera.principal_px) / camera.focal_px * Vec2d(1.0, -1.0);
   return camera.position_mm + camera.rotation * (depth_mm * Vec3d(slope, -1.0));
 }
+
+/// Returns a rotation matrix whose elements are given row by row. Throws Error naming `where` if its columns deviate from
+/// orthonormal vectors by more than 1e-3, or if it mirrors.
+glm::dmat3 checked_rotation(const double (&rows)[9], const std::string& where);
 
 }  // namespace lippmann

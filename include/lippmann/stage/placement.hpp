@@ -33,6 +33,9 @@ struct Placement {
 struct PlacementWish {
   ViewWish view{};
   std::optional<bool> fit_depth{};  ///< see fits_depth()
+  /// True: a single view gets the distance of the fitted viewer, so that it equals the picture of the scene's camera. Other
+  /// optics always keep their viewing distance.
+  bool at_camera = false;
 };
 
 /// The kinds of image for a display.
@@ -51,8 +54,9 @@ bool fits_depth(std::optional<bool> wish, const Optics& optics, bool is_for_scre
 /// or behind walls that would hide the scene (PlacedOptics::cut). Throws Error as validate() does.
 PlacedOptics placed_on(const Scene& scene, const FittedArray& array, Optics optics, bool fit_depth);
 
-/// Places optics, given in millimetres, in the plane of fit_array(). Their window is as high as this plane, and their viewing
-/// distance is kept. Throws Error as fit_array() does, and if the scene or the optics do not pass validate().
+/// Places optics, given in their own millimetres, in a scene. The optics lie in the plane of fit_array(), and their window is
+/// as high as this plane. Keeps the viewing distance of the optics, except as stated in PlacementWish. Throws Error as
+/// fit_array() does, and if the scene or the optics do not pass validate().
 Placement place(const Scene& scene, const Optics& optics, const PlacementWish& wish = {});
 
 /// Places the optics of a display. Throws Error if `picture` is kQuilt and the display has no quilt.

@@ -4,6 +4,9 @@
 // of B. Wrensch, "Minimal AgX Implementation", 2023.
 #pragma once
 
+#include <array>
+#include <string_view>
+
 #include "lippmann/core/math.hpp"
 #include "lippmann/image/image.hpp"
 
@@ -16,6 +19,8 @@ enum class ToneCurve {
   /// Maps 16.5 stops and fades highlights to white, as in photographs.
   kAgx,
 };
+
+inline constexpr std::array<std::string_view, 3> kToneNames{"none", "neutral", "agx"};  ///< in the order of ToneCurve
 
 struct Tone {
   float exposure_ev = 0.0f;  ///< in stops: light is multiplied by 2^exposure_ev
