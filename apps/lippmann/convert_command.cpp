@@ -12,6 +12,7 @@
 #include "apps/lippmann/print_json.hpp"
 #include "core/printable.hpp"
 #include "folder/claim_folder.hpp"
+#include "layout/estimate_lens_grid.hpp"
 #include "layout/lens_grid_file.hpp"
 #include "layout/rendered.hpp"
 #include "lippmann/core/error.hpp"
@@ -90,7 +91,7 @@ int run(const ConvertOptions& options, const Context& context) {
   params.options.warn = context.warn;
   params.threads = context.threads;
   params.icc = options.picture.icc;
-  const ReadPlenopticFlags plenoptic = read_plenoptic_flags(options.plenoptic);
+  const ReadPlenopticSettings plenoptic = read_plenoptic_flags(options.plenoptic);
   params.options.plenoptic = plenoptic.calibration;
   if (conversion.is_from_video) params.read_views = read_video_views;
   if (conversion.kind == ConvertKind::kDisplay) params.display_picture = options.picture.read(options.filter.read());

@@ -4,8 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "layout/estimate_lens_grid.hpp"
-#include "lippmann/layout/lens_grid.hpp"
+#include "lippmann/layout/plenoptic_calibration.hpp"
 
 namespace lippmann::app {
 
@@ -17,15 +16,9 @@ struct PlenopticFlags {
   bool inverted = false;
 };
 
-struct ReadPlenopticFlags {
-  std::optional<PlenopticCalibration> calibration = {};  ///< nullopt if no flag is given
-  std::optional<LensGridFit> fit = {};  ///< the grid estimated from the white picture; nullopt if flags define it
-};
-
 void add_plenoptic_flags(const Command& command, PlenopticFlags& flags);
 
-/// Reads the white picture. Estimates the lens grid from it, unless flags define the grid. Throws Error naming the flag or the
-/// file.
-ReadPlenopticFlags read_plenoptic_flags(const PlenopticFlags& flags);
+/// Reads the flags, and the white picture as read_plenoptic_settings() does. Throws Error naming the flag or the file.
+ReadPlenopticSettings read_plenoptic_flags(const PlenopticFlags& flags);
 
 }  // namespace lippmann::app

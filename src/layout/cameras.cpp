@@ -90,6 +90,12 @@ ViewCameras cameras_as_stated(const StatedCameras& stated, const LightField& fie
   return common_baseline_mm(placed, grid) ? cameras : placed;
 }
 
+void state_cameras(LightField& field, const StatedCameras& stated, const std::string& where) {
+  if (field.cameras || field.poses)
+    throw usage_error("baseline", "has no effect: " + where + " states its cameras", "views whose cameras are unknown");
+  field.cameras = cameras_as_stated(stated, field, where);
+}
+
 std::string unknown_cameras(const LightField& field) {
   if (field.poses) return "the cameras do not share a plane and a window";
   return field.positions ? "the camera positions have no unit, and their distance from the focal plane is unknown"

@@ -33,6 +33,9 @@ double mean_step(const std::vector<Vec2d>& eyes, ViewGrid grid);
 /// if all positions coincide.
 ViewCameras cameras_as_stated(const StatedCameras& stated, const LightField& field, const std::string& where);
 
+/// Sets the cameras of a light field to cameras_as_stated(). Throws a usage Error naming "baseline" if its files state cameras.
+void state_cameras(LightField& field, const StatedCameras& stated, const std::string& where);
+
 /// Returns a message that explains why a light field has no cameras.
 std::string unknown_cameras(const LightField& field);
 

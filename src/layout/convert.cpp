@@ -67,7 +67,6 @@ class Conversion {
     if (to_.name == "stereo") reading.stereo.reset();  // `stereo` describes the output; the input's name describes the input
     OpenedLightField opened = open(in, reading);
     LightField& field = opened.field;
-    if (params_.options.cameras) state_cameras(field, in);
     if (params_.keep) keep(field, *params_.keep, "keep");
     if (params_.crop) crop(field, *params_.crop, "crop");
     FormatOptions writing = params_.options;
@@ -96,6 +95,7 @@ class Conversion {
     const DisplayPictureParams& shown = *params_.display_picture;
     ViewFitter fitter(display, target, shown.fit.value_or(default_fit(target)), *pool_, shown.view_shift_px);
     FormatOptions reading = params_.options;
+    reading.cameras.reset();  // the views are resampled, and display pictures state no cameras
     reading.fit_view = [&](Picture view, int number, ViewGrid grid) {
       if (params_.crop) view = cropped(std::move(view), *params_.crop);
       const Vec2d size(size_of(view));
@@ -139,16 +139,11 @@ class Conversion {
     return left_out;
   }
 
-  void state_cameras(LightField& field, const fs::path& in) const {
-    if (field.cameras)
-      throw usage_error("baseline", fmt::format("has no effect: {} states its cameras", in.string()),
-                        "views whose cameras are unknown");
-    field.cameras = cameras_as_stated(*params_.options.cameras, field, in.string());
-  }
-
   OpenedLightField open(const fs::path& in, const FormatOptions& reading) const {
-    if (params_.read_views) return {.field = params_.read_views(in, reading), .format = "views"};
-    return open_light_field(in, params_.from, reading);
+    if (!params_.read_views) return open_light_field(in, params_.from, reading);
+    OpenedLightField opened{.field = params_.read_views(in, reading), .format = "views"};
+    if (reading.cameras) state_cameras(opened.field, *reading.cameras, in.string());
+    return opened;
   }
 
   const ConvertParams& params_;

@@ -3,15 +3,9 @@
 
 #include <string>
 
-#include "lippmann/layout/lens_grid.hpp"
+#include "lippmann/layout/plenoptic_calibration.hpp"
 
 namespace lippmann {
-
-struct LensGridFit {
-  LensGrid grid;             ///< its offset is the centre of the lens nearest to the middle of the picture
-  int lenses = 0;            ///< number of lenses used in the fit
-  double residual_px = 0.0;  ///< root mean square distance of the lens centres from the grid
-};
 
 /// Estimates the grid from `white` (1 channel). The lens spacing must be between 4 pixels and a sixth of the picture. The grid
 /// may have any rotation. The returned rotation is within 45 degrees for a square grid and within 15 degrees for a hexagonal

@@ -186,9 +186,10 @@ bool is_light_field_folder(const fs::path& folder) { return format_of_folder(fol
 
 namespace {
 
-/// Returns whether the views have as many pixels as their report states. Views of row-interlaced stereo pictures have only half
-/// as many.
-bool has_all_pixels(const LightFieldSource& source, const LightField& field, const fs::path& path) {
+/// Returns whether the views have the grid and as many pixels as their report states. Views of row-interlaced stereo pictures
+/// have only half as many.
+bool shows_rendered_views(const LightFieldSource& source, const LightField& field, const fs::path& path) {
+  if (!source.rendered || source.rendered->film.grid != field.grid) return false;
   if (source.format->name != "stereo") return true;
   return view_size(source.rendered->film, film_size(source.rendering->optics), path.string()) == field.view_size;
 }
@@ -207,10 +208,11 @@ OpenedLightField open_light_field(const fs::path& path, const std::string& from,
   const LightFieldSource source = light_field_source(path, from, options);
   OpenedLightField opened{source.format->read(path, source.options)};
   opened.format = source.format->name;
-  if (!source.rendered || source.rendered->film.grid != opened.field.grid) return opened;
-  if (!has_all_pixels(source, opened.field, path)) return opened;
-  if (!opened.field.cameras) opened.field.cameras = source.rendered->cameras;
-  opened.optics = source.rendering->optics;
+  if (shows_rendered_views(source, opened.field, path)) {
+    if (!opened.field.cameras) opened.field.cameras = source.rendered->cameras;
+    opened.optics = source.rendering->optics;
+  }
+  if (options.cameras) state_cameras(opened.field, *options.cameras, path.string());
   return opened;
 }
 

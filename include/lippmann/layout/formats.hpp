@@ -43,11 +43,11 @@ struct FormatOptions {
   std::optional<StereoLayout> stereo = {};  ///< packing of two views in one picture; none: from its name, or side by side
   /// Depths at the ends of the grey scale. None: from the side file, or the light field's range.
   std::optional<DepthRange> depth_range = {};
-  std::optional<bool> even_in_depth = {}, near_black = {};  ///< see DepthCoding; none: from the side file
-  std::optional<StatedCameras> cameras = {};                ///< for files without camera data
-  std::optional<PlenopticCalibration> plenoptic = {};       ///< for raw plenoptic pictures; none: from their files
-  /// Called for each view after its file is read, to reduce large originals before all are in memory. `view` is the view's
-  /// number in the grid.
+  std::optional<bool> even_in_depth = {}, near_black = {};  ///< See DepthCoding. None: from the side file.
+  std::optional<StatedCameras> cameras = {};                ///< for files that state none; open_light_field() adds them
+  std::optional<PlenopticCalibration> plenoptic = {};       ///< calibration of raw plenoptic pictures; none: from their files
+  /// Called for each view right after its file is read, to reduce large originals before all are held in memory. `view`: the
+  /// view's number in the grid.
   std::function<Picture(Picture, int view, ViewGrid grid)> fit_view = {};
   /// Called with a warning for each ignored property of a picture.
   std::function<void(std::string_view)> warn = {};
