@@ -7,6 +7,7 @@ import os
 from typing import Any, Iterable, Optional, Sequence, Tuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ._errors import Error, MissingFileError
 
@@ -43,16 +44,14 @@ def integer(value: Any, name: str, lowest: int, highest: int) -> int:
 def choice(value: Any, name: str, accepted: Sequence[str]) -> str:
     if value not in accepted:
         raise Error(name, f"is {value!r}", ", ".join(accepted))
-    return value
+    return str(value)
 
 
 def path(value: Any, name: str) -> str:
     try:
-        result = os.fspath(value)
+        result = os.fsdecode(value)
     except TypeError:
         raise Error(name, f"is {value!r}", "a path") from None
-    if isinstance(result, bytes):
-        result = os.fsdecode(result)
     if not result or "\0" in result:
         raise Error(name, f"is {result!r}", "a path without zero bytes")
     return result
@@ -82,9 +81,10 @@ def file_path(value: Any, name: str) -> bytes:
 
 def array(
     value: Any, name: str, shape: Tuple[Optional[int], ...], finite: bool = True, dtype: Any = np.float32
-) -> np.ndarray:
-    """Returns a C-contiguous array of this type and shape. A None in `shape` allows any length above 0. Raises Error for NaN,
-    and for infinities if `finite`."""
+) -> NDArray[Any]:
+    """Returns a C-contiguous array of this type and shape. A None in `shape` allows any length above 0. Raises Error for NaN, and
+    for infinities if `finite`.
+    """
     wanted = "numbers of the shape (" + ", ".join("n" if n is None else str(n) for n in shape) + ")"
     try:
         given = np.asarray(value)
@@ -105,7 +105,7 @@ def array(
     return result
 
 
-def indices(value: Any, name: str, columns: int, count: int) -> np.ndarray:
+def indices(value: Any, name: str, columns: int, count: int) -> NDArray[Any]:
     """Returns an array (n, columns) of uint32. Raises Error unless all values are from 0 to count - 1."""
     wanted = f"integers of the shape (n, {columns}), from 0 to {count - 1}"
     try:

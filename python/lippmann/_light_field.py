@@ -7,14 +7,18 @@ import os
 from typing import Any, Dict, Iterator, List, Optional, Tuple, Union
 
 import numpy as np
+from numpy.typing import NDArray
 
 from . import _core, _notebook
-from ._arguments import array, choice, integer, number, pair, path as _path, positive
+from ._arguments import array, choice, file_path, integer, number, pair, path as _path, positive, vector
 from ._errors import Error, Naming, Reading, known, warn_of_ignored
 from ._optics import Display, Optics, display_of
+from ._options import LensArrangement, Sampling, Tone
 
 _SIZE = 1 << 15
 _FAR_MM = 1e9  # largest accepted coordinate of an eye
+_CAMERAS_GIVEN_BY = "LightField(views, distance_mm=, baseline_mm=, pixel_mm=)"
+_OF_OTHER = "is not known of a light field that was not rendered"
 _RENDERED_WITH = "a frame of lippmann.render with its name among `layers`"
 
 
@@ -23,13 +27,13 @@ def formats() -> Dict[str, str]:
     return dict(_core.formats())
 
 
-def to_codes(picture: Any) -> np.ndarray:
-    """Converts linear light of the shape (..., 3) to sRGB codes, uint8."""
+def to_codes(picture: Any, *, exposure: float = 0.0, tone: Tone = "none") -> NDArray[Any]:
+    """Converts linear light of the shape (..., 3) to sRGB codes, uint8. exposure, tone: see LightField.save."""
     given = np.asarray(picture)
     if given.dtype.kind not in "fiu" or given.ndim < 2 or given.shape[-1] != 3 or given.size == 0:
         raise Error("picture", f"has the type {given.dtype} and the shape {given.shape}", "linear light of the shape (..., 3)")
     flat = np.ascontiguousarray(given, dtype=np.float32).reshape(-1, given.shape[-2], 3)
-    return _core.codes_of(flat).reshape(given.shape)
+    return _core.codes_of(flat, _tone(exposure, tone)).reshape(given.shape)
 
 
 def show(picture: Any, *, enlarge: int = 1) -> _notebook.Shown:
@@ -58,8 +62,10 @@ class LightField:
     lippmann.render and lippmann.frames render light fields. lippmann.open opens them. The constructor makes one from arrays:
 
     views: (rows, columns, y, x, 3) of uint8 or uint16 (sRGB codes) or float32 (linear light).
-    depth: (rows, columns, y, x) in mm in front of the plane in which views coincide. -inf where there is no surface.
+    depth: (rows, columns, y, x) in mm in front of the plane in which views coincide. -inf where there is no surface. With poses, the
+        depth is z in the frame of each camera, below 0.
     distance_mm, baseline_mm, pixel_mm: the cameras, as in lippmann.camera_grid. Give all three or none.
+    world_from_camera, intrinsics_px: instead, cameras of any pose, as in the attributes of these names. Give both or none.
 
     `field[r, c]` is a view (y, x, 3). `field[r]` is a row of views. `len(field)` is the number of rows. np.asarray(field) is `views`.
     Attributes that are unknown, such as the depth of a light field without depth, raise an Error that is also an AttributeError.
@@ -76,6 +82,8 @@ class LightField:
         distance_mm: Optional[float] = None,
         baseline_mm: Optional[float] = None,
         pixel_mm: Optional[float] = None,
+        world_from_camera: Any = None,
+        intrinsics_px: Any = None,
     ) -> None:
         samples = np.asarray(views)
         if samples.dtype not in (np.uint8, np.uint16):
@@ -86,37 +94,43 @@ class LightField:
         if rows * columns > 1 << 16 or height * rows * columns > np.iinfo(np.int32).max or width > _SIZE:
             raise Error("views", f"has the shape {samples.shape}", "at most 65536 views of at most 32768 pixels a side")
         z = None if depth is None else array(depth, "depth", samples.shape[:4], finite=False)
-        self._start(views=_core.Views(np.ascontiguousarray(samples), z))
+        own = _core.Views(np.ascontiguousarray(samples), z)
+        self._start(views=own)
         cameras = {"distance_mm": distance_mm, "baseline_mm": baseline_mm, "pixel_mm": pixel_mm}
-        missing = [name for name, value in cameras.items() if value is None]
-        if len(missing) == 3:
-            return
-        if missing:
-            raise Error(missing[0], "is missing", "distance_mm, baseline_mm and pixel_mm, or none of them")
-        distance, baseline, pixel = (positive(value, name) for name, value in cameras.items())
-        self._own.set_cameras(distance, (baseline, baseline), pixel)
+        poses = {"world_from_camera": world_from_camera, "intrinsics_px": intrinsics_px}
+        has_cameras, has_poses = _all_or_none(cameras), _all_or_none(poses)
+        if has_cameras and has_poses:
+            raise Error("world_from_camera", "cannot be combined with distance_mm", "one of the two")
+        if has_cameras:
+            distance, baseline, pixel = (positive(value, name) for name, value in cameras.items())
+            own.set_cameras(distance, (baseline, baseline), pixel)
+        if has_poses:
+            _set_poses(own, world_from_camera, intrinsics_px, (rows, columns))
 
     def _start(
         self,
-        views: Any = None,
-        film: Any = None,
-        placement: Any = None,
+        views: Optional[_core.Views] = None,
+        film: Optional[_core.Film] = None,
+        placement: Optional[_core.Placement] = None,
         optics: Optional[Optics] = None,
         display: Optional[Display] = None,
+        in_world: bool = False,
     ) -> None:
+        """in_world: the camera of a rendered view has its pose in the scene."""
         self._own, self._film, self._placement, self._optics, self._display = views, film, placement, optics, display
-        self._shown: Any = None
-        self._layers: Dict[str, np.ndarray] = {}
+        self._in_world = in_world
+        self._shown: Optional[_core.Panel] = None
+        self._layers: Dict[str, NDArray[Any]] = {}
         self.path: Optional[str] = None  # file or folder that lippmann.open read
 
     @classmethod
-    def _of_film(cls, film: Any, placement: Any, display: Optional[Display]) -> "LightField":
+    def _of_film(cls, film: _core.Film, placement: _core.Placement, display: Optional[Display], in_world: bool) -> "LightField":
         field = cls.__new__(cls)
-        field._start(film=film, placement=placement, optics=placement.optics, display=display)
+        field._start(film=film, placement=placement, optics=placement.optics, display=display, in_world=in_world)
         return field
 
     @classmethod
-    def _of_file(cls, views: Any, optics: Optional[Optics], path: str) -> "LightField":
+    def _of_file(cls, views: _core.Views, optics: Optional[Optics], path: str) -> "LightField":
         field = cls.__new__(cls)
         field._start(views=views, optics=optics)
         field.path = path
@@ -126,14 +140,15 @@ class LightField:
         return {**self.__dict__, "_shown": None, "_layers": {}}  # computed again when needed
 
     @property
-    def _views(self) -> Any:
+    def _views(self) -> _core.Views:
         if self._own is None:
-            self._own = self._film.views()
+            assert self._film is not None
+            self._own = self._film.views(self._in_world)
         return self._own
 
     @property
     @known
-    def views(self) -> np.ndarray:
+    def views(self) -> NDArray[Any]:
         """(rows, columns, y, x, 3), not copied. Rendered views are linear light, float32. Opened views have the type of the file."""
         return self._views.views
 
@@ -143,7 +158,7 @@ class LightField:
         """(rows, columns, y, x, channel)."""
         return self.views.shape
 
-    def __array__(self, dtype: Any = None, copy: Optional[bool] = None) -> np.ndarray:
+    def __array__(self, dtype: Any = None, copy: Optional[bool] = None) -> NDArray[Any]:
         """Returns `views`, for np.asarray(field). copy: None copies only if necessary, False raises ValueError if a copy is necessary."""
         views = self.views
         if dtype is not None and views.dtype != dtype:
@@ -155,13 +170,17 @@ class LightField:
     def __len__(self) -> int:
         return len(self.views)
 
-    def __getitem__(self, index: Any) -> np.ndarray:
-        return self.views[index]
+    def __getitem__(self, index: Any) -> NDArray[Any]:
+        view: NDArray[Any] = self.views[index]
+        return view
 
     @property
     @known
-    def depth(self) -> np.ndarray:
-        """(rows, columns, y, x), float32: mm in front of the display's plane. Negative behind the plane; -inf where there is no surface."""
+    def depth(self) -> NDArray[Any]:
+        """(rows, columns, y, x), float32: mm in front of the display's plane. Negative behind the plane; -inf where there is no surface.
+
+        If the cameras have poses of their own, the depth is z in the frame of each camera (world_from_camera), in mm: below 0.
+        """
         depth = self._views.depth
         if depth is None:
             raise Error("depth", "is not known", 'layers=["depth"] when rendering, or a file that has it')
@@ -169,7 +188,7 @@ class LightField:
 
     @property
     @known
-    def disparity(self) -> np.ndarray:
+    def disparity(self) -> NDArray[Any]:
         """(rows, columns, y, x), float32: shift of a point, in pixels, from a view to its neighbour.
 
         The disparity is the shift to the left between a view and the next view on the right. For views of the last column, it is the
@@ -193,17 +212,17 @@ class LightField:
 
     @property
     @known
-    def normals(self) -> np.ndarray:
+    def normals(self) -> NDArray[Any]:
         """(rows, columns, y, x, 3), float32: unit normals in world space that face the viewer. 0 where there is no surface."""
         return self.layer("normal")
 
     @property
     @known
-    def motion(self) -> np.ndarray:
+    def motion(self) -> NDArray[Any]:
         """(rows, columns, y, x, 2), float32: motion in the view since the previous frame, in pixels to the right and down."""
         return self.layer("motion")
 
-    def layer(self, name: str) -> np.ndarray:
+    def layer(self, name: str) -> NDArray[Any]:
         """Returns (rows, columns, y, x, channels), float32: a layer that was requested in lippmann.frames or lippmann.render. Light fields
         that were not rendered have only the layer depth, if their depth is known.
         """
@@ -211,7 +230,7 @@ class LightField:
         if self._film is None:
             if name == "depth":
                 return self.depth[..., None]
-            raise Error("layer", f"{name!r} is not known of a light field that was not rendered", _RENDERED_WITH)
+            raise Error("layer", f"{name!r} {_OF_OTHER}", _RENDERED_WITH)
         if name not in self._layers:
             rows, columns = self.shape[:2]
             flat = self._film.layer_of_views(name, rows * columns)
@@ -220,19 +239,19 @@ class LightField:
 
     @property
     @known
-    def picture(self) -> np.ndarray:
+    def picture(self) -> NDArray[Any]:
         """(y, x, 3), float32, linear: the picture of the panel. Depending on the optics: a quilt, an integral image or native pixels."""
         return self._panel().picture if self._film is None else self._film.picture
 
     @property
     @known
-    def codes(self) -> np.ndarray:
+    def codes(self) -> NDArray[Any]:
         """(y, x, 3), uint8: `picture` as sRGB codes, as `lippmann render` writes it. (y, x, 4) for transparent frames."""
         return to_codes(self.picture) if self._film is None else self._film.codes
 
     @property
     @known
-    def alpha(self) -> np.ndarray:
+    def alpha(self) -> NDArray[Any]:
         """(rows, columns, y, x), float32, 0 to 1: the covered share of each pixel of a transparent frame.
 
         The views of a transparent frame hold only the light of the covered share. The views over a background of linear light are
@@ -243,7 +262,7 @@ class LightField:
 
     @property
     @known
-    def rgba(self) -> np.ndarray:
+    def rgba(self) -> NDArray[Any]:
         """(rows, columns, y, x, 4), uint8: sRGB codes of transparent views with straight alpha, as picture files store them."""
         alpha = self.alpha[..., None]
         shown = alpha > 0
@@ -258,11 +277,11 @@ class LightField:
     def _is_transparent(self) -> bool:
         return self._film is not None and self._film.is_transparent
 
-    def panel_layer(self, name: str) -> np.ndarray:
+    def panel_layer(self, name: str) -> NDArray[Any]:
         """Returns (y, x, channels), float32: a layer in the layout of `picture`."""
         name = choice(name, "name", _core.layer_names)
         if self._film is None:
-            raise Error("layer", f"{name!r} is not known of a light field that was not rendered", _RENDERED_WITH)
+            raise Error("layer", f"{name!r} {_OF_OTHER}", _RENDERED_WITH)
         return self._film.layer(name)
 
     @property
@@ -281,7 +300,7 @@ class LightField:
 
     @property
     @known
-    def eyes_mm(self) -> np.ndarray:
+    def eyes_mm(self) -> NDArray[Any]:
         """(rows, columns, 2), float64: x and y of each view's eye, in the plane z = distance_mm."""
         return self._cameras()[2]
 
@@ -299,60 +318,78 @@ class LightField:
 
     @property
     @known
-    def world_from_camera(self) -> np.ndarray:
-        """(rows, columns, 4, 4), float64: pose of each camera, in mm. The camera's x axis points right, y up and z backwards."""
+    def world_from_camera(self) -> NDArray[Any]:
+        """(rows, columns, 4, 4), float64: matrix from the frame of each camera to the world, in mm.
+
+        The camera's x axis points right, y up and z backwards, as in Blender and NeRF. The last column is the camera's position. Parallel
+        cameras in one plane that share a window have the display's frame as their world, in files of any format, too. Other cameras of
+        nerf, colmap and llff have the world of the files, and frames with `cameras` the world of the scene, whose units count as 1 m.
+        """
         return self._poses()[0]
 
     @property
     @known
-    def intrinsics_px(self) -> np.ndarray:
-        """(rows, columns, 4), float64: focal lengths and principal point (fx, fy, cx, cy) of each camera."""
+    def intrinsics_px(self) -> NDArray[Any]:
+        """(rows, columns, 4), float64: focal lengths and principal point (fx, fy, cx, cy) of each camera, in pixels from the top left
+        corner. Pixel centres are at + 0.5. The point (x, y, z) in the camera's frame appears at (cx - fx x / z, cy + fy y / z).
+        """
         return self._poses()[1]
 
     @property
     @known
     def units_per_mm(self) -> float:
         """Scene units per mm of the display."""
-        return self._placed().units_per_mm
+        if self._placement is None:
+            raise Error("scene", _OF_OTHER, "lippmann.render")
+        return self._placement.units_per_mm
 
     @property
     @known
-    def world_from_display(self) -> np.ndarray:
+    def world_from_display(self) -> NDArray[Any]:
         """(4, 4), float64: transform from mm of the display to world space, at this frame."""
-        self._placed()
+        if self._film is None:
+            raise Error("scene", _OF_OTHER, "lippmann.render")
         return self._film.world_from_display
 
-    def _placed(self) -> Any:
-        if self._placement is None:
-            raise Error("scene", "is not known of a light field that was not rendered", "lippmann.render")
-        return self._placement
-
-    def _cameras(self) -> Any:
+    def _cameras(self) -> Tuple[float, Tuple[float, float], NDArray[np.float64]]:
         cameras = self._views.cameras
         if cameras is None:
-            raise Error("cameras", "are not known", "LightField(views, distance_mm=, baseline_mm=, pixel_mm=)")
+            if self._views.poses is not None:
+                raise Error("cameras", "do not share a plane and a window", "world_from_camera and intrinsics_px")
+            raise Error("cameras", "are not known", _CAMERAS_GIVEN_BY)
         return cameras
 
-    def _poses(self) -> Any:
+    def _poses(self) -> Tuple[NDArray[np.float64], NDArray[np.float64]]:
         poses = self._views.poses
         if poses is None:
-            raise Error("cameras", "are not known", "LightField(views, distance_mm=, baseline_mm=, pixel_mm=)")
+            raise Error("cameras", "are not known", _CAMERAS_GIVEN_BY)
         return poses
 
-    def _panel(self) -> Any:
+    # ---- What eyes see -------------------------------------------------------------------------------------------------
+
+    def _panel(self) -> _core.Panel:
         if self._shown is None:
             self._shown = self._views.panel(self._optics, None) if self._film is None else self._film.panel()
         return self._shown
 
-    def refocus(self, z_mm: float = 0.0, size: Optional[Tuple[int, int]] = None) -> np.ndarray:
+    def refocus(
+        self, z_mm: float = 0.0, size: Optional[Tuple[int, int]] = None, *, disparity: Optional[float] = None
+    ) -> NDArray[Any]:
         """Returns (y, x, 3), float32, linear: the light field focused at the depth z_mm, positive in front of the display.
 
-        size: (height, width) in pixels. None: one pixel per sample of the display. If the positions of the cameras are unknown, they
-        are assumed as in `lippmann replay`.
+        size: (height, width) in pixels. None: one pixel per sample of the display.
+        disparity: focuses on points with this disparity in pixels, as in the attribute `disparity`, instead of z_mm.
+
+        If the positions of the cameras are unknown, they are assumed as in `lippmann replay`. The picture for a disparity is the same for
+        any such positions.
         """
-        depth, shape = number(z_mm, "z_mm"), self._size(size)
+        depth, shape, panel = number(z_mm, "z_mm"), self._size(size), self._panel()
         with Naming():
-            return self._panel().refocus(depth, shape)
+            if disparity is not None:
+                if depth != 0.0:
+                    raise Error("disparity", "cannot be combined with z_mm", "one of the two")
+                depth = panel.depth_of_disparity(number(disparity, "disparity"))
+            return panel.refocus(depth, shape)
 
     def eye(
         self,
@@ -365,7 +402,7 @@ class LightField:
         focus_mm: float = 0.0,
         nearest: bool = False,
         crosstalk: Union[float, str] = 0.0,
-    ) -> np.ndarray:
+    ) -> NDArray[Any]:
         """Returns (y, x, 3), float32, linear: the picture that an eye at (x, y, z) mm sees through the display.
 
         x, y, z: None is the coordinate of the intended viewing position.
@@ -388,7 +425,7 @@ class LightField:
         with Naming(eye="z", pupil="pupil_mm", focus="focus_mm"):
             return panel.eye(eye, shape, pupil, focus, bool(nearest), blur)
 
-    def epi(self, row: Optional[int] = None, column: Optional[int] = None) -> np.ndarray:
+    def epi(self, row: Optional[int] = None, column: Optional[int] = None) -> NDArray[Any]:
         """Returns an epipolar-plane image, float32, linear. Give either `row` or `column`.
 
         row: a row of pixels, counted from the top. The image is (eyes, x, 3), with the leftmost eye first.
@@ -414,14 +451,22 @@ class LightField:
         bits: Optional[int] = None,
         tiles: Optional[Tuple[int, int]] = None,
         display: Any = None,
+        exposure: float = 0.0,
+        tone: Tone = "none",
+        precompensate: bool = False,
+        crosstalk: Union[float, str, None] = None,
     ) -> List[str]:
         """Writes the light field and returns the paths of the written files. Creates a missing folder.
 
         format: one of lippmann.formats(), as in `lippmann convert`. None writes the panel's picture as .png or .exr. Transparent frames
             can only be written with None, as a .png with alpha.
         bits: bits per sample of float views: 8, 16, or 32 (linear floats, .exr). None: 32 for .exr, else 8.
-        tiles: (rows, columns) of a quilt.
+        tiles: (rows, columns) of a quilt. The file beside the quilt keeps the grid of the views.
         display: a name or a file, for the format "native".
+        exposure: multiplies linear light by 2 ** exposure before it becomes codes. .exr files stay linear.
+        tone: curve for light brighter than white: "none" (clipped), "neutral" (keeps hues) or "agx" (as film does).
+        precompensate: True sharpens the panel's picture (format=None) in advance, to cancel the crosstalk of the display's lenses.
+        crosstalk: the blur that `precompensate` cancels, as in `eye`, from 0 to 0.75 pixels. None: that of the display.
 
         Arguments that the format does not use are ignored with a LippmannWarning.
         """
@@ -430,30 +475,52 @@ class LightField:
             raise Error("path" if format is None else "format", "cannot store alpha", "a .png without `format`, or arrays")
         tiling = None if tiles is None else pair(tiles, "tiles", 1, 256)
         panel = None if display is None else display_of(display, "display")
+        toned = _tone(exposure, tone)
         if format is None:
             if bits is not None:
                 warn_of_ignored("bits", "without `format` the file extension decides")
             _warn_of_strays(tiling, panel, "")
-            with _folder_of(where):
-                self._write_picture(where)
+            if where.endswith(".exr"):
+                toned = _tone_of_linear(exposure, tone)
+            sigma = self._crosstalk_to_undo(precompensate, crosstalk)
+            with _folder_of(where), Naming(where):
+                shown: Union[_core.Film, _core.Panel] = self._panel() if self._film is None else self._film
+                shown.write(where, toned, sigma)
             return [where]
+        for argument, is_given in (("precompensate", precompensate), ("crosstalk", crosstalk is not None)):
+            if is_given:
+                warn_of_ignored(argument, "it applies to the picture of the panel, which has no `format`")
         views = self._views
         if views.views.dtype == np.float32:
             wanted = (32 if where.endswith(".exr") else 8) if bits is None else integer(bits, "bits", 8, 32)
             if wanted not in (8, 16, 32):
                 raise Error("bits", f"is {wanted}", "8, 16 or 32")
-            views = views if wanted == 32 else views.with_codes(wanted)
+            if wanted == 32:
+                _tone_of_linear(exposure, tone)
+            else:
+                views = views.with_codes(wanted, toned)
         elif bits is not None:
             raise Error("bits", "cannot be chosen for sRGB codes", "no bits")
+        elif not toned.is_identity:
+            raise Error(_given_tone(exposure), "cannot be chosen for sRGB codes", "light fields of linear light")
         name = choice(format, "format", list(formats()))
         _warn_of_strays(tiling, panel, name)
         with _folder_of(where), Naming(where, views="format"):
-            return [os.fspath(file) for file in views.save(where, name, tiling, panel)]
+            return [os.fspath(file) for file in views.save(where, name, _core.FormatOptions(None, tiling, panel))]
 
-    def _write_picture(self, where: str) -> None:
-        if self._film is not None:
-            return self._film.write(where)
-        _core.write_picture(self._panel().picture, where)
+    def _crosstalk_to_undo(self, precompensate: bool, crosstalk: Union[float, str, None]) -> Optional[float]:
+        if not precompensate:
+            if crosstalk is not None:
+                warn_of_ignored("crosstalk", "`precompensate` is not True")
+            return None
+        if crosstalk is not None:
+            return _crosstalk(crosstalk)
+        known = None
+        if self._display is not None and self._optics is not None:
+            known = _core.crosstalk_of_picture(self._display, self._optics)
+        if known is None:
+            raise Error("precompensate", "the crosstalk of the display is unknown", "crosstalk=, or a display whose file states it")
+        return known
 
     def to_xarray(self) -> Any:
         """Returns an xarray.Dataset of the views, and of depth, alpha and the positions of the eyes if known. The axes are row, column, y,
@@ -521,6 +588,39 @@ def _warn_of_strays(tiles: Any, display: Any, format: str) -> None:
             warn_of_ignored(argument, f"only the format {of!r} uses it")
 
 
+def _tone(exposure: float, tone: str) -> _core.Tone:
+    return _core.Tone(number(exposure, "exposure", -100.0, 100.0), choice(tone, "tone", _core.tone_names))
+
+
+def _given_tone(exposure: float) -> str:
+    return "exposure" if exposure else "tone"
+
+
+def _tone_of_linear(exposure: float, tone: str) -> _core.Tone:
+    """Returns the tone of files with linear light, which is none. Warns if another one is given."""
+    if not _tone(exposure, tone).is_identity:
+        warn_of_ignored(_given_tone(exposure), "files with linear light stay linear")
+    return _tone(0.0, "none")
+
+
+def _set_poses(views: _core.Views, world_from_camera: Any, intrinsics_px: Any, grid: Tuple[int, int]) -> None:
+    matrices = array(world_from_camera, "world_from_camera", (*grid, 4, 4), dtype=np.float64)
+    lengths = array(intrinsics_px, "intrinsics_px", (*grid, 4), dtype=np.float64)
+    if not (lengths[..., :2] > 0).all():
+        raise Error("intrinsics_px", "has a focal length that is not above 0", "fx, fy, cx, cy of each camera")
+    if not np.allclose(matrices[..., 3, :], (0, 0, 0, 1), rtol=0, atol=1e-6):
+        raise Error("world_from_camera", "has a last row other than (0, 0, 0, 1)", "a rotation and a position for each camera")
+    views.set_poses(matrices.reshape(-1, 4, 4), lengths.reshape(-1, 4))
+
+
+def _all_or_none(arguments: Dict[str, Any]) -> bool:
+    """Returns whether all arguments are given. Raises Error if only some are."""
+    missing = [name for name, value in arguments.items() if value is None]
+    if missing and len(missing) < len(arguments):
+        raise Error(missing[0], "is missing", " and ".join(arguments) + ", or none of them")
+    return not missing
+
+
 def _crosstalk(value: Union[float, str]) -> float:
     return _core.read_crosstalk(value) if isinstance(value, str) else number(value, "crosstalk", 0.0, 8.0)
 
@@ -533,6 +633,18 @@ def open(
     views: Optional[Tuple[int, int]] = None,
     tiles: Optional[Tuple[int, int]] = None,
     display: Any = None,
+    baseline_mm: Optional[float] = None,
+    focal_length_mm: Optional[float] = None,
+    focus_distance_mm: Optional[float] = None,
+    sensor_width_mm: Optional[float] = None,
+    white: Union[str, "os.PathLike[str]", None] = None,
+    lens_pitch_px: Optional[float] = None,
+    lens_row_pitch_px: Optional[float] = None,
+    lens_rotation_deg: Optional[float] = None,
+    lens_offset_px: Optional[Tuple[float, float]] = None,
+    lens_arrangement: Optional[LensArrangement] = None,
+    sampling: Sampling = "linear",
+    inverted: bool = False,
 ) -> LightField:
     """Opens a light field from a file or folder of any format in lippmann.formats(), with depth and cameras if the files state them.
 
@@ -541,6 +653,21 @@ def open(
     views: (rows, columns) of the grid, if the files do not state it.
     tiles: (rows, columns) of a quilt. Ignored for other formats, with a LippmannWarning.
     display: a name or a file, for the format "native". Ignored for other formats, with a LippmannWarning.
+
+    Cameras, for files that do not state them, such as stanford and eslf. Give the first three, or none:
+    baseline_mm: distance between neighbouring cameras; for stanford the mean distance.
+    focal_length_mm, sensor_width_mm: of each camera. sensor_width_mm is the width of a view on the sensor. None: 35.
+    focus_distance_mm: distance from the cameras to the plane where disparity is 0.
+
+    Lenses, for raw pictures of plenoptic cameras (format="plenoptic"). Other formats ignore them with a LippmannWarning:
+    white: a picture of uniform white light by the same camera. It removes the vignetting of the lenses, and gives the lens grid unless
+        lens_pitch_px is set.
+    lens_pitch_px, lens_row_pitch_px: distances between the lenses of a row, and between rows. lens_row_pitch_px=None: equally spaced.
+    lens_rotation_deg: clockwise rotation of the rows. None: 0.
+    lens_offset_px: (x, y) of the centre of any lens, from the top left corner. None: half a pitch from both edges.
+    lens_arrangement: None is "square".
+    sampling: interpolation between pixels.
+    inverted: True for lenses without a main lens, as of a display.
     """
     name = "" if format is None else choice(format, "format", list(formats()))
     where = _path(path, "path")
@@ -550,7 +677,62 @@ def open(
     grid = None if views is None else pair(views, "views", 1, 1 << 16)
     tiling = None if tiles is None else pair(tiles, "tiles", 1, 256)
     panel = None if display is None else display_of(display, "display")
+    options = _core.FormatOptions(grid, tiling, panel)
+    _state_cameras(options, baseline_mm, focal_length_mm, focus_distance_mm, sensor_width_mm)
+    lenses: Dict[str, Any] = {
+        "white": white,
+        "lens_pitch_px": lens_pitch_px,
+        "lens_row_pitch_px": lens_row_pitch_px,
+        "lens_rotation_deg": lens_rotation_deg,
+        "lens_offset_px": lens_offset_px,
+        "lens_arrangement": lens_arrangement,
+        "sampling": None if choice(sampling, "sampling", ("linear", "lanczos")) == "linear" else sampling,
+        "inverted": True if inverted else None,
+    }
+    lenses = {argument: value for argument, value in lenses.items() if value is not None}
+    if lenses:
+        with Naming():
+            options.set_plenoptic(_plenoptic_settings(**lenses))
     with Naming(os.fspath(file), stereo="path"):
-        core, optics, found = _core.open_light_field(file, name, grid, tiling, panel)
+        core, optics, found = _core.open_light_field(file, name, options)
     _warn_of_strays(tiling, panel, found)
+    if found != "plenoptic":
+        for argument in lenses:
+            warn_of_ignored(argument, "only the format 'plenoptic' uses it")
     return LightField._of_file(core, optics, os.fspath(file))
+
+
+def _state_cameras(options: _core.FormatOptions, baseline: Any, focal_length: Any, focus_distance: Any, sensor_width: Any) -> None:
+    cameras = {"baseline_mm": baseline, "focal_length_mm": focal_length, "focus_distance_mm": focus_distance}
+    if not _all_or_none(cameras):
+        if sensor_width is not None:
+            raise Error("baseline_mm", "is missing", "baseline_mm, focal_length_mm and focus_distance_mm with sensor_width_mm")
+        return
+    lengths = [positive(value, name) for name, value in cameras.items()]
+    width = 35.0 if sensor_width is None else positive(sensor_width, "sensor_width_mm")
+    options.set_cameras(lengths[0], lengths[1], width, lengths[2])
+
+
+def _plenoptic_settings(
+    white: Any = None,
+    lens_pitch_px: Any = None,
+    lens_row_pitch_px: Any = None,
+    lens_rotation_deg: Any = None,
+    lens_offset_px: Any = None,
+    lens_arrangement: str = "",
+    sampling: str = "linear",
+    inverted: bool = False,
+) -> _core.PlenopticSettings:
+    settings = _core.PlenopticSettings()
+    if white is not None:
+        settings.white = os.fsdecode(file_path(white, "white"))
+    if lens_pitch_px is not None:
+        settings.pitch_px = number(lens_pitch_px, "lens_pitch_px")
+    if lens_row_pitch_px is not None:
+        settings.row_pitch_px = number(lens_row_pitch_px, "lens_row_pitch_px")
+    if lens_rotation_deg is not None:
+        settings.rotation_deg = number(lens_rotation_deg, "lens_rotation_deg", -180.0, 180.0)
+    if lens_offset_px is not None:
+        settings.set_offset_px(*vector(lens_offset_px, "lens_offset_px", 2))
+    settings.arrangement, settings.lanczos, settings.inverted = lens_arrangement, sampling == "lanczos", inverted
+    return settings

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any, Dict, Optional
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ._errors import Error
 
@@ -33,13 +34,14 @@ def arrays_of(mesh: Any) -> Dict[str, Any]:
     return parts
 
 
-def texture_of(mesh: Any) -> Optional[np.ndarray]:
+def texture_of(mesh: Any) -> Optional[NDArray[Any]]:
+    """Returns the colour texture of a mesh of trimesh as (y, x, 4), uint8. Returns None if the mesh has no texture."""
     surface = getattr(getattr(mesh, "visual", None), "material", None)
     image = getattr(surface, "baseColorTexture", None) or getattr(surface, "image", None)
     return None if image is None else np.asarray(image.convert("RGBA"))
 
 
-def linear_light(srgb: np.ndarray) -> np.ndarray:
+def linear_light(srgb: NDArray[Any]) -> NDArray[Any]:
     """Converts sRGB values from 0 to 1 to linear light (IEC 61966-2-1)."""
     values = srgb.astype(np.float64)
     return np.where(values <= 0.04045, values / 12.92, ((values + 0.055) / 1.055) ** 2.4).astype(np.float32)

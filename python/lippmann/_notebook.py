@@ -8,6 +8,7 @@ import zlib
 from typing import Any, List
 
 import numpy as np
+from numpy.typing import NDArray
 
 from . import _core
 from ._errors import Error
@@ -15,7 +16,9 @@ from ._errors import Error
 _SIDE, _VIEWS = 320, 81  # longest side of a picture in pixels, and largest number of pictures
 
 
-def png(codes: np.ndarray) -> bytes:
+def png(codes: NDArray[Any]) -> bytes:
+    """Returns a PNG file of codes (y, x, 3), uint8."""
+
     def chunk(name: bytes, data: bytes) -> bytes:
         return struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
 
@@ -33,7 +36,7 @@ def png(codes: np.ndarray) -> bytes:
 class Shown:
     """A picture that notebooks display: `lippmann.show(field.refocus(10))`."""
 
-    def __init__(self, codes: np.ndarray) -> None:
+    def __init__(self, codes: NDArray[Any]) -> None:
         self.codes = codes
 
     def _repr_png_(self) -> bytes:
@@ -43,8 +46,8 @@ class Shown:
         return f"<lippmann picture of {self.codes.shape[1]}x{self.codes.shape[0]} pixels>"
 
 
-def _small(view: np.ndarray) -> np.ndarray:
-    """Returns the view as uint8 codes with at most _SIDE pixels per side, by averaging blocks of pixels."""
+def _small(view: NDArray[Any]) -> NDArray[Any]:
+    """Returns the view as uint8 codes, reduced to at most _SIDE pixels per side by averaging blocks of pixels."""
     step = max(1, -(-max(view.shape[:2]) // _SIDE))
     height, width = view.shape[0] // step * step, view.shape[1] // step * step
     if step > 1 and height and width:
@@ -57,16 +60,17 @@ def _small(view: np.ndarray) -> np.ndarray:
     return view
 
 
-def _codes(views: np.ndarray, view: np.ndarray) -> np.ndarray:
+def _codes(views: NDArray[Any], view: NDArray[Any]) -> NDArray[Any]:
     small = _small(view)
     if small.dtype == np.uint8:
         return np.ascontiguousarray(small)
     if views.dtype == np.float32:
-        return _core.codes_of(np.ascontiguousarray(small))
-    return np.rint(small / (1 if views.dtype == np.uint8 else 257)).astype(np.uint8)
+        return _core.codes_of(np.ascontiguousarray(small), _core.Tone(0.0, "none"))
+    codes: NDArray[Any] = np.rint(small / (1 if views.dtype == np.uint8 else 257)).astype(np.uint8)
+    return codes
 
 
-def _picture(codes: np.ndarray) -> str:
+def _picture(codes: NDArray[Any]) -> str:
     return "data:image/png;base64," + base64.b64encode(png(codes)).decode()
 
 
@@ -74,7 +78,8 @@ def _chosen(count: int, most: int) -> List[int]:
     return sorted({round(i) for i in np.linspace(0, count - 1, min(count, max(most, 1)))})
 
 
-def _shown_size(views: np.ndarray) -> str:
+def _shown_size(views: NDArray[Any]) -> str:
+    """Returns the CSS size of a view: its longest side is _SIDE pixels, so that small views are enlarged."""
     height, width = views.shape[2:4]
     scale = _SIDE / max(height, width)
     return f"width:{round(width * scale)}px;height:{round(height * scale)}px;image-rendering:{'pixelated' if scale > 2 else 'auto'}"

@@ -11,6 +11,7 @@ import os
 from typing import Any, Callable, List, Optional, Sequence, Tuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from . import _core
 from ._arguments import array, integer, number, pair, path_bytes, positive, text
@@ -196,25 +197,29 @@ def single_view(size: Tuple[int, int] = (512, 512), *, pixel_mm: float = 0.125, 
         return _core.single_view(panel, pixel, distance)
 
 
-def _middles(size: Tuple[int, int], samples_per_side: int) -> np.ndarray:
-    """Divides every pixel into samples_per_side squared parts. Returns (n, 2): the centres of the parts in pixels, row by row
-    from the top left."""
+def _middles(size: Tuple[int, int], samples_per_side: int) -> NDArray[Any]:
+    """Divides every pixel into samples_per_side x samples_per_side parts. Returns (n, 2): x and y of the centre of every part, in pixels,
+    row by row from the top left.
+    """
     y, x = np.mgrid[0 : size[0] * samples_per_side, 0 : size[1] * samples_per_side].astype(np.float32)
-    return np.stack([x.ravel() + 0.5, y.ravel() + 0.5], axis=1) / samples_per_side
+    middles: NDArray[Any] = np.stack([x.ravel() + 0.5, y.ravel() + 0.5], axis=1) / samples_per_side
+    return middles
 
 
-def _unit_directions(directions: np.ndarray) -> np.ndarray:
-    """Returns float32 unit vectors. Scales by the largest component first, so that squares neither overflow nor underflow."""
+def _unit_directions(directions: NDArray[Any]) -> NDArray[Any]:
+    """Returns the directions as float32 unit vectors. Scales each vector by its largest component first, so that the squares of very long
+    or short vectors neither overflow nor underflow.
+    """
     largest = np.abs(directions).max(axis=1, keepdims=True)
-    unit = directions / np.where(largest > 0, largest, 1.0)
+    unit: NDArray[Any] = directions / np.where(largest > 0, largest, 1.0)
     unit = (unit / np.maximum(np.linalg.norm(unit, axis=1, keepdims=True), 1.0)).astype(np.float32)
     if not (unit[:, 2] < 0).all():
         raise Error("rays: directions", "do not all have z below 0", "rays that point away from the viewer")
     return unit
 
 
-def _spread(directions: np.ndarray, rows: int) -> float:
-    """Returns the median distance between the rays of neighbouring points in a row, in mm per mm of depth."""
+def _spread(directions: NDArray[Any], rows: int) -> float:
+    """Returns the median distance by which the rays of neighbouring points in a row separate, in mm per mm of depth."""
     slopes = (directions[:, :2].astype(np.float64) / -directions[:, 2:]).reshape(rows, -1, 2)
     steps = np.linalg.norm(np.diff(slopes, axis=1), axis=2)
     return float(np.median(steps)) if steps.size else 0.0
@@ -232,7 +237,7 @@ def _pair_of(returned: Any) -> Sequence[Any]:
 
 
 def own_optics(
-    rays: Callable[[np.ndarray], Tuple[np.ndarray, np.ndarray]],
+    rays: Callable[[NDArray[Any]], Tuple[NDArray[Any], NDArray[Any]]],
     size: Tuple[int, int] = (256, 256),
     *,
     pixel_mm: float = 0.1,

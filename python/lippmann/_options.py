@@ -24,8 +24,11 @@ Layer = Literal[
     "indirect",
     "disparity",
 ]
+LensArrangement = Literal["square", "hexagonal", "hexagonal-columns"]
 Layout = Literal["views", "native"]
 Light = Literal["auto", "none"]
 Progress = Callable[[int, float], Any]
 Reuse = Literal["auto", "none", "copy", "interpolate"]
+Sampling = Literal["linear", "lanczos"]
+Tone = Literal["none", "neutral", "agx"]
 UpAxis = Literal["y", "x", "z", "-x", "-y", "-z"]

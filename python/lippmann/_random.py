@@ -7,6 +7,7 @@ import itertools
 from typing import Any, Iterable, Iterator, Optional, Tuple, Union
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ._arguments import integer, pair
 from ._light_field import LightField
@@ -33,7 +34,8 @@ def _material(rng: np.random.Generator, textured: float = 0.7) -> Material:
     )
 
 
-def _ball(rng: np.random.Generator, rings: int = 24, sectors: int = 48) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
+def _ball(rng: np.random.Generator, rings: int = 24, sectors: int = 48) -> Tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
+    """Returns the mesh of a ball with a random, wavy radius: positions, triangles, uvs."""
     v, u = np.meshgrid(np.linspace(0, 1, rings + 1), np.linspace(0, 1, sectors + 1), indexing="ij")
     theta, phi = np.pi * v, 2 * np.pi * u
     lumps = rng.uniform(0, 0.15, 3)
@@ -46,9 +48,8 @@ def _ball(rng: np.random.Generator, rings: int = 24, sectors: int = 48) -> Tuple
     return positions, triangles, np.stack([u, v], axis=-1).reshape(-1, 2)
 
 
-def _turn(rng: np.random.Generator) -> np.ndarray:
-    """Returns a uniformly distributed rotation as a quaternion: K. Shoemake, "Uniform random rotations", Graphics Gems III,
-    1992."""
+def _turn(rng: np.random.Generator) -> NDArray[Any]:
+    """Returns a quaternion, uniformly distributed over all rotations: K. Shoemake, "Uniform random rotations", Graphics Gems III, 1992."""
     a, b, c = rng.random(3)
     s, t = np.sqrt(1 - a), np.sqrt(a)
     return np.array([s * np.sin(2 * np.pi * b), s * np.cos(2 * np.pi * b), t * np.sin(2 * np.pi * c), t * np.cos(2 * np.pi * c)])

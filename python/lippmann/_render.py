@@ -9,7 +9,7 @@ from . import _core
 from ._arguments import choice, integer, number, path, text
 from ._errors import Error, Naming, warn_of_ignored
 from ._light_field import LightField
-from ._optics import Display, Optics, camera_grid, display_of
+from ._optics import Display, Optics, camera_grid, display_of, single_view
 from ._options import AngularFilter, Denoise, Environment, Integrator, Layer, Layout, Light, Progress, Reuse
 from ._scene import Scene, choose_camera, load, strength_and_turn, surround
 
@@ -22,10 +22,19 @@ class Animation:
     """
 
     def __init__(
-        self, core: Any, settings: Any, frames: Sequence[int], display: Optional[Display], progress: Optional[Progress]
+        self,
+        core: Any,
+        settings: Any,
+        frames: Sequence[int],
+        display: Optional[Display],
+        progress: Optional[Progress],
+        tests: Optional[Tuple[int, ...]],
     ) -> None:
-        """core: a _core.Frames. settings: the last three arguments of its constructor: sampling, reuse and threads."""
+        """core: a _core.Frames. settings: the last three arguments of its constructor: sampling, reuse and threads. tests: see
+        `test_frames`, or None without `cameras`.
+        """
         self._core, self._settings, self._frames, self._display, self._progress = core, settings, frames, display, progress
+        self._tests = tests
 
     def __len__(self) -> int:
         return len(self._frames)
@@ -36,7 +45,7 @@ class Animation:
 
     def __reduce__(self) -> Any:
         made_of = (self._core.scene, self._core.placement, *self._settings)
-        return _remade, (made_of, self._settings, self._frames, self._display, self._progress)
+        return _remade, (made_of, self._settings, self._frames, self._display, self._progress, self._tests)
 
     @overload
     def __getitem__(self, index: int) -> LightField: ...
@@ -46,7 +55,7 @@ class Animation:
 
     def __getitem__(self, index: Union[int, slice]) -> Union[LightField, "Animation"]:
         if isinstance(index, slice):
-            return Animation(self._core, self._settings, self._frames[index], self._display, self._progress)
+            return Animation(self._core, self._settings, self._frames[index], self._display, self._progress, self._tests)
         if not -len(self) <= index < len(self):
             raise IndexError(f"{index} is outside {len(self)} frames")
         return self._frame(self._frames[index])
@@ -56,10 +65,18 @@ class Animation:
             yield self._frame(frame)
 
     def _frame(self, frame: int) -> LightField:
-        progress = None if self._progress is None else lambda share: self._progress(frame, share)  # type: ignore[misc]
+        report = self._progress
+        progress = None if report is None else lambda share: report(frame, share)
         with Naming(optics="display"):
             film = self._core.frame(frame, progress)
-        return LightField._of_film(film, self._core.placement, self._display)
+        return LightField._of_film(film, self._core.placement, self._display, in_world=self._tests is not None)
+
+    @property
+    def test_frames(self) -> Tuple[int, ...]:
+        """Numbers of the frames for testing, if the frames have `cameras`: one in eight, chosen by `seed` as in the tool. The others
+        are for training. Empty without `cameras`.
+        """
+        return () if self._tests is None else tuple(frame for frame in self._frames if frame in self._tests)
 
 
 def _remade(made_of: Any, *rest: Any) -> Animation:
@@ -98,6 +115,7 @@ def frames(
     environment_strength: float = 1.0,
     environment_rotation_deg: float = 0.0,
     camera: Union[str, int, None] = None,
+    cameras: Optional[str] = None,
     transparent: bool = False,
     threads: int = 0,
     progress: Optional[Progress] = None,
@@ -143,23 +161,32 @@ def frames(
     environment_strength: factor of the environment's light. Without `environment` it is ignored, with a LippmannWarning.
     environment_rotation_deg: rotation about +y. Without `environment` it is ignored, with a LippmannWarning.
     camera: the camera that sets the view, by name or index in Scene.cameras. None: the first camera.
+    cameras: "sphere:N", "hemisphere:N" or "circle:N" shows the still scene from N cameras around it, one per frame, as
+        `lippmann render --cameras` does. Then `display` is a single view; None: lippmann.single_view(). Its field of view is that of the
+        scene's camera, or 45 degrees. LightField.world_from_camera is the pose in the scene. Animation.test_frames is the split.
     transparent: True hides the environment, which still lights the scene. LightField.alpha is the coverage.
     threads: number of threads. 0: one per processor. The number does not affect the result.
     progress: called as progress(frame, share) about every 50 ms, in the calling thread. An exception stops the render. The share starts
         again at 0 for every frame on which the requested frame depends.
+
+    These flags of `lippmann render` are not arguments of lippmann.frames:
+    --up, --variant, --animation, --texture-memory, --light-scale, --points and others that read a file: see lippmann.load.
+    --exposure, --tone, --precompensate, --crosstalk: see LightField.save, because arrays hold linear light.
+    --optics and its parameters: see lippmann.camera_grid, lippmann.optics and the other functions that make optics.
+    --order: it changes only the speed.
+    --splat, --fill, --halving, --no-z-buffer, --debug: they are variants of reuse="interpolate" for experiments.
     """
     if isinstance(scene, Scene):
         core = scene._core.copy()
     else:
         core = load(path(scene, "scene"))._core
-    if reuse == "light":
+    if str(reuse) == "light":
         accepted = "denoise='auto' (the default), reuse='auto' or 'none'"
         raise Error("reuse", "'light' was removed: path-traced frames are denoised instead", accepted)
     sharing = choice(reuse, "reuse", ("auto", "none", "copy", "interpolate"))
     named = "" if integrator is None else choice(integrator, "integrator", tuple(_core.integrator_names()))
     sampling = _core.Sampling(core, named, sharing == "interpolate")
     wanted = _layers(layers)
-    which = _which(frames, core.frame_count)
     if progress is not None and not callable(progress):
         raise Error("progress", f"is {progress!r}", "a function of frame and share")
     denoised = denoise if isinstance(denoise, bool) else choice(denoise, "denoise", ("auto", "none")) == "auto"
@@ -179,6 +206,11 @@ def frames(
     choice(light, "light", ("auto", "none"))
     core.move_near_origin()  # raises Error for an invalid scene
     choose_camera(core, camera)
+    tests = None
+    if cameras is not None:
+        tests = tuple(core.surround_with_cameras(text(cameras, "cameras"), key))
+        display = _one_view(display)
+    which = _which(frames, core.frame_count)
     if isinstance(environment, str) and environment == "none":
         environment, light = None, "none"
     factor, turn = strength_and_turn(environment_strength, environment_rotation_deg, "environment_")
@@ -193,7 +225,7 @@ def frames(
     native = choice(layout, "layout", ("views", "native")) == "native"
     if native and transparent:
         raise Error("transparent", "cannot be combined with layout='native'", "layout='views'")
-    placement, shown = _place(core, display, native, fit_depth, focus, fit_to, zoom, orbit)
+    placement, shown = _place(core, display, native, fit_depth, focus, fit_to, zoom, orbit, tests is not None)
     sampling.spp, sampling.max_depth, sampling.seed = samples, depth_limit, key
     sampling.denoise, sampling.transparent = denoised, bool(transparent)
     sampling.set_lens(*opening, focal_plane)
@@ -205,7 +237,16 @@ def frames(
     settings = sampling, chosen, workers
     with Naming(optics="display"):
         made = _core.Frames(core, placement, *settings)
-    return Animation(made, settings, which, shown, progress)
+    return Animation(made, settings, which, shown, progress, tests)
+
+
+def _one_view(display: Any) -> Optics:
+    """Returns the optics of frames with `cameras`."""
+    if display is None:
+        return single_view()
+    if not isinstance(display, Optics) or not display.is_single_view:
+        raise Error("display", "is not a single view, but `cameras` renders one view per frame", "lippmann.single_view(size)")
+    return display
 
 
 def render(
@@ -239,6 +280,7 @@ def render(
     environment_strength: float = 1.0,
     environment_rotation_deg: float = 0.0,
     camera: Union[str, int, None] = None,
+    cameras: Optional[str] = None,
     transparent: bool = False,
     threads: int = 0,
     progress: Optional[Progress] = None,
@@ -305,8 +347,11 @@ def _place(
     fit_to: str,
     zoom: float,
     orbit: Tuple[float, float],
+    at_camera: bool,
 ) -> Tuple[Any, Optional[Display]]:
-    """Returns the placement in the scene, and the Display. The Display is None if `display` is optics."""
+    """Returns the placement in the scene, and the Display. The Display is None if `display` is optics. at_camera: a single view gets the
+    distance of the scene's camera.
+    """
     try:
         yaw, pitch = orbit
     except (TypeError, ValueError):
@@ -323,7 +368,7 @@ def _place(
         if native:
             raise Error("layout", "'native' needs a display, but optics are given", "layout='views', or a display")
         with Naming(optics="display"):
-            return _core.place(core, optics, fit, wish), None
+            return _core.place(core, optics, fit, wish, at_camera), None
     if not isinstance(optics, (Display, str, os.PathLike)):
         raise Error("display", f"is {optics!r}", "a name, a file, a lippmann.Display or optics")
     shown = display_of(optics, "display")

@@ -10,9 +10,10 @@ import hashlib
 import math
 import os
 from dataclasses import dataclass
-from typing import Any, Dict, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, Literal, Optional, Sequence, Tuple, Union
 
 import numpy as np
+from numpy.typing import NDArray
 
 from . import _core
 from ._arguments import array, choice, file_path, indices, integer, number, path_bytes, positive, text, vector
@@ -55,7 +56,7 @@ class Material:
     alpha: float = 1.0
     double_sided: bool = True
     unlit: bool = False
-    texture: Optional[np.ndarray] = None
+    texture: Optional[NDArray[Any]] = None
 
 
 @dataclass
@@ -174,7 +175,7 @@ class Scene:
         """The names of the cameras, by index. The first one sets the view by default."""
         return tuple(self._core.camera_names)
 
-    def bounds(self, frame: int = 0) -> Optional[np.ndarray]:
+    def bounds(self, frame: int = 0) -> Optional[NDArray[Any]]:
         """Returns (2, 3): the lowest and the highest coordinates of all finite shapes. Returns None if there are no finite shapes."""
         return self._core.bounds(integer(frame, "frame", 0, self.frame_count - 1))
 
@@ -475,15 +476,16 @@ class Scene:
         surface.double_sided, surface.unlit = flags
         return self._materials.setdefault(key, self._core.add_material(surface))
 
-    def _texture(self, rgba: np.ndarray) -> int:
-        """Returns the index of a texture (y, x, 4). Textures with equal pixels share an index. Compares pixels, not arrays,
-        because the caller may change an array between two calls."""
+    def _texture(self, rgba: NDArray[Any]) -> int:
+        """Returns the index of a texture (y, x, 4). Textures with equal pixels share an index. The pixels are compared, not the arrays,
+        because the caller may change an array between two calls.
+        """
         key = rgba.shape, hashlib.blake2b(rgba.data, digest_size=32).digest()
         if key not in self._textures:
             self._textures[key] = self._core.add_texture(rgba, True)
         return self._textures[key]
 
-    def _carried(self, skin: Skin, vertices: int) -> Tuple[Sequence[int], np.ndarray, np.ndarray]:
+    def _carried(self, skin: Skin, vertices: int) -> Tuple[Sequence[int], NDArray[Any], NDArray[Any]]:
         """Checks a skin. Returns the nodes of its joints, its indices, and its weights normalised to sum 1."""
         if not isinstance(skin, Skin):
             raise Error("skin", f"is {skin!r}", "a lippmann.Skin")
@@ -526,6 +528,7 @@ def load(
     variant: str = "",
     up: UpAxis = "y",
     light_scale: float = 1.0,
+    points: Union[float, Literal["auto"]] = "auto",
 ) -> Scene:
     """Opens a built-in scene by name, or a file: .gltf, .glb, .dat, .nff, .obj, .ply. A missing file raises an Error that is also a
     FileNotFoundError.
@@ -539,20 +542,22 @@ def load(
     variant: the material variant of a glTF file, by name or index.
     up: the axis of the file that points up.
     light_scale: factor of the light of all lamps.
+    points: diameter of the points of a .ply point cloud, in its units. "auto": chosen from their spacing.
     """
     where = path_bytes(name, "name")
-    options: Tuple[Union[str, bytes], float, Union[str, bytes], str, str, int] = (
-        "" if camera_path is None else path_bytes(camera_path, "camera_path"),
-        number(frames_per_second, "frames_per_second", 0.0, 1e4),
-        "" if asset_root is None else path_bytes(asset_root, "asset_root"),
-        text(animation, "animation"),
-        text(variant, "variant"),
-        integer(texture_memory_mb, "texture_memory_mb", 1, 1 << 20) << 20,
-    )
+    options = _core.LoadOptions()
+    if camera_path is not None:
+        options.camera_path = path_bytes(camera_path, "camera_path")
+    options.frames_per_second = number(frames_per_second, "frames_per_second", 0.0, 1e4)
+    if asset_root is not None:
+        options.asset_root = path_bytes(asset_root, "asset_root")
+    options.animation, options.variant = text(animation, "animation"), text(variant, "variant")
+    options.texture_bytes = integer(texture_memory_mb, "texture_memory_mb", 1, 1 << 20) << 20
+    options.point_size = 0.0 if points == "auto" else number(points, "points", 1e-12, 1e12)
     axis = _UP_AXES.index(choice(up, "up", _UP_AXES))
     factor = number(light_scale, "light_scale", 0.0, 1e6)
     with Reading(os.fsdecode(where)):
-        core = _core.load_scene(where, *options)
+        core = _core.load_scene(where, options)
     core.turn_upright(axis)
     core.scale_lamps(factor)
     return Scene._of(core, True)
@@ -573,9 +578,10 @@ def strength_and_turn(strength: Any, rotation_deg: Any, prefix: str = "") -> Tup
     return number(strength, prefix + "strength", 0.0, 1e6), number(rotation_deg, prefix + "rotation_deg", -1e6, 1e6)
 
 
-def surround(core: Any, light: Any, factor: float, turn: float, name: str) -> None:
-    """Sets the environment of a scene. light: "studio", a panorama (a file or an array (y, x, 3)), or one colour (3 numbers).
-    name: of the argument, for errors."""
+def surround(core: _core.Scene, light: Any, factor: float, turn: float, name: str) -> None:
+    """Sets the environment of a scene. light: "studio", a panorama (a file or an array (y, x, 3)), or one colour (3 numbers). name: name
+    of the argument, for errors.
+    """
     if isinstance(light, str) and light == "studio":
         return core.surround_with_studio(factor, turn)
     if isinstance(light, (str, bytes, os.PathLike)):
@@ -621,15 +627,16 @@ def _light(value: Any, name: str) -> Tuple[float, ...]:
 
 
 
-def _direction(value: Any, name: str) -> np.ndarray:
+def _direction(value: Any, name: str) -> NDArray[Any]:
     direction = np.array(vector(value, name))
     length = np.linalg.norm(direction)
     if not length > 0:
         raise Error(name, "has no length", "a direction")
-    return direction / length
+    direction /= length
+    return direction
 
 
-def _along(position: Sequence[float], target: Any, direction: Any, default: Sequence[float]) -> np.ndarray:
+def _along(position: Sequence[float], target: Any, direction: Any, default: Sequence[float]) -> NDArray[Any]:
     if target is not None and direction is not None:
         raise Error("direction", "is given, and so is target", "one of the two")
     if target is None:
@@ -638,10 +645,11 @@ def _along(position: Sequence[float], target: Any, direction: Any, default: Sequ
     length = np.linalg.norm(along)
     if not length > 0:
         raise Error("target", "is the position", "another point")
-    return along / length
+    along /= length
+    return along
 
 
-def _rotation_towards(along: np.ndarray) -> Tuple[float, float, float, float]:
+def _rotation_towards(along: NDArray[Any]) -> Tuple[float, float, float, float]:
     """Returns the quaternion x, y, z, w that rotates -z to `along` and keeps +y upwards."""
     back = -along
     right = np.cross(_UP, back)
@@ -651,16 +659,18 @@ def _rotation_towards(along: np.ndarray) -> Tuple[float, float, float, float]:
     return tuple(float(q) for q in _quaternions(np.stack([right, np.cross(back, right), back], axis=1)[None])[0])  # type: ignore
 
 
-def _unit(vectors: np.ndarray, name: str) -> np.ndarray:
+def _unit(vectors: NDArray[Any], name: str) -> NDArray[Any]:
     lengths = np.linalg.norm(vectors, axis=-1, keepdims=True)
     if not (lengths > 0).all():
         raise Error(name, f"has no length at {int(np.argmin(lengths))}", "vectors with a length")
-    return (vectors / lengths).astype(np.float32)
+    unit: NDArray[Any] = (vectors / lengths).astype(np.float32)
+    return unit
 
 
-def _quaternions(rotations: np.ndarray) -> np.ndarray:
-    """Converts rotation matrices (n, 3, 3) to quaternions x, y, z, w. Computes the largest component first, for accuracy
-    (Shepperd, "Quaternion from rotation matrix", 1978)."""
+def _quaternions(rotations: NDArray[Any]) -> NDArray[Any]:
+    """Converts rotation matrices (n, 3, 3) to quaternions x, y, z, w. Computes the largest component first, for accuracy (Shepperd,
+    "Quaternion from rotation matrix", 1978).
+    """
     result = np.empty((len(rotations), 4))
     for q, m in zip(result, rotations):
         trace = np.trace(m)
@@ -676,9 +686,8 @@ def _quaternions(rotations: np.ndarray) -> np.ndarray:
     return result
 
 
-def _parts_of(matrices: np.ndarray) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Decomposes matrices (n, 4, 4) into translations, quaternions and scales. Raises Error for other transforms, such as
-    shear."""
+def _parts_of(matrices: NDArray[Any]) -> Tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
+    """Decomposes matrices (n, 4, 4) into translations, quaternions and scales. Raises Error for other transforms, such as shear."""
     wanted = "a scale, then a rotation, then a translation"
     if np.abs(matrices[:, 3] - (0, 0, 0, 1)).max() > 1e-6:
         raise Error("matrices", "have a last row that is not 0, 0, 0, 1", wanted)
@@ -696,7 +705,7 @@ def _parts_of(matrices: np.ndarray) -> Tuple[np.ndarray, np.ndarray, np.ndarray]
     return matrices[:, :3, 3], _quaternions(rotations), scales
 
 
-def _rgba(texture: Any) -> np.ndarray:
+def _rgba(texture: Any) -> NDArray[Any]:
     wanted = "uint8 of the shape (y, x, 3) or (y, x, 4)"
     given = np.asarray(texture)
     if given.dtype != np.uint8:

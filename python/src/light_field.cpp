@@ -9,11 +9,15 @@
 #include "lippmann/core/parallel.hpp"
 #include "lippmann/display/display.hpp"
 #include "lippmann/image/encode.hpp"
+#include "lippmann/image/tone.hpp"
 #include "lippmann/layout/formats.hpp"
 #include "lippmann/layout/interlace.hpp"
 #include "lippmann/layout/open_light_field.hpp"
+#include "lippmann/layout/plenoptic_calibration.hpp"
+#include "lippmann/layout/precompensate.hpp"
 #include "lippmann/optics/crosstalk.hpp"
 #include "lippmann/optics/viewing.hpp"
+#include "lippmann/replay/disparity.hpp"
 #include "lippmann/replay/epipolar_image.hpp"
 #include "lippmann/replay/eye_view.hpp"
 #include "lippmann/replay/light_field_frames.hpp"
@@ -121,10 +125,32 @@ void set_cameras(LightField& field, double distance_mm, std::array<double, 2> ba
   field.cameras = std::move(cameras);
 }
 
+/// world_from_camera: a matrix (4, 4) for each view. intrinsics: fx, fy, cx, cy of each view.
+void set_poses(LightField& field, const Array<double>& world_from_camera, const Array<double>& intrinsics) {
+  const int views = field.grid.count();
+  require_shape(world_from_camera, {views, 4, 4}, "world_from_camera");
+  require_shape(intrinsics, {views, 4}, "intrinsics_px");
+  std::vector<PosedCamera> cameras;
+  for (int view = 0; view < views; ++view) {
+    const double* matrix = world_from_camera.data() + 16 * view;
+    const double* lengths = intrinsics.data() + 4 * view;
+    const double rows[9] = {matrix[0], matrix[1], matrix[2], matrix[4], matrix[5], matrix[6], matrix[8], matrix[9], matrix[10]};
+    const std::string where = "world_from_camera: (" + std::to_string(view / field.grid.columns) + ", " +
+                              std::to_string(view % field.grid.columns) + ")";
+    cameras.push_back({field.view_size,
+                       {lengths[0], lengths[1]},
+                       {lengths[2], lengths[3]},
+                       checked_rotation(rows, where),
+                       {matrix[3], matrix[7], matrix[11]}});
+  }
+  field.poses = std::move(cameras);
+}
+
 /// Converts the views from linear floats to codes of 8 or 16 bits.
-SharedField with_codes(const LightField& field, int bits) {
+SharedField with_codes(const LightField& field, int bits, const Tone& tone) {
   auto copy = std::make_shared<LightField>(field);
-  const Image linear = to_linear(std::move(copy->stack));
+  Image linear = to_linear(std::move(copy->stack));
+  apply_tone(tone, linear);
   if (bits == 8)
     copy->stack = to_codes(linear, Encoding::kSrgb);
   else
@@ -132,26 +158,35 @@ SharedField with_codes(const LightField& field, int bits) {
   return copy;
 }
 
-FormatOptions options_of(const std::optional<Pair>& views, const std::optional<Pair>& tiles,
-                         const std::optional<Display>& display) {
+std::optional<ViewGrid> grid_of(const std::optional<Pair>& pair) {
+  return pair ? std::optional(ViewGrid{(*pair)[1], (*pair)[0]}) : std::nullopt;
+}
+
+FormatOptions format_options(const std::optional<Pair>& views, const std::optional<Pair>& tiles,
+                             const std::optional<Display>& display) {
   FormatOptions options;
-  if (views) options.views = ViewGrid{(*views)[1], (*views)[0]};
-  if (tiles) options.tiles = ViewGrid{(*tiles)[1], (*tiles)[0]};
-  options.display = display;
+  options.views = grid_of(views), options.tiles = grid_of(tiles), options.display = display;
   options.with_depth = true;
   return options;
 }
 
+void set_stated_cameras(FormatOptions& options, double baseline_mm, double focal_length_mm, double sensor_width_mm,
+                        double focus_distance_mm) {
+  options.cameras = StatedCameras{baseline_mm, focal_length_mm, sensor_width_mm, focus_distance_mm};
+}
+
+void set_plenoptic(FormatOptions& options, const PlenopticSettings& settings) {
+  const py::gil_scoped_release release;
+  options.plenoptic = read_plenoptic_settings(settings).calibration;
+}
+
 std::vector<std::filesystem::path> save(const LightField& field, const std::filesystem::path& path, const std::string& format,
-                                        const std::optional<Pair>& tiles, const std::optional<Display>& display) {
-  const FormatOptions options = options_of(std::nullopt, tiles, display);
+                                        const FormatOptions& options) {
   const py::gil_scoped_release release;
   return find_format(format, "format").write(field, path, options);
 }
 
-py::tuple open(const std::filesystem::path& path, const std::string& format, const std::optional<Pair>& views,
-               const std::optional<Pair>& tiles, const std::optional<Display>& display) {
-  FormatOptions options = options_of(views, tiles, display);
+py::tuple open(const std::filesystem::path& path, const std::string& format, FormatOptions options) {
   OpenedLightField opened;
   Interruptible(0).run(py::none(), [&](const Context& context) {
     options.warn = context.warn;
@@ -212,6 +247,18 @@ py::array panel_array(const SharedPanel& panel) {
   return view_of(picture.data.data(), {picture.height, picture.width, picture.channels}, panel);
 }
 
+/// Writes the picture as sRGB codes, or as linear floats to .exr, which `tone` does not change.
+void write_panel(const RenderedPanel& panel, const std::filesystem::path& path, const Tone& tone,
+                 std::optional<double> crosstalk_px) {
+  const py::gil_scoped_release release;
+  const bool is_linear = path.extension() == ".exr";
+  Image picture = panel.picture;
+  if (!is_linear) apply_tone(tone, picture);
+  if (crosstalk_px) precompensate(panel.optics, *crosstalk_px, "precompensate", picture);
+  if (is_linear) return write_picture(path, picture);
+  write_picture(path, to_codes(picture, Encoding::kSrgb));
+}
+
 template <class Function>
 py::array epipolar(const RenderedPanel& panel, int line, Function function) {
   Image picture;
@@ -226,18 +273,50 @@ std::vector<std::pair<std::string, std::string>> format_lines() {
   return lines;
 }
 
-py::array codes_of(const Array<float>& linear) {
-  const Image8 codes = to_codes(image_of(linear, 3, "picture"), Encoding::kSrgb);
+py::array codes_of(const Array<float>& linear, const Tone& tone) {
+  Image toned = image_of(linear, 3, "picture");
+  apply_tone(tone, toned);
+  const Image8 codes = to_codes(toned, Encoding::kSrgb);
   return moved(std::vector<std::uint8_t>(codes.rgb), {codes.height, codes.width, 3});
+}
+
+Tone tone_named(float exposure_ev, const std::string& curve) {
+  const auto found = std::find(kToneNames.begin(), kToneNames.end(), curve);
+  if (found == kToneNames.end()) throw Error("tone", "is '" + curve + "'", "none, neutral or agx");
+  return {exposure_ev, static_cast<ToneCurve>(found - kToneNames.begin())};
+}
+
+void bind_options(py::module_& module) {
+  py::class_<Tone>(module, "Tone").def(py::init(&tone_named)).def_property_readonly("is_identity", &Tone::is_identity);
+  module.attr("tone_names") = py::tuple(py::cast(std::vector<std::string>(kToneNames.begin(), kToneNames.end())));
+  py::class_<PlenopticSettings>(module, "PlenopticSettings")
+      .def(py::init())
+      .def_readwrite("white", &PlenopticSettings::white)
+      .def_readwrite("pitch_px", &PlenopticSettings::pitch_px)
+      .def_readwrite("row_pitch_px", &PlenopticSettings::row_pitch_px)
+      .def_readwrite("rotation_deg", &PlenopticSettings::rotation_deg)
+      .def("set_offset_px",
+           [](PlenopticSettings& settings, double x, double y) {
+             settings.offset_px = {x, y};
+           })
+      .def_readwrite("arrangement", &PlenopticSettings::arrangement)
+      .def_readwrite("lanczos", &PlenopticSettings::lanczos)
+      .def_readwrite("inverted", &PlenopticSettings::inverted);
+  py::class_<FormatOptions>(module, "FormatOptions")
+      .def(py::init(&format_options))
+      .def("set_cameras", &set_stated_cameras)
+      .def("set_plenoptic", &set_plenoptic);
 }
 
 }  // namespace
 
 void bind_light_field(py::module_& module) {
+  bind_options(module);
   py::class_<LightField, SharedField>(module, "Views")
       .def(py::init(&field_of))
       .def(pickled<LightField>())
       .def("set_cameras", &set_cameras)
+      .def("set_poses", &set_poses)
       .def_property_readonly("views", &views_array)
       .def_property_readonly("depth", &depth_of_views)
       .def_property_readonly("cameras", &cameras_of)
@@ -251,7 +330,10 @@ void bind_light_field(py::module_& module) {
       .def(pickled<RenderedPanel>())
       .def_property_readonly("picture", &panel_array)
       .def_property_readonly("optics", [](const RenderedPanel& p) { return p.optics; })
+      .def("write", &write_panel)
       .def("refocus", &refocused)
+      .def("depth_of_disparity", [](const RenderedPanel& p,
+                                    double disparity_px) { return depth_of_disparity_px(p.optics, disparity_px, "disparity"); })
       .def("eye", &seen)
       .def("epi_row", [](const RenderedPanel& p, int row) { return epipolar(p, row, epipolar_row); })
       .def("epi_column", [](const RenderedPanel& p, int column) { return epipolar(p, column, epipolar_column); });

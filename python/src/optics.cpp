@@ -149,6 +149,7 @@ void bind_display(py::module_& module) {
       .def_property_readonly("tiles", &tiles_of, "[rows, columns] of its quilt; None: it has none.")
       .def_property_readonly("aspect", &aspect_of, "Width / height.")
       .def_readonly("crosstalk_px", &Display::crosstalk_px, "Blur of its lenses: sigma in pixels of the panel; None: unknown.");
+  module.def("crosstalk_of_picture", &crosstalk_of_picture);
   module.def("load_display", &load_display);
   module.def("display_from_toml", [](const std::string& text) { return display_from_toml(text, "text"); });
   module.def("display_presets", &display_presets);
@@ -165,6 +166,8 @@ void bind_optics(py::module_& module) {
       .def_property_readonly(
           "is_views", [](const Optics& o) { return view_tiles(o).has_value(); },
           "Whether the picture consists of views side by side.")
+      .def_property_readonly(
+          "is_single_view", [](const Optics& o) { return is_single_view(o); }, "Whether the picture is a single view.")
       .def_property_readonly("window_mm", &window_of, "[height, width] of the visible part of the display's plane.")
       .def_property_readonly("default_eye_mm", &eye_of, "[x, y, z]: the intended viewing position.")
       .def_property_readonly("depth_budget_mm", &depth_budget_mm,
@@ -203,9 +206,10 @@ void bind_optics(py::module_& module) {
       .def_property_readonly("depth_scale", [](const Placement& p) { return p.placed.depth_scale; })
       .def_property_readonly("how", [](const Placement& p) { return decoded(p.array.how); });
   py::class_<ViewWish>(module, "ViewWish").def(py::init(&wish_of)).def(pickled<ViewWish>());
-  module.def("place", [](const Scene& scene, const Optics& optics, std::optional<bool> fit_depth, const ViewWish& view) {
-    return place(scene, optics, PlacementWish{view, fit_depth});
-  });
+  module.def("place",
+             [](const Scene& scene, const Optics& optics, std::optional<bool> fit_depth, const ViewWish& view, bool at_camera) {
+               return place(scene, optics, PlacementWish{view, fit_depth, at_camera});
+             });
   module.def("place_display",
              [](const Scene& scene, const Display& display, bool native, std::optional<bool> fit_depth, const ViewWish& view) {
                return place(scene, display, native ? DisplayPicture::kNative : DisplayPicture::kQuilt, {view, fit_depth});

@@ -11,8 +11,10 @@
 #include "lippmann/core/error.hpp"
 #include "lippmann/image/encode.hpp"
 #include "lippmann/image/picture_file.hpp"
+#include "lippmann/image/tone.hpp"
 #include "lippmann/layout/film_views.hpp"
 #include "lippmann/layout/light_field.hpp"
+#include "lippmann/layout/precompensate.hpp"
 #include "lippmann/replay/rendered_panel.hpp"
 #include "lippmann/scene/timeline.hpp"
 #include "lippmann/trace/aovs.hpp"
@@ -49,18 +51,30 @@ auto with_picture(const Film& film, Use use) {
 
 bool is_transparent(const Film& film) { return film.frame.pictures.aovs.wants(Aov::kAlpha); }
 
-/// Returns codes with straight alpha (colours not multiplied by alpha), as `lippmann render` writes them.
-Image8 transparent_codes(const Film& film) {
-  Image picture = picture_of_film(film.frame.pictures.film, film.optics);
-  const Image alpha = picture_of_layer(film.frame.pictures.aovs[Aov::kAlpha], film.optics);
-  divide_by_alpha(alpha, picture);
+/// How `lippmann render` develops a picture: tone, and the crosstalk (a sigma in pixels) to correct.
+struct Development {
+  Tone tone;
+  std::optional<double> crosstalk_px;
+  bool is_none() const { return tone.is_identity() && !crosstalk_px; }
+};
+
+/// Returns codes as `lippmann render` writes them. Those of a transparent frame have straight alpha (colours not multiplied by
+/// alpha).
+Image8 developed_codes(const Film& film, const Development& development) {
+  const FramePictures& pictures = film.frame.pictures;
+  Image light = pictures.film;
+  if (is_transparent(film)) divide_by_alpha(pictures.aovs[Aov::kAlpha], light);
+  apply_tone(development.tone, light);  // before sub-pixels of different rays are joined
+  Image picture = picture_of_film(light, film.optics);
+  if (development.crosstalk_px)
+    precompensate_encoded(film.optics, *development.crosstalk_px, film.encoding, "precompensate", picture);
   Image8 codes = to_codes(picture, film.encoding);
-  codes.alpha = alpha_codes(alpha);
+  if (is_transparent(film)) codes.alpha = alpha_codes(picture_of_layer(pictures.aovs[Aov::kAlpha], film.optics));
   return codes;
 }
 
-Image8 film_codes(const Film& film) {
-  if (is_transparent(film)) return transparent_codes(film);
+Image8 film_codes(const Film& film, const Development& development = {}) {
+  if (is_transparent(film) || !development.is_none()) return developed_codes(film, development);
   return with_picture(film, [&](const Image& picture) { return to_codes(picture, film.encoding); });
 }
 
@@ -82,11 +96,14 @@ py::array codes_of_film(const Film& film) {
   return moved(std::move(codes.rgb), {codes.height, codes.width, 3});
 }
 
-/// Writes the picture as `lippmann render` does: linear floats to .exr, otherwise sRGB codes.
-void write(const Film& film, const std::filesystem::path& path) {
+/// Writes the picture as `lippmann render` does: linear floats to .exr, otherwise sRGB codes. `tone` has no effect on .exr.
+void write(const Film& film, const std::filesystem::path& path, const Tone& tone, std::optional<double> crosstalk_px) {
   const py::gil_scoped_release release;
-  if (path.extension() != ".exr") return write_picture(path, film_codes(film));
-  with_picture(film, [&](const Image& picture) { write_picture(path, picture); });
+  if (path.extension() != ".exr") return write_picture(path, film_codes(film, {tone, crosstalk_px}));
+  if (!crosstalk_px) return with_picture(film, [&](const Image& picture) { write_picture(path, picture); });
+  Image picture = picture_of_film(film.frame.pictures.film, film.optics);
+  precompensate_encoded(film.optics, *crosstalk_px, film.encoding, "precompensate", picture);
+  write_picture(path, picture);
 }
 
 const Image& required_layer(const Film& film, const std::string& name) {
@@ -113,11 +130,14 @@ py::array layer_of_views(const Film& film, const std::string& name, int views) {
   return moved(std::move(stack.data), {views, stack.height / views, stack.width, stack.channels});
 }
 
-std::shared_ptr<LightField> views_of_film(const Film& film) {
+/// in_world: the cameras get their poses in the world, and the depth is in their frames.
+std::shared_ptr<LightField> views_of_film(const Film& film, bool in_world) {
   const py::gil_scoped_release release;
   const FramePictures& pictures = film.frame.pictures;
   const Image& depth = pictures.aovs[Aov::kDepth];
-  return std::make_shared<LightField>(light_field_of(pictures.film, film.optics, depth.width > 0 ? &depth : nullptr));
+  auto field = std::make_shared<LightField>(light_field_of(pictures.film, film.optics, depth.width > 0 ? &depth : nullptr));
+  if (in_world) place_in_world(*field, film.world_from_display, film.origin);
+  return field;
 }
 
 /// Returns the picture and the optics for simulated eyes, with full parallax even if `fit_depth` reduced it.

@@ -14,6 +14,7 @@
 #include "lippmann/scene/load.hpp"
 #include "lippmann/scene/origin.hpp"
 #include "lippmann/scene/timeline.hpp"
+#include "lippmann/stage/camera_set.hpp"
 #include "lippmann/stage/choose_camera.hpp"
 #include "lippmann/stage/environment_file.hpp"
 #include "lippmann/stage/lighting.hpp"
@@ -34,16 +35,7 @@ int add(std::vector<T>& elements, T element) {
   return static_cast<int>(elements.size()) - 1;
 }
 
-SharedScene load(const std::string& name, const std::string& camera_path, double frames_per_second,
-                 const std::string& asset_root, const std::string& animation, const std::string& variant,
-                 std::uint64_t texture_bytes) {
-  LoadOptions options;
-  if (!camera_path.empty()) options.camera_path = camera_path;
-  options.frames_per_second = frames_per_second;
-  options.asset_root = asset_root;
-  options.animation = animation;
-  options.variant = variant;
-  options.texture_bytes = texture_bytes;
+SharedScene load(const std::string& name, const LoadOptions& options) {
   SharedScene scene;
   Interruptible(0).run(py::none(),
                        [&](const Context& context) { scene = std::make_shared<Scene>(load_scene(name, options, context)); });
@@ -255,6 +247,17 @@ std::vector<std::pair<std::string, std::string>> builtin_scene_lines() {
   return lines;
 }
 
+/// Replaces the cameras as `render --cameras` does. Returns the frames of the test cameras.
+std::vector<int> surround(Scene& scene, const std::string& cameras, std::uint32_t seed) {
+  const CameraSet set = read_camera_set(cameras, "cameras");
+  surround_with_cameras(scene, set);
+  const std::vector<bool> is_test = test_cameras(set.count, seed);
+  std::vector<int> tests;
+  for (int frame = 0; frame < set.count; ++frame)
+    if (is_test[static_cast<std::size_t>(frame)]) tests.push_back(frame);
+  return tests;
+}
+
 }  // namespace
 
 void bind_scene(py::module_& module) {
@@ -283,8 +286,18 @@ void bind_scene(py::module_& module) {
       .def_property_readonly("instance_names", [](const Scene& s) { return names_of(s.instances); })
       .def_property_readonly("camera_names", [](const Scene& s) { return names_of(s.cameras); })
       .def("choose_camera", [](Scene& s, const std::string& name) { choose_camera(s, name); })
-      .def("choose_camera_at", [](Scene& s, std::size_t index) { choose_camera(s, index); });
+      .def("choose_camera_at", [](Scene& s, std::size_t index) { choose_camera(s, index); })
+      .def("surround_with_cameras", &surround);
   bind_elements(scene);
+  py::class_<LoadOptions>(module, "LoadOptions")
+      .def(py::init())
+      .def_readwrite("camera_path", &LoadOptions::camera_path)
+      .def_readwrite("frames_per_second", &LoadOptions::frames_per_second)
+      .def_readwrite("asset_root", &LoadOptions::asset_root)
+      .def_readwrite("animation", &LoadOptions::animation)
+      .def_readwrite("variant", &LoadOptions::variant)
+      .def_readwrite("texture_bytes", &LoadOptions::texture_bytes)
+      .def_readwrite("point_size", &LoadOptions::point_size);
   module.def("load_scene", &load);
   module.def("builtin_scenes", &builtin_scene_lines);
 }

@@ -1,8 +1,11 @@
 """Tests that Python and the tool write and read the same files, in all formats."""
 
 import errno
-import pickle
+import json
 import os
+import pathlib
+import pickle
+import shutil
 
 import numpy as np
 
@@ -20,7 +23,8 @@ class Files(Case):
             with self.subTest(name):
                 path = self.folder / (name + (".png" if name in ("eslf", "quilt", "integral") else ""))
                 files = field.save(path, name)
-                again = lippmann.open(files[0] if name == "quilt" else path, format=name, views=(3, 3))
+                given = {} if name == "quilt" else {"format": name, "views": (3, 3)}
+                again = lippmann.open(files[0] if name == "quilt" else path, **given)
                 self.assertSame(again.views, lippmann.to_codes(field.views))
                 if name == "hci":
                     # The files are 9 views with depth and disparity, two more maps of the middle view, and parameters.cfg.
@@ -130,6 +134,19 @@ class Files(Case):
         (self.folder / "file").touch()
         wrong = self.assertWrong(str(self.folder / "file"), field.save, self.folder / "file/deep/a.png", "quilt")
         self.assertIn("cannot be created", wrong.problem)
+
+    def test_quilts_keep_their_grid(self):
+        views = np.random.default_rng(1).integers(0, 256, (5, 4, 8, 12, 3), dtype=np.uint8)
+        field = lippmann.LightField(views)
+        for tiles in (None, (2, 10)):
+            (quilt, side) = field.save(self.folder / "q.png", "quilt", tiles=tiles)
+            self.assertSame(lippmann.open(quilt).views, views)
+            self.assertEqual(json.loads(pathlib.Path(side).read_text())["grid"], {"columns": 4, "rows": 5})
+            tool("convert", quilt, self.folder / "stanford", "--to", "stanford")
+            self.assertSame(lippmann.open(self.folder / "stanford").views, views)
+            shutil.rmtree(self.folder / "stanford")
+        os.remove(side)
+        self.assertEqual(lippmann.open(quilt).shape, (1, 20, 8, 12, 3))  # the name states only the tiles
 
     def test_pictures_of_arrays_are_quilts(self):
         views = np.random.default_rng(1).integers(0, 256, (1, 3, 8, 8, 3), dtype=np.uint8)

@@ -20,11 +20,8 @@ RENAMED = {"aperture": "aperture_mm", "focal-plane": "focal_plane_mm", "environm
            "texture-memory": "texture_memory_mb", "fps": "frames_per_second", "scene": "name"}
 LEFT_OUT = {
     "order",  # changes only the speed
-    "exposure", "tone",  # apply to pictures of codes, but arrays have linear light
     "splat", "fill", "halving", "no-z-buffer", "debug",  # variants of `--reuse interpolate` for experiments
     "job",  # reads options from a file
-    "cameras",  # makes whole data sets on disk
-    "points",  # for PLY files without faces
     "sensor-width", "focal-length", "gap", "lens-focal-length",  # parameters of lippmann.optics("plenoptic", ...)
 }
 
@@ -45,11 +42,21 @@ class Options(Case):
     def test_options_equal_the_tools(self):
         options = tool_options()
         self.assertLessEqual(set(GROUPS), set(options))
-        has = {name for function in (lippmann.load, lippmann.render, lippmann.frames) for name in inspect.signature(function).parameters}
+        functions = (lippmann.load, lippmann.render, lippmann.frames, lippmann.LightField.save)  # save turns linear light into codes
+        has = {name for function in functions for name in inspect.signature(function).parameters}
         for group in GROUPS:
             for name in sorted(options[group] - LEFT_OUT):
                 self.assertIn(RENAMED.get(name, name.replace("-", "_")), has, f"--{name} of {group}")
         self.assertEqual(LEFT_OUT - set().union(*options.values()), set(), "these are left out, but the tool has no such options")
+
+    def test_points_have_the_stated_diameter(self):
+        cloud = self.folder / "cloud.ply"
+        corners = "".join(f"{x} {y} 0\n" for x in (0, 10) for y in (0, 10))
+        header = "".join(f"property float {axis}\n" for axis in "xyz")
+        cloud.write_text(f"ply\nformat ascii 1.0\nelement vertex 4\n{header}end_header\n{corners}")
+        np.testing.assert_allclose(lippmann.load(cloud, points=2).bounds(), [[-1, -1, -1], [11, 11, 1]], atol=1e-5)
+        self.assertWrong("points", lippmann.load, cloud, points=0)
+        self.assertWrong("points", lippmann.load, cloud, points="big")
 
     def test_render_and_frames_take_the_same(self):
         of_render = dict(inspect.signature(lippmann.render).parameters)
@@ -61,6 +68,7 @@ class Options(Case):
         layers = {name for name in lippmann._core.layer_names if name != "alpha"} | {"disparity"}
         self.assertEqual(set(typing.get_args(_options.Layer)), layers)
         self.assertEqual(set(typing.get_args(_options.Integrator)), set(lippmann._core.integrator_names()))
+        self.assertEqual(typing.get_args(_options.Tone), lippmann._core.tone_names)
 
     def test_mypy_finds_misspelt_options(self):
         mypy = shutil.which("mypy")
@@ -94,6 +102,46 @@ class Options(Case):
                                 environment="studio", environment_rotation_deg=30, environment_strength=0.5)
         field.save(self.folder / "own.png")
         self.assertEqual((self.folder / "own.png").read_bytes(), picture.read_bytes())
+
+    def test_tone_and_precompensation_are_the_tools(self):
+        panel = self.folder / "panel.toml"
+        panel.write_text((SOURCE / "tests/library/small_panel.toml").read_text().replace("dpi = 491", "dpi = 491\ncrosstalk = 0.4"))
+        for layout, options, flags in (
+            ("native", {"exposure": 1.5, "tone": "agx", "precompensate": True}, ("--exposure", "1.5", "--tone", "agx", "--precompensate")),
+            ("views", {"exposure": -1, "precompensate": True, "crosstalk": "10%"}, ("--exposure", "-1", "--precompensate", "--crosstalk", "10%")),
+            ("views", {"tone": "neutral", "precompensate": True}, ("--tone", "neutral", "--precompensate")),
+        ):
+            with self.subTest(layout, **options):
+                folder = self.folder / f"{layout} {len(options)}"
+                tool("render", "room", "--display", panel, "--frames", "9", "--layout", "native" if layout == "native" else "quilt", *flags,
+                     "-o", folder, "-q")
+                (picture,) = folder.glob("*.png")
+                field = lippmann.render("room", panel, frame=9, layout=layout)
+                field.save(self.folder / "own.png", **options)
+                self.assertEqual((self.folder / "own.png").read_bytes(), picture.read_bytes())
+
+    def test_tone_applies_to_codes(self):
+        views = np.random.default_rng(4).random((1, 2, 4, 4, 3), np.float32)
+        field = lippmann.LightField(views)
+        brighter = lippmann.to_codes(2 * views)
+        self.assertSame(lippmann.to_codes(views, exposure=1), brighter)
+        field.save(self.folder / "views", "views", exposure=1)
+        self.assertSame(lippmann.open(self.folder / "views", views=(1, 2)).views, brighter)
+        field.save(self.folder / "panel.png", exposure=1)
+        again = lippmann.open(self.folder / "panel.png", format="quilt", tiles=(1, 2))
+        self.assertSame(again.views, brighter)
+        self.assertLess(lippmann.to_codes(views, tone="neutral").max(), lippmann.to_codes(views).max())
+        with self.assertWarnsRegex(lippmann.LippmannWarning, "tone"):
+            field.save(self.folder / "linear.exr", tone="agx")
+        with self.assertWarnsRegex(lippmann.LippmannWarning, "precompensate"):
+            field.save(self.folder / "more", "views", precompensate=True)
+        with self.assertWarnsRegex(lippmann.LippmannWarning, "crosstalk"):
+            field.save(self.folder / "panel.png", crosstalk=0.3)
+        self.assertWrong("exposure", again.save, self.folder / "codes", "views", exposure=1)
+        self.assertWrong("tone", field.save, self.folder / "x.png", tone="film")
+        self.assertWrong("exposure", lippmann.to_codes, views, exposure=float("nan"))
+        self.assertIn("unknown", self.assertWrong("precompensate", field.save, self.folder / "x.png", precompensate=True).problem)
+        self.assertWrong("precompensate", field.save, self.folder / "x.png", precompensate=True, crosstalk=2)
 
     def test_no_environment_is_no_added_light(self):
         scene = lippmann.Scene()
