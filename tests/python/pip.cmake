@@ -1,6 +1,7 @@
 # Installs the package with pip into a new virtual environment, and renders with it from a folder outside of the
-# sources. Needs an existing build.
-#   cmake -D BUILD=... -D PYTHON=... -D SOURCE=... -D HAS_HDF5=... -P pip.cmake
+# sources. The wheel contains the module of the finished build BUILD. With FROM_SCRATCH, pip builds the module, which takes
+# minutes; `scripts/nightly pip` does so.
+#   cmake -D BUILD=... -D PYTHON=... -D SOURCE=... -D HAS_HDF5=... [-D FROM_SCRATCH=ON] -P pip.cmake
 cmake_minimum_required(VERSION 3.25)
 
 set(folder ${BUILD}/tests/python/pip)
@@ -12,7 +13,11 @@ if(failed)
   message("skipped: ${PYTHON} makes no virtual environment; python3-venv is needed")
   return()
 endif()
-set(ENV{LIPPMANN_BUILD} ${BUILD})
+if(FROM_SCRATCH)
+  unset(ENV{LIPPMANN_BUILD})
+else()
+  set(ENV{LIPPMANN_BUILD} ${BUILD})
+endif()
 set(ENV{PIP_DISABLE_PIP_VERSION_CHECK} 1)
 execute_process(COMMAND ${folder}/venv/bin/pip install --no-index ${SOURCE}
   WORKING_DIRECTORY ${folder} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
