@@ -1,7 +1,5 @@
 #include "lippmann/layout/convert.hpp"
 
-#include <fmt/format.h>
-
 #include <memory>
 #include <optional>
 #include <utility>

@@ -11,7 +11,7 @@ import numpy as np
 
 import lippmann
 from lippmann import _options
-from support import Case, SOURCE, small_grid, tool
+from support import Case, SMALL_PANEL, SOURCE, small_grid, tool
 
 # GROUPS lists the groups of the tool's options that also exist in Python. The optics are a separate argument in Python.
 # RENAMED maps options to their names in Python. LEFT_OUT lists options that do not exist in Python.
@@ -105,9 +105,11 @@ class Options(Case):
 
     def test_tone_and_precompensation_are_the_tools(self):
         panel = self.folder / "panel.toml"
-        panel.write_text((SOURCE / "tests/library/small_panel.toml").read_text().replace("dpi = 491", "dpi = 491\ncrosstalk = 0.4"))
+        text = SMALL_PANEL.read_text().replace("[1440, 2560]", "[360, 640]").replace("dpi = 491", "dpi = 122.75\ncrosstalk = 0.12")
+        panel.write_text(text)
         for layout, options, flags in (
-            ("native", {"exposure": 1.5, "tone": "agx", "precompensate": True}, ("--exposure", "1.5", "--tone", "agx", "--precompensate")),
+            ("native", {"exposure": 1.5, "tone": "agx", "precompensate": True, "crosstalk": 0.5},
+             ("--exposure", "1.5", "--tone", "agx", "--precompensate", "--crosstalk", "0.5")),
             ("views", {"exposure": -1, "precompensate": True, "crosstalk": "10%"}, ("--exposure", "-1", "--precompensate", "--crosstalk", "10%")),
             ("views", {"tone": "neutral", "precompensate": True}, ("--tone", "neutral", "--precompensate")),
         ):
@@ -119,6 +121,8 @@ class Options(Case):
                 field = lippmann.render("room", panel, frame=9, layout=layout)
                 field.save(self.folder / "own.png", **options)
                 self.assertEqual((self.folder / "own.png").read_bytes(), picture.read_bytes())
+                field.save(self.folder / "plain.png", **{**options, "precompensate": False, "crosstalk": None})
+                self.assertNotEqual((self.folder / "plain.png").read_bytes(), picture.read_bytes())
 
     def test_tone_applies_to_codes(self):
         views = np.random.default_rng(4).random((1, 2, 4, 4, 3), np.float32)
