@@ -38,7 +38,8 @@ std::vector<std::string> values_of(const std::string& name) {
   if (name == "KIND") return {"pitch", "phase", "viewing-zone", "lens"};
   if (name == "SCENE") return scene_names();
   if (name == "display") return display_names();
-  if (name == "to" || name == "from") return format_names();
+  if (name == "from") return format_names();
+  if (name == "to") return {output_format_names().begin(), output_format_names().end()};
   const ParamInfo* param = find_param(name);
   return param ? std::vector<std::string>(param->choices.begin(), param->choices.end()) : std::vector<std::string>();
 }

@@ -283,7 +283,7 @@ Conversion conversion_of(const ConvertOptions& options) {
     throw usage_error("--to", "is required", "a format (see --help), --display, --rotate-elemental, --spoc or --precompensate");
   Conversion conversion;
   conversion.to =
-      options.to.empty() ? &find_format(own_format(options.read_display()), "--to") : &find_format(options.to, "--to");
+      options.to.empty() ? &find_format(own_format(options.read_display()), "--to") : &find_output_format(options.to, "--to");
   if (!options.depth.map.empty() && (!options.from.empty() || has_rgbd_name(options.in)))
     throw usage_error("--depth",
                       options.from.empty()

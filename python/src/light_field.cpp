@@ -183,7 +183,7 @@ void set_plenoptic(FormatOptions& options, const PlenopticSettings& settings) {
 std::vector<std::filesystem::path> save(const LightField& field, const std::filesystem::path& path, const std::string& format,
                                         const FormatOptions& options) {
   const py::gil_scoped_release release;
-  return find_format(format, "format").write(field, path, options);
+  return find_output_format(format, "format").write(field, path, options);
 }
 
 py::tuple open(const std::filesystem::path& path, const std::string& format, FormatOptions options) {

@@ -67,7 +67,7 @@ std::optional<PictureLayout> layout_named(const std::string& format) {
 PictureParams with_layout(PictureParams params) {
   if (params.layout == PictureLayout::kRgbd && params.to.empty()) params.to = "rgbd";
   if (params.to.empty()) return params;
-  find_format(params.to, "to");
+  find_output_format(params.to, "to");
   const std::optional<PictureLayout> layout = layout_named(params.to);
   if (params.layout && params.layout != layout)
     throw usage_error("to", fmt::format("{} cannot be combined with `layout`", params.to), "one of the two");
@@ -112,7 +112,7 @@ FrameLayout::FrameLayout(const PictureParams& wanted, const Optics& optics, cons
     return;
   }
   if (!params.to.empty()) {
-    use_format(find_format(params.to, "to"), optics);
+    use_format(find_output_format(params.to, "to"), optics);
     return;
   }
   if (layout == PictureLayout::kStereo) {

@@ -34,7 +34,7 @@ bool is_light_field(const PictureParams& pictures) {
 /// Throws if a light-field format is combined with layers other than depth, or with a depth layer that the format does not
 /// store.
 void check_light_field(const RenderParams& params) {
-  const bool stores_depth = find_format(params.output.pictures.to, "to").uses_cameras;
+  const bool stores_depth = find_output_format(params.output.pictures.to, "to").uses_cameras;
   for (const Aov layer : params.sampling.aov)
     if (layer != Aov::kDepth || !stores_depth)
       throw usage_error("aov", fmt::format("files of the format {} cannot store these layers", params.output.pictures.to),

@@ -177,7 +177,7 @@ Codec<std::optional<CameraSet>> camera_set() {
 }
 
 Codec<std::string> light_field_name() {
-  return {[](std::string_view value, const std::string& where) { return std::string(find_format(value, where).name); },
+  return {[](std::string_view value, const std::string& where) { return std::string(find_output_format(value, where).name); },
           [](const std::string& value) { return value; }};
 }
 
@@ -609,6 +609,9 @@ std::vector<ParamInfo> file_rows() {
         return static_cast<int>(read_integer(value, 0, 63, where));
       },
       [](const std::optional<int>& value) { return value ? fmt::format("{}", *value) : std::string(); }};
+  static const std::string to_doc =
+      fmt::format("Write each frame as a light field, with cameras and depth where the format has them: {}",
+                  fmt::join(output_format_names(), ", "));
   return {
       path(runs_only(
           row(ParamKind::kText, &P::output, &OutputParams::folder, text(),
@@ -621,9 +624,7 @@ std::vector<ParamInfo> file_rows() {
            "views), native (the display's own frame), print (TIFF at the display's resolution), stereo (a view for each eye) "
            "or rgbd (a view and its depth); default: the native layout of the optics"}),
       row(ParamKind::kText, &P::output, &OutputParams::pictures, &PictureParams::to, light_field_name(),
-          {"to", "Files", "FORMAT",
-           "Write each frame as a light field: hci, stanford, jpeg-pleno, miv, nerf, colmap, llff or eslf, with cameras and "
-           "depth where the format has them"}),
+          {"to", "Files", "FORMAT", to_doc}),
       row(ParamKind::kFlag, &P::output, &OutputParams::pictures, &PictureParams::pseudoscopic, flag(),
           {"pseudoscopic", "Files", "",
            "With --layout integral: rotate every elemental image by 180 degrees, as a real lens array records it; inverts "

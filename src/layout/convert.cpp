@@ -51,7 +51,7 @@ std::vector<fs::path> write_display_picture(const Picture& picture, const Displa
 
 class Conversion {
  public:
-  explicit Conversion(const ConvertParams& params) : params_(params), to_(find_format(params.to, "to")) {
+  explicit Conversion(const ConvertParams& params) : params_(params), to_(find_output_format(params.to, "to")) {
     if (!params.icc.empty()) profile_.emplace(params.icc);
     if (params.display_picture) pool_ = std::make_unique<ThreadPool>(resolved_threads(params.threads));
   }

@@ -123,10 +123,6 @@ LightField read_hci_hdf5(const fs::path& path, const FormatOptions& options) {
   return field;
 }
 
-std::vector<fs::path> refuse_to_write_hdf5(const LightField&, const fs::path&, const FormatOptions&) {
-  throw usage_error("to", "light fields in HDF5 are read, and not written", "hci, the later format of the same benchmark");
-}
-
 }  // namespace
 
 LightFieldFormat hci_hdf5_format() {
@@ -134,7 +130,7 @@ LightFieldFormat hci_hdf5_format() {
           .description = "HCI's older light fields, one HDF5 file (lf.h5): LF, GT_DEPTH, attributes; read only",
           .states_cameras = true,
           .read = read_hci_hdf5,
-          .write = refuse_to_write_hdf5};
+          .written_instead = "hci, the later format of the same benchmark"};
 }
 
 }  // namespace lippmann

@@ -46,10 +46,6 @@ LightField read_plenoptic(const fs::path& path, const FormatOptions& options) {
   return plenoptic_views(light, calibration, views, raw.picture, path.string(), z_mm ? &*z_mm : nullptr);
 }
 
-std::vector<fs::path> write_plenoptic(const LightField&, const fs::path&, const FormatOptions&) {
-  throw usage_error("to", "raw plenoptic pictures can only be read", "eslf or integral, which hold the same views");
-}
-
 }  // namespace
 
 Image read_white(const fs::path& path) {
@@ -62,8 +58,8 @@ LightFieldFormat plenoptic_format() {
               "raw picture of a plenoptic camera (Lytro .lfr, or any by `white` or `lens-pitch-px`), lenses of any pitch and "
               "angle; read only",
           .read = read_plenoptic,
-          .write = write_plenoptic,
-          .reads = {.views = true, .plenoptic = true}};
+          .reads = {.views = true, .plenoptic = true},
+          .written_instead = "eslf or integral, which hold the same views"};
 }
 
 }  // namespace lippmann

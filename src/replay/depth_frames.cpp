@@ -192,7 +192,7 @@ fs::path path_for(const DepthConversion& params, const LightFieldFormat& to, con
 
 std::vector<fs::path> write_frame(const LightField& field, const fs::path& path, const DepthConversion& params,
                                   const ThreadPool& pool) {
-  const LightFieldFormat& to = find_format(params.to, "to");
+  const LightFieldFormat& to = find_output_format(params.to, "to");
   if (!is_behind_lenses(params)) return to.write(field, path, params.options);
   write_picture(path, interlace_behind_lenses(field, *params.options.display, pool));
   return {path};
@@ -212,7 +212,7 @@ bool is_rgbd(const fs::path& in) {
 }
 
 ConvertedDepth convert_depth_frames(const DepthConversion& params, const Context& context) {
-  const LightFieldFormat& to = find_format(params.to, "to");
+  const LightFieldFormat& to = find_output_format(params.to, "to");
   if (is_video_name(params.out))
     throw Error(params.out.string(), "is the name of a video, but frames are written as pictures",
                 "a folder; `lippmann encode` makes a video of its frames");

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "lippmann/core/error.hpp"
+#include "lippmann/layout/formats.hpp"
 
 namespace lippmann {
 namespace {
@@ -261,6 +262,16 @@ TEST(OutputFolder, default_is_out_slash_scene_name) {
   EXPECT_EQ(output_folder(params), "out/BoxAnimated");
   params.output.folder = "elsewhere";
   EXPECT_EQ(output_folder(params), "elsewhere");
+}
+
+TEST(ParamsTable, to_takes_the_formats_that_it_lists) {
+  const std::string_view doc = param("to").doc;
+  for (const LightFieldFormat& format : light_field_formats()) {
+    const bool is_listed = (std::string(doc) + ",").find(" " + std::string(format.name) + ",") != std::string::npos;
+    EXPECT_EQ(message_of_setting("to", std::string(format.name)) == "accepted", is_listed) << format.name;
+  }
+  EXPECT_EQ(message_of_setting("to", "hci-hdf5"),
+            "--to: the format hci-hdf5 can only be read; accepted: hci, the later format of the same benchmark");
 }
 
 }  // namespace

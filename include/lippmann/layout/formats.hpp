@@ -74,10 +74,12 @@ struct LightFieldFormat {
   bool states_cameras = false;      ///< the files contain cameras, so a report.json beside them is ignored
   /// Throws Error naming the file or the option.
   LightField (*read)(const std::filesystem::path& path, const FormatOptions& options) = nullptr;
-  /// Returns the written files, pictures first. Creates folders. Throws Error naming the file or the option.
+  /// Writes a light field and returns the files written, pictures first. Creates folders. Throws Error naming the file or the
+  /// option. Null: the format is read only.
   std::vector<std::filesystem::path> (*write)(const LightField& field, const std::filesystem::path& path,
                                               const FormatOptions& options) = nullptr;
   FormatUses reads = {}, writes = {};
+  std::string_view written_instead{};  ///< only for read-only formats: the formats to write in their place
 };
 
 LightFieldFormat integral_format();
@@ -103,7 +105,13 @@ LightFieldFormat lytro_format();
 /// in the order of --help
 const std::vector<LightFieldFormat>& light_field_formats();
 
-/// Throws a usage Error naming `flag` and listing the known names.
+/// Returns the names of the formats that can be written, in the order of --help.
+const std::vector<std::string_view>& output_format_names();
+
+/// Returns the format of this name. Throws a usage Error naming `flag` and listing the known names.
 const LightFieldFormat& find_format(std::string_view name, std::string_view flag);
+
+/// Returns the format of this name. Also throws a usage Error naming `flag` if the format is read only.
+const LightFieldFormat& find_output_format(std::string_view name, std::string_view flag);
 
 }  // namespace lippmann
