@@ -28,6 +28,7 @@ struct RenderPlan {
   int bands = 1;              ///< number of bands per frame; above 1 only if memory is short
   /// Estimated memory for joining a frame from strips. 0 if no frame is joined.
   double join_bytes = 0.0;
+  bool is_light_field = false;  ///< whether frames have a light-field format, which also stores their layers
 };
 
 /// Returns the size of all pictures of a plan before compression, in bytes. It is an upper limit for PNG and EXR files. Layers

@@ -122,7 +122,8 @@ RenderPlan RenderSetup::plan(int kept) const {
           layout.pictures_per_frame(),
           memory.bytes,
           memory.bands,
-          join_bytes};
+          join_bytes,
+          layout.light_field() != nullptr};
 }
 
 RenderReport RenderSetup::report() const {
