@@ -118,6 +118,13 @@ int run(const ConvertOptions& options, const Context& context) {
   if (!converted.left_out.empty())
     context.warning(
         fmt::format("not written, because {} cannot store them: {}", options.to, fmt::join(converted.left_out, ", ")));
+  if (converted.lost_pixel_aspect != 1.0)
+    context.warning(
+        fmt::format("the pixels of these views are {:.4g} times as wide as high, and {} cannot state this: programs "
+                    "show the views {}",
+                    converted.lost_pixel_aspect, options.to, converted.lost_pixel_aspect > 1.0 ? "too narrow" : "too wide"));
+  if (!converted.too_coarse.empty())
+    context.warning(converted.too_coarse + ", so the print is blurred; sharp prints need a pixel for each lens");
   const bool can_store_depth = options.to != "stanford" && options.to != "llff" && !converted.drops_poses;
   if (converted.lacks_depth && can_store_depth)
     context.warning(

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
 
 #include "layout/film_layout.hpp"
 #include "lippmann/core/error.hpp"
@@ -38,6 +40,41 @@ std::vector<Vec2d> scaled_eyes(const std::vector<Vec2d>& positions, ViewGrid gri
   std::vector<Vec2d> eyes;
   for (const Vec2d& position : positions) eyes.push_back(scale * signs * (position - middle));
   return eyes;
+}
+
+/// Returns the number of each eye's place along an axis, in steps of the least distance from the lowest place. Returns none if
+/// distances are not multiples of the least distance.
+std::optional<std::vector<int>> places_along(int axis, const std::vector<Vec2d>& eyes, double extent) {
+  // Largest deviation of the eyes of a row or column from each other, as a share of the extent, and of the steps from whole
+  // numbers. Calibrated cameras are not exactly regular.
+  constexpr double kSamePlace = 1e-3, kRegular = 0.05, kMostSteps = 4096.0;
+  std::vector<double> sorted;
+  for (const Vec2d& eye : eyes) sorted.push_back(eye[axis]);
+  std::sort(sorted.begin(), sorted.end());
+  double step = extent;
+  for (std::size_t i = 1; i < sorted.size(); ++i)
+    if (const double gap = sorted[i] - sorted[i - 1]; gap > kSamePlace * extent) step = std::min(step, gap);
+  std::vector<int> places;
+  for (const Vec2d& eye : eyes) {
+    const double place = (eye[axis] - sorted.front()) / step;
+    if (!(place < kMostSteps) || std::abs(place - std::round(place)) > kRegular) return std::nullopt;
+    places.push_back(static_cast<int>(std::round(place)));
+  }
+  return places;
+}
+
+/// Returns how a camera differs from the first one such that the two share no plane and window; empty if it does not.
+std::string difference(const PosedCamera& camera, const PosedCamera& first) {
+  constexpr double kSameRotation = 1e-6, kSameFocal = 1e-6, kSameHeight = 1e-4;
+  double turn = 0.0;
+  for (int axis = 0; axis < 3; ++axis) turn = std::max(turn, glm::length(camera.rotation[axis] - first.rotation[axis]));
+  if (turn > kSameRotation) return "is rotated against that of view 0";
+  if (glm::length(camera.focal_px / first.focal_px - 1.0) > kSameFocal)
+    return fmt::format("has the focal lengths {}x{} pixels, and that of view 0 has {}x{}", camera.focal_px.x, camera.focal_px.y,
+                       first.focal_px.x, first.focal_px.y);
+  const Vec3d offset = glm::transpose(first.rotation) * (camera.position_mm - first.position_mm);
+  if (std::abs(offset.z) > kSameHeight * glm::length(offset)) return "is not in one plane with that of view 0";
+  return {};
 }
 
 }  // namespace
@@ -97,9 +134,36 @@ void state_cameras(LightField& field, const StatedCameras& stated, const std::st
 }
 
 std::string unknown_cameras(const LightField& field) {
-  if (field.poses) return "the cameras do not share a plane and a window";
+  if (field.poses) {
+    const std::string shared = "the cameras do not share a plane and a window";
+    for (std::size_t view = 1; view < field.poses->size(); ++view)
+      if (const std::string text = difference((*field.poses)[view], field.poses->front()); !text.empty())
+        return fmt::format("{}: the camera of view {} {}", shared, view, text);
+    return shared + ": their principal points do not move with the eyes";
+  }
   return field.positions ? "the camera positions have no unit, and their distance from the focal plane is unknown"
                          : "the cameras of these views are unknown";
+}
+
+void warn_of_missing_cameras(const std::vector<Vec2d>& eyes, const std::string& where, const FormatOptions& options) {
+  double extent = 0.0;
+  for (const Vec2d& eye : eyes) extent = std::max(extent, glm::distance(eye, eyes.front()));
+  if (!options.warn || !(extent > 0.0)) return;
+  const std::optional<std::vector<int>> columns = places_along(0, eyes, extent), rows = places_along(1, eyes, extent);
+  if (!columns || !rows) return;
+  std::set<std::pair<int, int>> taken;  // (row, column)
+  for (std::size_t i = 0; i < eyes.size(); ++i) taken.emplace((*rows)[i], (*columns)[i]);
+  const ViewGrid grid{*std::max_element(columns->begin(), columns->end()) + 1,
+                      *std::max_element(rows->begin(), rows->end()) + 1};
+  const int missing = grid.count() - static_cast<int>(taken.size());
+  if (missing == 0 || 4 * missing > grid.count()) return;
+  int place = 0;
+  while (taken.contains({place / grid.columns, place % grid.columns})) ++place;
+  options.warn(
+      fmt::format("{}: the camera of column {}, row {} (from 0, from the lower left) is missing{}, so the {} views "
+                  "do not form a grid of {}x{}",
+                  where, place % grid.columns, place / grid.columns,
+                  missing > 1 ? fmt::format(", and {} more", missing - 1) : "", eyes.size(), grid.columns, grid.rows));
 }
 
 }  // namespace lippmann

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "lippmann/layout/formats.hpp"
 #include "lippmann/layout/light_field.hpp"
@@ -38,5 +39,9 @@ void state_cameras(LightField& field, const StatedCameras& stated, const std::st
 
 /// Returns a message that explains why a light field has no cameras.
 std::string unknown_cameras(const LightField& field);
+
+/// Warns if eyes at equal distances fill a grid except for at most a quarter of its places, as after the loss of a view.
+/// `where`: name of the file with the cameras.
+void warn_of_missing_cameras(const std::vector<Vec2d>& eyes, const std::string& where, const FormatOptions& options);
 
 }  // namespace lippmann

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <functional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,6 +15,7 @@
 #include "core/recorded_file.hpp"
 #include "core/regular_file.hpp"
 #include "layout/colmap_model.hpp"
+#include "layout/picture_folder.hpp"
 #include "layout/view_files.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/layout/formats.hpp"
@@ -47,6 +49,15 @@ PosedSet read_model(const fs::path& model, const char* ending, const Read& read,
   return set;
 }
 
+/// Warns about pictures that the model does not list. COLMAP does not list pictures whose cameras it could not determine.
+void warn_of_unlisted_pictures(const fs::path& images, const fs::path& list, const std::vector<PosedPicture>& pictures,
+                               const FormatOptions& options) {
+  std::set<fs::path> listed;
+  for (const PosedPicture& picture : pictures) listed.insert(fs::path(picture.picture).lexically_normal());
+  const auto has_camera = [&](const fs::path& picture) { return listed.contains(picture.filename()); };
+  warn_of_pictures_without_camera(images, has_camera, list.filename().string(), options.warn);
+}
+
 LightField read_colmap(const fs::path& folder, const FormatOptions& options) {
   const fs::path model = model_folder(folder);
   const auto bytes = [](const fs::path& file) { return read_recorded_bytes(file, kMaxModelBytes); };
@@ -56,6 +67,7 @@ LightField read_colmap(const fs::path& folder, const FormatOptions& options) {
   read_held_out_names(model / "test.txt", set.pictures);
   std::error_code ignored;
   const fs::path images = folder / "images";
+  if (fs::is_directory(images, ignored)) warn_of_unlisted_pictures(images, set.file, set.pictures, options);
   return read_posed_pictures(fs::is_directory(images, ignored) ? images : folder, std::move(set), options);
 }
 

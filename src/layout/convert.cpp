@@ -65,6 +65,7 @@ class Conversion {
     if (to_.name == "stereo") reading.stereo.reset();  // `stereo` describes the output; the input's name describes the input
     OpenedLightField opened = open(in, reading);
     LightField& field = opened.field;
+    const bool lacks_some_depth = field.lacks_some_depth;
     if (params_.keep) keep(field, *params_.keep, "keep");
     if (params_.crop) crop(field, *params_.crop, "crop");
     FormatOptions writing = params_.options;
@@ -79,9 +80,10 @@ class Conversion {
     result.views = field.grid, result.view_size = field.view_size;
     result.drops_positions = field.positions && !to_.keeps_positions && !(to_.uses_cameras && field.cameras);
     result.drops_poses = field.poses && !to_.keeps_poses;
+    if (to_.assumes_square_pixels) result.lost_pixel_aspect = pixel_aspect(field);
     const bool has_cameras = field.cameras || field.poses;
     result.lacks_cameras = to_.uses_cameras && !has_cameras;
-    result.lacks_depth = to_.uses_cameras && has_cameras && !field.depth;
+    result.lacks_depth = to_.uses_cameras && has_cameras && !field.depth && !lacks_some_depth;
     result.left_out = left_out_of(field);
   }
 
@@ -94,14 +96,15 @@ class Conversion {
     ViewFitter fitter(display, target, shown.fit.value_or(default_fit(target)), *pool_, shown.view_shift_px);
     FormatOptions reading = params_.options;
     reading.cameras.reset();  // the views are resampled, and display pictures state no cameras
-    reading.fit_view = [&](Picture view, int number, ViewGrid grid) {
+    reading.fit_view = [&](Picture view, double aspect, int number, ViewGrid grid) {
+      const Vec2d whole(size_of(view));
       if (params_.crop) view = cropped(std::move(view), *params_.crop);
-      const Vec2d size(size_of(view));
+      const Vec2d share = Vec2d(size_of(view)) / whole;
       if (params_.keep) {
         number = kept_number(number, grid, *params_.keep, "keep").value_or(0);
         grid = kept_grid(grid, *params_.keep, "keep");
       }
-      return fitter.fitted(view, size.x / size.y, number, grid);
+      return fitter.fitted(view, aspect * share.x / share.y, number, grid);
     };
     LightField field = open(in, reading).field;
     if (params_.keep) keep(field, *params_.keep, "keep");
@@ -118,6 +121,7 @@ class Conversion {
     result.views = field.grid, result.view_size = field.view_size;
     result.drops_poses = field.poses.has_value();
     result.fitted = fitter.description();
+    result.too_coarse = fitter.coarseness();
   }
 
   /// Returns the output name of a frame: the name of `frame` without a suffix of the input format, such as _qs8x6a0.75. The

@@ -16,6 +16,7 @@
 #include "image/netpbm.hpp"
 #include "layout/cameras.hpp"
 #include "layout/cvkit_camera.hpp"
+#include "layout/picture_folder.hpp"
 #include "layout/view_files.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/layout/formats.hpp"
@@ -55,16 +56,22 @@ fs::path picture_of_cvkit(const fs::path& folder, const std::string& name) {
   throw Error(folder.string(), fmt::format("the picture of {}_param.txt is missing", name), name + ".png");
 }
 
+fs::path cvkit_camera_path(const fs::path& folder, const std::string& name) { return folder / (name + "_param.txt"); }
 fs::path cvkit_disparity_path(const fs::path& folder, const std::string& name) { return folder / (name + "_disp.pfm"); }
 
 /// Reads the depth of all views. If one view has no depth, field.depth stays empty.
 void read_cvkit_depth(const fs::path& folder, const std::vector<MivCamera>& cameras, const std::map<std::string, double>& rho,
-                      LightField& field) {
+                      const FormatOptions& options, LightField& field) {
+  std::vector<fs::path> maps;
+  for (const MivCamera& camera : cameras) maps.push_back(cvkit_disparity_path(folder, camera.name));
+  if (!has_all_depth_maps(maps, field, options)) return;
   for (const MivCamera& camera : cameras)
-    if (!is_regular_file_there(cvkit_disparity_path(folder, camera.name)) || !(rho.at(camera.name) > 0.0)) return;
+    if (!(rho.at(camera.name) > 0.0))
+      return leave_out_depth(field, options, cvkit_camera_path(folder, camera.name).string() + " states no rho");
+  const double distance_mm = field.cameras ? field.cameras->distance_mm : 0.0;
   field.depth = Image(field.view_size.x, field.view_size.y * field.grid.count(), 1);
   for (std::size_t view = 0; view < cameras.size(); ++view) {
-    const fs::path path = cvkit_disparity_path(folder, cameras[view].name);
+    const fs::path& path = maps[view];
     Image map = read_pfm(path);
     if (Vec2i(map.width, map.height) != field.view_size || map.channels != 1)
       throw Error(path.string(), fmt::format("has {}x{} pixels and {} channels", map.width, map.height, map.channels),
@@ -72,10 +79,20 @@ void read_cvkit_depth(const fs::path& folder, const std::vector<MivCamera>& came
     for (float& d : map.data) {
       const double depth_m = rho.at(cameras[view].name) / static_cast<double>(d);
       const bool is_there = std::isfinite(d) && d > 0.0f;
-      d = is_there ? static_cast<float>(field.cameras->distance_mm - 1e3 * depth_m) : -kInfinity;
+      d = is_there ? static_cast<float>(distance_mm - 1e3 * depth_m) : -kInfinity;
     }
     set_depth(field, static_cast<int>(view), map);
   }
+}
+
+/// Warns about pictures without a camera, or about missing cameras in a grid.
+void warn_of_lost_cvkit_cameras(const fs::path& folder, const std::vector<MivCamera>& cameras, const FormatOptions& options) {
+  const auto has_camera = [&](const fs::path& picture) {
+    const std::string name = picture.stem().string();
+    return name.ends_with("_disp") || is_regular_file_there(cvkit_camera_path(folder, name));
+  };
+  if (!warn_of_pictures_without_camera(folder, has_camera, "NAME_param.txt", options.warn))
+    warn_of_missing_cameras(cameras, folder.string(), options);
 }
 
 LightField read_cvkit(const fs::path& folder, const FormatOptions& options) {
@@ -84,14 +101,19 @@ LightField read_cvkit(const fs::path& folder, const FormatOptions& options) {
   const ViewGrid grid = grid_of_cameras(cameras, options.views, folder.string());
   std::vector<fs::path> by_view;
   for (const MivCamera& camera : cameras) by_view.push_back(picture_of_cvkit(folder, camera.name));
-  LightField field = read_view_files(by_view, grid, options);
-  for (const MivCamera& camera : cameras)
-    if (camera.resolution != Vec2i(0) && camera.resolution != field.view_size)
-      throw Error((folder / (camera.name + "_param.txt")).string(),
-                  fmt::format("states {}x{} pixels", camera.resolution.x, camera.resolution.y),
-                  fmt::format("{}x{}, like the picture", field.view_size.x, field.view_size.y));
-  field.cameras = cameras_of_miv(cameras);
-  if (field.cameras) read_cvkit_depth(folder, cameras, rho, field);
+  warn_of_lost_cvkit_cameras(folder, cameras, options);
+  LightField field =
+      read_view_files(by_view, grid, with_pixel_aspect(options, cameras.front().focal_px), [&](int view, Vec2i size) {
+        const MivCamera& camera = cameras[static_cast<std::size_t>(view)];
+        if (camera.resolution != Vec2i(0) && camera.resolution != size)
+          throw Error(cvkit_camera_path(folder, camera.name).string(),
+                      fmt::format("camera.width and camera.height are {} and {}, but the picture has {}x{} pixels",
+                                  camera.resolution.x, camera.resolution.y, size.x, size.y),
+                      "the size of the picture");
+      });
+  if (options.fit_view) return field;  // views that fit_view has resized do not match the cameras and the depth maps
+  set_cameras(cameras, field);
+  read_cvkit_depth(folder, cameras, rho, options, field);
   return field;
 }
 
@@ -106,7 +128,7 @@ Image cvkit_disparity(const LightField& field, int view, double rho) {
 
 std::vector<fs::path> write_cvkit(const LightField& field, const fs::path& folder, const FormatOptions&) {
   if (!field.cameras)
-    throw Error(folder.string(), unknown_cameras(field),
+    throw Error(folder.string(), "cannot be written: " + unknown_cameras(field),
                 "pictures with render's report.json beside them, an HCI folder with parameters.cfg, or `baseline`");
   const auto name = [](int view) { return fmt::format("view_{:03}", view); };
   const char* ending = exact_ending(field.stack);
@@ -117,7 +139,7 @@ std::vector<fs::path> write_cvkit(const LightField& field, const fs::path& folde
   const double rho = 1e-3 * mean_step(field.cameras->eyes_mm, field.grid) * cameras[0].focal_px.x;
   for (int view = 0; view < field.grid.count(); ++view) {
     const std::string text = cvkit_camera_text({cameras[static_cast<std::size_t>(view)], rho});
-    written.push_back(folder / (name(view) + "_param.txt"));
+    written.push_back(cvkit_camera_path(folder, name(view)));
     write_file_atomically(written.back(), std::as_bytes(std::span(text)));
     if (!field.depth || !(rho > 0.0)) continue;
     written.push_back(cvkit_disparity_path(folder, name(view)));

@@ -12,9 +12,9 @@
 // ACCV 2016.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
-#include "core/regular_file.hpp"
 #include "core/text_pattern.hpp"
 #include "image/netpbm.hpp"
 #include "layout/hci_parameters.hpp"
@@ -47,12 +47,13 @@ fs::path per_view(const fs::path& folder, const char* kind, const ViewGrid& grid
 }
 
 /// Reads the depth of all views. If one view has no depth, field.depth stays empty.
-void read_depth(const fs::path& folder, double focus_distance_mm, LightField& field) {
-  for (int view = 0; view < field.grid.count(); ++view)
-    if (!is_regular_file_there(per_view(folder, "depth", field.grid, view))) return;
+void read_depth(const fs::path& folder, double focus_distance_mm, const FormatOptions& options, LightField& field) {
+  std::vector<fs::path> maps;
+  for (int view = 0; view < field.grid.count(); ++view) maps.push_back(per_view(folder, "depth", field.grid, view));
+  if (!has_all_depth_maps(maps, field, options)) return;
   field.depth = Image(field.view_size.x, field.view_size.y * field.grid.count(), 1);
   for (int view = 0; view < field.grid.count(); ++view) {
-    const fs::path path = per_view(folder, "depth", field.grid, view);
+    const fs::path& path = maps[static_cast<std::size_t>(view)];
     Image depth = read_pfm(path);
     if (Vec2i(depth.width, depth.height) != field.view_size || depth.channels != 1)
       throw Error(path.string(), fmt::format("has {}x{} pixels and {} channels", depth.width, depth.height, depth.channels),
@@ -66,19 +67,23 @@ LightField read_hci(const fs::path& folder, const FormatOptions& options) {
   static const TextPattern name("input_Cam([0-9]{1,6})\\.[^.]+", TextPattern::Letters::kEitherCase);
   const std::vector<NumberedFile> files = numbered_files(folder, name, "input_Cam000.png, input_Cam001.png, ...");
   const int count = static_cast<int>(files.size());
-  if (files.front().numbers[0] != 0 || files.back().numbers[0] != count - 1)
-    throw Error(folder.string(), "some views are missing", fmt::format("all views from 0 to {}", files.back().numbers[0]));
   const std::optional<HciParameters> parameters = read_hci_parameters(folder);
+  const int stated = parameters && !options.views ? parameters->columns * parameters->rows : 0;
+  require_all_views(folder, files, 0, std::max(files.back().numbers[0], stated - 1),
+                    [](int number) { return fmt::format("input_Cam{:03}", number); });
   const ViewGrid grid = grid_of(folder, count, options, parameters);
   std::vector<fs::path> by_view(files.size());
   for (int i = 0; i < count; ++i)
     by_view[static_cast<std::size_t>(from_top_left(grid, i))] = files[static_cast<std::size_t>(i)].path;
-  LightField field = read_view_files(by_view, grid, options);
+  LightField field = read_view_files(by_view, grid, options, [&](int view, Vec2i size) {
+    if (parameters) require_size(*parameters, by_view[static_cast<std::size_t>(view)], size);
+  });
+  if (options.fit_view) return field;  // views that fit_view has resized do not match the cameras and the depth maps
   if (parameters && grid == ViewGrid{parameters->columns, parameters->rows}) field.cameras = hci_cameras(*parameters);
   if (field.cameras)
-    read_depth(folder, field.cameras->distance_mm, field);
+    read_depth(folder, field.cameras->distance_mm, options, field);
   else if (options.cameras)
-    read_depth(folder, options.cameras->focus_distance_mm, field);
+    read_depth(folder, options.cameras->focus_distance_mm, options, field);
   return field;
 }
 
@@ -143,6 +148,7 @@ LightFieldFormat hci_format() {
               "the 4D light field benchmark's folder: input_Cam000.png, ..., from the top left; cameras, depth, disparity",
           .is_folder = true,
           .uses_cameras = true,
+          .assumes_square_pixels = true,
           .states_cameras = true,
           .read = read_hci,
           .write = write_hci,

@@ -153,6 +153,14 @@ std::optional<HciParameters> read_hci_parameters(const fs::path& folder) {
   return parse_hci_parameters(read_recorded_text(path, kMaxBytes, "a parameters.cfg"), path.string());
 }
 
+void require_size(const HciParameters& p, const fs::path& picture, Vec2i size) {
+  if (size == Vec2i(p.width, p.height)) return;
+  throw Error((picture.parent_path() / "parameters.cfg").string(),
+              fmt::format("its image_resolution_x_px and image_resolution_y_px are {} and {}, but {} has {}x{} pixels", p.width,
+                          p.height, picture.filename().string(), size.x, size.y),
+              "the size of the pictures");
+}
+
 fs::path write_hci_parameters(const fs::path& folder, const HciParameters& parameters) {
   const fs::path path = folder / "parameters.cfg";
   const std::string text = hci_parameters_text(parameters);

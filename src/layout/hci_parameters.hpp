@@ -33,6 +33,8 @@ std::string hci_parameters_text(const HciParameters& parameters);
 
 /// Reads FOLDER/parameters.cfg; none if it does not exist. Throws Error naming the file.
 std::optional<HciParameters> read_hci_parameters(const std::filesystem::path& folder);
+/// Throws Error naming FOLDER/parameters.cfg if the picture of a view has another size than it states.
+void require_size(const HciParameters& parameters, const std::filesystem::path& picture, Vec2i size);
 /// Writes FOLDER/parameters.cfg and returns its path.
 std::filesystem::path write_hci_parameters(const std::filesystem::path& folder, const HciParameters& parameters);
 

@@ -105,6 +105,7 @@ LightFieldFormat jpeg_pleno_format() {
   return {.name = "jpeg-pleno",
           .description = "JPEG Pleno's folder: {column}_{row}.ppm (read: .png too), from the top left; `bits` of its codes",
           .is_folder = true,
+          .assumes_square_pixels = true,
           .read = read_jpeg_pleno,
           .write = write_jpeg_pleno,
           .writes = {.bits = true}};

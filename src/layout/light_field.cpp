@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <utility>
 
 #include "layout/picture_samples.hpp"
@@ -29,6 +30,12 @@ std::vector<std::uint32_t> pixels_of(const LightField& field, int view) {
 }
 
 }  // namespace
+
+double pixel_aspect(const LightField& field) {
+  constexpr double kRounding = 0.01;
+  const double aspect = field.aspect * field.view_size.y / field.view_size.x;
+  return std::abs(aspect - 1.0) < kRounding ? 1.0 : aspect;
+}
 
 Vec2i size_of(const Picture& picture) {
   return std::visit([](const auto& image) { return Vec2i(image.width, image.height); }, picture);

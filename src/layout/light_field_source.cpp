@@ -111,6 +111,11 @@ bool may_have_report(const fs::path& path, const std::string& from) {
   return !fs::is_directory(path, ignored) || format_of_folder(path);
 }
 
+double pixel_aspect_of(const Optics& optics, const ViewLayout& film) {
+  const Vec2d pixel_mm = Vec2d(window_size_mm(optics)) / Vec2d(view_size(film, film_size(optics), "optics"));
+  return pixel_mm.x / pixel_mm.y;
+}
+
 }  // namespace
 
 LightFieldSource light_field_source(const fs::path& path, const std::string& from, const FormatOptions& options) {
@@ -128,6 +133,7 @@ LightFieldSource light_field_source(const fs::path& path, const std::string& fro
   if (!source.rendered) return source;
   const ViewLayout& film = source.rendered->film;
   if (!source.options.views) source.options.views = film.grid;
+  if (source.format->name == "views") source.options.pixel_aspect = pixel_aspect_of(source.rendering->optics, film);
   const bool named_by_quilt = parse_quilt_name(path).has_value();
   if (!source.options.tiles && film.kind == LayoutKind::kQuilt && !named_by_quilt) source.options.tiles = film.tiles;
   return source;

@@ -10,6 +10,7 @@
 #include "core/json_fields.hpp"
 #include "core/json_text.hpp"
 #include "core/printable.hpp"
+#include "layout/cameras.hpp"
 #include "lippmann/core/error.hpp"
 
 namespace lippmann {
@@ -43,18 +44,35 @@ MivCamera camera_from(const JsonFields& json) {
 /// exactly level.
 double height_of(const MivCamera& camera) { return std::round(1e5 * camera.position_m[2]); }
 
+Vec2d eye_of(const MivCamera& camera) { return 1e3 * Vec2d(-camera.position_m[1], camera.position_m[2]); }
+
+/// Converts a vector from forward, left, up to right, up, backwards.
+Vec3d right_up_back(const Vec3d& v) { return {-v.y, v.z, -v.x}; }
+
+PosedCamera posed(const MivCamera& camera, Vec2i size) {
+  const auto turn = [&](int angle, const Vec3d& axis) {
+    return glm::angleAxis(glm::radians(camera.rotation_deg[angle]), axis);
+  };
+  const glm::dmat3 world_from_camera = glm::mat3_cast(turn(0, {0, 0, 1}) * turn(1, {0, 1, 0}) * turn(2, {1, 0, 0}));
+  const Vec3d &forward = world_from_camera[0], &left = world_from_camera[1], &up = world_from_camera[2];
+  const auto& position = camera.position_m;
+  return {size, camera.focal_px, camera.principal_point_px,
+          glm::dmat3(right_up_back(-left), right_up_back(up), right_up_back(-forward)),
+          1e3 * right_up_back({position[0], position[1], position[2]})};
+}
+
 }  // namespace
 
 std::vector<MivCamera> parse_miv_cameras(const std::string& text, const std::string& where) {
   constexpr std::size_t kMaxCameras = 4096;
   const Json json = json_from_text(text);
   if (json.is_discarded() || !json.is_object() || !json.contains("cameras") || !json["cameras"].is_array())
-    throw Error(where, "is not JSON with a list of cameras");
+    throw json.is_discarded() ? json_error(text, where) : Error(where, "has no list of cameras");
   if (json["cameras"].empty() || json["cameras"].size() > kMaxCameras)
     throw Error(where, fmt::format("has {} cameras", json["cameras"].size()), fmt::format("1 to {}", kMaxCameras));
   std::vector<MivCamera> cameras;
-  for (const Json& camera : json["cameras"]) {
-    const JsonFields fields(camera, where, "camera");
+  for (std::size_t i = 0; i < json["cameras"].size(); ++i) {
+    const JsonFields fields(json["cameras"][i], where, fmt::format("cameras[{}]", i));
     if (fields.value("Name") == "viewport") continue;  // TMIV adds this entry for the view that it synthesizes
     cameras.push_back(camera_from(fields));
   }
@@ -85,6 +103,19 @@ std::string miv_cameras_text(const std::vector<MivCamera>& cameras, const std::s
   const Json json{{"Version", "4.0"},   {"Content_name", content}, {"BoundingBox_center", {0, 0, 0}}, {"Fps", 30},
                   {"Frames_number", 1}, {"lengthsInMeters", true}, {"sourceCameraNames", names},      {"cameras", list}};
   return json_to_text(json) + '\n';
+}
+
+void set_cameras(const std::vector<MivCamera>& cameras, LightField& field) {
+  field.cameras = cameras_of_miv(cameras);
+  if (field.cameras) return;
+  field.poses.emplace();
+  for (const MivCamera& camera : cameras) field.poses->push_back(posed(camera, field.view_size));
+}
+
+void warn_of_missing_cameras(const std::vector<MivCamera>& cameras, const std::string& where, const FormatOptions& options) {
+  std::vector<Vec2d> eyes;
+  for (const MivCamera& camera : cameras) eyes.push_back(eye_of(camera));
+  warn_of_missing_cameras(eyes, where, options);
 }
 
 void sort_as_views(std::vector<MivCamera>& cameras) {
@@ -118,7 +149,6 @@ std::vector<MivCamera> miv_cameras(const ViewCameras& cameras, Vec2i view_size, 
 
 std::optional<ViewCameras> cameras_of_miv(const std::vector<MivCamera>& cameras) {
   const MivCamera& first = cameras.front();
-  const auto eye_of = [](const MivCamera& c) { return 1e3 * Vec2d(-c.position_m[1], c.position_m[2]); };
   // When the eye moves by m mm, the principal point shifts by p pixels. The plane with zero disparity is at the distance
   // focal_px m / p.
   double distance = 0.0;

@@ -1,13 +1,15 @@
 // The file cameras.json of MIV and RVS (MPEG immersive video and its view synthesizer). It has one entry per view.
 //
-// Positions are in metres, in the order forward, left, up; angles are in degrees. Depth codes of b bits are (2^b - 1) (1/z -
-// 1/far) / (1/near - 1/far); code 0 means no surface.
+// Positions are in metres, in the order forward, left, up. Rotations are yaw, pitch and roll in degrees: from the camera's axes
+// to the world's, a rotation about forward by the roll, then about left by the pitch, then about up by the yaw (TMIV). Depth
+// codes of b bits are (2^b - 1) (1/z - 1/far) / (1/near - 1/far); code 0 means no surface.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "lippmann/layout/formats.hpp"
 #include "lippmann/layout/light_field.hpp"
 
 namespace lippmann {
@@ -29,6 +31,13 @@ std::string miv_cameras_text(const std::vector<MivCamera>& cameras, const std::s
 
 /// Sorts cameras into view order: row by row upwards, each row from left to right.
 void sort_as_views(std::vector<MivCamera>& cameras);
+
+/// Sets field.cameras if all cameras are parallel, have their eyes in one plane and show the same rectangle of another plane.
+/// Otherwise sets field.poses. `cameras` must be in view order and not empty.
+void set_cameras(const std::vector<MivCamera>& cameras, LightField& field);
+
+/// Warns about a missing camera in a grid. `where`: name of the file or folder with the cameras.
+void warn_of_missing_cameras(const std::vector<MivCamera>& cameras, const std::string& where, const FormatOptions& options);
 
 /// Returns the grid of sorted cameras: `views` if it is given, otherwise one row per camera height. If the number of cameras is
 /// not a multiple of the number of heights, returns a single row. Throws a usage Error naming `where` if `views` has a

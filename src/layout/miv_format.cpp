@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <set>
 
 #include "core/atomic_file.hpp"
 #include "core/recorded_file.hpp"
 #include "core/regular_file.hpp"
 #include "layout/cameras.hpp"
 #include "layout/miv_cameras.hpp"
+#include "layout/picture_folder.hpp"
 #include "layout/view_files.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/layout/formats.hpp"
@@ -18,9 +20,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kDepthEnding = "_depth.png";
 constexpr double kHighest = 65535.0;
 /// The code of the farthest point. TMIV rounds codes to 10 bits: a smaller code might become 0, which means no surface.
 constexpr double kFarthestCode = 64.0;
+constexpr double kLeastRange = 1.001;  // least farthest depth / nearest depth; codes need a range
 
 std::vector<MivCamera> read_cameras(const fs::path& path) {
   constexpr std::uintmax_t kMaxBytes = std::uintmax_t{16} << 20;
@@ -33,10 +37,8 @@ fs::path picture_of(const fs::path& folder, const MivCamera& camera) {
   throw Error(folder.string(), fmt::format("the picture of camera {} is missing", camera.name), camera.name + ".png");
 }
 
-/// Returns the depth map of a camera, converted to z in the display frame; none if the map does not exist.
-std::optional<Image> read_depth(const fs::path& folder, const MivCamera& camera, double distance_mm, Vec2i size) {
-  const fs::path path = folder / (camera.name + "_depth.png");
-  if (!is_regular_file_there(path)) return std::nullopt;
+/// Returns a depth map as z in the display frame, or in the camera's frame if distance_mm is 0.
+Image read_depth(const fs::path& path, const MivCamera& camera, double distance_mm, Vec2i size) {
   const Picture picture = read_picture(path);
   const auto* codes = std::get_if<Image16>(&picture);
   if (codes == nullptr || size_of(picture) != size)
@@ -51,14 +53,36 @@ std::optional<Image> read_depth(const fs::path& folder, const MivCamera& camera,
   return depth;
 }
 
-/// Reads the depth of all views. If one view has no depth, clears field.depth.
-void read_depth(const fs::path& folder, const std::vector<MivCamera>& cameras, LightField& field) {
-  for (std::size_t view = 0; view < cameras.size(); ++view) {
-    const std::optional<Image> depth = read_depth(folder, cameras[view], field.cameras->distance_mm, field.view_size);
-    if (!depth) return field.depth.reset();
-    if (view == 0) field.depth = Image(field.view_size.x, field.view_size.y * field.grid.count(), 1);
-    set_depth(field, static_cast<int>(view), *depth);
-  }
+/// Reads the depth of all views. If one view has no depth, field.depth stays empty.
+void read_depth(const fs::path& folder, const std::vector<MivCamera>& cameras, const FormatOptions& options,
+                LightField& field) {
+  std::vector<fs::path> maps;
+  for (const MivCamera& camera : cameras) maps.push_back(folder / (camera.name + kDepthEnding));
+  if (!has_all_depth_maps(maps, field, options)) return;
+  field.depth = Image(field.view_size.x, field.view_size.y * field.grid.count(), 1);
+  const double distance_mm = field.cameras ? field.cameras->distance_mm : 0.0;
+  for (std::size_t view = 0; view < cameras.size(); ++view)
+    set_depth(field, static_cast<int>(view), read_depth(maps[view], cameras[view], distance_mm, field.view_size));
+}
+
+/// Throws Error if the picture of a camera has another size than the camera.
+void require_size(const MivCamera& camera, const fs::path& file, const fs::path& picture, Vec2i size) {
+  if (size != camera.resolution)
+    throw Error(file.string(),
+                fmt::format("the Resolution of camera {} is {}x{}, but {} has {}x{} pixels", camera.name, camera.resolution.x,
+                            camera.resolution.y, picture.filename().string(), size.x, size.y),
+                "the size of the picture");
+}
+
+/// Warns about pictures without a camera, or about missing cameras in a grid.
+void warn_of_lost_cameras(const fs::path& folder, const std::vector<MivCamera>& cameras, const FormatOptions& options) {
+  std::set<std::string> known{"viewport"};  // TMIV's name of the view that it synthesizes
+  for (const MivCamera& camera : cameras) known.insert(camera.name);
+  const auto has_camera = [&](const fs::path& picture) {
+    return known.contains(picture.stem().string()) || picture.filename().string().ends_with(kDepthEnding);
+  };
+  if (!warn_of_pictures_without_camera(folder, has_camera, "cameras.json", options.warn))
+    warn_of_missing_cameras(cameras, (folder / "cameras.json").string(), options);
 }
 
 LightField read_miv(const fs::path& folder, const FormatOptions& options) {
@@ -68,9 +92,15 @@ LightField read_miv(const fs::path& folder, const FormatOptions& options) {
   const ViewGrid grid = grid_of_cameras(cameras, options.views, folder.string());
   std::vector<fs::path> by_view;
   for (const MivCamera& camera : cameras) by_view.push_back(picture_of(folder, camera));
-  LightField field = read_view_files(by_view, grid, options);
-  field.cameras = cameras_of_miv(cameras);
-  if (field.cameras) read_depth(folder, cameras, field);
+  warn_of_lost_cameras(folder, cameras, options);
+  LightField field =
+      read_view_files(by_view, grid, with_pixel_aspect(options, cameras.front().focal_px), [&](int view, Vec2i size) {
+        const auto index = static_cast<std::size_t>(view);
+        require_size(cameras[index], folder / "cameras.json", by_view[index], size);
+      });
+  if (options.fit_view) return field;  // views that fit_view has resized do not match the cameras and the depth maps
+  set_cameras(cameras, field);
+  read_depth(folder, cameras, options, field);
   return field;
 }
 
@@ -88,6 +118,7 @@ DepthRange depth_range(const LightField& field) {
     nearest = std::min(nearest, depth), farthest = std::max(farthest, depth);
   }
   if (!std::isfinite(nearest)) return {};
+  farthest = std::max(farthest, kLeastRange * nearest);
   const double share = kFarthestCode / kHighest;
   return {nearest, 1.0 / std::max((1.0 / farthest - share / nearest) / (1.0 - share), 1e-3 / farthest)};
 }
@@ -107,7 +138,7 @@ Image16 depth_codes(const LightField& field, int view, const DepthRange& range) 
 
 std::vector<fs::path> write_miv(const LightField& field, const fs::path& folder, const FormatOptions&) {
   if (!field.cameras)
-    throw Error(folder.string(), unknown_cameras(field),
+    throw Error(folder.string(), "cannot be written: " + unknown_cameras(field),
                 "pictures with render's report.json beside them, or an HCI folder with parameters.cfg");
   const auto name = [](int view) { return fmt::format("view_{:03}", view); };
   const char* ending = exact_ending(field.stack);
@@ -118,7 +149,7 @@ std::vector<fs::path> write_miv(const LightField& field, const fs::path& folder,
   for (int view = 0; view < field.grid.count(); ++view) {
     names.push_back(name(view));
     if (!field.depth) continue;
-    written.push_back(folder / (name(view) + "_depth.png"));
+    written.push_back(folder / (name(view) + kDepthEnding));
     write_picture(written.back(), depth_codes(field, view, range));
   }
   const std::string text = miv_cameras_text(miv_cameras(*field.cameras, field.view_size, names, range.near_m, range.far_m),

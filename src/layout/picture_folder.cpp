@@ -130,4 +130,16 @@ std::vector<fs::path> pictures_of_views(const fs::path& folder, const std::funct
   return std::move(content.pictures);
 }
 
+bool warn_of_pictures_without_camera(const fs::path& folder, const std::function<bool(const fs::path&)>& has_camera,
+                                     std::string_view file, const std::function<void(std::string_view)>& warn) {
+  std::vector<std::string> names;
+  for (const fs::path& picture : content_of(folder).pictures)
+    if (!has_camera(picture)) names.push_back(picture.filename().string());
+  if (!names.empty() && warn)
+    warn(fmt::format("{}: {} without a camera in {} left out: {}", folder.string(),
+                     names.size() == 1 ? "a picture" : fmt::format("{} pictures", names.size()),
+                     fmt::format("{} {}", file, names.size() == 1 ? "is" : "are"), listed(names)));
+  return !names.empty();
+}
+
 }  // namespace lippmann

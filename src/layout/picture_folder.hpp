@@ -22,4 +22,10 @@ bool is_picture_folder(const std::filesystem::path& folder);
 std::vector<std::filesystem::path> pictures_of_views(const std::filesystem::path& folder,
                                                      const std::function<void(std::string_view)>& warn = {});
 
+/// Warns about the pictures of a folder for which has_camera(path) is false. `file`: name of the file that lacks their cameras.
+/// Returns whether there are such pictures.
+bool warn_of_pictures_without_camera(const std::filesystem::path& folder,
+                                     const std::function<bool(const std::filesystem::path&)>& has_camera, std::string_view file,
+                                     const std::function<void(std::string_view)>& warn);
+
 }  // namespace lippmann

@@ -14,7 +14,7 @@ namespace lippmann {
 std::vector<PosedCamera> posed_cameras(const LightField& field, const std::string& where) {
   if (field.poses) return *field.poses;
   if (!field.cameras)
-    throw Error(where, unknown_cameras(field),
+    throw Error(where, "cannot be written: " + unknown_cameras(field),
                 "pictures with render's report.json beside them, or a folder whose files state cameras");
   const ViewCameras& cameras = *field.cameras;
   std::vector<PosedCamera> posed;

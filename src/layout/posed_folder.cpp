@@ -115,6 +115,7 @@ ViewGrid posed_grid(std::vector<PosedPicture>& pictures, std::optional<ViewCamer
   if (options.views && options.views->count() != count)
     throw usage_error("views", fmt::format("{}x{} does not match the {} pictures in {}", options.views->columns,
                                            options.views->rows, count, file.string()));
+  if (cameras && !options.views) warn_of_missing_cameras(cameras->eyes_mm, file.string(), options);
   return options.views.value_or(grid);
 }
 
@@ -149,16 +150,13 @@ std::string depth_problem(const fs::path& folder, const PosedPicture& picture) {
   return is_regular_file_there(folder / picture.depth) ? "" : fmt::format("its depth file {} is missing", shown(picture.depth));
 }
 
-/// Reads the depth of all views. If the depth of one view cannot be read, warns and leaves field.depth empty.
-void read_depths(const fs::path& folder, const std::vector<PosedPicture>& pictures, LightField& field,
-                 const std::function<void(std::string_view)>& warn = {}) {
+/// Reads the depth of all views. If only some have depth, calls leave_out_depth().
+void read_depths(const fs::path& folder, const std::vector<PosedPicture>& pictures, const FormatOptions& options,
+                 LightField& field) {
   if (std::all_of(pictures.begin(), pictures.end(), [](const PosedPicture& p) { return p.depth.empty(); })) return;
-  for (const PosedPicture& picture : pictures) {
-    const std::string problem = depth_problem(folder, picture);
-    if (problem.empty()) continue;
-    if (warn) warn(fmt::format("{}: {}, so the depth of all views is left out", picture.entry, problem));
-    return;
-  }
+  for (const PosedPicture& picture : pictures)
+    if (const std::string problem = depth_problem(folder, picture); !problem.empty())
+      return leave_out_depth(field, options, picture.entry + ": " + problem);
   field.depth = Image(field.view_size.x, field.view_size.y * field.grid.count(), 1);
   const double plane = field.cameras ? field.cameras->distance_mm : 0.0;
   for (int view = 0; view < field.grid.count(); ++view) {
@@ -184,7 +182,7 @@ LightField field_of_picture(const fs::path& folder, const PosedPicture& picture,
   LightField field;
   field.grid = {1, 1}, field.view_size = picture.camera.size;
   if (with_colours) field.stack = read_picture(folder / picture.picture);
-  read_depths(folder, {picture}, field);
+  read_depths(folder, {picture}, {}, field);
   return field;
 }
 
@@ -223,14 +221,14 @@ LightField read_posed_pictures(const fs::path& folder, PosedSet set, const Forma
   const ViewGrid grid = posed_grid(pictures, cameras, options, set.file);
   std::vector<fs::path> by_view;
   for (const PosedPicture& picture : pictures) by_view.push_back(listed_picture(folder, picture));
-  LightField field = read_view_files(by_view, grid, options);
+  LightField field = read_view_files(by_view, grid, with_pixel_aspect(options, pictures.front().camera.focal_px));
   if (!cameras) field.poses = cameras_of(pictures);
   if (options.fit_view) return field;  // views that fit_view has resized do not match the sizes of the cameras
   field.cameras = std::move(cameras);
   field.points = std::move(set.points);
   field.depth_bounds_mm = values_of(pictures, &PosedPicture::depth_bounds_mm);
   field.splits = values_of(pictures, &PosedPicture::split);
-  read_depths(folder, pictures, field, options.warn);
+  read_depths(folder, pictures, options, field);
   return field;
 }
 

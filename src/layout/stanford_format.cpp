@@ -55,9 +55,12 @@ LightField read_stanford(const fs::path& folder, const FormatOptions& options) {
   std::vector<fs::path> by_view(files.size());
   for (std::size_t i = 0; i < files.size(); ++i)
     by_view[static_cast<std::size_t>(from_top_left(grid, static_cast<int>(i)))] = files[i].path;
-  LightField field = read_view_files(by_view, grid, options);
-  field.positions = stanford_positions(by_view);
   const std::optional<HciParameters> parameters = read_hci_parameters(folder);
+  LightField field = read_view_files(by_view, grid, options, [&](int view, Vec2i size) {
+    if (parameters) require_size(*parameters, by_view[static_cast<std::size_t>(view)], size);
+  });
+  field.positions = stanford_positions(by_view);
+  if (options.fit_view) return field;  // views that fit_view has resized do not match the cameras
   if (parameters && grid == ViewGrid{parameters->columns, parameters->rows})
     field.cameras =
         grid.count() == 1 ? hci_cameras(*parameters) : cameras_as_stated(stated_cameras(*parameters), field, folder.string());
@@ -109,6 +112,7 @@ LightFieldFormat stanford_format() {
           .is_folder = true,
           .uses_cameras = true,
           .keeps_positions = true,
+          .assumes_square_pixels = true,
           .read = read_stanford,
           .write = write_stanford};
 }

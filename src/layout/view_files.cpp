@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <charconv>
+#include <iterator>
 #include <set>
 
 #include "core/folder.hpp"
 #include "core/folder_entries.hpp"
 #include "core/platform.hpp"
+#include "core/regular_file.hpp"
 #include "layout/picture_samples.hpp"
 #include "lippmann/core/error.hpp"
 
@@ -65,6 +67,19 @@ ViewGrid complete_grid(const fs::path& folder, const std::vector<NumberedFile>& 
   return {last_column - first_column + 1, last_row - first_row + 1};
 }
 
+void require_all_views(const fs::path& folder, const std::vector<NumberedFile>& files, int first, int last,
+                       const std::function<std::string(int number)>& name) {
+  int missing = first;
+  for (const NumberedFile& file : files) missing += file.numbers[0] == missing ? 1 : 0;
+  if (missing > last) return;
+  const std::string ending = files.front().path.extension().string();
+  const int more = last - first - static_cast<int>(files.size());
+  throw Error(folder.string(),
+              fmt::format("{}{} is missing{}", name(missing), ending,
+                          more > 0 ? fmt::format(", and {} more of {} views", more, last - first + 1) : ""),
+              fmt::format("all views from {0}{2} to {1}{2}", name(first), name(last), ending));
+}
+
 void require_stack_fits(const std::string& where, int views, Vec2i view_size, std::size_t sample_bytes,
                         double available_bytes) {
   constexpr double kMostPixels = 4294967295.0;  // largest number of pixels of a stack, whose pixels have 32-bit indices
@@ -113,11 +128,40 @@ LightField read_view_files(const std::vector<fs::path>& by_view, ViewGrid grid,
   return read_each_view(by_view, grid, [&](const fs::path& path, int) { return read(path); });
 }
 
-LightField read_view_files(const std::vector<fs::path>& by_view, ViewGrid grid, const FormatOptions& options) {
-  return read_each_view(by_view, grid, [&](const fs::path& path, int view) {
+LightField read_view_files(const std::vector<fs::path>& by_view, ViewGrid grid, const FormatOptions& options,
+                           const std::function<void(int view, Vec2i size)>& check_size) {
+  const double pixel = options.pixel_aspect.value_or(1.0);  // width / height
+  LightField field = read_each_view(by_view, grid, [&](const fs::path& path, int view) {
     Picture picture = read_picture(path, options.warn);
-    return options.fit_view ? options.fit_view(std::move(picture), view, grid) : picture;
+    const Vec2i size = size_of(picture);
+    if (check_size) check_size(view, size);
+    return options.fit_view ? options.fit_view(std::move(picture), pixel * size.x / size.y, view, grid) : picture;
   });
+  field.aspect *= pixel;
+  return field;
+}
+
+FormatOptions with_pixel_aspect(FormatOptions options, Vec2d focal_px) {
+  options.pixel_aspect = focal_px.y / focal_px.x;
+  return options;
+}
+
+void leave_out_depth(LightField& field, const FormatOptions& options, const std::string& reason) {
+  field.depth.reset();
+  field.lacks_some_depth = true;
+  if (options.warn) options.warn(reason + ", so the depth of all views is left out");
+}
+
+bool has_all_depth_maps(const std::vector<fs::path>& maps, LightField& field, const FormatOptions& options) {
+  std::vector<fs::path> missing;
+  std::copy_if(maps.begin(), maps.end(), std::back_inserter(missing),
+               [](const fs::path& map) { return !is_regular_file_there(map); });
+  if (missing.empty() || missing.size() == maps.size()) return missing.empty();
+  leave_out_depth(field, options,
+                  missing.size() == 1 ? fmt::format("{} is missing", missing[0].string())
+                                      : fmt::format("{} and {} more of {} depth maps are missing", missing[0].string(),
+                                                    missing.size() - 1, maps.size()));
+  return false;
 }
 
 const char* exact_ending(const Picture& picture) { return std::holds_alternative<Image>(picture) ? "exr" : "png"; }

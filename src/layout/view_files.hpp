@@ -29,6 +29,11 @@ std::vector<NumberedFile> numbered_files(const std::filesystem::path& folder, co
 /// Throws Error naming the folder and a missing file if the grid is incomplete.
 ViewGrid complete_grid(const std::filesystem::path& folder, const std::vector<NumberedFile>& files);
 
+/// Throws Error naming the first missing file unless `files`, which have one number each, have all numbers from `first` to
+/// `last`. name(number) returns a file name without extension.
+void require_all_views(const std::filesystem::path& folder, const std::vector<NumberedFile>& files, int first, int last,
+                       const std::function<std::string(int number)>& name);
+
 /// Throws Error naming `where` if the stack of these views would have 2^32 pixels or more, or would exceed `available_bytes` of
 /// memory (infinite: no limit).
 void require_stack_fits(const std::string& where, int views, Vec2i view_size, std::size_t sample_bytes, double available_bytes);
@@ -37,8 +42,19 @@ void require_stack_fits(const std::string& where, int views, Vec2i view_size, st
 /// differs from that of the first file. Throws Error naming the first file if the views together do not fit into memory.
 LightField read_view_files(const std::vector<std::filesystem::path>& by_view, ViewGrid grid,
                            const std::function<Picture(const std::filesystem::path&)>& read);
-/// Reads the views with read_picture(). Uses options.warn and options.fit_view.
-LightField read_view_files(const std::vector<std::filesystem::path>& by_view, ViewGrid grid, const FormatOptions& options);
+/// Reads the views with read_picture(). Uses options.warn and options.fit_view. `check_size`, if given, is called with the size
+/// of each picture before options.fit_view changes the picture.
+LightField read_view_files(const std::vector<std::filesystem::path>& by_view, ViewGrid grid, const FormatOptions& options,
+                           const std::function<void(int view, Vec2i size)>& check_size = {});
+
+/// Returns the options with the shape of the pixels of a camera, given its focal lengths across and down in pixels.
+FormatOptions with_pixel_aspect(FormatOptions options, Vec2d focal_px);
+
+/// Records that the depth of all views is left out, and warns with the reason, such as "a.pfm is missing".
+void leave_out_depth(LightField& field, const FormatOptions& options, const std::string& reason);
+
+/// Returns whether all depth maps exist. If only some exist, calls leave_out_depth() with the first missing file.
+bool has_all_depth_maps(const std::vector<std::filesystem::path>& maps, LightField& field, const FormatOptions& options);
 
 /// Returns the extension of a lossless format for the picture's samples: "png" for integers, "exr" for floats.
 const char* exact_ending(const Picture& picture);

@@ -66,8 +66,10 @@ ViewFitter::ViewFitter(const Display& display, DisplayTarget target, AspectFit f
     const RowOfSamples row = samples_of_sheet(display);
     size_ = {row.count, display.pixels.y};
     first_ = row.first, step_ = row.step;
+    lenses_ = display.pixels.x / lens_strips(display).cell_px;
   } else {
     size_ = lens_grid(native_optics(display));
+    lenses_ = size_.x;
     step_ = 1.0 / size_.x;
   }
 }
@@ -143,6 +145,13 @@ std::string ViewFitter::description() const {
   if (view_shift_px_ != 0.0) add(fmt::format("shifted by {:.4g} pixels from view to view", view_shift_px_));
   if (size_ != used) add(fmt::format("resized to {}x{}", size_.x, size_.y));
   return text;
+}
+
+std::string ViewFitter::coarseness() const {
+  // A lens shows one sample of each view. Below half a pixel per lens, one pixel of the view spans more than two lenses.
+  constexpr double kLeastPixelsPerLens = 0.5;
+  if (!(window_.x < kLeastPixelsPerLens * lenses_)) return {};
+  return fmt::format("the views have {:.0f} pixels across for {:.0f} lenses", window_.x, lenses_);
 }
 
 }  // namespace lippmann

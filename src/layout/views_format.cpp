@@ -1,5 +1,5 @@
 // A folder of view_000.png, view_001.png, ..., or of pictures with arbitrary names. Views are numbered from the lower left as
-// in layout/view_layout.hpp.
+// in layout/view_layout.hpp. If pixels are not square, views.json states their shape (layout/views_side_file.hpp).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +9,7 @@
 #include "layout/picture_folder.hpp"
 #include "layout/rendered.hpp"
 #include "layout/view_files.hpp"
+#include "layout/views_side_file.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/layout/formats.hpp"
 
@@ -19,14 +20,21 @@ namespace fs = std::filesystem;
 
 constexpr const char* kViewNames = "a folder of view_000.png, view_001.png, ...";
 
-/// Reads the depth of all views. If one view has no depth, clears field.depth.
-void read_depth(const std::vector<fs::path>& by_view, LightField& field) {
+/// Reads the depth of all views. If one view has no depth, field.depth stays empty.
+void read_depth(const std::vector<fs::path>& by_view, const FormatOptions& options, LightField& field) {
+  fs::path without_depth;
   for (int view = 0; view < field.grid.count(); ++view) {
-    const std::optional<Image> depth = rendered_depth(by_view[static_cast<std::size_t>(view)]);
-    if (!depth || Vec2i(depth->width, depth->height) != field.view_size) return field.depth.reset();
-    if (view == 0) field.depth = Image(field.view_size.x, field.view_size.y * field.grid.count(), 1);
+    const fs::path& path = by_view[static_cast<std::size_t>(view)];
+    const std::optional<Image> depth = rendered_depth(path);
+    if (!depth || Vec2i(depth->width, depth->height) != field.view_size) {
+      if (without_depth.empty()) without_depth = path;
+      continue;
+    }
+    if (!field.depth) field.depth = Image(field.view_size.x, field.view_size.y * field.grid.count(), 1);
     set_depth(field, view, *depth);
   }
+  if (field.depth && !without_depth.empty())
+    leave_out_depth(field, options, without_depth.string() + " has no depth layer of its size");
 }
 
 /// Returns view_000.png, ... if such files exist, else all pictures of the folder.
@@ -37,9 +45,9 @@ std::vector<fs::path> views_in(const fs::path& folder, const FormatOptions& opti
                    [](const fs::directory_entry& entry) { return name.match(entry.path().filename().string()); }))
     return pictures_of_views(folder, options.warn);
   const std::vector<NumberedFile> files = numbered_files(folder, name, kViewNames);
-  const int first = files.front().numbers[0], count = static_cast<int>(files.size());
-  if (first > 1 || files.back().numbers[0] != first + count - 1)
-    throw Error(folder.string(), "some views are missing", fmt::format("all views from 0 to {}", files.back().numbers[0]));
+  const int first = files.front().numbers[0];
+  require_all_views(folder, files, first > 1 ? 0 : first, files.back().numbers[0],
+                    [](int number) { return fmt::format("view_{:03}", number); });
   std::vector<fs::path> by_view;
   for (const NumberedFile& file : files) by_view.push_back(file.path);
   return by_view;
@@ -52,14 +60,20 @@ LightField read_views(const fs::path& folder, const FormatOptions& options) {
   if (grid.count() != count)
     throw usage_error("views",
                       fmt::format("{}x{} does not match the {} views in {}", grid.columns, grid.rows, count, folder.string()));
-  LightField field = read_view_files(by_view, grid, options);
-  if (options.with_depth) read_depth(by_view, field);
+  FormatOptions reading = options;
+  if (const std::optional<double> stated = read_pixel_aspect(folder)) reading.pixel_aspect = stated;
+  LightField field = read_view_files(by_view, grid, reading);
+  if (options.with_depth && !options.fit_view) read_depth(by_view, options, field);
   return field;
 }
 
 std::vector<fs::path> write_views(const LightField& field, const fs::path& folder, const FormatOptions&) {
   const char* ending = exact_ending(field.stack);
-  return write_view_files(field, folder, [&](int view) { return fmt::format("view_{:03}.{}", view, ending); });
+  std::vector<fs::path> written =
+      write_view_files(field, folder, [&](int view) { return fmt::format("view_{:03}.{}", view, ending); });
+  const double aspect = pixel_aspect(field);
+  if (aspect != 1.0 || has_views_side_file(folder)) written.push_back(write_pixel_aspect(folder, aspect));
+  return written;
 }
 
 }  // namespace

@@ -52,7 +52,8 @@ LightField read_video_views(const fs::path& video, const FormatOptions& options)
     // View i is the frame nearest to i (frames - 1) / (views - 1).
     if (frame != (2 * view * (frames - 1) + views - 1) / (2 * (views - 1))) continue;
     Picture picture = *std::move(read);
-    if (options.fit_view) picture = options.fit_view(std::move(picture), view, field.grid);
+    const Vec2d size(size_of(picture));
+    if (options.fit_view) picture = options.fit_view(std::move(picture), size.x / size.y, view, field.grid);
     if (view == 0) {
       field.view_size = size_of(picture);
       field.aspect = static_cast<double>(field.view_size.x) / field.view_size.y;

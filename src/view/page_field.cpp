@@ -118,7 +118,7 @@ Image8 PageField::provenance(std::size_t frame) const {
 Image8 PageField::panel(std::size_t frame) const { return to_codes(read(frame).picture, Encoding::kSrgb); }
 
 LightField PageField::views(std::size_t frame,
-                            const std::function<Picture(const Picture&, int view, ViewGrid grid)>& fit) const {
+                            const std::function<Picture(const Picture&, double aspect, int view, ViewGrid grid)>& fit) const {
   const fs::path file = file_of(frame);
   require_within(root_, file);
   FormatOptions options;

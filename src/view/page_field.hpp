@@ -42,8 +42,9 @@ class PageField {
   /// The Provenance number of each pixel in red, green and blue, as a quilt. Needs facts().has_provenance.
   Image8 provenance(std::size_t frame) const;
   Image8 panel(std::size_t frame) const;
-  /// The views with the samples in the files. Needs has_plain_views(). fit: as FormatOptions::fit_view.
-  LightField views(std::size_t frame, const std::function<Picture(const Picture&, int view, ViewGrid grid)>& fit) const;
+  /// Returns the views with the samples stored in the files. Needs has_plain_views(). fit: as FormatOptions::fit_view.
+  LightField views(std::size_t frame,
+                   const std::function<Picture(const Picture&, double aspect, int view, ViewGrid grid)>& fit) const;
 
   /// True if the files hold two or more views with all their pixels.
   bool has_plain_views() const;

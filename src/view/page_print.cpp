@@ -91,9 +91,8 @@ Json PagePrints::make(const std::string& request) {
   const Display& display = wanted.display;
   const DisplayTarget target = display_target(display, own_format(display));
   ViewFitter fitter(display, target, wanted.fit.value_or(default_fit(target)), pool_, wanted.view_shift_px);
-  LightField views = field_.views(wanted.frame, [&](const Picture& view, int number, ViewGrid grid) {
-    const Vec2d size(size_of(view));
-    return fitter.fitted(view, size.x / size.y, number, grid);
+  LightField views = field_.views(wanted.frame, [&](const Picture& view, double aspect, int number, ViewGrid grid) {
+    return fitter.fitted(view, aspect, number, grid);
   });
   if (!fitter.has_fitted()) fitter.fit(views);
   const Picture picture = display_picture(views, display, target, {}, pool_);

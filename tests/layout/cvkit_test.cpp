@@ -1,6 +1,8 @@
 // Compares the cameras of the cvkit format with values computed by hand, and tests the errors for malformed files.
 #include <gmock/gmock.h>
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <fstream>
 
@@ -54,7 +56,8 @@ TEST(CvkitCamera, damaged_files_are_refused) {
        {std::string(), std::string("camera.A=[1 0 1; 0 1 1]\n"), std::string("camera.A=[1 0 1; 0 nan 1; 0 0 1]\n"),
         std::string("camera.A=[1 2 1; 0 1 1; 0 0 1]\n"), std::string("camera.A=[-1 0 1; 0 1 1; 0 0 1]\n"),
         a + "camera.R=[0 1 0; 1 0 0; 0 0 1]\n", a + "camera.T=[1 2]\n", a + "camera.k1=0.1\n", a + "camera.width=-3\n",
-        a + "camera.height=2.5\n", a + "rho=-1\n", a + "rho=x\n"})
+        a + "camera.height=2.5\n", a + "rho=-1\n", a + "rho=x\n", a + "t=nan\n", a + "camera.T=[0 nan 0]\n",
+        a + "camera.width=inf\n"})
     EXPECT_THAT(error_message([&] { parse_cvkit_camera(text, "v_param.txt"); }), HasSubstr("v_param.txt")) << text;
 }
 
@@ -79,6 +82,21 @@ TEST(CvkitFormat, cameras_and_depth_come_back) {
       ASSERT_NEAR(read.field.depth->data[i], field.depth->data[i], 1e-3);
 }
 
+TEST(CvkitFormat, rectified_pairs_keep_poses_and_depth) {
+  const TempDir dir;
+  cvkit_format().write(cvkit_field(), dir / "a", {});
+  for (const int view : {0, 1})
+    std::ofstream(dir / fmt::format("a/view_00{}_param.txt", view))
+        << "camera.A=[1000 0 20; 0 1000 15; 0 0 1]\nrho=20\ncamera.T=[" << 0.02 * view << " 0 0]\n";
+  const LightField read = cvkit_format().read(dir / "a", {});
+  EXPECT_FALSE(read.cameras);
+  ASSERT_TRUE(read.poses && read.depth);
+  EXPECT_EQ((*read.poses)[1].position_mm, Vec3d(20.0, 0.0, 0.0));
+  EXPECT_EQ((*read.poses)[1].size, Vec2i(40, 30));
+  // Pixel 1 of cvkit_field() is 0.25 mm in front of the plane, which is 500 mm from the eyes.
+  EXPECT_NEAR(read.depth->data[1], -(500.0 - 0.25), 1e-3) << "z in the camera's frame";
+}
+
 TEST(CvkitFormat, files_that_disagree_are_refused) {
   const TempDir dir;
   const LightField field = cvkit_field();
@@ -90,7 +108,7 @@ TEST(CvkitFormat, files_that_disagree_are_refused) {
   EXPECT_THAT(error_message([&] { cvkit_format().read(dir / "a", {.views = ViewGrid{3, 1}}); }), HasSubstr("2 views"));
   std::ofstream(dir / "a/view_001_param.txt") << "camera.A=[1000 0 40; 0 1000 3; 0 0 1]\ncamera.T=[0.01 -0.006 0]\n"
                                                  "camera.width=41\ncamera.height=30\n";
-  EXPECT_THAT(error_message([&] { cvkit_format().read(dir / "a", {}); }), HasSubstr("41x30"));
+  EXPECT_THAT(error_message([&] { cvkit_format().read(dir / "a", {}); }), HasSubstr("41 and 30"));
   fs::remove(dir / "a/view_001.png");
   EXPECT_THAT(error_message([&] { cvkit_format().read(dir / "a", {}); }), HasSubstr("view_001_param.txt is missing"));
 }

@@ -329,5 +329,50 @@ TEST(DisplayPicture, refuses_what_makes_no_print) {
               HasSubstr("view-shift: -24 pixels from view to view leave less than half"));
 }
 
+TEST(DisplayPicture, few_pixels_for_the_lenses_are_reported) {
+  const ThreadPool pool(2);
+  const Display sheet = load_display("lpi=60 dpi=600 paper=4x3in");
+  const auto coarseness = [&](Vec2i size) {
+    ViewFitter fitter(sheet, DisplayTarget::kIntegral, AspectFit::kCrop, pool);
+    fitter.fitted(plain(size, 1, 2, 3), static_cast<double>(size.x) / size.y);
+    return fitter.coarseness();
+  };
+  EXPECT_EQ(coarseness({124, 93}), "") << "240 lenses";
+  EXPECT_EQ(coarseness({116, 87}), "the views have 116 pixels across for 240 lenses");
+  EXPECT_EQ(coarseness({176, 66}), "the views have 88 pixels across for 240 lenses") << "after cropping";
+}
+
+/// Converts an integral image of 8 x 1 views to a folder of views, and makes prints of both.
+TEST(DisplayPicture, folders_of_views_keep_the_shape_of_pixels) {
+  const test::TempDir dir;
+  const LightField field = [] {
+    LightField views = test::numbered_field({8, 1}, {16, 128});
+    views.aspect = 1.0;
+    return views;
+  }();
+  find_format("integral", "to").write(field, dir / "in.png", {});
+  ConvertParams params{.from = "integral", .to = "views"};
+  params.options.views = ViewGrid{8, 1};
+  const Converted views = convert(dir / "in.png", dir / "views", params);
+  EXPECT_EQ(views.written.back().filename(), "views.json");
+  EXPECT_EQ(views_format().read(dir / "views", {}).aspect, 1.0);
+
+  params = {.to = "integral"};
+  params.options.display = load_display("lpi=16 dpi=128 paper=1x1in");
+  params.options.views = ViewGrid{8, 1};
+  params.display_picture = DisplayPictureParams{};
+  params.from = "integral";
+  convert(dir / "in.png", dir / "a.png", params);
+  params.from = "views";
+  EXPECT_EQ(convert(dir / "views", dir / "b.png", params).fitted, "") << "not cropped";
+  EXPECT_TRUE(test::same_samples(read_picture(dir / "a.png"), read_picture(dir / "b.png")));
+
+  params = {.from = "views", .to = "jpeg-pleno"};
+  EXPECT_EQ(convert(dir / "views", dir / "pleno", params).lost_pixel_aspect, 8.0);
+  params.to = "quilt";
+  EXPECT_EQ(convert(dir / "views", dir / "quilt.png", params).lost_pixel_aspect, 1.0);
+  EXPECT_TRUE(std::filesystem::exists(dir / "quilt_qs4x2a1.png"));
+}
+
 }  // namespace
 }  // namespace lippmann

@@ -162,7 +162,7 @@ TEST(Formats, hci_folders_default_to_squares) {
   fs::remove(dir / "a/input_Cam008.png");
   EXPECT_THAT(error_message([&] { format("hci").read(dir / "a", {}); }), HasSubstr("do not form a square"));
   fs::remove(dir / "a/input_Cam004.png");
-  EXPECT_THAT(error_message([&] { format("hci").read(dir / "a", {}); }), HasSubstr("views are missing"));
+  EXPECT_THAT(error_message([&] { format("hci").read(dir / "a", {}); }), HasSubstr("input_Cam004.png is missing"));
 }
 
 TEST(JpegPleno, restores_10_bit_samples_from_16_bits) {

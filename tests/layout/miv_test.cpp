@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "layout/miv_cameras.hpp"
@@ -67,6 +68,55 @@ TEST(MivCameras, rotated_cameras_share_no_window) {
   EXPECT_FALSE(cameras_of_miv(unshifted));
 }
 
+TEST(MivCameras, angles_are_yaw_pitch_and_roll) {
+  const auto rotation_by = [](int angle) {
+    LightField field;
+    std::vector<MivCamera> cameras = cameras_by_hand();
+    cameras[1].rotation_deg[angle] = 90.0;
+    set_cameras(cameras, field);
+    EXPECT_EQ(field.poses->front().rotation, glm::dmat3(1.0));
+    return field.poses->back().rotation;  // columns: right, up, back
+  };
+  const auto expect_columns = [](const glm::dmat3& rotation, Vec3d right, Vec3d up, Vec3d back) {
+    EXPECT_LT(glm::distance(rotation[0], right), 1e-12);
+    EXPECT_LT(glm::distance(rotation[1], up), 1e-12);
+    EXPECT_LT(glm::distance(rotation[2], back), 1e-12);
+  };
+  expect_columns(rotation_by(0), {0, 0, -1}, {0, 1, 0}, {1, 0, 0});  // looks to the left
+  expect_columns(rotation_by(1), {1, 0, 0}, {0, 0, -1}, {0, 1, 0});  // looks down
+  expect_columns(rotation_by(2), {0, -1, 0}, {1, 0, 0}, {0, 0, 1});  // leans to the right
+}
+
+TEST(MivFormat, cameras_without_a_common_window_keep_poses) {
+  const TempDir dir;
+  LightField field = two_views();
+  field.depth = Image(40, 60, 1);
+  for (float& z : field.depth->data) z = -500.0f;
+  miv_format().write(field, dir / "m", {});
+  std::vector<MivCamera> cameras = miv_cameras(*field.cameras, {40, 30}, {"view_000", "view_001"}, 0.5, 2.0);
+  cameras[1].focal_px.x = 990.0;
+  std::ofstream(dir / "m/cameras.json") << miv_cameras_text(cameras, "room", true);
+  const LightField back = miv_format().read(dir / "m", {});
+  EXPECT_FALSE(back.cameras);
+  ASSERT_TRUE(back.poses && back.depth);
+  EXPECT_EQ((*back.poses)[1].focal_px, Vec2d(990.0, 1000.0));
+  EXPECT_LT(glm::distance((*back.poses)[1].position_mm, Vec3d(10.0, 6.0, 0.0)), 1e-9);
+  EXPECT_EQ((*back.poses)[1].principal_px, Vec2d(40.0, 3.0));
+  EXPECT_FLOAT_EQ(back.depth->data[0], -500.0f) << "z in the camera's frame: the largest code is `near`, 0.5 m";
+  const auto refusal = [&] {
+    return error_message([&] { miv_format().write(miv_format().read(dir / "m", {}), dir / "o", {}); });
+  };
+  EXPECT_THAT(refusal(), AllOf(HasSubstr("cannot be written"),
+                               HasSubstr("the camera of view 1 has the focal lengths 990x1000 pixels, and that of view 0 has "
+                                         "1000x1000")));
+  cameras[1].focal_px.x = 1000.0, cameras[1].rotation_deg[1] = 3.0;
+  std::ofstream(dir / "m/cameras.json") << miv_cameras_text(cameras, "room", true);
+  EXPECT_THAT(refusal(), HasSubstr("the camera of view 1 is rotated against that of view 0"));
+  cameras[1].rotation_deg[1] = 0.0, cameras[1].position_m[0] = 0.1;
+  std::ofstream(dir / "m/cameras.json") << miv_cameras_text(cameras, "room", true);
+  EXPECT_THAT(refusal(), HasSubstr("the camera of view 1 is not in one plane with that of view 0"));
+}
+
 TEST(MivFormat, depth_codes_match_formula) {
   const TempDir dir;
   LightField field = two_views();
@@ -89,6 +139,15 @@ TEST(MivFormat, depth_codes_match_formula) {
   EXPECT_EQ(back.depth->data[3], -INFINITY);
 }
 
+TEST(MivFormat, walls_of_one_depth_come_back) {
+  const TempDir dir;
+  LightField field = two_views();
+  field.depth = Image(40, 60, 1);
+  for (float& z : field.depth->data) z = -500.0f;
+  miv_format().write(field, dir / "m", {});
+  EXPECT_NEAR(miv_format().read(dir / "m", {}).depth->data[0], -500.0f, 1e-3f);
+}
+
 TEST(MivFormat, rejects_missing_cameras_and_pictures) {
   const TempDir dir;
   EXPECT_THAT(error_message([&] {
@@ -109,11 +168,16 @@ TEST(MivCameras, files_that_make_no_cameras_are_refused) {
     return error_message([&] { parse_miv_cameras(text, "c.json"); });
   };
   EXPECT_THAT(error_message([] { parse_miv_cameras("{", "c.json"); }), AllOf(HasSubstr("c.json"), HasSubstr("not JSON")));
+  EXPECT_THAT(refusal("\"Focal\": [", "\"Focal\": [NaN, "),
+              AllOf(HasSubstr("c.json:"), HasSubstr("cameras[0].Focal[0]: 'NaN' is not JSON"), HasSubstr("finite numbers")));
+  EXPECT_THAT(refusal("\"Position\": [", "\"Position\": [-1e400, "), HasSubstr("cameras[0].Position[0]: '-1e400'"));
+  EXPECT_THAT(error_message([&] { parse_miv_cameras(good.substr(0, good.rfind("Focal") + 10), "c.json"); }),
+              AllOf(HasSubstr("cameras[1].Focal"), HasSubstr("ends too early")));
   EXPECT_THAT(error_message([] { parse_miv_cameras(R"({"cameras": []})", "c"); }), HasSubstr("0 cameras"));
   EXPECT_THAT(error_message([] { parse_miv_cameras(R"({"cameras": [1]})", "c"); }), HasSubstr("is not an object"));
   EXPECT_THAT(refusal("\"Name\": \"a\"", "\"Name\": \"../a\""), HasSubstr("Name"));
   EXPECT_THAT(refusal("Perspective", "Equirectangular"), HasSubstr("Projection"));
-  EXPECT_THAT(refusal("\"Focal\"", "\"Fokal\""), HasSubstr("Focal"));
+  EXPECT_THAT(refusal("\"Focal\"", "\"Fokal\""), HasSubstr("c.json: cameras[0].Focal: is missing"));
   EXPECT_THAT(refusal("\"Position\": [", "\"Position\": [1e300, "), HasSubstr("Position"));
 }
 

@@ -36,7 +36,10 @@ struct Converted {
   bool drops_poses = false;                ///< the output does not state the input's cameras, which share no plane and window
   std::vector<std::string> left_out = {};  ///< data that the output format cannot store, such as "12 points"
   std::string fitted = {};                 ///< how views were resampled for a display; empty: not resampled
-  bool lacks_cameras = false, lacks_depth = false;  ///< the format can store cameras or depth, but the input has none
+  std::string too_coarse = {};             ///< ViewFitter::coarseness()
+  double lost_pixel_aspect = 1.0;          ///< width / height of the pixels, if the output format assumes square pixels; otherwise 1
+  /// The format can store cameras or depth, but no view of the input has them.
+  bool lacks_cameras = false, lacks_depth = false;
 };
 
 /// Converts the light field `in` to `out`. Frames frame_* of a folder (pictures or folders of views) keep their names. A

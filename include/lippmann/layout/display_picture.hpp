@@ -83,6 +83,9 @@ class ViewFitter {
   bool has_fitted() const { return original_.x > 0; }
   /// Returns for example "cropped from 4000x3000 to 2250x3000, shifted by 1.5 pixels from view to view, resized to 372x682".
   std::string description() const;
+  /// Returns a description such as "the views have 45 pixels across for 248 lenses" if views behind lenses have less than half
+  /// a pixel per lens; otherwise an empty string.
+  std::string coarseness() const;
 
  private:
   Vec2d window_of(Vec2i view, double aspect) const;
@@ -94,7 +97,8 @@ class ViewFitter {
   const ThreadPool& pool_;
   double view_shift_px_;
   Vec2i size_{0, 0};
-  /// Left edge of the first sample and distance between samples, as fractions of the display's width.
+  double lenses_ = 0.0;  ///< number of lenses across; 0: a picture without lenses
+  /// Left edge of the first sample (first_) and distance between samples (step_), as fractions of the display's width.
   double first_ = 0.0, step_ = 1.0;
   double aspect_ = 1.0;  ///< of the display, or of the quilt's views
   Vec2i original_{0, 0};

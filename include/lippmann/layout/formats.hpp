@@ -46,10 +46,12 @@ struct FormatOptions {
   std::optional<bool> even_in_depth = {}, near_black = {};  ///< See DepthCoding. None: from the side file.
   std::optional<StatedCameras> cameras = {};                ///< for files that state none; open_light_field() adds them
   std::optional<PlenopticCalibration> plenoptic = {};       ///< calibration of raw plenoptic pictures; none: from their files
-  /// Called for each view right after its file is read, to reduce large originals before all are held in memory. `view`: the
-  /// view's number in the grid.
-  std::function<Picture(Picture, int view, ViewGrid grid)> fit_view = {};
-  /// Called with a warning for each ignored property of a picture.
+  /// Width / height of the pixels of views in folders; none: as a side file or the cameras state, or square.
+  std::optional<double> pixel_aspect = {};
+  /// Called for each view right after its file is read, to reduce large originals before all are held in memory. `aspect`:
+  /// width / height of the scene area that the picture shows. `view`: the view's number in the grid.
+  std::function<Picture(Picture, double aspect, int view, ViewGrid grid)> fit_view = {};
+  /// Called with a warning for unsupported metadata of pictures (image/picture_file.hpp).
   std::function<void(std::string_view)> warn = {};
 };
 
@@ -71,6 +73,7 @@ struct LightFieldFormat {
   bool keeps_points = false;        ///< the files can hold LightField::points
   bool keeps_depth_bounds = false;  ///< the files can hold LightField::depth_bounds_mm
   bool keeps_splits = false;        ///< the files can hold LightField::splits
+  bool assumes_square_pixels = false;  ///< the files cannot state the shape of pixels
   bool states_cameras = false;      ///< the files contain cameras, so a report.json beside them is ignored
   /// Throws Error naming the file or the option.
   LightField (*read)(const std::filesystem::path& path, const FormatOptions& options) = nullptr;

@@ -44,11 +44,15 @@ struct LightField {
   std::optional<std::vector<Vec2d>> depth_bounds_mm = {};
   std::vector<CloudPoint> points = {};            ///< points of the file (COLMAP), in the coordinates of `poses` or `cameras`
   std::optional<std::vector<Split>> splits = {};  ///< one per view; none: the file has no split
+  bool lacks_some_depth = false;  ///< true: `depth` is none because only some views have depth; the reader has warned
 };
 
 /// Returns one camera per view. Cameras of a common plane look along -z of the display frame. Throws Error naming `where` if
 /// the cameras are unknown.
 std::vector<PosedCamera> posed_cameras(const LightField& field, const std::string& where);
+
+/// Returns width / height of a view's pixels. Results near 1 are exactly 1, because the sides of views are rounded.
+double pixel_aspect(const LightField& field);
 
 inline Vec2i stack_size(const LightField& field) { return {field.view_size.x, field.view_size.y * field.grid.count()}; }
 

@@ -1,0 +1,209 @@
+// Tests that readers of folders name data that is missing, or that contradicts other data.
+#include <gmock/gmock.h>
+
+#include <fstream>
+
+#include "core/regular_file.hpp"
+#include "image/png.hpp"
+#include "layout/cameras.hpp"
+#include "light_fields.hpp"
+#include "lippmann/layout/convert.hpp"
+#include "lippmann/layout/formats.hpp"
+#include "support/error_message.hpp"
+#include "support/temp_dir.hpp"
+
+namespace lippmann {
+namespace {
+
+namespace fs = std::filesystem;
+using test::error_message, test::numbered_field, test::TempDir;
+using testing::AllOf, testing::ElementsAre, testing::HasSubstr, testing::IsEmpty, testing::Not;
+
+/// Returns views of 3 x 3 eyes that are 20 mm apart, 500 mm in front of a plane in which pixels are 0.5 mm wide.
+LightField nine_views() {
+  LightField field = numbered_field({3, 3}, {8, 6});
+  field.cameras = {500.0, Vec2d(0.5), Vec2d(4.0, 3.0), {}};
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column) field.cameras->eyes_mm.emplace_back(20.0 * column - 20.0, 20.0 * row - 20.0);
+  field.depth = Image(8, 6 * 9, 1);
+  for (float& z : field.depth->data) z = -250.0f;
+  return field;
+}
+
+struct Read {
+  LightField field;
+  std::vector<std::string> warnings;
+};
+
+Read read(const char* format, const fs::path& folder) {
+  Read result;
+  FormatOptions options;
+  options.with_depth = true;
+  options.warn = [&](std::string_view text) { result.warnings.emplace_back(text); };
+  result.field = find_format(format, "from").read(folder, options);
+  return result;
+}
+
+/// Writes nine views in a format, and removes files of the folder.
+struct Damaged {
+  Damaged(const char* format, std::initializer_list<const char*> removed) {
+    find_format(format, "to").write(nine_views(), dir / "in", {});
+    for (const char* file : removed) EXPECT_TRUE(fs::remove(dir / "in" / file)) << file;
+  }
+  void replace(const char* file, const std::string& part, const std::string& other) const {
+    std::string text = read_file_text(dir / "in" / file, 1 << 20);
+    ASSERT_NE(text.find(part), std::string::npos) << part;
+    text.replace(text.find(part), part.size(), other);
+    std::ofstream(dir / "in" / file) << text;
+  }
+  std::string refusal(const char* format) const {
+    return error_message([&] { read(format, dir / "in"); });
+  }
+  TempDir dir;
+};
+
+TEST(LostViews, first_missing_file_and_count_are_named) {
+  EXPECT_THAT(Damaged("hci", {"input_Cam004.png"}).refusal("hci"), HasSubstr("in: input_Cam004.png is missing; accepted"));
+  EXPECT_THAT(Damaged("hci", {"input_Cam000.png", "input_Cam007.png", "input_Cam008.png"}).refusal("hci"),
+              HasSubstr("input_Cam000.png is missing, and 2 more of 9 views"));
+  EXPECT_THAT(Damaged("hci", {"input_Cam008.png"}).refusal("hci"), HasSubstr("input_Cam008.png is missing"))
+      << "parameters.cfg states 9 cameras";
+  EXPECT_THAT(Damaged("views", {"view_002.png", "view_005.png"}).refusal("views"),
+              HasSubstr("view_002.png is missing, and 1 more of 9 views"));
+}
+
+TEST(LostViews, sizes_that_disagree_with_pictures_are_refused) {
+  const Damaged hci("hci", {});
+  hci.replace("parameters.cfg", "image_resolution_x_px = 8", "image_resolution_x_px = 9");
+  EXPECT_THAT(hci.refusal("hci"), AllOf(HasSubstr("parameters.cfg"), HasSubstr("image_resolution_x_px"), HasSubstr("9 and 6"),
+                                        HasSubstr("input_Cam006.png has 8x6")));
+  const Damaged stanford("stanford", {});
+  stanford.replace("parameters.cfg", "image_resolution_y_px = 6", "image_resolution_y_px = 60");
+  EXPECT_THAT(stanford.refusal("stanford"), HasSubstr("8 and 60, but out_02_00"));
+  const Damaged miv("miv", {});
+  miv.replace("cameras.json", "\"Resolution\": [\n        8,", "\"Resolution\": [\n        80,");
+  EXPECT_THAT(miv.refusal("miv"), AllOf(HasSubstr("cameras.json"), HasSubstr("Resolution of camera view_000 is 80x6"),
+                                        HasSubstr("view_000.png has 8x6")));
+  const Damaged cvkit("cvkit", {});
+  cvkit.replace("view_003_param.txt", "camera.width=8", "camera.width=7");
+  EXPECT_THAT(cvkit.refusal("cvkit"), AllOf(HasSubstr("view_003_param.txt"),
+                                            HasSubstr("camera.width and camera.height are 7 and 6"), HasSubstr("8x6")));
+}
+
+TEST(LostCameras, pictures_without_a_camera_are_named) {
+  const Damaged cvkit("cvkit", {"view_004_param.txt"});
+  EXPECT_THAT(read("cvkit", cvkit.dir / "in").warnings,
+              ElementsAre(AllOf(HasSubstr("NAME_param.txt"), HasSubstr("left out: view_004.png"))));
+  const Damaged miv("miv", {});
+  miv.replace("cameras.json", "\"Name\": \"view_004\"", "\"Name\": \"viewport\"");
+  EXPECT_THAT(read("miv", miv.dir / "in").warnings,
+              ElementsAre(AllOf(HasSubstr("cameras.json"), HasSubstr("left out: view_004.png"))));
+  const Damaged colmap("colmap", {});
+  colmap.replace("sparse/0/images.txt", "004.png\n\n", "004.png\n");
+  const std::string text = read_file_text(colmap.dir / "in/sparse/0/images.txt", 1 << 20);
+  const std::size_t end = text.find("004.png\n"), begin = text.rfind('\n', end);
+  std::ofstream(colmap.dir / "in/sparse/0/images.txt") << text.substr(0, begin) << text.substr(end + 7);
+  EXPECT_THAT(read("colmap", colmap.dir / "in").warnings,
+              ElementsAre(AllOf(HasSubstr("images.txt"), HasSubstr("left out: 004.png")), HasSubstr("column 1, row 1")));
+}
+
+TEST(LostCameras, holes_in_a_grid_are_named) {
+  const Damaged cvkit("cvkit", {"view_005.png", "view_005_param.txt", "view_005_disp.pfm"});
+  const Read hole = read("cvkit", cvkit.dir / "in");
+  EXPECT_THAT(hole.warnings,
+              ElementsAre(AllOf(HasSubstr("column 2, row 1"), HasSubstr("the 8 views do not form a grid of 3x3"))));
+  EXPECT_EQ(hole.field.grid, (ViewGrid{8, 1}));
+  for (const char* format : {"miv", "cvkit", "colmap", "nerf"}) {
+    const Damaged whole(format, {});
+    EXPECT_THAT(read(format, whole.dir / "in").warnings, IsEmpty()) << format;
+  }
+}
+
+std::vector<std::string> warnings_about(const std::vector<Vec2d>& eyes) {
+  std::vector<std::string> warnings;
+  FormatOptions options;
+  options.warn = [&](std::string_view text) { warnings.emplace_back(text); };
+  warn_of_missing_cameras(eyes, "c", options);
+  return warnings;
+}
+
+TEST(LostCameras, only_grids_can_have_holes) {
+  EXPECT_THAT(warnings_about({{0, 0}, {1, 0}, {3, 0}}), ElementsAre(HasSubstr("column 2, row 0")));
+  EXPECT_THAT(warnings_about({{0, 0}, {1, 0}, {0, 1}}), ElementsAre(HasSubstr("column 1, row 1")));
+  EXPECT_THAT(warnings_about({{0, 0}, {1.001, 0}, {2, 0.001}}), IsEmpty()) << "not exactly regular";
+  EXPECT_THAT(warnings_about({{0, 0}, {2, 0}, {1, 1}, {3, 1}}), IsEmpty()) << "half a step between rows";
+  EXPECT_THAT(warnings_about({{1, 0}, {0, 1}, {1, 1}, {2, 1}, {1, 2}}), IsEmpty()) << "a cross";
+  EXPECT_THAT(warnings_about({{0, 0}, {1, 0}, {2.5, 0}}), IsEmpty()) << "irregular";
+  EXPECT_THAT(warnings_about({{1, 2}, {1, 2}}), IsEmpty()) << "one place";
+}
+
+TEST(LostDepth, missing_map_is_named) {
+  const auto warnings_of = [](const char* format, std::initializer_list<const char*> removed) {
+    const Damaged damaged(format, removed);
+    const Read result = read(format, damaged.dir / "in");
+    EXPECT_FALSE(result.field.depth) << format;
+    EXPECT_TRUE(result.field.lacks_some_depth) << format;
+    return result.warnings;
+  };
+  EXPECT_THAT(warnings_of("hci", {"gt_depth_lowres_Cam007.pfm"}),
+              ElementsAre(HasSubstr("gt_depth_lowres_Cam007.pfm is missing, so the depth of all views is left out")));
+  EXPECT_THAT(warnings_of("cvkit", {"view_003_disp.pfm", "view_005_disp.pfm"}),
+              ElementsAre(HasSubstr("view_003_disp.pfm and 1 more of 9 depth maps are missing")));
+  EXPECT_THAT(warnings_of("miv", {"view_008_depth.png"}), ElementsAre(HasSubstr("view_008_depth.png is missing")));
+  EXPECT_THAT(warnings_of("nerf", {"depth/002.npy"}), ElementsAre(HasSubstr("'depth/002.npy' is missing")));
+  const Damaged cvkit("cvkit", {});
+  cvkit.replace("view_001_param.txt", "rho=", "# rho=");
+  EXPECT_THAT(read("cvkit", cvkit.dir / "in").warnings, ElementsAre(HasSubstr("view_001_param.txt states no rho")));
+  const Damaged nerf("nerf", {});
+  nerf.replace("transforms.json", "\"depth_file_path\": \"depth/000.npy\",", "");
+  EXPECT_THAT(read("nerf", nerf.dir / "in").warnings, ElementsAre(HasSubstr("frames[0] lists no depth file")));
+}
+
+TEST(LostDepth, folders_without_depth_give_no_warning) {
+  for (const char* format : {"hci", "cvkit", "miv", "nerf"}) {
+    const TempDir dir;
+    LightField field = nine_views();
+    field.depth.reset();
+    find_format(format, "to").write(field, dir / "in", {});
+    const Read result = read(format, dir / "in");
+    EXPECT_THAT(result.warnings, IsEmpty()) << format;
+    EXPECT_FALSE(result.field.lacks_some_depth) << format;
+  }
+}
+
+TEST(LostDepth, conversion_warns_once) {
+  const Damaged hci("hci", {"gt_depth_lowres_Cam007.pfm"});
+  const Converted converted = convert(hci.dir / "in", hci.dir / "out", {.from = "hci", .to = "miv"});
+  EXPECT_FALSE(converted.lacks_depth) << "the reader has warned";
+}
+
+/// Prints whose views are resized while they are read must not compare the resized views with depth maps and cameras.
+TEST(LostDepth, resized_views_need_no_depth) {
+  for (const char* format : {"hci", "cvkit", "miv", "stanford"}) {
+    const Damaged whole(format, {});
+    FormatOptions options;
+    options.fit_view = [](const Picture&, double, int, ViewGrid) { return Picture(Image8{1, 1, {1, 2, 3}}); };
+    const LightField field = find_format(format, "from").read(whole.dir / "in", options);
+    EXPECT_EQ(field.view_size, Vec2i(1)) << format;
+    EXPECT_FALSE(field.depth || field.cameras) << format;
+  }
+}
+
+TEST(PixelAspect, follows_cameras_and_side_files) {
+  const TempDir dir;
+  LightField field = nine_views();
+  field.cameras->pixel_mm = {1.0, 0.5}, field.aspect = 2.0 * 8 / 6;
+  for (const char* format : {"miv", "cvkit", "nerf", "colmap", "views"}) {
+    find_format(format, "to").write(field, dir / format, {});
+    EXPECT_NEAR(pixel_aspect(read(format, dir / format).field), 2.0, 1e-9) << format;
+  }
+  find_format("views", "to").write(nine_views(), dir / "views", {});
+  EXPECT_EQ(pixel_aspect(read("views", dir / "views").field), 1.0) << "an earlier side file is replaced";
+  std::ofstream(dir / "views/views.json") << R"({"views": {"pixel_aspect": 0}})";
+  EXPECT_THAT(error_message([&] { read("views", dir / "views"); }), HasSubstr("views.json: views.pixel_aspect"));
+  std::ofstream(dir / "views/views.json") << R"({"mine": 3})";
+  EXPECT_EQ(pixel_aspect(read("views", dir / "views").field), 1.0);
+}
+
+}  // namespace
+}  // namespace lippmann
