@@ -10,6 +10,7 @@
 //   'l' LLFF's poses_bounds.npy
 //   'n' any .npy file
 //   'q' the JSON file of a quilt
+//   's' the JSON file of a folder of views
 //   'p' PPM
 //   'f' PFM
 //   'k' --keep
@@ -44,6 +45,7 @@
 #include "layout/miv_cameras.hpp"
 #include "layout/quilt_side_file.hpp"
 #include "layout/transforms_json.hpp"
+#include "layout/views_side_file.hpp"
 #include "lippmann/core/error.hpp"
 #include "lippmann/layout/subset.hpp"
 
@@ -80,7 +82,8 @@ void hdf5_cameras(std::span<const std::byte> numbers) {
 
 void cvkit(const std::string& text) {
   const CvkitCamera camera = parse_cvkit_camera(text, "a");
-  cameras_of_miv({camera.camera, camera.camera});
+  LightField field;
+  set_cameras({camera.camera, camera.camera}, field);
   const std::string again = cvkit_camera_text(camera);
   require(cvkit_camera_text(parse_cvkit_camera(again, "a")) == again);
 }
@@ -95,7 +98,10 @@ void eslf(const std::string& text) {
 void miv(const std::string& text) {
   const std::vector<MivCamera> cameras = parse_miv_cameras(text, "a");
   if (cameras.empty()) return;
-  cameras_of_miv(cameras);
+  LightField field;
+  set_cameras(cameras, field);
+  require(field.cameras.has_value() != field.poses.has_value());
+  warn_of_missing_cameras(cameras, "a", {.warn = [](std::string_view) {}});
   const std::string again = miv_cameras_text(cameras, "a", true);
   require(miv_cameras_text(parse_miv_cameras(again, "a"), "a", true) == again);
 }
@@ -221,6 +227,9 @@ void read(char kind, const std::string& text) {
       return npy(std::as_bytes(std::span(text)));
     case 'q':
       parse_quilt_side_file(text, "a");
+      return;
+    case 's':
+      parse_pixel_aspect(text, "a");
       return;
     case 'p':
       return ppm(std::as_bytes(std::span(text)));
