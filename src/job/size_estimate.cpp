@@ -67,7 +67,8 @@ double light_field_layer_bytes(const RenderParams& params, double pixels, double
   if (format == "cvkit") bytes = kFloat * all;
   if (format == "miv") bytes = kCompressedCodes * all;
   if (format == "colmap" && !is_set) bytes += colmap_point_bytes(all);
-  return frames * bytes + (format == "colmap" && is_set ? colmap_point_bytes(frames * all) : 0.0);
+  constexpr double kSubjectShare = 0.25;  // assumed share of the pixels around a subject that have a point
+  return frames * bytes + (format == "colmap" && is_set ? kSubjectShare * colmap_point_bytes(frames * all) : 0.0);
 }
 
 double video_bytes_per_pixel(const RenderParams& params, VideoCodec codec) {
