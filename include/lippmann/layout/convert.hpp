@@ -37,7 +37,7 @@ struct Converted {
   std::vector<std::string> left_out = {};  ///< data that the output format cannot store, such as "12 points"
   std::string fitted = {};                 ///< how views were resampled for a display; empty: not resampled
   std::string too_coarse = {};             ///< ViewFitter::coarseness()
-  double lost_pixel_aspect = 1.0;          ///< width / height of the pixels, if the output format assumes square pixels; otherwise 1
+  double lost_pixel_aspect = 1.0;  ///< width / height of the pixels, if the output format assumes square pixels; otherwise 1
   /// The format can store cameras or depth, but no view of the input has them.
   bool lacks_cameras = false, lacks_depth = false;
 };
