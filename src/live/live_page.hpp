@@ -10,7 +10,9 @@
 #pragma once
 
 #include <atomic>
+#include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "live/live_scene.hpp"
 #include "view/answers.hpp"
@@ -25,6 +27,7 @@ class LiveAnswers : public LivePage {
   nlohmann::ordered_json field() const override;
   nlohmann::ordered_json about() const override;
   InterlaceParams interlace() const override { return scene_->interlace(); }
+  std::optional<std::filesystem::path> finished_render() const override { return scene_->finished_render(); }
   PageAnswer get(std::string_view path) override;
   PageAnswer post(std::string_view path, const std::string& body) override;
 

@@ -44,6 +44,11 @@ bool LiveRender::is_running() const {
   return state_ == "running";
 }
 
+std::optional<std::filesystem::path> LiveRender::finished_folder() const {
+  const std::lock_guard lock(mutex_);
+  return state_ == "finished" ? std::optional<std::filesystem::path>(folder_) : std::nullopt;
+}
+
 void LiveRender::run(const ResolvedJob& job) {
   RenderObserver observer;
   observer.planned = [this](const RenderPlan& plan) {

@@ -1,9 +1,11 @@
 // A render that the page starts. It runs in a thread, reports its progress and can be cancelled.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <mutex>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <thread>
 
@@ -27,8 +29,12 @@ class LiveRender {
 
   bool is_running() const;
 
-  /// Returns "state" (running, finished, stopped or failed), "frames", "done", "share" (finished fraction), "seconds_left"
-  /// (null if not known yet), "folder" and "error" for the page. Returns null before the first render.
+  /// Returns the folder of the last render; nullopt if it has not finished.
+  std::optional<std::filesystem::path> finished_folder() const;
+
+  /// Returns the state of the render for the page: "state" (running, finished, stopped or failed), "frames", "done", "share"
+  /// (finished fraction of the whole render), "seconds_left" (null if not known yet), "folder" and "error". Returns null before
+  /// the first render.
   nlohmann::ordered_json json() const;
 
  private:

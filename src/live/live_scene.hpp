@@ -65,6 +65,8 @@ class LiveScene {
   /// Renders the whole job, or the current frame only. Throws Error if the settings cannot be rendered.
   void render(bool all_frames);
   void cancel_render() { render_.cancel(); }
+  /// Returns the folder of the last render; nullopt if it has not finished.
+  std::optional<std::filesystem::path> finished_render() const { return render_.finished_folder(); }
 
  private:
   struct Picture {

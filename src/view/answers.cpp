@@ -181,7 +181,7 @@ PageAnswer PageAnswers::answer_text(const PageRequest& request, std::string_view
 
 PageAnswer PageAnswers::answer_path(std::string_view path) {
   if (path == "fields.json") return answer_with(200, description(), "application/json");
-  if (path == "page.html" && !live_ && !render_) return whole_page();
+  if (path == "page.html") return whole_page();
   for (const PageFile& file : page_files())
     if (file.name == (path.empty() ? "index.html" : path))
       return answer_with(200, std::string(file.text), std::string(file.type));
@@ -193,9 +193,18 @@ PageAnswer PageAnswers::answer_path(std::string_view path) {
   return picture(path);
 }
 
+/// Returns the page with all data as one file, for sharing. Of a render, it has the frames that are finished.
 PageAnswer PageAnswers::whole_page() const {
+  const auto html = [](const std::vector<std::unique_ptr<PageField>>& fields) {
+    return answer_with(200, page_as_file(fields, {}), "text/html; charset=utf-8");
+  };
   try {
-    return answer_with(200, page_as_file(fields_, {}), "text/html; charset=utf-8");
+    if (!live_ && !render_) return html(fields_);
+    const std::optional<std::filesystem::path> folder = live_ ? live_->finished_render() : render_->folder();
+    if (!folder) return failed("The page has no pictures to save until a render of the scene has finished.");
+    std::vector<std::unique_ptr<PageField>> finished;
+    finished.push_back(std::make_unique<PageField>(*folder, LightFieldHints{}, Context{}));
+    return html(finished);
   } catch (const Error& error) {
     return failed(error.what());
   }

@@ -4,6 +4,7 @@
 // from pages of other origins, are for another host (DNS rebinding), or lack the token.
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -42,9 +43,11 @@ class LivePage {
  public:
   virtual ~LivePage() = default;
 
-  virtual nlohmann::ordered_json field() const = 0;
-  virtual nlohmann::ordered_json about() const = 0;
-  virtual InterlaceParams interlace() const = 0;
+  virtual nlohmann::ordered_json field() const = 0;  ///< description of the light field, as by field_json()
+  virtual nlohmann::ordered_json about() const = 0;  ///< facts that are sent to the page once
+  virtual InterlaceParams interlace() const = 0;     ///< how views are interlaced on panels
+  /// Returns the folder of the last render that the page started; nullopt if that render has not finished.
+  virtual std::optional<std::filesystem::path> finished_render() const = 0;
   virtual PageAnswer get(std::string_view path) = 0;
   virtual PageAnswer post(std::string_view path, const std::string& body) = 0;
 };
@@ -60,7 +63,7 @@ class PageAnswers {
   /// may request prints (view/page_print.hpp):
   ///   POST print                     PagePrints::make
   ///   GET  print/views/ID, print/panel/ID, print/file/ID
-  /// GET page.html returns the page as one file (page_as_file).
+  /// GET page.html returns the page as one file (page_as_file). For renders and scenes, the file has the finished frames.
   PageAnswers(std::vector<std::unique_ptr<PageField>> fields, PageAccess access, std::optional<PageDisplay> display = {},
               std::size_t cache_bytes = kDefaultCacheBytes);
 

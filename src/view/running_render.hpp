@@ -30,6 +30,9 @@ class RunningRender {
   RunningRender(std::filesystem::path folder, ToolCommand resuming,
                 std::chrono::milliseconds poll_interval = std::chrono::milliseconds(200));
 
+  const std::filesystem::path& folder() const { return folder_; }
+
+  /// Returns the frames that were requested when this object was made, in ascending order; at least one.
   const std::vector<int>& frames() const { return frames_; }
 
   /// nullopt until the frame frames()[index] is finished.

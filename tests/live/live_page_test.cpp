@@ -18,8 +18,13 @@ constexpr const char* kHost = "127.0.0.1:8488";
 class LivePages : public testing::Test {
  protected:
   LivePages()
-      : answers_(std::make_unique<LiveAnswers>(test::live_scene(test::small_room(), dir_.path() / "room.toml")),
-                 {{kHost}, "secret"}) {}
+      : answers_(std::make_unique<LiveAnswers>(test::live_scene(room(), dir_.path() / "room.toml")), {{kHost}, "secret"}) {}
+
+  RenderParams room() const {
+    RenderParams params = test::small_room();
+    params.output.folder = (dir_ / "rendered").string();
+    return params;
+  }
 
   PageAnswer ask(const std::string& method, const std::string& path, const std::string& body = {},
                  const std::string& origin = "http://127.0.0.1:8488") {
@@ -93,6 +98,17 @@ TEST_F(LivePages, only_the_latest_pictures_are_served) {
   EXPECT_EQ(ask("GET", "/secret/live/views/999").status, 404);
   EXPECT_EQ(ask("GET", "/secret/live/views/1").status, 204);  // picture 1, the coarse one, has been replaced
   EXPECT_EQ(ask("GET", "/secret/live/secrets/" + id).status, 404);
+}
+
+TEST_F(LivePages, page_is_saved_after_a_render) {
+  EXPECT_EQ(ask("GET", "/secret/page.html").status, 422);
+  ASSERT_EQ(ask("POST", "/secret/live/render", R"({"frames":"this"})").status, 200);
+  Json now = state();
+  for (int i = 0; i < 240 && now["render"]["state"] == "running"; ++i)
+    now = Json::parse(*ask("GET", "/secret/live/state/" + now["serial"].dump()).body);
+  const PageAnswer page = ask("GET", "/secret/page.html");
+  EXPECT_EQ(page.status, 200) << *page.body;
+  EXPECT_THAT(*page.body, HasSubstr("id=\"data:0/views/0\""));
 }
 
 }  // namespace

@@ -143,5 +143,15 @@ TEST_F(RunningRenderTest, orders_need_the_page_and_token) {
   EXPECT_EQ(answers.answer(request).status, 404);
 }
 
+TEST_F(RunningRenderTest, finished_frames_can_be_saved_as_a_page) {
+  auto render = std::make_shared<RunningRender>(dir_.path(), ToolCommand{"/bin/false", {}});
+  PageAnswers answers(std::make_unique<PageField>(dir_.path(), render, Context()), render, {{"127.0.0.1:1"}, "secret"});
+  const PageAnswer page = answers.answer({.path = "/secret/page.html", .host = "127.0.0.1:1"});
+  EXPECT_EQ(page.status, 200);
+  EXPECT_THAT(*page.body, HasSubstr("id=\"data:0/views/0\""));
+  EXPECT_THAT(*page.body, testing::Not(HasSubstr("id=\"data:0/views/2\"")));
+  EXPECT_EQ(answers.answer({.path = "/page.html", .host = "127.0.0.1:1"}).status, 403);
+}
+
 }  // namespace
 }  // namespace lippmann
