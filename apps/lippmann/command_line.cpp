@@ -18,9 +18,7 @@
 namespace lippmann::app {
 namespace {
 
-constexpr int kWrongUsage = 2;
-
-/// Returns ", did you mean '...'?" with the most similar flag or command; empty if none is similar.
+/// Returns ", did you mean '...'?" with the flag or command most similar to an unknown word; empty if none is similar.
 std::string suggestion(const std::string& word, const CLI::App& command) {
   std::vector<std::string> names;
   if (word.starts_with("-")) {

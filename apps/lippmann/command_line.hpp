@@ -19,6 +19,8 @@ class Option;
 
 namespace lippmann::app {
 
+constexpr int kWrongUsage = 2;  ///< exit code
+
 /// Replaces the names of parameters in backquotes, such as `min-psnr`, by their flags, such as --min-psnr.
 std::string with_flags(std::string_view text);
 

@@ -59,8 +59,7 @@ int run(const DatasetOptions& options, Context& context) {
   std::optional<Progress> progress;
   DatasetObserver observer;
   observer.planned = [&](int to_make, int) {
-    if (to_make > 0 && !options.quiet)
-      progress.emplace(to_make, Progress::stderr_is_terminal() ? ProgressStyle::kBar : ProgressStyle::kLines);
+    if (to_make > 0 && !options.quiet) progress.emplace(to_make, Progress::usual_style());
   };
   observer.made = [&](int index, double seconds) {
     if (progress) progress->step(fmt::format("sample {}: {:.1f} s", index, seconds));

@@ -26,13 +26,25 @@
 namespace lippmann::app {
 namespace {
 
-constexpr int kFailed = 1, kRemoved = 2;  ///< exit codes
+constexpr int kFailed = 1;  ///< exit code
 
 /// Returns the path by which the tool was called, or "lippmann" if it was called without a path. The tool prints it in
 /// commands, so that these can be run.
 std::string program_name(int argc, char** argv) {
   const std::string_view word = argc > 0 ? argv[0] : "";
   return word.find('/') == std::string_view::npos ? "lippmann" : shell_word(word);
+}
+
+/// Prints commands to begin with, for a command line without a command. Returns the exit code.
+int suggest_commands(const std::string& program) {
+  print_error(
+      "lippmann: no command is given; commands to begin with:\n"
+      "  {0} render teapot      renders a built-in scene, or a file such as chair.glb, into out/teapot\n"
+      "  {0} view out/teapot    shows the result in the browser\n"
+      "  {0} view room          sets a scene up in the browser, and renders it\n"
+      "All commands: {0} --help\n",
+      program);
+  return kWrongUsage;
 }
 
 /// Checks the stack limit, which also applies to threads: a thread whose stack is too small ends the process without a message.
@@ -84,8 +96,9 @@ int run(int argc, char** argv) {
     print_error(
         "lippmann: `bench` is a program of its own: lippmann-bench NAME (build it with scripts/build release "
         "lippmann-bench)\n");
-    return kRemoved;
+    return kWrongUsage;
   }
+  if (argc < 2) return suggest_commands(program_name(argc, argv));
   CommandLine command_line("lippmann", "Renders 3D integral images (light-field images) and their animation.",
                            fmt::format("lippmann {}\n{}", version(), build_facts()));
   const Command root = command_line.root();

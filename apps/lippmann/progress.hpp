@@ -58,6 +58,8 @@ class Progress {
   void tick();
 
   static bool stderr_is_terminal();
+  /// Returns kBar if stderr is a terminal, otherwise kLines.
+  static ProgressStyle usual_style() { return stderr_is_terminal() ? ProgressStyle::kBar : ProgressStyle::kLines; }
 
  private:
   double elapsed_s() const { return std::chrono::duration<double>(now_() - start_).count(); }

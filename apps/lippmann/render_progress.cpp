@@ -16,7 +16,7 @@ namespace {
 
 ProgressStyle style_of(RenderProgressKind kind) {
   if (kind == RenderProgressKind::kVerbose) return ProgressStyle::kEveryLine;
-  return Progress::stderr_is_terminal() ? ProgressStyle::kBar : ProgressStyle::kLines;
+  return Progress::usual_style();
 }
 
 std::string frame_line(const FrameReport& frame, bool interpolates) {

@@ -1,6 +1,7 @@
 // `lippmann view [IN [OTHER]]`: opens a page that shows or compares light fields, sets up a scene, or accepts dropped pictures.
 #include <fmt/core.h>
 
+#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -11,6 +12,8 @@
 #include "apps/lippmann/commands.hpp"
 #include "apps/lippmann/light_field_flags.hpp"
 #include "apps/lippmann/page_server.hpp"
+#include "apps/lippmann/print.hpp"
+#include "apps/lippmann/progress.hpp"
 #include "apps/lippmann/scene_to_set_up.hpp"
 #include "core/platform.hpp"
 #include "core/printable.hpp"
@@ -53,14 +56,25 @@ void refuse_server_flags(const PageServerFlags& server) {
   refuse(server.open, "--open");
 }
 
+/// Saves the page to a folder, or to a file if the path ends in .html, and shows the progress.
+SavedPage save_with_progress(const std::vector<std::unique_ptr<PageField>>& fields, const fs::path& path,
+                             const Context& context) {
+  std::size_t frames = 0;
+  for (const auto& field : fields) frames += field->facts().frames.size();
+  Progress progress(static_cast<int>(frames), Progress::usual_style());
+  const FrameSaved saved = [&](const std::string& label) { progress.step(fmt::format("frame {}", label)); };
+  return path.extension() == ".html" ? save_page_file(fields, path, context, saved) : save_page(fields, path, context, saved);
+}
+
 int save(const ViewOptions& options, const Context& context) {
   refuse_server_flags(options.server);
   const std::vector<std::unique_ptr<PageField>> fields = read_fields(options, context);
-  const bool is_file = fs::path(options.save).extension() == ".html";
-  const SavedPage page = is_file ? save_page_file(fields, options.save, context) : save_page(fields, options.save, context);
-  if (!page.index.empty())
-    fmt::print("{}: {:.1f} MB{}\n", printable_line(page.index.string()), 1e-6 * double(page.bytes),
-               page.files.size() > 1 ? " with all files beside it" : "");
+  const SavedPage page = save_with_progress(fields, options.save, context);
+  if (page.index.empty()) return 0;
+  const std::string index = printable_line(page.index.string());
+  fmt::print("{}: {:.1f} MB{}\n", index, 1e-6 * double(page.bytes), page.files.size() > 1 ? " with all files beside it" : "");
+  std::fflush(stdout);
+  print_error("Open {} in a browser.\n", index);
   return 0;
 }
 

@@ -97,26 +97,30 @@ bool needs(const PageFacts& facts, std::string_view kind, std::size_t frame) {
 
 /// Calls write(name, image) for each image. Returns false if cancelled.
 template <class Write>
-bool make_pictures(const std::vector<std::unique_ptr<PageField>>& fields, const Context& context, const Write& write) {
+bool make_pictures(const std::vector<std::unique_ptr<PageField>>& fields, const Context& context, const FrameSaved& saved,
+                   const Write& write) {
   for (std::size_t i = 0; i < fields.size(); ++i) {
     const PageFacts& facts = fields[i]->facts();
-    for (std::size_t frame = 0; frame < facts.frames.size(); ++frame)
+    for (std::size_t frame = 0; frame < facts.frames.size(); ++frame) {
       for (const std::string_view kind : {"preview", "views", "depth", "provenance", "panel"}) {
         if (context.cancelled) return false;
         if (needs(facts, kind, frame))
           write(fmt::format("{}/{}/{}", i, kind, frame), page_picture(*fields[i], kind, frame, kSavedEffort));
       }
+      if (saved) saved(facts.frames[frame].label);
+    }
   }
   return true;
 }
 
 }  // namespace
 
-SavedPage save_page(const std::vector<std::unique_ptr<PageField>>& fields, const fs::path& folder, const Context& context) {
+SavedPage save_page(const std::vector<std::unique_ptr<PageField>>& fields, const fs::path& folder, const Context& context,
+                    const FrameSaved& saved) {
   require_own_page(folder / "index.html", kScripts, "a new folder, or one of a page that was saved before");
   PageFolder page(folder);
   const auto write = [&](const std::string& name, const PagePicture& picture) { page.write_picture(name, picture); };
-  if (!make_pictures(fields, context, write)) return {};
+  if (!make_pictures(fields, context, saved, write)) return {};
   page.write("fields.js", "lippmann_fields(" + fields_text(fields) + ")\n");
   for (const PageFile& file : page_files())
     if (file.name != "index.html") page.write(fs::path(file.name), file.text);
@@ -124,7 +128,8 @@ SavedPage save_page(const std::vector<std::unique_ptr<PageField>>& fields, const
   return {page.path() / "index.html", page.bytes(), page.files()};
 }
 
-std::string page_as_file(const std::vector<std::unique_ptr<PageField>>& fields, const Context& context) {
+std::string page_as_file(const std::vector<std::unique_ptr<PageField>>& fields, const Context& context,
+                         const FrameSaved& saved) {
   std::string text = saved_index(kWithin);
   const std::size_t end_of_body = text.rfind("</body>");
   if (end_of_body == std::string::npos) throw Error("index.html", "has no </body> in the embedded page");
@@ -140,13 +145,14 @@ std::string page_as_file(const std::vector<std::unique_ptr<PageField>>& fields, 
     if (text.size() > kMaxFileBytes)
       throw Error("The page", "would be larger than 1 GB as one file", "a page saved as a folder: `lippmann view` with `save`");
   };
-  if (!make_pictures(fields, context, append)) return {};
+  if (!make_pictures(fields, context, saved, append)) return {};
   return text + fmt::format("<script>{}</script>\n", within_script(text_of_page_file("app.js"))) + end;
 }
 
-SavedPage save_page_file(const std::vector<std::unique_ptr<PageField>>& fields, const fs::path& file, const Context& context) {
+SavedPage save_page_file(const std::vector<std::unique_ptr<PageField>>& fields, const fs::path& file, const Context& context,
+                         const FrameSaved& saved) {
   require_own_page(file, kWithin, "a new file, or a page that was saved before");
-  const std::string text = page_as_file(fields, context);
+  const std::string text = page_as_file(fields, context, saved);
   if (text.empty()) return {};
   write_file_atomically(file, std::as_bytes(std::span(text)));
   return {file, text.size(), {file}};

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -13,6 +14,9 @@
 #include "view/page_field.hpp"
 
 namespace lippmann {
+
+/// Receives the label of each frame whose pictures are saved.
+using FrameSaved = std::function<void(const std::string& label)>;
 
 struct SavedPage {
   std::filesystem::path index;
@@ -23,14 +27,16 @@ struct SavedPage {
 /// Makes the folder if necessary, and replaces a page saved there before. Throws Error naming a file, also if the folder
 /// contains another page. If context.cancelled is set, stops without writing index.html.
 SavedPage save_page(const std::vector<std::unique_ptr<PageField>>& fields, const std::filesystem::path& folder,
-                    const Context& context);
+                    const Context& context, const FrameSaved& saved = {});
 
-/// Throws Error above 1 GB, because browsers cannot open such files. If context.cancelled is set, returns an empty string.
-std::string page_as_file(const std::vector<std::unique_ptr<PageField>>& fields, const Context& context);
+/// Returns the page with all data as one document. Throws Error if it exceeds 1 GB, because browsers cannot open such files. If
+/// context.cancelled is set, stops between frames and returns an empty string.
+std::string page_as_file(const std::vector<std::unique_ptr<PageField>>& fields, const Context& context,
+                         const FrameSaved& saved = {});
 
 /// Throws Error naming the file, also if it exists and is not a saved page.
 SavedPage save_page_file(const std::vector<std::unique_ptr<PageField>>& fields, const std::filesystem::path& file,
-                         const Context& context);
+                         const Context& context, const FrameSaved& saved = {});
 
 SavedPage save_page(const std::filesystem::path& in, const std::filesystem::path& folder, const Context& context);
 

@@ -21,6 +21,16 @@ TEST(Tool, help_lists_the_commands) {
   EXPECT_THAT(result.out, testing::Not(HasSubstr("bench")));
 }
 
+TEST(Tool, no_command_suggests_three) {
+  const TempDir dir;
+  const RunResult result = run_tool(dir, {});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_EQ(result.out, "");
+  EXPECT_LE(lines_of(result.err), 5u);
+  for (const char* words : {"no command", "render teapot ", "view out/teapot ", "view room ", "--help"})
+    EXPECT_THAT(result.err, HasSubstr(words));
+}
+
 TEST(Tool, render_help_is_short) {
   const TempDir dir;
   const RunResult result = run_tool(dir, {"render", "--help"});

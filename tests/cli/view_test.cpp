@@ -98,6 +98,18 @@ TEST(View, flags_describe_the_sheet_of_a_print) {
   expect_refusal(run_tool(dir, {"view", "print.png", "--lpi", "20"}), 2, "without --dpi");
 }
 
+TEST(View, saving_shows_progress_and_the_file) {
+  const TempDir dir;
+  expect_done(dir, small_teapot("0-2", "r"));
+  const RunResult folder = run_tool(dir, {"view", "r", "--save", "page"});
+  EXPECT_EQ(folder.exit_code, 0);
+  EXPECT_THAT(folder.err, testing::StartsWith("[1/3] frame 0000; "));
+  EXPECT_THAT(folder.err, HasSubstr("[3/3] frame 0002; done\n"));
+  EXPECT_THAT(folder.err, testing::EndsWith("\nOpen page/index.html in a browser.\n"));
+  EXPECT_THAT(folder.out, testing::StartsWith("page/index.html: "));
+  EXPECT_THAT(run_tool(dir, {"view", "r", "--save", "r.html"}).err, testing::EndsWith("\nOpen r.html in a browser.\n"));
+}
+
 TEST(View, render_writes_a_page_on_request) {
   const TempDir dir;
   ASSERT_EQ(run_tool(dir, small_teapot("0-1", "r") + Words{"--page"}).exit_code, 0);
