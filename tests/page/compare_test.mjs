@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
+import { besidePanel } from "./panel.mjs";
 import { closeAfterEach, inFolder, lippmann, open, set, sheet, view } from "./support.mjs";
 
 closeAfterEach();
@@ -20,6 +21,38 @@ test("a wipe shows both fields and their difference", async () => {
   assert.ok(psnr > 15 && psnr < 45, shown);
   assert.match(shown, /0 to 64 codes/);
   await set(page, { frame: 3 });
+});
+
+test("few lenses are compared beside their panels", async () => {
+  const page = await open(await view("sheet", "brighter"), { width: 1400, height: 900 });
+  for (const [width, height, scale, isBelow] of [[1400, 900, 2, false], [390, 844, 1, true]]) {
+    await page.setViewportSize({ width, height });
+    await set(page, { compare: "wipe", wipe: 0.5 });
+    assert.deepEqual(await besidePanel(page, "sheet", { to: 0.49 }), { scale, most: 0, isBelow });
+    assert.deepEqual(await besidePanel(page, "brighter", { from: 0.51 }), { scale, most: 0, isBelow });
+    await set(page, { compare: "side-by-side" });
+    assert.deepEqual(await besidePanel(page, "sheet", { shift: -0.5 }), { scale: 1, most: 0, isBelow });
+    assert.deepEqual(await besidePanel(page, "brighter", { shift: 0.5 }), { scale: 1, most: 0, isBelow });
+    await set(page, { compare: "second" });
+    assert.deepEqual(await besidePanel(page, "brighter"), { scale, most: 0, isBelow });
+  }
+});
+
+test("the wipe is dragged on either picture", async () => {
+  const page = await open(await view("sheet", "brighter"), { width: 1400, height: 900 });
+  const at = await page.evaluate(() => {
+    const canvas = document.getElementById("canvas").getBoundingClientRect();
+    return ["eye-caption", "panel-caption"].map((id) => ({ x: parseFloat(document.getElementById(id).style.left) + document.getElementById("stage").getBoundingClientRect().left, y: canvas.top + canvas.height / 2 }));
+  });
+  for (const [i, { x, y }] of at.entries()) {
+    await set(page, { wipe: 0.5 });
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x + 128, y, { steps: 4 });
+    await page.mouse.up();
+    const wipe = await page.evaluate(() => window.lippmann.state.wipe);
+    assert.ok(Math.abs(wipe - 0.75) < 0.01, `picture ${i}: ${wipe}`);
+  }
 });
 
 test("a light field beside itself is identical", async () => {

@@ -1,7 +1,8 @@
 // The keyboard reaches all controls, screen readers know their names, and phones need no horizontal scrolling.
 import assert from "node:assert/strict";
+import { cpSync } from "node:fs";
 import { test } from "node:test";
-import { closeAfterEach, grid, open, set, sheet, view } from "./support.mjs";
+import { closeAfterEach, grid, inFolder, lippmann, only, open, set, sheet, view } from "./support.mjs";
 
 closeAfterEach();
 
@@ -114,4 +115,22 @@ test("dragging moves the eye", async () => {
   const state = await page.evaluate(() => window.lippmann.state);
   assert.ok(state.eye[0] > 5, `${state.eye}`);
   assert.equal(state.aperture, 0, "a drag does not count as a click");
+});
+
+test("a phone shows the whole heading", async () => {
+  lippmann("render", "room", "--optics", "multiview", "--views", "8x6", "--size", "128x96", "--frames", "0", "--layout", "quilt", "--aov", "depth", "-o", "made", "-q");
+  cpSync(inFolder(`made/${only("made", /^frame.*png$/)}`), inFolder("a_quilt_with_a_long_name_qs8x6a1.333.png"));
+  for (const one of ["made", "a_quilt_with_a_long_name_qs8x6a1.333.png"]) {
+    const page = await open(await view(one), { width: 390, height: 844 });
+    for (const id of ["title", "facts"]) {
+      const [cut, right, text] = await page.evaluate((id) => {
+        const part = document.getElementById(id), { right } = part.getBoundingClientRect();
+        return [part.scrollHeight > part.clientHeight || part.scrollWidth > part.clientWidth, right, part.textContent];
+      }, id);
+      assert.equal(cut, false, `${id}: ${text}`);
+      assert.ok(right <= (await page.locator("#corner").boundingBox()).x, `${id} is below the buttons`);
+    }
+    const [heading, canvas] = await Promise.all(["#heading", "#canvas"].map((id) => page.locator(id).boundingBox()));
+    assert.ok(heading.y + heading.height <= canvas.y, "the heading covers the picture");
+  }
 });

@@ -2,7 +2,8 @@
 // zone. The page warns of flips.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { closeAfterEach, codesOf, drawn, eyeOfView, grid, inFolder, lenslets, lippmann, only, open, psnrBeside, quilt, replay, set, sheet, view } from "./support.mjs";
+import { besidePanel } from "./panel.mjs";
+import { closeAfterEach, drawn, eyeOfView, grid, inFolder, lenslets, lippmann, open, psnrBeside, quilt, replay, set, sheet, view } from "./support.mjs";
 
 closeAfterEach();
 
@@ -79,23 +80,6 @@ test("crosstalk is stated as each neighbour's share", async () => {
   assert.equal(await page.getByRole("slider", { name: "Crosstalk" }).isVisible(), false);
 });
 
-/** Compares the panel beside the eye's view with its file, pixel by pixel. Finds the panel by its caption, which is centred below it. */
-const besidePanel = async (page, file) =>
-  page.evaluate(({ width, height, data }) => {
-    const canvas = document.querySelector("canvas"), seen = window.lippmann.panel();
-    const caption = document.getElementById("panel-caption");
-    const scale = Number(/(\d+):1/.exec(caption.textContent)[1]);
-    const left = parseFloat(caption.style.left) - canvas.offsetLeft - (scale * width) / 2;
-    const top = parseFloat(caption.style.top) - canvas.offsetTop - scale * height;
-    let most = 0;
-    for (let y = 0; y < scale * height; y++)
-      for (let x = 0; x < scale * width; x++)
-        for (let c = 0; c < 3; c++)
-          most = Math.max(most, Math.abs(seen[4 * ((top + y) * canvas.width + left + x) + c] - data[4 * (Math.floor(y / scale) * width + Math.floor(x / scale)) + c]));
-    const eye = document.getElementById("eye-caption").style;
-    return { scale, most, isBelow: parseFloat(eye.top) < parseFloat(caption.style.top) };
-  }, await codesOf(page, inFolder(`${file}/${only(file, /^frame_0000\.png$/)}`)));
-
 test("few lenses show their panel pixel for pixel", async () => {
   sheet();
   const page = await open(await view("sheet"), { width: 1400, height: 900 });
@@ -108,6 +92,18 @@ test("few lenses show their panel pixel for pixel", async () => {
   assert.equal(await page.locator("#panel-caption").textContent(), "The panel behind the lenses");
   await set(page, { show: "panel", magnify: 1 });
   assert.equal(await page.locator(".caption:visible").count(), 0);
+});
+
+// The lenses are 3 CSS pixels wide.
+test("dense screens judge lenses by CSS pixels", async () => {
+  lenslets();
+  const address = await view("lenslets");
+  for (const density of [1, 2]) {
+    const page = await open(address, { width: 820, height: 278, density });
+    assert.equal(await page.locator(".caption:visible").count(), 0, `density ${density}`);
+    await page.setViewportSize({ width: 1400, height: 900 });
+    await page.locator(".caption:visible").nth(1).waitFor();
+  }
 });
 
 test("a quilt fills the page alone", async () => {

@@ -106,8 +106,15 @@ test("invalid settings give a message", async () => {
 });
 
 test("a render shows progress and can be cancelled", async () => {
+  const save = page.getByRole("button", { name: "Save page" });
+  assert.match(await save.getAttribute("title"), /nothing to save until a render has finished/);
+  await save.click({ force: true });
+  await notice("nothing to save");
   await page.getByRole("button", { name: "Render this frame" }).click();
   await page.waitForFunction(() => window.lippmann.scene.render?.state === "finished");
+  assert.equal(await save.getAttribute("aria-disabled"), "false");
+  const [made] = await Promise.all([page.waitForEvent("download"), save.click()]);
+  assert.equal(made.suggestedFilename(), "room.html");
   assert.ok(existsSync(inFolder("out/room/frame_0002.png")));
   await atRest();
   // slow, because a finished render cannot be cancelled

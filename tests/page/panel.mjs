@@ -1,5 +1,5 @@
-// Compares the page's panel with a picture file, and drops files on the page.
-import { codesOf, inFolder } from "./support.mjs";
+// Shared helpers for tests of panels: compare the page's panel with a picture file, and drop files on the page.
+import { codesOf, inFolder, only } from "./support.mjs";
 
 /** Compares the page's panel with a picture file. Returns the greatest difference of a channel in codes, and the share of channels that
  *  differ. */
@@ -27,4 +27,26 @@ export const drop = (page, name, text) =>
       window.dispatchEvent(new DragEvent("drop", { dataTransfer: data, cancelable: true }));
     },
     [name, text],
+  );
+
+/** Compares the panel beside the eye's view with its file, pixel by pixel, in the columns of the file from `from` to `to` (shares). Finds
+ *  the panel by its caption, which is centred below it. shift: the distance of the panel's middle from the caption, in widths of the
+ *  panel. */
+export const besidePanel = async (page, folder, { from = 0, to = 1, shift = 0 } = {}) =>
+  page.evaluate(
+    ([{ width, height, data }, from, to, shift]) => {
+      const canvas = document.querySelector("canvas"), seen = window.lippmann.panel();
+      const caption = document.getElementById("panel-caption");
+      const scale = Number(/(\d+):1/.exec(caption.textContent)[1]);
+      const left = Math.round(parseFloat(caption.style.left) - canvas.offsetLeft + scale * width * (shift - 0.5));
+      const top = parseFloat(caption.style.top) - canvas.offsetTop - scale * height;
+      let most = 0;
+      for (let y = 0; y < scale * height; y++)
+        for (let x = Math.max(Math.ceil(from * scale * width), -left); x < Math.min(to * scale * width, canvas.width - left); x++)
+          for (let c = 0; c < 3; c++)
+            most = Math.max(most, Math.abs(seen[4 * ((top + y) * canvas.width + left + x) + c] - data[4 * (Math.floor(y / scale) * width + Math.floor(x / scale)) + c]));
+      const eye = document.getElementById("eye-caption").style;
+      return { scale, most, isBelow: parseFloat(eye.top) < parseFloat(caption.style.top) };
+    },
+    [await codesOf(page, inFolder(`${folder}/${only(folder, /^frame_0000\.png$/)}`)), from, to, shift],
   );

@@ -51,6 +51,14 @@ test("finished frames appear, others are missing", async () => {
   assert.match(await page.locator(".marks").getAttribute("aria-label"), /of 8 frames are rendered/);
 });
 
+test("the page of finished frames can be saved", async () => {
+  const [made] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "Save page" }).click()]);
+  await made.saveAs(inFolder("unfinished.html"));
+  const saved = await open(`file://${inFolder("unfinished.html")}`);
+  const count = await saved.evaluate(() => window.lippmann.fields[0].frames.length);
+  assert.ok(count >= 3 && count < kFrames, `${count} frames`);
+});
+
 test("requests without the token have no effect", async () => {
   const order = (address, headers) => fetch(`${address}run/stop`, { method: "POST", body: "{}", headers }).then(({ status }) => status);
   const origin = new URL(address).origin;

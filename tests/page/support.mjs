@@ -75,12 +75,12 @@ async function release(page) {
 }
 
 /** Opens a new page. sways: whether the page may sway, which is disabled for most tests. */
-async function newPage({ width, height, script, hasTouch, sways }) {
-  const context = await browser.newContext({ viewport: { width, height }, hasTouch, reducedMotion: sways ? "no-preference" : "reduce" });
+async function newPage({ width, height, script, hasTouch, sways, density }) {
+  const context = await browser.newContext({ viewport: { width, height }, deviceScaleFactor: density, hasTouch, reducedMotion: sways ? "no-preference" : "reduce" });
   context.on("page", watch);
   const page = await context.newPage();
   if (script) await page.addInitScript(script);
-  page.isPlain = !script && !hasTouch && !sways;
+  page.isPlain = !script && !hasTouch && !sways && density === 1;
   page.on("request", (request) => page.onRequest(request.url()));
   return page;
 }
@@ -135,10 +135,11 @@ async function load(page, address, attempts = 4) {
 /** Opens all folded groups, so that all controls can be used. */
 export const unfold = (page) => page.evaluate(() => document.querySelectorAll("details").forEach((one) => (one.open = true)));
 
-/** Opens a page. ready: waits until the page shows a picture, and opens the groups of its controls. */
-export async function open(address, { width = 820, height = 420, ready = true, onRequest = () => {}, script = "", hasTouch = false, sways = false } = {}) {
-  const used = script || hasTouch || sways ? undefined : idle.pop();
-  const page = used ?? (await newPage({ width, height, script, hasTouch, sways }));
+/** Opens a page. ready: waits until the page shows a picture, and opens the groups of its controls. density: pixels of the screen per CSS
+ *  pixel. */
+export async function open(address, { width = 820, height = 420, ready = true, onRequest = () => {}, script = "", hasTouch = false, sways = false, density = 1 } = {}) {
+  const used = script || hasTouch || sways || density !== 1 ? undefined : idle.pop();
+  const page = used ?? (await newPage({ width, height, script, hasTouch, sways, density }));
   await page.setViewportSize({ width, height });
   opened.push(page);
   page.onRequest = onRequest;

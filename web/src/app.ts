@@ -3,7 +3,7 @@ import { makeControls } from "./controls";
 import type { PanelDisplay } from "./display";
 import { depthOfDisparity, naturalSize, Refusal, shareOfZone, shareOutOfZone, slopeInZone, type Field } from "./field";
 import { send, type pictures } from "./drop";
-import { canSavePage, download, loadBytes } from "./data";
+import { canSavePage, download, isLocalPage, loadBytes } from "./data";
 import { Frames } from "./frames";
 import { Hands } from "./hands";
 import { toggleKeyList } from "./keys";
@@ -72,6 +72,8 @@ export class App {
   private hasDrawn = false;
   private readonly progressLine = new ProgressLine(byId("progress"));
   private eyeHome = "";
+  /** The background of the page: red, green and blue from 0 to 1. */
+  private ground: number[] = [0, 0, 0];
   private updateControls: () => void = () => {};
 
   constructor(
@@ -110,7 +112,8 @@ export class App {
     this.updateControls = makeControls(byId("controls"), this.store, {
       savePicture: () => this.savePicture(),
       copyLink: () => void this.copyLink(),
-      savePage: this.live || this.run || !canSavePage() ? null : () => void this.savePage(),
+      savePage: canSavePage() ? { save: () => void this.savePage(), whyNot: () => this.whyNotSaved() } : null,
+      isLocal: isLocalPage(),
       focusRange: () => this.focusRange(),
       player: this.player,
       tilt: this.tilt,
@@ -124,12 +127,14 @@ export class App {
     });
     this.store.listen(() => {
       this.moved = true;
+      if (document.documentElement.dataset.theme !== this.store.state.theme) this.applyTheme();
       this.outdate();
     });
     this.store.listen(() => this.live?.setFrame(this.store.state.frame));
     this.store.listen(() => this.print?.follow());
     this.hands = new Hands(this);
     this.listen();
+    this.applyTheme();
     this.head();
     this.motionChanged();
     if (this.run) this.beginRun();
@@ -247,7 +252,7 @@ export class App {
   private head(): void {
     const titles = this.fields.map((field) => field.title);
     document.title = `${titles.join(" and ")} \u2013 Lippmann`;
-    byId("title").textContent = titles.join(" and ");
+    byId("title").textContent = byId("title").title = titles.join(" and ");
     byId("facts").textContent = describe(this.fields[0]);
     this.noticeOfShapes();
     this.noticeOfAssumption();
@@ -272,6 +277,11 @@ export class App {
     const all = [...this.notices.values()].join(" ");
     const notice = byId("notice");
     if (notice.textContent !== all) notice.textContent = all;
+  }
+
+  private notifyBriefly(about: string, text: string): void {
+    this.notify(about, text);
+    window.setTimeout(() => this.notify(about, ""), 5000);
   }
 
   shown(): number[] {
@@ -322,7 +332,7 @@ export class App {
     this.timeline.tick(now);
     const { state } = this.store;
     this.frames.pin(this.shown(), state.frame);
-    this.renderer.drawHeadset(state, framebuffer, views, this.ground());
+    this.renderer.drawHeadset(state, framebuffer, views, this.ground);
     void this.prefetch();
   }
 
@@ -334,8 +344,12 @@ export class App {
     this.redraw();
   }
 
-  private ground(): number[] {
-    return this.store.state.theme === "light" ? [0.93, 0.93, 0.93] : [0.055, 0.055, 0.06];
+  /** Applies the colour scheme, and draws the canvas on the page's background. */
+  private applyTheme(): void {
+    document.documentElement.dataset.theme = this.store.state.theme;
+    const colour = getComputedStyle(document.body).backgroundColor;
+    this.ground = (colour.match(/[\d.]+/g) ?? []).slice(0, 3).map((code) => Number(code) / 255);
+    this.redraw();
   }
 
   private fitCanvas(): boolean {
@@ -358,12 +372,11 @@ export class App {
   /** Draws a picture whose width and height are those of the screen divided by `divisor`. */
   private draw(divisor = 1): void {
     const state = this.seen;
-    document.documentElement.dataset.theme = state.theme;
     this.frames.pin(this.shown(), state.frame);
     this.renderer.loupe = state.show === "panel" ? this.hands.pointer : null;
     let drawn = false;
     try {
-      drawn = this.renderer.draw(state, this.ground(), divisor);
+      drawn = this.renderer.draw(state, this.ground, divisor);
       this.notify("frame", "");
     } catch (error) {
       if (!(error instanceof Refusal)) throw error;
@@ -617,6 +630,7 @@ export class App {
       fail(new Refusal("The browser has stopped the graphics, perhaps for lack of memory. Reload the page."));
     });
     window.addEventListener("hashchange", () => this.store.readAddress());
+    matchMedia("(prefers-color-scheme: light)").addEventListener("change", () => this.applyTheme());
     byId("toggle").addEventListener("click", () => this.toggleControls());
     byId("help").addEventListener("click", () => toggleKeyList(this.live !== null));
     byId("full").addEventListener("click", () => void this.player.toggleFullScreen());
@@ -655,8 +669,15 @@ export class App {
     });
   }
 
-  /** Saves the page with all its pictures as one file, which the server makes. */
+  /** Returns why the page cannot be saved yet, or an empty text. */
+  private whyNotSaved(): string {
+    if (this.live && this.live.state?.render?.state !== "finished") return "There is nothing to save until a render has finished: choose Render first.";
+    return this.run?.state.done === 0 ? "There is nothing to save until a frame is finished." : "";
+  }
+
+  /** Saves the page with all its finished pictures as one file, which the server makes. */
   private async savePage(): Promise<void> {
+    if (this.whyNotSaved()) return this.notifyBriefly("page", this.whyNotSaved());
     this.notify("page", "");
     try {
       const blob = await loadBytes("page.html", (progress) => this.showProgress("page", { what: "Making the page", ...progress }));
@@ -672,12 +693,10 @@ export class App {
     const link = location.href.split("#")[0] + this.store.address();
     try {
       await navigator.clipboard.writeText(link);
-      const isLocal = /^(127\.|localhost|\[::1\])/.test(location.host) || location.protocol === "file:";
-      this.notify("link", isLocal ? "The link is in the clipboard. It works on this machine; for others, save the page." : "The link is in the clipboard.");
+      this.notifyBriefly("link", isLocalPage() ? `The link is in the clipboard. It works on this machine only; ${canSavePage() ? "for others, save the page" : "to others, send the page's files"}.` : "The link is in the clipboard.");
     } catch {
       location.hash = this.store.address();
-      this.notify("link", "The link is in the address bar.");
+      this.notifyBriefly("link", "The link is in the address bar.");
     }
-    window.setTimeout(() => this.notify("link", ""), 5000);
   }
 }

@@ -23,8 +23,10 @@ function choice<Key extends keyof State>(label: string, key: Key, options: [stri
 export interface Actions {
   savePicture: () => void;
   copyLink: () => void;
-  /** Saves the page as one file. Null if this page is a saved page, or cannot be saved. */
-  savePage: (() => void) | null;
+  /** Saves the page as one file. Null if this page is a saved page. whyNot: the reason if there is nothing to save yet, or "". */
+  savePage: { save: () => void; whyNot: () => string } | null;
+  /** Whether the page's address works on this machine only. */
+  isLocal: boolean;
   focusRange: () => [number, number];
   zoom: { fit: () => void; trueSize: () => void };
   motion: Motion;
@@ -52,7 +54,7 @@ export function makeControls(parent: HTMLElement, store: Store, actions: Actions
     actions.run ? runGroup(actions.run, shown) : null,
     fields.length > 1 ? compareGroup(store, shown) : null,
     lookGroup(store, field, actions, hasEyes, shown),
-    shareGroup(actions),
+    shareGroup(actions, shown),
     print ? onlyIf(isSeen, folded("Print", printGroup(print, actions.savePrint, shown)), shown) : null,
     folded(
       "More",
@@ -90,17 +92,24 @@ function lookGroup(store: Store, field: Field, actions: Actions, hasEyes: () => 
 }
 
 /** Controls that save or share what is shown. */
-function shareGroup(actions: Actions): HTMLElement {
-  return group(
-    "Share",
-    element(
-      "div",
-      { className: "buttons" },
-      ...(actions.savePage ? [actions.savePage] : []).map((save) => tip("One .html file with all pictures in it: it opens anywhere, without this program", button("Save page", save))),
-      tip("What is seen now, as a PNG", button("Save picture", actions.savePicture)),
-      tip("An address that shows exactly this. It works wherever this page can be reached", button("Copy link", actions.copyLink)),
-    ),
-  );
+function shareGroup(actions: Actions, shown: Shown[]): HTMLElement {
+  const { savePage, isLocal } = actions;
+  const copy = isLocal
+    ? tip("An address that shows exactly this. It works on this machine only; others need a file", button("Copy link (this machine)", actions.copyLink))
+    : tip("An address that shows exactly this. It works wherever this page can be reached", button("Copy link", actions.copyLink));
+  const picture = tip("What is seen now, as a PNG", button("Save picture", actions.savePicture));
+  return group("Share", element("div", { className: "buttons" }, ...(savePage ? [savePageButton(savePage, shown)] : []), picture, copy));
+}
+
+function savePageButton({ save, whyNot }: NonNullable<Actions["savePage"]>, shown: Shown[]): HTMLElement {
+  const made = button("Save page", save);
+  shown.push({
+    update: () => {
+      made.title = whyNot() || "One .html file with all pictures in it: it opens anywhere, without this program";
+      made.setAttribute("aria-disabled", String(whyNot() !== ""));
+    },
+  });
+  return made;
 }
 
 /** Makes a button that is shown only if the device has the sensor. */
@@ -192,7 +201,7 @@ function pictureGroup(store: Store, field: Field, actions: Actions, shown: Shown
     tip("Tints pixels by how the render made them", choice("Overlay", "overlay", [["none", "None"], ["provenance", "Where pixels came from"], ["missed", "Missed pixels"]], store, shown, () => field.provenance !== null && state.show !== "display")),
     tip("One line of the picture for all eyes from left (top) to right (bottom)", check("Epipolar-plane image", () => state.line >= 0, (on) => store.set({ line: on ? 0.5 : -1 }), shown, () => field.across.views > 1)),
     slider({ label: "Line, from the top", applies: () => state.line >= 0, range: () => [0, 1], value: () => state.line, text: (value) => `${rounded(100 * value, 0)}\u2009%`, set: (line) => store.set({ line }) }, shown),
-    check("Light background", () => state.theme === "light", (on) => store.set({ theme: on ? "light" : "dark" }), shown),
+    choice("Colours", "theme", [["system", "As the system"], ["dark", "Dark"], ["light", "Light"]], store, shown),
   );
 }
 

@@ -23,6 +23,9 @@ const isSaved = (): boolean => source() !== "server";
 /** Returns whether the page can be saved as one file, which the server makes. */
 export const canSavePage = (): boolean => !isSaved();
 
+/** Returns whether the page's address works on this machine only. */
+export const isLocalPage = (): boolean => /^(127\.|localhost(:|$)|\[::1\])/.test(location.host) || location.protocol === "file:";
+
 /** Progress of a download; `of` is null if its size is unknown. */
 export interface Progress {
   bytes: number;
@@ -187,5 +190,6 @@ export function download(blob: Blob, name: string): void {
   link.href = URL.createObjectURL(blob);
   link.download = name;
   link.click();
-  URL.revokeObjectURL(link.href);
+  // A busy browser reads the file later than click() returns.
+  window.setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
 }

@@ -6,6 +6,7 @@ import { toggleKeyList } from "./keys";
 import type { Live } from "./live";
 import { orbitOf, planeDistance, setOrbit, setZoom } from "./live_controls";
 import type { Motion } from "./motion";
+import type { Rectangle } from "./pair";
 import type { Player } from "./player";
 import type { Print } from "./print";
 import type { Renderer } from "./renderer";
@@ -51,6 +52,8 @@ interface Drag extends Place {
   plane: number;
   pan: [number, number];
   shift: number;
+  /** The picture whose wipe line is dragged. */
+  wiped: Rectangle;
 }
 
 /** Two fingers: the distance between them and the point midway, as of the last event. */
@@ -126,6 +129,7 @@ export class Hands {
       plane: live ? planeDistance(live) : 1,
       pan: [...store.state.pan],
       shift: app.print?.settings.shift ?? 0,
+      wiped: this.wipedAt(at) ?? app.renderer.place,
     };
   }
 
@@ -192,20 +196,32 @@ export class Hands {
   private graspedAt({ x, y }: Place): Drag["what"] {
     const { app } = this;
     const { state } = app.store;
-    const { left, top, width, height } = app.renderer.place;
-    const near = 14 * (app.renderer.screen[0] / app.canvas.clientWidth);
-    if (app.shown().length > 1 && state.compare === "wipe" && Math.abs(x - left - state.wipe * width) < near) return "wipe";
-    if (state.line >= 0 && Math.abs(y - top - state.line * height) < near) return "line";
+    const { top, height } = app.renderer.place;
+    if (this.wipedAt({ x, y })) return "wipe";
+    if (state.line >= 0 && Math.abs(y - top - state.line * height) < this.near) return "line";
     if (app.print?.awaitsClick) return "zero plane";
     return app.live ? state.drag : "eye";
+  }
+
+  /** Distance in pixels of the canvas within which a press grasps a line. */
+  private get near(): number {
+    return 14 * (this.app.renderer.screen[0] / this.app.canvas.clientWidth);
+  }
+
+  /** Returns the picture whose wipe line is at a point, or null. */
+  private wipedAt({ x, y }: Place): Rectangle | null {
+    const { renderer, store } = this.app;
+    if (this.app.shown().length < 2 || store.state.compare !== "wipe") return null;
+    const isHere = ({ left, top, width, height }: Rectangle) => y >= top && y <= top + height && Math.abs(x - left - store.state.wipe * width) < this.near;
+    return [renderer.place, renderer.besidePlace].find((one) => one && isHere(one)) ?? null;
   }
 
   private dragTo(drag: Drag, at: Place): void {
     const { app } = this;
     const { store, live, print } = app;
-    const { left, top, width, height } = app.renderer.place;
+    const { top, width, height } = app.renderer.place;
     const [across, down] = [(at.x - drag.x) / width, (at.y - drag.y) / height];
-    if (drag.what === "wipe") store.set({ wipe: (at.x - left) / width });
+    if (drag.what === "wipe") store.set({ wipe: (at.x - drag.wiped.left) / drag.wiped.width });
     else if (drag.what === "line") store.set({ line: Math.min(Math.max((at.y - top) / height, 0), 1) });
     else if (drag.what === "pan") this.panTo(drag.pan[0] + (at.x - drag.x) / app.renderer.fitted.width, drag.pan[1] + (at.y - drag.y) / app.renderer.fitted.height);
     else if (drag.what === "zero plane") print?.dragPlane(drag.shift, across);

@@ -14,7 +14,7 @@ async function start(): Promise<void> {
     const json = await loadFields();
     const described = json as { drops?: boolean; fields?: unknown[] } | null;
     const drops = described?.drops === true;
-    document.documentElement.dataset.theme = /[#&]theme=light/.test(location.hash) ? "light" : "dark";
+    document.documentElement.dataset.theme = /[#&]theme=(dark|light)/.exec(location.hash)?.[1] ?? "system";
     if (drops && described?.fields?.length === 0) return void new DropPage(document.getElementById("failure") as HTMLElement);
     const fields = readFields(json);
     const { display, live, run, prints } = json as { display?: unknown; live?: Choices; run?: RunState; prints?: PrintChoices };

@@ -1,4 +1,5 @@
-// Lays out an integral image with few lenses: the eye's view, and its panel beside or below it, pixel for pixel.
+// Lays out integral images with few lenses: the eye's view, and its panel beside or below it, pixel for pixel. Two compared integral images
+// share this layout.
 import type { Field } from "./field";
 
 type Two = [number, number];
@@ -26,35 +27,45 @@ export interface Pair {
   scale: number;
 }
 
-/** Width of a lens in pixels of the canvas. An eye's view of wider lenses looks stretched by mistake, so the panel is shown beside it. */
+/** Width of a lens in CSS pixels. An eye's view of wider lenses looks stretched by mistake, so the panel is shown beside it. Two lenses are
+ *  a cycle; at 0.0213 degrees a CSS pixel, wider lenses lose the frequencies that people see best, 3 to 5 cycles per degree (decision 0088). */
 const kWideLens = 4;
 /** Space between the two pictures, and space below a picture for its caption, in CSS pixels. */
 const kGap = 16;
 const kCaption = 24;
 
-const hasWideLenses = (field: Field, scale: number): boolean =>
-  field.lens_samples.some((isLens, i) => isLens && scale * field.panel.size[i] > kWideLens * field.view_size[i]);
+/** scale: pixels of the canvas per pixel of the panel. ratio: pixels of the canvas per CSS pixel. */
+const hasWideLenses = (field: Field, scale: number, ratio: number): boolean =>
+  field.lens_samples.some((isLens, i) => isLens && scale * field.panel.size[i] > kWideLens * ratio * field.view_size[i]);
 
 /** Returns the scale in pixels of the canvas per pixel of the panel. It is `scale`, rounded down to an integer for panels and wide lenses,
  *  so that all pixels have the same size. */
-export const trueScale = (field: Field, scale: number, isPanel: boolean): number =>
-  scale >= 1 && (isPanel || (field.panel.is === "integral" && hasWideLenses(field, scale))) ? Math.floor(scale) : scale;
+export const trueScale = (field: Field, scale: number, ratio: number, isPanel: boolean): number =>
+  scale >= 1 && (isPanel || (field.panel.is === "integral" && hasWideLenses(field, scale, ratio))) ? Math.floor(scale) : scale;
 
-/** Returns the layout on a canvas of this size. ratio: pixels of the canvas per CSS pixel. Returns null if the panel has many lenses, or if
- *  less than half of it would be visible. */
-export function pairOf(field: Field, [width, height]: Two, ratio: number): Pair | null {
-  const [w, h] = field.panel.size;
+/** Returns the layout on a canvas of this size. fields: the light fields shown. isApart: they are shown side by side. ratio: pixels of the
+ *  canvas per CSS pixel. Returns null if the panels have many lenses or different sizes, or if too little would be visible: less than half
+ *  of the panel, or an eye's view of less than half its scale. */
+export function pairOf(fields: Field[], isApart: boolean, [width, height]: Two, ratio: number): Pair | null {
+  const [w, h] = [fields[0].panel.size[0] * (isApart ? fields.length : 1), fields[0].panel.size[1]];
   const [gap, caption] = [kGap, kCaption].map((length) => Math.round(length * ratio));
-  if (field.panel.is !== "integral" || !hasWideLenses(field, Math.min(width / w, height / h))) return null;
+  const areAlike = fields.every(({ panel }) => panel.is === "integral" && panel.size.every((side, i) => side === fields[0].panel.size[i]));
+  if (!areAlike || !fields.some((field) => hasWideLenses(field, Math.min(width / w, height / h), ratio))) return null;
   const beside = Math.floor(Math.min((width - gap) / (2 * w), (height - caption) / h));
   const below = Math.floor(Math.min(width / w, (height / 2 - caption) / h));
-  const along = (beside === below ? width > height : beside > below) ? 0 : 1;
-  const between = along === 0 ? gap : caption;
   const room: Two = [width, height - caption];
-  const scale = Math.max(1, beside, below), fitted = Math.min(scale, room[0] / w, room[1] / h);
+  const [best] = [beside, below]
+    .map((most, along) => {
+      const scale = Math.max(1, most), size = [w, h][along], between = along === 0 ? gap : caption;
+      const fitted = Math.min(scale, room[0] / w, room[1] / h, (room[along] - between) / size - scale / 2);
+      return { along, between, scale, fitted };
+    })
+    .sort((a, b) => b.scale - a.scale || b.fitted - a.fitted || (width > height ? a.along - b.along : b.along - a.along));
+  const { along, between, scale, fitted } = best;
+  if (fitted < scale / 2) return null;
   const eye: Two = [fitted * w, fitted * h], panel: Two = [scale * w, scale * h];
   const visible = panel.map((side, i) => Math.min(side, room[i] - (i === along ? eye[i] + between : 0)));
-  if (visible.some((side, i) => side < panel[i] / 2)) return null;
+  if (visible.some((side, i) => side < panel[i] / 2 - 1)) return null;
   const first = Math.round((room[along] - eye[along] - between - visible[along]) / 2);
   const end = Math.round(first + eye[along]), second = end + between;
   const place = (size: Two, middle: number, from: number, to: number): Placed => {

@@ -16,6 +16,12 @@ export interface Loupe {
 
 type Eye = [number, number, number];
 
+interface Beside {
+  target: Target;
+  /** What the target holds, or null if it is empty. */
+  shows: { frame: LoadedFrame; key: string } | null;
+}
+
 const kBeyond = { stays: 0, repeats: 1, "next lens": 2 };
 const kPanelKinds = { integral: 0, quilt: 1, own: 2 };
 const kStereoModes = { off: "first", anaglyph: "anaglyph", "side-by-side": "beside", "top-bottom": "above" } as const;
@@ -53,6 +59,8 @@ export class Renderer {
   pair: Pair | null = null;
   /** Rectangle of the picture on the canvas, from the top left; may exceed the canvas if magnified. */
   place: Rectangle = { left: 0, top: 0, width: 1, height: 1 };
+  /** Rectangle of the panel beside the eye's view, or null if there is none. */
+  besidePlace: Rectangle | null = null;
   /** `place`, in pixels of the canvas at its current resolution. */
   private drawn: Rectangle = this.place;
   loupe: Loupe | null = null;
@@ -67,9 +75,8 @@ export class Renderer {
   private panelPart: Rectangle = this.place;
   private last: { state: State; field: Field; frame: LoadedFrame } | null = null;
   private readonly targets: [Target, Target, Target, Target];
-  /** Picture of the panel beside the eye's view. It is kept while the eye moves, because it does not change. */
-  private readonly beside: Target;
-  private besideShows: { frame: LoadedFrame; key: string } | null = null;
+  /** Pictures of the panels beside the eye's view. They are kept while the eye moves, because they do not change. */
+  private readonly beside: [Beside, Beside];
 
   constructor(
     private readonly gl: Gl,
@@ -77,7 +84,7 @@ export class Renderer {
     private readonly frames: Frames,
   ) {
     this.targets = [new Target(gl), new Target(gl), new Target(gl), new Target(gl)];
-    this.beside = new Target(gl);
+    this.beside = [{ target: new Target(gl), shows: null }, { target: new Target(gl), shows: null }];
   }
 
   /** Returns the frame of a light field to compare with frame `frame` of the first one: the frame with the same label, or else the frame
@@ -104,8 +111,9 @@ export class Renderer {
     shown.forEach((field, i) => this.wantOverlay(field, loaded[i] as LoadedFrame, state));
     if (state.show === "display") return this.drawFrame(loaded[0] as LoadedFrame);
     const stereo = shown.length === 1 && state.show === "eye" && state.stereo !== "off";
-    const field = this.fields[shown[0]];
-    this.layOut(field, state, stereo, shown.length > 1);
+    const fields = shown.map((one) => this.fields[one]);
+    const [field] = fields;
+    this.layOut(fields, state, stereo);
     const two = stereo || shown.length > 1;
     this.resize(divisor);
     const whole = this.pictureSize(field, state, two);
@@ -115,7 +123,7 @@ export class Renderer {
     if (this.direct) {
       this.drawDirectly(field, loaded[0] as LoadedFrame, state, ground);
       if (state.line >= 0) this.drawLine(field, loaded[0] as LoadedFrame, state);
-      if (this.pair) this.drawBeside(this.pair, field, loaded[0] as LoadedFrame, state);
+      if (this.pair) this.drawBeside(this.pair, fields, loaded as LoadedFrame[], state);
       return true;
     }
     shown.forEach((one, i) => {
@@ -126,7 +134,7 @@ export class Renderer {
     });
     this.compose(state, stereo, ground);
     if (state.line >= 0 && state.show === "eye") this.drawLine(field, loaded[0] as LoadedFrame, state);
-    if (this.pair) this.drawBeside(this.pair, field, loaded[0] as LoadedFrame, state);
+    if (this.pair) this.drawBeside(this.pair, fields, loaded as LoadedFrame[], state);
     return true;
   }
 
@@ -162,7 +170,7 @@ export class Renderer {
     const gl = this.gl;
     const { width, height } = gl.canvas;
     this.place = { left: 0, top: 0, width, height };
-    this.pair = null;
+    this.pair = this.besidePlace = null;
     this.last = null;
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     gl.viewport(0, 0, width, height);
@@ -235,19 +243,20 @@ export class Renderer {
   }
 
   /** Computes the rectangles of one or two pictures on the screen, and of the epipolar-plane image below. */
-  private layOut(field: Field, state: State, stereo: boolean, compared: boolean): void {
+  private layOut(fields: Field[], state: State, stereo: boolean): void {
+    const [field] = fields;
     const [width, height] = this.screen;
     const room = height * (state.line >= 0 && state.show === "eye" ? 0.8 : 1);
     const [w, h] = state.show === "panel" ? field.panel.size : field.window_mm.size;
-    const wide = (stereo && state.stereo === "side-by-side") || (compared && state.compare === "side-by-side");
+    const isApart = fields.length > 1 && state.compare === "side-by-side";
+    const wide = (stereo && state.stereo === "side-by-side") || isApart;
     const high = stereo && state.stereo === "top-bottom";
     const aspect = ((w / h) * (wide ? 2 : 1)) / (high ? 2 : 1);
     const rows = field.panel.size[1] * (high ? 2 : 1);
-    const largest = Math.min(width / aspect, room);
-    // A scene that is set up is first rendered with few lenses. By trueScale(), its picture would later change its size.
-    const fitted = this.frames.isLive ? largest : rows * trueScale(field, largest / rows, state.show === "panel");
-    const isAlone = stereo || compared || state.line >= 0 || state.show !== "eye" || this.frames.isLive;
-    this.pair = isAlone ? null : pairOf(field, this.screen, this.ratio);
+    const fitted = rows * trueScale(field, Math.min(width / aspect, room) / rows, this.ratio, state.show === "panel");
+    const isAlone = stereo || state.line >= 0 || state.show !== "eye";
+    this.pair = isAlone ? null : pairOf(fields, isApart, this.screen, this.ratio);
+    this.besidePlace = null;
     this.fitted = this.pair?.eye ?? { width: fitted * aspect, height: fitted, centre: [width / 2, room / 2] };
     // The picture is not magnified while the epipolar-plane image is shown below.
     const by = state.line >= 0 && state.show === "eye" ? 1 : Math.min(state.magnify, this.mostMagnified);
@@ -346,19 +355,45 @@ export class Renderer {
     this.clip(null);
   }
 
-  /** Draws the panel beside the eye's view. Magnifying first enlarges the eye's view to the scale of the panel, and then both. */
-  private drawBeside({ eye, panel }: Pair, field: Field, frame: LoadedFrame, state: State): void {
+  /** Draws the panel beside the eye's view, or compares two panels as their eye's views. Magnifying first enlarges the eye's view to the
+   *  scale of the panel, and then both. */
+  private drawBeside({ eye, panel }: Pair, fields: Field[], frames: LoadedFrame[], state: State): void {
     const by = this.place.width / eye.width;
-    const place = magnified(panel, by > 1 ? Math.max(1, this.place.width / panel.width) : by, state.pan);
-    const part = overlap(place, panel.room);
+    const place = (this.besidePlace = magnified(panel, by > 1 ? Math.max(1, this.place.width / panel.width) : by, state.pan));
+    if (fields.length > 1 && state.compare === "side-by-side") {
+      const width = place.width / 2;
+      fields.forEach((field, i) => this.drawPanelBeside(i, field, frames[i], state, { ...place, left: place.left + i * width, width }, panel.room));
+      fields.forEach((_, i) => this.composeBeside("first", i, { ...place, left: place.left + i * width, width }, panel.room, state));
+      return;
+    }
+    fields.forEach((field, i) => this.drawPanelBeside(i, field, frames[i], state, place, panel.room));
+    this.composeBeside(fields.length > 1 ? kCompareModes[state.compare] : "first", 0, place, panel.room, state);
+  }
+
+  private drawPanelBeside(index: number, field: Field, frame: LoadedFrame, state: State, place: Rectangle, room: Rectangle): void {
+    const beside = this.beside[index];
+    const part = overlap(place, room);
     const key = JSON.stringify([place, part, this.overlays(frame, state) && state.overlay]);
-    if (this.besideShows?.frame !== frame || this.besideShows.key !== key) this.drawPanel(this.beside, field, frame, state, place, part);
-    this.besideShows = { frame, key };
+    if (beside.shows?.frame !== frame || beside.shows.key !== key) this.drawPanel(beside.target, field, frame, state, place, part);
+    beside.shows = { frame, key };
+  }
+
+  /** Composes the part of the panels within `room` on the canvas. index: the panel that is shown, or the first of two. */
+  private composeBeside(mode: ScreenMode, index: number, place: Rectangle, room: Rectangle, state: State): void {
     const gl = this.gl;
+    if (place.left >= room.left + room.width || place.left + place.width <= room.left) return;
+    const part = overlap(place, room);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     gl.viewport(0, 0, gl.canvas.width, gl.canvas.height);
     this.clip(part);
-    this.screenProgram("first").draw({ ...this.screenUniforms(state, [0, 0, 0]), u_first: bind(gl, 0, this.beside.texture), u_place: this.onCanvas(part) });
+    const wipe = (place.left + state.wipe * place.width - part.left) / part.width;
+    this.screenProgram(mode).draw({
+      ...this.screenUniforms(state, [0, 0, 0]),
+      u_first: bind(gl, 0, this.beside[index].target.texture),
+      u_second: bind(gl, 1, this.beside[1].target.texture),
+      u_wipe: wipe,
+      u_place: this.onCanvas(part),
+    });
     this.clip(null);
   }
 
@@ -425,6 +460,7 @@ export class Renderer {
       ...(overlay ? this.overlayUniforms(field, frame, state) : {}),
       u_output_size: size,
       u_panel_size: field.panel.size,
+      u_samples: field.view_size,
       u_kind: { integers: [kPanelKinds[field.panel.is]] },
       u_part: [(part.left - place.left) * perX, (part.top - place.top) * perY, part.width * perX, part.height * perY],
       u_loupe: loupe ? [loupe.x - part.left, loupe.y - part.top, radius, Math.max(2 * ratio, Math.floor((1.6 * radius) / (2 * cell)))] : [0, 0, 0, 1],

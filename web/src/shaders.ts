@@ -413,6 +413,7 @@ export const panelShader = ({ overlay, layered }: Pick<Variant, "overlay" | "lay
 ${kCommon}
 uniform sampler2D u_panel;  // the panel's own picture
 uniform vec2 u_output_size, u_panel_size;
+uniform vec2 u_samples;     // pixels of a whole view; previews and first pictures have fewer
 uniform int u_kind;         // 0: integral image, 1: quilt, 2: the panel's own picture
 uniform vec4 u_part;        // shown part of the panel: left, top, width, height, in pixels
 uniform vec4 u_loupe;       // x, y, radius in pixels of the output from its top left; magnification
@@ -424,9 +425,9 @@ vec3 panel_pixel(ivec2 p) {
   if (u_kind == 2) return texelFetch(u_panel, p, 0).rgb;
   if (u_kind == 1) {
     // A quilt may have padding at the top and right. The server does not send it, so it is black.
-    ivec2 q = p - ivec2(0, int(u_panel_size.y) - u_tiles.y * int(u_view_size.y));
-    if (q.y < 0 || q.x >= u_tiles.x * int(u_view_size.x)) return vec3(0.0);
-    vec2 column_row = floor((vec2(q) + 0.5) / u_view_size), pixel = vec2(q) - column_row * u_view_size;
+    vec2 q = (vec2(p) + 0.5 - vec2(0.0, u_panel_size.y - float(u_tiles.y) * u_samples.y)) * (u_view_size / u_samples);
+    if (q.y < 0.0 || q.x >= float(u_tiles.x) * u_view_size.x) return vec3(0.0);
+    vec2 column_row = floor(q / u_view_size), pixel = floor(q) - column_row * u_view_size;
     vec3 tile = place_of_tile(column_row, u_view_size, vec2(u_tiles)), seen = texel_of(u_views, tile, pixel).rgb;
 #if OVERLAY
     seen = with_origin(seen, tile, pixel);
@@ -437,7 +438,7 @@ vec3 panel_pixel(ivec2 p) {
   ivec2 cell = p / u_grid, in_cell = p - cell * u_grid;
   ivec2 view = ivec2(u_grid.x - 1 - in_cell.x, in_cell.y);
   if (u_grid.y == 1) view.y = 0;
-  return in_view(view, vec2(cell) + 0.5);
+  return in_view(view, (vec2(cell) + 0.5) * (u_view_size / u_samples));
 }
 
 void main() {

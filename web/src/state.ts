@@ -27,7 +27,7 @@ export interface State {
   /** For a scene that is set up: what dragging moves, and whether the depth budget is drawn. */
   drag: "eye" | "turn" | "plane";
   budget: boolean;
-  theme: "dark" | "light";
+  theme: "system" | "dark" | "light";
 }
 
 const kWords: { [Key in keyof State]?: readonly string[] } = {
@@ -37,7 +37,7 @@ const kWords: { [Key in keyof State]?: readonly string[] } = {
   overlay: ["none", "provenance", "missed"],
   compare: ["first", "second", "wipe", "side-by-side", "difference"],
   drag: ["eye", "turn", "plane"],
-  theme: ["dark", "light"],
+  theme: ["system", "dark", "light"],
 };
 
 const kRanges: { [Key in keyof State]?: readonly [number, number] } = {
@@ -77,7 +77,7 @@ export function defaultState(fields: Field[], plays: boolean, isSetUp = false): 
     loop: true,
     drag: isSetUp ? "turn" : "eye",
     budget: false,
-    theme: "dark",
+    theme: "system",
   };
 }
 
