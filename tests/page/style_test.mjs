@@ -22,11 +22,14 @@ function contrast(a, b) {
   return (light + 0.05) / (dark + 0.05);
 }
 
+/** The colour of unfinished frames on the time line, a name of a variable. */
+const [, pending] = /\.marks \.pending \{\s*fill: var\(--(\w+)\);/.exec(style);
+
 test("black on white has a contrast of 21", () => assert.equal(contrast([0, 0, 0], [255, 255, 255]), 21));
 
 for (const [scheme, name] of ["light", "dark"].entries())
   test(`contrast, ${name}`, () => {
-    for (const [front, least] of [["border", 3], ["accent", 3], ["text", 4.5], ["quiet", 4.5]])
+    for (const [front, least] of [["border", 3], [pending, 3], ["accent", 3], ["text", 4.5], ["quiet", 4.5]])
       for (const back of ["panel", "ground"]) {
         const ratio = contrast(colour(front, scheme), colour(back, scheme));
         console.log(`${front} on ${back}, ${name}: ${ratio.toFixed(2)}`);
