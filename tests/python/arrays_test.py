@@ -1,4 +1,4 @@
-"""Tests the arrays of a light field: their axes, the order of their rows, and memory shared between arrays."""
+"""Tests the arrays of a light field."""
 
 import gc
 import sys
@@ -36,7 +36,7 @@ class Arrays(Case):
         x = np.array([[np.argwhere(ball[r, c])[:, 1].mean() for c in range(3)] for r in range(3)])
         y = np.array([[np.argwhere(ball[r, c])[:, 0].mean() for c in range(3)] for r in range(3)])
         self.assertTrue((np.diff(x, axis=1) < -1).all(), x)
-        # row numbers count downwards, so a higher eye sees the ball in a row with a larger number
+        # rows are counted from the top, so a higher eye sees the ball at a larger y
         self.assertTrue((np.diff(y, axis=0) > 1).all(), y)
         eyes = field.eyes_mm
         np.testing.assert_allclose(eyes[0, :, 0], [-10, 0, 10])
@@ -59,16 +59,16 @@ class Arrays(Case):
         scene.place_display(height=10, viewing_distance=10)
         grid = small_grid(2, 2, (32, 32), baseline_mm=5, distance_mm=100, pixel_mm=100 / 32)
         field = lippmann.render(scene, grid, layers=["disparity"], spp=1, fit_depth=False)
-        # the plane is 2 units in front of the display; a unit is 10 mm, because the display is 10 units or 100 mm high
+        # the wall is 2 units in front of the display, which is 10 units = 100 mm high
         np.testing.assert_allclose(field.depth, 20, rtol=1e-4)
-        # The eye moves by 5 mm, so in the plane of the display a point moves by 5 z / (100 - z) = 5 * 20 / 80 mm. A
-        # pixel is 100 / 32 = 3.125 mm wide.
+        # The eye moves by 5 mm. By similar triangles, a point at depth z = 20 mm, seen from 100 mm, moves by 5 z / (100
+        # - z) mm in the plane of the display. A pixel is 100 / 32 = 3.125 mm wide.
         np.testing.assert_allclose(field.disparity, 5 * 20 / 80 / 3.125, rtol=1e-3)
 
     def test_empty_pixels_have_infinite_depth_and_disparity(self):
         scene = lippmann.Scene()
         scene.add_sphere((0, 0, 0), 1)
-        scene.add_sphere((0, 0, -1e6), 3e5)  # so far away that its disparity is that of the background
+        scene.add_sphere((0, 0, -1e6), 3e5)
         scene.place_display(height=10, viewing_distance=10)
         grid = small_grid(1, 2, (32, 32), baseline_mm=5, distance_mm=100, pixel_mm=100 / 32)
         field = lippmann.render(scene, grid, layers=["depth"], integrator="whitted", fit_depth=False)
@@ -85,7 +85,6 @@ class Arrays(Case):
         self.assertEqual(header, b"Pf")
         np.testing.assert_array_equal(stored == -np.inf, nothing[0, 0])
         text = (self.folder / "hci/parameters.cfg").read_text()
-        # the smallest disparity is that of the sphere at the origin
         self.assertRegex(text, r"(?m)^disp_min = -1\.\d+$")
 
     def test_views_and_picture_share_and_keep_memory(self):
@@ -116,7 +115,7 @@ class Arrays(Case):
     def test_the_picture_is_the_views_quilt(self):
         field = lippmann.render("room", small_grid(2, 3, (24, 32)))
         rows = [np.concatenate(list(row), axis=1) for row in field.views]
-        # the lowest row of views is at the bottom of the picture
+        # the first row of views is the lowest
         self.assertSame(field.picture, np.concatenate(rows[::-1], axis=0))
 
     def test_a_light_field_keeps_its_arrays(self):
@@ -131,18 +130,16 @@ class Arrays(Case):
             self.assertSame(field.views, samples)
             self.assertSame(field.depth, depth)
             self.assertEqual(field.distance_mm, 300)
-        # an array of doubles with negative and with large strides
         strided = rng.random((2, 3, 16, 9, 6))[:, ::-1, ::2, :, ::2]
         self.assertSame(lippmann.LightField(strided).views, strided.astype(np.float32))
 
     def test_refocusing_averages_shifted_views(self):
-        # Each view shows a bright column. The column moves one pixel to the left from view to view, so it is at the
-        # depth z with a disparity of one pixel.
+        # Each view shows a bright column, one pixel further left than in the previous view.
         views = np.zeros((1, 5, 8, 40, 3), np.float32)
         for column in range(5):
             views[0, column, :, 20 - (column - 2)] = 1
         field = lippmann.LightField(views, distance_mm=100, baseline_mm=2, pixel_mm=1)
-        z = 100 / 3  # disparity: baseline * z / (distance - z) = 2 z / (100 - z) = 1
+        z = 100 / 3  # the disparity 2 z / (100 - z) of a point at depth z is one pixel (baseline 2, distance 100)
         sharp = field.refocus(z)
         self.assertGreater(sharp[4].max(), 0.95)
         self.assertLess(field.refocus(0)[4].max(), 0.25)
@@ -171,7 +168,7 @@ class Arrays(Case):
         self.assertEqual(codes.views.long_name, "sRGB codes")
 
     def test_xarray_gets_an_axis_per_dimension(self):
-        class Dataset:  # imitates xarray.Dataset, and checks the arguments of its constructor
+        class Dataset:  # imitates xarray.Dataset
             def __init__(self, data, places, attributes):
                 self.data, self.places = data, places
                 for name, (axes, values, *_) in {**data, **{k: v for k, v in places.items() if k != "channel"}}.items():
@@ -192,4 +189,4 @@ class Arrays(Case):
         self.assertEqual(html.count('type="range"'), 2)
         self.assertNotIn("http", html)
         self.assertEqual(html.count("display:inline;"), 1)
-        self.assertEqual(html.count("width:320px;height:240px"), 6)  # small views are shown enlarged
+        self.assertEqual(html.count("width:320px;height:240px"), 6)

@@ -1,5 +1,4 @@
-"""Tests choices of the tool's render and replay commands in Python: transparency, environment light, cameras,
-texture memory and crosstalk."""
+"""Tests transparency, environment light, cameras, texture memory and crosstalk."""
 
 import warnings
 
@@ -20,7 +19,6 @@ def ball(color=(0.5, 0.25, 1.0), **more):
 
 
 def write_splats(path):
-    """Writes three Gaussian splats to a PLY file with the usual property names."""
     names = "x y z f_dc_0 f_dc_1 f_dc_2 opacity scale_0 scale_1 scale_2 rot_0 rot_1 rot_2 rot_3".split()
     header = "ply\nformat binary_little_endian 1.0\nelement vertex 3\n" + "".join(f"property float {n}\n" for n in names)
     rows = [[x, 0, 0, 1, x, 0, 2, -1, -1, -1, 1, 0, 0, 0] for x in (-0.5, 0, 0.5)]
@@ -50,9 +48,8 @@ class Transparency(Case):
         self.assertEqual(field.alpha.shape, (1, 2, 32, 32))
         self.assertEqual(field.alpha.dtype, np.float32)
         self.assertEqual((field.alpha[0, 0, 16, 16], field.alpha[0, 0, 0, 0]), (1, 0))
-        self.assertEqual(field.views[0, 0, 0, 0].max(), 0)  # the environment emits light but is not visible
-        # Expected share: a disc of radius 0.5 covers pi * 0.5^2 / 4 of a square with sides of 2. It appears slightly
-        # larger, because the ball is seen from a distance of 20.
+        self.assertEqual(field.views[0, 0, 0, 0].max(), 0)
+        # The ball covers pi * 0.5^2 / 4 of the view, a square with sides of 2.
         self.assertAlmostEqual(float(field.alpha.mean()), np.pi * 0.5**2 / 4, delta=0.01)
 
     def test_alpha_one_half_covers_one_half(self):
@@ -109,7 +106,7 @@ class Blur(Case):
 
         sharp, focused = self.alpha(), self.alpha(aperture_mm=40)
         blurred = self.alpha(aperture_mm=40, focal_plane_mm=100)
-        # the ball is in the plane of the display, where the lens is focused
+        # the ball is in the focal plane
         self.assertLess(soft(focused), 1.5 * soft(sharp))
         self.assertGreater(soft(blurred), 2 * soft(sharp))
         self.assertAlmostEqual(float(blurred.mean()), float(sharp.mean()), delta=0.01)
@@ -176,7 +173,7 @@ class Cameras(Case):
         self.assertEqual(self.color(scene, camera="side"), [0, 1, 0])
         self.assertEqual(self.color(scene, camera=1), [0, 1, 0])
         self.assertEqual(self.color(scene, camera="1"), [1, 0, 0])  # a name takes precedence over an index
-        self.assertEqual(scene.cameras, ("1", "side"))  # rendering with a chosen camera does not change the scene
+        self.assertEqual(scene.cameras, ("1", "side"))
         scene.choose_camera("side")
         self.assertEqual((scene.cameras, self.color(scene)), (("side", "1"), [0, 1, 0]))
 
@@ -190,7 +187,7 @@ class Cameras(Case):
 
 class Textures(Case):
     def test_textures_are_halved_until_they_fit(self):
-        for name in ("white", "black"):  # each texture takes 1 MB in memory
+        for name in ("white", "black"):
             lippmann._core.write_picture(np.full((512, 512, 3), name == "white", np.float32), self.folder / f"{name}.png")
         (self.folder / "quad.mtl").write_text("newmtl white\nmap_Kd white.png\nnewmtl black\nmap_Kd black.png\n")
         vertices = "".join("v %g %g %g\n" % tuple(p) for p in QUAD)
@@ -212,8 +209,7 @@ class Crosstalk(Case):
 
     def test_each_neighbour_has_its_share(self):
         field = self.field()
-        # Only the middle view is white. With 10 % of light from each neighbour, the middle eye sees 79.5 % instead of
-        # 80 %, because the tails of the Gaussian reach slightly beyond the neighbours.
+        # The middle view is white, the others are black. An eye sees 80 % of its view and 10 % of each neighbour.
         self.assertAlmostEqual(float(field.eye(x=0)[4, 4, 0]), 1, places=5)
         self.assertAlmostEqual(float(field.eye(x=0, crosstalk="10%")[4, 4, 0]), 0.8, delta=0.01)
         self.assertAlmostEqual(float(field.eye(x=2, crosstalk="10%")[4, 4, 0]), 0.1, delta=0.005)

@@ -1,5 +1,4 @@
-"""Tests `lippmann dataset` and lippmann.dataset: arrays, their geometry, division into units of work, and continuing after
-the process was killed."""
+"""Tests `lippmann dataset` and lippmann.dataset."""
 
 import inspect
 import json
@@ -14,7 +13,6 @@ import numpy as np
 import lippmann
 from support import TOOL, Case, tool
 
-# The same options for the tool and for Python.
 SMALL = ("dataset", "teapot", "--views", "3x2", "--size", 32, "--spp", 2, "--seed", 5)
 SMALL_OPTIONS = dict(rows=2, columns=3, size=32, spp=2, seed=5)
 
@@ -62,8 +60,7 @@ class Dataset(Case):
             there = np.round(x - disparity).astype(int)
             inside = (there >= 0) & (there < 32)
             same = ids[1][y, np.clip(there, 0, 31)] == ids[0]
-            # The threshold allows for pixels at silhouettes. The next view may not show the surface
-            # there, or rounding may move it to a neighbouring pixel.
+            # At silhouettes, the next view may hide the surface.
             self.assertGreater(same[inside].mean(), 0.9)
 
     def test_units_equal_one_run(self):
@@ -77,7 +74,7 @@ class Dataset(Case):
         folder = self.folder / "killed"
         words = [TOOL, *map(str, SMALL), "-o", str(folder), "--count", "6"]
         with subprocess.Popen(words, stderr=subprocess.PIPE) as run:
-            run.stderr.readline()  # waits for the line about the first sample
+            run.stderr.readline()
             run.send_signal(signal.SIGKILL)
         self.assertFalse((folder / "manifest.json").exists())
         again = json.loads(tool(*SMALL, "-o", folder, "--count", 6, "--json"))
@@ -109,7 +106,7 @@ class Dataset(Case):
     def test_python_has_the_tools_options_and_defaults(self):
         has = dict(inspect.signature(lippmann.dataset).parameters)
         options = dict(re.findall(r"^  (?:-\w,)?--([a-z]+) .*?((?:default: \d+)?)$", tool("dataset", "--help"), re.MULTILINE))
-        for name in ("help", "json", "quiet"):  # of programs
+        for name in ("help", "json", "quiet"):
             options.pop(name, None)
         self.assertIn("default: 9x9", tool("dataset", "--help"))
         options.pop("views"), options.pop("output")

@@ -1,4 +1,4 @@
-"""Tests skins and morph targets from files and from arrays. The expected positions of vertices are computed by hand."""
+"""Tests skins and morph targets. The expected positions of vertices are computed by hand."""
 
 import json
 
@@ -21,10 +21,9 @@ class Deformation(Case):
         scene = lippmann.Scene(frames=2)
         targets = [[[4, 0, 0]] * 4, [[0, 0, 0], [0, 0, 0], [0, 2, 0], [0, 2, 0]]]
         mesh = scene.add_mesh(QUAD, FACES, targets=targets, weights=[0.5, 0])
-        self.assertEqual(bounds(scene), [[1, -1, 0], [3, 1, 0]])  # moved to the right by 0.5 * 4
+        self.assertEqual(bounds(scene), [[1, -1, 0], [3, 1, 0]])
         mesh.animate(weights=[[0, 0], [0.25, 1]])
         self.assertEqual(bounds(scene, 0), [[-1, -1, 0], [1, 1, 0]])
-        # the quad moved to the right by 0.25 * 4, and its upper edge also moved up by 2
         self.assertEqual(bounds(scene, 1), [[0, -1, 0], [2, 3, 0]])
 
     def test_target_normals_change_the_shading(self):
@@ -38,7 +37,7 @@ class Deformation(Case):
             return float(lippmann.render(scene, grid, light="none", integrator="path", spp=1, max_depth=2).views.mean())
 
         # The vertex normal (0, 0, 1) and the morph target 2 (0, 1, 0) add up to (0, 2, 1). Its cosine to the direction
-        # of the lamp is 1 / sqrt(5), so the light is 0.45 of the light without the morph target.
+        # of the lamp, (0, 0, 1), is 1 / sqrt(5).
         ratio = brightness(target_normals=[[[0, 2, 0]] * 4], weights=[1]) / brightness()
         self.assertAlmostEqual(ratio, 5**-0.5, delta=0.05)
 
@@ -46,14 +45,13 @@ class Deformation(Case):
         scene = lippmann.Scene(frames=2)
         hip = scene.add_joint((10, 0, 0), name="hip")
         knee = scene.add_joint((0, 1, 0), parent=hip)
-        # weights are normalised, so 3 is equivalent to 1
         skin = lippmann.Skin([hip, knee], [[0], [0], [1], [1]], np.full((4, 1), 3))
         scene.add_mesh(QUAD, FACES, translation=(10, 0, 0), skin=skin)
-        self.assertEqual(bounds(scene), [[9, -1, 0], [11, 1, 0]])  # the skin has no effect before joints move
+        self.assertEqual(bounds(scene), [[9, -1, 0], [11, 1, 0]])
         knee.animate(translation=[[0, 1, 0], [0, 4, 0]])
-        self.assertEqual(bounds(scene, 1), [[9, -1, 0], [11, 4, 0]])  # the upper edge moves up by 3
+        self.assertEqual(bounds(scene, 1), [[9, -1, 0], [11, 4, 0]])
         hip.animate(rotation=[[0, 0, 0, 1], HALF_TURN])
-        # the hip rotates all vertices about (10, 0, 0)
+        # the hip rotates by 180 degrees about (10, 0, 0)
         np.testing.assert_allclose(bounds(scene, 1), [[9, -4, 0], [11, 1, 0]], atol=1e-5)
 
     def test_a_vertex_blends_two_joints(self):
@@ -62,7 +60,7 @@ class Deformation(Case):
         skin = lippmann.Skin([still, moved], np.tile([0, 1], (4, 1)), np.tile([3, 1], (4, 1)))
         scene.add_mesh(QUAD, FACES, skin=skin)
         moved.animate(translation=[[0, 0, 0], [8, 0, 0]])
-        self.assertEqual(bounds(scene, 1), [[1, -1, 0], [3, 1, 0]])  # moved to the right by a quarter of 8
+        self.assertEqual(bounds(scene, 1), [[1, -1, 0], [3, 1, 0]])
 
     def test_errors_leave_the_scene_unchanged(self):
         scene, other = lippmann.Scene(frames=2), lippmann.Scene()
@@ -99,8 +97,7 @@ class Deformation(Case):
         path.write_text(json.dumps(moving_quad(self.folder)))
         scene = lippmann.load(path, frames_per_second=2)
         self.assertEqual(bounds(scene, 0), [[-1, -1, 0], [1, 1, 0]])
-        # Half of the animation's duration of one second has passed. The joint has moved by 3 / 2 to the right, and the
-        # morph target by 2 / 2 upwards.
+        # After half of the animation, the joint has moved by 3 / 2 to the right, and the morph target by 2 / 2 upwards.
         self.assertEqual(bounds(scene, 1), [[0.5, 0, 0], [2.5, 2, 0]])
 
 

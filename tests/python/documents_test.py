@@ -1,5 +1,4 @@
-"""Tests the documentation of the package: docstrings, type stubs, and docs/guide/python.md, whose code must run
-unchanged."""
+"""Tests docstrings, type stubs, and the code in docs/guide/python.md."""
 
 import ast
 import doctest
@@ -27,7 +26,7 @@ class Documents(Case):
         for name in lippmann.__all__:
             thing = getattr(lippmann, name)
             if thing.__module__ == "lippmann._core":
-                continue  # the type stubs cover these objects
+                continue
             for function in [thing] if inspect.isfunction(thing) else vars(thing).values():
                 if not inspect.isfunction(function) or function.__name__ in ("__eq__", "__repr__", "_replace"):
                     continue

@@ -1,4 +1,4 @@
-"""Tests that bad input raises a single exception that names the argument, and never crashes the interpreter."""
+"""Tests that bad input raises an exception that names the argument."""
 
 import os
 import subprocess
@@ -44,7 +44,7 @@ class Errors(Case):
         self.assertWrong("normals", scene.add_mesh, QUAD, FACES, normals=np.zeros((4, 3)))
         self.assertWrong("uvs", scene.add_mesh, QUAD, FACES, uvs=np.zeros((3, 2)))
         self.assertWrong("colors", scene.add_mesh, QUAD, FACES, colors=np.zeros((4, 4)))
-        self.assertEqual(scene.objects, ())  # the failed calls added no object
+        self.assertEqual(scene.objects, ())
         ball = scene.add_sphere()
         self.assertWrong("matrices", ball.animate, np.zeros((2, 4, 4)))
         self.assertWrong("matrices", ball.animate, np.zeros((3, 4, 4)))
@@ -211,9 +211,8 @@ class Errors(Case):
         with self.assertRaisesRegex(Own, "enough"):
             animation[0]
         self.assertEqual(len(calls), 1)
-        # an animation that was stopped by an exception does not continue
         self.assertWrong("frames", lambda: animation[1])
-        self.assertEqual(lippmann.render("room", small_grid()).shape[0], 2)  # other renders are possible
+        self.assertEqual(lippmann.render("room", small_grid()).shape[0], 2)
 
     def test_threads_cannot_share_an_animation(self):
         started, errors = threading.Event(), []
@@ -333,8 +332,9 @@ class Errors(Case):
         self.assertTrue(error.problem.startswith("(4, 1)") and error.problem.endswith(" in 2x3"), error.problem)
 
     def assertIgnored(self, names, function, *arguments, **named):
-        """Expects that the call gives a LippmannWarning for each of the arguments `names`, with the caller's file as
-        its source, and no other warnings."""
+        """Expects one LippmannWarning for each argument in `names`, with the caller's file as its
+        source.
+        """
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
             function(*arguments, **named)
@@ -434,8 +434,7 @@ class Errors(Case):
         self.assertEqual(repr(lippmann.frames("room", small_grid(), frames=[7])), "<lippmann.Animation: 1 frame>")
 
     def test_warnings_can_become_errors(self):
-        # The OBJ file names a missing material library. Reading it causes a warning. The tool prints the same sentence
-        # to stderr.
+        # the OBJ file names a missing material library
         scene = self.folder / "scene.obj"
         scene.write_text("mtllib nowhere.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
         with warnings.catch_warnings(record=True) as caught:
@@ -450,7 +449,6 @@ class Errors(Case):
                 lippmann.load(scene)
 
     def test_core_functions_called_with_nonsense_raise(self):
-        # These functions are private. They must still raise an exception instead of crashing.
         core = lippmann._core
         for function in (core.load_scene, core.place, core.Frames, core.open_light_field, core.views, core.Views):
             with self.assertRaises(TypeError):

@@ -1,4 +1,4 @@
-"""Tests that Python and the tool write and read the same files, in all formats."""
+"""Tests that Python and the tool write and read the same files."""
 
 import errno
 import json
@@ -27,9 +27,9 @@ class Files(Case):
                 again = lippmann.open(files[0] if name == "quilt" else path, **given)
                 self.assertSame(again.views, lippmann.to_codes(field.views))
                 if name == "hci":
-                    # The files are 9 views with depth and disparity, two more maps of the middle view, and parameters.cfg.
+                    # 9 views with depth and disparity, two more maps of the middle view, and parameters.cfg
                     self.assertEqual(len(files), 30)
-                    # The tolerance is for depths stored in metres as float32, from cameras 500 mm away.
+                    # float32 depths in metres, from cameras 500 mm away
                     np.testing.assert_allclose(again.depth, field.depth, atol=1e-3)
                     np.testing.assert_allclose(again.disparity, field.disparity, atol=1e-4)
                     np.testing.assert_allclose(again.eyes_mm, field.eyes_mm, atol=1e-4)
@@ -40,7 +40,7 @@ class Files(Case):
         data = (self.folder / "hci/gt_disp_lowres_Cam000.pfm").read_bytes()
         # a PFM file stores the bottom row first
         values = np.frombuffer(data[-4 * 24 * 32:], "<f4").reshape(24, 32)[::-1]
-        # camera 0 of the format is the top left view
+        # camera 0 of the HCI format is the top left view
         np.testing.assert_allclose(field.disparity[2, 0], values, atol=1e-4)
 
     def test_the_tool_converts_saved_files(self):
@@ -99,7 +99,7 @@ class Files(Case):
         field.save(self.folder / "floats", "views", bits=32)
         again = lippmann.open(self.folder / "floats", views=(3, 3))
         self.assertEqual(again.views.dtype, np.float32)
-        # by default, an EXR file stores half floats
+        # EXR files store half floats, which have 11 significant bits
         np.testing.assert_allclose(again.views, field.views, rtol=1e-3, atol=1e-3)
 
     def test_native_frames_convert_from_and_to_views(self):

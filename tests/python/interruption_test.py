@@ -1,5 +1,4 @@
-"""Tests that Ctrl-C raises KeyboardInterrupt soon, and that the library works afterwards. The work runs in a
-separate process."""
+"""Tests that Ctrl-C raises KeyboardInterrupt soon, and that the library works afterwards."""
 
 import os
 import signal
@@ -24,8 +23,6 @@ except KeyboardInterrupt:
 print(lippmann.render("room", lippmann.camera_grid(1, 2, (8, 8))).shape, flush=True)
 """
 
-# The work lasts longer than the test and does not report when it has begun. A second thread sends the signal while it
-# runs.
 LOOK = """
 import os, signal, sys, threading, numpy as np, lippmann
 field = lippmann.LightField(np.full((100, 100, 4, 4, 3), 128, np.uint8), distance_mm=500, baseline_mm=1, pixel_mm=10)

@@ -1,5 +1,4 @@
-"""Tests meshes of trimesh and Open3D. The library reads them by the names of their attributes, so imitations are
-sufficient."""
+"""Tests meshes of trimesh and Open3D, which are imitated by classes with the same attributes."""
 
 import types
 
@@ -10,11 +9,11 @@ from support import Case, small_grid
 
 CORNERS = np.array([[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]], float)
 FACES = np.array([[0, 1, 2], [0, 2, 3]])
-UVS = np.array([[0, 0], [1, 0], [1, 1], [0, 1]], float)  # the v axis points upwards
+UVS = np.array([[0, 0], [1, 0], [1, 1], [0, 1]], float)
 
 
 class Image:
-    """Imitates a PIL.Image whose upper row is red and whose lower row is green."""
+    """Imitates a PIL.Image with a red upper row and a green lower row."""
 
     def convert(self, mode):
         assert mode == "RGBA"
@@ -55,10 +54,9 @@ class Meshes(Case):
     def test_textures_are_upright(self):
         surface = types.SimpleNamespace(baseColorTexture=Image())
         picture = self.seen(trimesh(kind="texture", uv=UVS, material=surface))
-        self.assertGreater(picture[5, 8, 0], 10 * picture[5, 8, 1])  # the upper row of the texture is at the top
+        self.assertGreater(picture[5, 8, 0], 10 * picture[5, 8, 1])
         self.assertGreater(picture[10, 8, 1], 10 * picture[10, 8, 0])
         plain = self.seen(trimesh(kind="texture", uv=UVS, material=surface), material=lippmann.Material())
-        # the material in the call takes precedence over the mesh's material
         self.assertSame(plain, self.seen(CORNERS, FACES))
 
     def test_invalid_meshes_are_named(self):

@@ -1,5 +1,6 @@
-"""Compares the figures of `lippmann compare` with plain NumPy implementations of the definitions in
-docs/reference/metrics.md."""
+"""Compares the figures of `lippmann compare` with NumPy implementations of
+docs/reference/metrics.md.
+"""
 
 import json
 import struct
@@ -14,7 +15,6 @@ HEIGHT, WIDTH = 164, 170
 
 
 def pictures(seed):
-    """Returns the codes of a reference picture and of a test picture. The error depends on `seed`."""
     rng = np.random.default_rng(seed)
     y, x = np.mgrid[:HEIGHT, :WIDTH]
     reference = np.stack([127 + 120 * np.sin(x / rng.uniform(3, 30) + y / rng.uniform(3, 30) + c) for c in range(3)], -1)
@@ -39,7 +39,7 @@ def correlate(plane, kernel):
 
 
 def psnr_yuv(a, b):
-    """Returns PSNR-Y and PSNR-YUV in dB. The rows of the matrix convert RGB to Y, Cb and Cr of BT.709."""
+    """Returns PSNR-Y and PSNR-YUV in dB, in the colour space of BT.709."""
     matrix = np.array([[0.2126, 0.7152, 0.0722], [-0.2126, -0.7152, 1 - 0.0722], [1 - 0.2126, -0.7152, -0.0722]])
     matrix[1] /= 2 * (1 - 0.0722)
     matrix[2] /= 2 * (1 - 0.2126)
@@ -116,7 +116,7 @@ def hyab(a, b):
 
 
 def flip(a, b):
-    """Returns the FLIP error map, computed with two-dimensional filters as in the paper."""
+    """Returns the FLIP error map, computed as in the paper with two-dimensional filters."""
     per_degree = 3840 * np.pi / 180
     radius = int(np.ceil(3 * np.sqrt(0.04 / (2 * np.pi**2)) * per_degree))
     t = np.arange(-radius, radius + 1) / per_degree
@@ -217,7 +217,6 @@ class Metrics(Case):
         return json.loads(tool("compare", self.folder / "a", self.folder / "b", "--json", *words))
 
     def write(self, count, make):
-        """Writes `count` pairs of pictures from make(i) to the folders a and b. Returns the pairs."""
         pairs = [make(i) for i in range(count)]
         for side, name in enumerate("ab"):
             (self.folder / name).mkdir()

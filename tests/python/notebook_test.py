@@ -1,5 +1,4 @@
-"""Tests that the notebook in examples/python runs, and that its cells return values that a notebook can display.
-Jupyter is not necessary."""
+"""Runs the cells of the notebook in examples/python without Jupyter."""
 
 import ast
 import json
@@ -16,7 +15,7 @@ NOTEBOOK = SOURCE / "examples/python/light_field.ipynb"
 
 class Notebook(Case):
     def run_cells(self):
-        """Runs all cells in order. Yields the value of each cell that ends with an expression."""
+        """Yields the value of each cell that ends with an expression."""
         names = {}
         for number, cell in enumerate(json.loads(NOTEBOOK.read_text())["cells"]):
             if cell["cell_type"] != "code":

@@ -1,5 +1,6 @@
-"""Tests optics that are chosen by the name of their model, and optics that are defined by a function from pixels to
-rays."""
+"""Tests optics that are chosen by name, and optics that are defined by a function from pixels to
+rays.
+"""
 
 import math
 import warnings
@@ -56,7 +57,7 @@ class OwnOptics(Case):
             ]
             self.assertEqual(pictures[0].shape, (40, 56, 3))
             self.assertGreater(pictures[0].std(), 0.05)
-            # Both optics filter textures by the assumed size of a pixel. Rounding changes a few pixels at edges.
+            # Rounding changes a few pixels at edges.
             differ = np.abs(pictures[0] - pictures[1]).max(axis=2) > 2e-3
             self.assertLess(differ.mean(), 0.02)
 
@@ -74,7 +75,7 @@ class OwnOptics(Case):
         self.assertSame(asked[0][:2], np.array([[0.25, 0.25], [0.75, 0.25]], np.float32))
         self.assertSame(asked[0][-1], np.array([2.75, 1.75], np.float32))
         origin, direction = optics.rays(np.array([[1.25, 0.25]], np.float32))
-        self.assertSame(direction, np.array([[0, 0, -1]], np.float32))  # the direction is normalised to unit length
+        self.assertSame(direction, np.array([[0, 0, -1]], np.float32))
         self.assertSame(origin, np.zeros((1, 3), np.float32))
 
     def test_directions_have_any_length(self):
@@ -92,7 +93,7 @@ class OwnOptics(Case):
             return lambda: lippmann.own_optics(function, (2, 2))
 
         ahead = np.tile([0.0, 0.0, -1.0], (4, 1))
-        self.assertWrong("rays", with_rays(lambda points: ahead))  # the function returns one array instead of two
+        self.assertWrong("rays", with_rays(lambda points: ahead))
         self.assertWrong("rays", with_rays(lambda points: None))
         self.assertWrong("rays", with_rays(lambda points: (ahead, ahead, ahead)))
         self.assertWrong("rays", with_rays(lambda points: np.float64(3)))

@@ -1,4 +1,4 @@
-"""Tests the options of lippmann.render: their types, and that they agree with the tool's options."""
+"""Tests that the options of lippmann.render agree with the tool's options."""
 
 import inspect
 import os
@@ -13,8 +13,8 @@ import lippmann
 from lippmann import _options
 from support import Case, SMALL_PANEL, SOURCE, small_grid, tool
 
-# GROUPS lists the groups of the tool's options that also exist in Python. The optics are a separate argument in Python.
-# RENAMED maps options to their names in Python. LEFT_OUT lists options that do not exist in Python.
+# GROUPS: headings of the tool's help whose options also exist in Python. RENAMED: names in Python. LEFT_OUT: options
+# that do not exist in Python.
 GROUPS = ("Scene", "Rendering", "Reuse")
 RENAMED = {"aperture": "aperture_mm", "focal-plane": "focal_plane_mm", "environment-rotation": "environment_rotation_deg",
            "texture-memory": "texture_memory_mb", "fps": "frames_per_second", "scene": "name"}
@@ -27,7 +27,7 @@ LEFT_OUT = {
 
 
 def tool_options():
-    """Returns a dictionary from each group in the tool's help to the names of its options."""
+    """Returns the option names of each heading in the tool's help."""
     options, group = {}, ""
     for line in tool("render", "--help-all").splitlines():
         if re.match(r"\S.*:$", line) or re.match(r"[A-Z]\w+$", line):
@@ -164,7 +164,6 @@ class Options(Case):
             options.update(light="none", spp=1, fit_depth=False)
             return lippmann.render(scene, small_grid(1, 1, (64, 64)), **options).views[0, 0, :, :, 0] > 0
 
-        # only the middle object is visible
         self.assertEqual(np.diff(covered().any(axis=0).astype(int)).tolist().count(1), 1)
         self.assertEqual(np.diff(covered(fit_to="all").any(axis=0).astype(int)).tolist().count(1), 3)
 

@@ -1,4 +1,4 @@
-"""Tests pickles and deep copies of all public classes, and errors for missing attributes."""
+"""Tests pickles and deep copies of all public classes."""
 
 import copy
 import inspect
@@ -12,7 +12,6 @@ from support import Case, DESK, SMALL_PANEL, small_grid
 
 
 def figure():
-    """Returns a scene that contains a movable object, a texture, a skin and an animation."""
     scene = lippmann.Scene("figure", frames=2)
     texture = np.arange(48, dtype=np.uint8).reshape(4, 4, 3)
     joint = scene.add_joint(name="joint")
@@ -39,7 +38,7 @@ def own_optics():
 
 
 def examples():
-    """Returns a dictionary from each public class except Animation to one or more objects of the class."""
+    """Returns objects of each public class except Animation."""
     scene, ball, skin = figure()
     viewless = lippmann.render(DESK, own_optics(), integrator="whitted", spp=1)
     return {
@@ -82,7 +81,7 @@ class Pickling(Case):
             for value in values:
                 for same in self.copies_of(value):
                     self.assertIs(type(same), kind)
-                    if kind is not lippmann.Skin:  # the arrays of a skin cannot be compared with ==
+                    if kind is not lippmann.Skin:
                         self.assertEqual(repr(same), repr(value))
 
     def test_copied_animations_render_independently(self):
@@ -150,7 +149,6 @@ class Pickling(Case):
                     if not hasattr(value, name):
                         absent.add(name)
                         self.assertEqual(getattr(value, name, 7), 7)
-                        # the error states which option would provide the attribute
                         with self.assertRaises(lippmann.Error):
                             getattr(value, name)
         self.assertLessEqual({"depth", "disparity", "normals", "motion", "alpha", "rgba", "views", "eyes_mm", "units_per_mm"}, absent)

@@ -1,5 +1,4 @@
-"""Tests random scenes, displays and light fields. Each seed must always give the same data, different seeds must
-give different data, and the data must be usable."""
+"""Tests random scenes, displays and light fields."""
 
 import itertools
 
@@ -26,8 +25,8 @@ class RandomData(Case):
         self.assertEqual(len(list(lippmann.training_data(5, 2, **options))), 2)
 
     def test_disparity_locates_pixels_in_other_views(self):
-        # Reads the last of 9 views at the positions that the disparity of the first view gives. The result must be much
-        # more similar to the first view than the last view itself is.
+        # Warps the last of 9 views to the first view by the first view's disparity. The result must be closer to the
+        # first view than the last view is.
         better = []
         for field in lippmann.training_data(11, 3, rows=1, columns=9, size=(96, 96), spp=16):
             left, right, shift = field.views[0, 0], field.views[0, -1], 8 * field.disparity[0, 0]

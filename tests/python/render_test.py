@@ -1,4 +1,4 @@
-"""Tests rendering frames: their bytes equal those of the tool's files, single frames and sequences, and layers."""
+"""Tests that frames equal the tool's files, and tests sequences and layers."""
 
 import threading
 
@@ -35,7 +35,7 @@ class Render(Case):
         self.assertEqual(field.panel_layer("depth").shape, (160, 90, 1))
         field.save(self.folder / "own.png")
         self.assertSameFile(self.folder / "own.png", self.folder / "tool/frame_0009.png")
-        # a lens of this panel does not cover a whole number of pixels, so its frame cannot be divided into views
+        # lenses that are not a whole number of pixels wide have no views
         self.assertWrong("optics", lambda: field.views)
         self.assertIn("160", repr(field))
         self.assertEqual(field.eye(size=(16, 9)).shape, (16, 9, 3))
@@ -66,7 +66,7 @@ class Render(Case):
         calls = []
         animation = lippmann.frames("gears", small_grid(), progress=lambda frame, share: calls.append(frame))
         some = animation[2:7:4]
-        self.assertEqual((len(some), calls), (2, []))  # a frame is rendered when it is accessed
+        self.assertEqual((len(some), calls), (2, []))
         self.assertEqual([field.report["frame"] for field in some], [2, 6])
         self.assertEqual(some[-1].report["frame"], 6)
         self.assertEqual([field.report["frame"] for field in animation[::-1][:2]], [479, 478])
@@ -123,7 +123,7 @@ class Render(Case):
         self.assertEqual(scene.objects[int(field.layer("id")[middle][0])], "cube")
         np.testing.assert_allclose(field.normals[middle], (0, 0, 1), atol=1e-6)
         np.testing.assert_allclose(field.layer("albedo")[middle], (0.5, 0, 0), atol=1e-6)
-        # 1 unit in front of the display, which is 4 units and 100 mm high
+        # 1 unit in front of the display, which is 4 units = 100 mm high
         self.assertAlmostEqual(float(field.depth[middle]), 25, places=3)
         self.assertAlmostEqual(float(field.depth[0, 0, 0, 0]), -25, places=3)
         world = field.world_from_display @ np.array([0, 0, 25, 1])

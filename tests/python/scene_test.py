@@ -1,4 +1,4 @@
-"""Tests scenes that are made of arrays: shapes, materials, light and animation."""
+"""Tests scenes that are made of arrays."""
 
 import numpy as np
 
@@ -10,7 +10,7 @@ FACES = [[0, 1, 2], [0, 2, 3]]
 
 
 def front(scene, **options):
-    """Returns the front view of the scene. The view is 2 units high."""
+    """Renders the front view, which is 2 units high."""
     scene.place_display(height=2, viewing_distance=20)
     options.setdefault("spp", 1)
     return lippmann.render(scene, small_grid(1, 1, (32, 32)), light="none", **options).views[0, 0]
@@ -24,7 +24,6 @@ class SceneTest(Case):
 
     def test_textures_use_uvs_with_v_downwards(self):
         texture = np.zeros((2, 2, 3), np.uint8)
-        # the top left texel is red and the bottom right texel is blue
         texture[0, 0], texture[1, 1] = (255, 0, 0), (0, 0, 255)
         scene = lippmann.Scene()
         uvs = [[0, 1], [1, 1], [1, 0], [0, 0]]
@@ -48,12 +47,12 @@ class SceneTest(Case):
         picture = front(scene)
         np.testing.assert_allclose(picture[16, [8, 24]], [[1, 0, 0], [0, 1, 0]], atol=1e-5)
         self.assertEqual(scene._core.material_count, 2)
-        add(texture.copy(), 2)  # a copy has the same pixels, so the texture is shared
+        add(texture.copy(), 2)
         add(texture[::-1, ::-1], 3)
-        # an opaque alpha channel, which the stored textures also have
+        # an opaque alpha channel, as stored textures have
         add(np.dstack([texture, np.full((2, 3), 255, np.uint8)]), 4)
         self.assertEqual(scene._core.material_count, 2)
-        add(texture.reshape(3, 2, 3), 5)  # the same bytes, but another width and height
+        add(texture.reshape(3, 2, 3), 5)
         self.assertEqual(scene._core.material_count, 3)
 
     def test_scenes_far_from_the_origin_are_exact(self):
@@ -66,7 +65,7 @@ class SceneTest(Case):
             np.testing.assert_array_equal(scene.bounds(), [corners.min(axis=0), corners.max(axis=0)])
             return lippmann.render(scene, small_grid(1, 1, (32, 32)), light="none", spp=1)
 
-        place = (4194304, 1024, -2097152)  # single precision represents these coordinates exactly
+        place = (4194304, 1024, -2097152)  # float32 represents these coordinates exactly
         near, far = field((0, 0, 0)), field(place)
         np.testing.assert_array_equal(far.views, near.views)
         moved = near.world_from_display
@@ -94,9 +93,9 @@ class SceneTest(Case):
         self.assertLess(brightness(kind="spot", position=(0, 0, 2), target=(0, 0, 4)), 1e-6)
 
     def test_lamps_with_size_have_soft_shadows(self):
-        # A plate at z = 0.5 covers the half x < 0, and the lamp at z = 2 is a sphere of radius 0.5. From the point (x,
-        # 0, 0), the part of the lamp to the right of -3 x is visible. The whole lamp is visible for x > 1/6. At the
-        # first pixel, x = 1/32, a share of 0.62 is visible.
+        # A plate at z = 0.5 covers the half x < 0, and the lamp at z = 2 is a sphere of radius 0.5. From (x, 0, 0), the
+        # plate's edge hides the lamp to the left of -3 x. At the first pixel, x = 1/32, a share of 0.62 is visible; for
+        # x > 1/6, the whole lamp.
         def row(**size):
             scene = lippmann.Scene()
             scene.add_mesh(QUAD, FACES, material=lippmann.Material((1, 1, 1), roughness=1))

@@ -1,4 +1,4 @@
-"""Functions that the Python tests share: running the tool for comparison, and small pictures."""
+"""Runs the tool and makes small pictures for the Python tests."""
 
 import os
 import pathlib
@@ -17,7 +17,6 @@ DESK = SOURCE / "examples/desk.glb"
 
 
 def tool(*words, cwd=None):
-    """Runs the command-line tool, and returns its output. The test fails if the tool fails."""
     done = subprocess.run([TOOL, *map(str, words)], cwd=cwd, capture_output=True, text=True)
     assert done.returncode == 0, f"{words}: {done.stderr}"
     return done.stdout
@@ -39,7 +38,7 @@ class Case(unittest.TestCase):
         np.testing.assert_array_equal(one, other)
 
     def assertWrong(self, where, function, *arguments, **named):
-        """Expects that the call raises an Error that names the argument `where`."""
+        """Expects an Error that names the argument `where`."""
         with self.assertRaises(lippmann.Error) as caught:
             function(*arguments, **named)
         self.assertEqual(caught.exception.where, where, str(caught.exception))
