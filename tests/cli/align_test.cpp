@@ -1,5 +1,3 @@
-// Tests `lippmann align`, and the conversion of stereo pairs to views. The input pictures are rendered views of the scene
-// "room".
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -26,7 +24,6 @@ class AlignTool : public testing::Test {
     fs::copy(made() / "r/frame_0000", dir_ / "in");
   }
 
-  /// Returns a folder that all tests share, so that its views are rendered only once.
   static const TempDir& made() {
     static const TempDir dir;
     return dir;

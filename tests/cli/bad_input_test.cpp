@@ -11,7 +11,6 @@ namespace {
 
 void write(const std::filesystem::path& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
 
-/// Expects that the tool fails with exit code 1 and a message of one line, and that it writes nothing.
 void expect_nothing_made(const TempDir& dir, const Words& arguments, const std::string& part_of_message) {
   expect_refusal(run_tool(dir, arguments), 1, part_of_message);
   EXPECT_FALSE(std::filesystem::exists(dir / "out"));
@@ -29,7 +28,7 @@ TEST(BadInput, missing_and_damaged_scenes_are_named) {
   expect_refusal(run_tool(dir, {"render", "job.toml"}), 2, "job.toml:2: there is no key 'lense', did you mean 'lenses'?");
 }
 
-// Opening a FIFO blocks until another process writes to it, so the tool must refuse a FIFO before opening it.
+// Opening a FIFO blocks until another process writes to it.
 TEST(BadInput, fifos_are_refused_by_every_reader) {
   const TempDir dir;
   for (const char* name : {"a.glb", "a.gltf", "a.ply", "a.obj", "a.nff", "a.dat", "job.toml", "p.png", "p.hdr", "d.toml",
@@ -50,7 +49,7 @@ TEST(BadInput, fifos_are_refused_by_every_reader) {
   for (const Words& words : others) expect_nothing_made(dir, words, "is not a regular file but a FIFO");
 }
 
-// Error messages quote names from files. Escape sequences in such a name must not reach the terminal.
+// Escape sequences in names from files must not reach the terminal.
 TEST(BadInput, control_characters_of_files_are_escaped) {
   const TempDir dir;
   ExrPart part;

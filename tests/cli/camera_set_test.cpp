@@ -1,4 +1,4 @@
-// Tests what the commands do with data sets of cameras around a scene, as `render --cameras` writes them.
+// Tests the commands on data sets of cameras around a scene, written by `render --cameras`.
 #include <gmock/gmock.h>
 
 #include "cli/tool.hpp"
@@ -50,7 +50,7 @@ TEST_F(CameraSets, compare_compares_the_pictures) {
   const nlohmann::json same = report_of(dir_, {"compare", "nerf", "colmap"});
   EXPECT_EQ(same["frames"].size(), 3u);
   EXPECT_TRUE(same["identical"]);
-  fs::remove_all(dir_ / "llff/.lippmann");  // so that another picture is not damage
+  fs::remove_all(dir_ / "llff/.lippmann");  // without the journal, another picture is not reported as damage
   fs::copy_file(dir_ / "llff/images/000.png", dir_ / "llff/images/001.png", fs::copy_options::overwrite_existing);
   EXPECT_FALSE(report_of(dir_, {"compare", "nerf", "llff"})["identical"]);
 }
@@ -103,7 +103,7 @@ TEST_F(CameraSets, info_and_view_describe_the_cameras) {
 }
 
 TEST_F(CameraSets, play_warns_that_the_cameras_share_no_plane) {
-  // An address that no machine has ends the command before it serves.
+  // no machine has this address, so the command ends
   const RunResult played = run_tool(dir_, {"play", "nerf", "--display", "portrait", "--host", "192.0.2.1"});
   EXPECT_EQ(played.exit_code, 1);
   EXPECT_THAT(played.err, HasSubstr("The cameras of nerf do not share a plane and a window. Their views are shown in order"));

@@ -1,4 +1,3 @@
-// Tests the output and the error messages of `lippmann compare`.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -14,7 +13,7 @@ namespace {
 using ::testing::HasSubstr;
 using Json = nlohmann::json;
 
-/// Writes two frames each to the folders a and b. The first frames are equal and the second frames differ.
+/// Writes two frames each to the folders a and b. Only the first frames are equal.
 void make_folders(const TempDir& dir) {
   for (const char* folder : {"a", "b"}) {
     std::filesystem::create_directory(dir / folder);

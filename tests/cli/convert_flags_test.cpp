@@ -1,5 +1,4 @@
-// Tests every flag of `lippmann convert` with many pairs of formats. A flag must either change the result, or be refused in a
-// message that names it.
+// Tests that every flag of `lippmann convert` either changes the result or is refused by name.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -20,7 +19,7 @@ namespace fs = std::filesystem;
 using testing::AnyOf;
 using testing::HasSubstr;
 
-/// Returns a value for each flag. The value differs from the flag's default, so that the flag has a visible effect.
+/// Returns a value other than the default for each flag.
 const std::map<std::string, std::string>& values() {
   static const std::map<std::string, std::string> all{{"--views", "2x4"},
                                                       {"--quilt", "2x4"},
@@ -98,8 +97,7 @@ std::set<std::string> flags_of_help(const TempDir& dir) {
   const std::string help = run_tool(dir, {"convert", "--help"}).out;
   static const TextPattern flag("--[a-z][a-z-]*");
   std::set<std::string> flags;
-  // A line begins with a flag if it is indented by at most 10 columns. CLI11 indents flags by 2 to 10 columns, depending on its
-  // version, and descriptions by 28.
+  // CLI11 indents flags by 2 to 10 columns, and descriptions by 28.
   std::istringstream lines(help);
   for (std::string line; std::getline(lines, line);) {
     const std::size_t begin = line.find_first_not_of(' ');
@@ -134,7 +132,6 @@ class ConvertFlags : public testing::Test {
     write_picture(dir_ / "d/depth.png", depth);
   }
 
-  /// Runs a conversion once without further flags, and then once with each flag of values().
   void walk(const std::string& in, const std::string& to, const Words& needed) {
     const Words base = Words{"convert", in, "o/x"} + needed + Words{"--to", to};
     const RunResult plain = run_tool(dir_, base);

@@ -1,4 +1,3 @@
-// Tests the output and the warnings of `lippmann convert`, and that failed conversions leave no files.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -82,7 +81,7 @@ TEST(Convert, dropped_camera_positions_are_reported) {
 TEST(Convert, failure_leaves_no_folder) {
   const TempDir dir;
   expect_done(dir, small_views("r"));
-  // The format hci requires parallel cameras at equal distances. These views are at equal angles, so hci cannot store them.
+  // The format hci requires equal distances between cameras. These views are at equal angles.
   EXPECT_EQ(run_tool(dir, {"convert", "r/frame_0000.png", "one", "--to", "hci"}).exit_code, 1);
   EXPECT_EQ(run_tool(dir, {"convert", "r", "all", "--to", "hci"}).exit_code, 1);
   EXPECT_FALSE(fs::exists(dir / "one") || fs::exists(dir / "all"));
@@ -166,7 +165,7 @@ TEST(Convert, depth_is_inverted_by_both_methods) {
   EXPECT_TRUE(fs::exists(dir / "made/frame_0000.png"));
 }
 
-/// Writes a raw picture of a plenoptic camera. Its lenses are 10.4 pixels apart, and each shows a bright spot.
+/// Writes a raw plenoptic picture with one bright spot per lens. The lenses are 10.4 pixels apart.
 void write_lens_spots(const fs::path& path, int side) {
   Image8 codes{side, side, {}};
   for (int y = 0; y < side; ++y)
@@ -194,7 +193,6 @@ TEST(Convert, plenoptic_grid_is_given_or_found) {
               HasSubstr("lens grid: square"));
 }
 
-/// The JSON file beside a rendered raw picture states the lens grid.
 TEST(Convert, rendered_plenoptic_pictures_become_views) {
   const TempDir dir;
   expect_done(dir, {"render", "room", "--optics", "plenoptic", "--lenses", "16x12", "--lens-pixels", "5.5",

@@ -1,4 +1,3 @@
-// Tests `lippmann displays` with built-in displays, display files and connected devices.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -62,9 +61,8 @@ TEST(Displays, find_reports_calibration_errors_and_places) {
 TEST(Displays, depth_budgets_differ_for_panel_and_quilt) {
   const TempDir dir;
   const auto json = json_of(run_tool(dir, {"displays", "portrait", "--json"}).out);
-  // Expected depth budget of the quilt: pixel * D / (apart + pixel), by similar triangles. A pixel of a view is 120.4 mm / 420
-  // wide. The 48 views are spread over 40 degrees, so neighbouring eyes at the distance D are `apart` = 2 D tan(40 / 48 / 2
-  // degrees) from each other.
+  // Depth budget of the quilt, by similar triangles: p D / (a + p). The pixel of a view is p = 120.4 mm / 420 wide. The
+  // 48 views cover 40 degrees, so at distance D neighbouring eyes are a = 2 D tan(40 / 48 / 2 degrees) apart.
   const double distance = json["viewing_distance_mm"], pixel = json["size_mm"][0].get<double>() / 420.0;
   const double apart = 2.0 * distance * std::tan(20.0 / 48.0 * 3.14159265358979 / 180.0);
   EXPECT_NEAR(json["quilt"]["depth_budget_mm"].get<double>(), pixel * distance / (apart + pixel), 1e-3);

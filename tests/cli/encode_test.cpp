@@ -1,4 +1,3 @@
-// Tests encoding finished frames as a video: file names, messages and refused arguments.
 #include <gtest/gtest.h>
 
 #include "tool.hpp"

@@ -1,6 +1,5 @@
-// Tests renders in which a system call fails: write, open, rename, mkdir, fsync or a memory allocation. In each run, one call
-// fails, or one call and all calls after it. Each further run fails a later call. The tool must report the failure, and every
-// file with a final name must be complete.
+// Fails one system call or allocation after another of a render. The tool must report each failure and leave no
+// incomplete file under a final name.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -14,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Runs the tool while call number `number` of the kind `call` fails. If `all_that_follow`, later calls fail too.
+/// Runs the tool while call `number` of the kind `call` fails, and also all later calls if `all_that_follow`.
 RunResult run_failing(const TempDir& dir, const Words& arguments, const std::string& call, int number, bool all_that_follow) {
   const std::string failed = dir / "failed";
   return run(Words{"/usr/bin/env", "LD_PRELOAD=" LIPPMANN_FAILING_WRITES, "LIPPMANN_FAIL_CALL=" + call,
@@ -26,15 +25,13 @@ RunResult run_failing(const TempDir& dir, const Words& arguments, const std::str
 
 enum class Fails { kOneWrite, kAllFromThereOn };
 
-/// Returns a render that is fast enough for hundreds of runs. It uses one thread, so that the order of system calls is the same
-/// in every run.
+/// One thread makes the order of system calls the same in every run.
 Words render_of_two_frames(const Words& flags, const std::string& folder) {
   Words words{"render", "primitives", "--size", "16x16", "--frames", "0-1", "--threads", "1", "-o", folder};
   for (const std::string& word : flags) words.push_back(word == "VIDEO" ? folder + "/video.mkv" : word);
   return words;
 }
 
-/// Returns the number of error messages in the output. Progress lines and warnings do not count.
 int reported_failures(const std::string& err) {
   std::istringstream lines(err);
   int count = 0;
@@ -105,30 +102,26 @@ TEST(FailingWrites, folder_errors_are_reported) {
   expect_error_and_whole_files({"--layout", "views"}, Fails::kOneWrite, "mkdir");
 }
 
-/// Returns the step from one tested allocation to the next. A render makes tens of thousands of allocations, and testing all of
-/// them would take minutes. The step is larger until the run has made its folder. LIPPMANN_ALLOCATION_STEP=1 tests every
-/// allocation.
+/// Returns the step from one tested allocation to the next, because a render makes tens of thousands.
+/// LIPPMANN_ALLOCATION_STEP=1 tests all of them.
 int allocation_step(bool has_folder) {
   const char* step = std::getenv("LIPPMANN_ALLOCATION_STEP");
   return step ? std::stoi(step) : has_folder ? 457 : 1999;
 }
 
-/// Numbers of runs in which an allocation failed, by how they ended.
+/// Number of runs with a failed allocation, by how they ended.
 struct Ends {
-  int with_folder = 0;  ///< runs that failed after they had made their folder
-  int reported = 0;     ///< runs that printed one line and ended with exit code 1
-  int ended = 0;        ///< runs that were ended by a signal
+  int with_folder = 0;  ///< failed after they had made their folder
+  int reported = 0;     ///< printed one line and exited with code 1
+  int ended = 0;        ///< were ended by a signal
 };
 
-/// A run with a failed allocation may end in three ways:
-/// 1. The tool reports the error and exits with code 1.
-/// 2. A library copes with the failure, and the render is complete.
-/// 3. The program aborts, because destructors of JSON values and folder listings allocate but must not throw, and Embree's
-///    threads do not check for missing memory.
+/// A failed allocation may cause a reported error, no error, or an abort: destructors that allocate must not throw, and
+/// Embree's threads do not check for missing memory.
 void expect_error_or_whole_files(const RunResult& result, const Files& files, const Files& whole, int number, Ends& ends) {
   constexpr int kSignals = 128;
   if (result.exit_code > kSignals) {
-    // a resumed render removes the temporary files of a killed run
+    // a killed run may leave temporary files, which a resumed render removes
     expect_whole_files(without_temporary(files), whole, number);
     ++ends.ended;
     return;

@@ -1,5 +1,4 @@
-// Tests output folders. A folder holds only one render, so other renders into it are refused. The tests also cover which files
-// remain, and what `lippmann check` reports.
+// Tests that an output folder holds only one render, which files remain in it, and what `lippmann check` reports.
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 
@@ -73,7 +72,7 @@ TEST(Folder, convert_does_not_overwrite_a_render) {
   expect_done(dir, Words{"convert", "a", "b/converted"} + to_integral);
 }
 
-// Opening a FIFO blocks until another process writes to it, so the tool must refuse a FIFO before opening it.
+// Opening a FIFO blocks until another process writes to it.
 TEST(Folder, fifo_instead_of_a_file_is_refused) {
   const TempDir dir;
   const Words quilt{"render",   "teapot", "--optics", "multiview", "--camera-grid", "--views", "2x2", "--size", "32x32",
@@ -81,13 +80,12 @@ TEST(Folder, fifo_instead_of_a_file_is_refused) {
   expect_done(dir, quilt);
   for (const auto& entry : std::vector<fs::directory_entry>(fs::directory_iterator(dir / "a"), {})) {
     const fs::path file = entry.path(), name = file.filename();
-    if (entry.is_directory()) continue;  // journal_test covers the journal
+    if (entry.is_directory()) continue;
     fs::rename(file, dir / "kept");
     ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);
     EXPECT_EQ(run_tool(dir, {"check", "a"}).exit_code, 1) << name;
     for (const Words& reader : {Words{"convert", "a", "views", "--to", "views"}, Words{"replay", "a", "-o", "eye"}}) {
       const RunResult result = run_tool(dir, reader);
-      // `replay` reads report.json instead of the JSON files beside the pictures.
       const bool is_side_file = name.extension() == ".json" && name != "report.json";
       const bool is_read =
           (name.string().starts_with("frame_") && !(is_side_file && reader[0] == "replay")) || name == "report.json";
@@ -105,7 +103,6 @@ TEST(Folder, fifo_instead_of_a_file_is_refused) {
   }
 }
 
-/// Returns the relative paths of all files below a folder, except journals.
 std::set<std::string> names_below(const fs::path& folder) {
   std::set<std::string> names;
   for (const auto& entry : fs::recursive_directory_iterator(folder))

@@ -15,7 +15,6 @@ namespace {
 using testing::HasSubstr;
 using Json = nlohmann::json;
 
-/// Returns the names of temporary files in the folder. A finished render leaves none.
 Words temporaries_in(const std::filesystem::path& folder) {
   Words names;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
@@ -51,7 +50,7 @@ TEST(Interruption, killed_render_resumes_to_the_same_files) {
 
 TEST(Interruption, temporary_files_of_killed_renders_are_removed) {
   const TempDir dir;
-  const int ended = 1 << 30;  // no process has this id, because ids on Linux are smaller
+  const int ended = 1 << 30;  // process ids on Linux are smaller
   std::filesystem::create_directory(dir / "a");
   for (const char* name : {"a/.frame_0001.tmp-", ".film.tmp-"})
     std::ofstream(dir / (name + std::to_string(ended) + "-" + platform::host_name() + "-0123abcd.mkv")) << "half";
@@ -100,7 +99,7 @@ TEST(Interruption, ctrl_c_ends_a_replay_quickly) {
        {Words{"--pupil", "30"}, Words{"--ipd", "60", "--pupil", "30"}, Words{"--sweep", "3", "--pupil", "30"}}) {
     Subprocess running(tool_command(Words{"replay", "room", "-o", "eye", "--size", "4000x4000"} + what),
                        {dir.path().string(), 0});
-    // Rendering one picture takes a minute. Nothing reports that it has begun, so the test waits.
+    // Nothing reports that rendering has begun. A picture takes a minute.
     std::this_thread::sleep_for(std::chrono::milliseconds(500));
     running.signal(SIGINT);
     EXPECT_EQ(running.wait().exit_code, 128 + SIGINT) << what.front();

@@ -1,5 +1,5 @@
-// Kills renders at random moments with SIGKILL and resumes them. The resumed render must have the same bytes as an undisturbed
-// one, and no other files. LIPPMANN_KILLS=200 sets the number of kills, which are distributed over the modes below.
+// Kills renders with SIGKILL and resumes them, which must give the same files as an undisturbed render. LIPPMANN_KILLS
+// sets the number of kills.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -19,7 +19,7 @@ using Clock = std::chrono::steady_clock;
 struct Mode {
   const char* name;
   Words flags;
-  bool in_units = false;  ///< if true, two processes render parts of the job and one of them is killed
+  bool in_units = false;  ///< two processes render parts of the job, and one of them is killed
 };
 
 const std::vector<Mode>& modes() {
@@ -43,8 +43,7 @@ Words command(const Mode& mode, const std::string& folder) {
   return words;
 }
 
-/// Returns the files whose bytes do not depend on how often the render was resumed. Leaves out report.json, job.toml and hidden
-/// files.
+/// Returns the files whose bytes do not depend on how often the render was resumed.
 Files lasting_files(const fs::path& folder) {
   Files files;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
@@ -57,12 +56,11 @@ Files lasting_files(const fs::path& folder) {
 
 void run_and_kill(const TempDir& dir, const Words& arguments, std::chrono::microseconds after) {
   Subprocess running(tool_command(arguments), {dir.path().string(), 0});
-  std::this_thread::sleep_for(after);  // sleeping is sufficient, because the kill may come at any moment
+  std::this_thread::sleep_for(after);
   running.signal(SIGKILL);
   running.wait();
 }
 
-/// Kills a run after the time `after`, resumes it, and expects the same files as in `whole`.
 void expect_whole_after_a_kill(const Mode& mode, const Files& whole, std::chrono::microseconds after) {
   const TempDir dir;
   const Words first = command(mode, "a");

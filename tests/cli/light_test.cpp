@@ -1,4 +1,4 @@
-// Tests what the tool prints about path-traced frames: the kind of light, the number of samples and the estimated error.
+// Tests what the tool prints about path-traced frames.
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -14,8 +14,7 @@ Words small_paths(const std::string& frames, const std::string& folder) {
   return {"render", "teapot", "--lenses", "8", "--integrator", "path", "--spp", "2", "--frames", frames, "--output", folder};
 }
 
-/// Returns the arguments of a render without denoising. At 2 samples per pixel, the noise is strong enough for the tool to
-/// report an estimated error.
+/// Without denoising, 2 samples per pixel give enough noise for a reported error.
 Words noisy_paths(const std::string& frames, const std::string& folder) {
   return small_paths(frames, folder) + Words{"--denoise", "none"};
 }
@@ -29,7 +28,6 @@ TEST(Light, summary_has_the_error_of_paths) {
   EXPECT_THAT(two.out, HasSubstr("every frame was traced in full"));
 }
 
-// The summary on the terminal shows rounded values, so this test reads report.json.
 TEST(Light, report_has_the_errors_interval) {
   const TempDir dir;
   EXPECT_EQ(run_tool(dir, noisy_paths("0-1", "out")).exit_code, 0);
@@ -54,7 +52,6 @@ TEST(Light, bare_denoise_is_auto) {
   EXPECT_EQ(pictures("f", {"--denoise=none", "--reuse", "none"}), plain);
 }
 
-/// Writes a scene of one triangle, which every integrator renders fast.
 void write_triangle(const std::filesystem::path& path) { std::ofstream(path) << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"; }
 
 TEST(Light, chosen_light_is_reported) {

@@ -1,4 +1,4 @@
-// Compares the memory that the tool estimates for a render with the memory that the render uses at its peak.
+// Compares the estimated with the measured peak memory of a render.
 #include <gmock/gmock.h>
 
 #include <string_view>
@@ -8,7 +8,7 @@
 namespace lippmann::test {
 namespace {
 
-/// Memory of a render in bytes. Subtracting the values of two picture sizes cancels the memory of the program and the scene.
+/// Memory of a render in bytes. The difference between two picture sizes excludes the program and the scene.
 struct Memory {
   double estimated = 0.0, measured = 0.0;
 };
@@ -20,7 +20,7 @@ Memory memory_of(const TempDir& dir, const Words& flags, const std::string& size
   return {plan["estimated_memory_bytes"], report["totals"]["peak_memory_bytes"]};
 }
 
-/// Returns the estimated divided by the measured increase of memory from the size `small` to the size `large`.
+/// Returns estimated / measured increase of memory from the size `small` to `large`.
 double ratio(const Words& flags, const std::string& small, const std::string& large) {
   const TempDir dir;
   const Memory a = memory_of(dir, flags, small), b = memory_of(dir, flags, large);

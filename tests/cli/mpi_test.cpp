@@ -1,5 +1,3 @@
-// Tests `mpirun -n N lippmann render`. Every number of processes must give the same bytes. If one process dies, the others must
-// end.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -24,7 +22,6 @@ bool is_mpi_there() {
   if (!is_mpi_there() || std::string_view(LIPPMANN_SANITIZE) != "") \
   GTEST_SKIP() << "no Open MPI (packages libopenmpi-dev, openmpi-bin), or a sanitizer"
 
-/// Returns a command that starts `ranks` MPI processes on this machine.
 Words mpirun(int ranks) {
   return {"/usr/bin/env",
           "OMPI_ALLOW_RUN_AS_ROOT=1",

@@ -1,4 +1,4 @@
-// Tests that every command creates the folder of its output, and removes this folder if it fails.
+// Tests that commands create the folder of their output, and remove it if they fail.
 #include <gmock/gmock.h>
 
 #include "cli/tool.hpp"
@@ -13,7 +13,6 @@ void render_teapot(const TempDir& dir) {
   ASSERT_EQ(made.exit_code, 0) << made.err;
 }
 
-/// Runs the tool, which must succeed and write `file`.
 void expect_made(const TempDir& dir, const Words& arguments, const std::string& file) {
   const RunResult result = run_tool(dir, arguments);
   EXPECT_EQ(result.exit_code, 0) << arguments.front() << ": " << result.err;

@@ -1,4 +1,4 @@
-// Tests pictures for displays that are made from views: prints, quilts, and pictures for slanted lenses.
+// Tests prints, quilts and pictures for slanted lenses that are made from views.
 #include <fmt/core.h>
 #include <gmock/gmock.h>
 
@@ -64,7 +64,8 @@ TEST_F(Prints, frames_of_a_video_are_views) {
 TEST_F(Prints, flip_print_starts_on_the_left) {
   expect_done(dir_, Words{"convert", "in", "out.png", "--flip", "--shares", "2,1,0.4,0.6"} + sheet_);
   const Image8 print = picture("out.png");
-  // frame of each of the four pixels below a lens; frame 2 covers 0.75 to 0.85 of the lens, where no pixel has its centre
+  // Frame of each of the four pixels below a lens. Frame 2 covers 0.75 to 0.85 of the lens, where no pixel has its
+  // centre.
   constexpr std::array<int, 4> kFrames{0, 0, 1, 3};
   for (std::size_t x = 0; x < 200; ++x) EXPECT_EQ(print.rgb[3 * x], 60 * kFrames[x % 4]) << x;
 }

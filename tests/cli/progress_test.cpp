@@ -1,4 +1,3 @@
-// Tests what `lippmann render` prints before and during a render, and its estimates of file sizes.
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -22,7 +21,6 @@ std::vector<std::string> split(const std::string& text) {
   return all;
 }
 
-/// Returns the sum of the sizes in bytes of all files in the folder that end in `ending`.
 std::size_t size_of(const std::filesystem::path& folder, const std::string& ending) {
   std::size_t sum = 0;
   for (const auto& [name, bytes] : files_in(folder, ending)) sum += bytes.size();
@@ -90,7 +88,7 @@ TEST(DryRun, estimate_is_near_the_actual_size) {
   ASSERT_EQ(run_tool(dir, all).exit_code, 0);
   for (const auto& [part, ending] : {std::pair("pictures", ".png"), std::pair("layers", ".exr"), std::pair("videos", ".mkv")}) {
     const double ratio = static_cast<double>(size_of(dir / "r", ending)) / plan["estimated"][part].get<double>();
-    // files of plain scenes are half as large as estimated, and files of detailed scenes twice as large
+    // estimates assume typical detail; files of plain or detailed scenes differ by a factor of two
     EXPECT_GT(ratio, 0.3) << part;
     EXPECT_LT(ratio, 3.0) << part;
   }

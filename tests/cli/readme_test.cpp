@@ -1,4 +1,4 @@
-// Tests that the commands in README.md and in the pages of the guide run unchanged.
+// Runs the commands in README.md and in the guide.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the command lines in the page's code blocks that call lippmann. Comments after the commands are removed.
+/// Returns the lippmann commands in the page's code blocks, without comments.
 Words commands_of(const std::string& page) {
   std::ifstream file(fs::path(LIPPMANN_SOURCE) / page);
   Words commands;
@@ -27,7 +27,7 @@ Words commands_of(const std::string& page) {
   return commands;
 }
 
-/// Returns the rest of each line of the file that begins with `word`. Comments and trailing spaces are removed.
+/// Returns the rest of each line that begins with `word`, without comments.
 Words after_word(const fs::path& path, const std::string& word) {
   std::ifstream file(path);
   Words found;
@@ -48,15 +48,13 @@ TEST(Readme, dockerfile_runs_only_its_two_commands) {
   for (const std::string& command : commands) EXPECT_TRUE(fs::exists(root / command)) << command;
 }
 
-/// Appends --dry-run to a line that consists of a single render command. Other lines are returned unchanged, because a later
-/// command in the line may read the rendered files.
+/// Appends --dry-run to a single render command. Other lines may read the rendered files later, so they stay unchanged.
 std::string quick(const std::string& line) {
   const bool alone = line.find("&&") == std::string::npos;
   if (!alone || line.find("lippmann render ") != 0) return line;
   return line + " --dry-run";
 }
 
-/// Runs the line in a shell whose PATH contains the tool.
 void expect_runs(const TempDir& dir, const std::string& line) {
   const std::string path = "PATH=" + fs::path(LIPPMANN_TOOL).parent_path().string() + ":$PATH; ";
   const RunResult result = run({"sh", "-c", path + line}, {dir.path().string(), 0});
@@ -76,7 +74,7 @@ TEST(Readme, commands_run_unchanged) {
   }
 }
 
-/// Writes the pictures and display files that the commands of docs/guide/prints.md read.
+/// Writes the files that the commands of docs/guide/prints.md read.
 void make_pictures_of_prints(const TempDir& dir) {
   expect_done(dir, {"render", "teapot", "--optics", "multiview", "--views", "3x1", "--size", "96x24", "--frames", "0",
                     "--layout", "views", "-q", "-o", "made"});
@@ -94,8 +92,7 @@ void make_pictures_of_prints(const TempDir& dir) {
     "screenW": {"value": 1536}, "screenH": {"value": 2048}, "flipImageX": {"value": 0}})";
 }
 
-/// Writes pictures that the commands of docs/guide/prints.md read and that need texture: three views, a stereo pair and a
-/// picture with a depth map.
+/// Writes three views, a stereo pair and a picture with a depth map for docs/guide/prints.md.
 void make_textured_pictures(const TempDir& dir) {
   expect_done(dir, {"render", "room", "--optics", "multiview", "--views", "3x1", "--size", "2040x480", "--view-angle", "4",
                     "--frames", "0", "--layout", "views", "-q", "-o", "textured"});
@@ -122,7 +119,6 @@ TEST(Docs, commands_of_prints_run) {
     if (is_align_module_installed() || !needs_align_module(command)) expect_runs(dir, command);
 }
 
-/// Writes the files that commands in the other pages of the guide read.
 void make_files_of_the_guide(const TempDir& dir) {
   const fs::path examples = fs::path(LIPPMANN_SOURCE) / "examples";
   fs::create_directory_symlink(examples, dir / "examples");
@@ -134,7 +130,6 @@ void make_files_of_the_guide(const TempDir& dir) {
   std::ofstream(dir / "sky.hdr") << "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n\x40\x40\x40\x81\x40\x40\x40\x81";
 }
 
-/// Renders the folders that commands of the guide read, with small pictures.
 void make_renders_of_the_guide(const TempDir& dir) {
   const Words small{"--size", "256x256", "--lenses", "32", "--frames", "40", "-q"};
   expect_done(dir, Words{"render", "room", "-o", "out/room"} + small);
@@ -150,7 +145,6 @@ void make_renders_of_the_guide(const TempDir& dir) {
     if (file.path().extension() == ".png") fs::copy_file(file.path(), dir / "quilt_qs8x6a0.75.png");
 }
 
-/// Returns whether the command serves a page until the user stops it.
 bool is_server(const std::string& command) {
   return command.starts_with("lippmann play") ||
          (command.starts_with("lippmann view") && command.find("--save") == std::string::npos);
@@ -172,7 +166,6 @@ TEST(Docs, commands_of_the_guide_run) {
     expect_runs(dir, "HOME=.; " + command + (command.starts_with("lippmann plan") ? " --only-list" : ""));
 }
 
-/// Returns the words and phrases of the text that make sentences hard to read, in lower case.
 std::vector<std::string> hard_words_in(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
   std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
@@ -183,7 +176,6 @@ std::vector<std::string> hard_words_in(std::string text) {
   return found;
 }
 
-/// Returns the relative links of the page whose target files do not exist.
 std::vector<std::string> broken_links_in(const fs::path& page) {
   std::vector<std::string> broken;
   const std::string text = bytes_of(page);
@@ -236,8 +228,7 @@ TEST(Readme, examples_equal_their_generators_output) {
   const RunResult made = run({"python3", (dir / "make_examples.py").string()});
   if (made.exit_code == 127) GTEST_SKIP() << "python3 is not installed";
   ASSERT_EQ(made.exit_code, 0) << made.err;
-  // desk.glb contains compressed pictures, whose bytes may differ between versions of zlib. The test therefore compares only
-  // counts.
+  // desk.glb contains compressed pictures, whose bytes depend on the version of zlib
   EXPECT_EQ(bytes_of(dir / "vase.ply"), bytes_of(fs::path(LIPPMANN_SOURCE) / "examples/vase.ply"));
   for (const char* key : {"meshes", "materials", "triangles"})
     EXPECT_EQ(report_of(dir, {"info", "desk.glb"})[key],

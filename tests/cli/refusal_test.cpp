@@ -1,6 +1,4 @@
-// Tests flags and job files that are refused. The tool must print one line that names the flag, exit with code 2, and write
-// nothing. The tests of the libraries check which values are refused. These tests check that messages name flags instead of
-// parameters.
+// Tests that refused flags and job files cause one line that names the flag, and exit code 2.
 #include <gmock/gmock.h>
 
 #include "cli/tool.hpp"

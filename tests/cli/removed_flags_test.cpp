@@ -1,5 +1,4 @@
-// Tests flags and job-file keys that earlier versions had. One error message must name the replacement, and nothing is
-// rendered.
+// Tests that removed flags and job-file keys cause an error that names the replacement.
 #include <gmock/gmock.h>
 
 #include <fstream>

@@ -1,5 +1,4 @@
-// Tests every flag of `lippmann render` with several kinds of renders. A flag must either change the files, or be refused in a
-// message that names it.
+// Tests that every flag of `lippmann render` either changes the files or is refused by name.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -17,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-/// Returns a value for each flag. The value differs from the flag's default, so that the flag has a visible effect.
+/// Returns a value other than the default for each flag.
 const std::map<std::string, std::string>& values() {
   static const std::map<std::string, std::string> all{{"--animation", "0"},
                                                       {"--aperture", "4"},
@@ -101,7 +100,7 @@ const std::map<std::string, std::string>& values() {
   return all;
 }
 
-/// Returns the flags that may leave the pictures unchanged, each with the reason.
+/// Flags that may leave the pictures unchanged, each with the reason.
 const std::map<std::string, std::string>& others() {
   static const std::map<std::string, std::string> all{
       {"--also", "more files"},
@@ -132,7 +131,7 @@ const std::map<std::string, std::string>& others() {
   return all;
 }
 
-/// Returns the bytes of the pictures and of their JSON files, by name.
+/// Returns the bytes of pictures and of their JSON files.
 std::map<std::string, std::string> frames_in(const fs::path& folder) {
   std::map<std::string, std::string> files;
   if (fs::exists(folder))
@@ -158,8 +157,8 @@ std::set<std::string> flags_of_help(const TempDir& dir) {
 
 class RenderFlags : public testing::Test {
  protected:
-  /// Renders once with the flags `render`, and then once more with each other flag. Flags in `may_stay` may leave the files
-  /// unchanged, because the tested value has no effect on this render.
+  /// Renders with the flags `render`, then again with each other flag. Flags in `may_stay` may leave the files
+  /// unchanged.
   void walk(const Words& render, const std::set<std::string>& may_stay) {
     const Words base = Words{"render"} + render + Words{"--quiet", "--output", "o"};
     const RunResult plain = run_tool(dir_, base);
@@ -188,7 +187,7 @@ TEST_F(RenderFlags, each_changes_the_pictures_or_is_refused) {
   for (const auto& [flag, value] : values()) known.insert(flag);
   for (const auto& [flag, why] : others()) known.insert(flag);
   EXPECT_EQ(known, flags_of_help(dir_)) << "a flag that this test does not try";
-  // --camera has no effect because the teapot has one camera. --reuse has no effect because a single frame is always traced.
+  // The teapot has one camera, and a single frame cannot reuse another.
   walk({"teapot", "--frames", "0", "--lenses", "5x5", "--lens-pixels", "4"}, {"--camera", "--reuse"});
   walk({"teapot", "--frames", "0", "--optics", "multiview", "--views", "3x2", "--size", "24x16", "--integrator", "path",
         "--spp", "2", "--denoise", "none"},

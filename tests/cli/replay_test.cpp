@@ -1,4 +1,4 @@
-// Tests the flags, the output and the warnings of `lippmann replay`. Tests in tests/job and tests/replay check its pictures.
+// Tests the flags, output and warnings of `lippmann replay`. Tests in tests/replay check its pictures.
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -141,8 +141,7 @@ TEST(Info, describes_pictures_and_folders) {
   expect_refusal(run_tool(dir, {"info", "none.png"}), 1, "none.png: there is no such file");
 }
 
-/// lf.h5 was written by libhdf5. It has the colours and cameras of the first file of tests/layout/hci_hdf5_test.cpp, and a
-/// depth of 7 m everywhere.
+/// lf.h5 has the colours and cameras of the first file of tests/layout/hci_hdf5_test.cpp, and a depth of 7 m.
 TEST(Info, light_field_files_are_described_and_shown) {
   if (!fs::exists(fs::path(LIPPMANN_TOOL).parent_path() / "liblippmann_hdf5.so")) GTEST_SKIP() << "libhdf5-dev is missing";
   const TempDir dir;

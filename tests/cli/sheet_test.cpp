@@ -1,4 +1,3 @@
-// Tests the files and the output of `lippmann sheet`, and every flag of every kind of sheet.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -67,8 +66,8 @@ TEST(Sheet, left_eye_sees_a_red_zone) {
     const std::size_t corner = 3 * (4 * static_cast<std::size_t>(seen.width) + static_cast<std::size_t>(seen.width) / 2);
     return std::array<int, 3>{seen.rgb[corner], seen.rgb[corner + 1], seen.rgb[corner + 2]};
   };
-  // The five views are spread over 50 degrees. At the distance of 400 mm they cover x = -+400 mm * tan(25 degrees). The centres
-  // of the first and the last view are at 4/5 of this: x = -+149 mm.
+  // The five views cover 50 degrees, so at 400 mm the outer views are centred at x = -+4/5 * 400 mm * tan(25 degrees) =
+  // -+149 mm.
   const auto left = colours_from("-149,0,400"), right = colours_from("149,0,400"), middle = colours_from("0,0,400");
   EXPECT_GT(left[0], left[2] + 100);
   EXPECT_GT(right[2], right[0] + 100);
@@ -105,7 +104,7 @@ TEST(Sheet, full_disk_leaves_nothing_behind) {
   EXPECT_FALSE(fs::exists(dir / "o"));
 }
 
-/// Returns a value for each flag. The value differs from the flag's default, so that the flag has a visible effect.
+/// Returns a value other than the default for each flag.
 const std::map<std::string, std::string>& flag_values() {
   static const std::map<std::string, std::string> all{
       {"--lenses-per-mm", "2"},  {"--pitch-mm", "0.5"},   {"--visual-lpi", "40"},        {"--landscape", ""},

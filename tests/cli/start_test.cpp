@@ -1,5 +1,4 @@
-// Tests which libraries the tool loads. It must load few at start, and FFmpeg only for videos. FFmpeg's module is found both in
-// the build folder and in the installation.
+// Tests which libraries the tool loads at start, and that it finds FFmpeg's module.
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -19,7 +18,7 @@ using testing::Not;
 
 const Words kEncode{"encode", "r", "a.mp4"};
 
-/// Copies the tool to `dir`/bin without its modules, and renders frames to `dir`/r.
+/// Copies the tool without its modules to `dir`/bin, and renders frames to `dir`/r.
 Words lone_tool(const TempDir& dir) {
   fs::create_directory(dir / "bin");
   fs::copy_file(LIPPMANN_TOOL, dir / "bin/lippmann");
@@ -29,7 +28,7 @@ Words lone_tool(const TempDir& dir) {
 
 RunResult run_lone(const TempDir& dir, const Words& command) { return run(command, {.working_folder = dir.path().string()}); }
 
-/// Returns the shared libraries that a run of the tool loads. They include libraries loaded with dlopen.
+/// Returns the shared libraries that a run loads, including those loaded with dlopen.
 std::set<std::string> libraries_of(const Words& arguments) {
   const TempDir dir;
   const RunResult traced =
@@ -42,7 +41,7 @@ std::set<std::string> libraries_of(const Words& arguments) {
   return libraries;
 }
 
-// Each loaded library costs time and memory at every start. Linking OpenImageIO and FFmpeg would add more than 200 libraries.
+// OpenImageIO and FFmpeg alone would load more than 200 libraries at every start.
 TEST(Start, version_loads_few_libraries) {
   const std::set<std::string> libraries = libraries_of({"--version"});
   EXPECT_THAT(libraries, testing::Contains(HasSubstr("libembree"))) << "otherwise the test cannot parse the linker's trace";

@@ -1,4 +1,4 @@
-// Tests the tool while a standard stream is closed, or connected to a pipe that nobody reads.
+// Tests the tool with a closed standard stream, or a pipe that nobody reads.
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Runs a shell script in which "$0" "$@" calls the tool.
+/// Runs a shell script in which "$0" "$@" is the tool's command.
 RunResult run_script(const TempDir& dir, const std::string& script, const Words& arguments) {
   return run(Words{"/bin/sh", "-c", script} + tool_command(arguments), {dir.path().string(), 0});
 }
@@ -35,7 +35,6 @@ TEST(Streams, refusal_keeps_its_exit_code) {
   EXPECT_EQ(run_script(dir, "exec \"$0\" \"$@\" <&- >&- 2>&-", {"render", "--no-such-flag"}).exit_code, 2);
 }
 
-/// Shell command that prints lines until its output pipe is closed.
 const std::string kUntilNobodyReads = "(while echo; do :; done) 2>/dev/null";
 
 TEST(Streams, render_survives_a_closed_progress_pipe) {

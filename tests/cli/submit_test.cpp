@@ -1,5 +1,4 @@
-// Tests `lippmann submit`. The Slurm script runs on a real Slurm cluster on this machine. The template for render farms is
-// expanded as its specification says. Shell commands run directly.
+// Tests `lippmann submit` with a local Slurm cluster, with shell commands, and with OpenJD templates.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -25,7 +24,6 @@ void write_job(const TempDir& dir, const std::string& size = "64x16") {
                                    << "\"\noutput = \"film\"\nvideo = [\"film.mkv\"]\n";
 }
 
-/// Renders the job in a single run, and returns its files.
 Files whole_film(const TempDir& dir) {
   EXPECT_EQ(run_tool(dir, {"render", "film.toml", "-o", "whole", "--video", "whole.mkv", "-q"}).exit_code, 0);
   Files files = files_in(dir / "whole", ".png");
@@ -54,7 +52,7 @@ TEST(Submit, shell_commands_render_the_whole_job) {
   EXPECT_EQ(film(dir), whole_film(dir));
 }
 
-/// Returns the numbers of a range expression such as "1-3,5,7-10:2".
+/// Returns the numbers of an OpenJD range such as "1-3,5,7-10:2".
 std::vector<int> expanded(const std::string& range) {
   std::vector<int> numbers;
   std::stringstream parts(range);
@@ -66,7 +64,7 @@ std::vector<int> expanded(const std::string& range) {
   return numbers;
 }
 
-/// Returns the command of the template's action "onRun". `value` replaces the task parameter Unit.
+/// Returns the command of the OpenJD action "onRun", with `value` for the task parameter Unit.
 Words command_of(const nlohmann::json& script, const std::string& value) {
   const nlohmann::json& action = script["actions"]["onRun"];
   Words words{action["command"]};
@@ -129,7 +127,6 @@ TEST(Submit, missing_jobs_and_targets_are_refused) {
   expect_refusal(run_tool(dir, {"submit", "none.toml", "--units", "3", "--shell", "a"}), 1, "none.toml");
 }
 
-/// Runs a Slurm cluster on this machine. The destructor stops the cluster.
 class SlurmCluster {
  public:
   SlurmCluster() : folder_(dir_ / "cluster") {
@@ -144,19 +141,16 @@ class SlurmCluster {
 
   bool is_there() const { return is_there_; }
 
-  /// Runs a shell command in which Slurm's commands use this cluster.
   RunResult shell(const std::string& command, const fs::path& where = "/") const {
     return run({"/usr/bin/env", "SLURM_CONF=" + folder_ + "/slurm.conf", "bash", "-c", command}, {where.string(), 0});
   }
 
-  /// Repeats the command for up to two minutes, and returns whether it printed exactly `text`.
   bool prints_within_two_minutes(const std::string& command, const std::string& text) const {
     for (int i = 0; i < 1200; ++i, std::this_thread::sleep_for(std::chrono::milliseconds(100)))
       if (shell(command).out == text) return true;
     return false;
   }
 
-  /// Waits for up to two minutes until no jobs are left, and returns whether none is left.
   bool ends() const { return prints_within_two_minutes("squeue -h", ""); }
 
  private:
@@ -186,7 +180,7 @@ TEST(Submit, slurm_survives_requeues_drains_and_kills) {
   EXPECT_EQ(film(dir), whole);
   EXPECT_EQ(run_tool(dir, {"check", "film"}).exit_code, 0);
 
-  // Killing a task makes it fail, and the task that depends on it does not run. Submitting the script again continues the job.
+  // A killed task fails and its dependent task does not run. Submitting the script again continues the job.
   fs::remove_all(dir / "film"), fs::remove(dir / "film.mkv");
   cluster.shell("bash film.sh", dir.path());
   ASSERT_TRUE(appears(dir / "film/frame_0000.png"));

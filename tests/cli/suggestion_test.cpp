@@ -1,4 +1,4 @@
-// Tests that the commands suggested by the tool run exactly as printed.
+// Tests that the commands that the tool suggests run as printed.
 #include <gmock/gmock.h>
 
 #include <sstream>
@@ -10,7 +10,7 @@ namespace {
 
 using testing::SizeIs;
 
-/// Returns the suggested commands of a summary. The keys are the labels printed before the commands.
+/// Returns the suggested commands by the labels printed before them.
 std::map<std::string, std::string> commands_in(const std::string& summary) {
   std::map<std::string, std::string> commands;
   std::istringstream lines(summary);
@@ -23,7 +23,6 @@ std::map<std::string, std::string> commands_in(const std::string& summary) {
   return commands;
 }
 
-/// Renders one frame, and runs each command that the summary suggests.
 void expect_suggestions_run(const Words& flags, std::size_t count) {
   const TempDir dir;
   const Words render{"render", "teapot", "--frames", "3", "-o", "my pictures/it's"};
@@ -32,7 +31,7 @@ void expect_suggestions_run(const Words& flags, std::size_t count) {
   const auto commands = commands_in(result.out);
   EXPECT_THAT(commands, SizeIs(count)) << result.out;
   for (const auto& [label, command] : commands) {
-    // This command serves a page until it is stopped. With --save it writes the page and ends.
+    // This command serves a page until it is stopped. --save ends it.
     const bool serves = label == "in 3D";
     const RunResult suggested = run({"sh", "-c", command + (serves ? " --save page" : "")}, {dir.path().string(), 0});
     EXPECT_EQ(suggested.exit_code, 0) << label << ": " << command << "\n" << suggested.err;

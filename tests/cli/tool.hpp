@@ -1,4 +1,4 @@
-// Functions for tests of the command-line tool. They run the tool in a folder and inspect its output.
+// Runs the command-line tool in a folder and inspects its output.
 #pragma once
 
 #include <cstddef>
@@ -30,30 +30,29 @@ std::string bytes_of(const std::filesystem::path& path);
 /// Runs the tool, which must succeed, and returns the pictures in `folder`.
 Files rendered(const TempDir& dir, const Words& arguments, const std::string& folder);
 
-/// Returns the parsed JSON. Throws if the text is not JSON.
 nlohmann::json json_of(const std::string& text);
 
-/// Runs the tool with --json, which must succeed, and returns the JSON that it prints.
+/// Runs the tool with --json, which must succeed, and returns the printed JSON.
 nlohmann::json report_of(const TempDir& dir, const Words& arguments);
 
 std::size_t lines_of(const std::string& text);
 
-/// Returns the number of frames that a render with --verbose reports on stderr.
+/// Counts the frames that `render --verbose` reports on stderr.
 std::size_t reported_frames(const std::string& err);
 
-/// Waits until another program has made the file. Returns false after a minute.
+/// Waits up to a minute for the file. Returns whether it exists.
 bool appears(const std::filesystem::path& path);
 
 void expect_done(const TempDir& dir, const Words& arguments);
 
-/// Expects exactly one line on stderr, nothing on stdout, and the exit code `exit_code`.
+/// Expects the exit code, one line on stderr and nothing on stdout.
 void expect_refusal(const RunResult& result, int exit_code, const std::string& part_of_message);
 
 }  // namespace lippmann::test
 
 namespace nlohmann {
 
-/// GoogleTest calls this function to print values in failure messages.
+/// GoogleTest prints values in failure messages with this function.
 void PrintTo(const json& value, std::ostream* stream);
 
 }  // namespace nlohmann

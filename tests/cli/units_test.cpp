@@ -1,5 +1,4 @@
-// Tests jobs that several processes render in parts, with `lippmann plan`, `render --unit` and `finish`. Tests in tests/job
-// check the files of the parts.
+// Tests jobs that several processes render in parts: `lippmann plan`, `render --unit` and `finish`.
 #include <gmock/gmock.h>
 
 #include "cli/tool.hpp"

@@ -1,4 +1,4 @@
-// Tests the output of `lippmann view`, how it ends, and the page that `render --page` writes.
+// Tests `lippmann view`, and the page that `render --page` writes.
 #include <gmock/gmock.h>
 
 #include <csignal>
@@ -58,7 +58,7 @@ TEST(View, empty_page_has_a_token) {
     expect_refusal(run_tool(dir, Words{"view"} + flag), 2, flag[0] + ": has no effect without IN");
 }
 
-// The page of an unfinished render has a button to resume it, so the page's address has a token.
+// Only pages that can resume a render have a token in their address.
 TEST(View, unfinished_render_has_a_token) {
   const TempDir dir;
   Subprocess render(tool_command(small_teapot("0-99", "r")), {dir.path().string(), 0});
@@ -73,7 +73,7 @@ TEST(View, unfinished_render_has_a_token) {
 
 TEST(View, scene_and_light_field_flags_differ) {
   const TempDir dir;
-  fs::create_directory(dir / "room");  // a folder is opened as a light field, even if its name is the name of a built-in scene
+  fs::create_directory(dir / "room");  // also if its name is the name of a built-in scene
   expect_refusal(run_tool(dir, {"view", "room"}), 1, "is an empty folder");
   expect_refusal(run_tool(dir, {"view", "room", "--zoom", "2"}), 2, "--zoom");
   expect_refusal(run_tool(dir, {"view", "room", "--save-job", "x.toml"}), 2, "--save-job");
