@@ -16,14 +16,13 @@ Image counting(int width, int height, int channels) {
 }
 
 TEST(Arrangement, rearranges_lenses_into_quilt_tiles) {
-  // Two lenses have 2 x 1 pixels each: 0 1 and 2 3. The left eye sees the right pixel of each lens, so pixels 1 and 3 become
-  // the first tile of the quilt.
+  // Two lenses have 2 x 1 pixels each, 0 1 and 2 3. The left eye sees the right pixel of each lens, 1 and 3.
   const Arrangement arrangement({LayoutKind::kIntegral, {2, 1}, {}}, {LayoutKind::kQuilt, {2, 1}, {2, 1}}, {4, 1}, "p");
   EXPECT_THAT(arrangement.apply(counting(4, 1, 1)).data, ElementsAre(1, 3, 0, 2));
 }
 
 TEST(Arrangement, stacks_quilt_views_with_all_channels) {
-  // Two tiles of 1 x 1 pixel lie above one another, with two channels. The lower tile is view 0.
+  // Two tiles of one pixel, one above the other. The lower tile is view 0.
   const Arrangement arrangement({LayoutKind::kQuilt, {2, 1}, {1, 2}}, {LayoutKind::kStack, {2, 1}, {}}, {1, 2}, "p");
   EXPECT_EQ(arrangement.target_size(), Vec2i(1, 2));
   EXPECT_THAT(arrangement.apply(counting(1, 2, 2)).data, ElementsAre(2, 3, 0, 1));

@@ -1,5 +1,4 @@
-// Compares the cameras of rendered views with the rays of the optics, and the parameters of the HCI benchmark with values
-// computed by hand.
+// Compares cameras with the rays of the optics, and HCI parameters with values computed by hand.
 #include "layout/cameras.hpp"
 
 #include <gmock/gmock.h>
@@ -19,9 +18,8 @@ using test::numbered_field;
 using testing::AllOf;
 using testing::HasSubstr;
 
-/// Checks the ray of every pixel. The ray must pass through the eye of its view, and cross z = 0 at the position that the
-/// camera states for the pixel. The tolerance is a few times 1e-6 of the distance of 500 mm to the eye, because rays have
-/// single precision.
+/// Expects that the ray of every pixel passes through its view's eye and crosses z = 0 where the camera states.
+/// Single-precision rays 500 mm from the eye are exact to a few times 1e-6 of that distance.
 void expect_cameras_of_rays(const Optics& optics) {
   const RenderedViews views = rendered_views(optics).value();
   const ViewCameras& cameras = views.cameras.value();
@@ -61,8 +59,8 @@ TEST(Cameras, quilts_and_camera_grids_match_ray_origins) {
 }
 
 TEST(Cameras, near_lens_arrays_match_ray_crossings) {
-  // Below each lens are 5 pixels of 0.2 mm, 2 mm behind it. Seen from 500 mm, this cell of 1 mm requires a lens pitch of 1 mm /
-  // (1 + 2 / 500). There are 9 x 7 lenses, and the middle lens is on the axis.
+  // The cell below a lens has 5 pixels of 0.2 mm, so it is 1 mm wide. It is 2 mm behind the lens and is seen from 500
+  // mm, so the lens pitch is 1 mm / (1 + 2 / 500).
   const float pitch = 1.0f / (1.0f + 2.0f / 500.0f);
   MicrolensArray array{.lens_pitch_mm = pitch, .gap_mm = 2.0f, .offset_mm = Vec2f(0.0f), .viewing_distance_mm = 500.0f};
   expect_cameras_of_rays({.panel = {45, 35, 0.2f}, .model = array});
@@ -98,8 +96,7 @@ TEST(Cameras, equal_angles_have_no_common_baseline) {
   EXPECT_NEAR(common_baseline_mm(*grid.cameras, grid.film.grid).value(), 12.0, 1e-5);
 }
 
-/// Returns parameters for calculations by hand: baseline b = 6 mm, focal length f = 100 mm, focus distance F = 1150 mm, and a
-/// sensor of s = 35 mm with 512 pixels.
+/// Baseline b = 6 mm, focal length f = 100 mm, focus distance F = 1150 mm, sensor width s = 35 mm with n = 512 pixels.
 HciParameters by_hand() {
   HciParameters p;
   p.baseline_mm = 6.0, p.focal_length_mm = 100.0, p.focus_distance_m = 1.15, p.sensor_size_mm = 35.0;
@@ -108,8 +105,8 @@ HciParameters by_hand() {
 }
 
 TEST(HciDisparity, zero_in_focus_7_63_at_infinity) {
-  // Disparity at infinity: b f n / (F s) = 6 * 100 * 512 / (1150 * 35) = 307200 / 40250 = 7.63230 px. b is the baseline, f the
-  // focal length, n the width in pixels, F the focus distance and s the width of the sensor, all lengths in mm.
+  // Disparity at infinity: b f n / (F s) = 6 * 100 * 512 / (1150 * 35) = 7.63230 px, with baseline b, focal length f,
+  // width n in pixels, focus distance F and sensor width s.
   EXPECT_EQ(hci_disparity_px(by_hand(), 1.15), 0.0);
   EXPECT_NEAR(hci_disparity_px(by_hand(), INFINITY), -7.63230, 1e-5);
   EXPECT_NEAR(hci_disparity_px(by_hand(), 0.575), 7.63230, 1e-5) << "half the focus distance: positive";
@@ -126,7 +123,7 @@ TEST(HciDisparity, equals_point_motion_between_grid_views) {
     pixels_seeing(optics, {0.7f, -0.4f, z}, seen);
     ASSERT_EQ(seen.size(), 6u);
     const double d = hci_disparity_px(p, 1e-3 * (500.0 - static_cast<double>(z)));
-    // In the quilt, view 1 begins 20 pixels to the right of view 0, and view 3 begins 14 pixels above view 0.
+    // In the quilt, view 1 begins 20 pixels to the right of view 0, and view 3 begins 14 pixels above it.
     EXPECT_NEAR(seen[1].x - 20.0f - seen[0].x, -d, 1e-4) << "to the left as the eye moves right";
     EXPECT_NEAR(seen[3].y + 14.0f - seen[0].y, d, 1e-4) << "downwards as the eye moves up";
   }

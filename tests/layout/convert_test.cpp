@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 using test::TempDir;
 using testing::HasSubstr;
 
-/// Returns a picture in which neighbouring samples and rows differ. Values repeat, because 8 bits cannot number all samples.
+/// Returns a picture in which neighbouring samples and rows differ.
 Image8 picture8(int width, int height) {
   Image8 image{width, height, {}};
   for (int i = 0; i < 3 * width * height; ++i) image.rgb.push_back(static_cast<unsigned char>(i * 7 + i / 256));

@@ -1,4 +1,3 @@
-// Compares the cameras of the cvkit format with values computed by hand, and tests the errors for malformed files.
 #include <gmock/gmock.h>
 
 #include <fmt/format.h>
@@ -21,7 +20,7 @@ namespace fs = std::filesystem;
 using test::error_message, test::numbered_field, test::same_samples, test::TempDir;
 using testing::HasSubstr;
 
-/// Returns views of two eyes that are 20 mm apart. The eyes are 500 mm in front of a plane in which pixels are 0.5 mm wide.
+/// Returns views of two eyes 20 mm apart, 500 mm in front of a plane in which pixels are 0.5 mm wide.
 LightField cvkit_field() {
   LightField field = numbered_field({2, 1}, {40, 30});
   field.cameras = {500.0, Vec2d(0.5), Vec2d(20.0, 15.0), {{-10.0, 6.0}, {10.0, 6.0}}};
@@ -65,8 +64,8 @@ TEST(CvkitFormat, cameras_and_depth_come_back) {
   const TempDir dir;
   const LightField field = cvkit_field();
   cvkit_format().write(field, dir / "a", {});
-  // Focal length: f = 500 mm / 0.5 mm = 1000 px. Distance of the point at z = 24.5 mm from the eyes: Z = 475.5 mm. Disparity: f
-  // b / Z = 1000 px * 20 mm / 475.5 mm.
+  // Focal length: f = 500 mm / 0.5 mm = 1000 px. The point at z = 24.5 mm is Z = 475.5 mm from the eyes. Disparity: f b
+  // / Z = 1000 px * 20 mm / 475.5 mm.
   EXPECT_NEAR(read_pfm(dir / "a/view_000_disp.pfm").pixel(18, 2)[0], 20000.0 / (500.0 - 0.25 * 98), 1e-4);
   const OpenedLightField read = open_light_field(dir / "a", "", {});
   EXPECT_EQ(read.format, "cvkit");

@@ -1,5 +1,4 @@
-// Tests pictures for displays that are made from views of any size. Most of the views are uniform and have different colours,
-// so the colour of a pixel tells from which view it comes.
+// Most views in these tests are uniform, so a pixel's colour identifies its view.
 #include "lippmann/layout/display_picture.hpp"
 
 #include <gmock/gmock.h>
@@ -25,7 +24,7 @@ Image8 plain(Vec2i size, unsigned char r, unsigned char g, unsigned char b) {
   return image;
 }
 
-/// Returns a light field in which view k is uniform, with the red code 20 k + 10.
+/// Returns views of uniform colour. View k has the red code 20 k + 10.
 LightField plain_views(int count, Vec2i size, const Display& display, DisplayTarget target, const ThreadPool& pool) {
   ViewFitter fitter(display, target, AspectFit::kCrop, pool);
   LightField field;
@@ -76,8 +75,8 @@ TEST(DisplayPicture, whole_pitch_has_one_column_per_view) {
 TEST(DisplayPicture, ten_frames_of_a_flip_print) {
   DisplayPictureParams flip;
   flip.flip = FlipParams{};
-  // A lens is 9.56 pixels wide, and each of the 10 frames covers 0.956 = 239/250 pixels of it. The first lens begins at half a
-  // pixel (phase=0.5), so the centre of pixel x is x pixels from its left edge.
+  // A lens is 9.56 pixels wide, and each of the 10 frames covers 0.956 = 239/250 pixels of it. With phase=0.5, the
+  // centre of pixel x is x pixels from the left edge of the first lens.
   const Picture print = print_of(10, {64, 8}, "pitch-mm=0.33725555555555556 dpi=720 paper=1434x20px phase=0.5", flip);
   for (int x = 0; x < 1434; ++x) ASSERT_EQ(view_at(print, x, 3), 250 * x % 2390 / 239) << x;
 }
@@ -94,8 +93,7 @@ TEST(DisplayPicture, flip_shares_and_soft_transitions) {
   const std::string line = "pitch-mm=1 dpi=1016 paper=80x4px";  // a lens covers 40 pixels
   const Picture hard = print_of(3, {8, 4}, line, flip);
   for (int x = 0; x < 80; ++x) EXPECT_EQ(view_at(hard, x, 0), x % 40 < 20 ? 0 : x % 40 < 30 ? 1 : 2) << x;
-  // The smallest of the three shares of a lens is 10 pixels. Around each transition, views are blended over 0.4 * 10 = 4
-  // pixels.
+  // The smallest of a lens's three shares is 10 pixels, so neighbouring views blend over 0.4 * 10 = 4 pixels.
   flip.flip->blend = 0.4;
   const Picture soft = print_of(3, {8, 4}, line, flip);
   const auto red = [&](int x) { return int{std::get<Image8>(soft).rgb[3 * static_cast<std::size_t>(x)]}; };
@@ -119,8 +117,7 @@ TEST(DisplayPicture, linear_filter_ramps_between_views) {
   EXPECT_LT(image.rgb[3 * 19], 30);
 }
 
-// Points at equal distances from the axis of a slanted lens show the same view. With tan(slant) = 1/4, the pattern moves by one
-// pixel in four rows.
+// With tan(slant) = 1/4, the pattern moves by one pixel in four rows.
 TEST(DisplayPicture, slanted_lenses_shift_from_row_to_row) {
   const std::string line = "pitch-mm=1 dpi=1016 paper=200x100px slant=14.0362434679";  // tan(slant) = 1/4
   const Picture print = print_of(8, {8, 4}, line);
@@ -189,8 +186,7 @@ TEST(DisplayPicture, microlenses_show_views_across_and_up) {
   for (int view = 0; view < 4; ++view)
     set_view(field, view, plain(field.view_size, static_cast<unsigned char>(20 * view + 10), 0, 0));
   const Picture picture = display_picture(field, array, DisplayTarget::kIntegral, {}, pool);
-  // Four lenses meet in the centre of the picture. The pixel right of and below the centre is the top left pixel of its lens,
-  // so it is seen from the right and from below: view 1.
+  // Four lenses meet in the middle of the picture. The top left pixel of a lens is seen from the lower right: view 1.
   EXPECT_EQ(view_at(picture, 20, 20), 1);
   EXPECT_EQ(view_at(picture, 19, 20), 0);
   EXPECT_EQ(view_at(picture, 20, 19), 3);
@@ -223,7 +219,7 @@ TEST(DisplayPicture, same_for_any_number_of_threads) {
   EXPECT_TRUE(test::same_samples(made_with(1), made_with(4)));
 }
 
-/// Returns a texture. From view to view, the texture moves to the right by two pixels.
+/// Returns a texture that moves to the right by two pixels from view to view.
 Image8 moving_view(int view) {
   Image8 image = plain({40, 30}, 0, 0, 90);
   for (int y = 0; y < 30; ++y)

@@ -1,4 +1,3 @@
-// Tests the division of a film into views: the position of each view in the film, its camera and its depth.
 #include "lippmann/layout/film_views.hpp"
 
 #include <gtest/gtest.h>
@@ -8,7 +7,6 @@
 namespace lippmann {
 namespace {
 
-/// Returns an image in which sample i has the value i.
 Image numbered(int width, int height, int channels) {
   Image image(width, height, channels);
   for (std::size_t i = 0; i < image.data.size(); ++i) image.data[i] = static_cast<float>(i);
@@ -43,7 +41,7 @@ TEST(FilmViews, leftmost_eye_sees_rightmost_pixels) {
   const LightField field = light_field_of(film, sheet);
   EXPECT_EQ(field.grid, (ViewGrid{4, 1}));
   EXPECT_EQ(std::get<Image>(view_of(field, 0)).pixel(1, 0)[0], film.pixel(7, 0)[0]);
-  EXPECT_FALSE(field.cameras.has_value());  // there are no cameras because the views are parallel projections
+  EXPECT_FALSE(field.cameras.has_value());  // parallel projections have no camera
   EXPECT_FALSE(field.depth.has_value());
 }
 
@@ -59,7 +57,6 @@ TEST(FilmViews, rejects_wrong_sizes_and_fractional_lenses) {
   EXPECT_THROW(light_field_of(numbered(5, 4, 3), quilt()), Error);
   const Image depth = numbered(6, 3, 1);
   EXPECT_THROW(light_field_of(numbered(6, 4, 3), quilt(), &depth), Error);
-  // The sizes are right, but the number of channels is wrong or samples are missing.
   const Image colours = numbered(6, 4, 3), grey = numbered(6, 4, 1);
   EXPECT_THROW(light_field_of(colours, quilt(), &colours), Error);
   EXPECT_THROW(light_field_of(grey, quilt()), Error);
@@ -81,8 +78,8 @@ TEST(FilmViews, layers_have_the_views_layout) {
   EXPECT_EQ(stack.width, 2);
   EXPECT_EQ(stack.height, 12);
   ASSERT_EQ(stack.channels, 2);
-  EXPECT_EQ(stack.pixel(0, 0)[1], motion.pixel(0, 2)[1]);   // view 0 is the lower left tile
-  EXPECT_EQ(stack.pixel(1, 11)[0], motion.pixel(5, 1)[0]);  // view 5 is the upper right tile
+  EXPECT_EQ(stack.pixel(0, 0)[1], motion.pixel(0, 2)[1]);
+  EXPECT_EQ(stack.pixel(1, 11)[0], motion.pixel(5, 1)[0]);
   EXPECT_THROW(views_of_layer(numbered(6, 3, 2), quilt()), Error);
 }
 
@@ -96,7 +93,6 @@ TEST(FilmViews, slanted_panel_joins_sub_pixels) {
   EXPECT_EQ(picture.pixel(1, 1)[0], film.pixel(3, 1)[0]);
   EXPECT_EQ(picture.pixel(1, 1)[2], film.pixel(5, 1)[2]);
   EXPECT_EQ(picture_of_layer(depth, panel).pixel(1, 1)[0], depth.pixel(4, 1)[0]);
-  // only films of slanted panels are joined; other films stay unchanged
   EXPECT_EQ(picture_of_film(numbered(6, 4, 3), quilt()).width, 6);
 }
 

@@ -1,5 +1,4 @@
-// Tests that every light field format restores the views that were written to it, also after a conversion through every other
-// format. Each format must also use its own order of views.
+// Tests that every light field format restores the views written to it, also through every other format.
 #include "lippmann/layout/formats.hpp"
 
 #include <gmock/gmock.h>
@@ -29,7 +28,7 @@ using testing::Not;
 
 const LightFieldFormat& format(const std::string& name) { return find_format(name, "--from"); }
 
-/// Returns uniform views. Red is the view's column in the grid, and green is its row.
+/// Returns uniform views. Red is the view's column and green its row.
 LightField coloured_field(ViewGrid grid) {
   LightField field = numbered_field(grid, {2, 2});
   for (int view = 0; view < grid.count(); ++view) {
@@ -48,10 +47,8 @@ Vec2i view_in(const fs::path& path) {
   return {image.rgb[0], image.rgb[1]};
 }
 
-/// Returns all formats that can hold any views exactly. Formats with a fixed number of views, and the native frame of a slanted
-/// panel, which holds only a part of each view, have their own tests: interlace_test.cpp, stereo_test.cpp, quad_test.cpp,
-/// rgbd_test.cpp, plenoptic_test.cpp, hci_hdf5_test.cpp and posed_test.cpp. LLFF, in posed_test.cpp, cannot store off-axis
-/// cameras.
+/// Returns the formats that hold any views exactly. Other formats have a fixed number of views, hold parts of views, or
+/// cannot store off-axis cameras. They have their own tests.
 std::vector<LightFieldFormat> exact_formats() {
   std::vector<LightFieldFormat> formats = light_field_formats();
   std::erase_if(formats, [](const LightFieldFormat& format) {
@@ -61,7 +58,7 @@ std::vector<LightFieldFormat> exact_formats() {
   return formats;
 }
 
-/// Returns views with cameras, because MIV requires cameras. Every sample has a different value.
+/// Returns views in which all samples differ, with cameras because MIV requires them.
 LightField numbered_views(bool words = false) {
   LightField field = numbered_field({3, 2}, {4, 5}, words);
   field.cameras = {500.0, Vec2d(0.5), Vec2d(2.0, 2.5), {}};
@@ -69,8 +66,7 @@ LightField numbered_views(bool words = false) {
   return field;
 }
 
-/// Returns whether a file of the format `from` can be converted to `to`. A format without cameras cannot be converted to a
-/// format that requires them.
+/// A format without cameras cannot be converted to a format that requires them.
 bool can_follow(const LightFieldFormat& from, const LightFieldFormat& to) {
   const auto needs_cameras = [](const LightFieldFormat& format) {
     return format.name == "miv" || format.name == "cvkit" || format.name == "nerf" || format.name == "colmap";

@@ -1,4 +1,3 @@
-// Tests the cameras that are derived from the attributes of HCI's HDF5 files.
 #include "layout/hci_hdf5_cameras.hpp"
 
 #include <gmock/gmock.h>
@@ -24,8 +23,8 @@ LightField views_with(const Attributes& attributes, ViewGrid grid = {3, 3}) {
   return field;
 }
 
-/// Returns the disparity in pixels of a point seen in the middle view. x is the shift to the left from the left neighbour of
-/// the middle view to the middle view. y is the shift upwards from the lower neighbour to the middle view.
+/// Returns the disparity in pixels of a point from the left to the middle view (x, to the left) and from the lower to
+/// the middle view (y, upwards).
 Vec2d disparity_of(const LightField& field, double depth_m) {
   const std::vector<PosedCamera> cameras = posed_cameras(field, "a");
   const Vec3d point = unprojected(cameras[4], {7.0, 11.0}, 1000.0 * depth_m);

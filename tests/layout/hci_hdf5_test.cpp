@@ -1,4 +1,4 @@
-// Tests light fields in HDF5 files that libhdf5 itself wrote.
+// Tests light fields in HDF5 files written by libhdf5.
 #include <gmock/gmock.h>
 #include <hdf5.h>
 
@@ -20,7 +20,7 @@ using test::TempDir;
 using testing::AllOf;
 using testing::HasSubstr;
 
-/// Writes an HDF5 file. It holds arrays of bytes or floats, and the root group has attributes.
+/// Writes arrays of bytes or floats, and attributes of the root group.
 class Hdf5Writer {
  public:
   explicit Hdf5Writer(const fs::path& path) : file_(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT)) {}
@@ -37,7 +37,7 @@ class Hdf5Writer {
     H5Dclose(array), H5Sclose(space);
   }
 
-  /// Writes the attribute as an array of one value, as in the files of the HCI archive.
+  /// The HCI archive stores attributes as arrays of one value.
   void attribute(const char* name, double value) const {
     const hsize_t one = 1;
     const hid_t space = H5Screate_simple(1, &one, nullptr);
@@ -58,8 +58,8 @@ class Hdf5Writer {
 
 constexpr int kRows = 2, kColumns = 3, kHeight = 4, kWidth = 5;
 
-/// Returns codes that depend on the position. Red is 10 t + s, where t is the row and s the column of the view. Green is the
-/// row and blue the column of the pixel. All codes are multiplied by `factor`.
+/// Returns codes that depend on the position, times `factor`: red is 10 t + s for the view in row t and column s, green
+/// the row and blue the column of the pixel.
 template <class T>
 std::vector<T> codes_by_place(int factor) {
   std::vector<T> codes;
@@ -90,7 +90,7 @@ TEST(HciHdf5, views_count_from_the_top_right) {
   const LightField field = read_h5(path);
   EXPECT_EQ(field.grid, (ViewGrid{kColumns, kRows}));
   EXPECT_EQ(field.view_size, Vec2i(kWidth, kHeight));
-  // View 0 is the lowest view of the leftmost column. The file stores it at t = 1, s = 2.
+  // View 0 is the lower left view, stored at t = 1, s = 2.
   for (const auto& [view, red] : {std::pair(0, 12), std::pair(2, 10), std::pair(3, 2), std::pair(5, 0)}) {
     const Image8 codes = std::get<Image8>(view_of(field, view));
     for (int y = 0; y < kHeight; ++y)
@@ -117,7 +117,7 @@ TEST(HciHdf5, depth_becomes_disparity_by_the_published_formula) {
   const LightField field = read_h5(path);
   const ViewCameras& cameras = *field.cameras;
   const Image lowest_left = depth_of(field, 0);
-  const std::size_t first = (1 * kColumns + 2) * kHeight * kWidth;  // the lower left view is stored at t = 1, s = 2
+  const std::size_t first = (1 * kColumns + 2) * kHeight * kWidth;
   for (std::size_t i = 0; i < lowest_left.data.size(); ++i) {
     // Off-axis views: if the eye moves by b, a point at z moves by b z / (distance - z) in the plane z = 0.
     const double z = lowest_left.data[i], step = 20.0 / cameras.pixel_mm.x;

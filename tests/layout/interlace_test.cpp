@@ -1,4 +1,4 @@
-// Tests interlacing, which makes the native frame of a slanted panel from views, and extracting views from such a frame.
+// Interlacing makes the native frame of a slanted panel from views.
 #include "lippmann/layout/interlace.hpp"
 
 #include <gmock/gmock.h>
@@ -22,7 +22,7 @@ const ThreadPool& threads() {
   return pool;
 }
 
-/// Returns a display of 60 x 41 pixels. Its lenses are 11.4 sub-pixels wide.
+/// The lenses are 11.4 sub-pixels wide.
 Display small_display() {
   Display display;
   display.name = "small";
@@ -65,8 +65,7 @@ TEST(Interlace, quilt_positions_match_hand_calculation) {
 }
 
 TEST(Interlace, nearest_round_trip_is_exact) {
-  // The 2 views have 10 x 8 samples. A sample of a view covers 6 x 5 pixels of the panel. These are 18 sub-pixels in a row,
-  // which is more than a lens, so every sample is shown.
+  // A sample of a view covers 6 x 5 pixels, 18 sub-pixels in a row. This is more than a lens, so every sample is shown.
   for (const bool words : {false, true}) {
     const LightField field = test::numbered_field({2, 1}, {10, 8}, words);
     const Picture frame = interlace(field, small_display(), {}, threads());
@@ -75,8 +74,7 @@ TEST(Interlace, nearest_round_trip_is_exact) {
 }
 
 TEST(Interlace, deinterlaced_frame_interlaces_to_itself) {
-  // With 11 views, most samples of the views are shown by no sub-pixel. Interlacing the extracted views must still give the
-  // same frame.
+  // With 11 views, no sub-pixel shows most samples. Interlacing the extracted views must still restore the frame.
   const LightField field = test::numbered_field({11, 1}, {31, 29});
   for (const Vec2i size : {Vec2i(31, 29), Vec2i(60, 41), Vec2i(90, 77)}) {
     const LightField same = test::numbered_field({11, 1}, size);
@@ -86,7 +84,6 @@ TEST(Interlace, deinterlaced_frame_interlaces_to_itself) {
   }
 }
 
-/// Returns uniform views. View k has the code 1000 k.
 LightField steps(int count, Vec2i size) {
   LightField field = test::numbered_field({count, 1}, size, true);
   auto& rgb = std::get<Image16>(field.stack).rgb;
@@ -96,9 +93,8 @@ LightField steps(int count, Vec2i size) {
 }
 
 TEST(Interlace, linear_filter_interpolates_between_views) {
-  // View k has the code 1000 k, so the interpolated code is 1000 times the position between the views, 48 v - 1/2. The values
-  // of v are those of the table above.
-  //   v = 0.893189: 42.37307;  v = 0.759376: 35.95005;  v = 0.443986: 20.81133
+  // View k has the code 1000 k. Interpolation at the view coordinate v gives 1000 (48 v - 1/2) for 48 views. v =
+  // 0.893189: 42373; v = 0.759376: 35950; v = 0.443986: 20811.
   const auto frame =
       std::get<Image16>(interlace(steps(48, {3, 4}), load_display("portrait"), {ViewFilter::kLinear, 0.5}, threads()));
   const auto code = [&](int i, int j, int color) { return frame.rgb[static_cast<std::size_t>(3 * (j * 1536 + i) + color)]; };
@@ -108,18 +104,18 @@ TEST(Interlace, linear_filter_interpolates_between_views) {
 }
 
 TEST(Interlace, gaussian_filter_weighs_views_by_their_distance) {
-  // The sub-pixel is at the position 48 v - 1/2 = 42.37307 among the views. The Gaussian has a sigma of 1/2 view, and views 41
-  // to 44 lie within 3.5 sigma, at the distances d = -1.37307, -0.37307, 0.62693 and 1.62693.
-  // Their weights exp(-2 d^2) are 0.023037, 0.757022, 0.455626 and 0.005023, with the sum 1.240708.
-  // The weighted mean of the views is 41 + (0.757022 + 2 * 0.455626 + 3 * 0.005023) / 1.240708 = 42.35676.
+  // The sub-pixel is at 48 v - 1/2 = 42.37307 among the 48 views. The Gaussian has a sigma of 1/2 view. Views 41 to 44
+  // lie within 3.5 sigma, at distances d = -1.37307, -0.37307, 0.62693 and 1.62693. Their weights exp(-2 d^2) are
+  // 0.023037, 0.757022, 0.455626 and 0.005023, with the sum 1.240708. The weighted mean is 41 + (0.757022 + 2 *
+  // 0.455626 + 3 * 0.005023) / 1.240708 = 42.35676.
   const auto frame =
       std::get<Image16>(interlace(steps(48, {3, 4}), load_display("portrait"), {ViewFilter::kGaussian, 0.5}, threads()));
   EXPECT_NEAR(frame.rgb[0], 42357, 2);
 }
 
 TEST(Interlace, linear_filter_is_bilinear_within_a_view) {
-  // A single view of 2 x 1 samples, 0 and 6000, covers 60 pixels. The centre of the first sample is at 15 pixels, and the
-  // second is 30 pixels further. The centre of pixel 22 is at 22.5, so its code is 7.5 / 30 * 6000 = 1500.
+  // Two samples, 0 and 6000, cover 60 pixels, so their centres are at 15 and 45 pixels. The centre of pixel 22 is at
+  // 22.5: (22.5 - 15) / 30 * 6000 = 1500.
   LightField field = test::numbered_field({1, 1}, {2, 1}, true);
   std::get<Image16>(field.stack).rgb = {0, 0, 0, 6000, 6000, 6000};
   const auto frame = std::get<Image16>(interlace(field, small_display(), {ViewFilter::kLinear, 0.5}, threads()));
@@ -129,7 +125,7 @@ TEST(Interlace, linear_filter_is_bilinear_within_a_view) {
 }
 
 TEST(Interlace, native_rays_match_interlaced_views) {
-  // The eye to which a sub-pixel's ray points must lie in the part of the view cone that belongs to the view of this sub-pixel.
+  // The eye at which a sub-pixel's ray arrives must lie in the part of the view cone that belongs to its view.
   const Display display = load_display("looking-glass-16-portrait");
   const Optics optics = native_optics(display);
   const auto& panel = std::get<SlantedPanel>(optics.model);
@@ -141,15 +137,14 @@ TEST(Interlace, native_rays_match_interlaced_views) {
         const double eye = ray.origin.x + (panel.distance_mm - ray.origin.z) / ray.direction.z * ray.direction.x;
         const double v = 48 * (0.5 + std::atan(eye / panel.distance_mm) / panel.view_cone);
         const double view = frame.rgb[static_cast<std::size_t>(3 * (j * display.pixels.x + i) + color)] / 1000.0;
-        EXPECT_GE(v, view - 1e-4);  // The eye has single precision. The tolerance is 1e-4 of a view, which is 2e-6 of the cone.
+        EXPECT_GE(v, view - 1e-4);  // 1e-4 of a view is 2e-6 of the cone, near single precision
         EXPECT_LE(v, view + 1 + 1e-4);
       }
 }
 
-// Cees van Berkel, "Image preparation for 3D-LCD", Proc. SPIE 3639, 1999: sub-pixel k of row l, both counted from the top left
-// corner, shows the view N / X ((k + k_off - 3 l tan a) mod X). N is the number of views, X the width of a lens in sub-pixels,
-// and a the slant. With N = 9, X = 9/2 and tan a = 1/6, the view is (2 k - l) mod 9. The left sub-pixels below a lens are seen
-// from the right, so these views count from the right.
+// Cees van Berkel, "Image preparation for 3D-LCD", Proc. SPIE 3639, 1999: sub-pixel k of row l, counted from the top
+// left, shows the view N / X ((k + k_off - 3 l tan a) mod X) for N views, lenses of X sub-pixels and the slant a. With
+// N = 9, X = 9/2 and tan a = 1/6, this is (2 k - l) mod 9. The paper counts views from the right.
 TEST(Interlace, nine_view_television_matches_published_mask) {
   const Display display = load_display(std::string(LIPPMANN_SOURCE) + "/examples/nine-view-television.toml");
   const auto frame = std::get<Image16>(interlace(steps(9, {4, 3}), display, {}, threads()));

@@ -1,4 +1,4 @@
-// Makes light fields for tests. All samples of all views differ, as far as 8-bit or 16-bit values allow.
+// Light fields whose samples all differ, as far as 8-bit or 16-bit codes allow.
 #pragma once
 
 #include <cstdint>

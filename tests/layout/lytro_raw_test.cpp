@@ -1,4 +1,4 @@
-// Tests files of Lytro cameras that the tests build byte by byte: packed samples, colours, and the lens grid in the metadata.
+// Tests files of Lytro cameras that the tests build byte by byte.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -29,8 +29,7 @@ std::string section(char kind, const std::string& name, const std::string& data)
   return text + std::string((16 - text.size() % 16) % 16, '\0');
 }
 
-/// Returns metadata of a camera with a hexagonal lens grid. The grid is shifted by (6, -0.5) pixels from the middle of the
-/// sensor.
+/// Metadata of a camera with a hexagonal lens grid, shifted by (6, -0.5) pixels from the sensor's middle.
 std::string illum_metadata(int width, int height, const std::string& corner = "gr") {
   return R"({"image": {"width": )" + std::to_string(width) + R"(, "height": )" + std::to_string(height) +
          R"(, "orientation": 1, "pixelPacking": {"bitsPerPixel": 10, "endianness": "little"},
@@ -67,8 +66,7 @@ std::string lfr(const std::string& metadata, const std::string& codes) {
 
 std::span<const std::byte> bytes_of(const std::string& text) { return std::as_bytes(std::span(text)); }
 
-/// Returns samples of a uniform colour behind a Bayer mosaic. Even rows have the filters green, red, and odd rows have blue,
-/// green.
+/// Returns samples of a uniform colour behind a Bayer mosaic with the rows green, red and blue, green.
 std::vector<unsigned> flat_codes(int width, int height, unsigned red, unsigned green, unsigned blue) {
   std::vector<unsigned> codes;
   for (int y = 0; y < height; ++y)
@@ -85,8 +83,8 @@ TEST(LytroRaw, flat_colour_comes_back_everywhere) {
     ASSERT_NEAR(raw.light.data[i + 1], 480.0 / 959.0, 1e-6) << i;
     ASSERT_NEAR(raw.light.data[i + 2], 160.0 / 959.0, 1e-6) << i;
   }
-  // Relative to the largest light, 959, the samples are 240 (red), 480 (green) and 160 (blue). The white balance multiplies red
-  // by 2 and blue by 1.5, which gives 480, 480 and 240. The colour matrix replaces blue by the mean of green and blue: 360.
+  // Relative to the largest light, 959, the samples are 240 (red), 480 (green) and 160 (blue). White balance doubles
+  // red and multiplies blue by 1.5: 480, 480, 240. The colour matrix replaces blue by the mean of green and blue: 360.
   const Image16 colors = developed(raw);
   const auto code = [](double linear) { return std::floor(65535.0 * srgb_from_linear(linear) + 0.5); };
   EXPECT_NEAR(colors.rgb[0], code(480.0 / 959.0), 1.0);
@@ -97,7 +95,7 @@ TEST(LytroRaw, flat_colour_comes_back_everywhere) {
 TEST(LytroRaw, metadata_states_the_grid) {
   const LensGrid grid =
       parse_lfr(bytes_of(lfr(illum_metadata(64, 48), packed_10(flat_codes(64, 48, 90, 90, 90)))), "a.lfr").grid;
-  // lens pitch in pixels, enlarged by the projection from the exit pupil: 14.291 px
+  // lens pitch in pixels: lens pitch / pixel pitch, enlarged by the projection from the exit pupil
   const double pitch = 2e-05 / 1.4e-06 * (0.0973 + 3.7e-05) / 0.0973;
   EXPECT_NEAR(grid.pitch_px, pitch, 1e-9);
   EXPECT_NEAR(grid.row_pitch_px, pitch * std::sqrt(0.75) * 1.0003, 1e-9);
@@ -115,7 +113,7 @@ TEST(LytroRaw, twelve_bits_are_unpacked_from_the_top) {
     "devices": {"sensor": {"pixelPitch": 1.4e-06}, "mla": {"tiling": "squareUniform", "lensPitch": 1.4e-05, "rotation": 0.0,
                 "sensorOffset": {"x": 0, "y": 0}}}})";
   std::string codes(16 * 16 / 2 * 3, '\0');
-  codes[0] = '\x12', codes[1] = '\x34', codes[2] = '\x56';  // the samples 0x123 (blue) and 0x456 (green)
+  codes[0] = '\x12', codes[1] = '\x34', codes[2] = '\x56';
   const LytroRaw raw = parse_lytro(bytes_of(codes), metadata, "a.txt");
   EXPECT_NEAR(raw.light.pixel(0, 0)[2], 0x123 / 4095.0, 1e-6);
   EXPECT_NEAR(raw.light.pixel(1, 0)[1], 0x456 / 4095.0, 1e-6);
@@ -165,16 +163,15 @@ TEST(Demosaic, linear_grey_is_kept_exactly) {
     for (int y = 0; y < 10; ++y)
       for (int x = 0; x < 12; ++x) *mosaic.pixel(x, y) = 0.1f + 0.03f * static_cast<float>(x) + 0.02f * static_cast<float>(y);
     const Image colors = demosaic(mosaic, red);
-    for (int y = 2; y < 8; ++y)  // leaves out the edges, where mirrored pixels are not linear
+    for (int y = 2; y < 8; ++y)  // at the edges, mirrored pixels are not linear
       for (int x = 2; x < 10; ++x)
         for (const int c : {0, 1, 2})
           EXPECT_NEAR(colors.pixel(x, y)[c], *mosaic.pixel(x, y), 1e-6) << x << " " << y << " " << c;
   }
 }
 
-/// Weights of a red pixel in the three colours at its own position: 1 in red, 4/8 in green and 6/8 in blue. They are the
-/// central weights of the filters by Malvar, He and Cutler, "High-quality linear interpolation for demosaicing of
-/// Bayer-patterned color images", 2004, figure 2.
+/// Malvar, He and Cutler, "High-quality linear interpolation for demosaicing of Bayer-patterned color images", 2004,
+/// figure 2: a red pixel has the weights 1 in red, 4/8 in green and 6/8 in blue at its own position.
 TEST(Demosaic, weights_are_those_of_the_paper) {
   Image mosaic(9, 9, 1);
   *mosaic.pixel(4, 4) = 1.0f;

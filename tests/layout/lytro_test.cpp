@@ -1,4 +1,4 @@
-// Tests folders of views that other programs decoded from pictures of plenoptic cameras.
+// Tests folders of views that other programs decoded from plenoptic pictures.
 #include <gmock/gmock.h>
 
 #include "light_fields.hpp"
@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 using test::error_message, test::numbered_field, test::same_samples, test::TempDir;
 using testing::AllOf, testing::HasSubstr;
 
-/// Writes views to files named PREFIX{row}_{column}.png. Rows count from the top, and numbers start at `first`.
+/// Writes PREFIX{row}_{column}.png. Rows count from the top, and numbers start at `first`.
 void write_views_as(const LightField& field, const fs::path& folder, const std::string& prefix, int first) {
   fs::create_directories(folder);
   for (int view = 0; view < field.grid.count(); ++view) {

@@ -1,4 +1,3 @@
-// Compares the cameras of the MIV format with values computed by hand, and tests the errors for malformed files.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -22,7 +21,7 @@ using test::TempDir;
 using testing::AllOf;
 using testing::HasSubstr;
 
-/// Returns views of two eyes that are 20 mm apart. The eyes are 500 mm in front of a plane in which pixels are 0.5 mm wide.
+/// Returns views of two eyes 20 mm apart, 500 mm in front of a plane in which pixels are 0.5 mm wide.
 LightField two_views() {
   LightField field = numbered_field({2, 1}, {40, 30});
   field.cameras = {500.0, Vec2d(0.5), Vec2d(20.0, 15.0), {{-10.0, 6.0}, {10.0, 6.0}}};
@@ -121,8 +120,7 @@ TEST(MivFormat, depth_codes_match_formula) {
   const TempDir dir;
   LightField field = two_views();
   field.depth = Image(40, 60, 1);
-  for (std::size_t i = 0; i < field.depth->data.size(); ++i)
-    field.depth->data[i] = i % 2 == 0 ? 250.0f : -500.0f;  // 0.25 m and 1 m from the eyes
+  for (std::size_t i = 0; i < field.depth->data.size(); ++i) field.depth->data[i] = i % 2 == 0 ? 250.0f : -500.0f;
   field.depth->data[3] = -INFINITY;
   const LightFieldFormat miv = miv_format();
   miv.write(field, dir / "m", {});
@@ -133,8 +131,8 @@ TEST(MivFormat, depth_codes_match_formula) {
   EXPECT_EQ(codes.rgb[0], 65535) << "the nearest";
   EXPECT_EQ(codes.rgb[3], 64) << "the farthest: 1 of 1023 codes in 10 bits, where 0 is nothing";
   EXPECT_EQ(codes.rgb[9], 0);
-  // Tolerance: half a code. 16-bit codes are linear in 1 / distance, from 1 / far = 1/m to 1 / near = 4/m. At a distance of 1
-  // m, half a code is therefore (4 - 1) / 65535 / 2 m = 0.023 mm.
+  // Half a 16-bit code. Codes are linear in 1 / distance, from 1/m to 4/m, so at 1 m half a code is (4 - 1) / 65535 / 2
+  // m = 0.023 mm.
   for (const std::size_t i : {0u, 1u, 2u, 1201u}) EXPECT_NEAR(back.depth->data[i], field.depth->data[i], 0.024f) << i;
   EXPECT_EQ(back.depth->data[3], -INFINITY);
 }

@@ -1,4 +1,3 @@
-// Tests how the format of a light field is recognised from its files.
 #include "lippmann/layout/open_light_field.hpp"
 
 #include <gmock/gmock.h>
@@ -33,7 +32,7 @@ TEST(OpenLightField, detects_folders_and_quilts_by_name) {
   EXPECT_TRUE(same_samples(quilt.field.stack, field.stack));
 }
 
-/// Writes 3 x 2 views as the quilt DIR/NAME, whose name does not state the number of tiles, and returns the views.
+/// Writes 3 x 2 views as a quilt whose name does not state the number of tiles.
 LightField write_plain_quilt(const TempDir& dir, const std::string& name) {
   const LightField field = numbered_field({3, 2}, {4, 5});
   quilt_format().write(field, dir / "made.png", {});

@@ -34,7 +34,7 @@ std::vector<unsigned char> grey_png(int width, int height, std::uint8_t code) {
   return test::encode_png(width, height, 1, std::vector<std::uint8_t>(static_cast<std::size_t>(width) * height, code));
 }
 
-/// Writes a PNG file of 4 x 3 equal pixels. It is recognised as PNG by its content, whatever its name is.
+/// Writes a PNG file of 4 x 3 equal pixels under any name.
 void write_grey(const fs::path& path, std::uint8_t code) { write_bytes(path, grey_png(4, 3, code)); }
 
 std::vector<int> codes_of_views(const LightField& field) {
@@ -104,7 +104,7 @@ TEST(PictureFolder, fewer_than_two_pictures_are_refused) {
 TEST(PictureFolder, pictures_are_listed_by_their_headers) {
   const TempDir dir;
   std::vector<unsigned char> png = grey_png(64, 64, 200);
-  png.resize(png.size() - 20);  // truncates the file within its samples
+  png.resize(png.size() - 20);
   for (const char* name : {"a.png", "b.png"}) write_bytes(dir / name, png);
   EXPECT_EQ(pictures_of_views(dir.path()).size(), 2u);
   EXPECT_THAT(error_message([&] { open_light_field(dir.path(), "", {}); }), HasSubstr("a.png: cannot be read as a picture"));

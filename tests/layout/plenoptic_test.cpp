@@ -1,5 +1,4 @@
-// Tests views from raw pictures of plenoptic cameras, and the estimate of the lens grid from white pictures. The raw pictures
-// show known light below lenses of any pitch.
+// Tests views and lens grids from raw plenoptic pictures of known light.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -23,8 +22,8 @@ namespace {
 using test::error_message;
 using testing::HasSubstr;
 
-/// A function that returns the light through a lens in a direction. `lens` is the centre of the lens in pixels. `offset` is the
-/// vector from this centre to the pixel below the lens, which stands for the direction.
+/// Returns the light through a lens at the centre `lens`, in the direction of the pixel at `offset` from this centre,
+/// in pixels.
 using RawLight = std::function<double(Vec2d lens, Vec2d offset)>;
 
 /// Returns the centre of the lens below which a pixel lies. Does not support kHexagonalColumns.
@@ -42,7 +41,7 @@ Vec2d nearest_lens(const LensGrid& grid, Vec2d place) {
   return nearest;
 }
 
-/// Renders a raw picture. Each pixel is the mean of 3 x 3 points in it.
+/// Each pixel is the mean of 3 x 3 points in it.
 Image raw_picture(const LensGrid& grid, Vec2i size, const RawLight& light, int channels = 3) {
   Image raw(size.x, size.y, channels);
   constexpr int kParts = 3;
@@ -59,8 +58,7 @@ Image raw_picture(const LensGrid& grid, Vec2i size, const RawLight& light, int c
   return raw;
 }
 
-/// Returns the light of a white picture: below each lens a round image of the main lens's aperture. The image is darker towards
-/// its rim and has a soft edge.
+/// White picture: below each lens, a round image of the main lens's aperture with a dark rim and a soft edge.
 RawLight white_light(double pitch) {
   return [pitch](Vec2d, Vec2d offset) {
     const double share = glm::length(offset) / (0.48 * pitch);
@@ -68,8 +66,8 @@ RawLight white_light(double pitch) {
   };
 }
 
-/// Returns the largest distance in pixels from a lens of one grid to the nearest lens of the other grid within the picture. The
-/// offsets of equal grids may differ, because they may refer to different lenses.
+/// Returns the largest distance in pixels from a lens of one grid to the nearest lens of the other. Offsets of equal
+/// grids may differ by whole lenses.
 double grid_distance(const LensGrid& estimate, const LensGrid& truth, Vec2i size) {
   double most = 0.0;
   for (int j = -100; j <= 100; ++j)
@@ -81,8 +79,7 @@ double grid_distance(const LensGrid& estimate, const LensGrid& truth, Vec2i size
   return most;
 }
 
-/// Checks the grid that is estimated from a white picture. Each of 2,000 lens centres is found to a tenth of a pixel, which
-/// makes the grid exact to a twentieth of a pixel.
+/// Each of 2,000 lens centres is found to a tenth of a pixel, which makes the grid exact to a twentieth.
 void expect_grid_found(const LensGrid& truth, Vec2i size) {
   const LensGridFit fit = estimate_lens_grid(raw_picture(truth, size, white_light(truth.pitch_px), 1), "white");
   EXPECT_EQ(fit.grid.arrangement, truth.arrangement);
@@ -108,7 +105,6 @@ TEST(LensGridEstimate, finds_rows_that_are_scaled) {
   expect_grid_found(grid, {420, 420});
 }
 
-/// Estimates the grid of a square white picture that is `across` lenses wide, and returns the estimate.
 LensGridFit fit_of_lenses(const LensGrid& grid, double across) {
   const int side = static_cast<int>(std::lround(across * grid.pitch_px));
   const Image white = raw_picture(grid, {side, side}, white_light(grid.pitch_px), 1);
@@ -117,8 +113,8 @@ LensGridFit fit_of_lenses(const LensGrid& grid, double across) {
   return fit;
 }
 
-/// The case of 10 lenses with a pitch of 10.4 pixels has another regular period: 7.35 pixels along the diagonals. The estimate
-/// must not take this period for the pitch.
+/// 10 lenses with a pitch of 10.4 pixels also have the period 10.4 / sqrt(2) = 7.35 along the diagonals, which is not
+/// the pitch.
 TEST(LensGridEstimate, six_to_forty_lenses_are_enough) {
   struct Case {
     double across, pitch, rotation_deg;
@@ -140,8 +136,8 @@ TEST(LensGridEstimate, six_to_forty_lenses_are_enough) {
                 turn_deg * std::numbers::pi / 180.0, 5e-3);
 }
 
-/// With two or three lenses across the picture, the estimate takes the lowest frequency of the grid for vignetting and ignores
-/// it. It finds only harmonics, which would belong to a finer grid.
+/// With two or three lenses across, the lowest frequency of the grid looks like vignetting. Only its harmonics are
+/// found, which belong to a finer grid.
 TEST(LensGridEstimate, too_few_lenses_are_refused) {
   const LensGrid grid = lens_grid(40.0, 0.03, {7.0, 11.0}, LensArrangement::kSquare);
   for (const double across : {2.0, 3.0})
@@ -184,7 +180,7 @@ TEST(LensGridEstimate, refuses_pictures_without_lenses) {
   EXPECT_THROW(estimate_lens_grid(stripes, "w.png"), Error);
 }
 
-/// Returns light whose views are known. It varies slowly over the picture, and it is linear in the direction.
+/// Light that varies slowly over the picture and is linear in the direction.
 double known_light(Vec2d lens, Vec2d offset) {
   return 0.5 + 0.2 * std::sin(0.021 * lens.x) * std::cos(0.017 * lens.y) + 0.02 * offset.x - 0.013 * offset.y;
 }
@@ -202,7 +198,7 @@ TEST(PlenopticViews, turned_square_lenses_give_known_views) {
   for (const bool lanczos : {false, true}) {
     const LightField field = views_of(raw_picture(grid, {420, 330}, known_light), {.grid = grid, .lanczos = lanczos}, {7, 5});
     ASSERT_EQ(field.grid, (ViewGrid{7, 5}));
-    // The views cover the largest rectangle of lenses in the picture. These loops find its top left lens.
+    // The views cover the largest rectangle of lenses in the picture, from this top left lens.
     int first_column = 0, first_row = 0;
     for (; lens_centre(grid, first_column, field.view_size.y - 1).x < 3.25; ++first_column) {
     }
@@ -214,9 +210,8 @@ TEST(PlenopticViews, turned_square_lenses_give_known_views) {
         const Vec2d along(view % 7 - 3, 2 - view / 7);
         const Vec2d offset(c * along.x - s * along.y, s * along.x + c * along.y);
         const Vec2d lens = lens_centre(grid, first_column + at.x, first_row + at.y);
-        // The light is linear in the direction, so linear sampling is exact. Lanczos sampling is less exact and reads pixels of
-        // the neighbouring lens. Near the edge of the picture, samples may lie a quarter of a pixel beyond the centre of the
-        // last pixel.
+        // Linear sampling of linear light is exact. Lanczos sampling also reads pixels of the neighbouring lens. Near
+        // the picture's edge, samples may lie a quarter of a pixel beyond the last pixel's centre.
         const double tolerance = at.x != 20 ? 0.25 * 0.024 : lanczos ? 2e-3 : 1e-5;
         EXPECT_NEAR(view_sample(field, view, at.x, at.y), known_light(lens, offset), tolerance) << view << " " << at.x;
       }
@@ -229,8 +224,8 @@ TEST(PlenopticViews, hexagonal_rows_become_square_pixels) {
   for (const bool lanczos : {false, true}) {
     const LightField field = views_of(raw_picture(grid, {360, 300}, ramp), {.grid = grid, .lanczos = lanczos}, {3, 3});
     const double rows = grid.row_pitch_px;
-    // Lens columns 0 to 28 lie in the picture. In shifted rows, lens centres are at 12 to 348 pixels; in the other rows they
-    // are at 6 to 342. All rows cover 12 to 342, so the views cover this range.
+    // Lens centres are at 12 to 348 pixels in shifted rows and at 6 to 342 in the others. The views cover the range of
+    // both, 12 to 342.
     ASSERT_EQ(field.view_size, Vec2i(static_cast<int>(330.0 / rows) + 1, 29));
     for (const Vec2i at : {Vec2i(4, 4), Vec2i(15, 11), Vec2i(27, 20)})
       EXPECT_NEAR(view_sample(field, 4, at.x, at.y), 0.001 * (12.0 + at.x * rows) + 0.0005 * (6.0 + at.y * rows), 1e-3);
@@ -245,7 +240,7 @@ TEST(PlenopticViews, vignetting_is_divided_out) {
   divide_by_white(light, white_shares(raw_picture(grid, {300, 260}, white)), "raw");
   const LightField field = views_of(light, {.grid = grid}, {5, 5});
   for (const Vec2i at : {Vec2i(3, 3), Vec2i(14, 12)})
-    // these views are the corners of the aperture, where the light is half of the middle's
+    // the corners of the aperture have half of the light
     for (const int view : {0, 4, 20, 24})
       EXPECT_NEAR(view_sample(field, view, at.x, at.y) / view_sample(field, 12, at.x, at.y), 1.0, 0.01);
 }
@@ -254,7 +249,7 @@ TEST(PlenopticViews, inverted_lenses_turn_views_round) {
   const LensGrid grid = lens_grid(10.0, 0.0, {5.0, 5.0}, LensArrangement::kSquare);
   const Image raw = raw_picture(grid, {60, 60}, [](Vec2d, Vec2d offset) { return 0.5 + 0.01 * offset.x - 0.03 * offset.y; });
   const LightField upright = views_of(raw, {.grid = grid}, {10, 10});
-  // the lower right eye, 4.5 pixels to the right of the middle and 4.5 pixels below it
+  // the lower right eye, 4.5 pixels from the middle in x and y
   EXPECT_NEAR(view_sample(upright, 9, 2, 2), 0.5 + 0.045 - 0.135, 1e-5);
   const LightField turned = views_of(raw, {.grid = grid, .inverted = true}, {10, 10});
   for (int view = 0; view < 100; ++view)
@@ -286,7 +281,7 @@ TEST(PlenopticViews, impossible_grids_are_refused) {
   EXPECT_THAT(error_message([&] { divide_by_white(other, white_shares(raw), "raw"); }), HasSubstr("40x50 pixels"));
 }
 
-/// Returns the raw picture of a wall with a blurred spot. The wall is at the distance `z` in front of the main lens.
+/// Raw picture of a blurred spot on a wall at the distance `z` in front of the main lens.
 Image picture_of_wall(const Optics& optics, double distance, double z, Vec2d spot, double sigma) {
   Image raw(optics.panel.width, optics.panel.height, 3);
   for (int y = 0; y < raw.height; ++y)
@@ -313,9 +308,9 @@ Vec2d centroid_of_view(const LightField& field, int view) {
   return mean / sum;
 }
 
-/// The main lens has f = 100 mm and is focused at Zf = 2 m, so the lens array is s = 105.263 mm behind it. Neighbouring views
-/// show the scene from points on the main lens that are m s / b apart, where m is the width of a pixel and b the gap. Between
-/// neighbouring views, a spot at the distance Z moves by s (1/Zf - 1/Z) m s / (b p) lenses, where p is the lens pitch.
+/// The main lens has f = 100 mm and is focused at Zf = 2 m, so the lens array is s = 105.263 mm behind it. Neighbouring
+/// views are m s / b apart on the main lens, with the pixel width m and the gap b. From view to view, a spot at the
+/// distance Z moves by s (1/Zf - 1/Z) m s / (b p) lenses, with the lens pitch p.
 TEST(PlenopticViews, simulated_camera_has_parallax_of_the_thin_lens) {
   constexpr double kFocal = 100.0, kFocus = 2000.0, kGap = 0.5, kPixel = 0.01;
   const double s = kFocal * kFocus / (kFocus - kFocal), eye_step = kPixel * s / kGap;
@@ -337,7 +332,7 @@ TEST(PlenopticViews, simulated_camera_has_parallax_of_the_thin_lens) {
       for (const int steps : {-2, 1, 3}) {
         const Vec2d across = centroid_of_view(views, 40 + steps) - centroid_of_view(views, 40),
                     up = centroid_of_view(views, 40 + 9 * steps) - centroid_of_view(views, 40);
-        // if the lens pitch is no whole number of pixels, light is interpolated between pixels
+        // for other pitches, light is interpolated between pixels
         const double tolerance = pixels == 9.0 ? 1e-3 : 2e-2;
         EXPECT_NEAR(across.x, steps * disparity, tolerance) << z;
         EXPECT_NEAR(across.y, 0.0, tolerance) << z;

@@ -1,5 +1,4 @@
-// Compares the cameras of the NeRF, COLMAP and LLFF formats with values computed by hand, and tests the errors for malformed
-// files.
+// Compares cameras of the NeRF, COLMAP and LLFF formats with values computed by hand.
 #include <gmock/gmock.h>
 
 #include <array>
@@ -32,8 +31,8 @@ using test::TempDir;
 using testing::AllOf;
 using testing::HasSubstr;
 
-/// Returns views of 3 x 2 eyes that are 20 mm apart. The eyes are 500 mm in front of a plane in which pixels are 0.5 mm wide. A
-/// wall is 250 mm behind that plane.
+/// Returns views of 3 x 2 eyes 20 mm apart. The eyes are 500 mm in front of a plane in which pixels are 0.5 mm wide,
+/// and a wall is 250 mm behind that plane.
 LightField six_views() {
   LightField field = numbered_field({3, 2}, {40, 30});
   field.cameras = {500.0, Vec2d(0.5), Vec2d(20.0, 15.0), {}};
@@ -45,8 +44,8 @@ LightField six_views() {
   return field;
 }
 
-/// Returns views of cameras that look at the origin from a distance of 2 m. From camera to camera, the position rotates by 40
-/// degrees about the vertical and rises by 10 degrees.
+/// Returns views of cameras that look at the origin from 2 m. From camera to camera, the position rotates by 40 degrees
+/// about the vertical and rises by 10 degrees.
 LightField turned_views(int count = 4) {
   LightField field = numbered_field({count, 1}, {40, 30});
   field.poses.emplace();
@@ -79,8 +78,8 @@ TEST(PosedCameras, principal_point_moves_with_the_eye) {
 }
 
 TEST(PosedCameras, known_point_lands_on_known_pixel) {
-  // The point (10, 5, 200) mm is 300 mm from the plane of the eyes. Relative to the eye at (20, -10) it is 10 mm to the left
-  // and 15 mm up. At a distance of 300 mm, 1 mm is 1000 / 300 pixels.
+  // The point (10, 5, 200) mm is 300 mm from the plane of the eyes. From the eye at (20, -10), it is 10 mm to the left
+  // and 15 mm up. At 300 mm, 1 mm is 1000 / 300 pixels.
   const PosedCamera right = posed_cameras(six_views(), "a")[2];
   const Vec2d pixel = projected(right, {10.0, 5.0, 200.0});
   EXPECT_NEAR(pixel.x, 60.0 - 10.0 * 1000.0 / 300.0, 1e-9);
@@ -149,8 +148,8 @@ TEST(NerfFormat, walls_have_constant_z) {
 }
 
 TEST(NerfFormat, ray_at_30_degrees_is_longer) {
-  // The ray is 30 degrees off the axis. With a focal length of 100 pixels, its pixel is 100 tan(30 degrees) = 57.735 pixels
-  // from the principal point. The length of the ray is 1000 mm / cos(30 degrees).
+  // The ray is 30 degrees off the axis. With a focal length of 100 pixels, it meets 100 tan(30 degrees) pixels from the
+  // principal point. Its length is 1000 mm / cos(30 degrees).
   const PosedCamera camera{{1, 1}, Vec2d(100.0), Vec2d(0.5 - 100.0 * std::tan(std::numbers::pi / 6.0), 0.5), {}, {}};
   Image depth(1, 1, 1);
   depth.data[0] = 1000.0f;
@@ -342,8 +341,8 @@ TEST(NerfFormat, cameras_that_disagree_with_pictures_are_refused) {
 }
 
 TEST(ColmapFormat, poses_are_camera_from_world) {
-  // This library's camera at z = 2 m looks along -z. A camera of COLMAP looks along +z, so it is rotated by 180 degrees about
-  // x. In its coordinates, the origin of the world is 2 m in front of it.
+  // Cameras look along -z in this library and along +z in COLMAP, which rotates them by 180 degrees about x. The camera
+  // at z = 2 m has the origin 2 m in front of it.
   const PosedPicture picture{"", "000.png", "", turned_views().poses->at(0)};
   const std::string text = colmap_images_text({picture});
   EXPECT_THAT(text, HasSubstr("\n1 0 1 0 0 0 0 2 1 000.png\n\n"));

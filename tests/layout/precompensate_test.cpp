@@ -10,12 +10,11 @@ namespace {
 
 using testing::HasSubstr;
 
-/// The Gaussian crosstalk with which an eye sees 10 % of each neighbouring view. The second neighbours have a weight of only
-/// 6e-5. The tests neglect it, so their tolerance is kNextButOne.
+/// An eye sees 10 % of each neighbouring view. The Gaussian's weight of 6e-5 for second neighbours is neglected, so
+/// kNextButOne is the tolerance.
 const double kTenPercent = read_crosstalk("10%", "test");
 constexpr float kNextButOne = 2e-4f;
 
-/// Returns optics with three views of one pixel each.
 Optics three_views() { return {.panel = {3, 1, 1.0f}, .model = MultiView{3, 1}}; }
 
 Image views(float a, float b, float c) {
@@ -24,11 +23,9 @@ Image views(float a, float b, float c) {
   return image;
 }
 
-// The panel shows (0.2, 0.7, 0.4). An eye sees each view with the weight 0.8, and each neighbour with 0.1. The outer views have
-// one neighbour, so their sums are divided by 0.9.
-// First view: (0.8 * 0.2 + 0.1 * 0.7) / 0.9 = 0.23 / 0.9.
-// Second view: 0.1 * 0.2 + 0.8 * 0.7 + 0.1 * 0.4 = 0.62.
-// Third view: (0.1 * 0.7 + 0.8 * 0.4) / 0.9 = 0.39 / 0.9.
+// The panel shows (0.2, 0.7, 0.4). An eye sees its view with the weight 0.8 and each neighbour with 0.1. Outer views
+// have one neighbour, so their sums are divided by 0.9. First view: (0.8 * 0.2 + 0.1 * 0.7) / 0.9 = 0.23 / 0.9. Second
+// view: 0.1 * 0.2 + 0.8 * 0.7 + 0.1 * 0.4 = 0.62. Third view: (0.1 * 0.7 + 0.8 * 0.4) / 0.9 = 0.39 / 0.9.
 TEST(Precompensate, three_views_are_solved_for) {
   Image image = views(0.23f / 0.9f, 0.62f, 0.39f / 0.9f);
   const Precompensation done = precompensate(three_views(), kTenPercent, "test", image);
@@ -38,11 +35,11 @@ TEST(Precompensate, three_views_are_solved_for) {
     EXPECT_NEAR(image.pixel(2, 0)[c], 0.4f, kNextButOne);
   }
   EXPECT_EQ(done.clipped_share, 0.0);
-  EXPECT_LE(done.largest_residual, 1e-6);  // samples have single precision
+  EXPECT_LE(done.largest_residual, 1e-6);
 }
 
-// The views 0.5, 0, 0.5 would need the light -0.145 in the middle, which is clipped to 0. Its neighbours then need 0.9 * 0.5 /
-// 0.8 = 0.5625 instead of 0.5806. In the middle, an eye sees 2 * 0.1 * 0.5625 = 0.1125 instead of black.
+// The views 0.5, 0, 0.5 need the light -0.145 in the middle, which is clipped to 0. The outer views then need 0.9 * 0.5
+// / 0.8 = 0.5625. In the middle, an eye sees 2 * 0.1 * 0.5625 = 0.1125.
 TEST(Precompensate, clips_negative_light_and_adjusts_neighbours) {
   Image image = views(0.5f, 0.0f, 0.5f);
   const Precompensation done = precompensate(three_views(), kTenPercent, "test", image);
@@ -53,8 +50,8 @@ TEST(Precompensate, clips_negative_light_and_adjusts_neighbours) {
   EXPECT_NEAR(done.largest_residual, 0.1125, 2e-4);
 }
 
-// Black next to white would need negative light, and the white views would need more than 1, so no correction is possible. An
-// eye sees 0.8 / 0.9 instead of white, and 0.2 instead of black.
+// Black next to white needs light below 0 and above 1, so no correction is possible. An eye sees 0.8 / 0.9 instead of
+// white, and 0.2 instead of black.
 TEST(Precompensate, full_contrast_misses_by_the_neighbour_share) {
   Image image = views(1.0f, 0.0f, 7.0f);  // values above 1 are shown as white
   const Precompensation done = precompensate(three_views(), kTenPercent, "test", image);
@@ -74,13 +71,12 @@ TEST(Precompensate, even_pictures_and_no_crosstalk_change_nothing) {
   EXPECT_EQ(image.data, views(0.1f, 0.9f, 0.2f).data);
 }
 
-// In a lenticular sheet, a pixel leaks light only to its neighbours in the row, even if they lie below another lens. Colours do
-// not leak into each other.
+// In a lenticular sheet, light leaks only to neighbours in the row, also below another lens, and never between colours.
 TEST(Precompensate, neighbours_are_those_on_the_panel) {
   Optics sheet{.panel = {16, 2, 0.125f}, .model = LenticularSheet{}};
   Image image(16, 2, 3);
   for (int i = 0; i < 96; ++i) image.data[static_cast<std::size_t>(i)] = 0.5f;
-  image.pixel(7, 1)[1] = 0.6f;  // the last pixel below the first lens
+  image.pixel(7, 1)[1] = 0.6f;
   precompensate(sheet, kTenPercent, "test", image);
   EXPECT_GT(image.pixel(7, 1)[1], 0.62f);
   EXPECT_LT(image.pixel(8, 1)[1], 0.49f);
@@ -88,8 +84,8 @@ TEST(Precompensate, neighbours_are_those_on_the_panel) {
   EXPECT_NEAR(image.pixel(7, 1)[0], 0.5f, 1e-6);
 }
 
-// Along each axis, an eye sees 0.8 of a pixel's light, so 0.8 * 0.8 = 0.64 along both. A pixel that should appear 0.2 brighter
-// than 0.5 must be shown about 0.2 / 0.64 brighter.
+// An eye sees 0.8 of a pixel's light along each axis, 0.64 along both. To appear 0.2 brighter, a pixel must be shown
+// about 0.2 / 0.64 brighter.
 TEST(Precompensate, lenslets_and_grids_leak_along_both_axes) {
   Optics lenslets{.panel = {33, 33, 0.125f}, .model = MicrolensArray{}};
   Optics grid{.panel = {33, 33, 1.0f}, .model = MultiView{.columns = 33, .rows = 33, .baseline_mm = 1.0f}};

@@ -1,4 +1,4 @@
-// Tests the bleed, the marks and the proofs of prints. The views are uniform, so the value of every pixel is known.
+// The views are uniform, so the value of every pixel is known.
 #include <gmock/gmock.h>
 
 #include <array>
@@ -46,7 +46,7 @@ std::array<int, 3> pixel(const Image8& image, int x, int y) {
 
 const std::array<int, 3> kInk{0, 0, 0}, kPaper{255, 255, 255};
 
-/// Returns whether `whole` contains `part` with its top left pixel at `corner`.
+/// Returns whether `whole` contains `part` at `corner`, the position of its top left pixel.
 testing::AssertionResult has_part(const Image8& whole, const Image8& part, Vec2i corner) {
   for (int y = 0; y < part.height; ++y)
     for (int x = 0; x < part.width; ++x)
@@ -87,7 +87,6 @@ TEST(PrintFinish, marks_stand_outside_the_bleed) {
   const Image8 bled = finished_print({.bleed_mm = 3.0}), marked = finished_print({.bleed_mm = 3.0, .marks = true});
   ASSERT_EQ(Vec2i(marked.width, marked.height), Vec2i(960, 760));
   EXPECT_TRUE(has_part(marked, bled, Vec2i(100)));
-  // The cutting lines are x = 130, x = 830, y = 130 and y = 630.
   for (const int x : {130, 830})
     for (const int y : {50, 700}) EXPECT_EQ(pixel(marked, x, y), kInk) << x << ' ' << y;
   for (const int y : {130, 630})

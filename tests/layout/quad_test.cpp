@@ -1,4 +1,4 @@
-// Tests quads. A quad is a picture of four views in two rows, and the leftmost view is at the top left.
+// A quad is a picture of four views in two rows, with the leftmost view at the top left.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -16,7 +16,6 @@ namespace {
 using test::numbered_field;
 using testing::HasSubstr;
 
-/// Returns uniform views of 3 x 2 pixels. The red code of view k is 10 k.
 LightField field_of_flat_views(int count) {
   LightField field = numbered_field({count, 1}, {3, 2});
   for (int view = 0; view < count; ++view) {

@@ -21,8 +21,8 @@ using test::same_samples;
 using test::TempDir;
 using testing::HasSubstr;
 
-/// Returns 3 views of 4 x 2 pixels on a screen that is 40 mm wide and seen from 100 mm. In view v, the depth at column x is -10
-/// x + v mm.
+/// Returns 3 views of 4 x 2 pixels on a screen that is 40 mm wide and seen from 100 mm. In view v, column x has the
+/// depth -10 x + v mm.
 LightField deep_field(bool words = false) {
   LightField field = numbered_field({3, 1}, {4, 2}, words);
   field.cameras = {100.0, Vec2d(10.0), Vec2d(2.0, 1.0), {{-20, 0}, {0, 0}, {20, 0}}};
@@ -41,7 +41,7 @@ TEST(Rgbd, disparity_is_finite_at_any_depth) {
 }
 
 TEST(Rgbd, grey_is_linear_in_disparity) {
-  const DepthCoding coding{{50, -100}};  // these depths have the disparities 100 and -50
+  const DepthCoding coding{{50, -100}};
   EXPECT_DOUBLE_EQ(grey_of_depth(coding, 100, 50), 1.0);
   EXPECT_DOUBLE_EQ(grey_of_depth(coding, 100, -100), 0.0);
   EXPECT_DOUBLE_EQ(grey_of_depth(coding, 100, 0), 1.0 / 3.0);
@@ -91,8 +91,8 @@ TEST(Rgbd, colours_depth_and_camera_come_back) {
   EXPECT_EQ(opened.format, "rgbd");
   EXPECT_TRUE(same_samples(opened.field.stack, view_of(field, 1)));
   EXPECT_EQ(opened.field.cameras->pixel_mm, Vec2d(10.0));
-  // 16-bit codes cover the disparities from -29 / 1.29 to 1 / 0.99, so a step is 4e-4 mm of disparity. In depth, a step is less
-  // than twice as large.
+  // 16-bit codes cover the disparities from -29 / 1.29 to 1 / 0.99 mm, so a step is 4e-4 mm, and less than twice as
+  // much in depth.
   for (int x = 0; x < 4; ++x) EXPECT_NEAR(opened.field.depth->pixel(x, 1)[0], -10.0 * x + 1.0, 4e-4) << x;
 }
 

@@ -1,4 +1,4 @@
-// Tests cameras that flags describe for files without camera data. Also tests which values of these cameras each format stores.
+// Tests cameras that flags describe for files without camera data.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -30,8 +30,8 @@ ConvertParams stated(const char* from, const char* to, StatedCameras cameras = k
   return params;
 }
 
-/// Writes three HCI views in a row, of 512 x 1 pixels each, without the file parameters.cfg. Pixel 0 has a depth of 4 m, pixel
-/// 1 of 8 m, and pixel 2 shows no surface.
+/// Writes three HCI views in a row without parameters.cfg. Pixel 0 has a depth of 4 m, pixel 1 of 8 m, and pixel 2
+/// shows no surface.
 void write_trial(const fs::path& folder) {
   hci_format().write(numbered_field({3, 1}, {512, 1}), folder, {});
   Image depth(512, 1, 1);
@@ -46,8 +46,8 @@ TEST(StatedCameras, disparities_follow_from_the_flags) {
   ConvertParams params = stated("hci", "hci");
   params.options.views = ViewGrid{3, 1};
   convert(dir / "in", dir / "out", params);
-  // Disparity: (b f n / s) (1 / Z - 1 / F), with the baseline b = 100 mm, the focal length f = 100 mm, n = 512 pixels across
-  // the sensor width s = 35 mm, the depth Z and the focus distance F = 8000 mm. b f n / s = 146285.714 mm px.
+  // Disparity: (b f n / s) (1 / Z - 1 / F), with the baseline b = 100 mm, the focal length f = 100 mm, n = 512 pixels
+  // across the sensor of s = 35 mm, the depth Z and the focus distance F = 8000 mm.
   const Image disparity = read_pfm(dir / "out/gt_disp_lowres_Cam001.pfm");
   EXPECT_NEAR(disparity.data[0], 18.2857, 1e-4);
   EXPECT_NEAR(disparity.data[1], 0.0, 1e-4);
@@ -94,7 +94,7 @@ TEST(StatedCameras, lengths_must_be_positive) {
     }
 }
 
-/// Returns 2 x 2 views at irregular positions. x decreases from left to right.
+/// Returns 2 x 2 views at irregular positions whose x decreases from left to right.
 LightField irregular_field() {
   LightField field = numbered_field({2, 2}, {4, 4});
   field.positions = std::vector<Vec2d>{{10.0, -776.88}, {0.0, -776.0}, {10.5, -770.123456789}, {1.5, -770.0}};
@@ -168,8 +168,8 @@ TEST(EslfFormat, damaged_side_files_are_refused) {
   EXPECT_FALSE(parse_eslf_side_file(R"({"quilt_settings": {}})", "a"));
 }
 
-/// Writes the picture of a plenoptic camera as a PPM file. Red and green are the column and the row of the view. Blue depends
-/// on the position of the pixel within its view.
+/// Writes the picture of a plenoptic camera. Red and green are the view's column and row, and blue depends on the pixel
+/// within the view.
 void write_plenoptic(const fs::path& path, ViewGrid grid, Vec2i view_size) {
   const Vec2i size(grid.columns * view_size.x, grid.rows * view_size.y);
   std::string samples;
@@ -214,7 +214,6 @@ TEST(EslfFormat, wrong_grid_of_real_cameras_is_refused) {
     EXPECT_EQ(picture_size(right, trial.view_size), trial.size);
     EXPECT_THAT(error_message([&] { view_size(wrong, trial.size, "flower.png"); }),
                 testing::AllOf(HasSubstr("flower.png"), HasSubstr("cannot be divided")));
-    // The last pixel of the bottom right view must be the last pixel of the picture.
     const int bottom_right = trial.grid.columns - 1;
     const ViewPlace place = place_of_view(right, trial.view_size, trial.size, bottom_right);
     EXPECT_EQ(place.first + (trial.view_size.x - 1) * place.across + (trial.view_size.y - 1) * place.down,

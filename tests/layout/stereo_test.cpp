@@ -29,7 +29,6 @@ std::vector<StereoLayout> all_layouts() {
   return layouts;
 }
 
-/// Returns two uniform views with these grey codes.
 LightField flat_pair(Vec2i size, unsigned char left, unsigned char right) {
   LightField field = numbered_field({2, 1}, size);
   const std::size_t samples = 3 * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);

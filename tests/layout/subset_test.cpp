@@ -1,4 +1,3 @@
-// Tests selecting parts of light fields: which pixels and views are kept, and errors for impossible selections.
 #include "lippmann/layout/subset.hpp"
 
 #include <gmock/gmock.h>

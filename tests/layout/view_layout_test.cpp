@@ -14,19 +14,18 @@ namespace {
 using testing::ElementsAre;
 
 TEST(ViewLayout, pixels_below_a_lens_are_turned_round) {
-  // A single lens has 3 x 2 pixels. View 0 is the view of the leftmost and lowest eye. Its pixel is at the top right.
+  // A lens has 3 x 2 pixels. View 0, of the leftmost and lowest eye, is its top right pixel.
   const ViewLayout layout{LayoutKind::kIntegral, {3, 2}, {}};
   EXPECT_THAT(pixels_of_views(layout, {1, 1}, {3, 2}), ElementsAre(2, 1, 0, 5, 4, 3));
 }
 
 TEST(ViewLayout, quilt_begins_at_the_bottom_left) {
-  // Each of the 2 x 2 tiles has 1 x 1 pixel.
   const ViewLayout layout{LayoutKind::kQuilt, {4, 1}, {2, 2}};
   EXPECT_THAT(pixels_of_views(layout, {1, 1}, {2, 2}), ElementsAre(2, 3, 0, 1));
 }
 
 TEST(ViewLayout, quilt_padding_is_right_and_top) {
-  // Two tiles of 2 x 2 pixels fill a picture of 5 x 3 pixels except for the top row and the right column.
+  // The tiles leave the top row and the right column of the picture empty.
   const ViewLayout layout{LayoutKind::kQuilt, {2, 1}, {2, 1}};
   EXPECT_EQ(view_size(layout, {5, 3}, "q"), Vec2i(2, 3));
   const ViewLayout tall{LayoutKind::kQuilt, {2, 1}, {1, 2}};
@@ -62,14 +61,14 @@ TEST(ViewLayout, lenticular_views_run_left_to_right) {
   Optics optics;
   optics.panel = {24, 4, 0.25f};
   LenticularSheet sheet;
-  sheet.lens_pitch_mm = 2.0f, sheet.gap_mm = 4.0f, sheet.offset_mm = 0.0f;  // three cells cover the whole panel
+  sheet.lens_pitch_mm = 2.0f, sheet.gap_mm = 4.0f, sheet.offset_mm = 0.0f;
   optics.model = sheet;
   const std::vector<std::uint32_t> pixels = pixels_of_views({LayoutKind::kIntegral, {8, 1}, {}}, {3, 4}, {24, 4});
   float last = -kInfinity;
   for (std::size_t view = 0; view < 8; ++view) {
     const std::uint32_t pixel = pixels[12 * view];
     const Ray ray = ray_of_pixel(optics, {static_cast<float>(pixel % 24) + 0.5f, static_cast<float>(pixel / 24) + 0.5f});
-    // rays run away from the eye towards -z, so the eye is on the side of this slope
+    // rays run away from the eye, towards -z
     const float eye_x = ray.direction.x / ray.direction.z;
     EXPECT_GT(eye_x, last) << "view " << view;
     last = eye_x;
