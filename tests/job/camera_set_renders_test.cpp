@@ -24,7 +24,7 @@ class CameraSetRenders : public Renders {
   }
 };
 
-/// Projects the points of view `from` into view `to`, and returns the fraction for which `to` sees the point or a nearer
+/// Projects the points of view `from` into view `to`. Returns the fraction at which `to` sees that point or a nearer
 /// surface.
 double consistent_share(const LightField& field, const std::vector<PosedCamera>& cameras, int from, int to) {
   const Image depth = depth_of(field, from), other = depth_of(field, to);
@@ -39,7 +39,7 @@ double consistent_share(const LightField& field, const std::vector<PosedCamera>&
       const Vec2d pixel = projected(b, point);
       const Vec2i at(glm::floor(pixel));
       if (at.x < 1 || at.y < 1 || at.x > other.width - 2 || at.y > other.height - 2) continue;
-      double nearest = INFINITY;  // nearest of nine pixels, because the point may be at an edge
+      double nearest = INFINITY;  // at an edge, the neighbouring pixels show other depths
       for (int i = 0; i < 9; ++i)
         nearest = std::min(nearest, planar_depth_mm(field, *other.pixel(at.x - 1 + i % 3, at.y - 1 + i / 3)));
       ++points;

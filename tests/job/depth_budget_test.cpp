@@ -10,7 +10,6 @@ namespace {
 
 using testing::HasSubstr;
 
-/// The scene reaches `half_depth` units of 10 mm in front of and behind the array, which is as high as 64 lenses of 1 mm.
 FittedArray array_of_depth(float half_depth) {
   FittedArray array;
   array.plane_height = 6.4f;
@@ -41,9 +40,9 @@ TEST(DepthBudget, single_view_has_no_budget) {
 }
 
 TEST(DepthBudget, views_are_a_pixel_apart_at_it) {
-  // Two views 20 degrees apart at 500 mm have eyes at e = -+500 tan(10 degrees) = -+88.163 mm. The eye at e sees a point (x, z)
-  // at x - z (e - x) / (500 - z) in the plane z = 0. For x = 0, both positions are 2 z * 88.163 / (500 - z) apart, which is one
-  // pixel (0.5 mm) for z = 1.4138 mm.
+  // By similar triangles, an eye at x = e and 500 mm sees a point (0, z) at -z e / (500 - z) in the plane z = 0. Two
+  // views 20 degrees apart have eyes at e = -+500 tan(10 degrees) = -+88.163 mm. The positions are 2 z * 88.163 / (500
+  // - z) apart: one pixel of 0.5 mm for z = 1.4138 mm.
   const Optics optics{.panel = {200, 100, 0.5f}, .model = MultiView{2, 1, radians(40.0f), false, 500.0f}};
   EXPECT_NEAR(depth_budget_mm(optics), 1.4138f, 1e-4f);
   std::vector<Vec2f> pixels;
@@ -110,8 +109,7 @@ TEST(FitDepth, optics_do_not_depend_on_depth) {
 }
 
 TEST(FitDepth, middle_of_the_zone_is_unchanged) {
-  // A single lens covers all 512 pixels. The parallax of 0.5 must keep the ray of the central pixel and halve the slopes of all
-  // rays.
+  // The parallax of 0.5 halves the slopes of rays. A single lens covers all 512 pixels.
   Optics optics{.panel = {512, 1, 0.125f},
                 .model = LenticularSheet{.lens_pitch_mm = 64.0f, .gap_mm = 100.0f, .offset_mm = 0.0f}};
   for (const auto& [pixel, slope] : {std::pair(256.0f, 0.0f), std::pair(264.0f, -0.01f)}) {
@@ -122,7 +120,7 @@ TEST(FitDepth, middle_of_the_zone_is_unchanged) {
 }
 
 TEST(FitDepth, quilt_eyes_move_together) {
-  // Two views 20 degrees apart at 500 mm have eyes at -+500 tan(10 degrees) = -+88.163 mm, which `parallax` multiplies.
+  // Two views 20 degrees apart at 500 mm have eyes at -+500 tan(10 degrees) = -+88.163 mm, times the parallax.
   const Optics quilt{.panel = {200, 100, 0.5f}, .model = MultiView{2, 1, radians(40.0f), false, 500.0f}};
   for (const float parallax : {1.0f, 0.25f}) {
     const Ray ray = ray_of_pixel(with_parallax(quilt, parallax), {50.0f, 50.0f});

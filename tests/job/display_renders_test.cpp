@@ -52,8 +52,7 @@ TEST_F(DisplayRenders, slanted_panel_gets_its_quilt) {
   EXPECT_EQ(optics["kind"], "multiview");
   EXPECT_EQ(optics["width"], 129);
   EXPECT_NEAR(optics["view_cone_deg"].get<double>(), 40.0, 1e-4);
-  // A tile of 32 x 64 pixels covers a display of 48 x 64 pixels, so its pixels are 48 / 32 = 1.5 display pixels wide and 1
-  // high.
+  // Tiles of 32 x 64 pixels on 48 x 64 display pixels: the pixels of a tile are 1.5 display pixels wide and 1 high.
   EXPECT_NEAR(optics["pixel_height"].get<double>(), 2.0 / 3.0, 1e-6);
 }
 
@@ -64,8 +63,7 @@ TEST_F(DisplayRenders, native_frame_has_the_panels_pixels) {
   EXPECT_TRUE(are_identical("out", "a.mkv"));
 }
 
-/// Numerator and denominator of XResolution in a TIFF file. The entry has tag 282 = 0x011a, type 5 (rational), count 1, and the
-/// offset of the value.
+/// Numerator and denominator of a TIFF file's XResolution (tag 282 = 0x011a, type 5 = rational).
 std::pair<std::uint32_t, std::uint32_t> resolution_of(const std::string& tiff) {
   const std::size_t at = tiff.find(std::string("\x1a\x01\x05\x00\x01\x00\x00\x00", 8));
   const auto word = [&](std::size_t i) {
@@ -122,7 +120,7 @@ TEST_F(DisplayRenders, unsupported_parameters_are_refused) {
   EXPECT_THAT(refusal(teapot("out", "0", {{"layout", "native"}})), HasSubstr("display"));
 }
 
-// With nine pixels below a lens, an eye in the middle sees the centre of the fifth.
+// An odd number of pixels below a lens puts the centre of a pixel in the middle.
 TEST_F(DisplayRenders, precompensated_picture_looks_plain_through_crosstalk) {
   const Settings sheet{{"lenses", "24"}, {"lens-pixels", "9"}, {"format", "exr"}};
   render(teapot("plain", "3", sheet));
@@ -139,7 +137,7 @@ TEST_F(DisplayRenders, precompensated_picture_looks_plain_through_crosstalk) {
                  undone = seen("shown", "c", sigma_px);
   const auto rmse = [&](const fs::path& picture) { return compare(wanted, picture, context_).mean_rmse.mean; };
   EXPECT_GE(rmse(leaking), 0.5);
-  EXPECT_LE(rmse(undone), 0.5 * rmse(leaking));  // Half of the leak is left, because some values are clipped.
+  EXPECT_LE(rmse(undone), 0.5 * rmse(leaking));  // some values are clipped
 }
 
 TEST_F(DisplayRenders, crosstalk_has_pixels_or_views_as_unit) {
@@ -148,8 +146,8 @@ TEST_F(DisplayRenders, crosstalk_has_pixels_or_views_as_unit) {
   leaky.replace(leaky.find("129, 128"), 3, "128");
   std::ofstream(dir_ / "leaky.toml") << leaky;
   const Json quilt = report_of(teapot_on("leaky.toml", {{"precompensate", "true"}}));
-  // The lenses are 324 dpi / 52 lpi = 6.23 pixels wide, or 6.29 along a row, for 8 views. Light that leaks over 0.2 views thus
-  // leaks over 0.2 / 8 of 6.29 pixels.
+  // Lenses are 324 dpi / 52 lpi = 6.23 pixels wide, or 6.29 along a row, for 8 views. A leak of 0.2 views is 0.2 / 8 of
+  // 6.29 pixels.
   EXPECT_NEAR(quilt["precompensation"]["crosstalk_px"].get<double>(), 0.2 * 8 / (324 / 52.0 / std::cos(std::atan(1 / 7.0))),
               1e-6);
   const Json native = report_of(teapot_on("leaky.toml", {{"precompensate", "true"}, {"layout", "native"}}, "native"));
@@ -161,7 +159,7 @@ TEST_F(DisplayRenders, finished_pictures_are_precompensated_equally) {
   render(teapot("plain", "3", sheet));
   render(teapot("shown", "3", sheet + Settings{{"precompensate", "true"}, {"crosstalk", "0.35"}}));
   precompensate_frames({dir_ / "plain", dir_ / "made", 0.35}, context_);
-  // the first picture is corrected from floats, the second from 16-bit codes
+  // The first picture is corrected from floats, the second from 16-bit codes.
   EXPECT_LE(compare(dir_ / "shown/frame_0003.png", dir_ / "made/frame_0003.png", context_).mean_rmse.mean, 0.05);
   EXPECT_EQ(replay({.in = dir_ / "made"}, context_).written.size(), 1u);
 }

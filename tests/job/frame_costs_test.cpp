@@ -25,7 +25,7 @@ FrameReport made(int frame, double cpu_seconds, const char* kind = "full") {
 
 TEST(JobCosts, three_segments_are_measured) {
   EXPECT_THAT(frames_to_measure(frames_from(8, 40), 16, Neighbours::kOthers),
-              ElementsAre(8, 9, 16, 17, 32, 33));  // the first two frames of the segments 8-15, 16-31 and 32-47
+              ElementsAre(8, 9, 16, 17, 32, 33));
   EXPECT_THAT(frames_to_measure(frames_from(0, 48), 8, Neighbours::kCopied), ElementsAre(0, 1, 24, 25, 40, 41));
 }
 
@@ -48,15 +48,15 @@ TEST(JobCosts, first_frames_files_and_set_up_count) {
 TEST(JobCosts, keys_of_copies_count_for_sixteen_frames) {
   const MeasuredRun run{
       {made(0, 1.0), made(1, 9.0, "key"), made(30, 9.0, "key"), made(31, 1.0, "in-between")}, {}, 0.0, 20.0, 0};
-  // A frame takes 1 s. A key frame takes (9 - 1) s more, which 16 frames share.
+  // A frame takes 1 s. A key frame takes 8 s more, shared by 16 frames.
   EXPECT_DOUBLE_EQ(frame_costs(run, frames_from(0, 60), 1).at.at(0), 1.5);
   const MeasuredRun only_a_key{{made(0, 9.0, "key")}, {}, 0.0, 9.0, 0};
   EXPECT_DOUBLE_EQ(frame_costs(only_a_key, {0}, 1).at.at(0), 9.0);
 }
 
 TEST(JobCosts, sources_exclude_later_frames_of_the_unit) {
-  // Frames 0, 8 and 16 are key frames. Frames 0 and 1 also needed frames 2, 4 and 8, and frame 9 also needed frame 16, which is
-  // outside the job.
+  // Frames 0, 8 and 16 are key frames. Frames 0 and 1 also need frames 2, 4 and 8. Frame 9 needs frame 16, outside the
+  // job.
   const MeasuredRun run{
       {made(0, 1.0), made(1, 1.0), made(8, 1.0), made(9, 1.0)}, {made(2, 4.0), made(4, 4.0), made(16, 6.0)}, 0.0, 18.0, 0};
   const JobCosts costs = frame_costs(run, frames_from(0, 16), 8);

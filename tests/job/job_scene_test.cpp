@@ -68,7 +68,6 @@ TEST_F(JobScene, camera_names_are_in_the_files_order) {
   EXPECT_THAT(load_scene_of(ResolvedJob(params), {}).notes.camera_names, testing::ElementsAre("Front", "Side"));
 }
 
-// A sphere is 3 units from the origin on the file's up axis, and must be on +y after loading.
 TEST_F(JobScene, up_axis_of_the_file_becomes_y) {
   const std::pair<UpAxis, const char*> axes[] = {{UpAxis::kX, "3 0 0"},       {UpAxis::kY, "0 3 0"},
                                                  {UpAxis::kZ, "0 0 3"},       {UpAxis::kMinusX, "-3 0 0"},

@@ -1,4 +1,3 @@
-// The pictures of every layout must equal those converted from a render in its default layout.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
@@ -144,7 +143,7 @@ TEST_F(LayoutRenders, every_stereo_packing_equals_conversion) {
 }
 
 TEST_F(LayoutRenders, quilt_shows_eyes_their_rendered_views) {
-  // The quilt has 16 eyes in a row, 10 mm apart. The stereo eyes at -25 and +25 mm are among them, so no view is interpolated.
+  // The quilt has 16 eyes in a row, 10 mm apart, so the stereo eyes at -25 and +25 mm are among them.
   render(job("teapot", "q",
              {{"optics", "multiview"},
               {"camera-grid", "true"},
@@ -192,7 +191,7 @@ TEST_F(LayoutRenders, rgbd_range_covers_the_whole_animation) {
   render(job("room", "plain",
              {{"optics", "multiview"}, {"views", "3x1"}, {"size", "192x48"}, {"aov", "depth"}, {"frames", "0,100,200"}}));
   convert("plain", "each", "rgbd");
-  for (const int frame : {0, 100, 200}) {  // a frame's depth range lies within that of the animation
+  for (const int frame : {0, 100, 200}) {
     const DepthRange own = side_of(dir_ / "each" / fmt::format("frame_{:04}_rgbd.png", frame)).coding.range;
     EXPECT_LE(own.near_mm, side.coding.range.near_mm + 1e-3) << frame;
     EXPECT_GE(own.far_mm, side.coding.range.far_mm - 1e-3) << frame;

@@ -65,7 +65,6 @@ TEST_F(LightFieldRenders, damaged_side_files_are_written_again) {
   EXPECT_EQ(pictures_below(dir_ / "a"), whole);
 }
 
-/// Both were converted from millimetres in single precision, so they differ by rounding.
 void expect_same_depth(const fs::path& one, const fs::path& other) {
   const Image a = read_pfm(one), b = read_pfm(other);
   for (std::size_t i = 0; i < a.data.size(); ++i)

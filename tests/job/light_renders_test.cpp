@@ -36,7 +36,7 @@ TEST_F(LightRenders, layers_of_light_sum_to_the_picture) {
   const std::vector<float> all = channel("R"), direct = channel("direct.R"), indirect = channel("indirect.R");
   ASSERT_FALSE(all.empty());
   for (std::size_t i = 0; i < all.size(); ++i)
-    ASSERT_NEAR(direct[i] + indirect[i], all[i], 1e-3f * (0.1f + all[i])) << i;  // half floats have 11 bits
+    ASSERT_NEAR(direct[i] + indirect[i], all[i], 1e-3f * (0.1f + all[i])) << i;  // half floats have 11 significant bits
   for (const char* name : {"albedo.B", "motion.X", "motion.Y", "ray.Z"}) EXPECT_EQ(channel(name).size(), all.size());
 }
 
@@ -79,7 +79,7 @@ TEST_F(LightRenders, exposure_of_a_stop_doubles_linear_light) {
   const Image8 a = read_image8(dir_ / "a/frame_0000.png"), b = read_image8(dir_ / "b/frame_0000.png");
   for (std::size_t i = 0; i < a.rgb.size(); i += 97) {
     const double half = 0.5 * linear_from_srgb(a.rgb[i] / 255.0);
-    EXPECT_NEAR(b.rgb[i], 255.0 * srgb_from_linear(half), 1.5) << i;  // rounding of both codes
+    EXPECT_NEAR(b.rgb[i], 255.0 * srgb_from_linear(half), 1.5) << i;
   }
 }
 

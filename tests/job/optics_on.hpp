@@ -1,4 +1,3 @@
-// Makes the optics of a job for an array that a test defines.
 #pragma once
 
 #include "job/placed_job.hpp"

@@ -1,4 +1,4 @@
-// Renders jobs into folders, within the test process.
+// Renders jobs into folders of a test.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ class Renders : public testing::Test {
     context_.warn = [this](std::string_view text) { warnings_.append(text).append("\n"); };
   }
 
-  /// `scene` is built in or a file in the test's folder. `folder` is a subfolder.
+  /// `scene` is a built-in scene or a file in the test's folder.
   RenderParams job(const std::string& scene, const std::string& folder, const Settings& settings) const {
     RenderParams params;
     params.scene.name = scene;

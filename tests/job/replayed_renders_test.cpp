@@ -115,7 +115,7 @@ TEST_F(ReplayedRenders, impossible_parameters_are_refused) {
 
 TEST_F(ReplayedRenders, missing_report_or_foreign_pictures_are_refused) {
   render_teapot();
-  fs::remove_all(dir_ / "out/.lippmann");  // the journal would detect the changed pictures
+  fs::remove_all(dir_ / "out/.lippmann");  // the journal would report the changed pictures
   EXPECT_THAT(error_message([&] { seen({}, "none", "never"); }), HasSubstr("none"));
   write_png(dir_ / "out/frame_0004.png", Image8{8, 8, std::vector<unsigned char>(192)});
   EXPECT_THAT(error_message([&] { seen({}, "out/frame_0004.png", "never"); }), HasSubstr("has 8x8 pixels"));
@@ -233,7 +233,7 @@ TEST_F(ReplayedRenders, quilt_is_recognised_by_its_name) {
 }
 
 TEST_F(ReplayedRenders, converted_cameras_keep_their_positions) {
-  // How far the second camera is to the right of the first one. MIV's y axis points to the left.
+  // Returns how far the second camera is to the right of the first. MIV's y axis points to the left.
   const auto camera_step = [&](const std::string& folder) {
     convert(folder + "/frame_0000.png", folder + "-miv", "miv");
     const auto cameras = nlohmann::json::parse(bytes(folder + "-miv/cameras.json"))["cameras"];

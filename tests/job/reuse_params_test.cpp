@@ -37,7 +37,7 @@ RenderParams with_reuse(const ReuseParams& reuse) {
 
 TEST(ReuseParams, auto_ignores_key_frames_for_paths) {
   RenderParams paths = params_with(ReuseChoice::kAuto, Integrator::kPath);
-  paths.reuse.keyframes = 5;  // a job can serve several scenes, so `keyframes` may be set
+  paths.reuse.keyframes = 5;
   EXPECT_STREQ(name_of(frame_params(ResolvedJob(paths)).reuse), "none");
   RenderParams whitted = params_with(ReuseChoice::kAuto);
   whitted.reuse.keyframes = 5;

@@ -74,7 +74,7 @@ TEST(ScreenEyes, quilt_of_a_display_has_cone_ends) {
   EXPECT_THAT(error_message([&] { optics_of(params, &portrait); }), HasSubstr("--cone-ends"));
 }
 
-/// Height in mm at which a point appears in the plane z = 0, which must be equal in all pixels that see the point.
+/// Returns the height in mm at which the pixels that see a point show it in the plane z = 0.
 double height_mm(const Optics& optics, Vec3f point) {
   std::vector<Vec2f> pixels;
   pixels_seeing(optics, point, pixels);
@@ -89,8 +89,8 @@ double height_mm(const Optics& optics, Vec3f point) {
 }
 
 TEST(ScreenEyes, eye_above_moves_depth_by_its_height) {
-  // Height of the display: 2048 / 324 * 25.4 = 160.553 mm. Viewing distance: D = 160.553 / 2 / tan(7 degrees) = 653.800 mm.
-  // Height of an eye 30 degrees above the middle: y_e = D tan(30 degrees) = 377.472 mm.
+  // Height of the display: 2048 / 324 * 25.4 = 160.553 mm. Viewing distance: D = 160.553 / 2 / tan(7 degrees) = 653.800
+  // mm. Eye 30 degrees above the middle: y_e = D tan(30 degrees) = 377.472 mm.
   const Display portrait = load_display("portrait");
   const double y_e = 377.472, d = 653.800;
   for (const char* kind : {"quilt", "native", "single", "stereo"}) {

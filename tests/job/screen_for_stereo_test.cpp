@@ -1,5 +1,5 @@
-// Both eyes, `ipd` apart, see the screen from distance D. By similar triangles, a point at depth d behind the screen has the
-// disparity ipd * d / (D + d).
+// By similar triangles, eyes `ipd` apart at distance D see a point at depth d behind the screen with the disparity ipd
+// * d / (D + d).
 #include "job/screen_for_stereo.hpp"
 
 #include <gmock/gmock.h>

@@ -56,7 +56,8 @@ RenderParams plenoptic_params() {
   return params;
 }
 
-/// The scene is in metres: the plane at 24,000 mm is 8,000 mm high, and 36 mm high on the sensor, 108 mm behind the main lens.
+/// The scene is in metres. The plane at 24,000 mm is 8,000 mm high; its image, 108 mm behind the main lens, is 36 mm
+/// high.
 TEST(ScreenOfParams, plenoptic_camera_sees_the_fitted_plane) {
   const PlacedOptics placed = optics_on(placed_array(), plenoptic_params());
   const auto& camera = std::get<PlenopticCamera>(placed.optics.model);
@@ -67,7 +68,6 @@ TEST(ScreenOfParams, plenoptic_camera_sees_the_fitted_plane) {
   EXPECT_FLOAT_EQ(placed.optics.panel.pixel_pitch_mm, 36.0f / 512.0f);
 }
 
-/// The focal length changes which part of the plane the camera sees, but not its position.
 TEST(ScreenOfParams, plenoptic_camera_stays_in_its_place) {
   RenderParams params = plenoptic_params();
   params.optics.viewing_distance_mm = 300.0f;
@@ -77,7 +77,7 @@ TEST(ScreenOfParams, plenoptic_camera_stays_in_its_place) {
   const PlacedJob longer = place(ResolvedJob(params), scene);
   EXPECT_FLOAT_EQ(longer.placed.units_per_mm * 300.0f, longer.array.viewing_distance);
   EXPECT_FLOAT_EQ(longer.placed.units_per_mm, fitted.placed.units_per_mm);
-  // the sensor is 150 mm behind the main lens: 1 / (1 / 100 - 1 / 300)
+  // distance from the main lens to the sensor: 1 / (1 / 100 - 1 / 300) = 150 mm
   const float sensor_mm = 150.0f + std::get<PlenopticCamera>(longer.placed.optics.model).gap_mm;
   EXPECT_FLOAT_EQ(longer.array.plane_height / longer.array.viewing_distance, 36.0f / sensor_mm);
 }
@@ -122,8 +122,8 @@ TEST(ScreenOfParams, viewer_too_close_for_lenses_is_refused) {
   for (const OpticsKind kind : {OpticsKind::kLenticular, OpticsKind::kMicrolens}) {
     RenderParams params;
     params.optics.kind = kind;
-    // With the viewer 0.1 mm in front of the lenses and the panel 2 mm behind them, the lens pitch would be 0.1 / (0.1 + 2) =
-    // 1/21 of a cell.
+    // With the viewer 0.1 mm in front of the lenses and the panel 2 mm behind them, lenses would be 0.1 / (0.1 + 2) =
+    // 1/21 as wide as their cells.
     params.optics.viewing_distance_mm = 0.1f;
     try {
       optics_on(placed_array(), params);

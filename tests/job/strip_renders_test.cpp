@@ -1,4 +1,4 @@
-// A strip holds some rows of a frame. Joined strips must have the bytes of a frame rendered as a whole.
+// A strip holds some rows of a frame. Joined strips must equal a frame rendered as a whole.
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -24,7 +24,7 @@ using testing::Not;
 
 class StripRenders : public Renders {
  protected:
-  /// A frame of 184 rows: strips consist of bands of 16 rows, the last with only 8.
+  /// Frames have 184 rows: 11 bands of 16 rows and one of 8.
   RenderParams still(const std::string& folder, const Settings& settings = {}) const {
     return job("teapot", folder, Settings{{"size", "64x184"}, {"lenses", "8x23"}, {"frames", "3"}} + settings);
   }
@@ -98,7 +98,7 @@ TEST_F(StripRenders, units_have_the_bytes_of_one_run) {
     EXPECT_EQ(report["frames"][0]["rays"]["primary"], 64 * 184);
     EXPECT_EQ(report["interrupted"], false);
     EXPECT_EQ(report["runs"].size(), static_cast<std::size_t>(count) + 2);
-    // in the order of the runs, which is arbitrary among runs that began in the same second
+    // runs that began in the same second may be in any order
     std::vector<std::string> strips;
     for (const auto& run : report["runs"])
       if (run.contains("strips")) strips.push_back(run.at("strips").at("3").get<std::string>());
@@ -172,7 +172,7 @@ TEST_F(StripRenders, strips_in_several_folders_are_joined) {
   EXPECT_EQ(files_in(dir_ / "part1", ".exr").size(), 2u) << "parts stay";
 }
 
-/// The first of two MPI processes, while the second stops before it renders anything.
+/// The first of two MPI processes. The second stops before it renders.
 class RankOfStoppedJob : public Ranks {
  public:
   int rank() const override { return 0; }
@@ -239,10 +239,9 @@ TEST_F(StripRenders, plan_has_every_strip_once) {
   EXPECT_FALSE(exists("out"));
 }
 
-// If frames do not fit into memory, they are rendered in bands of rows in memory.
-
-// Memory per pixel: with `copy`, a frame and its key frame take 31 bytes and bands at least 19; a denoised frame takes 123
-// bytes, and its bands, with the rows around them, at least 66.
+// Tests frames that are rendered in bands because they do not fit into memory. Memory per pixel: with `copy`, 31 bytes
+// for a frame and its key frame, 19 for bands; with denoising, 123 bytes for a frame, 66 for bands with the rows around
+// them.
 TEST_F(StripRenders, bands_have_the_bytes_of_whole_frames) {
   const std::pair<Settings, double> kinds[] = {{{{"frames", "3-4"}, {"reuse", "copy"}}, 31.0},
                                                {{{"integrator", "path"}, {"spp", "2"}}, 130.0}};

@@ -1,4 +1,4 @@
-// Compares pictures of Tachyon scenes with those of Debian's program tachyon.
+// Compares pictures of Tachyon scenes with those of the program tachyon.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -31,7 +31,7 @@ Image8 our_picture(const fs::path& scene, Vec2i size, const fs::path& camera_pat
   return to_codes(render_frame(stage, params.sampling, frame, pool, context).pictures.film, stage.scene.encoding);
 }
 
-/// Runs tachyon in the scene's folder, where it searches images. With a camera path, `picture` is a file name pattern.
+/// Runs tachyon in the scene's folder, where it looks for images. With a camera path, `picture` is a file name pattern.
 void run_tachyon(const fs::path& scene, Vec2i size, const fs::path& picture, const std::string& options = {}) {
   const std::string command = "cd '" + scene.parent_path().string() + "' && tachyon '" + scene.filename().string() + "' -res " +
                               std::to_string(size.x) + " " + std::to_string(size.y) +
@@ -56,8 +56,7 @@ void PrintTo(const Example& example, std::ostream* out) { *out << example.name; 
 
 class TachyonReference : public testing::TestWithParam<Example> {};
 
-/// At least 64 dB for the three scenes of the paper, and 49 dB for the others. Rounding moves silhouettes by a pixel, is
-/// amplified by chains of mirrors, and affects images on huge spheres.
+/// Rounding moves silhouettes by a pixel, is amplified by chains of mirrors, and affects images on huge spheres.
 TEST_P(TachyonReference, picture_agrees) {
   if (tachyon_is_missing()) GTEST_SKIP() << "the program tachyon is not installed";
   const fs::path scene = kScenes / (std::string(GetParam().name) + ".dat");
@@ -110,10 +109,10 @@ class TachyonRule : public testing::TestWithParam<Rule> {
   test::TempDir dir_;
 };
 
-/// Codes may differ by 2, between single and double precision, and one pixel in 200 by more, at silhouettes.
+/// Single and double precision differ by up to 2 codes, and silhouettes by more.
 constexpr test::ImageTolerance kTolerance{.per_pixel = 2, .share = 0.005};
 
-/// 13 x 6 different pixels. The sides are not powers of two, to test how Tachyon handles the remaining rows.
+/// 13 x 6 different pixels. Tachyon treats sides that are not powers of two differently.
 std::string small_ppm() {
   std::string ppm = "P6\n13 6\n255\n";
   for (int i = 0; i < 13 * 6; ++i)
@@ -121,7 +120,7 @@ std::string small_ppm() {
   return ppm;
 }
 
-/// 16 x 8 pixels, the bottom row first (descriptor 0).
+/// 16 x 8 pixels, the bottom row first.
 std::string small_tga() {
   std::string tga(18, '\0');
   tga[2] = 2, tga[12] = 16, tga[14] = 8, tga[16] = 24;

@@ -20,7 +20,8 @@ TEST(TestPattern, zone_goes_from_red_to_blue) {
 }
 
 TEST(TestPattern, arrows_point_to_the_eye) {
-  // At x = -0.45, the tip of the left arrow is visible only from the left; at x = 0.45, the right arrow only from the right.
+  // At x = -0.45, the left arrow's tip is visible only from the left; at x = 0.45, the right arrow's only from the
+  // right.
   const Vec3f white(0.9f);
   EXPECT_EQ(test_pattern({-0.45f, 0.012f}, 1.0f, 0.1f), white);
   EXPECT_NE(test_pattern({0.45f, 0.012f}, 1.0f, 0.1f), white);
@@ -32,8 +33,8 @@ TEST(TestPattern, quilt_goes_from_red_to_blue) {
   const ThreadPool pool(2);
   const Image film =
       test_pattern_film({.panel = {500, 100, 0.5f}, .model = MultiView{5, 1, radians(40.0f), false, 300.0f}}, pool);
-  // These pixels show kClear in tiles 0, 2 and 4 of 100 x 100 pixels. kClear is measured from a tile's middle in units of half
-  // its height.
+  // These pixels show the point kClear in tiles 0, 2 and 4 of 100 x 100 pixels. kClear is in units of half a tile's
+  // height.
   EXPECT_TRUE(is_red(pixel_of(film, 80, 18)));
   EXPECT_TRUE(is_grey(pixel_of(film, 280, 18)));
   EXPECT_TRUE(is_blue(pixel_of(film, 480, 18)));

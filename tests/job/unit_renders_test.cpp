@@ -28,7 +28,7 @@ class UnitRenders : public Renders {
   }
 };
 
-/// 24 frames through 8 lenses. Each kind of reuse may cut the animation at different frames.
+/// Jobs of 24 frames. Each kind of reuse may divide the animation at different frames.
 const std::vector<Settings>& kinds() {
   static const std::vector<Settings> all{{{"reuse", "copy"}, {"keyframes", "5"}},
                                          {{"reuse", "interpolate"}, {"keyframes", "4"}},
@@ -81,7 +81,7 @@ TEST_F(UnitRenders, missing_frames_are_named_and_resumed) {
   EXPECT_TRUE(finish("a").report) << "a second time";
 }
 
-// With `copy`, runs choose different source frames (docs/lab/decisions/0050), so their provenance differs and is not compared.
+// With `copy`, runs choose different source frames, so their provenance differs.
 TEST_F(UnitRenders, provenance_equals_that_of_one_run) {
   const std::vector<Settings> ways{{{"reuse", "interpolate"}, {"keyframes", "4"}},
                                    {{"reuse", "interpolate"}, {"keyframes", "2"}, {"min-psnr", "40"}},
