@@ -10,7 +10,7 @@ closeAfterEach();
 sheet();
 lippmann("view", "sheet", "--save", "saved");
 
-/** Copies the saved page, damages the copy by `spoil`, opens it, and returns the error that it shows. */
+/** Copies the saved page, damages the copy by `spoil`, and returns the error that it shows. */
 async function failureOf(name, spoil) {
   cpSync(inFolder("saved"), inFolder(name), { recursive: true });
   spoil((file, text) => writeFileSync(inFolder(`${name}/${file}`), text));
@@ -28,7 +28,7 @@ test("damaged descriptions are refused with a message", async () => {
   assert.match(await failureOf("null", (write) => write("fields.js", "lippmann_fields(null)")), /lists no light field/);
 });
 
-/** Returns whether the page stops drawing. It has stopped if 30 consecutive frames of the screen show no new picture, within 600. */
+/** Returns whether the page stops drawing: 30 consecutive frames of the screen without a new picture, within 600. */
 const settles = (page) =>
   page.evaluate(async () => {
     let quiet = 0;

@@ -1,4 +1,4 @@
-// Two light fields are compared by a wipe, side by side, and by their difference and its PSNR.
+// Two light fields are compared by a wipe, side by side, and by their difference.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
@@ -71,7 +71,7 @@ test("the panel's picture follows from the views", async () => {
     const codes = canvas.getContext("2d").getImageData(0, 0, 256, 256).data;
     const code = (v) => Math.floor(255 * (v <= 0.0031308 ? 12.92 * v : 1.055 * v ** (1 / 2.4) - 0.055) + 0.5);
     let wrong = 0;
-    // Reads centres of the panel's pixels, because the picture is enlarged.
+    // The picture is enlarged, so centres of the panel's pixels are read.
     for (let y = 3; y < 256; y += 17)
       for (let x = 5; x < 256; x += 13) {
         const seen = window.lippmann.valueAt((x + 0.5) / 256, (y + 0.5) / 256).map(code);

@@ -8,7 +8,6 @@ closeAfterEach();
 
 lippmann("render", "room", "--optics", "multiview", "--views", "7x1", "--size", "1120x120", "--frames", "0", "--layout", "views", "-o", "seven", "-q");
 
-/** Returns files for drop(): pictures of the light field `seven` with other names. */
 const dropped = (names) => names.map((name, i) => ({ name, base64: readFileSync(inFolder(`seven/frame_0000/view_00${i}.png`)).toString("base64") }));
 
 const drop = (page, files) =>

@@ -24,7 +24,7 @@ test("an array of lenslets", () => compare("lenslets", lenslets, [[0, 0], [2, 1]
 test("a quilt", () => compare("quilt", quilt, [[0, 0], [6, 0], [11, 0], [4.5, 0], [9.7, 0]]));
 test("a grid of cameras", () => compare("grid", grid, [[0, 0], [2, 2], [4, 1], [1.5, 2.5], [3.2, 0.7]]));
 
-// With a fractional number of pixels per lens, a view is not made of whole panel pixels.
+// With a fractional number of pixels per lens, a view does not consist of whole panel pixels.
 test("fractional lenses", () => compare("fractional", fractional, [[0, 0], [3, 0], [5, 0]]));
 
 test("eyes outside the zone match replay, too", async () => {

@@ -1,4 +1,4 @@
-// Refocusing matches `lippmann replay`, is sharpest at the depth of objects, and finds their depth at a click.
+// Refocusing matches `lippmann replay`, and a click finds the depth of objects.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { grid, open, psnrBeside, replay, set, view } from "./support.mjs";
@@ -6,7 +6,7 @@ import { grid, open, psnrBeside, replay, set, view } from "./support.mjs";
 grid();
 const page = await open(await view("grid"));
 
-/** Returns the mean squared difference of neighbouring pixels in a part of the picture, a measure of sharpness. */
+/** Returns the mean squared difference of neighbouring pixels in a part of the picture. */
 const sharpness = (left, top) =>
   page.evaluate(
     async ([left, top]) => {
@@ -20,7 +20,10 @@ const sharpness = (left, top) =>
     [left, top],
   );
 
-/** Positions in the picture, as shares (x, y) from the top left: the globe in front of the display's plane, and the clock behind it. */
+/**
+ * Positions from the top left, as shares of the picture: the globe in front of the display's plane, the clock behind
+ * it.
+ */
 const places = { globe: [0.142, 0.66], clock: [0.777, 0.343] };
 
 test("planes in focus match replay", async () => {
@@ -63,7 +66,7 @@ test("a click focuses, with and without depth", async () => {
   assert.ok(Math.abs(found - known) < 0.25 * Math.abs(known) + 5, `${found} mm, in truth ${known} mm`);
 });
 
-// A lens array compresses depth to its depth budget. A click finds the compressed depth, at which the point appears.
+// A lens array compresses depth to its depth budget. A click finds the compressed depth.
 test("a click finds the fitted depth", async () => {
   const { lippmann } = await import("./support.mjs");
   const depths = [];

@@ -1,4 +1,4 @@
-// In a headset (a mock of WebXR), each eye sees what the page shows to an eye at the same place.
+// In a mock of a WebXR headset, each eye sees what the page shows to an eye at the same place.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { closeAfterEach, open, set, sheet, view } from "./support.mjs";
@@ -9,15 +9,17 @@ sheet();
 const address = await view("sheet");
 const button = (page, name = "Enter VR") => page.getByRole("button", { name });
 
-/** Runs in the page: installs a headset with two eyes. Each eye's picture exactly covers the display's window, so that its pixels are
- *  those of the page's picture. */
+/** Runs in the page: installs a headset with two eyes, whose pictures exactly cover the display's window. */
 function mock(refusal) {
   const side = 256;
   const separation = 12; // mm
   const window_mm = () => window.lippmann.fields[0].window_mm;
   const home = () => window.lippmann.fields[0].eye_mm;
   const scale = () => Math.max(1, 600 / home()[2]) / 1000;
-  /** Returns the projection matrix of an eye, by columns: a frustum through the window's edges. eye: position in the headset's space. */
+  /**
+   * Returns an eye's projection matrix by columns, for a frustum through the window's edges. eye: position in the
+   * headset's space.
+   */
   const frustum = (eye) => {
     const { centre, size } = window_mm();
     const [x, y, z] = [0, 1, 2].map((i) => (home()[i] * scale()) + eye[i]); // metres from the display
@@ -70,7 +72,7 @@ function mock(refusal) {
   };
   Object.defineProperty(navigator, "xr", { value: system, configurable: true });
   WebGL2RenderingContext.prototype.makeXRCompatible = async () => {};
-  /** Returns the codes of an eye's picture, RGBA, with the top row first. */
+  /** Returns an eye's picture as RGBA codes, top row first. */
   window.mockCodes = (eye) => {
     const gl = window.mockGl;
     const codes = new Uint8Array(4 * side * side);
@@ -78,7 +80,7 @@ function mock(refusal) {
     gl.readPixels(eye * side, 0, side, side, gl.RGBA, gl.UNSIGNED_BYTE, codes);
     return [...Array(side).keys()].flatMap((y) => [...codes.subarray(4 * side * (side - 1 - y), 4 * side * (side - y))]);
   };
-  /** Returns the positions of the mock's eyes, in mm of the display. */
+  /** Positions of the mock's eyes in mm of the display. */
   window.mockEyes = () => views().map(({ transform: { position: p } }) => [p.x, p.y, p.z].map((metres, i) => home()[i] + metres / scale()));
 }
 const script = (refusal = "") => `(${mock})(${JSON.stringify(refusal)})`;
@@ -88,7 +90,7 @@ const framesLater = (page, count) => page.evaluate((count) => ((window.mockFrame
   wait();
 })), count);
 
-/** Returns the PSNR of an eye's picture in the headset against the page's picture for the same eye. */
+/** PSNR of an eye's picture in the headset against the page's picture for the same eye. */
 const psnrOf = (page, eye) => page.evaluate(async (eye) => {
   const shown = window.mockCodes(eye);
   const before = window.lippmann.state.eye;

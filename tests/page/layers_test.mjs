@@ -6,7 +6,7 @@ import { closeAfterEach, eyeCodes, eyeOfView, inFolder, lippmann, open, panelCod
 
 closeAfterEach();
 
-/** Returns a script that simulates a GPU with this maximum texture size. The quilt of 4x3 tiles has 384x384 pixels. */
+/** Returns a script that simulates a GPU with this maximum texture size. */
 const limitedTo = (side) => `{
   const original = WebGL2RenderingContext.prototype.getParameter;
   WebGL2RenderingContext.prototype.getParameter = function (name) {
@@ -20,7 +20,7 @@ const limitedTo = (side) => `{
   };
 }`;
 
-/** Tolerance. GPUs round positions between texels to 1/256 of a texel, which depends on the origin: that of a layer, or of the quilt. */
+/** GPUs round positions between texels to 1/256 of a texel, counted from the origin of the texture. */
 const kLeastDb = 50;
 const psnr = (a, b) => -10 * Math.log10(a.reduce((sum, x, i) => sum + ((x - b[i]) / 255) ** 2, 0) / a.length);
 const most = (a, b) => a.reduce((greatest, x, i) => Math.max(greatest, Math.abs(x - b[i])), 0);
@@ -41,7 +41,7 @@ test("layers look like one texture", async () => {
     }
   for (const page of [whole, layered]) await set(page, { show: "panel", aperture: 0 });
   assert.equal(most(await panelCodes(whole), await panelCodes(layered)), 0, "what the panel shows");
-  // A layer holds 2x1 tiles of 96x128 pixels, so 4x3 tiles need 6 layers of 192x128.
+  // A layer holds 2x1 tiles of 96x128 pixels, so 4x3 tiles need 6 layers.
   const layers = await layered.evaluate(() => window.layers);
   assert.deepEqual([...new Set(layers.map(String))], ["192,128,6"]);
   assert.equal(layers.length % 2, 0, "colours and depth alike");

@@ -1,5 +1,5 @@
-// Views with light that leaks between pixels match `lippmann replay --crosstalk` with 40 dB, and 30 dB outside the viewing
-// zone. The page warns of flips.
+// Views with light that leaks between pixels match `lippmann replay --crosstalk` with 40 dB, and 30 dB outside the
+// viewing zone.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { besidePanel } from "./panel.mjs";
@@ -28,7 +28,7 @@ test("an array of lenslets, across and up", () => compare("lenslets", lenslets, 
 test("a quilt, whose outermost views have one neighbour", () => compare("quilt", quilt, [[6, 0, 1], [0, 0, 1.5], [9.7, 0, 3]]));
 test("a grid of cameras", () => compare("grid", grid, [[2, 2, 0.75], [4, 0, 1], [1.5, 2.5, 2]]));
 
-// The server computes these views, because they are not made of whole pixels.
+// The server computes these views, because they do not consist of whole pixels.
 const slanted = () => lippmann("render", "room", "--optics", "lenticular", "--size", "212x160", "--lens-pixels", "5.3", "--slant", "-9.46", "--frames", "0", "-o", "slanted", "-q");
 const hexagonal = () => lippmann("render", "room", "--optics", "microlens", "--packing", "hexagonal", "--size", "192x160", "--lens-pixels", "5", "--frames", "0", "-o", "hexagonal", "-q");
 test("a slanted panel", () => compare("slanted", slanted, [[2, 0, 0.4], [4, 0, 1.5]]));

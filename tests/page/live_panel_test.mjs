@@ -1,5 +1,4 @@
-// A calibrated panel shows a scene that is being set up. Its final frame equals `lippmann convert --to native` of the saved
-// job's quilt, or the native frame that the job renders.
+// A calibrated panel shows a scene that is being set up. Its final frame equals that of the saved job.
 import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";
 import { test } from "node:test";
@@ -16,7 +15,6 @@ const atRest = (page) => page.waitForSelector('#stage[data-rest="true"][data-dra
 const scene = (page) => page.evaluate(() => window.lippmann.scene);
 const shown = (page) => page.evaluate(() => window.lippmann.state.show);
 
-/** Changes the scene and waits until it is rendered. */
 async function setUp(page, settings) {
   const { version } = await scene(page);
   await page.evaluate((settings) => window.lippmann.setUp(settings), settings);
@@ -24,7 +22,6 @@ async function setUp(page, settings) {
   await atRest(page);
 }
 
-/** Saves the set-up and returns the job's file. */
 async function saved(page, name) {
   await Promise.all([page.waitForResponse(/\/live\/save$/), page.getByRole("button", { name: "Save job" }).click()]);
   await page.waitForFunction((name) => window.lippmann.scene.saved === name, name);
@@ -87,7 +84,6 @@ test("another window changes the panel's scene and frame", async () => {
   await second.close();
 });
 
-/** Returns the name of the job file that was saved last. */
 const savedNext = async (page) => (await scene(page)).saved;
 
 test("the page renders the panel's frame", async () => {

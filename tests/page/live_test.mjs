@@ -1,5 +1,5 @@
-// Setting up a scene: dragging the plane renders again, the saved job renders the same picture, a render can be cancelled, and
-// the keyboard reaches all controls.
+// Setting up a scene: dragging the plane renders again, the saved job renders the same picture, and a render can be
+// cancelled.
 import assert from "node:assert/strict";
 import { existsSync, writeFileSync } from "node:fs";
 import { test } from "node:test";
@@ -12,7 +12,6 @@ const scene = () => page.evaluate(() => window.lippmann.scene);
 const codes = (one) => eyeCodes(one, 64);
 const notice = (pattern) => page.waitForFunction((pattern) => new RegExp(pattern).test(document.querySelector("#notice").textContent), pattern);
 
-/** Waits until the settings are newer than `version` and are rendered. */
 async function renderedAfter(version) {
   await page.waitForFunction((version) => window.lippmann.scene.version > version, version);
   await atRest();
@@ -30,7 +29,6 @@ async function dragBy(x, y) {
 test("dragging moves the plane and the camera", async () => {
   await atRest();
   const before = await scene();
-  // Moving the plane changes views from the side, but not from the middle.
   await page.evaluate(() => window.lippmann.set({ drag: "plane", eye: [25, 0, window.lippmann.fields[0].eye_mm[2]] }));
   const seen = await codes(page);
   await dragBy(0, -90);
@@ -129,8 +127,7 @@ test("a render shows progress and can be cancelled", async () => {
   await atRest();
 });
 
-// With a view cone of 2 degrees, the whole room is sharp and tinted green; with 90 degrees, most of it is blurred and tinted
-// red.
+// With a view cone of 2 degrees, the whole room is sharp (green); with 90 degrees, most of it is blurred (red).
 test("the depth budget tints the picture", async () => {
   const excess = () => page.evaluate(async () => (await window.lippmann.picture(64, 64)).reduce((sum, code, i) => sum + (i % 4 === 1 ? 2 * code : i % 4 === 3 ? 0 : -code), 0));
   for (const [angle, sign] of [["2", 1], ["90", -1]]) {
@@ -167,8 +164,7 @@ test("the keyboard reaches controls and moves the plane", async () => {
   // The console also shows refused settings (422) and closed idle connections.
 });
 
-// A tilted square in front of an infinitely distant background. Seen from any eye, each row shows the square as one connected
-// part.
+// A tilted square before an infinitely distant background. From any eye, each row shows it as one connected part.
 test("edges before a far background stay in place", async () => {
   writeFileSync(inFolder("sheet.obj"), "v 0 1 0\nv 1 0.1 0\nv 0 -1 0\nv -1 -0.1 0\nf 1 4 3 2\n");
   const page = await open(await view("sheet.obj", "--spp", "8", "--environment", "#ffffff", "--size", "512x128"));

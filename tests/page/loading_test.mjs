@@ -1,4 +1,4 @@
-// A large light field appears at once as a preview, one line shows the progress, and the page can be saved.
+// A large light field appears at once as a preview, and one line shows the progress.
 import assert from "node:assert/strict";
 import { readFileSync, statSync } from "node:fs";
 import { test } from "node:test";
@@ -9,7 +9,7 @@ closeAfterEach();
 lippmann("render", "room", "--optics", "multiview", "--views", "4x2", "--size", "1440x1440", "--frames", "0", "--layout", "quilt", "-o", "large", "-q");
 sheet();
 
-/** Opens an empty page that is not reused, so that its requests can be delayed. */
+/** Opens a page that is not reused, so that its requests can be delayed. */
 const blank = () => open("about:blank", { ready: false, script: "0" });
 
 /** Delays requests whose addresses match a pattern. Returns the function that releases them. */
@@ -34,7 +34,7 @@ test("a preview precedes the full picture", async () => {
   await page.evaluate(() => window.lippmann.set({ eye: [20, 0, window.lippmann.fields[0].eye_mm[2]] }));
   await page.waitForFunction((small) => document.querySelector("canvas").toDataURL() !== small, small);
   assert.equal(await page.getAttribute("#stage", "data-drawn"), "false");
-  // The browser may no longer have the body of the first response.
+  // The browser may have dropped the body of the first response.
   const bytes = (await (await page.request.get((await preview).url())).body()).length;
   assert.ok(bytes > 1000 && bytes < 64e3, `${bytes} bytes`);
   release();

@@ -1,4 +1,4 @@
-// The eye sways until the user touches the page, and follows the mouse. Mouse and fingers zoom, pan and open the help.
+// The eye sways until the user touches the page, and follows the mouse. Mouse and fingers zoom and pan.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { closeAfterEach, open, sheet, view } from "./support.mjs";
@@ -10,9 +10,7 @@ const address = await view("sheet");
 const canvas = (page) => page.evaluate(() => document.querySelector("canvas").toDataURL());
 const state = (page) => page.evaluate(() => window.lippmann.state);
 const hint = (page) => page.locator("#hint").textContent();
-/** Waits until the canvas changes. */
 const changed = (page, before) => page.waitForFunction((before) => document.querySelector("canvas").toDataURL() !== before, before);
-/** Waits for a number of frames of the screen. */
 const frames = (page, count) => page.evaluate(async (count) => {
   for (let i = 0; i < count; i++) await new Promise(requestAnimationFrame);
 }, count);

@@ -7,7 +7,7 @@ closeAfterEach();
 quilt();
 const address = await view("quilt");
 
-/** Returns a script that makes every frame of the screen appear to take `times` as long. */
+/** Returns a script that multiplies the time of every frame of the screen by `times`. */
 const slowed = (times) => `
   const inTime = window.requestAnimationFrame.bind(window);
   window.requestAnimationFrame = (then) => inTime((now) => then(${times} * now));`;

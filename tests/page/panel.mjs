@@ -1,8 +1,10 @@
 // Shared helpers for tests of panels: compare the page's panel with a picture file, and drop files on the page.
 import { codesOf, inFolder, only } from "./support.mjs";
 
-/** Compares the page's panel with a picture file. Returns the greatest difference of a channel in codes, and the share of channels that
- *  differ. */
+/**
+ * Returns the greatest difference of a channel in codes, and the share of channels that differ, between the page's
+ * panel and a file.
+ */
 export async function differenceFrom(page, file) {
   return page.evaluate(({ width, height, data: wanted }) => {
     const shown = window.lippmann.panel();
@@ -18,7 +20,6 @@ export async function differenceFrom(page, file) {
   }, await codesOf(page, inFolder(file)));
 }
 
-/** Drops a file on the page. */
 export const drop = (page, name, text) =>
   page.evaluate(
     ([name, text]) => {

@@ -12,7 +12,7 @@ grid();
 lippmann("render", "room", "--optics", "multiview", "--views", "8x6", "--size", "384x288", "--frames", "0-3", "--to", "quilt", "-o", "room", "-q");
 const quilts = readdirSync(inFolder("room")).filter((name) => /_qs8x6a.*\.png$/.test(name)).map((name) => `room/${name}`);
 
-/** Writes a calibration file, in which `values` replace defaults. Returns its name. */
+/** Writes a calibration file with `values` in place of defaults. Returns its name. */
 const calibration = (name, values) => {
   writeFileSync(inFolder(`${name}.json`), JSON.stringify({ pitch: 52.3, slope: -7.2, center: 0.37, DPI: 324, screenW: 203, screenH: 151, viewCone: 40, ...values }));
   return `${name}.json`;

@@ -1,5 +1,5 @@
-// The saved print equals that of `lippmann convert`, the view through the sheet matches `lippmann replay` with 40 dB, and the
-// zero plane moves to the clicked point.
+// The saved print equals that of `lippmann convert`, and the view through the sheet matches `lippmann replay` with 40
+// dB.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
@@ -9,7 +9,6 @@ closeAfterEach();
 
 const kLine = "lpi=10 dpi=97 paper=96x72mm";
 
-/** Sets the controls of the sheet to the values in kLine. */
 async function setSheet(page) {
   for (const [name, value] of [["Lenses per inch", "10"], ["Dots per inch", "97"], ["Paper", "96x72mm"]]) {
     await page.getByLabel(name, { exact: true }).fill(value);

@@ -1,4 +1,4 @@
-// An overlay tints pixels by their origin (how they were made). It tints exactly the pixels that the render reports.
+// An overlay tints pixels by how they were made (provenance), exactly as the render reports.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
@@ -13,7 +13,6 @@ const address = await view("gears");
 
 const legend = (page) => page.locator("#legend li").allTextContents();
 const picture = (page) => eyeCodes(page, 64);
-/** Returns the provenance code of each pixel of a view, from the picture that the server sends for a frame. */
 const codesOfView = (page, frame, view) => page.evaluate(async ([frame, view]) => {
   const bitmap = await createImageBitmap(await (await fetch(`0/provenance/${frame}`)).blob(), { colorSpaceConversion: "none" });
   const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext("2d");
@@ -58,11 +57,11 @@ test("the legend has the frame's shares", async () => {
   await set(page, { overlay: "provenance" });
   assert.deepEqual(await legend(page), ["traced 100.0\u2009%"]);
   await page.getByLabel("Overlay").selectOption("none");
-  // Only set() waits for the next frame of the screen, which shows changes of a select box.
+  // Only set() waits until changes of a select box are shown.
   await page.locator("#legend").waitFor({ state: "hidden" });
 });
 
-/** Returns a provenance picture as the server sends it, a PNG file, in base64. The first `pixels` pixels have `code`, the others 0. */
+/** Returns a PNG file in base64 in which the first `pixels` pixels have the provenance code `code`, the others 0. */
 const codesWith = (page, code, pixels) => page.evaluate(async ([code, pixels]) => {
   const { tiles, view_size: size } = window.lippmann.fields[0];
   const canvas = new OffscreenCanvas(tiles[0] * size[0], tiles[1] * size[1]);

@@ -25,7 +25,7 @@ test("it opens from a disk without errors", async () => {
   assert.ok(asked.every((url) => url.startsWith("file:") || url.startsWith("data:")), `${asked}`);
 });
 
-/** Rounds a figure as the page does: it stores six digits and shows four. */
+/** The page stores six digits of a figure and shows four. */
 const shown = (figure) => Number(Number(figure.toPrecision(6)).toPrecision(4));
 const chart = (page, title) => page.locator("figure.chart", { hasText: title }).first();
 /** Returns the legend's text for each series at a frame. */

@@ -1,5 +1,4 @@
-// Page of a running render: finished frames appear, it stops and resumes the render, and the resumed render writes the same
-// bytes. A killed render is not reported as running.
+// The page of a running render shows finished frames, and stops and resumes the render.
 import assert from "node:assert/strict";
 import { once } from "node:events";
 import { existsSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
@@ -16,7 +15,7 @@ async function until(holds) {
   while (!holds()) await new Promise((resolve) => setTimeout(resolve, 50));
 }
 
-/** Halts the process of a render after `count` frames, so that the page's state does not change during a test. */
+/** Halts the render after `count` frames, so that the page's state stays the same during a test. */
 async function haltedAfter(count, process, folder) {
   process.kill("SIGCONT");
   await until(() => existsSync(inFolder(folder)) && pictures(folder).length >= count);

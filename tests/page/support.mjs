@@ -1,6 +1,4 @@
-// Shared helpers: the browser, servers of `lippmann view`, small light fields, and comparison of pictures.
-//
-// A test is skipped (exit code 77) if Chromium, playwright-core or the tool is missing.
+// Shared helpers. A test is skipped (exit code 77) if Chromium, playwright-core or the tool is missing.
 import assert from "node:assert/strict";
 import { execFileSync, spawn } from "node:child_process";
 import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync } from "node:fs";
@@ -25,7 +23,7 @@ try {
 }
 
 export const folder = mkdtempSync(join(tmpdir(), "lippmann-page-"));
-// Draws on the processor or, with LIPPMANN_ANGLE=vulkan or gl-egl, on a graphics card.
+// LIPPMANN_ANGLE=vulkan or gl-egl draws on a graphics card instead of the processor.
 const angle = process.env.LIPPMANN_ANGLE ?? "swiftshader";
 const browser = await playwright.chromium.launch({
   executablePath: chromiumPath,
@@ -43,12 +41,12 @@ export async function end() {
 }
 after(end);
 
-// Errors and warnings in the console, and exceptions of scripts, fail the test. Closing an idle connection is no error.
+// Errors and warnings in the console fail the test, except those about closed idle connections.
 const kUsual = /SOCKET_NOT_CONNECTED/;
 const complaints = [];
 let expected = [];
 
-/** Declares patterns of errors that the running test provokes. They do not fail the test. */
+/** Declares patterns of console errors that the running test provokes. */
 export const expectComplaints = (...patterns) => expected.push(...patterns);
 
 function takeComplaints() {
@@ -63,7 +61,7 @@ function watch(page) {
   page.on("pageerror", (error) => complaints.push(error.stack || String(error)));
 }
 
-/** Closes all pages after each test of a file, because open pages slow down others. Files whose tests share a page do not call this. */
+/** Closes all pages after each test, because open pages slow down others. Not for files whose tests share a page. */
 export const closeAfterEach = () => afterEach(() => Promise.all(opened.splice(0).map(release)));
 
 /** Reusing a page takes a third of the CPU time of opening a new one. */
@@ -85,10 +83,9 @@ async function newPage({ width, height, script, hasTouch, sways, density }) {
   return page;
 }
 
-/** Runs the tool in the tests' folder. */
 export const lippmann = (...words) => execFileSync(tool, words, { cwd: folder, encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] });
 
-/** Starts the tool as a process that runs beside the tests, such as a render. */
+/** Starts the tool as a process beside the tests. */
 export function begin(...words) {
   const process = spawn(tool, words, { cwd: folder, stdio: "ignore" });
   servers.push(process);
@@ -97,16 +94,13 @@ export function begin(...words) {
 
 export const inFolder = (name) => join(folder, name);
 
-/** Returns the one file of a folder whose name matches. */
 export function only(name, pattern) {
   const found = readdirSync(inFolder(name)).filter((file) => pattern.test(file));
   if (found.length !== 1) throw new Error(`${name} has ${found.length} files like ${pattern}: ${found}`);
   return found[0];
 }
 
-/** Starts `lippmann view` and returns the address of its page. */
 export const view = (...words) => serve("view", ...words);
-/** Starts `lippmann play` and returns the address of its page. */
 export const play = (...words) => serve("play", ...words);
 
 async function serve(...words) {
@@ -121,8 +115,10 @@ async function serve(...words) {
   });
 }
 
-/** Loads a page, and retries if a connection fails. On a busy machine, the server may close a connection that the browser opened in
- *  advance. The browser's error page may then interrupt the next attempt. */
+/**
+ * Loads a page with retries. A busy server may close a connection that the browser opened in advance, and the browser's
+ * error page may interrupt the next attempt.
+ */
 async function load(page, address, attempts = 4) {
   await page.goto(address).catch(async (error) => {
     const isLate = error.message.includes("ERR_SOCKET_NOT_CONNECTED") || error.message.includes("chrome-error:");
@@ -132,7 +128,6 @@ async function load(page, address, attempts = 4) {
   });
 }
 
-/** Opens all folded groups, so that all controls can be used. */
 export const unfold = (page) => page.evaluate(() => document.querySelectorAll("details").forEach((one) => (one.open = true)));
 
 /** Opens a page. ready: waits until the page shows a picture, and opens the groups of its controls. density: pixels of the screen per CSS
@@ -153,18 +148,15 @@ export async function open(address, { width = 820, height = 420, ready = true, o
 /** Waits until the page shows its state. Changing the state resets data-drawn at once. */
 export const drawn = (page) => page.waitForSelector('#stage[data-drawn="true"]');
 
-/** Sets the state and waits until it is drawn. */
 export async function set(page, changes) {
   await page.evaluate((changes) => window.lippmann.set(changes), changes);
   await drawn(page);
 }
 
-/** Returns RGBA codes of the page's picture for an eye. */
 export const eyeCodes = (page, side) => bytesOf(page, side);
-/** Returns RGBA codes of the panel on the page. */
 export const panelCodes = (page) => bytesOf(page);
 
-/** Returns the bytes of a picture in the page. They are transferred as a string, because an array would take 10 us per number. */
+/** The bytes are transferred as a string, because an array takes 10 us per number. */
 async function bytesOf(page, side) {
   const text = await page.evaluate(async (side) => {
     const codes = side ? await window.lippmann.picture(side, side) : window.lippmann.panel();
@@ -175,7 +167,7 @@ async function bytesOf(page, side) {
   return [...Buffer.from(text, "base64")];
 }
 
-/** Returns a handle to a file's codes in the page: { width, height, data } with red, green, blue and alpha. */
+/** Returns a handle to a file's codes in the page: { width, height, data }, data as RGBA. */
 export function codesOf(page, file) {
   const url = `data:image/png;base64,${readFileSync(file).toString("base64")}`;
   return page.evaluateHandle(async (url) => {
@@ -188,7 +180,7 @@ export function codesOf(page, file) {
   }, url);
 }
 
-/** Returns the PSNR in dB of the page's picture for an eye against a file. */
+/** PSNR in dB of the page's picture for an eye against a file. */
 export async function psnrBeside(page, file) {
   return page.evaluate(async ({ width, height, data: wanted }) => {
     const seen = await window.lippmann.picture(width, height);
@@ -198,14 +190,15 @@ export async function psnrBeside(page, file) {
   }, await codesOf(page, file));
 }
 
-/** Runs `lippmann replay` and returns the path of the picture. */
 export function replay(input, name, ...flags) {
   lippmann("replay", input, "-o", `replayed-${name}`, ...flags);
   const [file] = readdirSync(inFolder(`replayed-${name}`)).sort();
   return join(inFolder(`replayed-${name}`), file);
 }
 
-/** Returns the position of the eye that sees view (across, up), at the display's intended distance. Fractions are between views. */
+/**
+ * Position of the eye that sees view (across, up) from the display's intended distance. Fractions are between views.
+ */
 export const eyeOfView = (page, across, up) =>
   page.evaluate(
     ([across, up]) => {

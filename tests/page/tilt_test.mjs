@@ -9,10 +9,9 @@ lenslets();
 const address = await view("lenslets");
 const kDegree = Math.PI / 180;
 
-/** Sets the device's orientation. */
 const hold = (page, alpha, beta, gamma) => page.evaluate(([alpha, beta, gamma]) => window.dispatchEvent(new DeviceOrientationEvent("deviceorientation", { alpha, beta, gamma })), [alpha, beta, gamma]);
 const button = (page) => page.getByRole("button", { name: "Tilt moves the eye" });
-/** Presses the button and waits until the motion is on, because the browser may first ask for permission. */
+/** The browser may first ask for permission. */
 async function press(page) {
   await button(page).click();
   await page.waitForSelector('button[aria-pressed="true"]:not(.icon)');

@@ -1,4 +1,4 @@
-// Scrubbing, stepping and playing show the right frames, and the first picture appears soon.
+// Scrubbing, stepping and playing show the right frames.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { closeAfterEach, open, psnrBeside, replay, set, sheet, view } from "./support.mjs";
