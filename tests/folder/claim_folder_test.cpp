@@ -86,7 +86,7 @@ TEST(ClaimFolder, renders_with_frames_are_refused) {
   EXPECT_EQ(refusal(dir / "none", "b"), "");
 }
 
-/// Writes the journal of a run on another machine without finished frames. Unless `has_ended`, its final line is missing.
+/// Writes the journal of another machine's run without frames. Its final line is missing unless `has_ended`.
 fs::path make_remote_run(const fs::path& folder, const std::string& job, bool has_ended = false) {
   fs::create_directories(folder / ".lippmann");
   const fs::path part = folder / ".lippmann/01700000000-elsewhere-7.jsonl";
@@ -108,7 +108,7 @@ TEST(ClaimFolder, live_run_without_frames_refuses_other_jobs) {
     EXPECT_THROW(require_no_render(folder), Error);
     EXPECT_EQ(refusal(folder, "a"), "");
     EXPECT_NO_THROW(RenderFolder(folder, "a"));
-    live.begin({3});  // `live` releases the folder at the end of this block
+    live.begin({3});  // the destructor of `live` releases the folder
   }
   EXPECT_EQ(refusal(folder, "b"), "");
   EXPECT_EQ(free_folder(folder, "b"), folder);
@@ -162,8 +162,7 @@ TEST(ClaimFolder, kill_while_making_room_keeps_the_old_render) {
   EXPECT_TRUE(fs::exists(dir / "frame_0000.png"));
 }
 
-/// Becomes an unprivileged user who owns the files in the folder, because root could remove files in spite of their
-/// permissions.
+/// Becomes an unprivileged user who owns the files, because root ignores permissions.
 class WithoutRoot {
  public:
   explicit WithoutRoot(const fs::path& folder) {
@@ -289,7 +288,6 @@ TEST(ClaimFolder, foreign_files_stay_with_a_warning_unless_forced) {
   const test::TempDir dir;
   make_render(dir.path(), "a", {0});
   make_file(dir / "aov_0000.png");
-  // a killed render leaves such a picture
   make_file(dir / "frame_0001.png");
   EXPECT_THAT(cleared(dir.path(), "a", false, {0, 1, 2}), ElementsAre(HasSubstr("aov_0000.png")));
   EXPECT_TRUE(fs::exists(dir / "aov_0000.png"));

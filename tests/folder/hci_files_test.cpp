@@ -1,4 +1,3 @@
-// Pictures, disparities and parameters in the format of the HCI light field data sets must be consistent.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -49,8 +48,8 @@ struct Agreement {
   double psnr_db = 0.0, visible = 0.0;
 };
 
-/// Makes view B from view A by the disparity of B, and returns the PSNR in dB and the fraction of visible pixels. The eyes are
-/// `across` and `up` baselines apart. A pixel is visible in A if both disparities differ by less than 0.1 pixel.
+/// Warps view B to view A by A's disparity, with the eyes `across` and `up` baselines apart. Returns the PSNR in dB and
+/// the fraction of visible pixels, whose disparities differ by less than 0.1 pixel.
 Agreement warp(const View& a, const View& b, int across, int up) {
   double sum = 0.0;
   int count = 0;
@@ -68,7 +67,7 @@ Agreement warp(const View& a, const View& b, int across, int up) {
   return {-10.0 * std::log10(sum / (3.0 * count)), static_cast<double>(count) / (b.colour.width * b.colour.height)};
 }
 
-/// Places 3 x 3 eyes at the scene's camera, the outer ones about 1 degree apart as seen from the array.
+/// Places 3 x 3 eyes at the scene's camera, neighbours about 1 degree apart as seen from the array.
 Placement place_grid(const Scene& scene) {
   Optics optics{.panel = {576, 432, 0.125f}, .model = MultiView{.columns = 3, .rows = 3, .baseline_mm = 1.0f}};
   const PlacementWish as_deep_as_it_is{.fit_depth = false};

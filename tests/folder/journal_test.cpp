@@ -144,7 +144,7 @@ TEST(FolderJournal, combines_runs_of_one_job) {
   };
   write("1.jsonl", sound_journal());
   write("2.jsonl", job_line("job") + asked_line({9, 10}));
-  write("3.jsonl", "{\"job\": \"jo");  // this run was killed while it wrote its first line
+  write("3.jsonl", "{\"job\": \"jo");  // the run was killed while it wrote its first line
   const std::optional<FolderJournal> journal = read_journal(dir.path());
   EXPECT_EQ(journal->problem, "");
   EXPECT_EQ(journal->parts.size(), 2u);
@@ -157,7 +157,7 @@ TEST(FolderJournal, combines_runs_of_one_job) {
   EXPECT_THAT(read_journal(dir.path())->problem, HasSubstr("line 1 of '2.jsonl'"));
 }
 
-// Damages bytes of a journal at random. It must not name a file outside the folder.
+// A damaged journal must not name a file outside the folder.
 TEST(FolderJournal, noise_names_only_files_of_frames) {
   const std::string sound = sound_journal();
   std::mt19937 random(20);

@@ -62,7 +62,7 @@ TEST(JournalWriter, names_of_parts_state_the_writer) {
   EXPECT_TRUE(writer->is_of_this_machine());
   EXPECT_EQ(writer->process, 4321);
   EXPECT_EQ(writer->began, 1764104700.0);
-  // -2 is the second journal that this process began in the same second
+  // -2: the process's second journal that began in the same second
   EXPECT_EQ(writer_of("01764104700-" + platform::host_name() + "-4321-2.jsonl")->process, 4321);
 }
 
@@ -92,8 +92,8 @@ TEST(JournalWriter, interrupting_does_what_ctrl_c_does) {
   EXPECT_EQ(writing.wait(), 7);
 }
 
-// The journal's name contains the id of this process, as if the id of an ended writer were reused. Only a process that has the
-// file open for writing is the writer.
+// The journal's name has the id of this process, as if the id were reused. Only a process that has the file open is its
+// writer.
 TEST(JournalWriter, reused_process_ids_are_not_writers) {
   const test::TempDir dir;
   const fs::path part = dir / ("01764104700-" + platform::host_name() + "-" + std::to_string(getpid()) + ".jsonl");

@@ -1,4 +1,3 @@
-// Opened files of a render are compared with the journal's checksums.
 #include "core/recorded_file.hpp"
 
 #include <gmock/gmock.h>

@@ -36,8 +36,8 @@ struct Watched {
   RenderActivity activity() { return reader.read()->activity; }
 };
 
-// One run finishes 3 frames in 30 s, the other 1 frame in 20 s, together 0.15 frames/s, so the remaining 6 frames take 40 s.
-// The last frame was finished at 130 s, 4 s ago, so 36 s are left.
+// The runs finish 3 frames in 30 s and 1 frame in 20 s, together 0.15 frames/s, so 6 frames take 40 s. The last frame
+// was finished 4 s ago, so 36 s are left.
 TEST(RenderState, time_left_combines_all_runs) {
   const std::array runs{RunPace{100.0, 130.0, 3}, RunPace{100.0, 120.0, 1}};
   EXPECT_NEAR(*estimated_seconds_left(runs, 6, 134.0), 36.0, 1e-9);
@@ -71,7 +71,7 @@ TEST(RenderState, ended_run_without_all_frames_is_stopped) {
 TEST(RenderState, finished_needs_all_frames_and_an_ended_process) {
   Watched render;
   for (const int frame : {0, 1, 2}) render.part->add(line_of_frame(frame));
-  EXPECT_EQ(render.activity(), RenderActivity::kRunning);  // the process may still write videos
+  EXPECT_EQ(render.activity(), RenderActivity::kRunning);
   render.part.reset();
   EXPECT_EQ(render.activity(), RenderActivity::kFinished);
 }

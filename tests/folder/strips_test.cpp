@@ -1,4 +1,4 @@
-// A strip holds some rows of a frame. Its file must restore every bit.
+// A strip holds some rows of a frame.
 #include "folder/strips.hpp"
 
 #include <gmock/gmock.h>
