@@ -10,8 +10,8 @@
 namespace lippmann::test {
 namespace {
 
-// Mean: (1 + 3) / 2 = 2. Standard error: sqrt(((1 - 2)^2 + (3 - 2)^2) / 1 / 2) = 1. The interval is the mean times exp(+-2 *
-// standard error / mean) = exp(+-1).
+// Mean: (1 + 3) / 2 = 2. Standard error: sqrt(((1 - 2)^2 + (3 - 2)^2) / 1 / 2) = 1. The interval is the mean times
+// exp(+-2 * standard error / mean).
 TEST(ErrorInterval, is_symmetric_in_the_logarithm) {
   const ErrorInterval interval = error_interval(std::array{1.0, 3.0});
   EXPECT_DOUBLE_EQ(interval.mean, 2.0);
@@ -53,8 +53,8 @@ TEST(Audit, does_not_depend_on_threads_or_range) {
   EXPECT_LT(one.estimated_psnr_db, one.psnr_at_most_db);
 }
 
-// References have 128 times as many samples. If intervals contain the truth with probability 0.9, fewer than 12 of 20 contain
-// it with probability 7e-5.
+// References have 128 times as many samples. If intervals contain the truth with probability 0.9, fewer than 12 of 20
+// contain it with probability 7e-5.
 TEST(Audit, intervals_mostly_contain_the_truth) {
   constexpr int kSeeds = 20, kLeastHeld = 12;
   RenderParams params = noisy_paths();

@@ -17,13 +17,12 @@ TEST(Exposure, times_are_centred_in_their_shares) {
   timeline.frames_per_second = 10.0;
   const auto times = exposure_times({.spp = 4, .shutter = 0.5f}, timeline, 3);
   ASSERT_EQ(times.size(), 4u);
-  // Frame 3 is at 3 / 10 = 0.3 s. The shutter is open for half of 0.1 s around this time, and the four samples are in the
-  // middles of four equal parts.
+  // The shutter is open for 0.05 s around frame 3, at 0.3 s. The samples are in the middles of four equal parts.
   for (std::size_t i = 0; i < 4; ++i)
     EXPECT_NEAR(times[i].seconds, 0.3 + 0.05 * ((0.5 + static_cast<double>(i)) / 4 - 0.5), 1e-12);
 }
 
-// 33 samples have 32 exposure times. The first time has two samples, 2/33 of the exposure; each other time has 1/33.
+// 33 samples have 32 exposure times, so the first time has two samples.
 TEST(Exposure, times_with_more_samples_have_longer_shares) {
   Timeline timeline;
   timeline.frames_per_second = 1.0;
@@ -36,7 +35,7 @@ TEST(Exposure, times_with_more_samples_have_longer_shares) {
 
 constexpr int kWidth = 64;
 
-/// One view, 64 pixels wide, of a bright surface whose right edge moves right by 25 pixels per second.
+/// A view 64 pixels wide of a bright surface whose right edge moves right by 25 pixels per second.
 struct MovingEdge {
   MovingEdge() {
     const int node = s.moving_node(Vec3f(0.0f), Vec3f(25.0f, 0.0f, 0.0f));
@@ -59,10 +58,9 @@ struct MovingEdge {
   Placement placement;
 };
 
-// At frame 1 (0.4 s), the edge is at 10 pixels. It moves 10 pixels per frame, and the shutter is open for half a frame, so the
-// edge becomes a ramp of 5 pixels. `steps` are differences between neighbouring pixels. Their mean position is that of the
-// edge, and their variance 5^2 / 12 for the ramp plus 1/6 for the width of pixels. Exposure times are 5 / 32 = 0.16 pixels
-// apart, and a pixel's light has errors of up to 2/64.
+// The edge moves 10 pixels per frame and the shutter is open for half a frame, so the edge becomes a ramp of 5 pixels
+// around 10 pixels. `steps` are differences of neighbouring pixels, with the variance 5^2 / 12 of the ramp plus 1/6 for
+// the width of pixels. Exposure times are 5 / 32 = 0.16 pixels apart, and a pixel's light has errors of up to 2/64.
 TEST(Exposure, a_moving_edge_becomes_a_ramp) {
   const Image film = MovingEdge().frame({.spp = 64, .shutter = 0.5f}).pictures.film;
   double place = 0.0, variance = 0.0;
@@ -82,8 +80,8 @@ TEST(Exposure, is_bit_identical_for_any_thread_count) {
 
 TEST(Exposure, alpha_averages_all_times) {
   const RenderedFrame frame = MovingEdge().frame({.spp = 32, .shutter = 1.0f, .transparent = true});
-  // With the shutter open for a whole frame, the edge moves from 5 to 15 pixels right of the middle, so the pixel at 10 is
-  // covered half of the time. The tolerance covers a pixel's width and the motion between exposure times.
+  // With the shutter open for a whole frame, the edge moves from 5 to 15 pixels right of the middle, so it covers the
+  // pixel at 10 half of the time.
   EXPECT_NEAR(frame.pictures.aovs[Aov::kAlpha].data[4 * kWidth + kWidth / 2 + 10], 0.5f, 0.15f);
   EXPECT_EQ(frame.pictures.aovs[Aov::kAlpha].data[4 * kWidth + kWidth / 2 - 4], 1.0f);
   EXPECT_EQ(frame.pictures.aovs[Aov::kAlpha].data[4 * kWidth + kWidth / 2 + 20], 0.0f);

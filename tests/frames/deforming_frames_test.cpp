@@ -15,8 +15,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Two strips of 8 squares: a skin bends the first, a morph target deforms the second. The animation "Bend" lasts 2 seconds,
-/// "Rest" is empty.
+/// Two strips of 8 squares: a skin bends the first, a morph target deforms the second. The animation "Rest" is empty.
 GltfBuilder strips() {
   GltfBuilder b;
   std::vector<Vec3f> corners, lifted;

@@ -39,7 +39,7 @@ TEST(FloorFrames, reach_the_goal_in_95_percent_of_frames) {
       count_predicted(traced, make_frames(floored(scene, floor), frames_from(40, 48)), floor, count);
     }
   }
-  EXPECT_GT(count.all, 50);  // otherwise the test would prove nothing
+  EXPECT_GT(count.all, 50);
   EXPECT_GE(100 * count.kept, 95 * count.all) << count.kept << " of " << count.all;
   RecordProperty("predicted", count.all);
   RecordProperty("kept", count.kept);

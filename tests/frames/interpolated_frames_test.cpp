@@ -34,8 +34,8 @@ TEST(InterpolatedFrames, any_thread_count_gives_the_same_bits) {
             make_frames(interpolated(4), frames_from(0, 4), 4).films());
 }
 
-// Frame 3 is made from frames 0 and 4, and frame 5 from 4 and 8. With halving, frame 3 is made from 2 and 4, and frame 5 from 4
-// and 6.
+// Frame 3 is made from frames 0 and 4, and frame 5 from 4 and 8. With halving, frame 3 is made from 2 and 4, and frame
+// 5 from 4 and 6.
 TEST(InterpolatedFrames, of_a_part_equal_the_whole) {
   const std::vector<std::pair<ReuseParams, std::size_t>> ways{{{.fill = MissedFill::kInterpolate}, 2},
                                                               {{.fill = MissedFill::kRetrace, .halving = true}, 4}};
@@ -52,7 +52,7 @@ TEST(InterpolatedFrames, of_a_part_equal_the_whole) {
   }
 }
 
-/// The gears turn so far between frames 0 and 16 that frame 8 has missed pixels.
+/// The gears turn so far between frames 0 and 16 that interpolation leaves gaps in frame 8.
 MadeFrames turned_gears(const ReuseParams& how) { return make_frames(interpolated(16, how, small_scene("gears")), {8}); }
 
 TEST(InterpolatedFrames, retracing_missed_pixels_reduces_the_error) {

@@ -1,4 +1,4 @@
-// Renders frames of an animation into memory, for tests that compare frames rendered in different ways.
+// Renders frames of an animation into memory.
 #pragma once
 
 #include <map>

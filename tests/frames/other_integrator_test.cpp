@@ -17,7 +17,7 @@ using testing::HasSubstr;
 
 constexpr float kLight = 0.25f, kNoise = 0.125f;
 
-/// All covered pixels have the same light, which alternates between kLight + kNoise and kLight - kNoise from sample to sample.
+/// Gives all covered pixels the light kLight + kNoise in even samples and kLight - kNoise in odd ones.
 class Silhouette final : public FrameIntegrator {
  public:
   Silhouette(const Integration& from) : film_(from.film), weight_(1.0f / static_cast<float>(from.params.spp)) {}

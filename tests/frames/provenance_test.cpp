@@ -105,7 +105,7 @@ TEST(Provenance, of_frames_with_min_psnr_marks_traced_pixels) {
       predicted += frame.report.kind == "in-between" ? 1 : 0;
     }
   }
-  EXPECT_GT(predicted, 0);  // otherwise the test would prove nothing
+  EXPECT_GT(predicted, 0);
 }
 
 TEST(Provenance, of_denoised_frames_equals_noisy_frames) {

@@ -51,7 +51,7 @@ TEST(Renderer, places_optics_at_the_cameras_height) {
   EXPECT_EQ(placement.placed.depth_scale, 1.0f);
 }
 
-/// Single precision represents all coordinates exactly. The camera is 6 units in front of the mesh.
+/// The camera is 6 units in front of the mesh. Single precision represents all coordinates exactly.
 Image picture_of_mesh_at(Vec3f where) {
   Scene scene;
   Mesh mesh;
@@ -72,8 +72,7 @@ Image picture_of_mesh_at(Vec3f where) {
 }
 
 TEST(Renderer, scene_far_from_the_origin_is_exact) {
-  // move_near_origin() rounds the middle of the scene to multiples of 2, here exactly to the mesh's position, so no bit
-  // differs.
+  // move_near_origin() moves the scene by multiples of 2, here exactly to the origin, so no bit differs.
   EXPECT_EQ(picture_of_mesh_at({4'194'304, 1024, -2'097'152}).data, picture_of_mesh_at(Vec3f(0)).data);
 }
 
@@ -112,7 +111,7 @@ TEST(Renderer, traces_but_does_not_interpolate_ray_tables) {
   const Placement as_view = place(scene, view);
   Placement as_rays = as_view;
   RayTable table = make_ray_table(view.panel, 1, [&](Vec2f pixel) { return ray_of_pixel(as_view.placed.optics, pixel); });
-  table.spread = 1.0f / 60.0f;  // the texture filter assumes an eye 60 mm away
+  table.spread = 1.0f / 60.0f;
   as_rays.placed.optics.model = table;
   const auto film_of = [&](const Placement& placement, const FrameParams& params) {
     return Renderer(scene, placement, params, context).frame(1)->pictures.film;
@@ -132,7 +131,7 @@ TEST(Renderer, traces_but_does_not_interpolate_ray_tables) {
   }
 }
 
-/// The walls of the scene "room" fill the view, so only pixels outside the camera's aperture are black.
+/// The walls fill the view, so only pixels outside the camera's aperture are black.
 TEST(Renderer, leaves_pixels_beside_the_aperture_black) {
   const Context context;
   const Scene scene = built_in("room");
