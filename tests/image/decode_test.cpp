@@ -1,4 +1,4 @@
-// A damaged file must give a picture or an Error. Formats are recognised by the content, not by the name.
+// A damaged file must give a picture or an Error.
 #include "image/decode.hpp"
 
 #include <gmock/gmock.h>
@@ -100,7 +100,7 @@ Bytes palette_tiff_file() {
   });
 }
 
-/// The file has 3 x 2 float pixels in one tile of 16 x 16.
+/// 3 x 2 float pixels in one tile of 16 x 16.
 Bytes tiled_float_tiff_file() {
   return tiff_file([](TIFF* tiff) {
     set_tiff_size(tiff, 3, 2, 32);
@@ -114,7 +114,7 @@ Bytes tiled_float_tiff_file() {
   });
 }
 
-/// The file has 2 x 1 pixels of 16 bits, stored as red samples, green samples, blue samples.
+/// 2 x 1 pixels of 16 bits, stored as red samples, green samples, blue samples.
 Bytes planar_word_tiff_file() {
   return tiff_file([](TIFF* tiff) {
     set_tiff_size(tiff, 2, 1, 16);
@@ -138,7 +138,7 @@ Bytes webp_file(bool alpha) {
   return file;
 }
 
-/// The file has two equal rows of 8 pixels, run-length encoded.
+/// Two equal rows of 8 pixels, run-length encoded.
 Bytes hdr_file() {
   std::string text = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 8\n";
   const char row[] = {2, 2, 0, 8, '\x88', '\x40', 3, 1, 2, 3, '\x85', 9, '\x88', 0, '\x84', '\x81', '\x84', '\x80'};
@@ -146,19 +146,19 @@ Bytes hdr_file() {
   return bytes_of(text);
 }
 
-/// The file has 2 x 2 pixels, the bottom row first.
+/// 2 x 2 pixels, the bottom row first.
 Bytes tga_file() {
   const char file[] = {0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 2, 0, 24, 0, 7, 8, 9, 10, 11, 12, 1, 2, 3, 4, 5, 6};
   return bytes_of(std::string(file, sizeof file));
 }
 
-/// The file has 4 x 1 grey pixels: a run of three and a single one.
+/// 4 x 1 grey pixels: a run of three and a single one.
 Bytes tga_run_file() {
   const char file[] = {0, 0, 11, 0, 0, 0, 0, 0, 0, 0, 0, 0, 4, 0, 1, 0, 8, 0, '\x82', 50, 0, 60};
   return bytes_of(std::string(file, sizeof file));
 }
 
-/// The file has 3 x 2 pixels of 24 bits, the bottom row first, with rows padded to 12 bytes.
+/// 3 x 2 pixels of 24 bits, the bottom row first, with rows padded to 12 bytes.
 Bytes bmp_file() {
   const char header[] = {'B', 'M', 78, 0, 0, 0, 0, 0, 0, 0, 54, 0, 0, 0, 40, 0, 0, 0, 3, 0, 0, 0, 2, 0, 0, 0, 1, 0, 24, 0};
   const std::string rows = std::string("abcdefghi\0\0\0jklmnopqr\0\0\0", 24);
@@ -178,7 +178,7 @@ Bytes exr_parts_file() {
   return test::exr_file(std::vector{part, other});
 }
 
-/// The file has plain pixels and a run in the old encoding, stored column by column.
+/// Plain pixels and a run in the old encoding, stored column by column.
 Bytes hdr_plain_file() {
   using namespace std::literals;
   return bytes_of(
@@ -187,7 +187,7 @@ Bytes hdr_plain_file() {
       "abc\x80"s);
 }
 
-/// The file has 2 x 2 pixels in four colours. LZW codes of 3 bits: 4 (clear), 0, 1, 2; of 4 bits: 3 and 5 (end).
+/// 2 x 2 pixels in four colours. LZW codes of 3 bits: 4 (clear), 0, 1, 2; of 4 bits: 3 and 5 (end).
 Bytes gif_file() {
   using namespace std::literals;
   return bytes_of(
@@ -331,8 +331,8 @@ TEST(DecodeTiff, planes_are_interleaved) {
   EXPECT_THAT(samples_of<std::uint16_t>(planar_word_tiff_file()), ElementsAre(1, 300, 65535, 2, 400, 7));
 }
 
-// Mantissas of a row: red is a run of 0x40; green is 1, 2, 3 and a run of 9; blue is 0. A value is its mantissa times 2^-7 for
-// the exponent 129, and times 2^-8 for 128.
+// Mantissas of a row: red is a run of 0x40; green is 1, 2, 3 and a run of 9; blue is 0. A value is its mantissa times
+// 2^-7 for the exponent 129, and times 2^-8 for 128.
 TEST(DecodeHdr, runs_and_dumps_with_their_exponents) {
   const std::vector<float> samples = samples_of<float>(hdr_file());
   ASSERT_EQ(samples.size(), 48u);
@@ -371,7 +371,7 @@ std::size_t value_of_attribute(const Bytes& file, std::string_view name_and_type
   return text.find(name_and_type) + name_and_type.size() + 4;
 }
 
-// A few hundred bytes state 60000 x 60000 pixels, and must be refused before memory is allocated.
+// A few hundred bytes state 60000 x 60000 pixels, which must not be allocated.
 TEST(DecodeExr, small_file_with_huge_size_is_refused) {
   using namespace std::literals;
   Bytes file = exr_file(ExrCompression::kZip);
@@ -404,7 +404,8 @@ TEST(DecodeExr, attribute_longer_than_the_file_is_truncated) {
   EXPECT_THAT(error_message([&] { decode_picture(file, "a.exr"); }), HasSubstr("truncated in its header"));
 }
 
-// The attribute does not have the 4 bytes of a float. OpenEXR ignores the size and would read the rest as the next attribute.
+// The attribute does not have the 4 bytes of a float. OpenEXR ignores the size and would read the rest as the next
+// attribute.
 TEST(DecodeExr, attribute_of_wrong_size_is_an_error) {
   using namespace std::literals;
   Bytes file = exr_file(ExrCompression::kZip);

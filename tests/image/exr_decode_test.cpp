@@ -30,7 +30,7 @@ std::vector<float> exr_samples(const std::vector<std::byte>& file) {
 Names exr_channels(const ExrPart& part) { return picture_header(exr_file(part), "a.exr").channels; }
 Names exr_notices(const std::vector<std::byte>& file) { return picture_header(file, "a.exr").notices; }
 
-/// The channels `names` have the values 1, 2, 3, ...
+/// Gives the channels the values 1, 2, 3, ...
 ExrPart one_pixel(const Names& names) {
   ExrPart part;
   for (const std::string& name : names) part.channels.push_back({name, {1.0f + static_cast<float>(part.channels.size())}});
@@ -124,8 +124,8 @@ TEST(ExrChannels, colours_are_counted_without_other_channels) {
   EXPECT_EQ(colors({"u", "v"}), 0);
 }
 
-// Red: (RY + 1) Y = 1.5 * 0.5 = 0.75. Blue: (BY + 1) Y = 0.5 * 0.5 = 0.25. Green follows from the luminance Y = 0.5: (Y -
-// 0.2126 red - 0.0722 blue) / 0.7152.
+// Red: (RY + 1) Y = 1.5 * 0.5 = 0.75. Blue: (BY + 1) Y = 0.5 * 0.5 = 0.25. Green follows from the luminance Y = 0.5: (Y
+// - 0.2126 red - 0.0722 blue) / 0.7152.
 TEST(ExrChannels, luminance_and_chroma_become_colours) {
   ExrPart part{{0, 0, 1, 1},
                {0, 0, 1, 1},
@@ -143,7 +143,6 @@ TEST(ExrChannels, luminance_and_chroma_become_colours) {
   }
 }
 
-// The chromaticities of red and green are exchanged, so their samples must be exchanged.
 TEST(ExrChromaticities, exchanged_primaries_exchange_colours) {
   ExrPart part = one_pixel({"B", "G", "R"});
   part.attributes = exr_chromaticities({0.30f, 0.60f, 0.64f, 0.33f, 0.15f, 0.06f, 0.3127f, 0.3290f});
@@ -206,14 +205,13 @@ TEST(ExrFile, every_cut_is_found_by_the_chunks) {
   }
 }
 
-// The first chunk states a size that reaches beyond the end of the file.
 TEST(ExrFile, chunk_beyond_the_file_is_an_error) {
   std::vector<std::byte> file = exr_file(ExrPart{{0, 0, 0, 1}, {0, 0, 0, 1}, {{"Y", {1, 2}}}});
   file[file.size() - 2 * 12 + 5] = std::byte{1};  // changes the size of the first chunk from 4 to 256 + 4
   EXPECT_THAT(error_message([&] { decode_picture(file, "a.exr"); }), HasSubstr("the file is truncated"));
 }
 
-// Two levels of one tile each: 2 x 2 pixels and their mean. The first one is decoded.
+// Two levels of one tile each: 2 x 2 pixels and their mean.
 TEST(ExrFile, tiles_of_smaller_levels_are_counted) {
   using test::bytes_of_value;
   const std::vector<std::byte> scan_lines =

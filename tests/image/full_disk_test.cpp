@@ -1,4 +1,4 @@
-// A failed write at any position of a file must throw an Error and leave no file.
+// A failed write at any position must throw an Error and leave no file.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 

@@ -26,7 +26,7 @@ constexpr std::array<std::array<int, 3>, 4> kQuarters{{{200, 60, 40}, {40, 180, 
 
 fs::path picture(const char* name) { return fs::path(LIPPMANN_SOURCE) / "tests/image/pictures" / name; }
 
-/// `code` is the distance between successive 8-bit codes: 1 in 8-bit images, 257 in 16-bit images.
+/// `code` is the step from one 8-bit code to the next: 1 in 8-bit images, 257 in 16-bit images.
 template <class AnyImage>
 void expect_quarters(const AnyImage& image, double code, double tolerance) {
   ASSERT_EQ(image.width, kWidth);
@@ -68,7 +68,7 @@ TEST(Heic, damage_is_an_error) {
     EXPECT_THAT(error_message([&] { decode_picture(std::span(whole).first(size), "cut.heic"); }), HasSubstr("cut.heic"))
         << size;
   std::vector<std::byte> large = whole;
-  const std::string ispe = "ispe";  // the "ispe" box states the size of the picture
+  const std::string ispe = "ispe";
   const auto at = std::search(large.begin(), large.end(), ispe.begin(), ispe.end(),
                               [](std::byte a, char b) { return a == static_cast<std::byte>(b); });
   ASSERT_NE(at, large.end());

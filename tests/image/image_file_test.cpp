@@ -224,7 +224,7 @@ TEST(ReadImage, eight_bit_codes_are_code_over_255) {
 
 TEST(ReadImage8, sixteen_bit_codes_are_rounded_to_eight) {
   const TempDir dir;
-  // a 16-bit code is rounded to the nearest k = code / 257, which changes at 257 k + 128.5
+  // a 16-bit code is rounded to the nearest code / 257, which changes at 257 k + 128.5
   write_png(dir / "a.png", Image16{2, 1, {0, 128, 129, 65535, 65407, 65406}});
   EXPECT_THAT(read_image8(dir / "a.png").rgb, ElementsAre(0, 0, 1, 255, 255, 254));
 }

@@ -63,7 +63,7 @@ TEST(Metrics, errors_are_worked_out_by_hand) {
   EXPECT_DOUBLE_EQ(m.mse.mean, 17.5);
   EXPECT_DOUBLE_EQ(m.rmse.b, std::sqrt(40.0));
   EXPECT_DOUBLE_EQ(m.rmse.mean, std::sqrt(17.5));
-  EXPECT_NEAR(m.psnr_db, 35.70042, 1e-5);  // PSNR: 10 log10(peak^2 / MSE) = 10 log10(255^2 / 17.5) dB
+  EXPECT_NEAR(m.psnr_db, 35.70042, 1e-5);  // 10 log10(255^2 / MSE) dB with the mean squared error 17.5
   EXPECT_FALSE(m.identical);
 }
 
@@ -127,8 +127,7 @@ TEST(Metrics, luma_psnr_equals_ffmpegs_psnr_filter) {
   const PictureMetrics m = measure_difference(a, b);
   const double y = test::number_after(output, "PSNR y:"), u = test::number_after(output, " u:"),
                v = test::number_after(output, " v:");
-  // ffmpeg converts code c to 256 c in 16 bits, but uses a peak of 65535 instead of 256 * 255. Its conversion has a precision
-  // of 15 bits.
+  // ffmpeg converts code c to 256 c in 16 bits, but uses a peak of 65535 instead of 256 * 255.
   const double peak_db = 20.0 * std::log10(65535.0 / (256.0 * 255.0));
   EXPECT_NEAR(m.psnr_y_db + peak_db, y, 0.005);
   EXPECT_NEAR(m.psnr_yuv_db + peak_db, (6.0 * y + u + v) / 8.0, 0.005);

@@ -19,8 +19,7 @@ std::vector<std::byte> bytes(const std::string& text) {
   return {all.begin(), all.end()};
 }
 
-/// Grey, 2 x 2 pixels, with the bottom row (3, 4) before the top row (1, 2). In little endian, 1.0f is 3f800000, 2.0f is
-/// 40000000, 3.0f is 40400000 and 4.0f is 40800000.
+/// 2 x 2 grey pixels, the bottom row (3, 4) before the top row (1, 2), as little-endian floats.
 const std::string kPfm(
     "Pf\n2 2\n-1\n"
     "\x00\x00\x40\x40\x00\x00\x80\x40"

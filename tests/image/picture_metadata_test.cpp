@@ -207,7 +207,7 @@ std::vector<Code> by_profile(const std::string& profile, int channels, std::vect
   return std::get<std::vector<Code>>(samples);
 }
 
-// Expected codes follow from the XYZ values of the primaries under D50: the P3 colour (100, 150, 120) is (82.9, 153.1, 118.3)
+// Expected codes follow from the primaries' XYZ values under D50: the P3 colour (100, 150, 120) is (82.9, 153.1, 118.3)
 // in sRGB. With a gamma of 1.8, code c is the light (c / largest code)^1.8.
 TEST(ApplyColorProfile, codes_become_those_of_srgb) {
   using testing::AllOf, testing::Ge, testing::Le;
@@ -297,8 +297,8 @@ TEST(RgbOfInks, tiff_by_its_profile_or_an_estimate) {
 #endif
 }
 
-// The columns for X and Y are those of the standard matrix from XYZ to sRGB, (3.2406, -0.9689, 0.0557) and (-1.5372, 1.8758,
-// -0.2040). X is scaled by 0.3127 / 0.3290 = 0.9505, the X of the D65 white.
+// Columns X and Y of the standard matrix from XYZ to sRGB: (3.2406, -0.9689, 0.0557) and (-1.5372, 1.8758, -0.2040). X
+// is scaled by 0.3127 / 0.3290 = 0.9505, the X of the D65 white.
 TEST(Chromaticities, xyz_under_d65_gives_the_usual_matrix) {
   Chromaticities xyz = kXyz;
   xyz.xy[6] = 0.3127, xyz.xy[7] = 0.3290;
@@ -311,7 +311,7 @@ TEST(Chromaticities, xyz_under_d65_gives_the_usual_matrix) {
   EXPECT_NEAR((*matrix)[1][1], 1.8758, 2e-3);
 }
 
-// The white points differ, but white must stay white: the weights of red, green and blue in each row sum to 1.
+// White must stay white, so the weights of red, green and blue in each row sum to 1.
 TEST(Chromaticities, white_of_another_colour_stays_white) {
   const auto matrix = rec709_from({{0.713, 0.293, 0.165, 0.830, 0.128, 0.044, 0.32168, 0.33767}});  // chromaticities of ACEScg
   ASSERT_TRUE(matrix);
@@ -341,7 +341,7 @@ TEST(DecodeHdr, exposures_and_colour_corrections_are_undone) {
               ElementsAre(0.5f, 0.5f, 0.5f));
   EXPECT_THAT(decoded_as<float>(grey_hdr(format + "COLORCORR= 1 2 4\n", "-Y 1 +X 1", {128})), ElementsAre(1, 0.5f, 0.25f));
   EXPECT_THAT(decoded_as<float>(grey_hdr("\tEXPOSURE=2\n# EXPOSURE=3\n" + format, "-Y 1 +X 1", {128})),
-              // EXPOSURE is ignored in indented lines, which repeat the headers of input pictures, and in comments.
+              // EXPOSURE is ignored in comments and in indented lines, which repeat the headers of input pictures.
               ElementsAre(1, 1, 1));
   for (const char* exposure : {"0", "-1", "nan", "many", "1e-40"})
     EXPECT_THAT(

@@ -46,7 +46,6 @@ TEST_F(PrintFile, colours_are_converted_to_the_profile) {
   const OutputProfile p3(file_with("p3.icc", test::profile_with(test::kP3Primaries, 2.2)));
   for (const char* name : {"a.png", "a.tiff"}) {
     write_print(dir_ / name, kCodes, 300.0, &p3);
-    // the reader converts back by the embedded profile
     const auto read = std::get<Image8>(read_picture(dir_ / name));
     for (std::size_t i = 0; i < kCodes.rgb.size(); ++i) EXPECT_NEAR(read.rgb[i], kCodes.rgb[i], 1) << name << " " << i;
     std::vector<std::string> notices;

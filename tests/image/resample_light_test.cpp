@@ -34,14 +34,15 @@ TEST(ResampledLight, reduces_by_area) {
   EXPECT_FLOAT_EQ(row[1], (2 + 0.5f * 7) / 1.5f);
 }
 
-// Halfway between two samples, the Lanczos filter sinc(x) sinc(x / 3) has the distances x = 1/2, 3/2 and 5/2 on both sides.
+// Halfway between two samples, the Lanczos filter sinc(x) sinc(x / 3) has the distances x = 1/2, 3/2 and 5/2 on both
+// sides.
 TEST(ResampledLight, enlarges_by_lanczos) {
   const auto lobe = [](double x) {
     const double a = std::numbers::pi * x;
     return std::sin(a) / a * std::sin(a / 3.0) / (a / 3.0);
   };
   const double sum = 2.0 * (lobe(0.5) + lobe(1.5) + lobe(2.5));
-  // the output pixel covers 4.75 to 5.25, so its centre is at 5.0
+  // the output pixel covers 4.75 to 5.25
   const std::vector<float> row = resampled_row({0, 0, 0, 0, 1, 0, 0, 0, 0}, {4.75, 0.5, 1});
   EXPECT_NEAR(row[0], lobe(0.5) / sum, 1e-6);
 }

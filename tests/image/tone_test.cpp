@@ -11,8 +11,8 @@ TEST(Tone, exposure_doubles_light_by_the_stop) {
   EXPECT_FLOAT_EQ(color.z, 4.0f);
 }
 
-// The smallest channel, 0.2, is at least 0.08, so 0.04 is subtracted from all channels. The largest result, 0.46, is below
-// 0.76, so nothing is compressed.
+// The smallest channel, 0.2, is at least 0.08, so 0.04 is subtracted from all channels. The largest result, 0.46, is
+// below 0.76, so nothing is compressed.
 TEST(Tone, neutral_subtracts_only_fresnel_reflection) {
   const Vec3f color = apply_tone({0.0f, ToneCurve::kNeutral}, {0.5f, 0.2f, 0.3f});
   EXPECT_NEAR(color.x, 0.46f, 1e-6f);
@@ -20,8 +20,8 @@ TEST(Tone, neutral_subtracts_only_fresnel_reflection) {
   EXPECT_NEAR(color.z, 0.26f, 1e-6f);
 }
 
-// Subtracting 0.04 from the grey 2 gives the peak 1.96, which is compressed to 1 - 0.24^2 / (1.96 + 0.24 - 0.76) = 1 - 0.0576 /
-// 1.44 = 0.96.
+// Subtracting 0.04 from the grey 2 gives the peak 1.96, which is compressed to 1 - 0.24^2 / (1.96 + 0.24 - 0.76) =
+// 0.96.
 TEST(Tone, neutral_brings_bright_grey_below_white) {
   const Vec3f color = apply_tone({0.0f, ToneCurve::kNeutral}, Vec3f(2.0f));
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(color[c], 0.96f, 1e-5f);
@@ -41,7 +41,7 @@ TEST(Tone, curves_are_monotonic_up_to_white) {
   }
 }
 
-// Middle grey is 0.18 in linear light, the sRGB code 118. The curve must keep it.
+// Middle grey is 0.18 in linear light, the sRGB code 118.
 TEST(Tone, agx_keeps_middle_grey) {
   const Vec3f grey = apply_tone({0.0f, ToneCurve::kAgx}, Vec3f(0.18f));
   EXPECT_NEAR(grey.x, 0.18f, 0.04f);
