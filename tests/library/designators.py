@@ -1,5 +1,5 @@
-"""Prints a C++ program that initialises one member of each public struct by name. Compilers then warn about every
-other member that has no default value.
+"""Prints a C++ program that initialises one member of each public struct by name. Compilers then
+warn about members without a default value.
 
   designators.py INCLUDE_FOLDER
 """
@@ -26,7 +26,6 @@ def without_braces(text):
 
 
 def members(body):
-    """Yields the names of the data members in the body of a struct."""
     body = without_braces(re.sub(r"//[^\n]*", "", body))
     # The body of a function ends a statement, as a semicolon does.
     for statement in re.split(r";|\)[^;{}=]*\{\}", body):
