@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 using test::TempDir;
 using testing::HasSubstr;
 
-/// 270 million paths, in tiles that are fast enough for a change to interrupt the work between two of them.
+/// 270 million paths take long, but a change can interrupt them between two tiles.
 RenderParams slow_room() {
   RenderParams params = test::small_room();
   params.optics.size = {1024, 256};
@@ -26,7 +26,7 @@ RenderParams slow_room() {
   return params;
 }
 
-/// The final live picture after the changes must have the codes of a render of the saved job.
+/// Expects that the final live picture after the changes equals a render of the saved job.
 void expect_render(const RenderParams& params, const Json& changes) {
   const TempDir dir;
   const auto scene = test::live_scene(params, dir.path() / "job.toml");
@@ -156,7 +156,6 @@ TEST(LiveScene, changes_are_atomic) {
   EXPECT_EQ(scene->state_after(0, std::chrono::milliseconds(0))["settings"]["zoom"], "1");
 }
 
-// Moves the display's plane to a point 10 mm in front of it. The viewer must not move.
 TEST(LiveScene, the_plane_moves_to_a_depth) {
   const auto scene = test::live_scene(test::small_room());
   const Json before = test::wait_for_rest(*scene);
