@@ -14,8 +14,8 @@ Optics three_views() {
   return optics;
 }
 
-// Radical inverses in base 3 of 0 to 3 are 0, 1/3, 2/3 and 1/9, with the ranks 0, 2, 3 and 1. The shift of a sample is (rank +
-// 1/2) / 4 - 1/2 views.
+// The radical inverses of 0 to 3 in base 3 are 0, 1/3, 2/3 and 1/9, with the ranks 0, 2, 3 and 1. A sample is shifted
+// by (rank + 1/2) / 4 - 1/2 views.
 TEST(AngularFilter, shifts_follow_radical_inverses) {
   const std::vector<Vec2f> shifts = eye_shifts(three_views(), AngularFilter::kBox, 4);
   ASSERT_EQ(shifts.size(), 4u);

@@ -9,7 +9,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// A Gaussian with a sigma of 1/2 has this weight between 1/2 and 3/2, which is between 1 and 3 sigma.
+// The weight of a Gaussian between 1 and 3 sigma, because sigma is 1/2 and the neighbour reaches from 1/2 to 3/2.
 TEST(Crosstalk, neighbour_share_matches_tables) {
   EXPECT_NEAR(neighbour_share(0.5), 0.99865 - 0.84134, 1e-5);
   EXPECT_EQ(neighbour_share(0.0), 0.0);
@@ -29,8 +29,8 @@ TEST(Crosstalk, parses_a_share_as_sigma) {
   EXPECT_EQ(read_crosstalk("0%", "x"), 0.0);
   for (const double percent : {0.5, 10.0, 23.0})
     EXPECT_NEAR(neighbour_share(read_crosstalk(std::to_string(percent) + "%", "x")), 0.01 * percent, 1e-9) << percent;
-  // 10 % of the light is beyond half a pixel on each side, so 0.5 / sigma = 1.2816. The tolerance allows for 1e-4 of the light
-  // beyond the neighbours.
+  // 10 % of the light is beyond half a pixel on each side, so 0.5 / sigma = 1.2816. 1e-4 of the light is beyond the
+  // neighbours.
   EXPECT_NEAR(read_crosstalk("10%", "x"), 0.5 / 1.2816, 2e-4);
 }
 

@@ -20,8 +20,8 @@ Vec2f slope(const Ray& ray) { return {ray.direction.x / ray.direction.z, ray.dir
 using test::expect_near;
 
 TEST(Lenticular, first_pixel_of_a_lens_goes_right) {
-  // 512 pixels of 0.125 mm, 8 per lens of 1 mm, gap 2 mm. Pixel (256, 256) is at x = 0.0625, y = -0.0625, below the lens at x =
-  // 0.5. Its slope is (0.5 - 0.0625) / 2 = 0.21875. At 8 mm, x = 0.5 + 8 * 0.21875 = 2.25.
+  // 8 pixels of 0.125 mm per lens of 1 mm, gap 2 mm. Pixel (256, 256) is at x = 0.0625, y = -0.0625, below the lens at
+  // x = 0.5. Its slope is (0.5 - 0.0625) / 2 = 0.21875. At 8 mm, x = 0.5 + 8 * 0.21875 = 2.25.
   const Optics optics{.panel = {}, .model = LenticularSheet{}, .z_front_mm = 8.0f};
   const Ray ray = ray_of_pixel(optics, {256.5f, 256.5f});
   EXPECT_EQ(ray.origin, Vec3f(2.25f, -0.0625f, 8.0f));
@@ -49,7 +49,7 @@ TEST(Lenticular, slanted_rows_converge_to_eye_height) {
     sheet.viewing_distance_mm = 400.0f;
     const Vec2f pixel(random.uniform(0, film_size(optics).x), random.uniform(0, optics.panel.height));
     EXPECT_NEAR(at_depth(ray_of_pixel(optics, pixel), 400.0f).y, sheet.eye_height_mm, kPositionMm);
-    // Rays pass through lens axes, which are a whole number of pitches from the axis of lens 0.
+    // Lens axes are a whole number of pitches apart.
     const Vec3f p = at_depth(ray_of_pixel(optics, pixel), 0.0f);
     const float lens = (p.x * std::cos(sheet.slant) + p.y * std::sin(sheet.slant) - sheet.offset_mm) / sheet.lens_pitch_mm;
     // kPositionMm, 1e-4 mm, divided by the smallest pitch of 0.1 mm
@@ -97,7 +97,7 @@ TEST(Lenticular, one_lens_is_two_pinholes) {
     for (int sample = 0; sample < 50; ++sample) {
       const Vec2f pixel(random.uniform(0, 80), random.uniform(0, 60));
       const Ray ray = ray_of_pixel(optics, pixel);
-      // A ray from the panel through the lens has the slope of a ray from the single view's eye through its picture plane.
+      // Through a lens, a ray has the slope of a ray from the single view's eye through its picture plane.
       EXPECT_NEAR(slope(ray).x, slope(ray_of_pixel(across, pixel)).x, kSlope);
       EXPECT_NEAR(slope(ray).y, slope(ray_of_pixel(along, pixel)).y, kSlope);
       EXPECT_NEAR(at_depth(ray, 0.0f).x, 0.0f, kPositionMm);
@@ -136,7 +136,7 @@ TEST(Microlens, one_near_lens_is_a_pinhole) {
 }
 
 TEST(Microlens, hexagonal_rows_are_shifted_and_closer) {
-  // With a pitch of 1 mm, lens (0, 0) is at the origin, and its neighbours above and below are at (1/2, +-sqrt(3) / 2).
+  // With a pitch of 1 mm, the neighbours of lens (0, 0) above and below are at (1/2, +-sqrt(3) / 2).
   const MicrolensArray array{
       .packing = LensPacking::kHexagonal, .lens_pitch_mm = 1.0f, .gap_mm = 2.0f, .offset_mm = {0.0f, 0.0f}};
   const Optics optics{.panel = {128, 128, 0.0625f}, .model = array};
@@ -163,8 +163,8 @@ TEST(Microlens, hexagonal_offset_shifts_the_lattice) {
 }
 
 TEST(SingleView, centre_of_the_first_pixel_by_hand) {
-  // 4 x 2 pixels of 10 mm, with the eye at 100 mm. The centre of pixel (0, 0) is (-15, 5, 0), so its ray leaves the eye along
-  // (-15, 5, -100).
+  // 4 x 2 pixels of 10 mm, with the eye at 100 mm. The ray of pixel (0, 0), at (-15, 5, 0), leaves the eye along (-15,
+  // 5, -100).
   const Optics optics{.panel = {4, 2, 10.0f}, .model = SingleView{100.0f}};
   const Ray ray = ray_of_pixel(optics, {0.5f, 0.5f});
   EXPECT_EQ(ray.origin, Vec3f(0, 0, 100));
@@ -204,7 +204,7 @@ TEST(MultiView, view_is_off_axis) {
 }
 
 TEST(MultiView, pixels_may_be_higher_than_wide) {
-  // Tiles of 10 x 10 pixels, 1 mm wide and 1.5 mm high: the top edge of a tile is 7.5 mm above its centre.
+  // Pixels of 1 x 1.5 mm: the top edge of a tile of 10 x 10 pixels is 7.5 mm above its centre.
   const Optics quilt{.panel = {20, 20, 1.0f},
                      .model = MultiView{.columns = 2, .rows = 2, .distance_mm = 300.0f, .pixel_height = 1.5f}};
   expect_near(at_depth(ray_of_pixel(quilt, {10.0f, 0.0f}), 0.0f), {-5.0f, 7.5f, 0.0f}, kPositionMm);
@@ -278,7 +278,7 @@ TEST(MultiView, eyes_are_exact_over_the_widest_cone) {
   }
 }
 
-/// View coordinate of a sub-pixel, 0 to 1 across the view cone, from the point where its ray meets the plane of the eyes.
+/// Returns where a sub-pixel's ray meets the plane of the eyes, from 0 to 1 across the view cone.
 double view_of(const Optics& optics, Vec2f pixel) {
   const auto& slanted = std::get<SlantedPanel>(optics.model);
   const double eye = at_depth(ray_of_pixel(optics, pixel), slanted.distance_mm).x;
@@ -301,8 +301,8 @@ TEST(SlantedPanel, sub_pixel_table_by_hand) {
     double v;
   } table[] = {{0, 0, 0, 25 / 48.0}, {0, 0, 1, 21 / 48.0}, {0, 0, 2, 17 / 48.0}, {3, 0, 1, 33 / 48.0},
                {1, 3, 0, 43 / 48.0}, {1, 3, 1, 39 / 48.0}, {1, 3, 2, 35 / 48.0}, {7, 2, 2, 17 / 48.0}};
-  // The eye is up to 130 mm from the middle, with an error of 1e-5 mm in single precision. The views are spread over 240 mm, so
-  // the error is about 1e-5 / 240.
+  // The eye is up to 130 mm from the middle, with an error of 1e-5 mm in single precision, and the cone is 240 mm wide
+  // there.
   constexpr double kView = 1e-6;
   for (const auto& [i, j, color, v] : table) {
     const Vec2f centre(3 * i + color + 0.5f, j + 0.5f);
@@ -328,8 +328,8 @@ TEST(SlantedPanel, blue_first_swaps_red_and_blue) {
 }
 
 TEST(SlantedPanel, cells_repeat_by_2_columns_4_rows) {
-  // Blue sub-pixels in odd columns of rows 1, 5, 9 from the bottom are half a pixel to the right of the pixel's centre and a
-  // quarter up. With 10 rows, row 4 from the top is row 5 from the bottom. Pixels are 0.3 mm wide, so x = (7.5 + 0.5 - 10) *
+  // Blue sub-pixels in odd columns of rows 1, 5, 9 from the bottom are half a pixel right of the pixel's centre and a
+  // quarter up. Of 10 rows, row 4 from the top is row 5 from the bottom. With pixels of 0.3 mm, x = (7.5 + 0.5 - 10) *
   // 0.3 = -0.6 mm and y = (5.5 + 0.25 - 5) * 0.3 = 0.225 mm.
   SlantedPanel slanted{.periods = 8.0};
   slanted.sub_pixels[1][1][2] = {0.5f, 0.25f};
@@ -364,7 +364,7 @@ TEST(RayGenerator, similarity_gives_the_transformed_ray) {
     const Vec2f pixel(random.uniform(0, film_size(optics).x), random.uniform(0, optics.panel.height));
     const Ray local = ray_of_pixel(optics, pixel), ray = generator.ray(pixel);
     const float size = scale * (glm::length(local.origin) + 10.0f);
-    // rounding errors of 6e-8 each
+    // a rounding error is 6e-8
     expect_near(ray.origin, transform_point(world, local.origin), 1e-6f * size);
     expect_near(ray.direction, glm::normalize(transform_vector(world, local.direction)), 1e-6f);
     EXPECT_NEAR(glm::length(ray.direction), 1.0f, 1e-6f);

@@ -46,7 +46,8 @@ TEST(WholePixels, converging_cells_count_by_their_own_width) {
 }
 
 TEST(WholePixels, lens_and_view_follow_the_pixel_grid) {
-  // The pitch is no binary fraction. In spite of rounding, pixel i must lie below lens floor(i / N), with N pixels per lens.
+  // The pitch is no binary fraction. In spite of rounding, pixel i must lie below lens floor(i / N), with N pixels per
+  // lens.
   const Optics optics = with(LenticularSheet{.lens_pitch_mm = 0.7f, .gap_mm = 1.3f, .offset_mm = 0.35f}, {7000, 2, 0.1f});
   ASSERT_EQ(whole_pixels_per_lens(optics), Vec2i(7, 1));
   Optics at_lenses = optics;
@@ -58,8 +59,8 @@ TEST(WholePixels, lens_and_view_follow_the_pixel_grid) {
 }
 
 TEST(Derived, default_sheet_has_28_degrees_and_16mm) {
-  // Viewing zone: 2 atan(pitch / (2 gap)) = 2 atan(1 / 4) = 28.07 degrees. Depth budget: pitch * gap / pixel = 1 * 2 / 0.125 =
-  // 16 mm.
+  // Viewing zone: 2 atan(pitch / (2 gap)) = 2 atan(1 / 4) = 28.07 degrees. Depth budget: pitch * gap / pixel = 1 * 2 /
+  // 0.125 = 16 mm.
   EXPECT_NEAR(degrees(viewing_zone(with(LenticularSheet{}))), 28.0725f, 1e-3f);
   EXPECT_NEAR(depth_budget_mm(with(LenticularSheet{})), 16.0f, 1e-5f);
   EXPECT_EQ(depth_budget_mm(with(SingleView{})), kInfinity);
@@ -68,9 +69,9 @@ TEST(Derived, default_sheet_has_28_degrees_and_16mm) {
 }
 
 TEST(Derived, slanted_panel_with_20_sub_pixels) {
-  // A lens is 20 sub-pixels of 0.1 mm wide. The cone of 2 atan(1/2) has 20 directions, 1/20 mm per mm of depth apart, so the
-  // depth budget is 2 mm / (1/20) = 40 mm. A sub-pixel covers 1 mm at a depth of 20 mm, and less than a pixel of 0.3 mm at 4
-  // mm. The viewer at 500 mm sees this in perspective.
+  // A lens is 20 sub-pixels of 0.1 mm wide. The cone of 2 atan(1/2) has 20 directions, 1/20 mm per mm of depth apart,
+  // so the depth budget is 2 mm / (1/20) = 40 mm. A sub-pixel covers 1 mm at a depth of 20 mm, and less than a pixel of
+  // 0.3 mm at 4 mm, both seen in perspective from 500 mm.
   const Optics panel = with(SlantedPanel{.periods = 30.0, .view_cone = 2.0f * std::atan(0.5f)}, {200, 100, 0.3f});
   EXPECT_NEAR(depth_budget_mm(panel), 40.0f, 1e-4f);
   EXPECT_EQ(viewing_zone(panel), 2.0f * std::atan(0.5f));
@@ -106,7 +107,6 @@ TEST(Footprint, of_a_view_shrinks_towards_the_eye) {
 }
 
 TEST(Footprint, is_the_distance_between_neighbouring_rays) {
-  // Compares rays of pixels one lens apart in a view, or one row apart, in front of and behind the display.
   const LenticularSheet matched{.lens_pitch_mm = 1.0f / 1.004f, .offset_mm = 0.5f / 1.004f, .viewing_distance_mm = 500.0f};
   for (const float z : {-10.0f, 10.0f}) {
     Optics optics = with(matched);

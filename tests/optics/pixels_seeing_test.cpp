@@ -28,10 +28,10 @@ Vec2f pixel_step(const Optics& optics, const Ray& ray, Vec3f wanted) {
   if (const auto* a = std::get_if<MicrolensArray>(&optics.model))
     return Vec2f(-miss.x, miss.y) * (a->gap_mm / (a->parallax * z * m));
   if (const auto* p = std::get_if<SlantedPanel>(&optics.model)) {
-    // A step `dy` along the column corrects y and moves the eye. Then a step `dx` along the row corrects x, with the effect of
-    // `dy`.
+    // A step `dy` along the column corrects y and moves the eye. Then a step `dx` along the row corrects x, with the
+    // effect of `dy`.
     const float shrink = 1.0f - z / p->distance_mm, pitch = film_size(optics).x / static_cast<float>(p->periods) * m;
-    // x of the eye follows from x(z) = x(0) (1 - z / D) + eye z / D, with the viewing distance D.
+    // x(z) = x(0) (1 - z / D) + eye z / D, with the viewing distance D
     const float eye = (passed.x - at_z0.x * shrink) * p->distance_mm / z;
     const float reach = p->parallax * p->distance_mm;
     // derivative of the eye's position by the view v
@@ -54,8 +54,8 @@ bool on_panel(const Optics& optics, Vec2f p) {
   return p.x >= 0 && p.x < right && p.y >= top && p.y < optics.panel.height;
 }
 
-/// Returns all points of the panel whose rays pass through `point`. Starts at 9 points per pixel, because a cell at the panel's
-/// edge may contain no pixel centre.
+/// Returns all points of the panel whose rays pass through `point`. Starts at 9 points per pixel, because a cell at the
+/// panel's edge may contain no pixel centre.
 std::vector<Vec2f> search(const Optics& optics, const RayGenerator& generator, Vec3f point) {
   std::vector<Vec2f> found;
   for (int j = 0; j < 3 * optics.panel.height; ++j)
@@ -79,8 +79,8 @@ bool contains(const std::vector<Vec2f>& pixels, Vec2f p) {
   return std::any_of(pixels.begin(), pixels.end(), [p](Vec2f q) { return glm::distance(p, q) < 0.03f; });
 }
 
-/// Points nearer than this to the edge of a cell, a tile or the panel are not compared, because rounding decides their side.
-/// The search is less exact for slanted panels.
+/// Points nearer than this to the edge of a cell, a tile or the panel are not compared, because rounding decides their
+/// side.
 float edge_px(const Optics& optics) { return std::holds_alternative<SlantedPanel>(optics.model) ? 0.05f : 0.02f; }
 
 bool near_an_edge(const Optics& optics, const RayGenerator& generator, Vec2f p, Vec3f point) {
@@ -175,7 +175,6 @@ TEST_P(LensPlane, all_pixels_of_the_lens_see_it) {
     optics.panel.width = random.integer(50, 90), optics.panel.height = random.integer(50, 70);
     optics.z_front_mm = 30.0f;
     const Panel& panel = optics.panel;
-    // Far from the panel's edges, so that its lens has pixels.
     const Vec3f point(random.uniform(-0.2f, 0.2f) * panel.width * panel.pixel_pitch_mm,
                       random.uniform(-0.2f, 0.2f) * panel.height * panel.pixel_pitch_mm, 0.0f);
     std::vector<Vec2f> seeing;
@@ -195,8 +194,7 @@ TEST(PixelsSeeingOrder, lenses_come_in_ascending_order) {
   ASSERT_EQ(n, Vec2i(8, 8));
   std::vector<int> lenses;
   for (const Vec2f& p : seeing) lenses.push_back(static_cast<int>(p.y) / n.y * 12 + static_cast<int>(p.x) / n.x);
-  // Lenses in each direction: |Z| N m / (g p), where N pixels of width m are as wide as the pitch p. This is |Z| / g = 6 mm / 2
-  // mm = 3.
+  // Lenses in each direction: |Z| / g = 6 mm / 2 mm = 3, for the depth Z and the gap g.
   EXPECT_EQ(lenses.size(), 9u);
   EXPECT_TRUE(std::is_sorted(lenses.begin(), lenses.end()));
 }

@@ -14,9 +14,10 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Focal length f = 100 mm, focused at Zf = 300 mm: the array is s = 1 / (1 / 100 - 1 / 300) = 150 mm behind the main lens, and
-/// the plane in focus, z = 0, is Zf / s = 2 times as large as its image on the array. The gap to the sensor is b = 1.5 mm, so s
-/// / b = 100. 10 x 10 lenses of 0.1 mm have images 0.1 (1 + 1.5 / 150) = 0.101 mm apart, which is 10 pixels of 0.0101 mm.
+/// Focal length f = 100 mm, focused at Zf = 300 mm: the array is s = 1 / (1 / 100 - 1 / 300) = 150 mm behind the main
+/// lens. The plane in focus, z = 0, is Zf / s = 2 times as large as its image on the array. The gap to the sensor is b
+/// = 1.5 mm, so s / b = 100. Lenses of 0.1 mm have images 0.1 (1 + 1.5 / 150) = 0.101 mm apart, which is 10 pixels of
+/// 0.0101 mm.
 PlenopticCamera some_camera() {
   return {.lens_pitch_mm = 0.1f,
           .gap_mm = 1.5f,
@@ -40,9 +41,9 @@ void expect_at(Vec2d place, Vec2d expected, double tolerance = 1e-4) {
   EXPECT_NEAR(place.y, expected.y, tolerance);
 }
 
-/// The image of the lens at l = (0.05, 0.05) mm is centred at pixel (55, 45). Pixel (57.5, 42.5) is 2.5 pixels of 0.0101 mm to
-/// the right and above, so its ray meets the main lens at A = 2.5 * 0.0101 * 150 / 1.5 = 2.525 mm in x and y, and the plane in
-/// focus at 2 l = 0.1 mm.
+/// The image of the lens at l = (0.05, 0.05) mm is centred at pixel (55, 45). Pixel (57.5, 42.5) is 2.5 pixels of
+/// 0.0101 mm to the right and above, so its ray meets the main lens at A = 2.5 * 0.0101 * 150 / 1.5 = 2.525 mm in x and
+/// y, and the plane in focus at 2 l = 0.1 mm.
 TEST(Plenoptic, rays_cross_main_lens_and_focus) {
   const Optics optics = optics_of(some_camera());
   expect_at(place_at(optics, {57.5f, 42.5f}, 0.0), {2.525, 2.525});
@@ -51,15 +52,15 @@ TEST(Plenoptic, rays_cross_main_lens_and_focus) {
   expect_at(place_at(optics, {57.5f, 42.5f}, 600.0), {-2.325, -2.325});
 }
 
-/// The sensor, 151.5 mm behind the main lens, is the image of a plane 151.5 * 100 / 51.5 mm in front of it. The ray of a pixel
-/// 7.5 pixels off the axis must pass through the point whose image it is.
+/// The sensor, 151.5 mm behind the main lens, is the image of a plane 151.5 * 100 / 51.5 mm in front of it. The ray of
+/// a pixel 7.5 pixels off the axis must pass through the point whose image it is.
 TEST(Plenoptic, rays_meet_the_image_of_their_pixel) {
   const double z = 151.5 * 100.0 / 51.5, x = 7.5 * 0.0101 * z / 151.5;
   expect_at(place_at(optics_of(some_camera()), {57.5f, 42.5f}, z), {x, x});
 }
 
-/// The ray of pixel (57.5, 42.5) meets the main lens |A| = 2.525 sqrt(2) = 3.571 mm from the axis. The aperture's radius is f /
-/// (2 N): 3.125 mm for the f-number N = 16 and 4.167 mm for 12.
+/// The ray of pixel (57.5, 42.5) meets the main lens |A| = 2.525 sqrt(2) = 3.571 mm from the axis. The aperture's
+/// radius is f / (2 N): 3.125 mm for the f-number N = 16 and 4.167 mm for 12.
 TEST(Plenoptic, rays_beside_the_aperture_are_blocked) {
   PlenopticCamera camera = some_camera();
   camera.f_number = 16.0f;
@@ -70,8 +71,8 @@ TEST(Plenoptic, rays_beside_the_aperture_are_blocked) {
   EXPECT_FALSE(is_blocked({.panel = {8, 8, 0.1f}, .model = SingleView{}}, {0.5f, 0.5f}));
 }
 
-/// Images of the aperture below neighbouring lenses touch at the f-number f b / (s c) = 100 / (100 * 0.101), with s / b = 100
-/// and images c = 0.101 mm apart. An image is a disc of 10 pixels, which contains 80 of 100 pixel centres.
+/// Images of the aperture below neighbouring lenses touch at the f-number f b / (s c) = 100 / (100 * 0.101), with s / b
+/// = 100 and images c = 0.101 mm apart. An image is a disc of 10 pixels, which contains 80 of 100 pixel centres.
 TEST(Plenoptic, equal_f_numbers_fill_the_cells) {
   PlenopticCamera camera = some_camera();
   camera.f_number = 100.0f / 10.1f;
@@ -82,8 +83,8 @@ TEST(Plenoptic, equal_f_numbers_fill_the_cells) {
   EXPECT_EQ(lit, 100 * 80);
 }
 
-/// Through the point A of the main lens, a point X at distance Z appears on the lens array at l = s (X / Z + A (1 / Zf - 1 /
-/// Z)), with the array at s and the focus at Zf. The loop compares l with the lens of the ray.
+/// Through the point A of the main lens, a point X at distance Z appears on the lens array at l = s (X / Z + A (1 / Zf
+/// - 1 / Z)), with the array at s and the focus at Zf.
 TEST(Plenoptic, parallax_is_that_of_thin_lenses) {
   PlenopticCamera camera = some_camera();
   camera.distance_mm = 2000.0f;
@@ -96,8 +97,8 @@ TEST(Plenoptic, parallax_is_that_of_thin_lenses) {
   }
 }
 
-/// In a focused plenoptic camera, the plane z = 0 is imaged e = 3 mm in front of the array. The point 2 I has its image at I,
-/// which a lens at l shows at l + (l - I) b / e on the sensor, with the gap b = 1.5 mm. So each lens shows the point again.
+/// In a focused plenoptic camera, the plane z = 0 is imaged e = 3 mm in front of the array. The image I of a point
+/// appears below a lens at l at l + (l - I) b / e on the sensor, with the gap b = 1.5 mm.
 TEST(Plenoptic, focused_camera_repeats_points_below_lenses) {
   PlenopticCamera camera = some_camera();
   camera.array_shift_mm = 3.0f;
@@ -179,19 +180,19 @@ TEST(Plenoptic, parameters_make_a_camera) {
   OpticsParams params;
   const PlenopticCamera matched = camera_of(params);
   EXPECT_EQ(matched.f_number, 2.0f);
-  // Cells are c = 1 mm wide, the f-number is N = 2, and the focus is at 1000 mm. Gap: b = c N (1 + 50 / 1000) / (1 + c N /
-  // 1000) = 2.0958 mm. Array: s = 50 mm - b. Focal length: f = 1 / (1 / s + 1 / 1000). Images below neighbouring lenses then
-  // touch: b = N s c / f.
+  // Cells are c = 1 mm wide, the f-number is N = 2, and the focus is at 1000 mm. Gap: b = c N (1 + 50 / 1000) / (1 + c
+  // N / 1000) = 2.0958 mm. Array: s = 50 mm - b. Focal length: f = 1 / (1 / s + 1 / 1000). Images below neighbouring
+  // lenses then touch: b = N s c / f.
   EXPECT_NEAR(matched.gap_mm, 2.095808f, 1e-5f);
   EXPECT_NEAR(matched.focal_length_mm, 45.7143f, 1e-3f);
   EXPECT_NEAR(2.0f * (50.0f - matched.gap_mm) / matched.focal_length_mm, matched.gap_mm, 1e-5f);
   params.gap_mm = 1.0f;
-  // With a gap of b = 1 mm, the array is at s = 49 mm, the focal length is f = 46.711 mm, and the f-number is f b / (s c) with
-  // cells of c = 1 mm.
+  // With a gap of b = 1 mm, the array is at s = 49 mm, the focal length is f = 46.711 mm, and the f-number is f b / (s
+  // c) with cells of c = 1 mm.
   EXPECT_NEAR(camera_of(params).focal_length_mm, 46.71115f, 1e-3f);
   EXPECT_NEAR(camera_of(params).f_number, 46.71115f / 49.0f, 1e-5f);
   EXPECT_EQ(camera_of(params, 4.0f).f_number, 4.0f);
-  // 1 / e = 1 / 0.75 - 1 / gap: with microlenses of 0.75 mm and a gap of 1 mm, the array is shifted by e = 3 mm.
+  // The array is shifted by e with 1 / e = 1 / 0.75 - 1 / gap, for microlenses of 0.75 mm and a gap of 1 mm.
   params.lens_focal_length_mm = 0.75f;
   EXPECT_NEAR(camera_of(params).array_shift_mm, 3.0f, 1e-5f);
   params.lens_focal_length_mm = 1.25f;
@@ -207,8 +208,8 @@ TEST(Plenoptic, parameters_without_a_camera_are_refused) {
   params = {};
   params.gap_mm = 60.0f;
   EXPECT_THAT(test::error_message([&] { camera_of(params); }), HasSubstr("gap"));
-  // With a gap of 0.1 mm, the array is 49.9 mm behind the main lens of 47.5 mm. At f/8, the aperture's image below a microlens
-  // is 47.5 / 8 * 0.1 / 49.9 mm wide: an eighth of a pixel.
+  // With a gap of 0.1 mm, the array is 49.9 mm behind the main lens of 47.5 mm. At f/8, the aperture's image below a
+  // microlens is 47.5 / 8 * 0.1 / 49.9 mm wide: an eighth of a pixel.
   params.gap_mm = 0.1f;
   EXPECT_THAT(test::error_message([&] { camera_of(params, 8.0f); }), HasSubstr("f-number: is 8: the image below each"));
 }

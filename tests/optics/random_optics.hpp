@@ -1,4 +1,4 @@
-// Makes random but plausible optics of every model, with whole and fractional numbers of pixels per lens. Seeds are fixed.
+// Random but plausible optics of every model, with fixed seeds.
 #pragma once
 
 #include <random>
@@ -83,7 +83,6 @@ class OpticsSampler {
     return o;
   }
 
-  /// Kind `which` modulo 6; all parts of the library support these kinds.
   Optics any(int which) {
     switch (which % 6) {
       case 0:
@@ -128,11 +127,10 @@ inline const char* name_of_kind(int kind) {
   return kNames[kind];
 }
 
-/// INSTANTIATE_TEST_SUITE_P calls this overload.
 inline std::string name_of_param(const testing::TestParamInfo<int>& kind) { return name_of_kind(kind.param); }
 
-/// A depth in mm from which tests derive depths: the gap, or for a slanted panel a multiple of the depth at which a lens shows
-/// one point over its full width.
+/// A depth in mm from which tests derive depths: the gap, or for a slanted panel a multiple of the depth at which a
+/// lens shows one point over its full width.
 inline float gap_of(const Optics& optics) {
   if (const auto* s = std::get_if<LenticularSheet>(&optics.model)) return s->gap_mm / s->parallax;
   if (const auto* a = std::get_if<MicrolensArray>(&optics.model)) return a->gap_mm / a->parallax;

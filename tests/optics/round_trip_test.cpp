@@ -17,16 +17,16 @@ float distance_to_nearest(const std::vector<Vec2f>& pixels, Vec2f wanted) {
   return nearest;
 }
 
-/// Rounding error of pixels_seeing() in pixels. Near a lens array, an error in mm is multiplied by g / (|Z| m), with the gap g
-/// and the pixel width m; far from it and for pinholes, by about 1 / m.
+/// Rounding error of pixels_seeing() in pixels. Near a lens array, an error in mm is multiplied by g / (|Z| m), with
+/// the depth Z, the gap g and the pixel width m; far from it and for pinholes, by about 1 / m.
 float rounding_px(const Optics& optics, const Ray& ray, float z) {
   const float m = optics.panel.pixel_pitch_mm;
   const float size = std::abs(ray.origin.x) + std::abs(ray.origin.y) + std::abs(z);
   float per_mm = 1.0f / m;
   if (const auto* s = std::get_if<LenticularSheet>(&optics.model)) per_mm += s->gap_mm / (std::abs(z) * m);
   if (const auto* a = std::get_if<MicrolensArray>(&optics.model)) per_mm += a->gap_mm / (std::abs(z) * m);
-  // The error grows near the depth at which a lens of a slanted panel shows one point over its full width. The test depths
-  // differ from it by at least half, so a factor of 2 is enough.
+  // The error grows near the depth at which a lens of a slanted panel shows one point over its full width. The test
+  // depths differ from it by at least half.
   if (std::holds_alternative<SlantedPanel>(optics.model)) per_mm *= 2.0f;
   return 6e-8f * size * per_mm;
 }

@@ -58,8 +58,8 @@ TEST(ViewPlace, neighbours_are_one_sample_apart) {
   }
 }
 
-// The viewer is 100 mm in front of the lenses, the panel 2 mm behind them. In the plane of the lenses, rows of pixels are 100 /
-// 102 of the pixel pitch apart. A view has one sample per row.
+// The viewer is 100 mm in front of the lenses, the panel 2 mm behind them. In the plane of the lenses, rows of pixels
+// are 100 / 102 of the pixel pitch apart.
 TEST(ViewPlace, sheet_rows_meet_at_the_viewer) {
   const Optics sheet{{64, 50, 0.0625f}, LenticularSheet{.gap_mm = 2.0f, .viewing_distance_mm = 100.0f}};
   const Vec2f a = own_place(sheet, {20.5f, 10.5f}), b = own_place(sheet, {20.5f, 40.5f});
