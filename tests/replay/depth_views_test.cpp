@@ -10,8 +10,8 @@ namespace {
 /// Each of the four pixels around a position has a weight of at least 1e-6.
 constexpr double kWeights = 1e-5;
 
-/// A plane at the depth `z` mm, with a bright column at x = `lit`. The screen has 40 x 4 pixels of 1 mm, and is seen from 100
-/// mm.
+/// A plane at the depth `z` mm, with a bright column at x = `lit`. The screen has 40 x 4 pixels of 1 mm, and is seen
+/// from 100 mm.
 LightField plane(int lit, float z) {
   LightField field;
   field.grid = {1, 1}, field.view_size = {40, 4}, field.aspect = 10.0;
@@ -24,7 +24,7 @@ LightField plane(int lit, float z) {
   return field;
 }
 
-/// 3 eyes are 20 mm apart at a distance of 100 mm, so their slopes are -0.2, 0 and 0.2.
+/// Eyes 20 mm apart at a distance of 100 mm, with the slopes -0.2, 0 and 0.2.
 Optics three_eyes() {
   MultiView eyes{3, 1};
   eyes.baseline_mm = 20.0f, eyes.distance_mm = 100.0f;
@@ -44,8 +44,8 @@ double lit_at(const DepthViews& made, int view) {
 }
 
 TEST(DepthViews, plane_shifts_by_its_disparity) {
-  // Disparity: z / (1 - z / 100) = -25 / (1 + 1/4) = -20 mm. The eye with slope 0.2 sees the plane 0.2 * 20 = 4 mm further
-  // right, the eye with slope -0.2 sees it 4 mm further left.
+  // Disparity: z / (1 - z / 100) = -25 / (1 + 1/4) = -20 mm. The eye with slope 0.2 sees the plane 0.2 * 20 = 4 mm
+  // further right, the eye with slope -0.2 sees it 4 mm further left.
   const DepthViews behind = shown(plane(20, -25.0f));
   EXPECT_NEAR(lit_at(behind, 0), 16.0, kWeights);
   EXPECT_NEAR(lit_at(behind, 1), 20.0, kWeights);
@@ -112,8 +112,8 @@ TEST(DepthViews, disoccluded_pixels_are_filled_from_behind) {
     EXPECT_EQ(right.pixel(x, 2)[0], front ? 1.0f : 0.0f) << x;
     EXPECT_EQ(right.pixel(x, 2)[2], front ? 0.0f : 1.0f) << x << ": the wall, also where it was hidden";
   }
-  // In the right view, 4 columns right of the board are newly visible, and 4 at the edge are outside the picture. The left view
-  // is symmetric: 8 of 40 columns are filled in two of three views.
+  // In the right view, 4 columns right of the board are newly visible, and 4 at the edge are outside the picture. The
+  // left view is symmetric: 8 of 40 columns are filled in two of three views.
   EXPECT_NEAR(made.filled_share, 16.0 / 120.0, 1e-9);
 }
 
@@ -127,8 +127,8 @@ TEST(DepthViews, other_pictures_fill_hidden_parts) {
   const DepthViews made = views_from_depths(std::vector{left, right}, three_eyes(), 1.0, pool);
   EXPECT_EQ(made.filled_share, 0.0);
   const Image middle = std::get<Image>(view_of(made.field, 1));
-  // From the left picture to the middle view, the wall moves by 4 pixels, so 4 columns at the edge and 4 beside the board come
-  // from the other picture.
+  // From the left picture to the middle view, the wall moves by 4 pixels, so 4 columns at the edge and 4 beside the
+  // board come from the other picture.
   for (int x = 0; x < 40; ++x) EXPECT_EQ(middle.pixel(x, 2)[1], x < 4 || (x >= 25 && x < 29) ? 1.0f : 0.0f) << x;
   EXPECT_EQ(std::get<Image>(view_of(made.field, 0)).pixel(26, 2)[1], 0.0f);
   EXPECT_EQ(std::get<Image>(view_of(made.field, 2)).pixel(26, 2)[1], 1.0f);

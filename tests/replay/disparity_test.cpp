@@ -50,7 +50,7 @@ double psnr_of_plane(const Image& picture) {
   return -10.0 * std::log10(squares / (picture.width * picture.height));
 }
 
-// Plane at 130 mm: focal length / pixel * baseline / distance = 8 mm / 0.0024 mm * 6.25 mm / 130 mm.
+// focal length / pixel * baseline / distance
 constexpr double kTrialPx = 8.0 / 0.0024 * 6.25 / 130.0;
 
 TEST(Disparity, near_plane_is_refocused) {

@@ -21,8 +21,8 @@ TEST(EpipolarImage, row_of_whole_pixels_is_exact) {
   const Image epi = epipolar_row(panel, 4, SampleFilter::kNearest);
   ASSERT_EQ(Vec2i(epi.width, epi.height), Vec2i(30, 7));
   for (int eye = 0; eye < 7; ++eye)
-    // The eyes are on the line that pixel row 3 below the lenses of row 4 shows. The leftmost eye sees the rightmost pixel of
-    // each lens.
+    // The eyes are on the line that pixel row 3 below the lenses of row 4 shows. The leftmost eye sees the rightmost
+    // pixel of each lens.
     for (int lens = 0; lens < 30; ++lens)
       ASSERT_EQ(epi.pixel(lens, eye)[1], panel.picture.pixel(7 * lens + 6 - eye, 7 * 4 + 3)[1]) << lens << " " << eye;
 }
@@ -36,8 +36,8 @@ TEST(EpipolarImage, column_of_whole_pixels_is_exact) {
       ASSERT_EQ(epi.pixel(eye, lens)[1], panel.picture.pixel(7 * 11 + 3, 7 * lens + eye)[1]) << lens << " " << eye;
 }
 
-// The viewing distance is infinite, so an eye of slope t sees a point at depth z at x - z t. Neighbouring eyes differ in slope
-// by pixel / gap = (1/9 mm) / 2 mm = 1/18.
+// The viewing distance is infinite, so an eye of slope t sees a point at depth z at x - z t. Neighbouring eyes differ
+// in slope by pixel / gap = (1/9 mm) / 2 mm = 1/18.
 TEST(EpipolarImage, slope_of_lines_follows_depth) {
   for (const double z : {-9.0, -4.0, 4.0, 9.0}) {
     const RenderedPanel panel = test::record(test::sheet(), z, [](Vec2d p) { return Vec3f(std::exp(-p.x * p.x / 2.0)); });

@@ -20,16 +20,16 @@ Image view_from(const RenderedPanel& panel, Vec3d eye_mm, Vec2i size, SampleFilt
   return eye_view(panel, view, pool);
 }
 
-/// PSNR in dB of the eye's view of the plane `z`, compared with the plane seen without lenses, at one pixel per lens. Leaves
-/// out three pixels at the edges, where an eye at the side sees past the panel.
+/// PSNR in dB of the eye's view of the plane `z` against the plane seen without lenses. Three pixels at the edges are
+/// left out, where an eye at the side sees past the panel.
 double psnr_of_plane(const Optics& optics, Vec3d eye_mm, double z) {
   const RenderedPanel panel = record(optics, z, waves);
   const Vec2i size = lens_grid(optics);
   return linear_psnr(view_from(panel, eye_mm, size), seen_directly(optics, size, eye_mm, z, waves), 3);
 }
 
-// In the plane z = 0, all pixels below a lens show the same point. Linear interpolation between 9 rows per mm of a sheet
-// changes a wave of 0.7 rad/mm by at most (0.7 / 9)^2 / 8 = 8e-4, which is 62 dB.
+// In the plane z = 0, all pixels below a lens show the same point. Linear interpolation between 9 rows per mm of a
+// sheet changes a wave of 0.7 rad/mm by at most (0.7 / 9)^2 / 8 = 8e-4, which is 62 dB.
 TEST(EyeView, plane_of_lenses_equals_direct_view) {
   // A sheet shows rows at their right height only to eyes at the height and distance of its design.
   for (const Vec3d eye : {Vec3d(0, 0, 100), Vec3d(15, 0, 100), Vec3d(-17, 0, 100)})
@@ -65,8 +65,8 @@ TEST(EyeView, slanted_and_hexagonal_lenses_equal_direct_view) {
   }
 }
 
-// At depth z, a pixel of width m is magnified to w = |z| m / g, with the gap g. The relative error of a wave of 1 rad/mm is
-// about w^2 / 8.
+// At depth z, a pixel of width m is magnified to w = |z| m / g, with the gap g. The relative error of a wave of 1
+// rad/mm is about w^2 / 8.
 TEST(EyeView, error_grows_with_depth_within_magnified_pixel) {
   const Vec3d eye(6, 0, 100);
   for (const Optics& optics : {test::sheet(100.0f), test::lenslets(100.0f)}) {
@@ -86,8 +86,8 @@ RenderedPanel numbered_lenses(const Optics& optics) {
 }
 
 TEST(EyeView, neighbour_pixels_are_seen_beyond_the_zone) {
-  // Gap 2 mm, lenses 1 mm wide. An eye at infinity with slope 0.2 sees l - 2 * 0.2 = l - 0.4 below the lens at l, in its own
-  // cell. With slope 0.3 it sees l - 0.6, in the cell of the left neighbour.
+  // Gap 2 mm, lenses 1 mm wide. An eye at infinity with slope 0.2 sees l - 2 * 0.2 = l - 0.4 below the lens at l, in
+  // its own cell. With slope 0.3 it sees l - 0.6, in the cell of the left neighbour.
   const RenderedPanel panel = numbered_lenses(test::sheet());
   const EyeSampler sampler(panel, SampleFilter::kLinear);
   const Vec2d at(3.5, 0.0);
@@ -120,7 +120,6 @@ TEST(EyeView, eyes_see_their_pixel_columns_from_right) {
 }
 
 TEST(EyeView, linear_filter_never_mixes_two_lenses) {
-  // At the edge of a cell, the colour is not interpolated with the neighbouring cell.
   const RenderedPanel panel = numbered_lenses(test::sheet());
   const EyeSampler sampler(panel, SampleFilter::kLinear);
   EXPECT_EQ(sampler.color({{0.2499, 0.0}, 0.0}, {3.5, 0.0}).x, 3.5f);
@@ -150,7 +149,6 @@ TEST(EyeView, camera_grid_interpolates_across_and_up) {
   EXPECT_NEAR(linear.color(viewer_at({8, -8, 100}), {0, 0}).x, 2.0f, 1e-4);
   EXPECT_NEAR(linear.color(viewer_at({4, 2, 100}), {3, 1}).x, 1.5f + 10 * 1.25f, 1e-4);
   EXPECT_NEAR(nearest.color(viewer_at({5, 5, 100}), {0, 0}).x, 2.0f + 20.0f, 1e-4);
-  // beyond the grid, the last view is visible
   EXPECT_NEAR(linear.color(viewer_at({500, 0, 100}), {0, 0}).x, 2.0f + 10.0f, 1e-4);
   EXPECT_EQ(share_out_of_zone(optics, viewer_at({11, -11, 100})), 0.0);
   EXPECT_EQ(share_out_of_zone(optics, viewer_at({13, 0, 100})), 1.0);
@@ -168,8 +166,8 @@ TEST(EyeView, single_view_is_the_same_from_everywhere) {
 }
 
 TEST(EyeView, crosstalk_is_a_gaussian_below_the_lens) {
-  // Only one column below the lens is bright. The weights that nine eyes, one per column, see sum to 1. Their second moment is
-  // sigma^2 of the Gaussian plus 1/12 for the width of a pixel.
+  // Only one column below the lens is bright. The weights that nine eyes, one per column, see sum to 1. Their second
+  // moment is sigma^2 of the Gaussian plus 1/12 for the width of a pixel.
   const Optics optics = test::sheet(100.0f);
   RenderedPanel panel{optics, Image(360, 120, 3)};
   for (int y = 0; y < 120; ++y) panel.picture.pixel(9 * 20 + 4, y)[0] = 1.0f;
@@ -200,14 +198,14 @@ TEST(EyeView, pupil_averages_the_eyes_within_it) {
     sharp_contrast += std::abs(sharp.pixel(x, 60)[0] - 0.5f);
     blurred_contrast += std::abs(blurred.pixel(x, 60)[0] - 0.5f);
   }
-  // Contrast of a wave of k = 0.95 rad/mm, averaged over a disc of radius r = 0.375 mm: 2 J1(k r) / (k r) = 1 - (k r)^2 / 8 =
-  // 0.984.
+  // Contrast of a wave of k = 0.95 rad/mm, averaged over a disc of radius r = 0.375 mm: 2 J1(k r) / (k r) = 1 - (k r)^2
+  // / 8 = 0.984.
   EXPECT_NEAR(blurred_contrast / sharp_contrast, 0.984, 0.01);
 }
 
 TEST(EyeView, pupil_focuses_at_the_given_depth) {
-  // A plane is 12 mm behind the display, the pupil 40 mm wide. Focused on the display, the plane is blurred by 40 * 12 / 100 =
-  // 4.8 mm; focused on the plane, by at most a lens of 1 mm.
+  // A plane is 12 mm behind the display, the pupil 40 mm wide. Focused on the display, the plane is blurred by 40 * 12
+  // / 100 = 4.8 mm; focused on the plane, by at most a lens of 1 mm.
   const RenderedPanel panel = record(test::lenslets(100.0f), -12.0, waves);
   const ThreadPool pool(1);
   EyeView view;

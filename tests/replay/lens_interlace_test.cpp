@@ -80,8 +80,8 @@ TEST(LensInterlace, pixel_shows_the_sample_at_its_lens) {
   const Image16 picture =
       behind_lenses(coded(sheet_of_ten(), [](int, int x, int y) { return 1000 * x + 10 * y; }), sheet_of_ten());
   const double cell = cell_mm();
-  // The viewer at V = 1000 mm sees the panel through a window in the plane of the lenses that is V / (V + g) times as wide,
-  // with the gap g. The ten samples of a view fill this window.
+  // The viewer at V = 1000 mm sees the panel through a window in the plane of the lenses that is V / (V + g) times as
+  // wide, with the gap g. The ten samples of a view fill this window.
   const double window = 80.0 * 1000.0 / (1000.0 + gap_mm());
   for (int i = 0; i < 80; ++i) {
     const double lens = 8.0 * (std::floor((i + 0.5 - 40.0) / cell) + 0.5);
@@ -117,7 +117,7 @@ TEST(LensInterlace, screen_plane_looks_the_same_from_everywhere) {
   DepthViews views = views_from_depth(source, lens_views(sheet_of_ten(), {}), 1.0, pool);
   const Picture picture = interlace_behind_lenses(views.field, sheet_of_ten(), pool);
   const auto& film = std::get<Image>(picture);
-  // Skips pixels near the edge at pixel 40, which the interpolation of a view's ten columns blurs.
+  // Interpolation between a view's ten columns blurs the edge at pixel 40.
   for (const int i : {0, 7, 15, 20, 60, 65, 72, 79}) EXPECT_NEAR(film.pixel(i, 2)[0], i < 40 ? 0.0 : 1.0, 1e-3) << i;
 }
 

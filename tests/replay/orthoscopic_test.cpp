@@ -26,7 +26,7 @@ RenderedPanel rotated(const RenderedPanel& panel) {
   return with(panel.optics, rotated_elemental_images(panel.optics, "test"), panel);
 }
 
-/// The spot is wide enough for lenses and pixels: the conversions copy nearest pixels and could miss a point.
+/// The conversions copy nearest pixels and could miss a point, so the spot is several lenses wide.
 RenderedPanel record_spot(const Optics& optics, Vec3d point_mm) {
   return record(optics, point_mm.z, [&](Vec2d p) {
     const Vec2d from = p - Vec2d(point_mm);
@@ -56,7 +56,7 @@ Peak peak_of(const RenderedPanel& panel, double step, int count) {
   return peak;
 }
 
-constexpr double kDepthStep = 2.0;  ///< the gap in mm; see kStep in refocus_test.cpp
+constexpr double kDepthStep = 2.0;  ///< the gap in mm, which is also the depth step of refocusing
 
 TEST(RotateElemental, point_then_peaks_at_the_opposite_depth) {
   Optics lenslets = test::lenslets();
@@ -79,9 +79,8 @@ TEST(RotateElemental, twice_is_the_identity) {
 
 TEST(RotateElemental, pixels_are_rotated_about_their_lens_centre) {
   const PixelMap map = rotated_elemental_images(test::lenslets(), "test");
-  EXPECT_EQ(map.source[0], 6u * 210u + 6u);  // pixel (0, 0) of lens (0, 0) comes from pixel (6, 6) of the same lens
+  EXPECT_EQ(map.source[0], 6u * 210u + 6u);
   EXPECT_EQ(map.source[3 * 210 + 3], 3u * 210u + 3u);
-  // pixel (2, 1) of lens (2, 1) comes from pixel (4, 5) of the same lens
   EXPECT_EQ(map.source[8 * 210 + 16], 12u * 210u + 18u);
 }
 
@@ -123,11 +122,11 @@ TEST(Spoc, other_lenses_keep_the_point_in_place) {
 }
 
 TEST(Spoc, index_worked_out_by_hand) {
-  // The sheet has 40 lenses of 1 mm with 9 pixels each and a gap of 2 mm. The middle pixel of lens 20, at x = 0.5 mm, is pixel
-  // 184. Its ray is perpendicular to the sheet, so its source is the same pixel.
-  // Pixel 187 is 3/9 mm to the right, so its ray has the slope -1/6. It meets the recording array (z = 12 mm) at 0.5 - 12/6 =
-  // -1.5 mm, the centre of lens 18, and the reference plane (z = 6 mm) at 0.5 - 6/6 = -0.5 mm. Lens 18 records this point at
-  // -(-0.5 + 1.5) * 2 / 6 = -1/3 mm from its centre, or -3 pixels. The source is pixel 18 * 9 + 4 - 3 = 163.
+  // 40 lenses of 1 mm have 9 pixels each and a gap of 2 mm. The middle pixel of lens 20, 184 at x = 0.5 mm, has a
+  // perpendicular ray, so its source is the same pixel. Pixel 187 is 3/9 mm to the right, so its ray has the slope
+  // -1/6. It meets the recording array (z = 12 mm) at 0.5 - 12/6 = -1.5 mm, the centre of lens 18, and the reference
+  // plane (z = 6 mm) at 0.5 - 6/6 = -0.5 mm. Lens 18 records this point at -(-0.5 + 1.5) * 2 / 6 = -1/3 mm from its
+  // centre, or -3 pixels. The source is pixel 18 * 9 + 4 - 3 = 163.
   const PixelMap map = spoc(test::sheet(), test::sheet(), {12.0, 6.0});
   EXPECT_EQ(map.source[50 * 360 + 184], 50u * 360u + 184u);
   EXPECT_EQ(map.source[50 * 360 + 187], 50u * 360u + 163u);
@@ -164,8 +163,9 @@ TEST(Spoc, two_tiers_show_correct_depth) {
     view.eye_mm = {zone_x_mm(optics, across, 2000.0), 0.0, 2000.0}, view.size = size;
     const Image seen = eye_view(converted, view, pool), should = eye_view(truth, view, pool);
     const Image one_tier = eye_view(recorded, view, pool);
-    // At z = 16 mm, lenses and pixels sample the wall in steps of 0.9 mm, so the error of a position is up to 0.45 mm. A wave
-    // with amplitude 0.4 and 0.95 rad/mm changes by up to 0.4 * 0.95 * 0.45 = 0.17, which is 15 dB; the mean error is smaller.
+    // At z = 16 mm, lenses and pixels sample the wall in steps of 0.9 mm, so positions err by up to 0.45 mm. A wave of
+    // amplitude 0.4 and 0.95 rad/mm changes by up to 0.4 * 0.95 * 0.45 = 0.17, which is 15 dB; the mean error is
+    // smaller.
     EXPECT_GE(test::linear_psnr(seen, should, 5), 17.0) << across;
     EXPECT_LT(test::linear_psnr(one_tier, should, 5), 14.0) << across;
   }

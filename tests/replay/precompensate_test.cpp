@@ -9,11 +9,11 @@
 namespace lippmann {
 namespace {
 
-/// Neither black nor white, so that precompensation clips no sample.
+/// neither black nor white, so that precompensation clips no sample
 Vec3f soft_waves(Vec2d p) { return 0.6f * test::waves(6.0 * p) + 0.2f; }
 
-/// Largest difference between the colours on two panels, seen from the centres of all views through every lens in each third
-/// row.
+/// Returns the largest difference between two panels, seen from the centres of all views through every lens in each
+/// third row.
 double worst_difference(const RenderedPanel& a, double crosstalk_a, const RenderedPanel& b, double crosstalk_b) {
   const EyeSampler sampler_a(a, SampleFilter::kNearest, crosstalk_a), sampler_b(b, SampleFilter::kNearest, crosstalk_b);
   const Window window = display_window(a.optics);
@@ -39,7 +39,7 @@ TEST(Precompensate, replayed_with_crosstalk_is_the_original_without) {
     EXPECT_EQ(done.clipped_share, 0.0);
     // Rounding in the optics shifts the centres of views by 1e-4 of a pixel.
     EXPECT_LE(worst_difference(shown, 0.4, wanted, 0.0), 1e-3);
-    EXPECT_GE(worst_difference(wanted, 0.4, wanted, 0.0), 0.02);  // without precompensation, the leaking light is visible
+    EXPECT_GE(worst_difference(wanted, 0.4, wanted, 0.0), 0.02);  // without precompensation
   }
 }
 

@@ -25,12 +25,12 @@ double depth_of_peak(const RenderedPanel& panel, double step, int count) {
   return depth;
 }
 
-// Depth step dz in mm. With N pixels of width m below a lens of pitch p = N m and the gap g, dz changes the shift of the
-// outermost views by (p / 2) dz / g, which is half a lens for dz = g = 2 mm.
+// Depth step dz in mm. With N pixels of width m below a lens of pitch p = N m and the gap g, dz changes the shift of
+// the outermost views by (p / 2) dz / g, which is half a lens for dz = g = 2 mm.
 constexpr double kStep = 2.0;
 
-/// Tests depths on both sides of the display. Points nearer than 2 kStep are seen through a single lens, and one ray does not
-/// determine a depth.
+/// Tests depths on both sides of the display. Points nearer than 2 kStep are seen through a single lens, and one ray
+/// does not determine a depth.
 void expect_peaks_at(const std::function<RenderedPanel(Vec3f)>& recorded) {
   for (int i = -11; i <= 11; ++i) {
     if (std::abs(i) < 2) continue;
@@ -75,8 +75,8 @@ TEST(Refocus, blob_keeps_the_design_viewers_position) {
       const double w = std::max(0.0f, picture.pixel(x, y)[0] - half);
       sum += w * Vec2d(x + 0.5, y + 0.5), weight += w;
     }
-  // The position is on the line from the point to the viewer at 150 mm: (3.2, -4.1) * 150 / 161. Lenses and pixels of 0.8 mm
-  // locate a spot with a sigma of 1 mm to 0.1 mm.
+  // The position is on the line from the point to the viewer at 150 mm: (3.2, -4.1) * 150 / 161. Lenses and pixels of
+  // 0.8 mm locate a spot with a sigma of 1 mm to 0.1 mm.
   const Vec2d at = display_window(optics).point_at(sum / weight, size);
   EXPECT_NEAR(at.x, 3.2 * 150 / 161, 0.1);
   EXPECT_NEAR(at.y, -4.1 * 150 / 161, 0.1);
@@ -91,8 +91,8 @@ TEST(Refocus, plane_is_sharp_only_at_its_depth) {
     const double z = -5.0;
     const RenderedPanel panel = record(optics, z, waves);
     const Image truth = seen_directly(optics, size, eye, z, waves);
-    // Interpolation over a lens of 1 mm reduces a wave of 0.95 rad/mm by (0.95 * 1)^2 / 12 = 8 %. Error: 0.4 * 0.08 / sqrt(2),
-    // which is 33 dB.
+    // Interpolation over a lens of 1 mm reduces a wave of 0.95 rad/mm by (0.95 * 1)^2 / 12 = 8 %. Error: 0.4 * 0.08 /
+    // sqrt(2), which is 33 dB.
     EXPECT_GE(linear_psnr(refocus(panel, z, size, pool), truth, 4), 30.0);
     EXPECT_LT(linear_psnr(refocus(panel, 12.0, size, pool), truth, 4), 22.0);
   }

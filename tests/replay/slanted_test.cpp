@@ -1,4 +1,5 @@
-// Each sub-pixel behind slanted lenses has its own direction. Pixel 3 i + c of the film is the colour c of the panel's pixel i.
+// Each sub-pixel behind slanted lenses has its own direction. Pixel 3 i + c of the film is the colour c of the panel's
+// pixel i.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -42,8 +43,8 @@ Image view_from(const RenderedPanel& panel, Vec3d eye_mm) {
   return eye_view(panel, view, pool);
 }
 
-// All sub-pixels below a lens show one position, with lenses of 1.6 mm up to 0.8 mm beside the right point. For waves of
-// amplitude 0.4 and 0.2 rad/mm, the largest error is 0.4 * 0.2 * 0.8 = 0.06 (24 dB), and the mean error half of it (30 dB).
+// All sub-pixels below a lens of 1.6 mm show one position, up to 0.8 mm beside the right point. For waves of amplitude
+// 0.4 and 0.2 rad/mm, the largest error is 0.4 * 0.2 * 0.8 = 0.06 (24 dB), and the mean error half of it (30 dB).
 TEST(SlantedSight, scenes_equal_direct_views_within_a_lens) {
   const Optics optics = slanted_panel();
   for (const double z : {-8.0, 0.0, 8.0}) {
@@ -80,8 +81,8 @@ TEST(SlantedSight, eye_sees_its_own_direction) {
   EXPECT_EQ(share_out_of_zone(optics, viewer_in_zone(optics, 1.1)), 1.0);
 }
 
-// Waves are 19 lenses long. At other depths than the plane's, rays from both ends of the zone are 2 tan(20 degrees) mm per mm
-// of depth apart, and the picture is blurred where this is about half a wave.
+// Waves are 19 lenses long. Away from the plane's depth, rays from both ends of the zone are 2 tan(20 degrees) mm per
+// mm of depth apart, which blurs the picture where it is about half a wave.
 TEST(SlantedSight, refocused_colours_are_sharp_at_their_depth) {
   const Optics optics = slanted_panel();
   const ThreadPool pool(1);

@@ -34,8 +34,8 @@ double disparity_of_plane(const Optics& optics, double z, double ipd) {
   return centre_mm(pair, 1, width) - centre_mm(pair, 0, width);
 }
 
-// From the viewing distance D of the quilt, a bar at depth z has the disparity -ipd z / (D - z). The tolerance is a tenth of a
-// pixel, because views are interpolated.
+// From the viewing distance D, a bar at depth z has the disparity -ipd z / (D - z), with eyes `ipd` apart. Interpolated
+// views err by a tenth of a pixel.
 TEST(StereoFrames, eyes_see_the_disparity_of_similar_triangles) {
   const Optics optics = test::quilt();
   const double distance = viewing_distance_mm(optics), pixel = optics.panel.pixel_pitch_mm, ipd = 20.0;
