@@ -1,4 +1,5 @@
-// Simulates pictures of textured discs in front of a wall, from a row of cameras that may be rotated, shifted and zoomed.
+// Simulates pictures of textured discs in front of a wall, from a row of cameras that may be rotated, shifted and
+// zoomed.
 #pragma once
 
 #include <array>
@@ -13,9 +14,9 @@
 namespace lippmann::test {
 
 inline constexpr Vec2i kSceneSize{640, 480};
-/// centre of the middle disc, in the middle picture of the row
+/// centre of the middle disc in camera 0's picture
 inline constexpr Vec2d kSceneFocus{320.0, 240.0};
-/// shift in pixels to the right from one camera to the next
+/// shift to the right in pixels from one camera to the next
 inline constexpr double kNearMove = -6.0, kFocusMove = -2.0, kFarMove = 3.0;
 
 /// Returns smooth noise from 0 to 1, interpolated between random values at multiples of `cell`.
