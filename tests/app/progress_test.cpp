@@ -31,7 +31,7 @@ TEST(LineSchedule, long_steps_are_due_after_30_s) {
   EXPECT_TRUE(schedule.is_due_within(61.0));
 }
 
-/// Returns the lines printed for a frame of 120 s that, with `knows_share`, reports its finished share every 30 s.
+/// Returns the lines printed for a frame of 120 s that reports its finished share every 30 s if `knows_share`.
 std::string lines_of_a_long_frame(app::ProgressStyle style, bool knows_share) {
   app::Progress::Clock::time_point now{};
   testing::internal::CaptureStderr();
