@@ -81,7 +81,7 @@ TEST(BenchLamps, json_has_a_row_per_kind_and_number_of_lamps) {
 TEST(BenchReplay, all_eyes_see_orthoscopic_depth) {
   const bench::Report report = run_benchmark("replay", {});
   ASSERT_EQ(report.rows.size(), 50u);
-  // 50 rows with two checks each: orthoscopic depth, and pseudoscopic depth after the conversion
+  // two checks in each of 50 rows
   EXPECT_EQ(report.passed_checks, 100);
   double near = 0.0, beyond = 0.0;
   for (const auto& row : report.rows) {
@@ -100,7 +100,7 @@ TEST(BenchPaper, json_text_and_plots_are_complete) {
   std::string said;
   request.csv = dir / "paper.csv", request.say = [&](std::string_view line) { said += line, said += '\n'; };
   const bench::Report report = run_benchmark("paper", request);
-  // one check per key frame: the five runs have 2, 1, 1, 1 and 1 key frames
+  // one check per key frame
   EXPECT_EQ(report.passed_checks, 2 + 1 + 1 + 1 + 1);
   ASSERT_EQ(report.rows.size(), 5u);
   for (const Json& row : report.rows) {

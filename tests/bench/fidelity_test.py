@@ -1,5 +1,4 @@
-"""Tests the parts of bench/gltf_fidelity.py: the FLIP error against values computed by hand, PNG filters, cameras,
-packing into one file, and medians."""
+"""Tests the parts of bench/gltf_fidelity.py."""
 
 import base64
 import json
@@ -50,8 +49,8 @@ class Flip(unittest.TestCase):
     def test_black_and_white_differ_in_lightness(self):
         most = float(flip.hyab(*flip.hunt_lab(np.array([[0.0, 1, 0], [0, 0, 1]])))**0.7)
         split = 0.4 * most
-        # `most` is the largest colour error. FLIP maps errors from `split` to `most` linearly to 0.95 .. 1. The error of black
-        # against white is 100^0.7, because their lightness differs by 100.
+        # FLIP maps colour errors from `split` to `most`, the largest one, linearly to 0.95 .. 1. Black and white differ
+        # in lightness by 100, so their error is 100^0.7.
         expected = 0.95 + 0.05 * (100**0.7 - split) / (most - split)
         np.testing.assert_allclose(flip_of(BLACK, WHITE), expected, atol=1e-5)
         self.assertAlmostEqual(most, 41.277, delta=0.05)
@@ -76,7 +75,6 @@ class Flip(unittest.TestCase):
 
 
 def filtered(codes, kinds):
-    """Returns an RGB PNG file in which row i is encoded with the PNG filter kinds[i]."""
     height, width, step = codes.shape
     above, out = [0] * (width * step), b""
     for row, kind in zip(codes.reshape(height, -1).tolist(), kinds):
@@ -117,7 +115,7 @@ class Pictures(unittest.TestCase):
 
     def test_halves_average_the_covered_light(self):
         picture = plain(WHITE, 2)
-        picture[0] = (*BLACK, 0)  # the upper row is transparent, so its colour has no weight
+        picture[0] = (*BLACK, 0)
         np.testing.assert_array_equal(pictures.shrunk(picture, 1, 1), [[[255, 255, 255, 128]]])
         self.assertIsNone(pictures.shrunk(plain(WHITE, 3), 2, 2))
 
@@ -125,7 +123,7 @@ class Pictures(unittest.TestCase):
 class Judge(unittest.TestCase):
     def test_outliers_are_far_from_the_median(self):
         judged = judge.judged({"a": plain((100, 100, 100)), "b": plain((102, 102, 102)), "c": plain((101, 101, 101)), "odd": plain((200, 100, 100))})
-        # the three grey pictures have the codes 100, 101 and 102, so each code is within 2 of the median
+        # the three grey pictures have the codes 100, 101 and 102
         self.assertGreater(judged["a"]["psnr_db"], 44)
         self.assertLess(judged["odd"]["psnr_db"], 14)
         self.assertGreater(judged["odd"]["flip"], 10 * judged["a"]["flip"])
@@ -187,7 +185,6 @@ class Scenarios(unittest.TestCase):
     def test_an_orbits_camera_looks_at_its_target(self):
         for theta, phi in ((0, 90), (30, 60), (-90, 45), (200, 120)):
             place, (x, y, z, w) = scenarios.camera_place(scenarios.Orbit(theta, phi, 5.0), (1.0, 2.0, 3.0))
-            # the rotated -z axis
             forward = np.array([-2 * (x * z + w * y), -2 * (y * z - w * x), 2 * (x * x + y * y) - 1])
             np.testing.assert_allclose(np.array(place) + 5.0 * forward, (1, 2, 3), atol=1e-9)
 
@@ -255,8 +252,6 @@ class Reads(unittest.TestCase):
 
 
 class Failures(unittest.TestCase):
-    """Tests the report about a file of which a renderer made no picture."""
-
     def test_the_reason_is_the_line_of_the_error(self):
         text = "Blender 3.4.1\nTraceback (most recent call last):\n  File x\nValueError: no camera\nError: Python: Traceback (most recent call last):\nError: script failed, file: 'x'\nBlender quit\n"
         self.assertEqual(peers.reason(text), "ValueError: no camera")

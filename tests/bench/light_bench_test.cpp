@@ -40,7 +40,7 @@ TEST(BenchLight, json_has_a_row_per_scene_with_all_figures) {
       EXPECT_TRUE(row.contains(key) && row.contains(std::string("full_") + key)) << key;
     EXPECT_EQ(row["frame_flicker"].is_number(), frames[r] >= 3);
     const double ratio = row["full_cpu_seconds"].get<double>() / row["cpu_seconds"].get<double>();
-    EXPECT_NEAR(row["time_ratio"].get<double>(), ratio, 0.02 * ratio);  // the seconds in the JSON have four decimals
+    EXPECT_NEAR(row["time_ratio"].get<double>(), ratio, 0.02 * ratio);
     EXPECT_NEAR(row["saving_total"].get<double>(), 1.0 - 1.0 / ratio, 0.01);
   }
 }

@@ -37,20 +37,20 @@ TEST(LightFigures, error_is_the_mean_over_all_frames) {
 }
 
 TEST(LightFigures, noise_of_references_is_not_counted) {
-  // The true value is 100. The errors of the two reference halves are +-4 and +-6 codes. A picture equal to the true value
-  // differs by -+4 and -+6, so the products of both differences are +24 or -24 and sum to 0 over the four pixels.
+  // The true value is 100. The two references differ from it by +-4 and +-6 codes. A picture of the true value differs
+  // from them by -+4 and -+6, so the products of both differences, +-24, sum to 0.
   const References references{{picture(4, 1, {104, 96, 104, 96}), picture(4, 1, {106, 106, 94, 94})}};
   EXPECT_DOUBLE_EQ(mean_squared_error(references, {picture(4, 1, {100, 100, 100, 100})}), 0.0);
   EXPECT_DOUBLE_EQ(mean_squared_error(references, {picture(4, 1, {103, 103, 103, 103})}), 9.0);
 }
 
 TEST(LightFigures, light_is_compared_with_the_mean_of_both_halves) {
-  // In linear light, 6 is the mean of 4 and 8: codes up to 10 are in the linear part of the sRGB curve.
+  // Codes up to 10 are in the linear part of the sRGB curve, so 6 is the mean of 4 and 8 in linear light.
   EXPECT_NEAR(mean_light_ratio({{picture(1, 1, {4}), picture(1, 1, {8})}}, {picture(1, 1, {6})}), 1.0, 1e-12);
 }
 
 TEST(LightFigures, blocks_stay_within_views) {
-  Image8 stack = even(12, 24, 0);  // two views of 12 x 12 pixels, each with one block of 8 x 8
+  Image8 stack = even(12, 24, 0);
   for (std::size_t c = 0; c < 3; ++c) {
     stack.rgb[c] = 64;
     stack.rgb[3 * 8 + c] = 255;
@@ -77,8 +77,7 @@ TEST(LightFigures, errors_without_blocks_are_nan) {
   EXPECT_TRUE(std::isnan(block_squared_error(exact({even(7, 7, 100)}), {even(7, 7, 102)}, {7, 7})));
 }
 
-// Two views of 4 x 1 pixels. The first has an edge between pixels 1 and 2, where the errors are 1 and 3. The border between
-// views is not an edge.
+// Two views of 4 x 1 pixels. The first has an edge between pixels 1 and 2, where the errors are 1 and 3.
 TEST(LightFigures, edge_errors_use_both_sides) {
   const Frames reference{picture(4, 2, {0, 0, 16, 16, 100, 100, 100, 100})};
   const Frames test{picture(4, 2, {9, 1, 19, 16, 100, 100, 100, 90})};
@@ -86,7 +85,7 @@ TEST(LightFigures, edge_errors_use_both_sides) {
   EXPECT_TRUE(std::isnan(edge_squared_error(exact({even(4, 2, 5)}), {even(4, 2, 6)}, {4, 1})));
 }
 
-// Four views of one pixel with the values 0, 0, 10, 0: second differences |0 - 2 * 0 + 10| = 10 and |0 - 2 * 10 + 0| = 20.
+// Four views of one pixel, 0, 0, 10, 0: second differences |0 - 2 * 0 + 10| = 10 and |0 - 2 * 10 + 0| = 20.
 TEST(LightFigures, view_flicker_is_the_second_difference) {
   EXPECT_DOUBLE_EQ(view_flicker({picture(1, 4, {0, 0, 10, 0})}, {{4, 1}, {1, 1}}), (10.0 + 20.0) / 2.0);
 }

@@ -1,4 +1,3 @@
-// Runs benchmarks within the test process, and returns the report of `lippmann-bench NAME`.
 #pragma once
 
 #include <algorithm>

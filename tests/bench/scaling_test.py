@@ -1,5 +1,6 @@
-"""Compares the formulas of docs/lab/scaling.md with a simulation of machines, each of which takes the next group of
-frames as soon as it is free."""
+"""Compares the formulas of docs/lab/scaling.md with a simulation of machines that each take the
+next group of frames when free.
+"""
 
 import random
 import sys
@@ -15,7 +16,7 @@ SMALL = scaling.Film(frames=10, segment=4, frame_s=2.0, first_s=1.0, startup_s=3
 
 class Scaling(unittest.TestCase):
     def test_units_have_whole_segments(self):
-        self.assertEqual(scaling.unit_sizes(SMALL, 2), [8, 2])  # the film has segments of 4, 4 and 2 frames
+        self.assertEqual(scaling.unit_sizes(SMALL, 2), [8, 2])
         self.assertEqual(scaling.unit_sizes(SMALL, 3), [4, 4, 2])
         self.assertEqual(scaling.unit_sizes(SMALL, 99), [4, 4, 2])
         self.assertEqual(scaling.unit_sizes(scaling.Film(frames=7), 3), [3, 2, 2])
@@ -25,7 +26,6 @@ class Scaling(unittest.TestCase):
         self.assertEqual(scaling.whole_seconds(SMALL), 3 + 10 * 2 + 3 * 1)
 
     def test_free_nodes_take_the_next_unit(self):
-        # one node runs 4.0 s, the other 1.0 + 1.0 + 5.0 s
         self.assertEqual(scaling.scheduled_seconds([4.0, 1.0, 1.0, 5.0], 2), 7.0)
         self.assertEqual(scaling.scheduled_seconds([4.0, 1.0], 8), 4.0)
         # The units take 12, 12 and 8 s. Two nodes run the first two, and then one of them the third.
@@ -58,7 +58,7 @@ class Scaling(unittest.TestCase):
             for nodes in (10, 100, 1000):
                 least, most = scaling.bounds_seconds(film, nodes, 8 * nodes)
                 median = scaling.median_seconds(film, nodes, 8 * nodes)
-                self.assertGreater(median, 0.99 * least)  # the random durations make the median vary by 1 %
+                self.assertGreater(median, 0.99 * least)
                 self.assertLess(median, most)
 
     def test_the_disk_limits_the_time(self):

@@ -13,8 +13,8 @@ TEST(ShareEstimate, one_group_has_the_binomial_error) {
   EXPECT_DOUBLE_EQ(estimate.standard_error, std::sqrt(0.9 * 0.1 / 10.0));
 }
 
-// The share is (10 + 5) hits / 20 trials = 0.75. The residuals (hits - share * trials) are 2.5 and -2.5. The standard error is
-// sqrt(groups / (groups - 1) * sum of squares) / trials = sqrt(2 * 12.5) / 20 = 0.25.
+// The share is (10 + 5) hits / 20 trials = 0.75. The residuals, hits - share * trials, are 2.5 and -2.5. Standard
+// error: sqrt(groups / (groups - 1) * sum of squares) / trials = sqrt(2 * 12.5) / 20 = 0.25.
 TEST(ShareEstimate, groups_that_differ_have_a_larger_error) {
   const ShareEstimate estimate = estimate_share({{10, 10}, {5, 10}});
   EXPECT_EQ(estimate.hits, 15);
