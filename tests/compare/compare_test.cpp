@@ -100,7 +100,7 @@ TEST(Compare, folder_equals_its_lossless_video) {
   const TempDir dir;
   fs::create_directories(dir / "a");
   VideoWriter video(dir / "a.mkv");
-  for (int i = 0; i < 12; ++i) {  // more than ten, because picture_9 must come before picture_10
+  for (int i = 0; i < 12; ++i) {
     write_png(dir / "a" / ("picture_" + std::to_string(i) + ".png"), smooth_codes(32, 24, 0.2 * i));
     video.add_frame(smooth_codes(32, 24, 0.2 * i));
   }

@@ -34,7 +34,7 @@ void write_motion(const fs::path& path) {
   write_exr(path, std::array{ExrLayer{"motion", &motion, {"X", "Y"}, ExrSample::kFloat}});
 }
 
-/// Writes frames of two views and zero motion. View v of frame f is errors[f][v] codes brighter than smooth_codes.
+/// Writes frames of two views without motion. View v of frame f is errors[f][v] codes brighter than smooth_codes.
 fs::path make_frames(const fs::path& folder, const std::vector<std::array<int, 2>>& errors) {
   for (std::size_t f = 0; f < errors.size(); ++f) {
     const fs::path frame = folder / fmt::format("frame_{:04}", f);

@@ -60,8 +60,8 @@ TEST(Flicker, error_moving_with_its_surface_is_ignored) {
 TEST(Flicker, half_pixel_of_motion_mixes_two_pixels) {
   const Image8 flat = grey(3, 1, 100), error = row({100, 100, 108});
   const std::vector<float> motion{0, 0, -0.5f, 0, 0, 0};
-  // The previous errors are 0, 0 and 8. Pixel 1 moved by half a pixel, so its previous error is (0 + 8) / 2 = 4. The current
-  // frame has no error: the errors change by 0, 4 and 8 in each of three channels.
+  // The previous errors are 0, 0 and 8. Pixel 1 moved by half a pixel, so its previous error is (0 + 8) / 2 = 4. The
+  // current frame has no error.
   const FlickerSums sums = flicker_of_view({flat, error, flat, flat, motion.data()});
   EXPECT_NEAR(sums.squares, 3.0 * (16.0 + 64.0), 1e-9);
   EXPECT_EQ(sums.weights, 9.0);
