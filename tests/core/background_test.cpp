@@ -23,7 +23,7 @@ TEST(BackgroundQueue, ordered_halves_run_in_submission_order) {
   std::vector<int> order;
   {
     BackgroundQueue queue(4, 8);
-    for (int i = 0; i < 200; ++i)  // so that tasks end in another order than they were submitted
+    for (int i = 0; i < 200; ++i)
       queue.submit([i] { std::this_thread::sleep_for(std::chrono::microseconds((i * 37) % 200)); },
                    [&, i] { order.push_back(i); });
     queue.finish();
@@ -86,7 +86,7 @@ TEST(BackgroundQueue, destroyed_drops_waiting_pieces) {
     begun.get_future().wait();
     for (int i = 0; i < 5; ++i) queue.submit([&] { ++ran; });
     releaser = std::thread([&] {
-      // Nothing reports when the queue's destructor begins, so the test waits.
+      // Nothing reports when the queue's destructor begins.
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
       go.set_value();
     });

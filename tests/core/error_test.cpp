@@ -16,7 +16,7 @@ TEST(Error, usage_error_exits_with_2) {
   EXPECT_STREQ(usage_error("--lenses", "0 lenses").what(), "--lenses: 0 lenses");
 }
 
-// Names from files may contain escape sequences, which must not reach the terminal.
+// Escape sequences in names from files must not reach the terminal.
 TEST(Error, has_no_control_characters) {
   const Error error("a\x1b[2J.exr", "has no channel \x1b]0;x\x07", "R\nG");
   EXPECT_STREQ(error.what(), "a?[2J.exr: has no channel ?]0;x?; accepted: R?G");

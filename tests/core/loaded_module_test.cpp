@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Loads a copy of the library at `path`. Returns its function that states whether a module is installed.
+/// Loads a copy of the library at `path`. Returns its function that tests whether a module is installed.
 bool (*loaded_at(const fs::path& path))(const char*) {
   fs::create_directories(path.parent_path());
   fs::copy_file(LIPPMANN_LOADED_MODULE_LIBRARY, path);

@@ -1,4 +1,3 @@
-// Uses imitations of the files in /proc and /sys.
 #include "core/platform.hpp"
 
 #include <gtest/gtest.h>

@@ -17,7 +17,7 @@ using test::error_message;
 using test::TempDir;
 using ::testing::HasSubstr;
 
-// Opening a FIFO blocks until another process opens it, so a failure would hang.
+// Opening a FIFO blocks until another process opens it.
 TEST(RegularFile, everything_else_is_refused_without_waiting) {
   const TempDir dir;
   ASSERT_EQ(mkfifo((dir / "fifo").c_str(), 0600), 0);
