@@ -1,4 +1,4 @@
-// Synthetic frames of uniformly lit planes, for every kind of optics.
+// Denoises frames of uniformly lit planes for every kind of optics.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -18,8 +18,8 @@ struct Frame {
   Image film, noise, seen, albedo, normal, z, met, truth;
 };
 
-/// The two halves of a pixel's samples have a standard deviation of 0.5 times the light. set() in denoiser_test.cpp explains
-/// the factor 0.7 of `noise`.
+/// The two halves of a pixel's samples have a standard deviation of 0.5 times the light. set() in denoiser_test.cpp
+/// explains the factor 0.7 of `noise`.
 Frame noisy_frame(const Optics& optics, const std::function<Plane(Vec2f place)>& plane_at) {
   const Vec2i size = film_size(optics);
   const Image three(size.x, size.y, 3), one(size.x, size.y, 1);
@@ -60,11 +60,11 @@ Errors errors_of(const Image& film, const Image& truth, int channel) {
   return {errors.squared / pixels, errors.mean / pixels};
 }
 
-/// Variance of a pixel relative to its squared light: the mean of two halves has 0.5^2 / 2.
+/// variance relative to the squared light: the mean of two halves has 0.5^2 / 2
 constexpr double kVariance = 0.125;
 
-/// Part of the variance that may be left. One pass of the denoiser's filter with the weights (1, 4, 6, 4, 1) / 16 leaves the
-/// sum of their squares, 70 / 256, per direction. The factor 2 allows for narrow views.
+/// Part of the variance that may be left. The filter weights (1, 4, 6, 4, 1) / 16 leave the sum of their squares, 70 /
+/// 256, per direction. The factor 2 allows for narrow views.
 constexpr double kLeft = 2.0 * (70.0 / 256.0) * (70.0 / 256.0);
 
 TEST(DenoisedOptics, uniform_light_loses_only_its_noise) {

@@ -1,4 +1,4 @@
-// Synthetic frames of four views of 24 x 16 pixels, which show a plane at z = 0 unless stated otherwise.
+// Frames of four views of 24 x 16 pixels, which show a plane at z = 0 unless stated otherwise.
 #include "denoise/denoiser.hpp"
 
 #include <gtest/gtest.h>
@@ -28,8 +28,8 @@ struct Made {
       }
   }
 
-  /// Sets a pixel from the means of the two halves of its samples. `noise` is 0.5 sqrt(2) = 0.7 times their difference, because
-  /// halves of stratified samples differ sqrt(2) times as much as independent ones of the same error.
+  /// Sets a pixel from the means of the two halves of its samples. `noise` is 0.5 sqrt(2) = 0.7 times their difference,
+  /// because stratified halves differ sqrt(2) times as much as independent ones.
   void set(int x, int y, float even, float odd_half) {
     for (int c = 0; c < 3; ++c) {
       film.pixel(x, y)[c] = 0.5f * (even + odd_half);
@@ -63,8 +63,8 @@ double mean_squared_error(const Image& film, float truth) {
   return sum / static_cast<double>(film.data.size());
 }
 
-// A pixel has the squared error 0.5^2 / 2 = 0.125, and a mean of n pixels 0.125 / n. The widest filter covers 17 x 16 pixels,
-// so less than 1/50 must be left.
+// A pixel has the squared error 0.5^2 / 2 = 0.125, and a mean of n pixels 0.125 / n. The widest filter covers 17 x 16
+// pixels.
 TEST(Denoiser, noise_decreases_and_the_mean_stays) {
   const Made made = noisy(1);
   EXPECT_NEAR(mean_squared_error(made.film, 1.0f), 0.125, 0.02);
@@ -84,7 +84,7 @@ TEST(Denoiser, noise_free_light_keeps_its_shadows) {
   for (std::size_t i = 0; i < film.data.size(); ++i) ASSERT_NEAR(film.data[i], made.film.data[i], 1e-3f) << i;
 }
 
-// The filter averages values that differ by 2 %, about kRelativeSpread. find_blur() must detect and undo this blur.
+// The values differ by 2 %, about kRelativeSpread, so the filter averages them. find_blur() must undo this blur.
 TEST(Denoiser, slight_differences_without_noise_are_not_blurred) {
   Made made;
   for (int y = 0; y < kHeight; ++y)

@@ -1,4 +1,3 @@
-// One small film of each kind of optics, for tests of the denoiser.
 #pragma once
 
 #include <vector>
@@ -10,7 +9,7 @@ namespace lippmann {
 struct OpticsCase {
   const char* name;
   Optics optics;
-  bool whole_views;  ///< each view consists of whole film pixels, so that film_layout() accepts the optics
+  bool whole_views;  ///< each view consists of whole film pixels, as film_layout() requires
 };
 
 inline std::vector<OpticsCase> optics_cases(int rows = 1) {

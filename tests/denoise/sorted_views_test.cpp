@@ -11,7 +11,7 @@
 namespace lippmann {
 namespace {
 
-constexpr float kRounding = 2e-3f;  ///< rounding in single precision at distances of up to 60 mm, in pixels
+constexpr float kRounding = 2e-3f;  ///< in pixels; single precision at distances of up to 60 mm
 
 Ray ray_of(const Optics& optics, std::uint32_t pixel) {
   const auto width = static_cast<std::uint32_t>(film_size(optics).x);
@@ -84,8 +84,8 @@ TEST(SortedViews, sights_find_points_at_their_pixels) {
   }
 }
 
-// The directions of a view's pixels differ by less than one pixel's angle, so a point at half the depth budget is mapped to
-// within one pixel. With diamond-shaped pixels, a few pixels belong to a neighbouring view.
+// The directions of a view's pixels differ by less than a pixel's angle, so a point at half the depth budget is mapped
+// to within one pixel. With diamond-shaped pixels, a few belong to a neighbouring view.
 TEST(SortedViews, sights_are_accurate_to_one_pixel) {
   for (const OpticsCase& kind : optics_cases()) {
     const SortedViews views = all_views(kind.optics);
