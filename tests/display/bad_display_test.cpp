@@ -1,4 +1,3 @@
-// Each error must name the file, the key and the accepted values.
 #include <gmock/gmock.h>
 
 #include <cmath>

@@ -10,8 +10,8 @@ namespace lippmann {
 namespace {
 
 TEST(Display, viewer_stands_where_the_panel_spans_14_degrees) {
-  // The Portrait is 2048 pixels / 324 dpi = 160.55 mm high. Its file states no viewing distance, so the height appears under 14
-  // degrees, from 80.277 mm / tan(7 degrees) = 653.80 mm.
+  // The Portrait is 2048 pixels / 324 dpi = 160.55 mm high. Without a stated viewing distance, the height appears under
+  // 14 degrees, from 80.277 mm / tan(7 degrees) = 653.80 mm.
   EXPECT_NEAR(viewing_distance_mm(load_display("portrait")), 653.80, 0.01);
   Display display;
   display.viewing_distance_mm = 400.0;
@@ -19,8 +19,7 @@ TEST(Display, viewer_stands_where_the_panel_spans_14_degrees) {
 }
 
 TEST(Display, lenticular_sheet_converges_to_the_viewer) {
-  // The lens pitch is 25.4 mm / 60 = 0.42333 mm, or 12 printed pixels at 720 dpi. The display file states the viewing zone of
-  // 54 degrees.
+  // lens pitch: 25.4 mm / 60 = 0.42333 mm
   const Display display = load_display("lenticular-60lpi-720dpi");
   const Optics optics = native_optics(display);
   const auto& sheet = std::get<LenticularSheet>(optics.model);
@@ -36,12 +35,12 @@ TEST(Display, microlens_array_has_square_or_hexagonal_lenses) {
   };
   EXPECT_EQ(packing("microlens-1mm-4k"), LensPacking::kSquare);
   EXPECT_EQ(packing("microlens-1mm-hexagonal-4k"), LensPacking::kHexagonal);
-  // 1 mm / (25.4 mm / 282.4) = 11.1 pixels per lens, so 11 x 11 = 121 views
+  // 1 mm / (25.4 mm / 282.4) = 11.1 pixels per lens, so 11 x 11 views
   EXPECT_EQ(views_of(load_display("microlens-1mm-4k")), 121);
 }
 
 TEST(Display, quilts_tiles_are_stretched_to_the_display) {
-  // Tiles have 4092 / 11 = 372 by 4092 / 6 = 682 pixels. Each covers 74.4929 x 132.4318 mm, so a pixel measures 0.200250 x
+  // Tiles of 4092 / 11 = 372 by 4092 / 6 = 682 pixels cover 74.4929 x 132.4318 mm, so a pixel measures 0.200250 x
   // 0.194181 mm.
   const Optics quilt = quilt_optics(load_display("go")).value();
   EXPECT_NEAR(quilt.panel.pixel_pitch_mm, 0.200250, 1e-6);

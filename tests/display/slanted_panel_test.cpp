@@ -7,7 +7,7 @@
 namespace lippmann {
 namespace {
 
-/// View coordinate of a sub-pixel, 0 to 1 across the view cone, from the point where its ray meets the plane of the eyes.
+/// Returns where a sub-pixel's ray meets the plane of the eyes, from 0 to 1 across the view cone.
 double view_of(const Optics& optics, int i, int j, int color) {
   const auto& slanted = std::get<SlantedPanel>(optics.model);
   const Ray ray = ray_of_pixel(optics, {3 * i + color + 0.5f, j + 0.5f});
@@ -15,12 +15,12 @@ double view_of(const Optics& optics, int i, int j, int color) {
   return 0.5 + std::atan((ray.origin.x + to_eye * ray.direction.x) / slanted.distance_mm) / slanted.view_cone;
 }
 
-/// In single precision, rays meet the plane of the eyes with an error of 3e-5 mm, and the views are spread over about 800 mm.
+/// Single-precision rays meet the plane of the eyes with an error of 3e-5 mm, and the cone is about 800 mm wide there.
 constexpr double kView = 1e-6;
 
 TEST(SlantedDisplay, portrait_has_the_published_periods_and_tilt) {
-  // Lens periods across the panel = pitch * width / dpi * cos(atan(1 / slope)) = 52 * 1536 / 324 * cos(atan(-1 / 7)) = 246.5185
-  // * 0.989949 = 244.0409. Tilt: height / (width * slope) = 2048 / (1536 * -7) = -0.1904762.
+  // Lens periods: pitch * width / dpi * cos(atan(1 / slope)) = 52 * 1536 / 324 * cos(atan(-1 / 7)) = 244.0409. Tilt:
+  // height / (width * slope) = 2048 / (1536 * -7) = -0.1904762.
   const Display portrait = load_display("looking-glass-portrait");
   EXPECT_NEAR(periods_of(portrait), 244.041, 5e-4);
   EXPECT_NEAR(tilt_of(portrait), -0.190476, 5e-7);
@@ -138,7 +138,7 @@ void expect_formula(const Display& d, int (*cell)(int column, int row_from_botto
     for (int i = 0; i < d.pixels.x; ++i)
       for (int color = 0; color < 3; ++color) {
         const double v = formula(d, i, j, color, cell(i, d.pixels.y - 1 - j));
-        if (std::min(v, 1 - v) < 1e-5) continue;  // at the edge of a lens, rounding decides between v = 0 and v = 1
+        if (std::min(v, 1 - v) < 1e-5) continue;
         EXPECT_NEAR(view_of(optics, i, j, color), v, 2 * kView) << i << " " << j << " " << color;
       }
 }

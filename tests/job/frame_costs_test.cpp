@@ -24,8 +24,7 @@ FrameReport made(int frame, double cpu_seconds, const char* kind = "full") {
 }
 
 TEST(JobCosts, three_segments_are_measured) {
-  EXPECT_THAT(frames_to_measure(frames_from(8, 40), 16, Neighbours::kOthers),
-              ElementsAre(8, 9, 16, 17, 32, 33));
+  EXPECT_THAT(frames_to_measure(frames_from(8, 40), 16, Neighbours::kOthers), ElementsAre(8, 9, 16, 17, 32, 33));
   EXPECT_THAT(frames_to_measure(frames_from(0, 48), 8, Neighbours::kCopied), ElementsAre(0, 1, 24, 25, 40, 41));
 }
 
