@@ -22,7 +22,7 @@ Optics sheet(float viewing_distance) {
   return optics;
 }
 
-/// Linear in x, so that interpolation is exact. A step of 0.2 per lens is enough contrast to search neighbouring views.
+/// Linear in x, so that interpolation is exact. Steps of 0.2 per lens are enough contrast to match neighbouring views.
 float ramp(float x) { return 2.0f + 0.2f * x; }
 
 using test::centre_of;
@@ -45,7 +45,6 @@ TEST(EpipolarSampler, linear_colours_are_interpolated_exactly) {
       const test::KnownMotion motion({test::shift(0.3f, 0, 0)});
       const Splatter splatter(optics, {});
       const EpipolarSampler sampler(optics, Encoding::kSrgb);
-      // Pixels near the edges have no neighbours for the interpolation.
       for (std::uint32_t p = 96 + 24; p < 96 + 72; ++p) {
         const auto target = splatter.landing(p, z, 0, motion.motion);
         ASSERT_TRUE(target);
@@ -75,7 +74,7 @@ TEST(EpipolarSampler, contrast_is_measured_within_the_view) {
 }
 
 TEST(EpipolarSampler, background_does_not_mix_with_the_foreground) {
-  // A white object (0) covers the left half in front of a black object (1). Only the black object moves, by 0.4 mm, so that its
+  // A white object (0) covers the left half in front of a black one (1). Only the black object moves, by 0.4 mm, so its
   // samples lie between pixels. Away from the edge, no black pixel may become grey.
   const Optics optics = sheet(kInfinity);
   PointImage image = test::empty_points(optics.panel);

@@ -65,13 +65,14 @@ Evidence evidence_of(const HeldOut& held_out, std::span<const double> squared_er
 TEST(HeldOut, errors_are_weighted_by_untraced_patches) {
   const HeldOut held_out = drawn_by_hand();
   const auto errors = estimate_errors(held_out, evidence_of(held_out, std::vector<double>{0.0, 0.0, 0.0, 5.0, 200.0, 400.0}));
-  // There are 150 patches. 96 of level 0 are not traced, with a mean error of 5/4, and 48 of level 2, with a mean error of 300.
+  // Of 150 patches, 96 of level 0 are not traced, with a mean error of 5/4, and 48 of level 2, with a mean error of
+  // 300.
   EXPECT_NEAR(errors[0].mse, 96.0 / 150.0 * 1.25, 1e-12);
   EXPECT_NEAR(errors[1].mse, errors[0].mse, 1e-12);
   EXPECT_NEAR(errors[2].mse, errors[0].mse + 48.0 / 150.0 * 300.0, 1e-12);
-  // Upper bound of level 0, at 2.326 standard deviations. Each of 4 samples has the weight w = 96 / (150 * 4) = 0.16; their
-  // squared deviations sum to 25 - 4 (5/4)^2 = 18.75. A sample that was not drawn has the smallest assumed squared error, 12^2
-  // = 144.
+  // Upper bound of level 0, at 2.326 standard deviations. Each of 4 samples has the weight w = 96 / (150 * 4) = 0.16;
+  // their squared deviations sum to 25 - 4 (5/4)^2 = 18.75. The smallest squared error that is assumed for a sample
+  // outside the draw is 12^2 = 144.
   const double w = 0.16, not_drawn = w * 144.0;
   EXPECT_NEAR(errors[0].bound, 0.8 + not_drawn + 2.326 * std::sqrt(w * w * 18.75 + not_drawn * not_drawn), 1e-9);
   // For levels 0 and 2, the sample that was not drawn has the largest known squared error, 400.
@@ -85,8 +86,8 @@ TEST(HeldOut, learned_errors_count_like_own_samples) {
   learned.levels[0] = {36.0, 36.0, 72.0, 2.0};  // of 36 patches, 18 have an error of 2: the sum is 36, the sum of squares 72
   evidence.add(learned);
   const auto errors = estimate_errors(held_out, evidence);
-  // 96 of 150 patches are of level 0 and not traced. Its 4 + 36 = 40 samples have the sum 4 + 36 = 40 and the sum of squares 16
-  // + 72 = 88.
+  // 96 of 150 patches are of level 0 and not traced. Its 4 + 36 = 40 samples have the sum 4 + 36 = 40 and the sum of
+  // squares 16 + 72 = 88.
   EXPECT_NEAR(errors[0].mse, 96.0 / 150.0, 1e-12);
   const double w = 96.0 / (150.0 * 40.0), not_drawn = w * 144.0;
   EXPECT_NEAR(errors[0].bound, 0.64 + not_drawn + 2.326 * std::sqrt(w * w * 48.0 + not_drawn * not_drawn), 1e-9);
@@ -114,8 +115,8 @@ TEST(HeldOut, trust_ends_at_the_first_failing_level) {
 }
 
 TEST(HeldOut, bound_holds_in_95_percent_of_samples) {
-  // The squared errors have a log-normal distribution over four decades. All patches have one level, so that only the bound is
-  // tested.
+  // The squared errors have a log-normal distribution over four decades. All patches have one level, so that only the
+  // bound is tested.
   constexpr int kTrials = 400;
   const std::vector<std::uint8_t> uncertainty(16000, 5);
   std::mt19937 random(3);

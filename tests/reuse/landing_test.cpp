@@ -1,5 +1,5 @@
-// A moved point must land on the pixel of the same view, or below the same lens (reuse/landing.hpp). The expected pixel is
-// computed in double precision or found by search, for random points, motions and optics.
+// A moved point must land on the pixel of the same view, or below the same lens (reuse/landing.hpp). The expected pixel
+// is computed in double precision or found by search.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -27,8 +27,8 @@ bool on_panel(const Optics& optics, glm::dvec2 p) {
   return p.x >= 0 && p.y >= 0 && p.x < film_size(optics).x && p.y < optics.panel.height;
 }
 
-/// Returns the point where the rays of a lens cross z = 0: the centre of a microlens. For a sheet, x is the distance of the
-/// lens axis from the slanted axis through the origin, and y is 0.
+/// Returns the point where the rays of a lens cross z = 0: the centre of a microlens. For a sheet, x is the distance of
+/// the lens axis from the slanted axis through the origin, and y is 0.
 glm::dvec2 lens_above(const Optics& optics, Vec2f pixel) {
   const Vec3f p = at_depth(ray_of_pixel(optics, pixel), 0.0f);
   const auto* sheet = std::get_if<LenticularSheet>(&optics.model);
@@ -45,7 +45,7 @@ bool same_lens(const Optics& optics, Vec2f a, Vec2f b) {
 }
 
 Place seen_below_lens(const Optics& optics, Vec2f from, Vec3f point) {
-  // If the panel's edge cuts a cell, the image of the point may lie outside the panel, so a larger panel is searched.
+  // If the panel's edge cuts a cell, the image of the point may lie outside the panel.
   constexpr float kMargin = 8.0f;
   Optics wide = optics;
   wide.z_front_mm = resolved_z_front_mm(optics);
@@ -57,7 +57,8 @@ Place seen_below_lens(const Optics& optics, Vec2f from, Vec3f point) {
     if (!same_lens(wide, p, from + kMargin)) continue;
     const Vec2f place = p - kMargin;
     if (!sheet) return place;
-    // A pixel of a sheet shows points of its whole row, so the place moves along the lens axis to the centre of the row.
+    // A pixel of a sheet shows points of its whole row, so the place moves along the lens axis to the centre of the
+    // row.
     const float row = std::floor(place.y) + 0.5f;
     return glm::dvec2(place.x + (row - place.y) * std::tan(sheet->slant), row);
   }
@@ -122,8 +123,9 @@ Place seen_in_lens_view(const Optics& optics, Vec2f from, Vec3f point) {
     p = {p.x * cosine + p.y * sine, 0.0};
   }
   const auto cell_centre = [&](glm::dvec2 lens) { return lens + (lens - lattice.eye) * (lattice.spread - 1.0); };
-  // The lens above the pixel is the one with the nearest cell centre. At offset o from it, the ray has the slope -parallax o /
-  // gap - (l - e) / V, with the lens position l, the viewing distance V, and the point e to which the cells converge.
+  // The lens above the pixel is the one with the nearest cell centre. At offset o from it, the ray has the slope
+  // -parallax o / gap - (l - e) / V, with the lens position l, the viewing distance V, and the point e to which the
+  // cells converge.
   const glm::dvec2 own = nearest_lens(lattice, (panel_mm + lattice.eye * (lattice.spread - 1.0)) / lattice.spread);
   const glm::dvec2 o = panel_mm - cell_centre(own);
   const glm::dvec2 through = (p + (parallax * o / gap - lattice.eye * vergence) * double{point.z}) / from_eye;
@@ -136,8 +138,8 @@ Place seen_in_lens_view(const Optics& optics, Vec2f from, Vec3f point) {
   return glm::dvec2((landed.x + (row + 0.5 - h / 2) * m * sine) / cosine / m + w / 2, row + 0.5);
 }
 
-/// For quilts and single views: the pixel of the same view whose ray passes nearest to the point, which may be half a pixel
-/// beyond the edge.
+/// For quilts and single views: the pixel of the same view whose ray passes nearest to the point, which may be half a
+/// pixel beyond the edge.
 Place seen_in_picture(const Optics& optics, Vec2f from, Vec3f point) {
   const auto* views = std::get_if<MultiView>(&optics.model);
   const float distance = views ? views->distance_mm : std::get<SingleView>(optics.model).distance_mm;
@@ -192,8 +194,8 @@ bool is_close_call(const Optics& optics, SplatMode mode, Vec2f from, Vec3f point
   return false;
 }
 
-/// At the edge of a cell, the position may lie in a pixel whose centre belongs to the neighbouring cell. Acceptable results are
-/// then none, or a pixel of the lens's own cell at most 1.5 pixels away.
+/// At the edge of a cell, the position may lie in a pixel whose centre belongs to the neighbouring cell. Acceptable
+/// results are then none, or a pixel of the lens's own cell at most 1.5 pixels away.
 bool is_own_neighbour(const Optics& optics, glm::dvec2 place, glm::dvec2 lens, std::optional<std::uint32_t> landed) {
   if (!landed) return true;
   const Vec2f centre = centre_of(optics, *landed);
@@ -231,7 +233,7 @@ void check(const Optics& optics, SplatMode mode, OpticsSampler& random) {
         << what.str();
     EXPECT_TRUE(is_own_neighbour(optics, *place, lens, landed)) << what.str();
   }
-  // at least 100 of the 250 random points must not be close calls
+  // at least 100 of the 250 random points must be compared
   EXPECT_GT(compared, 100) << test::model_name(optics);
 }
 
@@ -273,7 +275,7 @@ TEST(Landing, slanted_panels_keep_the_direction) {
     const Optics optics = slanted_panel(random);
     const auto& slanted = std::get<SlantedPanel>(optics.model);
     const Splatter splatter(optics, {SplatMode::kView, true});
-    // The eye's angle as a fraction of the view cone. It changes by 1 / (sub-pixels per lens) from sub-pixel to sub-pixel.
+    // The eye's angle as a fraction of the view cone, which has 1 / (sub-pixels per lens) from sub-pixel to sub-pixel.
     const auto view_of = [&](Vec2f pixel) {
       const Vec3f eye = at_depth(ray_of_pixel(optics, pixel), slanted.distance_mm);
       return std::atan(eye.x / (slanted.parallax * slanted.distance_mm)) / slanted.view_cone;
@@ -294,8 +296,8 @@ TEST(Landing, slanted_panels_keep_the_direction) {
       ++seen;
       const Vec2f centre = centre_of(optics, *landed);
       const Vec3f place = at_depth(ray_of_pixel(optics, centre), 0.0f);
-      // Tolerances: half a row in y; half a lens and half a sub-pixel in x; half the step from sub-pixel to sub-pixel for the
-      // view. Views repeat from lens to lens.
+      // Tolerances: half a row in y; half a lens and half a sub-pixel in x; half the step from sub-pixel to sub-pixel
+      // for the view. Views repeat from lens to lens.
       const double pitch = optics.panel.pixel_pitch_mm / 3.0;
       EXPECT_LE(std::abs(place.y - in_plane.y), 1.51 * pitch);
       EXPECT_LE(std::abs(place.x - in_plane.x), (0.5 * sub_pixels + 0.51) * pitch);

@@ -40,7 +40,8 @@ TEST(Motion, lights_are_numbered_after_instances) {
 TEST(Motion, objects_move_in_display_units) {
   SmallScene s;
   s.add(test::square(1, 0), s.material(test::glowing(Vec3f(1.0f))), s.moving_node({0, 0, 0}, {4, 0, 0}));
-  // A millimetre of the display is half a world unit. A quarter turn about z makes the world's x axis the display's -y axis.
+  // A millimetre of the display is half a world unit. A quarter turn about z makes the world's x axis the display's -y
+  // axis.
   const Affine3f display{0.5f * Mat3f(Vec3f(0, 1, 0), Vec3f(-1, 0, 0), Vec3f(0, 0, 1)), Vec3f(7, 8, 9)};
   const MotionGroups groups = make_motion_groups(s.scene);
   const Motion motion = motion_between(groups, moment_at(s.scene, 0.25, display), moment_at(s.scene, 0.75, display));

@@ -1,5 +1,5 @@
-// Tests which of several points a pixel shows. The eye at (0, 0, 10) sees the square from -4 to 4 mm in the plane z = 0 as 8 x
-// 8 pixels, so a pixel is 1 mm wide at z = 0, 0.5 mm at z = 5 and 2 mm at z = -10.
+// The eye at (0, 0, 10) sees the square from -4 to 4 mm in the plane z = 0 as 8 x 8 pixels, so a pixel is 1 mm wide at
+// z = 0, 0.5 mm at z = 5 and 2 mm at z = -10.
 #include "reuse/splat.hpp"
 
 #include <gtest/gtest.h>

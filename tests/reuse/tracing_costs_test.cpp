@@ -15,7 +15,7 @@ Scene spheres() {
 }
 
 TEST(TracingCosts, rays_cost_by_the_fourth_root_of_all_primitives) {
-  EXPECT_NEAR(seconds_per_ray(spheres()), 21e-9, 1e-15);  // (5 + 8 * 16^(1/4)) ns = (5 + 8 * 2) ns
+  EXPECT_NEAR(seconds_per_ray(spheres()), 21e-9, 1e-15);  // (5 + 8 * 16^(1/4)) ns
 }
 
 TEST(TracingCosts, prediction_cost_is_relative_to_tracing) {

@@ -17,8 +17,8 @@ constexpr std::size_t kWidth = 16, kPixels = 16 * 8;
 
 std::size_t pixel(std::size_t x, std::size_t y) { return y * kWidth + x; }
 
-/// Two key frames and the predicted film, all black at first. A code is 255 times a value. Each pixel has points from both key
-/// frames.
+/// Two key frames and the predicted film, all black at first. A code is 255 times a value. Each pixel has points from
+/// both key frames.
 struct Case {
   Image previous{16, 8, 3}, following{16, 8, 3}, film{16, 8, 3};
   SplatBuffer landed_previous{std::vector<std::uint64_t>(kPixels, 1)}, landed_following = landed_previous;
@@ -40,7 +40,8 @@ TEST(Uncertainty, disagreement_spreads_to_neighbours) {
   Case c;
   Case::paint(c.following, pixel(5, 3), 40.0f / 255.0f);
   const auto uncertainty = c.uncertainty();
-  // 40 is the pixel's own difference, and 20 half of the largest difference in its neighbourhood, which includes itself.
+  // 40 is the pixel's own difference, and 20 half of the largest difference in its neighbourhood, which includes
+  // itself.
   EXPECT_EQ(uncertainty[pixel(5, 3)], 40 + 20);
   EXPECT_EQ(uncertainty[pixel(6, 3)], 20 + 20);  // 20 as a neighbour in the view, and 20 as an adjacent pixel of the panel
   EXPECT_EQ(uncertainty[pixel(5, 4)], 20);
