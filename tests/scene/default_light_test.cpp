@@ -135,7 +135,7 @@ TEST(DefaultLight, comes_from_above_left_of_the_camera) {
   Scene scene = scene_of(MetallicRoughness{});
   Node node;
   const float half_root = std::sqrt(0.5f);
-  node.local.rotation = {half_root, 0, half_root, 0};  // the camera looks along -x
+  node.local.rotation = {half_root, 0, half_root, 0};
   node.local.scale = Vec3f(2.0f);
   scene.nodes.push_back(node);
   scene.cameras.emplace_back().node = 0;

@@ -35,8 +35,8 @@ Scene triangle() {
 
 Mesh& mesh_of(Scene& scene) { return std::get<Mesh>(scene.shapes[0]); }
 
-/// The first morph target adds (0, 0, 2) to vertex 1 and (1, 0, 0) to its normal. The second adds (3, 0, 0) to vertex 2. `lift`
-/// and `move` are their weights.
+/// The first morph target adds (0, 0, 2) to vertex 1 and (1, 0, 0) to its normal. The second adds (3, 0, 0) to vertex
+/// 2. `lift` and `move` are their weights.
 Scene morphing(float lift, float move) {
   Scene scene = triangle();
   mesh_of(scene).targets = {{{{0, 0, 0}, {0, 0, 2}, {0, 0, 0}}, {{0, 0, 0}, {1, 0, 0}, {0, 0, 0}}, {}},
@@ -45,8 +45,8 @@ Scene morphing(float lift, float move) {
   return scene;
 }
 
-/// Joint 0 (node 1) translates by (10, 0, 0). Joint 1 (node 2) rotates x to y; its inverse bind matrix translates by (0, 0, 1).
-/// Vertices 0 and 1 follow joints 0 and 1, and vertex 2 follows both equally.
+/// Joint 0 (node 1) translates by (10, 0, 0). Joint 1 (node 2) rotates x to y; its inverse bind matrix translates by
+/// (0, 0, 1). Vertices 0 and 1 follow joints 0 and 1, and vertex 2 follows both equally.
 Scene skinned() {
   Scene scene = triangle();
   scene.nodes.resize(3);
@@ -145,10 +145,10 @@ TEST(MorphWeights, step_and_linear_keys_have_all_weights) {
 
 TEST(MorphWeights, cubic_keys_have_tangents_and_values) {
   Scene scene = morphing(0, 0);
-  // Each key lists the in-tangents of both targets, then their values, then their out-tangents. The first weight goes from 1
-  // (out-tangent 3) to 5 (in-tangent -2) in 2 s. At 0.5 s, u = 1/4, and the Hermite spline gives
-  //   (2/64 - 3/16 + 1) * 1 + 2 * (1/64 - 2/16 + 1/4) * 3 + (3/16 - 2/64) * 5 + 2 * (1/64 - 1/16) * (-2) = 85/32.
-  // All keys of the second weight are half as large, and so is its result.
+  // Each key lists the in-tangents of both targets, their values, and their out-tangents. The first weight goes from 1
+  // (out-tangent 3) to 5 (in-tangent -2) in 2 s. At 0.5 s, u = 1/4, and the Hermite spline gives (2/64 - 3/16 + 1) * 1
+  // + 2 * (1/64 - 2/16 + 1/4) * 3 + (3/16 - 2/64) * 5 + 2 * (1/64 - 1/16) * (-2) = 85/32. The second weight is half as
+  // large.
   scene.timeline.animations = {weights(Interpolation::kCubicSpline, {9, 9, 1, 0.5f, 3, 1.5f, -2, -1, 5, 2.5f, 9, 9})};
   validate(scene, "test");
   const std::vector<float> at = evaluate(scene, 0.5).morph_weights.at(0);

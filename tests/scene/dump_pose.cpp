@@ -1,5 +1,5 @@
-// dump_pose SCENE ANIMATION TIME ... prints the vertices of all meshes with skins or morph targets in world space, as lines
-// "time object vertex x y z". ANIMATION is a name or an index; "" selects the first animation.
+// dump_pose SCENE ANIMATION TIME ... prints the vertices of all meshes with skins or morph targets in world space, as
+// lines "time object vertex x y z". ANIMATION is a name or an index; "" selects the first animation.
 #include <fmt/core.h>
 
 #include <cstdlib>

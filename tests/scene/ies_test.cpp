@@ -51,8 +51,8 @@ TEST(Ies, the_mean_is_that_of_the_flux) {
   EXPECT_NEAR(parse_ies("a.ies", ies(3, "2 2", "-90 90\n-90 90\n50 50 50 50")).mean_candela, 25.0f, 1e-3f);
 }
 
-// The intensity I cos(theta) over a hemisphere has a flux of pi I, so the mean is I / 4 = 800 / 4. The tolerance covers linear
-// interpolation of the cosine in steps of a degree.
+// The intensity I cos(theta) over a hemisphere has a flux of pi I, so the mean is I / 4 = 800 / 4. The cosine is
+// interpolated linearly in steps of a degree.
 TEST(Ies, lambertian_mean_is_a_quarter_of_peak) {
   std::string angles, values;
   for (int v = 0; v <= 90; ++v) angles += fmt::format("{} ", v), values += fmt::format("{} ", 800.0 * std::cos(v * M_PI / 180));

@@ -1,4 +1,4 @@
-// Every importer meets unknown properties, elements, extensions and keywords. It must throw or warn, and name them.
+// Importers must throw or warn about unknown properties, elements, extensions and keywords, and name them.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

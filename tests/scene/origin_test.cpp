@@ -41,8 +41,8 @@ void expect_near(Vec3d a, Vec3d b, double tolerance) {
   EXPECT_LE(glm::length(a - b), tolerance) << text_of(a) << " and " << text_of(b);
 }
 
-/// Coordinates below 16 have rounding errors of at most 2^-21, so points of two scenes differ by at most sqrt(3) * 2 * 2^-21 =
-/// 1.7e-6.
+/// Coordinates below 16 have rounding errors of at most 2^-21, so points of two scenes differ by at most sqrt(3) * 2 *
+/// 2^-21 = 1.7e-6.
 constexpr double kOriginRounding = 2e-6;
 
 const std::vector<Vec3d> kCorners{{0.1, 0.2, 0.3}, {1.1, 0.2, 0.3}, {0.1, 1.3, 0.3}, {0.7, 0.9, -0.4}};

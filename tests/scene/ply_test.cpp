@@ -220,7 +220,7 @@ TEST_F(PlyTextures, corners_have_coordinates_and_faces_a_picture) {
   ASSERT_EQ(scene.instances.size(), 2u);
   EXPECT_EQ(red_of(scene, 0), 255);
   EXPECT_EQ(red_of(scene, 1), 0);
-  const Mesh& second = mesh(scene);  // mesh of the second face, which has the first texture
+  const Mesh& second = mesh(scene);
   EXPECT_EQ(second.uvs.at(second.triangles.at(0)[1]), Vec2f(0.5f, 0.0f));
   EXPECT_THAT(square.warnings, testing::IsEmpty());
 }

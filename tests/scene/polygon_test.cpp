@@ -11,8 +11,8 @@ glm::dvec3 area_vector(const std::vector<Vec3f>& p, const Triangle& t) {
   return 0.5 * glm::cross(glm::dvec3(p[t[1]] - p[t[0]]), glm::dvec3(p[t[2]] - p[t[0]]));
 }
 
-/// The triangles fill a polygon in a plane z = const if none is clockwise and their areas add up to `area`. Coordinates are
-/// small whole numbers, so that floats are exact.
+/// The triangles fill a polygon in a plane z = const if none is clockwise and their areas add up to `area`. Coordinates
+/// are small whole numbers, so that floats are exact.
 void expect_fills(const std::vector<Vec3f>& polygon, double area) {
   const std::vector<Triangle> triangles = triangulate(polygon);
   EXPECT_EQ(triangles.size(), polygon.size() - 2);

@@ -25,8 +25,8 @@ CameraFrame frame_of(const Scene& scene, double time = 0.0) {
   return {world_from_camera.translation, axis({1, 0, 0}), axis({0, 1, 0}), axis({0, 0, -1})};
 }
 
-/// In Tachyon's left-handed axes, view = +z, up = +y and right = cross(up, view) = +x. The reader mirrors z: view = -z, up =
-/// +y, right = cross(view, up) = +x.
+/// In Tachyon's left-handed axes, view = +z, up = +y and right = cross(up, view) = +x. The reader mirrors z: view = -z,
+/// up = +y, right = cross(view, up) = +x.
 TEST_F(Tachyon, camera_along_z_looks_along_minus_z) {
   const Scene scene = files.load_statements(camera("CENTER 1 2 3 VIEWDIR 0 0 1 UPDIR 0 1 0"));
   const CameraFrame frame = frame_of(scene);
@@ -36,8 +36,8 @@ TEST_F(Tachyon, camera_along_z_looks_along_minus_z) {
   EXPECT_EQ(xyz(frame.forward), (std::array{0.0f, 0.0f, -1.0f}));
 }
 
-/// In Tachyon's left-handed axes, view = +x, up = +z and right = cross(up, view) = +y. The reader mirrors z: view = +x, up =
-/// -z, right = cross(view, up) = +y.
+/// In Tachyon's left-handed axes, view = +x, up = +z and right = cross(up, view) = +y. The reader mirrors z: view = +x,
+/// up = -z, right = cross(view, up) = +y.
 TEST_F(Tachyon, camera_right_is_tachyon_s_right_mirrored) {
   const CameraFrame frame = frame_of(files.load_statements(camera("CENTER 0 0 0 VIEWDIR 3 0 0 UPDIR 0 0 2")));
   EXPECT_EQ(xyz(frame.right), (std::array{0.0f, 1.0f, 0.0f}));
@@ -51,8 +51,8 @@ TEST_F(Tachyon, up_is_made_orthogonal_to_view) {
   EXPECT_EQ(xyz(frame.up), (std::array{0.0f, 1.0f, 0.0f}));
 }
 
-/// Tachyon samples its leftmost column one pixel to the right of the picture's edge, half a pixel to the right of our pixel
-/// centres, and its bottom row half a pixel above ours.
+/// Tachyon samples its leftmost column one pixel to the right of the picture's edge, half a pixel to the right of our
+/// pixel centres, and its bottom row half a pixel above ours.
 TEST_F(Tachyon, pixel_offset_is_half_right_and_up) {
   const Scene scene = files.load_statements("");
   EXPECT_EQ(scene.cameras[0].pixel_offset.x, 0.5f);
@@ -194,8 +194,8 @@ TEST_F(Tachyon, depth_of_field_is_ignored) {
   EXPECT_THAT(files.warnings, ElementsAre(HasSubstr("the depth of field of PERSPECTIVE_DOF is left out")));
 }
 
-/// The gradient covers the heights -1 to 3, with the camera in the middle, at 1. Both ends are half a picture height away, and
-/// the assumed viewer sees them at 22.5 degrees.
+/// The gradient covers the heights -1 to 3, with the camera at 1. Both ends are half a picture height away, and the
+/// assumed viewer sees them at 22.5 degrees.
 TEST_F(Tachyon, orthographic_gradient_becomes_directions) {
   const Scene scene = files.load_statements(
       camera("CENTER 0 1 0 VIEWDIR 0 0 1 UPDIR 0 1 0", "PROJECTION ORTHOGRAPHIC ZOOM 0.25") +
@@ -227,8 +227,8 @@ TEST_F(Tachyon, light_without_attenuation_does_not_fade) {
   EXPECT_EQ(xyz(scene.lights[0].attenuation), (std::array{1.0f, 0.0f, 0.0f}));
 }
 
-/// The top colour is reached where dot(direction, UPDIR) = TOPVAL = 1.5. As |UPDIR| = 2, the component along UPDIR is 0.75
-/// there.
+/// The top colour is reached where dot(direction, UPDIR) = TOPVAL = 1.5. As |UPDIR| = 2, the component along UPDIR is
+/// 0.75 there.
 TEST_F(Tachyon, gradient_overrides_background) {
   const Scene scene = files.load_statements(
       "BACKGROUND_GRADIENT SKY_SPHERE UPDIR 0 0 2 TOPVAL 1.5 BOTTOMVAL -1 TOPCOLOR 0 0 1 BOTTOMCOLOR 1 0 0 BACKGROUND 1 1 1");

@@ -158,7 +158,6 @@ TEST_F(Tachyon, what_follows_end_scene_is_ignored) {
   EXPECT_EQ(files.error_of(TachyonFiles::kPrelude + "END_SCENE FROG"), "no error");
 }
 
-/// A scene that is cut off gives an error, unless the cut is after END_SCENE.
 TEST_F(Tachyon, scene_cut_anywhere_is_an_error) {
   files.write("a.tpoly", "3 0 0 0 1 0 0 0 1 0");
   const std::string scene = TachyonFiles::kPrelude + kTexture +

@@ -202,8 +202,8 @@ TEST_F(Tachyon, vcstri_has_colours_and_no_texture) {
   EXPECT_EQ(test::phong(scene.materials[0]).highlight_size, 40.0f);
 }
 
-/// With two grid points per side, the landscape is its four corners. Heights are Tachyon's random numbers: x <- 1099087573 x
-/// mod 2^32, starting from x = 4, divided by 2^32.
+/// With two grid points per side, the landscape is its four corners. Heights are Tachyon's random numbers: x <-
+/// 1099087573 x mod 2^32, starting from x = 4, divided by 2^32.
 TEST_F(Tachyon, smallest_landscape_has_two_triangles) {
   const Scene scene = files.load_statements("SCAPE RES 2 2 SCALE 4 6 CENTER 1 2 3" + white);
   const Mesh& mesh = only_shape<Mesh>(scene);
@@ -212,7 +212,7 @@ TEST_F(Tachyon, smallest_landscape_has_two_triangles) {
   std::uint32_t x = 4;
   std::vector<float> heights;
   for (int i = 0; i < 4; ++i) heights.push_back(2.0f + static_cast<float>((x *= 1099087573u) / 4294967296.0));
-  // In the order in which triangles use them: grid points (0, 0), (1, 1), (1, 0), (0, 1).
+  // in the order in which triangles use them: grid points (0, 0), (1, 1), (1, 0), (0, 1)
   EXPECT_EQ(xyz(mesh.positions[0]), (std::array{-1.0f, heights[0], 0.0f}));
   EXPECT_EQ(xyz(mesh.positions[1]), (std::array{3.0f, heights[3], -6.0f}));
   EXPECT_EQ(xyz(mesh.positions[2]), (std::array{3.0f, heights[1], 0.0f}));
@@ -238,8 +238,8 @@ TEST_F(Tachyon, tpolyfile_scales_rotates_and_moves) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_LT(glm::length(mesh.positions[i] - expected[i]), 1e-6f) << i;  // rounding
 }
 
-/// Tachyon's rotation about y has +sin in its third row, where a proper rotation has -sin. It turns (1, 0, 0) to (cos, 0,
-/// +sin).
+/// Tachyon's rotation about y has +sin in its third row, where a proper rotation has -sin. It turns (1, 0, 0) to (cos,
+/// 0, +sin).
 TEST_F(Tachyon, tpolyfile_turns_about_y_as_tachyon_does) {
   files.write("a.tpoly", "3 0 0 0 1 0 0 0 1 0");
   const Scene scene = files.load_statements("TPOLYFILE SCALE 1 1 1 ROT 0 30 0 CENTER 0 0 0 FILE a.tpoly" + white);

@@ -49,7 +49,8 @@ TEST(TextureBudget, long_textures_are_halved_on_both_sides) {
 }
 
 TEST(HalvedTexture, averages_colours_linearly_and_alpha_directly) {
-  // Red: one texel of linear value 1 and three of 0 have the mean 1/4, the sRGB code 137. The mean of the bytes would be 64.
+  // Red: one texel of linear value 1 and three of 0 have the mean 1/4, the sRGB code 137. The mean of the bytes would
+  // be 64.
   Texture texture = of_codes({2, 2}, {255, 0, 255, 255, 0, 0, 255, 0, 0, 0, 255, 0, 0, 0, 255, 0}, true);
   lippmann::halve(texture);
   EXPECT_EQ(Vec2i(texture.width, texture.height), Vec2i(1, 1));

@@ -38,7 +38,7 @@ INSTANTIATE_TEST_SUITE_P(BuiltinScenes, EachScene, testing::ValuesIn(builtin_sce
   return name;
 });
 
-/// Largest displacement of the node's origin and of its unit vectors.
+/// Returns the largest displacement of the node's origin and of its unit vectors.
 float motion(const Affine3f& a, const Affine3f& b) {
   float most = glm::length(a.translation - b.translation);
   for (int axis = 0; axis < 3; ++axis) most = std::max(most, glm::length(a.linear[axis] - b.linear[axis]));

@@ -16,8 +16,8 @@ float from_tooth(int teeth, float gear_angle, Vec2f p) {
   return std::remainder(std::atan2(p.y, p.x) - gear_angle, 2.0f * kPi / static_cast<float>(teeth));
 }
 
-/// Distance of p from the nearest flank, along the circle around the gear's centre: negative inside the gear, infinite beyond
-/// the tips.
+/// Distance of p from the nearest flank along the circle around the gear's centre: negative inside the gear, infinite
+/// beyond the tips.
 float clearance(int teeth, float gear_angle, Vec2f p) {
   const float radius = glm::length(p);
   if (radius > pitch_radius(teeth) + kAddendum) return kInfinity;
@@ -25,7 +25,7 @@ float clearance(int teeth, float gear_angle, Vec2f p) {
   return radius * (std::abs(from_tooth(teeth, gear_angle, p)) - tooth_half_angle(teeth, radius));
 }
 
-/// For the inner teeth of a ring, whose angle is the centre of one of its gaps.
+/// As clearance(), for the inner teeth of a ring, whose angle is the centre of one of its gaps.
 float ring_clearance(int teeth, float ring_angle, Vec2f p) {
   const float radius = glm::length(p);
   if (radius < pitch_radius(teeth) - kAddendum) return kInfinity;
@@ -34,11 +34,11 @@ float ring_clearance(int teeth, float ring_angle, Vec2f p) {
   return radius * (std::abs(from_tooth(teeth, tooth_angle, p)) - ring_tooth_half_angle(teeth, radius));
 }
 
-/// Angle of a ring that meshes with a gear inside it. The gear is rotated by `gear_angle`, and its centre is in the direction
-/// `direction` from the ring's.
+/// Angle of a ring that meshes with a gear inside it. The gear is rotated by `gear_angle`, and its centre is in the
+/// direction `direction` from the ring's.
 float ring_meshing_angle(int gear_teeth, float gear_angle, int ring_teeth, float direction) {
-  // Inside a ring, both rotate in the same direction. A tooth of the gear at angle d from the line of centres fills a gap of
-  // the ring at d * gear_teeth / ring_teeth.
+  // Both rotate in the same direction. A tooth of the gear at angle d from the line of centres fills a gap of the ring
+  // at d * gear_teeth / ring_teeth.
   return direction + static_cast<float>(gear_teeth) / static_cast<float>(ring_teeth) * (gear_angle - direction);
 }
 
@@ -63,15 +63,16 @@ TEST(ToothHalfAngle, quarter_pitch_less_backlash_at_pitch_circle) {
 }
 
 TEST(ToothHalfAngle, is_largest_at_the_base_circle) {
-  // Half angle of a tooth at the base circle of radius 10 cos(25 degrees) = 9.06308: pi / 40 + inv(25 degrees), minus a quarter
-  // of the backlash / the pitch radius 10. The involute function inv(a) = tan a - a is 0.466308 - 0.436332 = 0.029975.
+  // Half angle of a tooth at the base circle of radius 10 cos(25 degrees) = 9.06308: pi / 40 + inv(25 degrees), minus a
+  // quarter of the backlash / the pitch radius 10. The involute function inv(a) = tan a - a is 0.466308 - 0.436332 =
+  // 0.029975.
   EXPECT_NEAR(tooth_half_angle(20, 9.06308f), kPi / 40.0f + 0.029975f - kBacklash / 40.0f, 3e-4f);
   EXPECT_FLOAT_EQ(tooth_half_angle(20, 8.8f), tooth_half_angle(20, 9.0f));
 }
 
 TEST(MeshingAngle, tooth_meets_gap_on_line_of_centres) {
-  // A tooth of the driver is on +x, and the gear to the right of it. So a gap of the gear points to -x, and its next tooth is
-  // half a pitch away, at pi + pi / 24.
+  // A tooth of the driver is on +x, and the gear to the right of it. A gap of the gear points to -x, so its next tooth
+  // is at pi + pi / 24.
   const float angle = meshing_angle(12, 0.0f, 24, 0.0f);
   EXPECT_NEAR(std::remainder(angle - kPi - kPi / 24.0f, 2.0f * kPi / 24.0f), 0.0f, 1e-5f);
 }
@@ -85,8 +86,8 @@ TEST(MeshingAngle, gears_mesh_without_touching_or_slack) {
         const Vec2f center = along(direction, pitch_radius(driver) + pitch_radius(teeth));
         float least = kInfinity;
         for (const Vec2f& p : flank_points(teeth, angle)) least = std::min(least, clearance(driver, driver_angle, center + p));
-        // The clearance on either side is half of the backlash, apart from measuring along circles instead of perpendicular to
-        // the flanks.
+        // The clearance on either side is half of the backlash, if measured perpendicular to the flanks instead of
+        // along circles.
         EXPECT_GT(least, 0.25f * kBacklash) << driver << " drives " << teeth;
         EXPECT_LT(least, 1.0f * kBacklash) << driver << " drives " << teeth;
       }
@@ -117,7 +118,8 @@ TEST(GearMesh, is_a_closed_solid_with_unit_normals) {
 }
 
 TEST(GearMesh, volume_is_about_the_pitch_disc) {
-  // Teeth fill a little less than half of the area between root and tip circle. 3 % also covers bevels and the polygonal bore.
+  // Teeth fill a little less than half of the area between root and tip circle. 3 % also covers bevels and the
+  // polygonal bore.
   const double expected = M_PI * (10.0 * 10.0 - 1.0) * 4.0;
   EXPECT_NEAR(test::signed_volume(gear_mesh(20, kBlank)) / expected, 1.0, 0.03);
 }

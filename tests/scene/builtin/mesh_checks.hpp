@@ -1,4 +1,3 @@
-// Checks of generated meshes, which return counts or values.
 #pragma once
 
 #include <cmath>

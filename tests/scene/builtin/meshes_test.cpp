@@ -43,8 +43,7 @@ TEST(Cone, is_closed_and_has_its_volume) {
   const Mesh mesh = cone(1.0f, 3.0f, 64);
   expect_sane(mesh);
   EXPECT_TRUE(boundary_edges(mesh).empty());
-  // Volume: height / 3 * base area, for a height of 3. The base, a regular polygon with 64 corners, has the area 32 * sin(2 pi
-  // / 64).
+  // height / 3 * base area, for a height of 3 and a base with 64 corners of area 32 * sin(2 pi / 64)
   EXPECT_NEAR(test::signed_volume(mesh), 32.0 * std::sin(2.0 * M_PI / 64.0), 1e-4);
 }
 
@@ -99,7 +98,7 @@ TEST(Rectangle, texture_stands_upright) {
   const Mesh mesh = rectangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 3});
   expect_sane(mesh);
   EXPECT_EQ(mesh.normals[0], Vec3f(0, 0, 1));
-  EXPECT_EQ(mesh.uvs[3], Vec2f(0, 0));  // the top left corner has uv (0, 0), the top left of the texture
+  EXPECT_EQ(mesh.uvs[3], Vec2f(0, 0));  // uv (0, 0) is the top left of the texture
   EXPECT_EQ(mesh.positions[3], Vec3f(-1, 1, 0));
 }
 

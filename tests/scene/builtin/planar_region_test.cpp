@@ -18,7 +18,6 @@ AngularRing add_polygon(PlanarRegion& region, float radius, int corners, float f
   return ring;
 }
 
-/// n / 2 * r^2 * sin(2 pi / n)
 double polygon_area(int corners, double radius) { return 0.5 * corners * radius * radius * std::sin(2.0 * M_PI / corners); }
 
 double area(const PlanarRegion& region) {
@@ -49,9 +48,9 @@ TEST(Extrude, square_ring_becomes_a_closed_solid) {
   EXPECT_TRUE(test::boundary_edges(mesh).empty());
   EXPECT_EQ(test::count_degenerate(mesh), 0);
   EXPECT_EQ(test::count_facing_wrong(mesh), 0);
-  // The square ring has the area 8 - 2 = 6 and the boundary length P = 4 * (2 + 1) * sqrt(2). Moving the boundary inwards by d
-  // leaves 6 - d P, because the terms 4 d^2 of outer and inner corners cancel. A bevel of width w at each face removes the
-  // volume P w^2 / 2, so 6 * 0.5 - 2 * P w^2 / 2 is left.
+  // The square ring has the area 8 - 2 = 6 and the boundary length P = 4 * (2 + 1) * sqrt(2). Moving the boundary
+  // inwards by d leaves 6 - d P, because the terms 4 d^2 of outer and inner corners cancel. A bevel of width w at each
+  // face removes the volume P w^2 / 2, so 6 * 0.5 - 2 * P w^2 / 2 is left.
   const double w = 0.0625, perimeter = 12.0 * std::sqrt(2.0);
   EXPECT_NEAR(test::signed_volume(mesh), 3.0 - perimeter * w * w, 1e-5);
 }
@@ -63,7 +62,8 @@ TEST(Extrude, faces_are_flat_and_bevels_are_creased) {
   const Mesh mesh = extrude(region, 0.5f, 0.05f);
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     const float up = std::abs(mesh.normals[i].z);
-    // |normal.z| is 1 for faces, 0 for walls, and sqrt(1/2) for bevels, with a tolerance for the polygon with 48 corners.
+    // |normal.z| is 1 for faces, 0 for walls, and sqrt(1/2) for bevels, with a tolerance for the polygon with 48
+    // corners.
     EXPECT_TRUE(up > 0.999f || up < 1e-3f || std::abs(up - std::sqrt(0.5f)) < 0.01f) << up;
   }
 }

@@ -33,8 +33,8 @@ TEST(SceneBuilder, swing_follows_the_sine) {
   const Scene scene = builder.take();
   for (const double share : {0.0, 0.01, 0.13, 0.4, 0.77, 1.0}) {
     const double angle = 0.5 * std::sin(2.0 * M_PI * (2.0 * share + 0.3));
-    // Between 16 keys per cycle, a cubic Hermite spline deviates from a sine of amplitude A = 0.5 by at most A * (2 pi / 16)^4
-    // / 384 = 6e-5 * A.
+    // Between 16 keys per cycle, a cubic Hermite spline deviates from a sine of amplitude A = 0.5 by at most A * (2 pi
+    // / 16)^4 / 384 = 6e-5 * A.
     expect_near(moved(scene, share * kLoopSeconds, {1, 0, 0}), Vec3f(std::cos(angle), 0.0, -std::sin(angle)), 4e-5f);
   }
 }

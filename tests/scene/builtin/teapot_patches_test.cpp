@@ -40,7 +40,8 @@ TEST(BezierPatch, inner_point_has_weight_9_64_squared) {
 }
 
 TEST(BezierPatch, collapsed_edge_has_the_limit_normal) {
-  // If a row of points coincides, the patch is a triangle in the same plane, with the same normal even at the collapsed edge.
+  // If a row of points coincides, the patch is a triangle in the same plane, with the same normal even at the collapsed
+  // edge.
   for (const std::size_t row : {std::size_t{0}, std::size_t{3}}) {
     BezierPatch patch = flat_patch();
     for (Vec3f& p : patch[row]) p = {1.5f, static_cast<float>(row), 0.0f};
@@ -103,13 +104,13 @@ TEST(TeapotPatches, mesh_is_sane) {
 }
 
 TEST(TeapotPatches, open_only_where_newell_left_it_open) {
-  // The teapot is open between lid (radius 1.3) and rim (1.4) at z = 2.4, where handle and spout meet the body, and at the
-  // mouth of the spout.
+  // The teapot is open between lid (radius 1.3) and rim (1.4) at z = 2.4, where handle and spout meet the body, and at
+  // the mouth of the spout.
   int elsewhere = 0;
   for (const test::BoundaryEdge& edge : test::boundary_edges(teapot(8))) {
     const Vec3f p = edge.from;
     const float radius = std::hypot(p.x, p.y);
-    // A quarter of a circle is a cubic curve, which deviates by at most 1.5 % of the radius.
+    // A cubic curve deviates from a quarter of a circle by at most 1.5 % of the radius.
     const bool lid_or_rim = std::abs(p.z - 2.4f) < 1e-4f && radius > 1.28f && radius < 1.42f;
     const bool handle = p.x < -1.4f && p.x > -2.05f && std::abs(p.y) <= 0.3f;
     const bool spout_root = std::abs(p.x - 1.7f) < 1e-4f && std::abs(p.y) <= 0.66f;

@@ -1,4 +1,3 @@
-// The encoders of Draco and meshoptimizer compress the meshes.
 #include <draco/compression/encode.h>
 #include <draco/mesh/triangle_soup_mesh_builder.h>
 #include <gmock/gmock.h>
@@ -44,7 +43,8 @@ Packed pack_vertices(const void* values, std::size_t count, std::size_t stride) 
   return packed;
 }
 
-/// Compresses a buffer view, which then refers to buffer 1. This buffer stands for an uncompressed copy, and has no data.
+/// Compresses a buffer view, which then refers to buffer 1. This buffer stands for an uncompressed copy, and has no
+/// data.
 void pack_view(GltfBuilder& b, int view, const Packed& packed, std::size_t count, std::size_t stride, const char* mode,
                const char* filter = "NONE") {
   const int source = b.add_view(packed);
@@ -60,7 +60,6 @@ void pack_view(GltfBuilder& b, int view, const Packed& packed, std::size_t count
                                                      {"filter", filter}};
 }
 
-/// The file with buffer 1 of pack_view(), which has no data.
 test::Contents with_fallback(const GltfBuilder& b) {
   Json root = b.document();
   root["buffers"].push_back({{"byteLength", 1'000'000}, {"extensions", {{"EXT_meshopt_compression", {{"fallback", true}}}}}});
@@ -103,7 +102,7 @@ TEST(GltfMeshopt, vertices_and_triangles_round_trip) {
   }
 }
 
-/// The bytes of the first view are invalid, and all views together exceed the memory limit. The error must be about the limit,
+/// The first view is invalid, and all views together exceed the memory limit. The error must be about the limit,
 /// because no view may be unpacked before all are counted.
 TEST(GltfMeshopt, counts_all_views_before_unpacking) {
   GltfBuilder b = packed_square("TRIANGLES");
@@ -247,7 +246,7 @@ GltfBuilder draco_file(const Packed& packed, int index_type = test::kUnsignedSho
   return b;
 }
 
-/// Corners of all triangles, independent of the encoder's order. Each triangle starts at its smallest corner.
+/// Returns the corners of all triangles in a canonical order. Each triangle starts at its smallest corner.
 std::vector<std::array<Vec3f, 3>> shape_of(const Mesh& mesh) {
   const auto less = [](Vec3f a, Vec3f b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); };
   std::vector<std::array<Vec3f, 3>> shape;

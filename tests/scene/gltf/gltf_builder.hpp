@@ -52,7 +52,8 @@ class GltfBuilder {
 
   int add_mesh(Json primitive) { return add("meshes", {{"primitives", {std::move(primitive)}}}); }
 
-  /// Adds a mesh of the triangle (0, 0, 0), (1, 0, 0), (0, 1, 0) and returns its index. `more` is merged into the primitive.
+  /// Adds a mesh of the triangle (0, 0, 0), (1, 0, 0), (0, 1, 0) and returns its index. `more` is merged into the
+  /// primitive.
   int add_triangle(const Json& more = Json::object()) {
     Json primitive = {{"attributes", {{"POSITION", add_accessor(std::vector<Vec3f>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}})}}}};
     primitive.update(more, true);

@@ -88,8 +88,8 @@ TEST(GltfImageLight, faces_lie_where_their_order_says) {
   expect_color(seen(map, {0.1f, 0.1f, -1}), {0, 0, kHalf});
 }
 
-// Only the upper left of each face's 2 x 2 texels is white. If a viewer in the cube looks along x, with y up, then z is to the
-// right. If the viewer looks along y, with -z up, then -x is to the right.
+// Only the upper left of each face's 2 x 2 texels is white. If a viewer in the cube looks along x, with y up, then z is
+// to the right. If the viewer looks along y, with -z up, then -x is to the right.
 TEST(GltfImageLight, faces_are_seen_from_inside) {
   GltfBuilder b;
   const Rgba white{255, 255, 255, 255}, black{0, 0, 0, 255};

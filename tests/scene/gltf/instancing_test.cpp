@@ -40,7 +40,7 @@ TEST(GltfInstancing, copies_share_a_shape) {
   EXPECT_EQ(transform_point(at.of(scene.instances[0].node), {1, 0, 0}), Vec3f(2, 0, 7));
   // The copy's point (1, 0, 0) is scaled to (3, 0, 0), rotated to (0, 3, 0), and translated.
   const Vec3f second = transform_point(at.of(scene.instances[1].node), {1, 0, 0});
-  EXPECT_LE(glm::length(second - Vec3f(0, 5, 7)), 1e-5f);  // rounding of floats of about 10
+  EXPECT_LE(glm::length(second - Vec3f(0, 5, 7)), 1e-5f);
 }
 
 TEST(GltfInstancing, attributes_that_are_left_out_change_nothing) {

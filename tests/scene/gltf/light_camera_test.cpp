@@ -93,7 +93,8 @@ TEST(GltfLight, sizes_are_read_from_extras) {
   EXPECT_FLOAT_EQ(light_of({{"type", "directional"}, {"extras", {{"angle", 3.14159265359}}}}).angular_diameter, kPi);
 }
 
-// The outer half angle of 60 degrees has the cosine 0.5. A blend of 0.3 covers the cosines up to 0.5 + 0.3 * (1 - 0.5) = 0.65.
+// The outer half angle of 60 degrees has the cosine 0.5. A blend of 0.3 covers the cosines up to 0.5 + 0.3 * (1 - 0.5)
+// = 0.65.
 TEST(GltfLight, blend_replaces_the_inner_cone) {
   const Json cone{{"innerConeAngle", 0.2}, {"outerConeAngle", kPi / 3}};
   const Light soft = light_of({{"type", "spot"}, {"spot", cone}, {"extras", {{"radius", 2}, {"blend", 0.3}}}});
@@ -158,8 +159,8 @@ Light spot_of(const std::string& generator, float inner, const Json& extras = Js
   return parse(b).lights.at(0);
 }
 
-// Blender's exporter writes inner = outer (1 - blend), so 0.7 means a blend of 0.3, which covers the cosines from 0.5 to 0.5 +
-// 0.3 * 0.5 = 0.65.
+// Blender's exporter writes inner = outer (1 - blend), so 0.7 means a blend of 0.3, which covers the cosines from 0.5
+// to 0.5 + 0.3 * 0.5 = 0.65.
 TEST(GltfLight, blender_spots_get_their_blend) {
   const std::string blender = "Khronos glTF Blender I/O v3.4.50";
   const Light soft = spot_of(blender, 0.7f * kPi / 3);
@@ -241,7 +242,7 @@ TEST(GltfCamera, scene_without_one_has_none) {
 
 TEST(GltfCamera, orthographic_has_height_and_angle) {
   GltfBuilder b;
-  b.add_node({{"mesh", b.add_triangle()}, {"translation", {-0.5, -0.5, -8}}});  // the centre of the bounds is at z = -8
+  b.add_node({{"mesh", b.add_triangle()}, {"translation", {-0.5, -0.5, -8}}});
   b.add("cameras", {{"type", "orthographic"}, {"orthographic", {{"xmag", 4}, {"ymag", 2}, {"znear", 0}, {"zfar", 100}}}});
   b.add_node({{"camera", 0}, {"translation", {0, 0, 2}}});
   std::vector<std::string> warnings;

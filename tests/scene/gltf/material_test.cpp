@@ -233,7 +233,7 @@ TEST(GltfTextureTransform, scales_then_turns_then_moves) {
       surface_with_transform({{"offset", {0.25, 0.5}}, {"scale", {2, 4}}, {"rotation", kPi / 2}}).base_color_map;
   // The transform scales (1, 0) to (2, 0), rotates it by 90 degrees to (0, -2), and translates it.
   const Vec2f along_u = look_up(map, {1, 0}), along_v = look_up(map, {0, 1});
-  EXPECT_NEAR(along_u.x, 0.25f, 1e-6f);  // tolerance: the cosine of pi / 2 is not exactly 0 in floats
+  EXPECT_NEAR(along_u.x, 0.25f, 1e-6f);  // the cosine of pi / 2 is not exactly 0 in floats
   EXPECT_NEAR(along_u.y, -1.5f, 1e-6f);
   EXPECT_NEAR(along_v.x, 4.25f, 1e-6f);
   EXPECT_NEAR(along_v.y, 0.5f, 1e-6f);
@@ -399,7 +399,7 @@ TEST(GltfTexture, every_png_prefix_is_an_error) {
 
 TEST(GltfTexture, png_with_damaged_pixels_is_an_error) {
   std::vector<unsigned char> damaged = four_colours();
-  // Changes the sixth byte from the end of the pixels, which a checksum of 4 bytes and the last chunk of 12 bytes follow.
+  // The pixels are followed by a checksum of 4 bytes and the last chunk of 12 bytes.
   damaged[damaged.size() - 12 - 4 - 6] ^= 0xff;
   EXPECT_THAT(error_message([&] { parse(textured(damaged)); }), HasSubstr("a.glb: images[0]: cannot be read as a picture"));
 }
@@ -417,7 +417,7 @@ TEST(GltfTexture, images_beyond_the_limit_are_halved) {
   b.add("textures", {{"source", 1}});
   b.add("materials", {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 1}}}}}});
   std::vector<std::string> warnings;
-  const Scene scene = parse(b, &warnings, {}, {.texture_bytes = 31});  // two textures of 16 bytes exceed the limit
+  const Scene scene = parse(b, &warnings, {}, {.texture_bytes = 31});
   ASSERT_EQ(scene.textures.size(), 2u);
   EXPECT_EQ(scene.textures[0].rgba.size(), 16u);
   EXPECT_EQ(scene.textures[1].rgba.size(), 4u);

@@ -56,8 +56,8 @@ TEST(GltfNodes, world_transform_composes_levels) {
   b.add_node({{"translation", {1, 0, 0}}});
   const Scene scene = parse(b);
   const ResolvedScene rest = evaluate(scene, 0.0);
-  // Node 1 translates (1, 1, 1) to (2, 1, 1). Node 0 scales this to (4, 3, 4), rotates it to (-3, 4, 4), and translates it to
-  // (7, 4, 4).
+  // Node 1 translates (1, 1, 1) to (2, 1, 1). Node 0 scales this to (4, 3, 4), rotates it to (-3, 4, 4), and translates
+  // it to (7, 4, 4).
   expect_near(transform_point(rest.of(1), {1, 1, 1}), {7, 4, 4}, 4 * kFloatRounding);
 }
 
@@ -387,10 +387,8 @@ TEST(GltfAnimation, linear_goes_straight_and_holds_the_ends) {
 }
 
 TEST(GltfAnimation, cubic_spline_reads_tangents_around_each_value) {
-  // The keys are at 0 s and 2 s. Each has an in-tangent, a value and an out-tangent. At 0.5 s, u = 1/4, and the interval is 2
-  // s:
-  //   (2/64 - 3/16 + 1) * 1 + 2 * (1/64 - 2/16 + 1/4) * 3 + (3/16 - 2/64) * 5 + 2 * (1/64 - 1/16) * (-2)
-  //   = 27/32 + 27/32 + 25/32 + 6/32 = 85/32.
+  // The keys, at 0 s and 2 s, have an in-tangent, a value and an out-tangent. At 0.5 s, u = 1/4, and the Hermite spline
+  // gives (2/64 - 3/16 + 1) * 1 + 2 * (1/64 - 2/16 + 1/4) * 3 + (3/16 - 2/64) * 5 + 2 * (1/64 - 1/16) * (-2) = 85/32.
   const Scene scene = parse(animated<Vec3f>("translation", "CUBICSPLINE", {0, 2},
                                             {{9, 0, 0}, {1, 0, 0}, {3, 0, 0}, {-2, 0, 0}, {5, 0, 0}, {9, 0, 0}}));
   expect_near(position_at(scene, 0.5), {85.0f / 32.0f, 0, 0}, 4 * kFloatRounding);

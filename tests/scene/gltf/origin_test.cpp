@@ -62,7 +62,6 @@ TEST(GltfOrigin, composes_scaled_roots_in_double) {
   b.add_node({{"rotation", {-half, 0, 0, half}}, {"scale", {0.01, 0.01, 0.01}}, {"children", {1}}});
   b.add_node({{"translation", {100 * kPlace.x, -100 * kPlace.z, 100 * kPlace.y}}, {"children", {2}}});
   b.add_node({{"mesh", b.add_triangle()}, {"scale", {100, 100, 100}}});
-  // The camera's node is a root of its own.
   b.add("cameras", {{"type", "perspective"}, {"perspective", {{"yfov", 1.0}, {"znear", 0.1}}}});
   b.add_node({{"camera", 0}, {"translation", json_of(kPlace + Vec3d(0.25, 0.5, 7.125))}});
   const Scene scene = parse_valid(b);
