@@ -24,8 +24,8 @@ LensSpec thickness(double mm) {
 Display sheet_of_whole_pixels() { return load_display("lpi=60 dpi=1440 paper=240x6px viewing-distance=10000000"); }
 
 TEST(LensShapes, radius_follows_from_thickness_and_index) {
-  // Radius: r = thickness (index - 1) / index = 0.9 (1.5 - 1) / 1.5 = 0.3 mm. Height of the cap: s = 0.3 - sqrt(0.3^2 - 0.2^2)
-  // = 0.0763932 mm. Half angle b: sin b = 1.5 sin(atan(0.2 / 0.9)), so b = 18.9895 degrees.
+  // Radius: r = thickness (index - 1) / index = 0.9 (1.5 - 1) / 1.5 = 0.3 mm. Height of the cap: s = 0.3 - sqrt(0.3^2 -
+  // 0.2^2) = 0.0763932 mm. Half angle b: sin b = 1.5 sin(atan(0.2 / 0.9)), so b = 18.9895 degrees.
   const LensShape shape = lens_shape(0.4, thickness(0.9));
   EXPECT_NEAR(shape.radius_mm, 0.3, 1e-12);
   EXPECT_NEAR(shape.height_mm, 0.07639320225, 1e-10);
