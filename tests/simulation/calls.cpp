@@ -1,5 +1,5 @@
-// Replaces system calls of the C library, also for the C++ library. Paths below /sim/ go to the simulated world, all others to
-// the operating system.
+// Replaces system calls of the C library. Paths below /sim/ go to the simulated world, all others to the operating
+// system.
 #include <dirent.h>
 #include <dlfcn.h>
 #include <fcntl.h>

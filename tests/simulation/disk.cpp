@@ -7,7 +7,8 @@
 namespace lippmann::test {
 namespace {
 
-/// Bytes of a file after a failure. `safe` are the synced bytes. The rest, at the end, may be lost, cut or replaced by zeros.
+/// Returns the bytes of a file after a failure. `safe` are the synced bytes; the rest may be lost, cut or replaced by
+/// zeros.
 std::string torn(const std::string& safe, const std::string& bytes, Random& random) {
   if (safe == bytes) return bytes;
   const std::size_t begin = bytes.starts_with(safe) ? safe.size() : 0;

@@ -1,10 +1,6 @@
-// Simulates a disk that keeps only synced data when the power fails.
-//
-// The bytes of a file are safe after sync() of the file, its name after sync() of its folder. Each change that is not safe
-// survives, is lost or is partly lost at random: a renamed file may be empty, its end may be zeros, or it may have its old
-// name.
-//
-// Functions return negative errno values as errors.
+// Simulates a disk that keeps only synced data when the power fails. The bytes of a file are safe after sync() of the
+// file, its name after sync() of its folder. Other changes survive at random, in whole or in part. Functions return
+// negative errno values as errors.
 #pragma once
 
 #include <cstdint>
@@ -40,9 +36,7 @@ class Disk {
   Inode& at(int inode) { return inodes_[static_cast<std::size_t>(inode)]; }
   void sync(int inode);
 
-  /// Keeps or loses each change that is not safe, at random.
   void lose_power(Random& random);
-  /// Keeps or loses the bytes that a failing machine did not sync, at random.
   void lose_machine(int machine, Random& random);
 
  private:

@@ -1,4 +1,3 @@
-// Random numbers that all follow from a seed.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,4 @@
-// Simulates jobs on failing machines (story.hpp). LIPPMANN_SEEDS=0-999999 selects the seeds. LIPPMANN_SEEDS=SEED repeats one
-// seed and prints its log.
+// Simulates jobs on failing machines. LIPPMANN_SEEDS=0-999999 selects the seeds. A single seed prints its log.
 #include <gtest/gtest.h>
 
 #include <chrono>

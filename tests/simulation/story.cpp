@@ -48,7 +48,7 @@ struct Work {
 };
 
 using FolderFrame = std::pair<fs::path, int>;
-/// A folder, and the number of a strip among those of all frames (parts_of()).
+/// A folder, and the number of a strip among the strips of all frames.
 using FolderPart = std::pair<fs::path, int>;
 
 class Making {
@@ -63,7 +63,7 @@ class Making {
   std::multiset<FolderFrame>::iterator own_;
 };
 
-/// Bytes in place of a picture. They differ for every file and job, and are the same in every run.
+/// Bytes in place of a picture. They differ between files and jobs, and are the same in every run.
 std::string picture_bytes(const std::string& name, const std::string& job = kJob) {
   Random random(std::hash<std::string>()(job == kJob ? name : job + name));
   std::string bytes(20 + random.below(200), '\0');
@@ -218,7 +218,7 @@ class Teller {
     if (strips_ == 1) return;
     forget_strips_of(folder, frame);
     remove_strips(folder, frame, strips_);
-    // While remove_strips() ran, another task may have finished a strip of this frame, which is now removed too.
+    // Meanwhile, another task may have finished a strip of this frame, which is now removed too.
     forget_strips_of(folder, frame);
   }
 
@@ -240,7 +240,7 @@ class Teller {
     return true;
   }
 
-  /// Finishes the job, whose frames are in one folder, or in several that are joined.
+  /// Finishes the job, whose frames are in one folder or in several.
   std::optional<RenderReport> finish(const Work& work) {
     std::vector<fs::path> parts;
     if (apart_)
@@ -258,14 +258,13 @@ class Teller {
   bool is_alive() { return !world_.current() || !world_.current()->is_dead; }
   bool has_misread() { return world_.current() && world_.current()->has_misread; }
 
-  /// Complains if a run renders something that was finished before it started, unless it failed to read a file.
+  /// A run must not render what was finished before it started, unless it failed to read a file.
   void expect_unfinished(const std::map<FolderFrame, std::uint64_t>& finished, const FolderFrame& thing, const char* kind) {
     const auto found = finished.find(thing);
     if (!is_alive() || has_misread() || found == finished.end() || found->second >= world_.current()->began) return;
     complain(fmt::format("{} {} was finished at step {} and is rendered again", kind, thing.second, found->second));
   }
 
-  /// While a run holds the folder, its frames must be those of the run's job.
   void expect_own_frames(const Work& work, const RenderReport& report) {
     const Process* process = world_.current();
     if (!process || process->is_dead || process->has_misread || world_.last_flip >= process->began) return;
@@ -285,8 +284,8 @@ class Teller {
                        [&](const std::string& name) { return world_.disk.find((of.first / name).string()) == inode; });
   }
 
-  /// Returns whether a byte of the file may be damaged, and then removes the file from the list of finished ones. Damage to a
-  /// file that is still being written cannot be detected. Compares inodes, because a file may have two names.
+  /// Returns whether a byte of the file may be damaged, which removes the file from the finished ones. Damage to a file
+  /// that is being written cannot be detected. A file may have two names, so inodes are compared.
   bool forget(const std::string& path) {
     const int inode = world_.disk.find(path);
     for (const FolderFrame& made : being_made_) {
@@ -400,7 +399,7 @@ class Teller {
     world_.calm();
   }
 
-  /// The competing job has its own machine, because processes on one machine would detect each other by calls that are not
+  /// The competing job needs its own machine, because processes on one machine detect each other by calls that are not
   /// simulated.
   int machine_for(const Work& work) {
     if (!has_rival_) return static_cast<int>(random_.below(kMachines));
@@ -426,7 +425,7 @@ class Teller {
     return false;
   }
 
-  /// Finishes the job as a user would when all machines work again, after rendering missing frames.
+  /// Renders missing frames and finishes the job when all machines work again.
   void recover() {
     if (has_rival_) world_.pass(static_cast<std::int64_t>(2e9 * kLeaseSeconds));
     if (has_rival_ && finished_.empty()) complete({.folder = folder_, .units = Units{{1}, 1}, .force = true});
@@ -461,7 +460,7 @@ class Teller {
   fs::path folder_ = "/sim/film";
   std::deque<Work> queue_;
   std::map<FolderFrame, std::uint64_t> finished_;
-  /// Finished strips, with the step of the simulation. They are removed when their frame is finished.
+  /// Finished strips of unfinished frames, with the step of the simulation.
   std::map<FolderPart, std::uint64_t> finished_parts_;
   std::multiset<FolderFrame> being_made_;
   std::string problem_;

@@ -1,5 +1,5 @@
-// Simulates the life of a job: planning, processes that render its units, killed processes, failing machines, and the end of
-// the job. The real code handles the output folder. Pictures are a few bytes each.
+// Simulates the life of a job: processes that render its parts, killed processes and failing machines. The real code
+// handles the output folder. Pictures are a few bytes each.
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,6 @@
-// Simulates machines that share a disk, their clocks, and processes that run real code. Before each system call for a file
-// below /sim/ (calls.cpp), another process may continue. A seed determines which process runs next, and which failures happen.
-//
-// The system calls of a killed process fail, so that it soon ends without effect.
+// Simulates machines that share a disk, and processes that run real code. Before each system call for a file below
+// /sim/, another process may continue. A seed determines the order of processes and the failures. The system calls of a
+// killed process fail, so that it ends without effect.
 #pragma once
 
 #include <ucontext.h>
@@ -20,7 +19,7 @@
 
 namespace lippmann::test {
 
-/// Once in this many system calls, or never if 0.
+/// Each failure happens once in this many system calls, or never if 0.
 struct Faults {
   std::size_t kill = 0, machine_loss = 0, power_loss = 0;
   std::size_t disk_full = 0;
@@ -40,7 +39,7 @@ struct Process {
   bool has_begun = false;
   ucontext_t context{};
   std::jmp_buf place{};
-  std::array<std::byte, 16> exceptions{};  ///< exceptions that the process is handling, from the C++ run-time
+  std::array<std::byte, 16> exceptions{};  ///< exceptions that the process is handling, stored by the C++ run-time
   std::unique_ptr<std::byte[]> stack;
 };
 
@@ -55,8 +54,7 @@ class World {
   void run(const std::function<void()>& ready = {});
   Process& start(int machine, std::function<void()> body);
 
-  /// Called before every system call of a process. Lets other processes run. Returns the errno with which the call must fail,
-  /// or 0.
+  /// Called before every system call. Lets other processes run. Returns the errno with which the call must fail, or 0.
   enum class Call { kRead, kWrite, kOther };
   int before(Call call);
 
@@ -64,7 +62,7 @@ class World {
 
   void pass(std::int64_t nanoseconds);
 
-  /// How many of `bytes` bytes this call reads or writes.
+  /// Returns how many of `bytes` bytes this call reads or writes.
   std::size_t moved(std::size_t bytes);
 
   Process* current() { return current_; }
