@@ -26,7 +26,7 @@ void write_panorama(const std::filesystem::path& path, const test::ExrPart& part
       .write(reinterpret_cast<const char*>(file.data()), static_cast<std::streamsize>(file.size()));
 }
 
-// The data window, a quarter of the panorama, must keep its position and not be stretched over the sky.
+// The data window, a quarter of the panorama, must not be stretched over the sky.
 TEST(EnvironmentFile, data_window_lies_in_the_display_window) {
   const TempDir dir;
   write_panorama(dir / "a.exr", {{1, 0, 1, 0}, {0, 0, 1, 1}, {{"b", {3}}, {"g", {2}}, {"r", {1}}}});
@@ -78,7 +78,7 @@ TEST(EnvironmentFile, files_without_colours_are_refused) {
               HasSubstr("Y beside X is a coordinate, not luminance"));
 }
 
-// The file's samples are truncated. Another error shows that they were not decoded.
+// The file's samples are truncated, so decoding them would give another error.
 TEST(EnvironmentFile, integer_pictures_are_refused_before_decoding) {
   const TempDir dir;
   write_picture(dir / "a.png", Image8{64, 64, std::vector<unsigned char>(3 * 64 * 64, 100)});

@@ -149,8 +149,8 @@ TEST(FitArray, orthographic_height_ignores_position_and_focus) {
   }
 }
 
-// The subject is 2 units wide, the camera's volume 6 wide and 3 high. With a margin of a twentieth, the picture must be 2.1
-// units wide. It is half as wide as high.
+// The subject is 2 units wide, the camera's volume 6 wide and 3 high. With a margin of a twentieth, the picture is 2.1
+// units wide, and twice as high.
 TEST(FitArray, narrow_orthographic_pictures_keep_the_subject) {
   Scene scene;
   add_box(scene, Vec3f(-1), Vec3f(1));
@@ -169,7 +169,6 @@ TEST(FitArray, inside_cameras_focus_half_way) {
   const float nearest = 5.0f / std::tan(radians(30.0f)), distance = 0.5f * (nearest + 12.0f);
   EXPECT_NEAR(array.viewing_distance, distance, kRounding);
   expect_near(plane_in_world(scene, array).translation, {0, 0, 4.0f - distance});
-  // Parts outside the view do not count as depth.
   EXPECT_NEAR(array.depth_front, distance - nearest, kRounding);
   EXPECT_NEAR(array.depth_back, distance - 12.0f, kRounding);
 }
@@ -189,7 +188,6 @@ Vec2f seen_extent(const Scene& scene, const FittedArray& array, float aspect, Ve
   for (int corner = 0; corner < 8; ++corner) {
     const Vec3f world(corner & 1 ? upper.x : lower.x, corner & 2 ? upper.y : lower.y, corner & 4 ? upper.z : lower.z);
     const Vec3f p = transform_point(plane_from_world, world);
-    // Projects the corner to the display's plane, as the viewer sees it.
     const float shrink = array.viewing_distance / (array.viewing_distance - p.z);
     extent = glm::max(extent, glm::abs(Vec2f(p.x / aspect, p.y)) * shrink / (0.5f * array.plane_height));
   }
@@ -231,7 +229,7 @@ Vec4f margins(const Scene& scene, const FittedArray& array, float aspect, Vec3f 
   return {1.0f + least.x, 1.0f - most.x, 1.0f + least.y, 1.0f - most.y};
 }
 
-// A flat plate is seen from above, so its near edge appears larger. It must still be in the middle.
+// Seen from above, the near edge of a flat plate appears larger. The plate must still be in the middle.
 TEST(FitArray, scenes_without_cameras_are_centred) {
   const Vec3f lower(-4, 0, -4), upper(4, 0.5f, 4);
   Scene scene;
@@ -271,7 +269,7 @@ TEST(FitArray, invalid_zooms_and_orbits_are_refused) {
 TEST(FitArray, scenes_without_cameras_frame_all_times) {
   Scene scene;
   add_box(scene, {0, 0, 0}, {1, 1, 1});
-  scene.timeline.frame_count = 26;  // 26 frames are one second
+  scene.timeline.frame_count = 26;
   NodeAnimation rise;
   rise.node = scene.instances[0].node = add_node(scene, {});
   rise.translation = {{0.0, 1.0}, {Vec3f(0.0f), Vec3f(0.0f, 4.0f, 0.0f)}, Interpolation::kLinear};
@@ -418,7 +416,7 @@ TEST(FitArray, uneven_scale_and_mirrors_become_similarities) {
   add_camera(scene, at({0, 0, 2}), parent);
   const FittedArray array = fit_array(scene);
   const Affine3f world = plane_in_world(scene, array);
-  EXPECT_NEAR(glm::determinant(world.linear), 1.0f, 1e-4f);  // a negative determinant would be a mirror
+  EXPECT_NEAR(glm::determinant(world.linear), 1.0f, 1e-4f);
   expect_near(world.linear[0], {1, 0, 0});
   expect_near(world.linear[1], {0, 1, 0});
   expect_near(world.linear[2], {0, 0, 1});

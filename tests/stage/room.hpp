@@ -4,7 +4,7 @@
 
 namespace lippmann::test {
 
-/// A closed cube of six white walls, 2 * size wide. Each wall is an instance.
+/// Returns a closed cube of six white walls, 2 * size wide. Each wall is an instance.
 inline Scene room_of_six_walls(float size = 1.0f, Vec3f center = Vec3f(0.0f)) {
   Mesh square;
   square.positions = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}};

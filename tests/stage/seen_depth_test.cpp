@@ -45,14 +45,14 @@ TEST(SeenDepth, counts_only_shapes_in_the_window) {
 }
 
 TEST(SeenDepth, of_a_room_is_cut_by_the_window) {
-  // The room reaches from z = -100 to -300 mm and 100 mm to each side. The view through the window reaches 67 mm to each side
-  // at z = -100 mm, and 100 mm at z = -300 mm.
+  // The room reaches from z = -100 to -300 mm and 100 mm to each side. The view reaches 67 mm to each side at z = -100
+  // mm, and 100 mm at z = -300 mm.
   const auto depth = seen(test::room_of_six_walls(100.0f, {0, 0, -200}));
   ASSERT_TRUE(depth);
   EXPECT_NEAR(depth->far_mm, -300.0, 1e-3);
   EXPECT_NEAR(depth->near_mm, -100.0, 1e-3);
-  // The eye is inside this room. The view reaches 200 (300 - z) / 300 mm to each side, so the side walls at 100 mm come into
-  // view at z = 150 mm.
+  // The eye is inside this room. The view reaches 200 (300 - z) / 300 mm to each side, so the side walls at 100 mm come
+  // into view at z = 150 mm.
   EXPECT_NEAR(seen(test::room_of_six_walls(100.0f, {0, 0, 250}), {{0, 0, 300}, {400, 400}})->near_mm, 150.0, 1e-3)
       << "the wall ahead";
   EXPECT_NEAR(seen(test::room_of_six_walls(400.0f), {{0, 0, 300}, {400, 400}})->near_mm, -300.0, 1e-3)

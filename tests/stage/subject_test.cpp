@@ -233,7 +233,7 @@ TEST(FitToSubject, ball_just_fits) {
   Scene scene;
   add_shape(scene, "Ball", Spheres{{Vec3f(5, 0, 0), 2.0f}});
   const FittedArray array = fit_array(scene);
-  // the viewing distance ends at the centre of the ball, through which the display's plane goes
+  // the display's plane goes through the centre of the ball
   const float sine = 2.0f / array.viewing_distance;
   EXPECT_NEAR(std::tan(std::asin(sine)) / (0.5f * array.plane_height / array.viewing_distance), 1.0f / 1.05f, kSubjectRounding);
 }
