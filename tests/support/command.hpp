@@ -1,4 +1,3 @@
-// Runs another program, so that tests can compare results with it.
 #pragma once
 
 #include <sys/wait.h>
@@ -15,7 +14,6 @@ struct CommandResult {
   std::string output;
 };
 
-/// Runs the command in a shell, where file names must be quoted.
 inline CommandResult run_command(const std::string& command) {
   CommandResult result;
   FILE* pipe = popen((command + " 2>&1").c_str(), "r");
@@ -29,7 +27,7 @@ inline CommandResult run_command(const std::string& command) {
 
 inline bool program_exists(const std::string& name) { return run_command("command -v " + name + " >/dev/null").exit_code == 0; }
 
-/// Number after the first `label` in `text`, or NaN.
+/// Returns the number after the first `label` in `text`, or NaN.
 inline double number_after(const std::string& text, const std::string& label) {
   const std::size_t at = text.find(label);
   return at == std::string::npos ? std::strtod("nan", nullptr) : std::strtod(text.c_str() + at + label.size(), nullptr);

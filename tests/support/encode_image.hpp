@@ -1,4 +1,3 @@
-// Encodes small 8-bit pictures for tests of the readers.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Writes OpenEXR files byte by byte: uncompressed scan lines of floats, with any windows, channels and attributes.
+// Writes uncompressed OpenEXR files of floats, with any windows, channels and attributes.
 #pragma once
 
 #include <array>

@@ -1,11 +1,8 @@
-// A library for LD_PRELOAD that makes system calls fail as on a full disk.
-//
-// LIPPMANN_FAIL_CALL selects the kind of call: write (to a regular file), open (for writing), rename, remove, mkdir, fsync or
-// allocate (memory). Call number LIPPMANN_FAIL_NUMBER fails, and with LIPPMANN_FAIL_ALL all later ones. After a failure, the
-// file LIPPMANN_FAILED exists. Writes to pipes never fail, so that tests can read the output.
-//
-// Allocations count from the start of main(), except within dlopen(), because constructors of libraries cannot report a
-// failure.
+// A library for LD_PRELOAD that makes system calls fail as on a full disk. LIPPMANN_FAIL_CALL selects the kind: write
+// (to a regular file), open (for writing), rename, remove, mkdir, fsync or allocate (memory). Call number
+// LIPPMANN_FAIL_NUMBER fails, and with LIPPMANN_FAIL_ALL all later ones. After a failure, the file LIPPMANN_FAILED
+// exists. Allocations count from the start of main(), except within dlopen(), because constructors of libraries cannot
+// report a failure.
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -27,7 +24,7 @@ bool is_wanted(const char* call) {
   return std::strcmp(wanted ? wanted : "write", call) == 0;
 }
 
-/// Counts calls of the selected kind, and returns whether this one must fail.
+/// Counts calls of the selected kind. Returns whether this one must fail.
 bool fails(const char* call) {
   static std::atomic<long> calls{0};
   static const long failing = std::getenv("LIPPMANN_FAIL_NUMBER") ? std::atol(std::getenv("LIPPMANN_FAIL_NUMBER")) : 0;

@@ -18,7 +18,7 @@ inline Files files_in(const std::filesystem::path& folder, std::string_view endi
   return files;
 }
 
-/// All files below the folder, by relative path; none if it does not exist.
+/// Returns all files below the folder, by relative path; none if it does not exist.
 inline Files all_files(const std::filesystem::path& folder) {
   Files files;
   if (!std::filesystem::exists(folder)) return files;

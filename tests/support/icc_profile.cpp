@@ -11,15 +11,15 @@ std::string fixed16(double value) { return big_endian(static_cast<std::uint32_t>
 
 std::string size_text(std::size_t size) { return big_endian(static_cast<std::uint32_t>(size)); }
 
-/// The first 128 bytes of a profile under D50. `kind` is three names of four letters: device class, colour space and connection
-/// space.
+/// Returns the first 128 bytes of a profile under D50. `kind` is three names of four letters: device class, colour
+/// space and connection space.
 std::string header_with(const char* kind, std::size_t size) {
   std::string header(128, '\0');
   header.replace(0, 4, size_text(size)).replace(8, 4, "\2\x40\0\0"s).replace(12, 12, kind).replace(36, 4, "acsp");
   return header.replace(68, 12, "\0\0\xf6\xd6\0\1\0\0\0\0\xd3\x2d"s);
 }
 
-/// Lookup table with two nodes per input channel. `nodes` holds `out` bytes for each node.
+/// Returns a lookup table with two nodes per input channel. `nodes` holds `out` bytes for each node.
 std::string table(int in, int out, const std::string& nodes) {
   std::string lut = "mft1\0\0\0\0"s + static_cast<char>(in) + static_cast<char>(out) + "\2\0"s;
   for (const double value : {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}) lut += fixed16(value);

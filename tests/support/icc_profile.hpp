@@ -14,8 +14,8 @@ inline constexpr Primaries kP3Primaries{{{0.5151, 0.2412, -0.0011}, {0.2920, 0.6
 
 std::string profile_with(const Primaries& primaries, double gamma);
 
-/// A CMYK profile of an imaginary press. Paper is white, and any ink at full strength is black. From Lab, every colour becomes
-/// grey, printed with 1 - L* / 100 of black ink. Its tables have two nodes per channel, in 8-bit Lab.
+/// Returns a CMYK profile in which paper is white and any ink at full strength is black. From Lab, every colour becomes
+/// grey, printed with 1 - L* / 100 of black ink.
 std::string press_profile();
 
 }  // namespace lippmann::test

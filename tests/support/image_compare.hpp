@@ -1,7 +1,5 @@
-// Compares a picture with a reference by three thresholds, and saves both if they differ.
-//
-// This is for pictures without noise whose edges may move by rounding: most pixels must agree closely, a given fraction may
-// differ, and no pixel may differ much. Needs lippmann::image.
+// Compares a picture with a reference, and saves both if they differ. For pictures without noise whose edges may move
+// by rounding: a given fraction of pixels may differ, and none may differ much.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -23,7 +21,8 @@ struct ImageTolerance {
 
 namespace detail {
 
-/// Creates a folder for pictures of failed comparisons, in $LIPPMANN_TEST_OUTPUT or in test-failures in the current folder.
+/// Creates a folder for pictures of failed comparisons, in $LIPPMANN_TEST_OUTPUT or in test-failures in the current
+/// folder.
 inline std::filesystem::path evidence_folder() {
   const char* given = std::getenv("LIPPMANN_TEST_OUTPUT");
   const testing::TestInfo* info = testing::UnitTest::GetInstance()->current_test_info();
@@ -33,7 +32,7 @@ inline std::filesystem::path evidence_folder() {
   return folder;
 }
 
-/// min(255, gain |a - b|) of each code.
+/// Returns min(255, gain |a - b|) of each code.
 inline Image8 difference_picture(const Image8& a, const Image8& b, int gain) {
   Image8 difference = a;
   std::transform(a.rgb.begin(), a.rgb.end(), b.rgb.begin(), difference.rgb.begin(),

@@ -1,4 +1,3 @@
-// Pictures from formulas, for tests without a renderer.
 #pragma once
 
 #include <cmath>

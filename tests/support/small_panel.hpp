@@ -5,8 +5,7 @@
 
 namespace lippmann::test {
 
-/// A slanted panel of 48 x 64 pixels, whose lenses do not cover whole pixels, with a quilt of 4 x 2 views. The last column of
-/// the quilt belongs to no view.
+/// A slanted panel of 48 x 64 pixels, with a quilt of 4 x 2 views. The last column of the quilt belongs to no view.
 inline void write_small_panel(const std::filesystem::path& file) {
   std::ofstream(file) << R"(description = "small"
 kind = "slanted-panel"

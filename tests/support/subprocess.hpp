@@ -1,4 +1,4 @@
-// Runs a program as a shell does. Keeps stdout and stderr separately.
+// Runs a program, and keeps its stdout and stderr separately.
 #pragma once
 
 #include <sys/types.h>
@@ -19,7 +19,7 @@ struct RunOptions {
   std::size_t file_size_limit = 0;  ///< in bytes; writing more fails as on a full disk; 0: no limit
 };
 
-/// Runs at the same time as the test, with an empty stdin. The destructor kills the program unless wait() was called.
+/// Runs a program beside the test, with an empty stdin. The destructor kills it unless wait() was called.
 class Subprocess {
  public:
   explicit Subprocess(const std::vector<std::string>& command, const RunOptions& options = {});
