@@ -45,23 +45,22 @@ TEST(AngularFilter, objects_in_the_displays_plane_stay_sharp) {
   EXPECT_EQ(trace(edge_at(0.0f), camera_row(), filtered(16)).film.data, trace(edge_at(0.0f), camera_row(), plain).film.data);
 }
 
-// With the eyes at D = 20 mm, an eye at e sees the edge (X, z) in the display plane at e (1 - m) + X m, with m = D / (D - z) =
-// 1/2 for z = -20. Eyes 0.8 mm apart thus shift the edge by 0.4 mm = 4 pixels. The filter spreads eyes over 0.8 mm, which gives
-// a ramp of 4 pixels with variance 4^2 / 12 = 16/12. Averages over a pixel and differences of neighbours are boxes one pixel
-// wide of variance 1/12 each, which add 1/6.
+// With the eyes at D = 20 mm, an eye at e sees the edge (X, z) in the display plane at e (1 - m) + X m, with m = D / (D
+// - z) = 1/2 for z = -20. Eyes spread over 0.8 mm shift the edge by 0.4 mm = 4 pixels, which gives a ramp of variance
+// 4^2 / 12 = 16/12. Averages over a pixel and differences of neighbours add 1/12 each.
 TEST(AngularFilter, far_edges_become_ramps) {
   const int spp = 256;
   const Picture sharp = trace(edge_at(-20.0f), camera_row(), {.spp = spp});
   const Picture ramp = trace(edge_at(-20.0f), camera_row(), filtered(spp));
   for (int view = 0; view < kViews; ++view) {
     const double eye = kBaseline * (view - 2), place = 0.5 * kWidth + (0.5 * eye + 0.5 * 0.03) / kPitch;
-    // 256 samples resolve a pixel's area to 2/256. Place: the ramp has six pixels, so the error is at most 12/256 = 0.047.
-    // Variance: a pixel at distance d from the middle counts d times, so the error is at most 2 (2.5 + 1.5 + 0.5) * 2/256 =
-    // 0.07.
+    // 256 samples resolve a pixel's area to 2/256. Place: the ramp has six pixels, so the error is at most 12/256 =
+    // 0.047. Variance: a pixel at distance d from the middle counts d times, so the error is at most 2 (2.5 + 1.5 +
+    // 0.5) * 2/256 = 0.07.
     EXPECT_NEAR(edge_in(sharp, view * kWidth, kWidth).place_px, place, 0.01) << view;
     EXPECT_NEAR(edge_in(ramp, view * kWidth, kWidth).place_px, place, 0.02) << view;
     EXPECT_LE(edge_in(sharp, view * kWidth, kWidth).variance_px2, 0.25 + 0.01)
-        << view;  // variance a (1 - a), at most 1/4, for an edge at the position a of its pixel
+        << view;  // a (1 - a) for an edge at the position a of its pixel, at most 1/4
     EXPECT_NEAR(edge_in(ramp, view * kWidth, kWidth).variance_px2, 16.0 / 12 + 1.0 / 6, 0.04) << view;
   }
 }

@@ -57,8 +57,8 @@ TEST(Aovs, motion_of_static_objects_opposes_the_displays) {
   expect_motion(step(sliding(0.0f, Vec3f(0.0f)), single_view(kAovSize), 0.0, 1.0, {}, moved), 16, 16, {-3, 0});
 }
 
-// Pixel (8, 16) sees the point (-0.9375, -0.0625, 0). Before, the point was at z = -1, where it appeared at 10/11 of these
-// coordinates. In pixels of 1/8, it has moved by (-7.5, 0.5) (1 - 10/11).
+// Pixel (8, 16) sees the point (-0.9375, -0.0625, 0). At z = -1, it appeared at 10/11 of these coordinates. In pixels
+// of 1/8, it has moved by (-7.5, 0.5) (1 - 10/11).
 TEST(Aovs, motion_towards_the_viewer_points_outwards) {
   const FrameAovs aovs = step(sliding(-1.0f, {0.0f, 0.0f, 1.0f}), single_view(kAovSize), 0.0, 1.0);
   expect_motion(aovs, 8, 16, {-7.5f / 11.0f, 0.5f / 11.0f});
@@ -66,15 +66,15 @@ TEST(Aovs, motion_towards_the_viewer_points_outwards) {
 
 TEST(Aovs, motion_below_lenses_is_in_view_samples) {
   for (const float z : {0.0f, 2.0f, -3.0f})
-    for (const int x : {46, 49}) {  // pixels of two views; 1 mm across is 2 lenses of 0.5 mm, and 0.125 mm upwards is 2 rows
+    for (const int x : {46, 49}) {  // 1 mm across is 2 lenses of 0.5 mm, and 0.125 mm upwards is 2 rows
       const FrameAovs aovs = step(sliding(z, {1.0f, 0.125f, 0.0f}), lenticular_view(), 0.0, 1.0);
       ASSERT_EQ(aovs[Aov::kId].pixel(x, 25)[0], 0.0f);
       expect_motion(aovs, x, 25, {2, -2});
     }
 }
 
-// A pixel at the offset o from the centre of its lens has a ray of slope -o / 16. A point that comes nearer by z = 1 moves by o
-// / 16 mm, which is o / 16 / 0.5 lenses.
+// A pixel at the offset o from the centre of its lens has a ray of slope -o / 16. A point that comes nearer by 1 mm
+// moves by o / 16 mm, which is o / 16 / 0.5 lenses.
 TEST(Aovs, motion_towards_viewers_depends_on_the_view) {
   const FrameAovs aovs = step(sliding(0.0f, {0.0f, 0.0f, 1.0f}), lenticular_view(), 0.0, 1.0);
   for (int x = 24; x < 40; ++x) {
@@ -123,8 +123,8 @@ TEST(Aovs, albedo_is_the_textured_base_colour) {
   for (const Integrator integrator : {Integrator::kWhitted, Integrator::kPath}) {
     const Picture p = trace(textured({255, 255, 255, 255}, half), single_view(kAovSize), {}, 1, 0.0, {}, integrator);
     for (const auto& [x, red] : {std::pair(4, 0.0f), {12, 85 / 510.0f}, {20, 170 / 510.0f}, {28, 0.5f}}) {
-      // Each texel is 8 pixels wide, with its centre between two pixels. The tested pixels are half a pixel, 1/16 of a texel,
-      // from a centre.
+      // Each texel is 8 pixels wide, with its centre between two pixels. The tested pixels are 1/16 of a texel from a
+      // centre.
       EXPECT_NEAR(p.aovs[Aov::kAlbedo].pixel(x, 16)[0], red, 85 / 510.0f / 15.0f);
       EXPECT_NEAR(p.aovs[Aov::kAlbedo].pixel(x, 16)[1], 0.5f, 1e-5f);
     }
@@ -135,7 +135,7 @@ TEST(Aovs, pixels_of_low_alpha_are_empty) {
   MetallicRoughness mask, blend, glass;
   mask.alpha_cutoff = 0.75f;
   blend.blend = true;
-  glass.blend = true, glass.transmission = 1.0f;  // full alpha and full transmission count as covered
+  glass.blend = true, glass.transmission = 1.0f;
   for (const auto& [kind, alpha, id] : {std::tuple(mask, 180, 1.0f), {mask, 200, 0.0f}, {blend, 120, 1.0f}, {blend, 140, 0.0f}})
     for (const Integrator integrator : {Integrator::kWhitted, Integrator::kPath}) {
       const Picture p = trace(textured({alpha, alpha, alpha, alpha}, kind), single_view(kAovSize), {}, 1, 0.0, {}, integrator);
@@ -149,7 +149,7 @@ TEST(Aovs, pixels_of_low_alpha_are_empty) {
 
 TEST(Aovs, ray_depth_is_measured_along_the_ray) {
   const Picture p = trace(sliding(1.0f, Vec3f(0.0f)), single_view(kAovSize));
-  // Pixel (19, 16) would see the point (x, y, 0), 10 away in z. The square is at z = 1, so the ray ends after 0.9 of the way.
+  // The square is at z = 1 and the eye at z = 10, so the ray ends after 0.9 of its way to the plane z = 0.
   const float x = 3.5f / 8.0f, y = 0.5f / 8.0f;
   EXPECT_NEAR(p.aovs[Aov::kRayDepth].pixel(19, 16)[0], 0.9f * std::sqrt(x * x + y * y + 100.0f), 1e-5f);
   EXPECT_EQ(p.aovs[Aov::kRayDepth].pixel(0, 0)[0], kInfinity);

@@ -1,5 +1,5 @@
-// A square covers 16 x 16 pixels with 4 texels per pixel, black on the left and white on the right. Between the centres of
-// texels, grey grows linearly: from 0 at 1/8 of a pixel left of the edge to 1/2 at the edge.
+// A square covers 16 x 16 pixels with 4 texels per pixel, black on the left and white on the right. Grey grows linearly
+// from 0 at 1/8 of a pixel left of the edge to 1/2 at the edge.
 #include <gtest/gtest.h>
 
 #include "shading/surface.hpp"
@@ -30,8 +30,9 @@ SmallScene edge() {
 }
 
 TEST(BeamFootprint, many_samples_average_a_pixel) {
-  // The last eighth of the pixel has a mean of 1/4, so the pixel has 1/32. The samples are in 64 columns, shifted by an unknown
-  // part u < 1/64 of a pixel. The eight columns in the last eighth have the sum (32 u + 7/4) / 64, which is 1/32 +- 1/256.
+  // The last eighth of the pixel has a mean of 1/4, so the pixel has 1/32. The samples are in 64 columns, shifted by an
+  // unknown part u < 1/64 of a pixel. The eight columns in the last eighth have the sum (32 u + 7/4) / 64, which is
+  // 1/32 +- 1/256.
   TraceParams params;
   params.spp = 64;
   for (const Integrator integrator : {Integrator::kWhitted, Integrator::kPath}) {
@@ -44,7 +45,7 @@ TEST(BeamFootprint, many_samples_average_a_pixel) {
 }
 
 TEST(BeamFootprint, one_sample_covers_a_pixel) {
-  // Texels are as large as pixels, and grey grows linearly from the centre of the last black pixel to that of the first white
+  // Texels are as large as pixels, and grey grows linearly between the centres of the last black and the first white
   // one. The map is shifted so that pixel 7 is at 1/4 of this distance.
   SmallScene s = edge();
   std::get<MetallicRoughness>(s.scene.materials[0].surface).base_color_map.offset.x = 1.0f / (4.0f * kPixels);
@@ -67,8 +68,8 @@ TEST(BeamFootprint, scattered_rays_are_as_wide_as_a_pixel) {
   const ThreadPool pool(1);
   DeviceScene device(s.scene, pool, Integrator::kPath);
   device.update(evaluate(s.scene, 0.0), pool);
-  // The rays hit a quarter of a pixel left of the edge: black in the finest level, and 1/4 of the way from black to white in
-  // the level with texels as large as pixels.
+  // A quarter of a pixel left of the edge is black in the finest level, and 1/4 of the way to white in the level with
+  // texels as large as pixels.
   RayHitPacket packet;
   LaneMask active, spread;
   for (int i = 0; i < kLanes; ++i) {

@@ -141,8 +141,8 @@ SmallScene below_small_cube(float half) {
   return s;
 }
 
-// Shadow rays end slightly before the light, so near an edge they may reach the far side of a small lamp. The far side is
-// sampled so rarely that each such ray would leave a white dot.
+// Shadow rays end slightly before the light, so near an edge they may reach the far side of a small lamp. It is sampled
+// so rarely that each such ray would leave a white dot.
 TEST(ClosedMesh, small_lamps_do_not_leak_at_edges) {
   const Image film = trace_paths(below_small_cube(0.001f).scene, single_view(64), 4, {}, 1, kEye).film;
   const float brightest = *std::max_element(film.data.begin(), film.data.end());
@@ -158,7 +158,7 @@ TEST(ClosedMesh, inward_glowing_rooms_give_light) {
   shines.base_color = Vec4f(0, 0, 0, 1), shines.emissive = Vec3f(1.0f);
   s.add(square(0.5f, 0), s.material(grey));
   s.add(cube(3.0f), s.material(shines));
-  // In uniform light, a matte floor shows its albedo times the radiance of the light.
+  // In uniform light, the radiance of a matte floor is its albedo times the radiance of the light.
   const auto albedo = static_cast<double>(grey.base_color.x);
   EXPECT_NEAR(mean(floor_below(s, 256)), albedo, 0.01 * albedo);
 }

@@ -1,4 +1,3 @@
-// Measures the position and the width of an edge in a row of pixels.
 #pragma once
 
 #include <cmath>
@@ -12,8 +11,8 @@ struct Edge {
   double place_px, variance_px2;
 };
 
-/// Returns the mean position, relative to pixel `first`, and the variance of the step from light to dark in the picture's
-/// second row.
+/// Returns the mean position, relative to pixel `first`, and the variance of the step from light to dark in the
+/// picture's second row.
 inline Edge edge_in(const Picture& picture, int first, int width) {
   std::vector<double> steps;
   for (int x = first + 1; x < first + width; ++x) steps.push_back(picture.at(x - 1, 1).x - picture.at(x, 1).x);

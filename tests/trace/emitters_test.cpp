@@ -78,8 +78,8 @@ TEST(Emitters, triangles_average_their_part_of_the_texture) {
   }
 }
 
-// The texture is a ramp from 0 to 1 along u. Triangle (0,0), (0,1), (1,1) has the mean of its corners' u, 1/3; the other has
-// 2/3. Four lookups at the texture's clamped edges deviate by a few hundredths.
+// The texture is a ramp from 0 to 1 along u. Triangle (0,0), (0,1), (1,1) has the mean of its corners' u, 1/3; the
+// other has 2/3. Lookups at the texture's clamped edges deviate by a few hundredths.
 TEST(Emitters, large_triangles_are_sampled_everywhere) {
   Texture ramp{"", 256, 256, {}, false, Wrap::kClamp, Wrap::kClamp};
   for (int i = 0; i < 256 * 256; ++i)
@@ -133,23 +133,23 @@ Scene below_bright_corner() {
   return s.scene;
 }
 
-/// The interpolated texture along one axis: 1 up to the centre of the last white texel, and 0 from the centre of the first
-/// black one.
+/// The interpolated texture along one axis: 1 up to the centre of the last white texel, and 0 from the centre of the
+/// first black one.
 double shown_along(double u) { return std::clamp((kBrightTexels + 0.5) - kCornerTexels * u, 0.0, 1.0); }
 
 /// Radiance of the floor, irradiance / pi, by the midpoint rule over the lamp's white part and its edge.
 double floor_radiance(double x, double y) {
-  constexpr int kSteps = 136;  // 8 steps for each of 17 texels
+  constexpr int kSteps = 136;
   constexpr double kStep = 17.0 / kCornerTexels / kSteps;
   double sum = 0.0;
   for (int i = 0; i < kSteps; ++i)
     for (int j = 0; j < kSteps; ++j) {
       const double u = (i + 0.5) * kStep, v = (j + 0.5) * kStep, dx = 2.0 * u - 1.0 - x, dy = 1.0 - 2.0 * v - y;
       const double squared = dx * dx + dy * dy + 4.0;
-      // The cosines at lamp and floor are both 2 / distance.
+      // the cosines at lamp and floor are both 2 / distance
       sum += shown_along(u) * shown_along(v) * 4.0 / (squared * squared);
     }
-  return 10.0 / M_PI * sum * 4.0 * kStep * kStep;  // area of a step: the lamp is 2 wide, so a step is 2 kStep long
+  return 10.0 / M_PI * sum * 4.0 * kStep * kStep;  // the lamp is 2 wide, so a step is 2 kStep long
 }
 
 std::vector<double> floor_reference(int size) {
@@ -160,8 +160,7 @@ std::vector<double> floor_reference(int size) {
   return reference;
 }
 
-// 0.06 requires that bright triangles are preferred. With equal probabilities, 15 of 16 shadow rays would go to black
-// triangles, and the error would be 0.18.
+// With equal probabilities, 15 of 16 shadow rays would go to black triangles, and the error would be 0.18.
 TEST(Emitters, shadow_rays_prefer_bright_triangles) {
   const Picture picture = trace_paths(below_bright_corner(), single_view(16), 64, {}, 1, kEyeBelowGrid);
   const std::vector<double> reference = floor_reference(16);
@@ -174,7 +173,7 @@ TEST(Emitters, shadow_rays_prefer_bright_triangles) {
   EXPECT_NEAR(sum, expected, 0.01 * expected);
 }
 
-// A white ball is invisible in front of a uniformly glowing dome, whose emission is a grey texture.
+// A white ball is invisible in front of a uniformly glowing dome.
 TEST(Emitters, textured_furnaces_are_uniform) {
   SmallScene s;
   s.scene.max_depth = 8;

@@ -59,7 +59,7 @@ TEST(Hidden, hidden_meshes_stay_hidden_behind_holes) {
   expect_color(seen(s, Integrator::kWhitted).at(16, 16), 0.5f * kBlue);
   const Vec3f path = seen(s, Integrator::kPath, 256).at(16, 16);
   EXPECT_EQ(path.x, 0.0f);
-  EXPECT_NEAR(path.z, 0.125f, 0.025f);  // tolerance: 3.2 standard deviations for 256 samples
+  EXPECT_NEAR(path.z, 0.125f, 0.025f);  // 3.2 standard deviations for 256 samples
 }
 
 TEST(Hidden, mirrors_and_panes_show_hidden_meshes) {
@@ -97,12 +97,10 @@ TEST(Hidden, shadows_follow_their_own_flag) {
     SmallScene open = shaded_floor(true);
     open.scene.instances.pop_back();
     EXPECT_GT(lit, 0.0f);
-    // Paths that hit the hidden roof get no light from its black surface.
     EXPECT_EQ(lit, seen(open, integrator).at(16, 16).x);
   }
 }
 
-/// A lamp that shines down gives the floor the same light whether it is visible or hidden.
 TEST(Hidden, hidden_lamps_give_light) {
   SmallScene s;
   s.scene.max_depth = 2;

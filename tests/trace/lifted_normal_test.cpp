@@ -22,14 +22,13 @@ Vec3f upwards(std::mt19937& random) {
 TEST(LiftedNormal, stays_if_its_mirror_direction_is_valid) {
   const Vec3f normal = glm::normalize(Vec3f(0.3f, -0.2f, 1.0f)), view = glm::normalize(Vec3f(0.1f, 0.4f, 1.0f));
   EXPECT_EQ(lifted_normal(normal, {0, 0, 7}, view), normal);
-  EXPECT_EQ(lifted_normal({0, 0, 1}, {0, 0, 2}, glm::normalize(Vec3f(1.0f, 0.0f, 1e-3f))),
-            Vec3f(0, 0, 1));  // a view at a grazing angle
+  EXPECT_EQ(lifted_normal({0, 0, 1}, {0, 0, 2}, glm::normalize(Vec3f(1.0f, 0.0f, 1e-3f))), Vec3f(0, 0, 1));
 }
 
 TEST(LiftedNormal, lifts_a_normal_as_computed_by_hand) {
-  // Angles from the facet's normal: the view is at -60 degrees and the given normal at 80 degrees, facing away from the view.
-  // Mirror directions must be 0.01 above the facet, at acos(0.01) = 89.427 degrees. The normal that mirrors the view there is
-  // half-way between both: (89.427 - 60) / 2 = 14.7135 degrees.
+  // Angles from the facet's normal: the view is at -60 degrees, and the given normal at 80. Mirror directions must be
+  // 0.01 above the facet, at acos(0.01) = 89.427 degrees. The normal half-way between this direction and the view is at
+  // (89.427 - 60) / 2 = 14.7135 degrees.
   const auto at = [](float degrees) {
     const float a = degrees * std::numbers::pi_v<float> / 180.0f;
     return Vec3f(std::sin(a), 0.0f, std::cos(a));
@@ -43,7 +42,7 @@ TEST(LiftedNormal, mirrors_any_view_above_the_facet) {
   for (int i = 0; i < 2000; ++i) {
     const Vec3f view = upwards(random), normal = upwards(random), z(0, 0, 1), got = lifted_normal(normal, {0, 0, 0.1f}, view);
     const float height = std::min(0.9f * view.z, 0.01f);
-    EXPECT_GE(mirrored_at(got, view).z, height - 1e-6f);  // rounding in single precision
+    EXPECT_GE(mirrored_at(got, view).z, height - 1e-6f);
     EXPECT_GT(glm::dot(got, view), 0.0f);
     EXPECT_NEAR(glm::length(got), 1.0f, 1e-5f);
     if (got == normal) continue;
@@ -59,7 +58,7 @@ TEST(LiftedNormal, mirrors_any_view_above_the_facet) {
 TEST(LiftedNormal, degenerate_normals_become_the_facets) {
   const Vec3f view = glm::normalize(Vec3f(1.0f, 0.0f, 1.0f));
   EXPECT_EQ(lifted_normal({0, 0, -1}, {0, 0, 1}, view), Vec3f(0, 0, 1));
-  // A facet without area has no normal, so the given one is kept.
+  // A facet without area has no normal.
   EXPECT_EQ(lifted_normal({1, 0, 0}, {0, 0, 0}, view), Vec3f(1, 0, 0));
 }
 
@@ -76,8 +75,8 @@ MetallicRoughness of(float metallic, float roughness) {
   return surface;
 }
 
-// If the smooth normal faces away from the view, the gloss would take all light from the paint below it. The darkest of
-// every 500 pixels has 0.82 of the sky's light without lifting the normal, and 0.91 with it.
+// If the smooth normal faces away from the view, the gloss would hide all light from the paint below it. The darkest of
+// every 500 pixels would then have 0.82 of the sky's light instead of 0.91.
 TEST(LiftedNormal, glossy_coarse_balls_have_no_dark_rim) {
   for (const bool layered : {false, true}) {
     MetallicRoughness paint = of(0.0f, 0.3f);
@@ -89,8 +88,8 @@ TEST(LiftedNormal, glossy_coarse_balls_have_no_dark_rim) {
   }
 }
 
-// A mirrored ray that starts on a facet's edge may hit the adjacent facet, so the mean may lose 10^-4. A dark rim would lose
-// all light of its pixels.
+// A mirrored ray from a facet's edge may hit the adjacent facet, so the mean may lose 10^-4. A dark rim would lose all
+// light of its pixels.
 TEST(LiftedNormal, coarse_mirror_balls_have_no_dark_rim) {
   const std::vector<float> values = in_white_furnace(of(1.0f, 0.0f), 32).data;
   double sum = 0.0;

@@ -51,7 +51,7 @@ std::vector<TreeLight> random_lights(Kind kind, std::size_t count, unsigned seed
   return lights;
 }
 
-/// Irradiance on a surface perpendicular to the light's direction, without shadows.
+/// Returns the irradiance on a surface perpendicular to the light's direction, without shadows.
 float light_of(const TreeLight& light, Vec3f at) {
   const Vec3f from = at - light.middle;
   const float distance = glm::length(from);
@@ -80,8 +80,8 @@ TEST(LightTree, of_one_light_always_draws_it) {
   EXPECT_EQ(tree.probability(0, {}), 1.0f);
 }
 
-// Two lamps straight above at distances 1 and 2 have weights 1 and 1/4, so the first has probability 1 / (1 + 1/4) = 0.8. A
-// lamp below the horizon keeps 1/16 of its weight, so one above has 1 / (1 + 1/16) = 16/17.
+// Two lamps straight above at distances 1 and 2 have weights 1 and 1/4, so the first has probability 1 / (1 + 1/4) =
+// 0.8. A lamp below the horizon keeps 1/16 of its weight, so one above has 1 / (1 + 1/16) = 16/17.
 TEST(LightTree, draws_by_squared_distance_and_horizon) {
   const LightTree far(std::vector{lamp({0, 0, 1}), lamp({0, 0, 2})});
   EXPECT_NEAR(far.probability(0, {Vec3f(0.0f), {0, 0, 1}}), 0.8f, 1e-6f);
@@ -91,8 +91,8 @@ TEST(LightTree, draws_by_squared_distance_and_horizon) {
   EXPECT_NEAR(below.probability(0, {}), 0.5f, 1e-6f) << "both sides can receive light";
 }
 
-// The first face is seen along its normal, the second at 60 degrees, with the weight cos 60 = 1/2. The first has probability
-// 2/3.
+// The first face is seen along its normal, the second at 60 degrees, with the weight cos 60 = 1/2. The first has
+// probability 2/3.
 TEST(LightTree, draws_faces_by_their_cosine) {
   std::vector<TreeLight> lights{lamp({0, 0, 1}), lamp({0, 0, -1})};
   lights[0].face = {0, 0, 1};
@@ -100,8 +100,7 @@ TEST(LightTree, draws_faces_by_their_cosine) {
   EXPECT_NEAR(LightTree(lights).probability(0, {}), 2.0f / 3.0f, 1e-6f);
 }
 
-// The origin is in front of the face of lamp 0 and behind that of lamp 1. Behind a face of a closed body, its weight is 1/16,
-// so lamp 0 has probability 1 / (1 + 1/16) = 16/17.
+// The origin is behind the face of lamp 1, whose weight is then 1/16. Lamp 0 has probability 1 / (1 + 1/16) = 16/17.
 TEST(LightTree, draws_front_faces_of_closed_bodies) {
   std::vector<TreeLight> lights{lamp({0, 0, 1}), lamp({0, 0, -1})};
   for (TreeLight& light : lights) light.face = {0, 0, -1}, light.is_closed = true;
@@ -110,8 +109,8 @@ TEST(LightTree, draws_front_faces_of_closed_bodies) {
   EXPECT_NEAR(tree.probability(0, {}) + tree.probability(1, {}), 1.0f, 1e-6f);
 }
 
-// Half-way between the cosines of outer and inner cone, a lamp fades to (1/2)^2 = 1/4. The second lamp is seen at this angle,
-// and the first along its axis, so the first has probability 1 / (1 + 1/4) = 0.8.
+// Half-way between the cosines of outer and inner cone, a lamp fades to (1/2)^2 = 1/4. The second lamp is seen at this
+// angle, so the first has probability 1 / (1 + 1/4) = 0.8.
 TEST(LightTree, draws_spots_by_their_falloff) {
   std::vector<TreeLight> lights{lamp({0, 0, 1}), lamp({1, 0, 0})};
   for (TreeLight& light : lights) light.half_angle = 0.5f * kPi, light.inner_angle = 0.0f;
@@ -120,9 +119,9 @@ TEST(LightTree, draws_spots_by_their_falloff) {
   EXPECT_NEAR(LightTree(lights).probability(0, {}), 0.8f, 1e-5f);
 }
 
-// Each cluster has sixteen lamps that emit into a half space. By Legendre polynomials up to degree 2, the mean emission of
-// lamps with the same axis is 1/2 + 3/4 x, where x is the cosine to the axis. In the first cluster, all point towards the
-// receiver: 1.25. In the second, every other lamp points away: 1/2 in all directions.
+// Each cluster has sixteen lamps that emit into a half space. With Legendre polynomials up to degree 2, the mean
+// emission of lamps with the same axis is 1/2 + 3/4 x, where x is the cosine to the axis. In the first cluster, all
+// point towards the receiver: 1.25. In the second, every other lamp points away: 1/2 in all directions.
 TEST(LightTree, draws_clusters_of_spots_by_their_mean) {
   std::vector<TreeLight> lights;
   for (int l = 0; l < 32; ++l) {
@@ -169,9 +168,9 @@ TEST(LightTree, probabilities_sum_to_one_everywhere) {
         double sum = 0.0;
         for (std::uint32_t l = 0; l < count; ++l) sum += static_cast<double>(tree.probability(l, at));
         const bool any = tree.choose(at, 0.5f).has_value();
-        if (!any) continue;  // all lights are out of range
-        // The sum may be below 1: the descent ends without a light if a cluster seems to be in range although none of its
-        // lights is.
+        if (!any) continue;
+        // The sum may be below 1: the descent ends without a light if a cluster seems to be in range although none of
+        // its lights is.
         EXPECT_LE(sum, 1.0 + 1e-4) << static_cast<int>(kind) << ' ' << count;
         EXPECT_GT(sum, kind == Kind::kFaces || kind == Kind::kClosedFaces ? 0.999 : 0.0)
             << static_cast<int>(kind) << ' ' << count;
@@ -309,7 +308,6 @@ TEST(LightTree, does_not_depend_on_units) {
   }
 }
 
-// The tree must find every ball whose centre is nearer to the ray than its radius, within `reach`.
 TEST(LightTree, rays_find_all_balls_they_pass) {
   const std::vector<TreeLight> lights = random_lights(Kind::kBalls, 2000, 13);
   const LightTree tree(lights);

@@ -22,8 +22,8 @@ MetallicRoughness floor_of(float metallic, float roughness) {
 enum class LampKind { kPoint, kSpot, kBall, kSquare };
 constexpr LampKind kLampKinds[] = {LampKind::kPoint, LampKind::kSpot, LampKind::kBall, LampKind::kSquare};
 
-/// Lamp l of a spiral above the eye, from z = 1.3 to 3.2. Square lamps are all at z = 2, so that none occludes another. Every
-/// third lamp is ten times as strong. Spots point in all directions.
+/// Adds lamp l of a spiral above the eye. Square lamps are at one height, so that none occludes another. Every third
+/// lamp is ten times as strong. Spots point in all directions.
 void add_lamp(SmallScene& s, LampKind kind, int l) {
   const float angle = 2.4f * static_cast<float>(l), share = static_cast<float>(l) / kCount, strength = l % 3 == 0 ? 2.0f : 0.2f;
   const Vec3f at{1.8f * std::sqrt(share) * std::cos(angle), 1.8f * std::sqrt(share) * std::sin(angle), 1.3f + 1.9f * share};

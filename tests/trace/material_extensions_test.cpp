@@ -52,7 +52,7 @@ TEST(MaterialExtensions, thin_walls_do_not_refract) {
     s.scene.max_depth = 8;
     s.add(Spheres{{{0, 0, 0}, 1.5f}}, s.material(clear({}, 1.5f)));
     s.add(square(50, -3), s.material(glowing(Vec3f(1.0f))));
-    // A dark square in the middle, which a lens would spread over the whole sphere.
+    // A lens would spread this dark square over the whole sphere.
     s.add(square(0.5f, -2.9f), s.material(glowing(Vec3f(0.0f))));
     const Picture p = by_paths ? trace_paths(s.scene, single_view(33), 256) : trace(s.scene, single_view(33));
     EXPECT_NEAR(p.at(16, 16).x, 0.0f, 0.15f) << by_paths;
@@ -73,7 +73,7 @@ TEST(MaterialExtensions, layered_white_spheres_vanish_in_furnaces) {
     s.scene.max_depth = 64;
     surround(s, Vec3f(1.0f));
     s.add(Spheres{{{0, 0, 0}, 3.0f}}, s.material(m));
-    // Noise is larger with dispersion, because each path has only one colour.
+    // With dispersion, each path has only one colour, which adds noise.
     EXPECT_NEAR(mean(trace_paths(s.scene, single_view(8), 1024).film), 1.0, 0.01) << "kind " << kind;
   }
 }

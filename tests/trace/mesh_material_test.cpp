@@ -47,7 +47,7 @@ TEST(MeshMaterial, maps_follow_their_transform) {
   const Halves as_it_is = render(square(2, 0), s, row_of({0, 0, 255, 255}));
   EXPECT_EQ(as_it_is.left, 0.0f);
   EXPECT_EQ(as_it_is.right, 1.0f);
-  s.base_color_map.offset = {0.5f, 0.0f};  // half of the texture, which repeats
+  s.base_color_map.offset = {0.5f, 0.0f};
   const Halves moved = render(square(2, 0), s, row_of({0, 0, 255, 255}));
   EXPECT_EQ(moved.left, 1.0f);
   EXPECT_EQ(moved.right, 0.0f);
@@ -61,7 +61,7 @@ TEST(MeshMaterial, maps_follow_their_transform) {
 TEST(MeshMaterial, footprint_grows_with_the_scale_of_the_transform) {
   MetallicRoughness s = unlit();
   s.base_color_map.texture = 0;
-  s.base_color_map.matrix[0].x = 64.0f;  // 64 periods of black and white on 32 pixels, so only their mean is visible
+  s.base_color_map.matrix[0].x = 64.0f;  // 64 periods on 32 pixels, so only their mean is visible
   const Halves blurred = render(square(2, 0), s, row_of({0, 0, 255, 255}));
   EXPECT_NEAR(blurred.left, 0.5f, 1e-3f);  // rounding of 16-bit codes in the coarsest level
   EXPECT_NEAR(blurred.right, 0.5f, 1e-3f);
@@ -160,8 +160,7 @@ Texture leaning(float degrees) {
   return map;
 }
 
-/// A coated surface with normal maps for base and coat. `layered` adds a sheen too faint to be visible, so that LayeredBsdf is
-/// used.
+/// `layered` adds a sheen too faint to be visible, so that LayeredBsdf is used.
 MetallicRoughness coated(bool layered) {
   MetallicRoughness m;
   m.clearcoat = 1.0f;
@@ -170,8 +169,8 @@ MetallicRoughness coated(bool layered) {
   return m;
 }
 
-/// Radiance of the middle, seen perpendicularly. The normals of base and coat lean to the right by `base_degrees` and
-/// `coat_degrees`, and the direction to the lamp by `lamp_degrees`.
+/// Returns the radiance of the middle, seen perpendicularly. The normals of base and coat lean to the right by
+/// `base_degrees` and `coat_degrees`, and the direction to the lamp by `lamp_degrees`.
 float lit_from(MetallicRoughness m, float base_degrees, float coat_degrees, float lamp_degrees) {
   SmallScene s;
   s.scene.textures = {leaning(base_degrees), leaning(coat_degrees)};
@@ -199,8 +198,8 @@ TEST(MeshMaterial, coat_and_base_use_separate_normal_maps) {
   }
 }
 
-// The lamp is below the horizon of the base's bent normal, but in front of the facet and of the coat's normal. A black base
-// must not hide it from the coat.
+// The lamp is below the horizon of the base's bent normal, but in front of the facet and of the coat's normal. A black
+// base must not hide it from the coat.
 TEST(MeshMaterial, rough_coats_show_lamps_behind_the_base) {
   for (const bool layered : {false, true}) {
     MetallicRoughness m = coated(layered);
@@ -212,8 +211,7 @@ TEST(MeshMaterial, rough_coats_show_lamps_behind_the_base) {
   }
 }
 
-// Only the coat reflects light, because the base is black. Its light must not change, up to noise of 1 %, if the base's normal
-// leans by 60 degrees.
+// The base is black, so only the coat reflects light. Bending the base's normal must not change it, up to noise of 1 %.
 TEST(MeshMaterial, rough_coats_keep_their_albedo) {
   const auto in_white_furnace = [](const MetallicRoughness& m, float base_degrees) {
     SmallScene s;

@@ -80,7 +80,6 @@ TEST(NearAndFarLights, light_is_the_sum_of_both) {
   for (const float roughness : {1.0f, 0.3f})
     for (const Near near : kNears)
       for (const Far far : kFars) {
-        // A dark square hides the same part of the sky as the square lamp.
         const Near dark = near == Near::kSquare ? Near::kDarkSquare : Near::kNone;
         const double sum = light_below(near, Far::kNone, roughness) + light_below(dark, far, roughness);
         EXPECT_NEAR(light_below(near, far, roughness), sum, 0.015 * sum)

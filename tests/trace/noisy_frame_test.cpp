@@ -34,8 +34,8 @@ TEST(NoisyFrame, film_equals_the_frames_film) {
     EXPECT_EQ(traced(s.scene, spp).film.data, trace_paths(s.scene, single_view(kNoisySize), spp).film.data);
 }
 
-// The estimate may exceed the error: halves of stratified samples fill each other's gaps, so they differ by more than the error
-// of their mean.
+// Halves of stratified samples fill each other's gaps, so the estimate from their difference may exceed the error of
+// their mean.
 TEST(NoisyFrame, noise_matches_the_errors_without_bias) {
   const SmallScene s = busy_scene(3);
   const Image truth = trace_paths(s.scene, single_view(kNoisySize), 1024).film;
@@ -55,7 +55,8 @@ TEST(NoisyFrame, noise_matches_the_errors_without_bias) {
   }
 }
 
-// The square's edge at x = 1.05 covers 0.4 of pixel 24, from x = 1 to 1.125. In `moved`, the display is 2 mm behind the square.
+// The square's edge at x = 1.05 covers 0.4 of pixel 24, from x = 1 to 1.125. In `moved`, the display is 2 mm behind the
+// square.
 TEST(NoisyFrame, surfaces_are_averaged_over_samples) {
   SmallScene s;
   s.scene.background.horizon = s.scene.background.zenith = Vec3f(0.25f);

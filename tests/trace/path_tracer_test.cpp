@@ -37,7 +37,7 @@ TEST(PathTracer, white_spheres_vanish_in_a_white_furnace) {
       SmallScene s;
       surround(s, Vec3f(1.0f));
       s.add(Spheres{{{0, 0, 0}, 3.0f}}, s.material(rough(Vec3f(1.0f), metallic, 0.1f * static_cast<float>(r))));
-      // Tolerance: error of the tables of multiple scattering.
+      // the error of the tables of multiple scattering
       EXPECT_NEAR(mean(trace_paths(s.scene, single_view(8), 256).film), 1.0, 0.005)
           << "metallic " << metallic << ", roughness 0." << r;
     }
@@ -66,8 +66,8 @@ TEST(PathTracer, rough_glass_vanishes_in_a_white_furnace) {
     s.scene.max_depth = 64;
     surround(s, Vec3f(1.0f));
     s.add(Spheres{{{0, 0, 0}, 3.0f}}, s.material(glass));
-    // Tolerance: error of the tables of multiple scattering. Single scattering alone would lose 37 % at roughness 0.7, and 66 %
-    // at roughness 1.
+    // The error of the tables of multiple scattering. Single scattering alone would lose 37 % at roughness 0.7, and 66
+    // % at roughness 1.
     EXPECT_NEAR(mean(trace_paths(s.scene, single_view(8), 1024).film), 1.0, 0.01) << "roughness " << roughness;
   }
 }
@@ -92,7 +92,7 @@ TEST(PathTracer, lambert_matches_whitted) {
   s.add(square(2, 0), s.material(matte({0.5f, 0.25f, 1.0f})));
   s.point_light({3, 0, 4}, {1.0f, 0.5f, 0.25f});
   const Vec3f whitted = trace(s.scene, single_view(33)).at(16, 16), path = trace_paths(s.scene, single_view(33), 4).at(16, 16);
-  // Tolerance: the path tracer's samples are spread over the pixel.
+  // the path tracer's samples are spread over the pixel
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(path[c], whitted[c], 0.01f * whitted[c]);
 }
 
@@ -106,8 +106,8 @@ TEST(PathTracer, a_metallic_roughness_surface_divides_by_pi) {
   EXPECT_NEAR(trace_paths(s.scene, single_view(33), 4).at(16, 16).x, 0.5f / kPi * 8.0f / 16.0f, 5e-4f);
 }
 
-/// From a point to a parallel square of half side a at height h: four times the form factor of a square of side a with one
-/// corner above the point (Howell, configuration B-3).
+/// Form factor from a point to a parallel square of half side a at height h: four times that of a square of side a with
+/// one corner above the point (Howell, configuration B-3).
 double form_factor(double a, double h) {
   const double x = a / h, r = std::sqrt(1.0 + x * x);
   return 4.0 / M_PI * x / r * std::atan(x / r);
@@ -155,8 +155,8 @@ TEST(PathTracer, panorama_spots_act_as_distant_lamps) {
   EXPECT_NEAR(p.at(2, 2).x, expected, 0.01 * expected);
 }
 
-// Radiance of the floor: 2 cos / pi from the sun, and 0.25 from the sky. The sun's texel may be 0.7 degrees from `toward`,
-// which changes the cosine by 1 %.
+// Radiance of the floor: 2 cos / pi from the sun, and 0.25 from the sky. The sun's texel may be 0.7 degrees from
+// `toward`, which changes the cosine by 1 %.
 TEST(PathTracer, suns_in_the_sky_give_their_irradiance) {
   SmallScene s;
   s.scene.max_depth = 3;
@@ -186,7 +186,7 @@ TEST(PathTracer, cut_out_leaves_cast_shaped_shadows) {
     Texture texture;
     texture.width = 2, texture.height = 1;
     texture.wrap_u = texture.wrap_v = Wrap::kClamp;
-    texture.rgba = {255, 255, 255, 0, 255, 255, 255, 255};  // the left half is cut out by its alpha
+    texture.rgba = {255, 255, 255, 0, 255, 255, 255, 255};
     s.scene.textures.push_back(texture);
     MetallicRoughness leaf = rough(Vec3f(1.0f), 0.0f, 1.0f);
     leaf.base_color_map.texture = 0;
@@ -200,7 +200,7 @@ TEST(PathTracer, cut_out_leaves_cast_shaped_shadows) {
     const Affine3f below{0.5f * Mat3f(1.0f), Vec3f(0.0f)};  // the eye at (0, 0, 5) sees the square from -1 to 1
     const Picture p =
         by_paths ? trace_paths(s.scene, single_view(9), 1, {}, 1, below) : trace(s.scene, single_view(9), {}, 1, 0.0, below);
-    EXPECT_NEAR(p.at(1, 4).x, 1.0f, 0.02f) << by_paths;  // tolerance: Whitted shading adds a weak highlight
+    EXPECT_NEAR(p.at(1, 4).x, 1.0f, 0.02f) << by_paths;  // Whitted shading adds a weak highlight
     EXPECT_NEAR(p.at(7, 4).x, 0.0f, 1e-3f) << by_paths;
   }
 }
@@ -292,8 +292,8 @@ TEST(PathTracer, clamping_dims_only_indirect_light) {
   s.add(room(20.0f), s.material(wall));
   TraceParams params;
   params.clamp_indirect = 0.05f;
-  // The emission 1 and the direct light 0.5 are not clamped. The two bounces after them have 0.25 and 0.125, and each of their
-  // contributions is limited to 0.05.
+  // The emission 1 and the direct light 0.5 are not clamped. The two bounces after them have 0.25 and 0.125, and each
+  // of their contributions is limited to 0.05.
   const double clamped = mean(trace_paths(s.scene, single_view(5), 256, params).film);
   EXPECT_GT(clamped, 1.495);
   EXPECT_LT(clamped, 1.5 + 4 * 0.05 + 0.005);

@@ -16,7 +16,7 @@ using namespace test;
 const Affine3f kEyeBelowWeb{Mat3f(0.1f), Vec3f(0.0f)};
 constexpr float kWebHeight = 2.0f;
 
-/// Intensity cos^n a, where a is the angle to -z, and 0 for a > 90 degrees, in steps of half a degree, divided by its mean.
+/// Intensity cos^n a divided by its mean, where a is the angle to -z, and 0 for a > 90 degrees.
 PhotometricWeb cosine_web(double n) {
   PhotometricWeb web;
   for (int step = 0; step <= 180; ++step) {
@@ -85,7 +85,7 @@ TEST(PhotometricWeb, light_below_is_peak_over_squared_distance) {
   }
 }
 
-// The mean irradiance on a sphere of radius 1 around the lamp equals the lamp's colour, 1: its flux is 4 pi.
+// The lamp's flux is 4 pi, so the mean irradiance on a sphere of radius 1 around it is 1.
 TEST(PhotometricWeb, flux_equals_an_isotropic_lamps) {
   SmallScene s = below_lamp(Vec3f(1.0f), 0.3f);
   s.scene.webs.push_back(cosine_web(5));
@@ -105,7 +105,6 @@ TEST(PhotometricWeb, flux_equals_an_isotropic_lamps) {
   EXPECT_NEAR(sum / (kSteps * kSteps), 1.0, 2e-3);
 }
 
-// A tree chooses one of forty lamps, which point in all directions.
 TEST(PhotometricWeb, many_webs_are_sampled_without_bias) {
   for (const float radius : {0.0f, 0.1f}) {
     const auto lamps = [&](int first, int end) {

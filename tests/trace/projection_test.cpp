@@ -42,9 +42,9 @@ TEST(Project, plane_takes_coordinates_along_its_axes) {
   ImageProjection p = projection(ProjectionKind::kPlane);
   p.scale = {0.5f, -0.25f, 100.0f};
   p.rotate = {0.1f, 0.2f, 0.0f};
-  // Relative to the centre, the point is U = 3 along u_axis and V = 1 along v_axis. u: 0.5 x 3 + 0.1 = 1.6, whose fraction is
-  // 0.6. v: -0.25 x 1 + 0.2 = -0.05, whose fraction is 0.95. Blur: 0.05 of the length 8, scaled by 0.5: 0.2. scale.z has no
-  // effect.
+  // Relative to the centre, the point is U = 3 along u_axis and V = 1 along v_axis. u: 0.5 x 3 + 0.1 = 1.6, whose
+  // fraction is 0.6. v: -0.25 x 1 + 0.2 = -0.05, whose fraction is 0.95. Blur: 0.05 of the length 8, scaled by 0.5:
+  // 0.2. scale.z has no effect.
   const ProjectedPoint at = project(p, {13, 21, 77}, 8.0f);
   EXPECT_NEAR(at.u, 0.6f, kProjectionRounding);
   EXPECT_NEAR(at.v, 0.95f, kProjectionRounding);

@@ -66,9 +66,9 @@ TEST(StripOrder, view_tiles_of_microlenses_share_one_direction) {
 }
 
 TEST(StripOrder, view_tiles_of_a_slanted_panel_follow_its_lenses) {
-  // A lens is 10 sub-pixels wide and shifts by 600 x 0.25 / 100 = 1.5 sub-pixels per row, so straight columns of 8 rows would
-  // extend over two lenses. The pixels of a packet follow the slant. Their phases differ by rounding and by the packet's second
-  // column, 1/10 of a lens each.
+  // A lens is 10 sub-pixels wide and shifts by 600 x 0.25 / 100 = 1.5 sub-pixels per row, so straight columns of 8 rows
+  // would extend over two lenses. The pixels of a packet follow the slant. Their phases differ by rounding and by the
+  // packet's second column, 1/10 of a lens each.
   Optics o;
   o.panel = {200, 100, 0.3f};
   for (const double tilt : {0.25, -0.25}) {
@@ -85,8 +85,8 @@ TEST(StripOrder, view_tiles_of_a_slanted_panel_follow_its_lenses) {
       }
       if (high - low > 0.21) ++wide;
     }
-    // At the panel's sides, packets continue on the other side, where phases differ. Over 16 rows the lenses shift by 24
-    // sub-pixels, and each pair of columns has two packets, so up to 24 packets are split.
+    // At the panel's sides, packets continue on the other side, where phases differ. Over 16 rows the lenses shift by
+    // 24 sub-pixels, so up to 24 packets are split.
     EXPECT_LE(wide, 24);
   }
 }
@@ -134,8 +134,8 @@ TEST(SubPixel, samples_of_a_pixel_fill_every_stratum) {
     const Vec2f p = sub.position(1234, s);
     ASSERT_GE(std::min(p.x, p.y), 0.0f);
     ASSERT_LT(std::max(p.x, p.y), 1.0f);
-    // The shift of a pixel is the same for all its samples. Relative to sample 0, they must be in 16 different sixteenths of
-    // the pixel, across and down.
+    // All samples of a pixel have the same shift. Relative to sample 0, they must be in 16 different sixteenths of the
+    // pixel, across and down.
     columns.insert(static_cast<int>(std::floor((p.x - sub.position(1234, 0).x + 1.0f) * 16.0f + 0.5f)) % 16);
     rows.insert(static_cast<int>(std::floor((p.y - sub.position(1234, 0).y + 1.0f) * 16.0f + 0.5f)) % 16);
   }

@@ -83,7 +83,8 @@ TEST(RoundLight, suns_give_illuminance_times_cosine) {
   }
 }
 
-/// Fraction of a lamp's light that passes an edge at x = 0, 2 above a white floor, for 64 pixels at x = -1 + (i + 0.5) / 16.
+/// Fraction of a lamp's light that passes an edge at x = 0, 2 above a white floor, for 64 pixels at x = -1 + (i + 0.5)
+/// / 16.
 std::vector<float> past_an_edge(const SmallScene& lit) {
   constexpr int kPixels = 64;
   const Affine3f view{Mat3f(1.0f), {1.0f, 0.0f, 0.0f}};
@@ -138,7 +139,7 @@ TEST(RoundLight, lamps_are_counted_once) {
     SmallScene lamp, shape;
     ball(lamp, at, kIntensity, kRadius);
     PhongSurface shines = matte(Vec3f(0.0f));
-    // The lamp's radiance. In scenes with Phong surfaces, lamps are pi times as bright, but glowing shapes are not.
+    // In scenes with Phong surfaces, lamps are pi times as bright, but glowing shapes are not.
     shines.emission = Vec3f(kIntensity / (kPi * kRadius * kRadius));
     shape.add(Spheres{{at, kRadius}}, shape.material(shines));
     double light[2];
@@ -174,8 +175,8 @@ TEST(RoundLight, lamps_do_not_occlude) {
   EXPECT_NEAR(irradiance(s, 4096), kPi, 0.01f);
 }
 
-// The outer and inner cones have the cosines 0.5 and 1, and the direction to the point 0.75, half-way (t = 1/2). The squared
-// edge is t^2 = 1/4, the smooth edge 3 t^2 - 2 t^3 = 1/2.
+// The outer and inner cones have the cosines 0.5 and 1, and the direction to the point 0.75, half-way (t = 1/2). The
+// squared edge is t^2 = 1/4, the smooth edge 3 t^2 - 2 t^3 = 1/2.
 TEST(RoundLight, spot_edges_are_smooth_or_squared) {
   for (const Integrator integrator : {Integrator::kWhitted, Integrator::kPath}) {
     for (const bool smooth : {false, true}) {
@@ -260,10 +261,10 @@ TEST(RoundLight, directions_cover_the_cone_uniformly) {
       EXPECT_NEAR(glm::length(from + drawn->distance * drawn->direction - light.position), 2.0f, 1e-4f) << "on the sphere";
       sum += drawn->direction;
     }
-  // The mean of uniform directions in a cone is (1 + cos) / 2 along its axis.
+  // the mean of uniform directions in a cone is (1 + cos) / 2 along its axis
   EXPECT_NEAR(sum.z / (kSteps * kSteps), 0.5f * (1.0f + std::sqrt(0.75f)), 1e-4f);
   EXPECT_NEAR(sum.x / (kSteps * kSteps), 0.0f, 1e-4f);
-  // 31 degrees from the axis, outside the lamp's cone of 30 degrees.
+  // 31 degrees from the axis, outside the lamp's cone of 30 degrees
   EXPECT_FALSE(see_round(light, 1.0f, from, glm::normalize(Vec3f(0.6f, 0.0f, 1.0f))));
   EXPECT_FALSE(see_round(light, 1.0f, from, Vec3f(0, 0, -1)));
 }

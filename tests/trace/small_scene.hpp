@@ -1,4 +1,3 @@
-// Scenes of a few shapes, and pictures of a few pixels.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Splats along rays, compared with a reference in double precision that evaluates every splat for every ray. The camera at (0,
-// 0, 10) sees the square from -2 to 2 in x and y at z = 0.
+// Compares splats with a reference in double precision that evaluates every splat for every ray. The camera at (0, 0,
+// 10) sees the square from -2 to 2 in x and y at z = 0.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -174,9 +174,9 @@ TEST(Splat, opacity_is_the_gaussian_at_closest_approach) {
   const Picture p = trace(s.scene, single_view(33));
   EXPECT_NEAR(p.at(16, 16).x, 0.8f + 0.2f * 0.1f, 1e-4f);
   EXPECT_NEAR(p.at(16, 16).z, 0.8f * 0.25f + 0.2f * 0.1f, 1e-4f);
-  // Pixel 24 is 8 pixels of 4/33 right of the middle, at x = a in the plane z = 0. Its ray is x = a (1 - z / 10). The squared
-  // distance from the splat's centre in standard deviations, (a (1 - z / 10) / 0.5)^2 + (z / 2)^2, is smallest at z = 0.4 a^2 /
-  // (1/4 + 0.04 a^2).
+  // Pixel 24 is 8 pixels of 4/33 right of the middle, at x = a in the plane z = 0. Its ray is x = a (1 - z / 10). The
+  // squared distance from the splat's centre in standard deviations, (a (1 - z / 10) / 0.5)^2 + (z / 2)^2, is smallest
+  // at z = 0.4 a^2 / (1/4 + 0.04 a^2).
   const double a = 8.0 * 4.0 / 33.0, z = 0.4 * a * a / (0.25 + 0.04 * a * a);
   const double d2 = std::pow(a * (1.0 - z / 10.0) / 0.5, 2) + z * z / 4.0;
   const double alpha = 0.8 * std::exp(-0.5 * d2);
@@ -241,7 +241,8 @@ TEST(Splat, layers_use_the_median_depth) {
   const int id = add_splats(s, splats);
   const int back = s.add(square(2, -1.5f), s.material(matte(Vec3f(0.5f))));
   const Picture p = trace(s.scene, single_view(33));
-  // One splat transmits 0.6 of the light, two transmit 0.36, which is less than half, so the depth is that of the second.
+  // One splat transmits 0.6 of the light, two transmit 0.36, which is less than half, so the depth is that of the
+  // second.
   EXPECT_NEAR(p.aovs[Aov::kDepth].pixel(16, 16)[0], 0.0f, 1e-4f);
   EXPECT_EQ(p.aovs[Aov::kId].pixel(16, 16)[0], static_cast<float>(id));
   EXPECT_NEAR(p.aovs[Aov::kDepth].pixel(2, 2)[0], -1.5f, 1e-4f);
@@ -293,7 +294,6 @@ Optics hexagonal_view() {
   return optics;
 }
 
-/// Each panel pixel has three film pixels, each with its own ray.
 Optics slanted_view() {
   Optics optics;
   optics.panel = {16, 32, 4.0f / 32};

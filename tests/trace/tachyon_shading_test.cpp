@@ -1,5 +1,4 @@
-// The shading of Tachyon scenes. The camera at (0, 0, 10) sees the square from -2 to 2 in x and y at z = 0. Its central rays
-// run along -z.
+// The camera at (0, 0, 10) sees the square from -2 to 2 in x and y at z = 0. Its central rays run along -z.
 #include <gtest/gtest.h>
 
 #include "trace/small_scene.hpp"
@@ -19,8 +18,8 @@ SmallScene tachyon_scene() {
 
 Vec3f middle(const SmallScene& s) { return trace(s.scene, single_view(kShadedSize)).at(kShadedMiddle, kShadedMiddle); }
 
-/// Shows only its highlight. With light and view at 45 degrees to each other, the cosine N.H between the normal and the half
-/// vector is cos 22.5 degrees.
+/// Shows only its highlight. With light and view at 45 degrees to each other, the cosine N.H between the normal and the
+/// half vector is cos 22.5 degrees.
 PhongSurface highlighted(Highlight kind) {
   PhongSurface surface = matte(Vec3f(1.0f, 0.5f, 0.25f));
   surface.diffuse = 0.0f;

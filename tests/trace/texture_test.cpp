@@ -91,7 +91,7 @@ TEST(SampleUv, wide_footprint_averages_a_checkerboard) {
 }
 
 TEST(SampleUv, anisotropic_footprint_blurs_along_its_axis) {
-  // Horizontal stripes of 8 texels, which a footprint of 16 texels along u must leave sharp.
+  // A footprint of 16 texels along u must leave horizontal stripes of 8 texels sharp.
   std::vector<int> bytes;
   for (int y = 0; y < 64; ++y)
     for (int x = 0; x < 64; ++x) bytes.push_back((y / 8) % 2 ? 255 : 0);
@@ -113,7 +113,7 @@ TEST(SampleUv, extreme_coordinates_give_a_texel) {
 }
 
 TEST(SampleProjected, coordinates_fraction_and_level_by_hand) {
-  // 4 x 4 texels have levels of 4, 2 and 1 texels. Except for the first row, all texels of a row are equal.
+  // Except for the first row, all texels of a row are equal.
   const DeviceTexture t =
       make_device_texture(gray(4, 4, {0, 51, 102, 255, 60, 60, 60, 60, 120, 120, 120, 120, 180, 180, 180, 180}), true);
   ImageProjection m;
@@ -125,8 +125,9 @@ TEST(SampleProjected, coordinates_fraction_and_level_by_hand) {
   EXPECT_NEAR(sample_projected(t, m, {1 + 1 / 3.0f, 0, 0}, 0.0f).r, 0.1f, kStep);
   EXPECT_NEAR(sample_projected(t, m, {1 / 3.0f, 0, 0}, 0.0f).r, 0.4f, kStep) << "-1/3 wraps to 2/3: the third texel";
   EXPECT_NEAR(sample_projected(t, m, {1, 2 / 3.0f, 0}, 0.0f).r, 30 / 255.0f, kStep) << "v = 1/6: half-way down to 60";
-  // Level: min(1, 0.05 x path x 0.5) x (3 - 0.9999). A path of 20 gives 1.00005, so only the 1 x 1 level is used. Level 1 has
-  // the truncated means of 2 x 2 texels 42, 119, 150 and 150, and level 2 (42 + 119 + 150 + 150) / 4 = 115, truncated.
+  // Level: min(1, 0.05 x path x 0.5) x (3 - 0.9999). A path of 20 gives 1.00005, so only the 1 x 1 level is used. Level
+  // 1 has the truncated means of 2 x 2 texels 42, 119, 150 and 150, and level 2 (42 + 119 + 150 + 150) / 4 = 115,
+  // truncated.
   EXPECT_NEAR(sample_projected(t, m, {1, 0, 0}, 20.0f).r, 115 / 255.0f, kStep);
   EXPECT_NEAR(sample_projected(t, m, {1, 0, 0}, 10.0f).r, 0.500025f * 42 / 255.0f, 2 * kStep) << "half-way to level 1";
 }

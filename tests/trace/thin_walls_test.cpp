@@ -1,5 +1,4 @@
-// Straight transmission through thin walls of glass. The eye at (0, 0, 1) sees the middle of a floor at z = 0. Walls are above
-// the eye.
+// The eye at (0, 0, 1) sees the middle of a floor at z = 0. Walls of glass are above the eye.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -116,14 +115,14 @@ std::vector<Vec3f> below_stripes(const MetallicRoughness& wall, Integrator integ
   TraceParams params;
   params.spp = 16;
   const Picture free = trace(s.scene, single_view(4), params, 1, 0.0, {}, integrator);
-  s.add(square(2, 11), s.material(wall));  // behind the eye, above the visible square
+  s.add(square(2, 11), s.material(wall));
   const Picture below = trace(s.scene, single_view(4), params, 1, 0.0, {}, integrator);
   std::vector<Vec3f> shares;
   for (int x = 0; x < 4; ++x) shares.push_back(below.at(x, 1) / free.at(x, 1));
   return shares;
 }
 
-// Tolerance 0.03: texels at the ends of stripes mix with their neighbours.
+// texels at the ends of stripes mix with their neighbours
 TEST(ThinWalls, colours_come_from_their_textures) {
   MetallicRoughness wall = pane();
   wall.base_color_map.texture = 0;
@@ -177,7 +176,7 @@ TEST(ThinWalls, scattering_walls_stay_opaque) {
   EXPECT_EQ(share_left(floor_scene(), kAbove, Integrator::kPath, {leaf}).x, 0.0f);
 }
 
-// The wall is an Embree instance, rotated and scaled by different factors. Angles must be those in world space.
+// The wall is an Embree instance, rotated and scaled by different factors.
 TEST(ThinWalls, moving_walls_use_world_angles) {
   SmallScene s = floor_scene();
   point_lamp(s, kAbove);
@@ -187,7 +186,7 @@ TEST(ThinWalls, moving_walls_use_world_angles) {
   s.scene.nodes.back().local.rotation = glm::angleAxis(radians(60.0f), Vec3f(0, 1, 0));
   s.scene.nodes.back().local.scale = {3.0f, 5.0f, 0.25f};
   s.add(square(1, 0), s.material(pane(kGreenish)), moving);
-  for (const int i : {0, 1})  // tolerance: samples are spread around the pixel's centre
+  for (const int i : {0, 1})  // samples are spread around the pixel's centre
     expect_color(middle_of(s.scene, kIntegrators[i], 4) / free[i], kAtSixty * kGreenish, 5e-4f);
 }
 
@@ -203,7 +202,7 @@ TEST(ThinWalls, vanish_in_a_white_furnace) {
   }
 }
 
-// Straight transmission is no path vertex: even behind more panes than the maximum number of vertices, the floor is lit and
+// Straight transmission is no path vertex: even behind more panes than the maximum number of vertices, the floor is
 // visible.
 TEST(ThinWalls, are_not_path_vertices) {
   SmallScene s = floor_scene();
@@ -222,7 +221,7 @@ float left_below_foil(const SmallScene& lit, int spp) {
   return middle_of(s.scene, Integrator::kPath, spp).x / free;
 }
 
-// Shadow rays and scattered rays both find each light. Behind a wall, too, their weights must add up to one.
+// Shadow rays and scattered rays both find each light. Their weights must add up to one also behind a wall.
 TEST(ThinWalls, split_light_between_rays_without_loss) {
   for (const MetallicRoughness& surface : {plaster(), brushed_steel()}) {
     SmallScene ball = floor_scene(surface), sun = ball, lamp = ball, sky = ball;
@@ -271,7 +270,7 @@ Estimate estimate(const Scene& scene) {
   return {of_mean, (squares / kSeeds - of_mean * of_mean) / (kSeeds - 1)};
 }
 
-// Limit: 4.5 standard errors. With 11 degrees of freedom, one of 1,000 correct pairs exceeds it. The seeds are fixed.
+// 4.5 standard errors: with 11 degrees of freedom, one of 1,000 correct pairs exceeds them. The seeds are fixed.
 TEST(ThinWalls, light_matches_random_paths) {
   MetallicRoughness plain = pane(kGreenish), layered = pane(kGreenish);
   layered.clearcoat = 0.8f, layered.clearcoat_roughness = 0.3f, layered.transmission = 0.7f;
@@ -306,7 +305,6 @@ TEST(ThinWalls, show_the_visible_background) {
   }
 }
 
-// Light through a pane is direct light, whichever rays find it, and from whichever side the pane is seen.
 TEST(ThinWalls, transmitted_direct_light_stays_direct) {
   SmallScene s = floor_scene();
   s.scene.max_depth = 1;

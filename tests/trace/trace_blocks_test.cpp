@@ -137,7 +137,7 @@ INSTANTIATE_TEST_SUITE_P(Orders, TraceBlocks, testing::Values(RayOrder::kRows, R
                            return std::string(order.param == RayOrder::kViewTiles ? "view_tiles" : to_string(order.param));
                          });
 
-/// For each block of 4 rows of a 64 x 64 view: 1 if a ray hits the box, otherwise kNever.
+/// Returns for each block of 4 rows of a 64 x 64 view: 1 if a ray hits the box, otherwise kNever.
 std::vector<std::uint8_t> blocks_that_meet(SmallScene& s, const Bounds3f& box) {
   const ThreadPool pool(1);
   const Context context;
@@ -181,7 +181,7 @@ TEST(TouchProbe, mirror_rays_touch_reflected_boxes) {
   SmallScene s;
   s.scene.max_depth = 2;
   s.add(square(3, 0), s.material(mirror(0.5f)));
-  s.add(square(3, 30), s.material(glowing(Vec3f(1.0f))));  // behind the camera at z = 10
+  s.add(square(3, 30), s.material(glowing(Vec3f(1.0f))));
   // A mirror ray that leaves (y, 0) is at 3 y at z = 20, three times as far from the eye's mirror image at z = -10.
   expect_met(blocks_that_meet(s, {{-9, 3 * 0.3f, 19.99f}, {9, 3 * 0.45f, 20.0f}}), {6});
 }

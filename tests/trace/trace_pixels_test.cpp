@@ -109,7 +109,7 @@ TEST_F(TracePixels, points_equal_depth_and_object_layers) {
       const float id = object < s_.scene.instances.size() ? static_cast<float>(object) : -1.0f;
       ASSERT_EQ(t.aovs[Aov::kId].data[p], id) << p;
       if (is_light)
-        ASSERT_NEAR(t.points.z[p], 1.8f, 0.301f);  // on the light's sphere of radius 0.3
+        ASSERT_NEAR(t.points.z[p], 1.8f, 0.301f);
       else if (object == kNoObject)
         ASSERT_EQ(t.points.z[p], -kInfinity);
       else

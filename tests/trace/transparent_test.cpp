@@ -1,5 +1,5 @@
-// With alpha, the background lights the scene but is invisible. The camera at (0, 0, 10) sees the square from -2 to 2 in x and
-// y at z = 0.
+// With alpha, the background lights the scene but is invisible. The camera at (0, 0, 10) sees the square from -2 to 2
+// in x and y at z = 0.
 #include <gtest/gtest.h>
 
 #include "trace/small_scene.hpp"
@@ -52,7 +52,7 @@ TEST(Transparent, edges_have_partial_alpha) {
   s.add(square(1.05f, 0), s.material(glowing(Vec3f(1.0f))));
   for (const Integrator integrator : kBoth) {
     const Picture p = traced(s.scene, integrator, 64);
-    EXPECT_NEAR(alpha(p, 24, 16), 0.4f, 1.0f / 64);  // tolerance: the samples are 1/64 of a pixel apart
+    EXPECT_NEAR(alpha(p, 24, 16), 0.4f, 1.0f / 64);  // the samples are 1/64 of a pixel apart
     EXPECT_NEAR(p.at(24, 16).x, alpha(p, 24, 16), 1e-5f) << "colours are multiplied by alpha";
   }
 }

@@ -1,5 +1,4 @@
-// Whitted shading, compared with values worked out by hand. The camera at (0, 0, 10) sees the square from -2 to 2 in x and y at
-// z = 0. Its central rays run along -z.
+// The camera at (0, 0, 10) sees the square from -2 to 2 in x and y at z = 0. Its central rays run along -z.
 #include <gtest/gtest.h>
 
 #include "lippmann/core/error.hpp"
@@ -87,7 +86,7 @@ TEST(Whitted, blinn_highlight_has_value_and_tint) {
   const int material = s.material(surface);
   s.add(square(2, 0), material);
   s.point_light({3, 0, 4});
-  // The normal and the direction to the viewer are (0, 0, 1), the direction to the light (3, 0, 4) / 5. The half vector H is
+  // N and the direction to the viewer are (0, 0, 1), the direction to the light L = (3, 0, 4) / 5. The half vector H is
   // (0.6, 0, 1.8), normalised.
   const float n_h = 1.8f / std::sqrt(0.36f + 3.24f);
   const float lobe = 0.75f * std::pow(n_h, 20.0f);
@@ -100,7 +99,7 @@ TEST(Whitted, spheres_cast_shadows) {
   SmallScene s;
   s.add(square(2, 0), s.material(matte(Vec3f(1.0f))));
   s.add(Spheres{{{1.0f, 0, 3.0f}, 0.3f}}, s.material(matte(Vec3f(1.0f))));
-  s.point_light({2, 0, 6});  // the line to the origin passes the sphere's centre
+  s.point_light({2, 0, 6});
   const Picture p = trace(s.scene, single_view(kSize));
   expect_color(p.at(kMiddle, kMiddle), Vec3f(0.0f), 0.0f);
   EXPECT_GT(p.at(kMiddle - 8, kMiddle).x, 0.5f);
@@ -118,14 +117,14 @@ TEST(Whitted, transparent_blockers_attenuate_by_opacity) {
     else
       // moved so that the ray does not hit the diagonal, which two triangles share
       s.add(square(1, 12), material, s.node({Mat3f(1.0f), {0.3f, 0, 0}}));
-    s.point_light({0, 0, 20});  // the blocker is behind the camera
+    s.point_light({0, 0, 20});
     expect_color(trace(s.scene, single_view(kSize)).at(kMiddle, kMiddle), Vec3f(0.75f), kRounding);
   }
 }
 
 TEST(Whitted, rays_along_shared_edges_hit) {
-  // The square is larger than the view, and its diagonal passes the centres of pixels. The mesh is rotated, and its node
-  // rotates it back, so that crossings of the diagonal are rounded in both directions.
+  // The square is larger than the view, and its diagonal passes the centres of pixels. Opposite rotations of mesh and
+  // node round crossings of the diagonal in both directions.
   constexpr int kPixels = 200;
   int holes = 0;
   for (int n = 1; n <= 100; ++n) {
@@ -258,8 +257,8 @@ TEST(Whitted, mirrors_show_objects_behind_the_viewer) {
 }
 
 TEST(Whitted, facing_mirrors_end_at_the_depth_limit) {
-  // The vertices alternate between front and back mirror, and each adds its emission of 1. At the depth limit, the background
-  // is visible.
+  // The vertices alternate between front and back mirror, and each adds its emission of 1. At the depth limit, the
+  // background is visible.
   SmallScene s;
   s.scene.background.horizon = s.scene.background.zenith = Vec3f(8.0f);
   PhongSurface surface = mirror(0.5f);
@@ -280,8 +279,8 @@ TEST(Whitted, facing_mirrors_end_at_the_depth_limit) {
 }
 
 TEST(Whitted, glass_slabs_shift_by_snells_law) {
-  // A ray that enters a slab of thickness d at angle a and continues inside at angle b leaves it parallel, shifted sideways by
-  // d sin(a - b) / cos b.
+  // A ray that enters a slab of thickness d at angle a and continues inside at angle b leaves it parallel, shifted
+  // sideways by d sin(a - b) / cos b.
   SmallScene s;
   s.scene.max_depth = 3;
   PhongSurface glass = matte(Vec3f(0.0f));
@@ -343,7 +342,7 @@ TEST(Whitted, visible_lights_are_balls_without_shadow) {
 TEST(Whitted, infinite_planes_are_visible_and_cast_shadows) {
   SmallScene s;
   s.add(Planes{{{0, 0, -1}, {0, 0, 1}}}, s.material(matte(Vec3f(1.0f))));
-  s.point_light({0, 0, -3});  // behind the plane, seen from the camera
+  s.point_light({0, 0, -3});
   expect_color(trace(s.scene, single_view(kSize)).at(kMiddle, kMiddle), Vec3f(0.0f), 0.0f);
   s.point_light({0, 0, 3}, Vec3f(0.5f));
   expect_color(trace(s.scene, single_view(kSize)).at(kMiddle, kMiddle), Vec3f(0.5f), kRounding);
