@@ -38,7 +38,7 @@ std::vector<MetalRoughSurface> surfaces() {
   return all;
 }
 
-/// Mean weight of `count` samples, and mean of its square. A weight is the mean of three channels.
+/// Returns the mean weight of `count` samples, and the mean of its square. A weight is the mean of three channels.
 template <class Bsdf>
 std::pair<double, double> mean_weight(const Bsdf& bsdf, int count) {
   double sum = 0.0, squares = 0.0;
@@ -90,7 +90,7 @@ TEST(MetalRoughBsdf, white_furnace_conserves_energy) {
         MetalRoughSurface white;
         white.metallic = metallic, white.roughness = 0.1f * static_cast<float>(r);
         const auto [mean, squares] = mean_weight(bsdf_of(white, angle), 16'384);
-        // Tolerance: 0.5 % for the tables, and three standard errors.
+        // 0.5 % for the tables, and three standard errors
         EXPECT_NEAR(mean, 1.0, 0.005 + 3.0 * std::sqrt(std::max(0.0, squares - mean * mean) / 16'384))
             << "metallic " << metallic << ", roughness 0." << r << ", " << angle << " degrees";
       }
@@ -102,7 +102,7 @@ TEST(MetalRoughBsdf, smooth_glass_loses_nothing) {
   for (const bool entering : {true, false}) EXPECT_NEAR(mean_weight(bsdf_of(glass, 50.0f, entering), 4096).first, 1.0, 1e-4);
 }
 
-// Tolerance: 1 % covers interpolation in the tables and noise.
+// 1 % covers interpolation in the tables and noise.
 TEST(MetalRoughBsdf, rough_glass_conserves_energy) {
   for (const float ior : {1.33f, 1.5f, 2.0f})
     for (int r = 1; r <= 10; ++r)
@@ -133,8 +133,8 @@ TEST(MetalRoughBsdf, is_reciprocal_as_documented) {
   const Vec3f a = view_at(20.0f), b = view_at(65.0f);
   const Vec3f ab = MetalRoughBsdf(diffuse, albedo(), kNormal, kNormal, a, true).evaluate(b).cosine_f / glm::dot(b, kNormal);
   const Vec3f ba = MetalRoughBsdf(diffuse, albedo(), kNormal, kNormal, b, true).evaluate(a).cosine_f / glm::dot(a, kNormal);
-  // The gloss is multiplied by a compensation for multiple scattering that depends only on the direction to the viewer.
-  // Exchanging both directions changes it by a few thousandths for a reflectance of 0.04.
+  // The compensation for multiple scattering depends only on the direction to the viewer. Exchanging both directions
+  // changes it by a few thousandths for a reflectance of 0.04.
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(ab[c], ba[c], 3e-3f * ab[c]);
 }
 

@@ -159,9 +159,9 @@ TEST(Environment, one_texel_suns_are_found_anywhere) {
   for (const Vec2i at : {Vec2i(100, 40), Vec2i(0, 64), Vec2i(255, 64), Vec2i(30, 0), Vec2i(255, 0), Vec2i(0, 127)}) {
     const Background b = sunny(at.x, at.y);
     const Environment e(b);
-    // The sun, one texel, has as much light as all other texels: half of the light. At a pole, interpolation makes its light
-    // constant up to the middle of its row, which is 1/4 of the row's solid angle. From there to the middle of the next row (2
-    // times the row's solid angle), it falls to 0, with a mean of 1/2. So its light is 1/4 + 2/2 = 1.25, of 1.25 + 1.
+    // The sun, one texel, has as much light as all other texels. At a pole, interpolation makes its light constant up
+    // to the middle of its row, 1/4 of the row's solid angle. From there to the middle of the next row (2 times the
+    // row's solid angle), it falls to 0, with a mean of 1/2. So its light is 1/4 + 2/2 = 1.25, of 1.25 + 1.
     EXPECT_NEAR(e.sun_share(), at.y % 127 == 0 ? 1.25f / 2.25f : 0.5f, 0.002f) << at.x << ", " << at.y;
     double solid_angle = 0.0;
     for_each_direction(b, 3, [&](Vec3f d, double steradian) {
@@ -210,7 +210,7 @@ TEST(Environment, soft_skies_have_no_sun) {
   gradient.zenith = Vec3f(1.0f), gradient.horizon_at = 0.99f;
   const Background even = panorama(256, 128, [](int, int) { return Vec3f(2.0f); }),
                    dark = panorama(256, 128, [](int, int) { return Vec3f(0.0f); }),
-                   // Nearly all the light is in 0.15 steradian.
+                   // nearly all the light is in 0.15 steradian
       window = panorama(256, 128, [](int x, int y) { return Vec3f(x < 16 && y > 56 && y < 72 ? 1000.0f : 0.1f); }),
                    // One texel is 200 times as bright as the rest, but has only a hundredth of all light.
       veiled = panorama(256, 128, [](int x, int y) { return Vec3f(x == 9 && y == 60 ? 200.0f : 1.0f); });

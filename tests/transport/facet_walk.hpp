@@ -1,6 +1,5 @@
-// Simulates walks of light between the facets of a rough metal, as a reference for multiple scattering.
-//
-// Based on: E. Heitz et al., "Multiple-Scattering Microfacet BSDFs with the Smith Model", SIGGRAPH 2016, section 4.
+// Random walks of light between the facets of a rough metal, as a reference for multiple scattering: E. Heitz et al.,
+// "Multiple-Scattering Microfacet BSDFs with the Smith Model", SIGGRAPH 2016, section 4.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +10,8 @@
 
 namespace lippmann::test {
 
-/// A ray between the facets of a Smith surface with uniformly distributed heights. `below` is the fraction of heights below the
-/// ray.
+/// A ray between the facets of a Smith surface with uniformly distributed heights. `below` is the fraction of heights
+/// below the ray.
 struct FacetWalk {
   AnisotropicGgx ggx;
   Vec3f direction;
@@ -37,8 +36,8 @@ struct FacetWalk {
   }
 };
 
-/// Returns the light that leaves a metal after any number of bounces. `view` is a unit vector in local coordinates. The
-/// standard error is at most 0.3 %.
+/// Returns the light that leaves a metal after any number of bounces, with a standard error of at most 0.3 %. `view` is
+/// a unit vector in local coordinates.
 inline Vec3f walked_albedo(Vec3f view, Vec2f alpha, Vec3f f0) {
   constexpr int kWalks = 40'000, kMostBounces = 100;
   std::mt19937 random(5);

@@ -23,7 +23,8 @@ LayeredBsdf bsdf_of(const LayeredSurface& surface, Vec3f view, bool entering = t
   return {surface, albedo(), {kNormal, kNormal, kNormal}, kTangent, view, entering};
 }
 
-/// Normals of diffuse part, gloss and coat, each at less than 90 degrees from any view of up to 50 degrees from kNormal.
+/// Normals of diffuse part, gloss and coat, each at less than 90 degrees from any view of up to 50 degrees from
+/// kNormal.
 const MetalRoughBsdf::Normals kApart{kNormal, direction(30.0f, 20.0f), direction(35.0f, 200.0f)};
 
 LayeredSurface dielectric(float roughness) {
@@ -143,7 +144,7 @@ TEST(LayeredBsdf, sample_agrees_with_evaluate) {
   }
 }
 
-// Tolerance: the film's compensation for multiple scattering depends only on the viewer's side, by a few thousandths.
+// The film's compensation for multiple scattering depends only on the viewer's side, by a few thousandths.
 TEST(LayeredBsdf, sheen_film_and_diffuse_transmission_are_reciprocal) {
   for (LayeredSurface s : {sheen(0.3f), sheen(1.0f), filmed(0.0f), leaf()}) {
     s.base.specular = 0.0f;
@@ -158,8 +159,8 @@ TEST(LayeredBsdf, sheen_film_and_diffuse_transmission_are_reciprocal) {
   }
 }
 
-// The compensation for multiple scattering is not reciprocal, because it depends only on the direction to the viewer. Smooth
-// metal needs little of it.
+// The compensation for multiple scattering depends only on the direction to the viewer. Smooth metal needs little of
+// it.
 TEST(LayeredBsdf, smooth_brushed_metal_is_reciprocal) {
   const LayeredSurface s = brushed(0.15f, 0.2f);
   const Vec3f a = direction(25.0f, 10.0f), b = direction(30.0f, 185.0f);
@@ -193,7 +194,7 @@ TEST(LayeredBsdf, without_layers_equals_the_base_surface) {
     }
 }
 
-// Tolerance: 3 % covers interpolation in the table.
+// 3 % covers interpolation in the table.
 TEST(LayeredBsdf, white_brushed_metal_conserves_energy) {
   for (const float roughness : {0.1f, 0.3f, 0.6f, 0.9f})
     for (const float anisotropy : {0.3f, 0.6f, 1.0f})
@@ -207,8 +208,8 @@ TEST(LayeredBsdf, white_brushed_metal_conserves_energy) {
         }
 }
 
-// 7 % covers interpolation in the table, and the assumption that all facets after the first have the roughness that the viewer
-// sees. With the mean reflectance at these facets, most of the metals would be 7 to 29 % too dark.
+// 7 % covers interpolation in the table, and the assumption that all facets after the first have the roughness that the
+// viewer sees.
 TEST(LayeredBsdf, coloured_brushed_metal_matches_facet_walks) {
   for (const float roughness : {0.2f, 0.4f})
     for (const float cosine : {0.1f, 0.3f})
@@ -240,8 +241,8 @@ TEST(LayeredBsdf, white_panes_and_leaves_conserve_energy) {
     }
 }
 
-// Sheen and films transmit the smaller of two shares of light, so they may lose light but never add any. A film's reflectance
-// is computed at one angle for the whole surface, which needs 1 %.
+// Sheen and films transmit the smaller of two shares of light, so they may lose light but never add any. A film's
+// reflectance is computed at one angle for the whole surface, which needs 1 %.
 TEST(LayeredBsdf, white_sheen_and_films_add_no_light) {
   for (int r = 1; r <= 10; ++r)
     for (const float angle : {0.0f, 30.0f, 60.0f, 80.0f})
@@ -306,7 +307,8 @@ TEST(ThinFilm, is_finite_and_adds_no_light) {
           }
 }
 
-// The film's index is between air and glass, and 2 n d = lambda / 2 (a quarter wave), so the reflections at both sides cancel.
+// The film's index n is between air and glass, and 2 n d = lambda / 2 for the thickness d, so the reflections at both
+// sides cancel.
 TEST(ThinFilm, quarter_wave_coating_reduces_reflection) {
   const Vec3f coated = film_reflectance({1.22f, 550.0f / 4.0f / 1.22f}, Vec3f(0.04f), 1.0f);
   EXPECT_LT(coated.y, 0.02f);

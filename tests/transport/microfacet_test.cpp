@@ -13,9 +13,9 @@ Vec3f view_from_z(float degrees_from_normal) {
 }
 
 TEST(Ggx, visible_facets_project_to_the_view) {
-  // Let v be the direction to the viewer, h and n the normals of a facet and of the surface, G1 the visible part of facets and
-  // D their density. The integral of G1(v) max(0, v . h) D(h) over h is v . n (Heitz 2014, equation 14), so the density of
-  // visible facets integrates to one.
+  // Let v be the direction to the viewer, h and n the normals of a facet and of the surface, G1 the visible part of
+  // facets and D their density. The integral of G1(v) max(0, v . h) D(h) over h is v . n (Heitz 2014, equation 14), so
+  // the density of visible facets integrates to one.
   for (const float alpha : {0.05f, 0.3f, 1.0f})
     for (const float angle : {0.0f, 40.0f, 80.0f}) {
       const Ggx ggx{alpha};
@@ -51,8 +51,8 @@ TEST(Ggx, facets_follow_their_density) {
 TEST(Fresnel, of_glass_is_known_at_three_angles) {
   // ((1.5 - 1) / (1.5 + 1))^2 = 0.04
   EXPECT_NEAR(fresnel_dielectric(1.0f, 1.5f), 0.04f, 1e-6f);
-  // At Brewster's angle, whose tangent is 1.5, no parallel light is reflected. The reflectance is half of the perpendicular
-  // part, ((1.5^2 - 1) / (1.5^2 + 1))^2 = 0.147929.
+  // At Brewster's angle, whose tangent is 1.5, no parallel light is reflected. The reflectance is half of the
+  // perpendicular part, ((1.5^2 - 1) / (1.5^2 + 1))^2 = 0.147929.
   EXPECT_NEAR(fresnel_dielectric(std::cos(std::atan(1.5f)), 1.5f), 0.5f * 0.147929f, 1e-5f);
   EXPECT_FLOAT_EQ(fresnel_dielectric(0.5f, 1.0f / 1.5f), 1.0f);  // total reflection, because sin 60 degrees x 1.5 > 1
 }
