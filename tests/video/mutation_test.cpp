@@ -29,7 +29,6 @@ struct Outcome {
   int frames = 0, errors = 0;
 };
 
-/// Frames must be complete and of one size, and an error must name the file.
 void read_to_the_end(const fs::path& path, Outcome& outcome) {
   try {
     VideoReader reader(path);
@@ -46,7 +45,7 @@ void read_to_the_end(const fs::path& path, Outcome& outcome) {
   }
 }
 
-/// `number` determines the kind of damage, one of five, and its position.
+/// `number` determines the kind and the position of the damage.
 std::string damaged(std::string bytes, std::uint32_t number) {
   std::uint32_t drawn = 0;
   const auto draw = [&](std::size_t below) {
@@ -97,7 +96,6 @@ INSTANTIATE_TEST_SUITE_P(Video, EveryCodec,
                                          Kind{"vp9.webm", VideoCodec::kVp9}, Kind{"ffv1.mkv", VideoCodec::kFfv1}),
                          [](const auto& codec) { return fs::path(codec.param.name).stem().string(); });
 
-/// MJPEG pictures of one size, followed by pictures of another size.
 TEST(VideoReader, changes_of_the_frame_size_are_refused) {
   const TempDir dir;
   std::string bytes;

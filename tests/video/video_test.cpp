@@ -179,8 +179,8 @@ std::string probe_stereo(const fs::path& path, VideoCodec codec, const StereoLay
   return test::run_command("ffprobe -v error -show_streams '" + path.string() + "'").output;
 }
 
-/// Stereo mode in the st3d box of an MP4 file (Google's Spherical Video V2), or -1. The test reads the box itself, because
-/// FFmpeg also writes a vexu box for HEVC, which ffprobe 7 prefers.
+/// Returns the stereo mode in the st3d box of an MP4 file (Google's Spherical Video V2), or -1. ffprobe 7 would prefer
+/// the vexu box that FFmpeg also writes for HEVC.
 int stereo_mode_of_mp4(const fs::path& path) {
   const std::string file = file_bytes(path);
   const std::size_t at = file.find("st3d");
