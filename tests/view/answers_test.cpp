@@ -51,7 +51,7 @@ TEST_F(Answers, picture_decodes_to_the_rendered_codes) {
   EXPECT_EQ(std::get<std::vector<std::uint8_t>>(decoded.samples), pictures_[2].rgb);
 }
 
-// The text of a request must never become part of a file path, even if such files exist.
+// The text of a request must never become part of a file path.
 TEST_F(Answers, foreign_paths_are_unknown) {
   for (const char* path : {"/../report.json",
                            "/report.json",
@@ -96,7 +96,8 @@ TEST_F(Answers, requests_from_other_origins_are_refused) {
   }
 }
 
-// DNS rebinding: the host name of an attacker's page resolves to this server, and the request states it in its header Host.
+// DNS rebinding: the host name of an attacker's page resolves to this server, and the request states it in its header
+// Host.
 TEST_F(Answers, requests_for_other_hosts_are_refused) {
   for (const char* host : {"evil.example", "evil.example:8488", "127.0.0.1", "127.0.0.1:80", ""}) {
     PageRequest request = request_of("/fields.json");
@@ -182,7 +183,7 @@ TEST(ByteCache, most_recent_entries_stay_within_the_limit) {
   EXPECT_EQ(get("b"), 'b');
   EXPECT_EQ(get("a"), 'a');
   EXPECT_EQ(made, 2);
-  EXPECT_EQ(get("c"), 'c');  // the cache is full, so the least recently used entry, b, is dropped
+  EXPECT_EQ(get("c"), 'c');
   EXPECT_EQ(get("a"), 'a');
   EXPECT_EQ(made, 3);
   EXPECT_EQ(get("b"), 'b');

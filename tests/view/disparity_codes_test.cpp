@@ -9,8 +9,8 @@
 namespace lippmann {
 namespace {
 
-// Two eyes 10 mm apart at V = 500 mm have slopes that differ by 10 / 500. A point at z = 100 mm appears to them 10 z / (V - z)
-// = 2.5 mm apart in the plane z = 0. Disparity per slope: w = 2.5 mm / (10 / 500) = 125 mm.
+// Two eyes 10 mm apart at V = 500 mm have slopes that differ by 10 / 500. A point at z = 100 mm appears to them 10 z /
+// (V - z) = 2.5 mm apart in the plane z = 0. Disparity per slope: w = 2.5 mm / (10 / 500) = 125 mm.
 TEST(DisparityCodes, disparity_is_motion_per_slope) {
   EXPECT_NEAR(disparity_mm(100.0, 1.0 / 500.0, 1.0), 125.0, 1e-9);
   EXPECT_NEAR(disparity_mm(100.0, 1.0 / 500.0, 1.0) * 10.0 / 500.0, 2.5, 1e-9);

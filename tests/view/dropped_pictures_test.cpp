@@ -34,7 +34,6 @@ std::string list_of(const std::vector<std::string>& names) {
 
 class Dropped : public testing::Test {
  protected:
-  /// The red code of picture i is 10 i + 10.
   void send(const std::vector<std::string>& names, const std::vector<int>& widths = {}) {
     pictures_->post("begin", list_of(names));
     for (std::size_t i = 0; i < names.size(); ++i) {

@@ -128,7 +128,7 @@ TEST_F(Server, pipelined_requests_are_answered_in_order) {
   EXPECT_EQ(status_of(answers), 404);
   EXPECT_THAT(answers, HasSubstr("405 Method Not Allowed"));
   EXPECT_THAT(answers, HasSubstr("application/json"));
-  EXPECT_THAT(answers, Not(HasSubstr("\"fields\"")));  // the answer to HEAD has no body
+  EXPECT_THAT(answers, Not(HasSubstr("\"fields\"")));
   EXPECT_THAT(answers, HasSubstr("#canvas"));
 }
 

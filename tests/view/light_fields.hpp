@@ -1,4 +1,3 @@
-// Writes small light fields to folders, as a render does.
 #pragma once
 
 #include <filesystem>

@@ -20,9 +20,9 @@ Display small_panel() {
   return display;
 }
 
-// Lens periods: P = pitch * width / dpi * cos(atan(1 / slope)) = 10 * 300 / 100 * cos(atan(1/2)). Tilt: T = height / (width *
-// slope) = 200 / (300 * -2). The page measures x at the middle of a sub-pixel, a third of a pixel left of the calibration, so
-// its centre is P / (3 * 300) lower.
+// Lens periods: P = pitch * width / dpi * cos(atan(1 / slope)) = 10 * 300 / 100 * cos(atan(1/2)). Tilt: T = height /
+// (width * slope) = 200 / (300 * -2). The page measures x at the middle of a sub-pixel, a third of a pixel left of the
+// calibration, so its centre is P / (3 * 300) lower.
 TEST(PageDisplay, phases_follow_the_calibration) {
   const nlohmann::ordered_json json = page_display_json({small_panel(), {ViewFilter::kGaussian, 0.75}});
   const double periods = 30.0 * 2.0 / std::sqrt(5.0);
@@ -39,7 +39,7 @@ TEST(PageDisplay, phases_follow_the_calibration) {
 TEST(PageDisplay, cells_are_listed_by_row_and_column) {
   Display display = small_panel();
   display.calibration.cells = {SubPixelCell{Vec2f(0.5f, 0.25f), Vec2f(0.0f), Vec2f(-0.5f, 0.0f)}, SubPixelCell{}};
-  display.calibration.cell_pattern = 1;  // two cells that alternate as on a checkerboard
+  display.calibration.cell_pattern = 1;
   const nlohmann::ordered_json cells = page_display_json({display, {}})["panel"]["sub_pixels"];
   ASSERT_EQ(cells.size(), 4u);
   EXPECT_EQ(cells[0][0][0], (nlohmann::ordered_json{0.5, 0.25}));

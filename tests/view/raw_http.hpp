@@ -1,4 +1,4 @@
-// Sends any bytes to a server on the loopback address, also requests that ordinary clients never send.
+// Sends any bytes to a server on the loopback address.
 #pragma once
 
 #include <string>

@@ -38,7 +38,8 @@ class RunningRenderTest : public testing::Test {
     const std::string name = "frame_000" + std::to_string(frame) + ".png";
     folder_->add(report, {{name, file_checksum(dir_ / name).value_or(FileChecksum{1, "0123456789abcdef"})}});
   }
-  /// Writes a shell script in place of the tool. It writes its arguments to the file `words`, and then executes `does`.
+  /// Writes a shell script in place of the tool, which writes its arguments to the file `words` and then executes
+  /// `does`.
   fs::path tool_running(const std::string& does) {
     const fs::path path = dir_ / "tool.sh";
     std::ofstream(path) << "#!/bin/sh\necho \"$@\" > '" << (dir_ / "words").string() << "'\n" << does << "\n";
@@ -128,7 +129,7 @@ TEST_F(RunningRenderTest, orders_need_the_page_and_token) {
   folder_.reset();
   PageAnswers answers(std::make_unique<PageField>(dir_.path(), render, Context()), render, {{"127.0.0.1:1"}, "secret"});
   PageRequest request{.method = "POST", .path = "/secret/run/stop", .host = "127.0.0.1:1", .origin = "http://127.0.0.1:1"};
-  EXPECT_EQ(answers.answer(request).status, 422);  // there is no render to stop
+  EXPECT_EQ(answers.answer(request).status, 422);
   request.origin = "";
   EXPECT_EQ(answers.answer(request).status, 403);
   request.origin = "http://evil.example";
