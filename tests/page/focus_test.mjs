@@ -20,10 +20,7 @@ const sharpness = (left, top) =>
     [left, top],
   );
 
-/**
- * Positions from the top left, as shares of the picture: the globe in front of the display's plane, the clock behind
- * it.
- */
+/** Positions from the top left, as shares of the picture: the globe in front of the display's plane, the clock behind it. */
 const places = { globe: [0.142, 0.66], clock: [0.777, 0.343] };
 
 test("planes in focus match replay", async () => {

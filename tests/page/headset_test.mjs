@@ -16,10 +16,8 @@ function mock(refusal) {
   const window_mm = () => window.lippmann.fields[0].window_mm;
   const home = () => window.lippmann.fields[0].eye_mm;
   const scale = () => Math.max(1, 600 / home()[2]) / 1000;
-  /**
-   * Returns an eye's projection matrix by columns, for a frustum through the window's edges. eye: position in the
-   * headset's space.
-   */
+  /** Returns an eye's projection matrix by columns, for a frustum through the window's edges. eye: position in the headset's
+   *  space. */
   const frustum = (eye) => {
     const { centre, size } = window_mm();
     const [x, y, z] = [0, 1, 2].map((i) => (home()[i] * scale()) + eye[i]); // metres from the display

@@ -1,10 +1,8 @@
 // Shared helpers for tests of panels: compare the page's panel with a picture file, and drop files on the page.
 import { codesOf, inFolder, only } from "./support.mjs";
 
-/**
- * Returns the greatest difference of a channel in codes, and the share of channels that differ, between the page's
- * panel and a file.
- */
+/** Returns the greatest difference of a channel in codes, and the share of channels that differ, between the page's panel and
+ *  a file. */
 export async function differenceFrom(page, file) {
   return page.evaluate(({ width, height, data: wanted }) => {
     const shown = window.lippmann.panel();

@@ -115,10 +115,8 @@ async function serve(...words) {
   });
 }
 
-/**
- * Loads a page with retries. A busy server may close a connection that the browser opened in advance, and the browser's
- * error page may interrupt the next attempt.
- */
+/** Loads a page with retries. A busy server may close a connection that the browser opened in advance, and the browser's
+ *  error page may interrupt the next attempt. */
 async function load(page, address, attempts = 4) {
   await page.goto(address).catch(async (error) => {
     const isLate = error.message.includes("ERR_SOCKET_NOT_CONNECTED") || error.message.includes("chrome-error:");
@@ -196,9 +194,7 @@ export function replay(input, name, ...flags) {
   return join(inFolder(`replayed-${name}`), file);
 }
 
-/**
- * Position of the eye that sees view (across, up) from the display's intended distance. Fractions are between views.
- */
+/** Position of the eye that sees view (across, up) from the display's intended distance. Fractions are between views. */
 export const eyeOfView = (page, across, up) =>
   page.evaluate(
     ([across, up]) => {
