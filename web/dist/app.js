@@ -212,7 +212,6 @@ uniform vec2 u_point;
 uniform float u_sigma;         
 uniform float u_budget;        
 out vec4 color;
-//
 vec2 meet(ivec2 view, vec2 s, vec2 apart) {
 vec3 tile = tile_of(view);
 vec2 start = pixel_of(s), per_disparity = apart * vec2(1.0, -1.0) * u_view_size / u_window_size;

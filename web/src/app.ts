@@ -26,7 +26,7 @@ import { Headset, type HeadsetView } from "./xr";
 
 const byId = <Kind extends HTMLElement = HTMLElement>(id: string): Kind => document.getElementById(id) as Kind;
 
-/** Returns how many bytes of frames to keep on the GPU. There are fewer on phones and small machines, whose GPU shares the main memory. */
+/** Bytes of frames to keep on the GPU: fewer on phones and small machines, whose GPU shares the main memory. */
 function frameBudget(): number {
   const gigabytes = (navigator as { deviceMemory?: number }).deviceMemory ?? 4;
   return Math.min(Math.max(gigabytes * 64, 128), 512) * 1024 * 1024;
@@ -94,7 +94,7 @@ export class App {
     this.player = new Player(gl, this.store, this.frames, byId("stage"), (about, text) => this.notify(about, text), (dropped) => void this.takePictures(dropped, drops));
     if (display) this.beginPlaying(display);
     this.motion = new Motion(() => this.shares(), () => this.motionChanged());
-    // If the address states what to show, the eye does not sway.
+    // An address that states what to show must not be overridden by the swaying eye.
     if (/[#&](eye|frame|line|aperture)=/.test(location.hash)) this.motion.end();
     this.tilt = new Tilt(
       () => [0, 1].map((axis) => this.store.state.eye[axis] / this.store.state.eye[2]) as [number, number],
@@ -142,7 +142,6 @@ export class App {
     requestAnimationFrame((now) => this.tick(now));
   }
 
-  /** Replaces the light field by pictures that were dropped on the page. */
   private async takePictures(dropped: ReturnType<typeof pictures>, isAllowed: boolean): Promise<void> {
     try {
       const found = await dropped;
@@ -153,7 +152,7 @@ export class App {
     }
   }
 
-  /** Starts playing on a panel. The panel may change with the scene. */
+  /** The panel may change with the scene. */
   private beginPlaying(display: PanelDisplay): void {
     if (this.live) this.player.follow(display);
     else this.player.playOn(display);
@@ -163,13 +162,12 @@ export class App {
     this.wanted = true;
   }
 
-  /** Marks the picture as outdated in data-drawn at once, and redraws it. */
+  /** Tests read data-drawn: it is false from a change until the picture is drawn. */
   private outdate(): void {
     byId("stage").dataset.drawn = "false";
     this.redraw();
   }
 
-  /** Updates the page after a change of the scene's settings, picture or render. */
   private sceneChanged(picture: boolean): void {
     const [field] = this.fields;
     this.followOthers();
@@ -186,8 +184,8 @@ export class App {
     this.updateControls();
   }
 
-  /** Adopts the frame and the panel that another page has chosen for the same scene. The server chooses the initial frame, unless the
-   *  address states one. */
+  /** Adopts the frame and the panel that another page chose for the same scene. The server chooses the initial frame, unless
+   *  the address states one. */
   private followOthers(): void {
     const frame = this.live?.othersFrame ?? null;
     if (this.live?.isNew && this.store.state.frame > 0) this.live.setFrame(this.store.state.frame);
@@ -195,14 +193,14 @@ export class App {
     if (this.live?.state) this.player.follow(this.live.state.display);
   }
 
-  /** Selects a finished frame if the selected frame of a running render is not finished. */
+  /** If the selected frame is not finished, selects a finished one. */
   private beginRun(): void {
     const { frames } = this.fields[0];
     if (frames[this.store.state.frame].pending) this.store.set({ frame: Math.max(frames.findIndex((frame) => !frame.pending), 0) });
     this.runChanged();
   }
 
-  /** Updates the page. Called when frames are finished, and when the render is stopped or resumed. */
+  /** Called when frames are finished, and when the render is stopped or resumed. */
   private runChanged(): void {
     const isOver = this.run?.state.state === "finished";
     byId("facts").textContent = isOver ? describe(this.fields[0]) : (this.run?.describe() ?? "");
@@ -221,7 +219,7 @@ export class App {
     this.store.set({ eye: [slopeInZone(field.across, across) * z, field.up.views > 1 ? slopeInZone(field.up, up) * z : y, z] });
   }
 
-  /** Updates the page. Called while a print is made, and when the print replaces the views. */
+  /** Called while a print is made, and when the print replaces the views. */
   private printChanged(picture: boolean): void {
     const stage = byId("stage");
     stage.dataset.print = this.print?.isBusy ? "making" : this.print?.isSeen ? "shown" : "";
@@ -240,7 +238,6 @@ export class App {
     return this.live?.isOutdated ? ", with the previous settings" : "";
   }
 
-  /** Returns the progress of rendering the scene that is set up, or null. */
   private workOnScene(): Work | null {
     const state = this.live?.state;
     if (!state || this.live?.isAtRest || state.error) return null;
@@ -258,13 +255,13 @@ export class App {
     this.noticeOfAssumption();
   }
 
-  /** Shows a notice if the positions of the cameras are assumed. Prints need none, because their lenses are known. */
+  /** Tells the user if camera positions are assumed. Lenses of prints are known. */
   private noticeOfAssumption(): void {
     const isAssumed = this.fields.some((field) => field.assumption) && !this.print?.isSeen;
     this.notify("assumption", isAssumed ? "The positions of the cameras are unknown: angles and depths are assumed." : "");
   }
 
-  /** Shows a notice if two compared light fields have displays of different aspects, because the second picture is then distorted. */
+  /** Warns if two compared displays have different aspects, because the second picture is then distorted. */
   private noticeOfShapes(): void {
     const [first, second] = this.fields.map((field) => field.window_mm.size[0] / field.window_mm.size[1]);
     if (second !== undefined && Math.abs(first / second - 1) > 0.02)
@@ -311,7 +308,7 @@ export class App {
     this.draw(this.store.state.show === "eye" ? divisor : 1);
   }
 
-  /** Returns whether the eye may sway. It may if the light field has parallax and nothing else moves. */
+  /** The eye sways only if the light field has parallax and nothing else moves. */
   private maySway(): boolean {
     const [field] = this.fields;
     const isThere = byId("stage").dataset.drawn === "true" && (!this.live || this.live.isAtRest);
@@ -327,7 +324,7 @@ export class App {
     this.redraw();
   }
 
-  /** Draws for a headset, at the headset's frame rate. While the headset is on, the page's own picture is not drawn. */
+  /** Draws at the headset's frame rate. The page's own picture is not drawn meanwhile. */
   private drawHeadset(now: number, framebuffer: WebGLFramebuffer | null, views: HeadsetView[]): void {
     this.timeline.tick(now);
     const { state } = this.store;
@@ -369,7 +366,7 @@ export class App {
     return before !== width || above !== height;
   }
 
-  /** Draws a picture whose width and height are those of the screen divided by `divisor`. */
+  /** divisor: reduces the width and the height of the picture, compared with the screen. */
   private draw(divisor = 1): void {
     const state = this.seen;
     this.frames.pin(this.shown(), state.frame);
@@ -406,7 +403,6 @@ export class App {
     if (isWhole) void this.prefetch();
   }
 
-  /** Returns whether a small preview is shown while the picture loads. */
   private isPreview(): boolean {
     const { state } = this.store;
     const isThere = (field: number): boolean => {
@@ -416,7 +412,7 @@ export class App {
     return !this.shown().every(isThere);
   }
 
-  /** Shows progress. If there is more than one kind of work, the line shows the work that began first. about: identifies the work. */
+  /** Of several kinds of work, the line shows the one that began first. about: identifies the work. */
   private showProgress(about: string, now: Work | null): void {
     this.progressLine.show(about, now);
   }
@@ -448,7 +444,6 @@ export class App {
     if (state.frame !== from) this.redraw();
   }
 
-  /** Marks the line that the epipolar-plane image shows. */
   private showLine(): void {
     const { state } = this.store;
     const line = byId("line");
@@ -461,7 +456,6 @@ export class App {
     line.style.width = `${width * ratio}px`;
   }
 
-  /** Shows captions below the two pictures of an integral image with few lenses. */
   private showCaptions(): void {
     const { pair, screen } = this.renderer;
     const ratio = this.canvas.clientWidth / screen[0];
@@ -481,7 +475,6 @@ export class App {
     name("panel-caption", `The panel behind the lenses${isWhole && pair ? `, ${pair.scale}:1` : ""}`, pair?.panel);
   }
 
-  /** Warns of flips, as `lippmann replay` does. */
   private showZone(): void {
     const state = this.seen;
     const field = this.fields[this.shown()[0]];
@@ -515,7 +508,7 @@ export class App {
     showLegend(byId("legend"), this.fields[this.shown()[0]], overlay, overlay === "none" ? null : this.renderer.originShares(state));
   }
 
-  /** Returns the PSNR in dB of the second light field's picture against the first, computed on the displayed 8-bit codes. */
+  /** PSNR in dB of the second light field's picture against the first, computed on the displayed 8-bit codes. */
   private difference(): number {
     const [first, second] = [0, 1].map((field) => this.renderer.picture({ ...this.store.state, overlay: "none" }, field, naturalSize(this.fields[0])));
     if (!first || !second) return NaN;
@@ -564,14 +557,14 @@ export class App {
 
   // ---- Actions of the mouse and the keyboard (hands.ts) -----------------------------------------------------------------
 
-  /** Returns the eye's position as shares of the viewing zone. */
+  /** Position of the eye as shares of the viewing zone. */
   shares(): [number, number] {
     const { eye } = this.store.state;
     const field = this.fields[0];
     return [shareOfZone(field.across, eye[0] / eye[2]), shareOfZone(field.up, eye[1] / eye[2])];
   }
 
-  /** Returns the position of the eye at these shares of the viewing zone, clamped to the zone. */
+  /** Position of the eye at these shares of the viewing zone, clamped to the zone. */
   private eyeAt(across: number, up: number): State["eye"] {
     const { eye } = this.store.state;
     const field = this.fields[0];
@@ -585,7 +578,7 @@ export class App {
     this.store.set({ eye: this.eyeAt(across, up) });
   }
 
-  /** Returns the state to draw. Its eye sways or follows the mouse. */
+  /** The state to draw, in which the eye may sway or follow the mouse. */
   get seen(): State {
     const state = { ...this.store.state, ...this.print?.preview };
     return this.motion.isAway ? { ...state, eye: this.eyeAt(...this.motion.shares()) } : state;
@@ -597,26 +590,27 @@ export class App {
     this.motion.end();
   }
 
-  /** Moves the display's plane from the distance `from` by a share of its range. Positive shares move it away from the viewer. */
+  /** Moves the display's plane from the distance `from` by a share of its range. Positive shares move it away from the
+   *  viewer. */
   movePlane(from: number, share: number): void {
     if (!this.live?.state?.plane) return;
     const [nearest, farthest] = planeRange(this.live);
     setPlaneDistance(this.live, Math.min(Math.max(from + share * (farthest - nearest), nearest), farthest));
   }
 
-  /** Moves the display's plane to the depth of the point at `share` of the picture. */
+  /** share: a point of the picture, whose depth the plane takes. */
   putPlaneAt(share: [number, number]): void {
     const depth = this.renderer.depthAt(this.seen, share);
     if (depth !== null && Number.isFinite(depth)) this.live?.setPlane(depth);
   }
 
-  /** Moves the zero plane of the print to the depth of the point at `share` of the picture. */
+  /** share: a point of the picture, whose depth becomes the zero plane of the print. */
   putZeroPlaneAt(share: [number, number]): void {
     const depth = this.renderer.depthAt(this.seen, share);
     if (depth !== null && Number.isFinite(depth)) this.print?.setPlane(depth);
   }
 
-  /** Focuses on the point at `share` of the picture. Opens the aperture if it is closed. */
+  /** share: a point of the picture. Opens the aperture if it is closed. */
   focusAt(share: [number, number]): void {
     const { state } = this.store;
     const depth = this.renderer.depthAt(this.seen, share);
@@ -644,7 +638,7 @@ export class App {
 
   // ---- Saving and sharing -----------------------------------------------------------------------------------------------
 
-  /** Returns the codes (RGBA, rows from the top) of a light field's picture for the eye. size: width and height in pixels. */
+  /** Picture of a light field for the eye as RGBA codes, top row first. size: width and height in pixels. */
   async picture(size: [number, number], field = 0): Promise<Uint8ClampedArray> {
     const { state } = this.store;
     const frame = await this.frames.load(field, this.renderer.frameOf(field, state.frame), useOf({ ...state, show: "eye" }));
@@ -654,7 +648,7 @@ export class App {
     return codes;
   }
 
-  /** Returns the codes (RGBA, rows from the top) that the panel shows. Reads the canvas, which has the size of the panel. */
+  /** RGBA codes of the panel, top row first, read from the canvas of the same size. */
   panelCodes(): Uint8ClampedArray {
     this.fitCanvas();
     this.draw();

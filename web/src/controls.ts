@@ -72,7 +72,6 @@ export function makeControls(parent: HTMLElement, store: Store, actions: Actions
   return update;
 }
 
-/** Controls that most users need. */
 function lookGroup(store: Store, field: Field, actions: Actions, hasEyes: () => boolean, shown: Shown[]): HTMLElement {
   const { state } = store;
   const showsOne = () => store.fields.length < 2 || state.compare === "first" || state.compare === "second";
@@ -112,7 +111,7 @@ function savePageButton({ save, whyNot }: NonNullable<Actions["savePage"]>, show
   return made;
 }
 
-/** Makes a button that is shown only if the device has the sensor. */
+/** The button is shown only if the device has the sensor. */
 function tiltButton(tilt: Tilt, shown: Shown[]): HTMLElement {
   const made = button("Tilt moves the eye", () => void tilt.toggle());
   const row = element("div", { className: "row" }, made);
@@ -125,7 +124,6 @@ function tiltButton(tilt: Tilt, shown: Shown[]): HTMLElement {
   return row;
 }
 
-/** Makes a button that is shown only if there is a headset. */
 function headsetButton(headset: Headset, shown: Shown[]): HTMLElement {
   const made = button("Enter VR", () => void headset.toggle());
   const row = element("div", { className: "row" }, made);
@@ -205,14 +203,13 @@ function pictureGroup(store: Store, field: Field, actions: Actions, shown: Shown
   );
 }
 
-/** Hides a row while applies() is false. For example, controls of the eye have no effect on a panel, whose picture is the same for all
- *  eyes. */
+/** Hides a row while applies() is false. */
 function onlyIf(applies: () => boolean, made: HTMLElement, shown: Shown[]): HTMLElement {
   shown.push({ update: () => (made.hidden = !applies()) });
   return made;
 }
 
-/** Makes the choice of what to show. It is visible if there are views, or if a calibration was dropped on the page. */
+/** Visible if there are views, or if a calibration was dropped on the page. */
 function showChoice(store: Store, hasViews: () => boolean, shown: Shown[]): HTMLElement {
   const row = choice("Show", "show", [["eye", "What an eye sees"], ["panel", "Panel without lenses"], ["display", "On a calibrated panel"]], store, shown, () => hasViews() || store.plays);
   const played = row.querySelector<HTMLOptionElement>('option[value="display"]') as HTMLOptionElement;

@@ -1,5 +1,5 @@
-// Reads the page's data. They are on a server, in scripts beside the page, or in the page itself. Pages that were opened from a disk
-// cannot use requests, so they load scripts.
+// Reads data from a server, from scripts beside the page, or from the page itself. Pages opened from a disk cannot send
+// requests, so they load scripts.
 import { Refusal, type Field } from "./field";
 
 interface Waiting {
@@ -16,11 +16,10 @@ declare global {
 
 type Source = "server" | "scripts" | "within";
 
-/** Returns where the data are: on a server, in scripts beside the page, or in the page. */
 const source = (): Source => (document.querySelector('meta[name="lippmann-data"]')?.getAttribute("content") ?? "server") as Source;
 const isSaved = (): boolean => source() !== "server";
 
-/** Returns whether the page can be saved as one file, which the server makes. */
+/** The server saves the page as one file. */
 export const canSavePage = (): boolean => !isSaved();
 
 /** Returns whether the page's address works on this machine only. */
@@ -42,8 +41,8 @@ function runScript(path: string): Promise<void> {
   });
 }
 
-/** Fetches a path. Retries once, because a request fails if the server has just closed the connection. A request that starts a render is
- *  not retried, so that it cannot start twice. */
+/** Retries a request once, because it fails if the server has just closed the connection. Requests that start a render are
+ *  not retried, because they could start it twice. */
 async function fetched(path: string, settings: RequestInit): Promise<Response> {
   try {
     return await fetch(path, settings);
@@ -71,22 +70,18 @@ async function answerOf(path: string, settings: RequestInit = {}): Promise<Respo
   throw new Refusal(reason || `${path}: the server answers ${response.status}.`);
 }
 
-/** Sends bytes to the server. */
 export async function postBytes(path: string, body: Blob): Promise<void> {
   await answerOf(path, { method: "POST", body, headers: { "Content-Type": "application/octet-stream" } });
 }
 
-/** Sends a text and returns the server's answer. */
 export async function postText(path: string, body: string): Promise<string> {
   if (isSaved()) throw new Refusal("A saved page cannot read calibrations. Use `lippmann play`.");
   return (await answerOf(path, { method: "POST", body, headers: { "Content-Type": "text/plain" } })).text();
 }
 
-/** Returns whether the server computes views with crosstalk. It does if there is a server and views are not made of whole pixels of the
- *  panel. */
+/** The server computes views with crosstalk if they do not consist of whole pixels of the panel. */
 export const asksForCrosstalk = (field: Field): boolean => !isSaved() && field.panel.is === "own" && field.across.views * field.up.views > 1;
 
-/** Returns the JSON with which the server describes the scene that is set up, or a render. */
 export const readState = async (path: string): Promise<unknown> => (await answerOf(path)).json();
 
 export async function loadFields(): Promise<unknown> {
@@ -135,7 +130,7 @@ function fromScript(name: string): Promise<Blob> {
   });
 }
 
-/** Returns the text that a page saved as one file stores under a name. */
+/** Reads text that a page saved as one file contains. */
 function textWithin(name: string): string {
   const text = document.getElementById(`data:${name}`)?.textContent;
   if (!text) throw new Refusal(`The page is damaged: it lacks ${name}.`);
@@ -151,7 +146,7 @@ function pictureWithin(name: string): Blob {
   }
 }
 
-/** Loads a path and returns the bytes. Calls `progress` for each piece that arrives. */
+/** Loads a path. Calls `progress` for each piece that arrives. */
 export async function loadBytes(path: string, progress: (now: Progress) => void): Promise<Blob> {
   progress({ bytes: 0, of: null });
   const response = await answerOf(path);
@@ -175,7 +170,7 @@ export function expectPicture(name: string): void {
   if (!isSaved()) expected.set(name, loadBytes(name, () => {}).catch(() => null));
 }
 
-/** Loads one picture: FIELD/views/FRAME, FIELD/preview/FRAME, FIELD/depth/FRAME or FIELD/panel/FRAME. */
+/** name: FIELD/views/FRAME, FIELD/preview/FRAME, FIELD/depth/FRAME or FIELD/panel/FRAME. */
 export async function loadPicture(name: string, progress: (now: Progress) => void = () => {}): Promise<Blob> {
   if (source() === "within") return pictureWithin(name);
   const early = await expected.get(name);
@@ -184,7 +179,6 @@ export async function loadPicture(name: string, progress: (now: Progress) => voi
   return isSaved() ? fromScript(name) : loadBytes(name, progress);
 }
 
-/** Saves a file through the browser's downloads. */
 export function download(blob: Blob, name: string): void {
   const link = document.createElement("a");
   link.href = URL.createObjectURL(blob);

@@ -1,5 +1,5 @@
-// The calibrated panel on which light fields are played. The server reads calibration files, also those that are dropped on the page.
-// This file checks the numbers that the server returns (web/README.md lists the keys).
+// The calibrated panel on which light fields are played. The server reads calibration files, and this file checks its
+// numbers (web/README.md lists the keys).
 import { postText } from "./data";
 import { Refusal, type SlantedPanel } from "./field";
 
@@ -33,7 +33,7 @@ export function readDisplay(json: unknown): PanelDisplay {
   return display;
 }
 
-/** Returns whether two panels show the same frames, so that no interlacing is needed. */
+/** Panels that show the same frames need no interlacing. */
 export const samePanel = (a: SlantedPanel | undefined, b: SlantedPanel): boolean => JSON.stringify(a) === JSON.stringify(b);
 
 /** Reads the text of a visual.json. Throws a Refusal that describes the error. */

@@ -1,10 +1,9 @@
-// Sends pictures that were dropped on the page, or chosen in a dialog, to the server, which makes a light field of them. The server
-// sorts them by name in natural order.
+// Sends pictures that were dropped on the page or chosen in a dialog to the server, which makes a light field of them.
 import { postBytes, postText } from "./data";
 import { element, button } from "./elements";
 import { Refusal } from "./field";
 
-/** Pictures are sent in pieces of at most 1 MB, the largest request that the server accepts. */
+/** The server accepts requests of at most 1 MB. */
 const kPiece = 1 << 20;
 
 interface Dropped {
@@ -28,19 +27,18 @@ function entriesOf(folder: FileSystemDirectoryEntry): Promise<FileSystemEntry[]>
 
 const fileOf = (entry: FileSystemFileEntry): Promise<File> => new Promise((resolve, reject) => entry.file(resolve, reject));
 
-/** Returns whether to ignore a file: a hidden file, or one that file managers and cameras write beside pictures. */
+/** Ignores hidden files, and files that file managers and cameras write beside pictures. */
 const isLeft = (name: string): boolean => name.startsWith(".") || /^(thumbs\.db|desktop\.ini)$/i.test(name) || /\.(txt|md|pdf|xmp)$/i.test(name);
 
 const inFolder = (files: File[]): File[] => files.filter((file) => !isLeft(file.name));
 
-/** Returns whether dropped data are pictures: several files, a folder, or one picture. Other data may be a calibration. */
+/** Several files, a folder or one picture are pictures. Other data may be a calibration. */
 export function isOfPictures(data: DataTransfer): boolean {
   const entries = [...data.items].map((item) => item.webkitGetAsEntry());
   return entries.length > 1 || entries.some((entry) => entry?.isDirectory) || [...data.files].some((file) => file.type.startsWith("image/"));
 }
 
-/** Returns the dropped files, or the files in the dropped folder. Call it from the event handler, because the data are not available
- *  later. */
+/** Must be called from the event handler, because the data are not available later. */
 export async function pictures(data: DataTransfer): Promise<Dropped> {
   const entries = [...data.items].map((item) => item.webkitGetAsEntry());
   const files = [...data.files];
@@ -51,7 +49,7 @@ export async function pictures(data: DataTransfer): Promise<Dropped> {
   return { title: folder.name, files: inFolder(inside) };
 }
 
-/** Sends pictures in pieces, one at a time, and then shows the light field. progress: is called with the share that was sent. */
+/** progress: is called with the share that was sent. */
 export async function send({ title, files }: Dropped, progress: (share: number) => void): Promise<void> {
   await postText("drop/begin", JSON.stringify({ title, names: files.map((file) => file.name) }));
   const all = files.reduce((sum, file) => sum + file.size, 0);
@@ -80,7 +78,7 @@ export class DropPage {
       input.addEventListener("change", () => {
         const files = [...(input.files ?? [])];
         const title = folder ? (files[0]?.webkitRelativePath.split("/")[0] ?? "Pictures") : "Pictures";
-        // Excludes files of subfolders, whose paths are longer.
+        // files of subfolders have longer paths
         const own = folder ? inFolder(files.filter((file) => file.webkitRelativePath.split("/").length === 2)) : files;
         void this.take(Promise.resolve({ title, files: own }));
       });
@@ -108,7 +106,6 @@ export class DropPage {
   }
 }
 
-/** Calls back with the pictures of each drop on the page. */
 export function takeDrops(take: (dropped: Promise<Dropped>) => void): void {
   window.addEventListener("dragover", (event) => event.preventDefault());
   window.addEventListener("drop", (event) => {

@@ -54,7 +54,6 @@ export function slider(settings: SliderSettings, shown: Shown[]): HTMLElement {
   return row;
 }
 
-/** Makes a row with a choice of several words. */
 export function chooser(label: string, options: () => [string, string][], value: () => string, set: (value: string) => void, shown: Shown[], applies = () => true): HTMLElement {
   const id = `control-${nextId++}`;
   const select = element("select", { id });
@@ -124,13 +123,11 @@ export function group(title: string, ...rows: (HTMLElement | null)[]): HTMLEleme
   return section;
 }
 
-/** Adds a tooltip to a row. */
 export function tip<Row extends HTMLElement | null>(text: string, row: Row): Row {
   if (row) row.title = text;
   return row;
 }
 
-/** Makes a foldable section of groups, which is closed at first. */
 export function folded(title: string, ...groups: (HTMLElement | null)[]): HTMLElement {
   return element("details", {}, element("summary", {}, title), ...groups.filter((one): one is HTMLElement => one !== null));
 }

@@ -12,24 +12,23 @@ export interface Frame {
   label: string;
   kind?: string;
   psnr_db?: number;
-  /** The frame is not finished, because the render is still running. */
   pending?: boolean;
 }
 
-/** A way in which pixels of a frame were made, such as tracing or interpolation. A code of provenance is an index in the list of
+/** A way in which pixels of a frame were made, such as tracing or interpolation. Provenance codes are indices in the list of
  *  origins. */
 export interface Origin {
   name: string;
   missed: boolean;
 }
 
-/** The data that define which view each sub-pixel shows; see src/view/page_display.hpp. */
+/** Defines which view each sub-pixel shows; see src/view/page_display.hpp. */
 export interface SlantedPanel {
   periods: number;
   tilt: number;
   center: number;
   inverted: boolean;
-  /** Positions of sub-pixels: [row from the bottom, modulo 4][column modulo 2][red, green, blue][x, y], in pixels. */
+  /** Positions of sub-pixels in pixels: [row from the bottom, modulo 4][column modulo 2][red, green, blue][x, y]. */
   sub_pixels: number[][][][];
 }
 
@@ -46,10 +45,10 @@ export interface Field {
   eye_mm: [number, number, number];
   depth_budget_mm: number | null;
   depth: boolean;
-  /** Null: the origins of pixels are unknown. */
+  /** null: unknown */
   provenance: Origin[] | null;
   disparity_scale_mm: number;
-  /** The size of views in the small preview; null: there is no preview. */
+  /** Size of views in the small preview; null: there is no preview. */
   preview: [number, number] | null;
   frames_per_second: number;
   assumption: string;
@@ -104,36 +103,36 @@ export function readFields(json: unknown): Field[] {
   return fields;
 }
 
-/** Views are evenly spaced in slope or in angle. Returns the slope or the angle of a slope, which is seen at the display's middle. */
+/** Views are evenly spaced in slope or in angle, seen from the display's middle. */
 const placed = (axis: Axis, slope: number): number => (axis.by === "angle" ? Math.atan(slope) : slope);
 const slopeOf = (axis: Axis, place: number): number => (axis.by === "angle" ? Math.tan(place) : place);
 
-/** Returns the slope of the eye at a share of the viewing zone. Share 0 is the left or lower end, 1 the right or upper end. */
+/** share: 0 is the left or lower end of the viewing zone, 1 the right or upper end. */
 export const slopeInZone = (axis: Axis, share: number): number =>
   slopeOf(axis, axis.first + axis.step * (share * axis.views - 0.5));
 
 export const shareOfZone = (axis: Axis, slope: number): number =>
   axis.step === 0 ? 0.5 : ((placed(axis, slope) - axis.first) / axis.step + 0.5) / axis.views;
 
-/** Returns the disparity of a depth: the shift in the display's plane, in mm, per unit of slope between two eyes. */
+/** Disparity of a depth: the shift in the display's plane, in mm, per unit of slope between two eyes. */
 export const disparityOfDepth = (field: Field, depth: number): number => depth / (1 - depth * field.vergence_per_mm);
 export const depthOfDisparity = (field: Field, disparity: number): number =>
   disparity / (1 + disparity * field.vergence_per_mm);
 
-/** Returns whether the page can compute crosstalk: if neighbouring views are neighbouring pixels of the panel, or views of a quilt. */
+/** The page computes crosstalk if neighbouring views are neighbouring pixels of the panel, or views of a quilt. */
 export const hasCrosstalk = (field: Field): boolean => field.panel.is !== "own" && field.across.views * field.up.views > 1;
 
-/** Returns the error function for x >= 0, by Abramowitz and Stegun, 7.1.26, with an error below 1.5e-7. */
+/** Error function for x >= 0 with an error below 1.5e-7 (Abramowitz and Stegun, 7.1.26). */
 function erf(x: number): number {
   const t = 1 / (1 + 0.3275911 * x);
   return 1 - t * (0.254829592 + t * (-0.284496736 + t * (1.421413741 + t * (-1.453152027 + t * 1.061405429)))) * Math.exp(-x * x);
 }
 
-/** Returns the share of light that comes from each neighbouring pixel, at the middle of a pixel. sigma: blur of the lenses in pixels. */
+/** Share of light from each neighbouring pixel, at the middle of a pixel. sigma: blur of the lenses in pixels. */
 export const neighbourShare = (sigma: number): number =>
   sigma > 0 ? 0.5 * (erf(1.5 / (Math.SQRT2 * sigma)) - erf(0.5 / (Math.SQRT2 * sigma))) : 0;
 
-/** Returns the share of the display at which the eye sees views that are meant for another viewing zone (flips). */
+/** Share of the display at which the eye sees views that are meant for another viewing zone (flips). */
 export function shareOutOfZone(field: Field, eye: readonly number[]): number {
   const steps = 128;
   const outside = (axis: Axis, i: 0 | 1, step: number): boolean => {
@@ -148,7 +147,7 @@ export function shareOutOfZone(field: Field, eye: readonly number[]): number {
   return 1 - (1 - across) * (1 - up);
 }
 
-/** Returns the size of a picture with square pixels and at least the samples of a view. */
+/** The size has square pixels and at least the samples of a view. */
 export function naturalSize(field: Field): [number, number] {
   const [width, height] = field.window_mm.size;
   const pixel = Math.min(width / field.view_size[0], height / field.view_size[1]);

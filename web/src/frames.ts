@@ -1,5 +1,4 @@
-// Keeps frames on the GPU. Loads frames when they are needed or will be needed soon. Frees the least recently used frames if all exceed
-// a bound of memory.
+// Keeps frames on the GPU. Frees the least recently used ones if all exceed a bound of memory.
 import { asksForCrosstalk, canSavePage, loadPicture, type Progress } from "./data";
 import { Refusal, type Field } from "./field";
 import { samePanel } from "./display";
@@ -8,12 +7,12 @@ import type { Interlacer } from "./interlace";
 import { sharesOf, type Provenance } from "./provenance";
 import { layerTiles, quiltTexture, type LayerTiles } from "./quilt";
 
-/** The use of a frame. "eye" needs its views. "panel" needs the panel's picture, too. "display" needs a picture that is interlaced for a
- *  calibrated panel. "eye/N" needs views with crosstalk that the server computes, with a standard deviation of N / 100 pixels. */
+/** Which pictures of a frame are loaded. "eye": the views. "panel": the panel's picture, too. "display": a picture that is
+ *  interlaced for a calibrated panel. "eye/N": views with crosstalk that the server computes, with a standard deviation of N
+ *  / 100 pixels. */
 export type Use = "eye" | "panel" | "display" | `eye/${number}`;
 
 export interface LoadedFrame {
-  /** The layout of views, depth and provenance in their textures. */
   layer: LayerTiles;
   views: WebGLTexture;
   depth: WebGLTexture | null;
@@ -28,7 +27,7 @@ export interface LoadedFrame {
   givenUp?: boolean;
 }
 
-/** Returns the range of disparities of codes, which src/view/disparity_codes.hpp defines. */
+/** Range of the disparities that codes stand for; src/view/disparity_codes.hpp defines them. */
 function disparityRange(pixels: Uint8ClampedArray, scale: number): [number, number] {
   let least = Infinity;
   let greatest = -Infinity;
@@ -58,20 +57,17 @@ async function rangeOf(codes: ImageBitmap, scale: number): Promise<[number, numb
   return [least - margin, greatest + margin];
 }
 
-/** Pictures of a scene that is set up, from the server. */
 interface LivePictures {
   views: Blob;
   depth: Blob | null;
   panel: Blob | null;
 }
 
-/** Returns the suffix that the use adds to the address of the views. */
 const crosstalkOf = (use: Use): string => (use.startsWith("eye/") ? use.slice(3) : "");
 
-/** The tiles of a picture that is not a quilt. */
 const kWhole: [number, number] = [1, 1];
 
-/** A failed request is repeated after this time, because the frame may have been rendered meanwhile. */
+/** The frame may have been rendered since the last request failed. */
 const kRetryMs = 3000;
 
 export class Frames {
@@ -82,15 +78,15 @@ export class Frames {
   private asked = 0;
   private pinned: string[] = [];
   private interlacer: Interlacer | null = null;
-  /** Whether a scene is set up. Then the newest picture of the scene is shown for every frame. */
+  /** Whether a scene is set up. Its newest picture is then shown for every frame. */
   isLive = false;
   private live: LoadedFrame | null = null;
-  /** The newest picture of the scene that is set up, interlaced for the calibrated panel. Null while the panel is not shown. */
+  /** Picture of a set-up scene for the calibrated panel; null while the panel is not shown. */
   private livePlayed: LoadedFrame | null = null;
   private livePictures: { facts: Field; pictures: LivePictures } | null = null;
   private isPlayed = false;
   private isRemaking = false;
-  /** Maps a field to a small preview of the first frame that is shown. The preview is used until the full picture has loaded. */
+  /** Previews of the first shown frame, by field, used until the full picture has loaded. */
   private readonly previews = new Map<number, { frame: number; made: LoadedFrame }>();
   private readonly progresses = new Map<string, Progress>();
 
@@ -107,12 +103,11 @@ export class Frames {
     return `${field}/${frame}/${this.useFor(field, use)}`;
   }
 
-  /** Returns the use of a frame. Removes crosstalk from the use unless the server computes it. */
   private useFor(field: number, use: Use): Use {
     return use.startsWith("eye/") && !asksForCrosstalk(this.fields[field]) ? "eye" : use;
   }
 
-  /** Returns the frame if it is loaded. Otherwise starts to load the frame and returns null; `changed` is called when it has loaded.
+  /** Returns the frame if it is loaded. Otherwise starts to load it and returns null; `changed` is called when it has loaded.
    *  Throws the error if loading failed recently. */
   get(field: number, frame: number, use: Use): LoadedFrame | null {
     if (this.isLive) return this.getLive(use);
@@ -131,13 +126,11 @@ export class Frames {
     return null;
   }
 
-  /** Returns a small preview of the frame, or null if there is none. */
   getPreview(field: number, frame: number, use: Use): LoadedFrame | null {
     const preview = this.previews.get(field);
     return !this.isLive && use !== "display" && use !== "panel" && preview?.frame === frame ? preview.made : null;
   }
 
-  /** Returns the progress of all downloads, or null if there are none. */
   get progress(): Progress | null {
     const all = [...this.progresses.values()];
     if (all.length === 0) return null;
@@ -165,14 +158,12 @@ export class Frames {
     if (preview) this.deleteTextures(preview.made);
   }
 
-  /** Returns whether to load a preview of the frame. It is loaded only before the first picture. Saved pages have a preview of the first
-   *  frame only. */
+  /** A preview is loaded only before the first picture. Saved pages have a preview of the first frame only. */
   private wantsPreview(field: number, frame: number, use: Use): boolean {
     const isFirst = ![...this.loaded.keys()].some((key) => key.startsWith(`${field}/`)) && !this.previews.has(field);
     return isFirst && use === "eye" && this.fields[field].preview !== null && (frame === 0 || canSavePage());
   }
 
-  /** Returns the error of a recent failed load, or null. */
   private failureOf(key: string): Error | null {
     const failure = this.failures.get(key);
     return failure && performance.now() - failure.at < kRetryMs ? failure.error : null;
@@ -187,7 +178,6 @@ export class Frames {
     return this.livePlayed;
   }
 
-  /** Processes the newest pictures of the scene again, because the page now shows the calibrated panel. */
   private async remakeLive(): Promise<void> {
     if (this.isRemaking || !this.livePictures) return;
     this.isRemaking = true;
@@ -196,14 +186,12 @@ export class Frames {
     this.changed();
   }
 
-  /** Returns the frame for the calibrated panel, interlaced from views. If the scene was rendered for this panel and its native picture is
-   *  finished, returns that picture. */
+  /** Returns the native picture if the scene was rendered for this panel and it is finished; otherwise interlaces the views. */
   private playedLive(facts: Field, views: ImageBitmap, panel: ImageBitmap | null): LoadedFrame | null {
     if (!this.isPlayed || !this.interlacer || facts.up.views > 1) return null;
     return this.played(facts, panel && this.isOwnPicture(facts) ? null : views, panel);
   }
 
-  /** Replaces the pictures of a scene that is set up. */
   async showLive(facts: Field, pictures: LivePictures): Promise<void> {
     const shown = (this.livePictures = { facts, pictures });
     const options: ImageBitmapOptions = { premultiplyAlpha: "none", colorSpaceConversion: "none" };
@@ -228,7 +216,6 @@ export class Frames {
     before.forEach((one) => one && this.deleteTextures(one));
   }
 
-  /** Shows frames of files again, instead of a scene that is set up. */
   endLive(): void {
     this.isLive = false;
     for (const one of [this.live, this.livePlayed]) if (one) this.deleteTextures(one);
@@ -244,7 +231,6 @@ export class Frames {
     return this.loading.size > 0;
   }
 
-  /** Whether data of an overlay are loading. */
   get isAsking(): boolean {
     return this.asked > 0;
   }
@@ -254,7 +240,7 @@ export class Frames {
     return this.isLive ? this.live : (this.loaded.get(this.key(field, frame, use)) ?? null);
   }
 
-  /** Sets the interlacer of the calibrated panel. budget: bytes of frames to keep. */
+  /** budget: bytes of frames to keep. */
   playOn(interlacer: Interlacer, budget: number): void {
     this.budget = budget;
     for (const [key, frame] of [...this.loaded]) if (key.endsWith("/display")) this.giveUp(key, frame);
@@ -265,7 +251,6 @@ export class Frames {
     this.livePlayed = null;
   }
 
-  /** Returns how many frames of a field fit into the budget. */
   roomFor(field: number, use: Use): number {
     const some = [...this.loaded].find(([key]) => key.startsWith(`${field}/`) && key.endsWith(`/${use}`));
     return some ? Math.max(1, Math.floor(this.budget / some[1].bytes)) : 1;
@@ -316,13 +301,12 @@ export class Frames {
     for (const texture of new Set([frame.views, frame.depth, frame.panel, frame.provenance?.texture ?? null])) if (texture) this.gl.deleteTexture(texture);
   }
 
-  /** Returns whether the light field was rendered for the calibrated panel. */
   private isOwnPicture(facts: Field): boolean {
     const display = this.interlacer?.display;
     return !!display && samePanel(facts.panel.panel, display.panel) && facts.panel.size.join() === display.pixels.join();
   }
 
-  /** Loads a frame and interlaces it at once, so that it takes less memory than its views and no time while it is played. */
+  /** Loads and interlaces a frame at once, which takes less memory than its views and no time while it is played. */
   private async makePlayed(field: number, frame: number): Promise<LoadedFrame> {
     const facts = this.fields[field];
     const label = facts.frames[frame].label;
@@ -335,7 +319,7 @@ export class Frames {
     return made;
   }
 
-  /** Returns a frame for the calibrated panel, interlaced from `views`. If `views` is null, uses `own`, a native picture of the panel. */
+  /** Interlaces `views`, or uses `own`, a native picture of the panel, if `views` is null. */
   private played(facts: Field, views: ImageBitmap | null, own: ImageBitmap | null): LoadedFrame {
     const interlacer = this.interlacer as Interlacer;
     const picture = (views ?? own) as ImageBitmap;
@@ -365,7 +349,7 @@ export class Frames {
       panel: panel ? pictureTexture(this.gl, panel, "srgb") : null,
       viewSize: [views.width / facts.tiles[0], views.height / facts.tiles[1]],
       disparities: this.guessedRange(facts),
-      // Includes the depth and the provenance, which are loaded later.
+      // includes the depth and the provenance, which are loaded later
       bytes: (facts.provenance ? views.width * views.height : 0) + 4 * (views.width * views.height * (facts.depth ? 2 : 1) + (panel ? panel.width * panel.height : 0)),
       whole: Promise.resolve(),
     };
@@ -375,7 +359,7 @@ export class Frames {
     return made;
   }
 
-  /** Loads the depth. Views are blended until the depth has loaded. */
+  /** Views are blended until the depth has loaded. */
   private async addDepth(made: LoadedFrame, field: number, frame: number): Promise<void> {
     const facts = this.fields[field];
     try {
@@ -390,7 +374,6 @@ export class Frames {
     }
   }
 
-  /** Requests the provenance of the frame's pixels, unless it was requested before. */
   wantProvenance(made: LoadedFrame, field: number, frame: number): void {
     if (made.provenance !== undefined) return;
     made.provenance = null;
@@ -411,7 +394,7 @@ export class Frames {
     this.changed();
   }
 
-  /** Returns a range of disparities for views without depth: twice the depth budget on either side. */
+  /** Range of disparities for views without depth: twice the depth budget on either side. */
   private guessedRange(facts: Field): [number, number] {
     const budget = facts.depth_budget_mm ?? 0.2 * facts.window_mm.size[1];
     return [-2 * budget, 2 * budget].map((z) => z / Math.max(1 - z * facts.vergence_per_mm, 0.2)) as [number, number];
@@ -438,7 +421,7 @@ export class Frames {
     return this.fitted(picture, options, tiles);
   }
 
-  /** Reduces a picture by an integer factor if a view (or a panel) exceeds the GPU's texture size. A whole quilt may exceed the size. */
+  /** Reduces a picture by an integer factor if a view or a panel exceeds the GPU's texture size. */
   private async fitted(picture: ImageBitmap, options: ImageBitmapOptions, tiles: readonly [number, number]): Promise<ImageBitmap> {
     const most = this.gl.getParameter(this.gl.MAX_TEXTURE_SIZE) as number;
     const views = [picture.width / tiles[0], picture.height / tiles[1]];

@@ -1,4 +1,3 @@
-// Helpers for WebGL 2: programs, textures and render targets.
 import { Refusal } from "./field";
 
 export type Gl = WebGL2RenderingContext;
@@ -24,14 +23,13 @@ function compile(gl: Gl, kind: number, source: string): WebGLShader {
 
 export type Uniform = number | boolean | readonly number[] | { integers: readonly number[] } | { unit: number };
 
-/** A vertex shader that covers the whole target. */
 const kCovering = `#version 300 es
   void main() {
     vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0;
     gl_Position = vec4(corner, 0.0, 1.0);
   }`;
 
-/** A program that runs a fragment shader for every pixel of the target, or of the polygon whose corners a vertex shader returns. */
+/** A fragment shader that runs for every pixel of the target, or of the polygon whose corners a vertex shader returns. */
 export class Program {
   private readonly program: WebGLProgram;
   private readonly places = new Map<string, WebGLUniformLocation | null>();
@@ -85,7 +83,7 @@ export function setFilter(gl: Gl, filter: number, target: number = gl.TEXTURE_2D
   for (const key of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(target, key, gl.CLAMP_TO_EDGE);
 }
 
-/** Makes a texture whose first row is the top row. sRGB codes are sampled as linear light, other codes unchanged. */
+/** The first row is the top row. sRGB codes are sampled as linear light, other codes unchanged. */
 export function pictureTexture(gl: Gl, picture: ImageBitmap, holds: "srgb" | "codes"): WebGLTexture {
   const texture = gl.createTexture() as WebGLTexture;
   bind(gl, 0, texture);
@@ -95,7 +93,7 @@ export function pictureTexture(gl: Gl, picture: ImageBitmap, holds: "srgb" | "co
   return texture;
 }
 
-/** Makes a texture of two 32-bit words per texel. */
+/** The texture has two 32-bit words per texel. */
 export function wordTexture(gl: Gl, width: number, height: number, words: Uint32Array): WebGLTexture {
   const texture = gl.createTexture() as WebGLTexture;
   bind(gl, 0, texture);
@@ -104,12 +102,11 @@ export function wordTexture(gl: Gl, width: number, height: number, words: Uint32
   return texture;
 }
 
-/** A render target of 8-bit codes. Its first row is the bottom row. */
+/** A render target of 8-bit codes, bottom row first. */
 export class CodeTarget {
   private readonly texture: WebGLTexture;
   private readonly framebuffer: WebGLFramebuffer;
 
-  /** Creates the target and binds it for the next draw. */
   constructor(
     private readonly gl: Gl,
     width: number,
@@ -132,7 +129,7 @@ export class CodeTarget {
   }
 }
 
-/** A render target in linear light, if the device supports it. Its first row is the bottom row. */
+/** A render target in linear light, if the device supports it, bottom row first. */
 export class Target {
   readonly texture: WebGLTexture;
   readonly framebuffer: WebGLFramebuffer;
@@ -150,7 +147,6 @@ export class Target {
     return this.size[1];
   }
 
-  /** Binds the whole target for the next draw. */
   begin(width: number, height: number): void {
     const gl = this.gl;
     if (this.size[0] !== width || this.size[1] !== height) {
@@ -167,7 +163,7 @@ export class Target {
     gl.viewport(0, 0, width, height);
   }
 
-  /** Returns linear RGBA, rows from the bottom. */
+  /** Returns linear RGBA, bottom row first. */
   read(x: number, y: number, width: number, height: number): Float32Array {
     const gl = this.gl;
     gl.bindFramebuffer(gl.FRAMEBUFFER, this.framebuffer);

@@ -1,7 +1,4 @@
 // Handles the mouse, touches on the picture, and the keyboard.
-//
-// A drag moves the eye. In a scene that is set up, it moves what the user has chosen. The wheel and two fingers zoom, the right button
-// pans, and a double click focuses. Keys apply to the picture, except keys that the focused control uses.
 import { toggleKeyList } from "./keys";
 import type { Live } from "./live";
 import { orbitOf, planeDistance, setOrbit, setZoom } from "./live_controls";
@@ -13,7 +10,6 @@ import type { Renderer } from "./renderer";
 import type { Store } from "./state";
 import type { Timeline } from "./timeline";
 
-/** The parts and actions of the page that this file uses. */
 interface Page {
   readonly canvas: HTMLCanvasElement;
   readonly renderer: Renderer;
@@ -23,12 +19,12 @@ interface Page {
   readonly motion: Motion;
   readonly live: Live | null;
   readonly print: Print | null;
-  /** Returns the indices of the light fields shown. */
+  /** Indices of the light fields shown. */
   shown(): number[];
   redraw(): void;
   /** Ends the automatic motion. stays: the eye stays where it was drawn. */
   touched(stays: boolean): void;
-  /** Returns the eye's position as shares of its zone. */
+  /** Position of the eye as shares of its zone. */
   shares(): [number, number];
   moveEye(across: number, up: number): void;
   focusAt(share: [number, number]): void;
@@ -42,7 +38,6 @@ export interface Place {
   y: number;
 }
 
-/** A drag: its kind, and the state at its start. */
 interface Drag extends Place {
   finger: number;
   moved: boolean;
@@ -56,7 +51,7 @@ interface Drag extends Place {
   wiped: Rectangle;
 }
 
-/** Two fingers: the distance between them and the point midway, as of the last event. */
+/** The distance between two fingers and the point midway, as of the last event. */
 interface Pinch {
   apart: number;
   middle: Place;
@@ -65,7 +60,6 @@ interface Pinch {
 const kDoubleClickMs = 400;
 const kDoubleClickPx = 24;
 
-/** Returns whether the focused control uses the key. */
 function isOfControl({ target, key }: KeyboardEvent): boolean {
   if (target instanceof HTMLButtonElement || (target instanceof Element && target.closest("summary"))) return key === " ";
   if (target instanceof HTMLInputElement && target.type === "checkbox") return key === " ";
@@ -95,7 +89,7 @@ export class Hands {
     canvas.addEventListener("contextmenu", (event) => event.preventDefault());
     canvas.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
     window.addEventListener("keydown", (event) => this.key(event));
-    // Touching any control also ends the automatic motion.
+    // touching any control also ends the automatic motion
     window.addEventListener("pointerdown", (event) => event.target !== canvas && this.app.touched(true), { capture: true });
     // After a click with a pointer, keys apply to the picture instead of the clicked button.
     window.addEventListener("click", (event) => {
@@ -265,7 +259,7 @@ export class Hands {
     this.app.store.set({ magnify: 1, pan: [0, 0] });
   }
 
-  /** Shows one pixel of the views (or of the panel) per pixel of the screen. */
+  /** Shows one pixel of the views or of the panel per pixel of the screen. */
   showTrueSize(): void {
     this.app.store.set({ magnify: this.app.renderer.magnifiedForTrueSize(this.app.store.state), pan: [0, 0] });
   }
@@ -276,13 +270,13 @@ export class Hands {
     this.panTo(pan[0] + x / fitted.width, pan[1] + y / fitted.height);
   }
 
-  /** Pans, and keeps the middle of the screen on the picture. */
+  /** Keeps the middle of the screen on the picture. */
   private panTo(x: number, y: number): void {
     const most = this.app.store.state.magnify / 2;
     this.app.store.set({ pan: [x, y].map((share) => Math.min(Math.max(share, -most), most)) });
   }
 
-  /** Handles the wheel. Browsers send pinches on touchpads as wheel events with Ctrl. */
+  /** Browsers send pinches on touchpads as wheel events with Ctrl. */
   private wheel(event: WheelEvent): void {
     const { app } = this;
     event.preventDefault();
@@ -333,8 +327,7 @@ export class Hands {
     return actions[key.length === 1 ? key.toLowerCase() : key];
   }
 
-  /** Handles an arrow key. It moves the eye. If the panel is shown, it moves the loupe. In a scene that is set up, it moves what dragging
-   *  moves. */
+  /** Arrow keys move the eye, the loupe of a shown panel, or in a scene that is set up what dragging moves. */
   private arrow(x: number, y: number, by: number): void {
     const { app } = this;
     const { live } = app;

@@ -1,9 +1,7 @@
-// Interlaces views for a panel, as `lippmann convert --to native` does. The position of a sub-pixel below its lens (its phase)
-// determines the view from which it takes its colour. Codes are mixed without conversion to linear light (src/layout/interlace.cpp).
-//
-// The phase is the sum of one term for the row and one term for the column. Only the fraction of the sum counts. In single precision,
-// the phase would be too coarse at a panel with hundreds of lenses. Therefore, both terms are tables of 64-bit fractions, whose sum wraps
-// around.
+// Interlaces views for a panel, as `lippmann convert --to native` does. The phase of a sub-pixel, its position below
+// its lens, determines its view. The phase is the fraction of a sum of two terms, for the row and for the column. In
+// single precision it would be too coarse for hundreds of lenses, so both terms are tables of 64-bit fractions, whose
+// sum wraps around.
 import type { PanelDisplay } from "./display";
 import { Refusal, type Field } from "./field";
 import { bind, CodeTarget, Program, wordTexture, type Gl, type Uniform } from "./gl";
@@ -39,8 +37,8 @@ uvec2 view_place(uvec2 fraction) {
   return uvec2(upper >> 16u, (upper << 16u) | (middle & 0xffffu));
 }
 
-// Returns v N for a sub-pixel, as its integer part and its fraction. v is the fraction of the phase, or 1 minus the fraction on inverted
-// panels. N is the number of views. v = 1 belongs to the last view.
+// Returns v N for a sub-pixel, as its integer part and its fraction, for N views. v is the phase, or 1 minus the phase on inverted
+// panels. v = 1 belongs to the last view.
 uvec2 view_of(ivec2 pixel, int channel) {
   uvec2 row = texelFetch(u_rows, ivec2(3 * (pixel.x & 1) + channel, pixel.y), 0).xy;
   uvec2 column = texelFetch(u_columns, ivec2(pixel.x, 0), 0).xy;
@@ -122,7 +120,7 @@ function fractionsOf(values: number[]): Uint32Array {
   return words;
 }
 
-/** Returns the phase at the left end of every row, for each sub-pixel, from the bottom row (src/layout/sub_pixel_views.hpp). */
+/** Phases at the left end of every row, bottom row first, for each sub-pixel (src/layout/sub_pixel_views.hpp). */
 export function rowPhases({ pixels, panel }: PanelDisplay): number[] {
   const phases: number[] = [];
   for (let up = 0; up < pixels[1]; up++)
@@ -135,7 +133,6 @@ export function rowPhases({ pixels, panel }: PanelDisplay): number[] {
   return phases;
 }
 
-/** Makes frames for a panel. */
 export class Interlacer {
   private readonly programs = new Map<string, Program>();
   private readonly rows: WebGLTexture;
@@ -154,7 +151,7 @@ export class Interlacer {
     this.columns = wordTexture(gl, pixels[0], 1, fractionsOf([...Array(pixels[0]).keys()].map((i) => i * perPixel)));
   }
 
-  /** Interlaces the views of a light field. Returns codes, whose first row is the bottom row. */
+  /** Returns codes, bottom row first. */
   fromViews(field: Field, views: WebGLTexture, viewSize: [number, number], layer: LayerTiles): WebGLTexture {
     return this.draw(this.display.filter, views, layer, {
       u_layer_tiles: { integers: layer ?? field.tiles },
@@ -166,7 +163,7 @@ export class Interlacer {
     });
   }
 
-  /** Returns the frame of a picture that was made for this panel, which needs no interlacing. */
+  /** A picture that was made for this panel needs no interlacing. */
   fromOwn(picture: WebGLTexture): WebGLTexture {
     return this.draw("as they are", picture, null, {});
   }

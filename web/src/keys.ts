@@ -1,4 +1,3 @@
-// The list of keys and mouse actions.
 import { button, element } from "./elements";
 
 const kRows = (isLive: boolean): [string, string][] => [
@@ -33,6 +32,6 @@ export function toggleKeyList(isLive: boolean): void {
   document.body.append(dialog);
   shown = dialog;
   dialog.showModal();
-  // Scrolls back to the top: the focused button is at the bottom of the dialog, and focusing it has scrolled there.
+  // Focusing the button at the bottom of the dialog has scrolled down.
   dialog.scrollTop = 0;
 }

@@ -1,5 +1,5 @@
-// A scene that is set up in the page while the server renders it. Reads the scene's state and its newest pictures from the server, and
-// sends changes (web/README.md lists the keys). Settings are texts. Their names are those of the flags of `lippmann render`.
+// A scene that is set up in the page while the server renders it. Settings are texts with the names of flags of
+// `lippmann render` (web/README.md lists the keys of the state).
 import { loadPicture, postText, readState } from "./data";
 import type { PanelDisplay } from "./display";
 import { Refusal, type Field } from "./field";
@@ -29,7 +29,7 @@ export interface LiveState {
   depth: { budget_mm: number | null; summary: string };
   view: string;
   light: string;
-  /** The calibrated panel for which the scene is set up, or null. */
+  /** The calibrated panel for which the scene is set up. */
   display: PanelDisplay | null;
   picture: { id: number; version: number; frame: number; pass: string; view_size: [number, number]; depth: boolean; panel: boolean; field: Omit<Field, "frames"> } | null;
   saved: string;
@@ -39,7 +39,6 @@ export interface LiveState {
 export interface Choices {
   choices: Record<string, string[]>;
   display: PanelDisplay | null;
-  /** Whether the page first shows the panel's picture. */
   plays: boolean;
 }
 
@@ -71,12 +70,10 @@ export class Live {
     void this.listen();
   }
 
-  /** Returns the text of a setting, or of its unconfirmed change. */
   value(name: string): string {
     return this.wanted[name] ?? this.state?.settings[name] ?? "";
   }
 
-  /** Returns the unconfirmed change of a setting as a number, or undefined if there is none. */
   pendingNumber(name: string): number | undefined {
     return name in this.wanted ? Number(this.wanted[name]) : undefined;
   }
@@ -87,29 +84,27 @@ export class Live {
     return text === "" || !Number.isFinite(number) ? otherwise : number;
   }
 
-  /** The frame number of the picture that is shown, or -1 if there is no picture yet. */
+  /** -1: there is no picture yet */
   get shownFrame(): number {
     return this.shownId > 0 ? (this.state?.picture?.frame ?? -1) : -1;
   }
 
-  /** Whether the picture that is shown is the final one for the current settings. */
+  /** Whether the shown picture is the final one for the current settings. */
   get isAtRest(): boolean {
     const { state } = this;
     const picture = state?.picture;
     return !!state && !!picture && !this.isOutdated && picture.id === this.shownId && picture.version === state.version && picture.pass === "final";
   }
 
-  /** Whether settings have changed since the shown picture was rendered. */
   get isOutdated(): boolean {
     return this.shownId > 0 && (this.sending || this.waiting !== null || this.shownVersion < Math.max(this.state?.version ?? 0, this.confirmed));
   }
 
-  /** Whether this is the first state from the server. */
   get isNew(): boolean {
     return this.states <= 1;
   }
 
-  /** The frame that another page has chosen. Null while this page requests changes itself. */
+  /** Null while this page requests changes itself. */
   get othersFrame(): number | null {
     const { state } = this;
     return !state || this.sending || this.waiting || state.version < this.confirmed ? null : state.frame;
@@ -129,13 +124,12 @@ export class Live {
     void this.send();
   }
 
-  /** Moves the display's plane to this depth. */
   setPlane(plane_mm: number): void {
     this.waiting = { ...this.waiting, plane_mm };
     void this.send();
   }
 
-  /** Sends the waiting changes, unless a request is in progress. Changes that arrive meanwhile are sent together afterwards. */
+  /** Changes that arrive during a request are sent together afterwards. */
   private async send(): Promise<void> {
     if (this.sending || !this.waiting) return;
     this.sending = true;
@@ -213,7 +207,7 @@ export class Live {
       picture.depth ? loadPicture(`live/depth/${id}`) : null,
       picture.panel && field.panel.is === "own" ? loadPicture(`live/panel/${id}`) : null,
     ]);
-    // The server sends an empty file if a newer picture has replaced this one. The newer picture is requested next.
+    // The server sends an empty file if a newer picture has replaced this one, which is requested next.
     if ([views, depth, panel].some((one) => one?.size === 0)) return;
     await this.frames.showLive({ ...this.field, ...field }, { views, depth, panel });
     Object.assign(this.field, field);

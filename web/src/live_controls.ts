@@ -1,4 +1,3 @@
-// The controls of a scene that is set up: camera, display, light and render.
 import { button, check, chooser, element, group, rounded, slider, tip, type Shown } from "./elements";
 import type { Field } from "./field";
 import type { Live, Rendered } from "./live";
@@ -19,7 +18,7 @@ const kNames: Record<string, string> = {
 const named = (word: string): [string, string] => [word, kNames[word] ?? word];
 const digits = (value: number, count = 3): string => String(Number(value.toPrecision(count)));
 
-/** Returns the yaw and the pitch of the setting `orbit`, in degrees. */
+/** Yaw and pitch in degrees. */
 export function orbitOf(live: Live): [number, number] {
   const [yaw, pitch] = live.value("orbit").split(",").map(Number);
   return [Number.isFinite(yaw) ? yaw : 0, Number.isFinite(pitch) ? pitch : 0];
@@ -34,7 +33,7 @@ export function setZoom(live: Live, zoom: number): void {
   live.set({ zoom: digits(Math.min(Math.max(zoom, 0.1), 20)) });
 }
 
-/** Returns the nearest and the farthest distance to which the display's plane can be moved: slightly before and behind the subject. */
+/** The nearest and the farthest distance of the display's plane: slightly before and behind the subject. */
 export function planeRange(live: Live): [number, number] {
   const plane = live.state?.plane;
   if (!plane) return [0, 1];
@@ -43,14 +42,13 @@ export function planeRange(live: Live): [number, number] {
   return [Math.min(Math.max(plane.nearest - 0.25 * deep, 0.05 * plane.distance), now), Math.max(plane.farthest + 0.25 * deep, now)];
 }
 
-/** Returns the distance of the display's plane, as requested last. */
 export const planeDistance = (live: Live): number => live.pendingNumber("focus") ?? live.state?.plane?.distance ?? 1;
 
 export function setPlaneDistance(live: Live, distance: number): void {
   live.set({ focus: digits(distance, 5) });
 }
 
-/** Returns the angle of the viewing zone in degrees. */
+/** Angle of the viewing zone in degrees. */
 function coneOf(field: Field): number {
   const { across } = field;
   const last = across.first + across.step * (across.views - 0.5);
@@ -79,7 +77,7 @@ function viewGroup(store: Store, live: Live, shown: Shown[]): HTMLElement {
   );
 }
 
-/** Returns the default of the setting fit-depth, as in src/job/params.cpp. */
+/** Default of the setting fit-depth, as in src/job/params.cpp. */
 const fitsByDefault = (live: Live): boolean => live.value("display") !== "" || live.value("optics") !== "multiview";
 
 function displayGroup(field: Field, live: Live, shown: Shown[]): HTMLElement {
@@ -113,7 +111,6 @@ function lightGroup(live: Live, shown: Shown[]): HTMLElement {
   );
 }
 
-/** Controls that few users need. */
 export function lightDetails(live: Live, shown: Shown[]): HTMLElement {
   const paths = () => live.value("integrator") === "path";
   return group(
@@ -124,7 +121,7 @@ export function lightDetails(live: Live, shown: Shown[]): HTMLElement {
   );
 }
 
-/** Returns the samples per pixel. The setting 0 stands for the integrator's default, as in lippmann/frames/frame_params.hpp. */
+/** Samples per pixel; the setting 0 stands for the integrator's default (lippmann/frames/frame_params.hpp). */
 function samplesOf(live: Live): number {
   const given = live.number("spp", 0);
   return given > 0 ? given : live.value("integrator") === "path" ? 16 : 1;
@@ -139,7 +136,6 @@ export function renderText(render: Rendered | null): string {
   return render.error;
 }
 
-/** Makes the controls of the job, which stay visible while the other controls scroll. */
 export function jobGroup(live: Live, shown: Shown[]): HTMLElement {
   const status = element("output", { className: "value job" });
   const bar = element("progress", { max: 1 });

@@ -1,4 +1,3 @@
-// Loads the description of the light fields and starts the page.
 import { App, fail } from "./app";
 import { expectPicture, loadFields } from "./data";
 import { readDisplay } from "./display";
@@ -19,7 +18,7 @@ async function start(): Promise<void> {
     const fields = readFields(json);
     const { display, live, run, prints } = json as { display?: unknown; live?: Choices; run?: RunState; prints?: PrintChoices };
     const panel = display ?? live?.display;
-    // Requests the preview early, so that the server makes it while the graphics start.
+    // The server makes the preview while the graphics start.
     if (fields[0].preview && fields.length === 1 && !panel && !run && !/[#&](frame|show|crosstalk)=/.test(location.hash)) expectPicture("0/preview/0");
     const app = new App(fields, panel ? readDisplay(panel) : null, live ?? null, run ?? null, { prints: prints ?? null, drops });
     steerFromOutside(app);

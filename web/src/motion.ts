@@ -1,15 +1,15 @@
-// Moves the eye until the user touches the page, so that a light field looks three-dimensional at once. The eye sways slowly, and
-// follows the mouse over the picture. It does neither for users who prefer reduced motion.
+// Moves the eye until the user touches the page: it sways slowly, and follows the mouse over the picture. Users who
+// prefer reduced motion see neither.
 
-/** A position in the viewing zone: shares (across, up), from 0 to 1. */
+/** Position in the viewing zone: shares (across, up), from 0 to 1. */
 type Shares = [number, number];
 
 const kSwing: Shares = [0.34, 0.22];
 const kPeriodsMs: Shares = [7000, 9500];
-/** Time without motion before the sway begins, and time in which the sway grows to its full width. */
+/** Time without motion before the sway begins, and time in which it grows to its full width. */
 const kWaitMs = 900;
 const kRampMs = 1500;
-/** Time constant of the eye's motion towards its target. */
+/** time constant of the eye's motion towards its target */
 const kEaseMs = 140;
 const kMargin = 0.03;
 
@@ -36,12 +36,10 @@ export class Motion {
     return !this.isReduced;
   }
 
-  /** Whether the user has touched the page. */
   get isOver(): boolean {
     return this.isTouched;
   }
 
-  /** Ends the motion. */
   end(): void {
     if (this.isTouched) return;
     this.isTouched = true;
@@ -54,20 +52,19 @@ export class Motion {
     this.changed();
   }
 
-  /** Sets the position of the mouse as shares of the picture, from the bottom left. Null if the mouse is not over the picture. */
+  /** Sets the position of the mouse as shares of the picture, from the bottom left; null beside the picture. */
   hover(at: Shares | null): void {
     if (this.pointer && !at) this.began = 0;
     this.pointer = at;
   }
 
-  /** Sets the offset from home to 0, and returns the position at which the eye was. */
+  /** Returns the eye's position, and resets its offset from home. */
   settle(): Shares {
     const shares = this.shares();
     this.offset = [0, 0];
     return shares;
   }
 
-  /** Returns the current position of the eye. */
   shares(): Shares {
     const home = this.home();
     return [0, 1].map((i) => Math.min(Math.max(home[i] + this.offset[i], Math.min(home[i], kMargin)), Math.max(home[i], 1 - kMargin))) as Shares;
@@ -77,7 +74,7 @@ export class Motion {
     return this.offset[0] !== 0 || this.offset[1] !== 0;
   }
 
-  /** Advances by one frame of the screen, and returns whether the eye has moved. may: whether the eye may move now. */
+  /** Advances by one frame of the screen. Returns whether the eye has moved. may: whether it may move now. */
   step(now: number, may: boolean): boolean {
     const past = Math.min(now - this.last, 100);
     this.last = now;

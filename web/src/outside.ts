@@ -21,12 +21,12 @@ interface Handle {
   pause(): void;
   panel(): Uint8ClampedArray;
   valueAt(x: number, y: number): number[];
-  /** The server's state of the scene that is set up. Its settings have the names of flags. */
+  /** Settings have the names of flags. */
   readonly scene: LiveState | null;
   setUp(settings: Record<string, string | null>): void;
-  /** The server's latest description of the print, or null if there is no print. */
+  /** null: there is no print */
   readonly print: Print["made"];
-  /** The server's state of a render that is running or was stopped. */
+  /** null: no render is running or was stopped */
   readonly run: RunState | null;
 }
 

@@ -1,22 +1,22 @@
-// Chooses the resolution of pictures. Without a GPU, drawing an eye's view with depth takes a tenth of a second. Therefore, pictures have
-// fewer pixels while the view moves, and full resolution when it rests.
+// Chooses the resolution of pictures. Without a GPU, drawing an eye's view takes a tenth of a second, so pictures have
+// fewer pixels while the view moves.
 
-/** Times between two pictures, in ms: the goal; the limit above which motion is too slow (22 pictures per second); and the limit below
- *  which a finer resolution is tried. */
+/** Times between two pictures, in ms: the goal; the limit above which motion is too slow; and the limit below which a finer
+ *  resolution is tried. */
 const kGoal = 33;
 const kSlow = 45;
 const kFast = 20;
 const kCoarsest = 4;
-/** Number of frames of the screen without motion after which the view rests. A video also has a few between its own frames. */
+/** Frames of the screen without motion after which the view rests. A video has a few between its own frames. */
 const kRest = 8;
-/** Number of fast pictures after which a finer resolution is tried. */
+/** fast pictures after which a finer resolution is tried */
 const kProof = 20;
 
 export class Pace {
-  /** The number by which the width and the height of the last picture were divided. */
+  /** The width and the height of the last picture were divided by this. */
   divisor = 1;
   private needed = 1;
-  /** The largest divisor at which pictures were too slow in the current movement. */
+  /** Largest divisor at which pictures were too slow in the current movement. */
   private tooFine = 0;
   private quiet = kRest;
   private at = 0;
@@ -28,8 +28,8 @@ export class Pace {
     return this.quiet === kRest && this.divisor > 1;
   }
 
-  /** Returns the divisor for the next picture. now: time in ms. moves: whether the view is moving. The first picture of a movement has
-   *  full resolution. */
+  /** Returns the divisor for the next picture; the first picture of a movement has full resolution. now: in ms. moves:
+   *  whether the view is moving. */
   draws(now: number, moves: boolean): number {
     const isFirst = this.quiet === kRest;
     if (!moves) {
@@ -52,7 +52,7 @@ export class Pace {
     else if (this.intervals.length >= kProof) this.finer();
   }
 
-  /** Chooses a larger divisor. Assumes that the drawing time is proportional to the area of the picture. */
+  /** Assumes that the drawing time is proportional to the area of the picture. */
   private coarser(interval: number): void {
     this.tooFine = Math.max(this.tooFine, this.needed);
     this.needed = Math.min(Math.ceil(this.needed * Math.sqrt(interval / kGoal)), kCoarsest);

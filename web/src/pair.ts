@@ -30,7 +30,7 @@ export interface Pair {
 /** Width of a lens in CSS pixels. An eye's view of wider lenses looks stretched by mistake, so the panel is shown beside it. Two lenses are
  *  a cycle; at 0.0213 degrees a CSS pixel, wider lenses lose the frequencies that people see best, 3 to 5 cycles per degree (decision 0088). */
 const kWideLens = 4;
-/** Space between the two pictures, and space below a picture for its caption, in CSS pixels. */
+/** In CSS pixels: the space between the two pictures, and the space below a picture for its caption. */
 const kGap = 16;
 const kCaption = 24;
 

@@ -1,5 +1,4 @@
-// Plays a light field on a calibrated panel: selects the panel, controls full screen, and gives each pixel of the panel one pixel of the
-// screen.
+// Plays a light field on a calibrated panel. In full screen, each pixel of the panel is one pixel of the screen.
 import { readCalibration, readDisplay, type PanelDisplay } from "./display";
 import { isOfPictures, pictures } from "./drop";
 import { Refusal } from "./field";
@@ -8,13 +7,13 @@ import type { Gl } from "./gl";
 import { Interlacer } from "./interlace";
 import type { Store } from "./state";
 
-/** Returns how many bytes of interlaced frames to keep on the GPU. */
+/** Bytes of interlaced frames to keep on the GPU. */
 function playedBudget(): number {
   const gigabytes = (navigator as { deviceMemory?: number }).deviceMemory ?? 4;
   return Math.min(Math.max(gigabytes * 256, 512), 2048) * 1024 * 1024;
 }
 
-/** Larger files are refused, because calibration files are small. */
+/** Calibration files are small. */
 const kMostCalibrationBytes = 1 << 20;
 
 const sizeText = ([width, height]: readonly number[]): string => `${width}\u00d7${height}`;
@@ -43,7 +42,7 @@ export class Player {
     });
   }
 
-  /** Starts playing on a panel. Throws a Refusal if this device cannot draw the panel, or if a panel cannot show the views. */
+  /** Throws a Refusal if this device cannot draw the panel, or if a panel cannot show the views. */
   playOn(display: PanelDisplay): void {
     const { up, title } = this.store.fields[0];
     if (up.views > 1 && !this.frames.isLive) throw new Refusal(`${title} has ${up.views} rows of views, but a panel shows only one: \`lippmann convert --keep\` selects one row.`);
@@ -58,7 +57,7 @@ export class Player {
     this.store.plays = true;
   }
 
-  /** Plays on the panel for which a scene is set up, if it is not null. A calibration that was dropped on the page takes precedence. */
+  /** Plays on the panel for which a scene is set up. A calibration that was dropped on the page takes precedence. */
   follow(display: PanelDisplay | null): void {
     const named = JSON.stringify(display);
     if (named === this.named || this.isDropped) return;
@@ -74,7 +73,6 @@ export class Player {
     this.store.plays = false;
   }
 
-  /** Reads a calibration file, which was dropped on the page or chosen in a dialog. */
   async take(file: File): Promise<void> {
     this.notify("calibration", "");
     try {
@@ -110,7 +108,7 @@ export class Player {
     }
   }
 
-  /** Opens a second window to set up the scene, which shows the view of an eye. This window still shows the panel's picture. */
+  /** Opens a second window to set up the scene, which shows the view of an eye. */
   openSetUp(): void {
     window.open(`${location.href.split("#")[0]}#show=eye`, "_blank", "popup,width=1200,height=800");
   }
@@ -119,8 +117,7 @@ export class Player {
     return this.display ? `${this.display.name}, ${sizeText(this.display.pixels)}` : "none";
   }
 
-  /** Gives the canvas the size of the panel. In full screen, a pixel of the panel is a pixel of the screen. Returns whether the size of
-   *  the canvas has changed. */
+  /** Gives the canvas the size of the panel. Returns whether its size has changed. */
   fit(canvas: HTMLCanvasElement): boolean {
     const [width, height] = (this.display as PanelDisplay).pixels;
     const changed = canvas.width !== width || canvas.height !== height;
@@ -133,7 +130,6 @@ export class Player {
     return changed;
   }
 
-  /** Returns a notice if the screen does not have the size of the panel. */
   private screenNotice(fills: boolean, ratio: number): string {
     const { pixels } = this.display as PanelDisplay;
     const { gl } = this;

@@ -1,5 +1,5 @@
-// Prints of the light field for lens sheets. Sends requests to the server, one at a time. Shows the print as eyes see it through the
-// lenses (web/README.md lists the keys).
+// Prints of the light field for lens sheets, made by the server and shown as eyes see them through the lenses
+// (web/README.md lists the keys).
 import { download, loadPicture, postText } from "./data";
 import { depthOfDisparity, disparityOfDepth, Refusal, slopeInZone, type Field } from "./field";
 import type { Frames } from "./frames";
@@ -16,9 +16,9 @@ interface Made {
   field: Field;
 }
 
-/** Choice of display: a lens sheet on paper, which the page's controls describe. */
+/** a lens sheet on paper, which the page's controls describe */
 export const kSheet = "sheet";
-/** Choice of display: a file that the user has chosen. */
+/** a file that the user has chosen */
 export const kFile = "file";
 
 export interface PrintSettings {
@@ -69,7 +69,7 @@ export class Print {
     return this.pending > 0;
   }
 
-  /** The range of the shift per view, in pixels. At its ends, the outermost views are shifted by 15 % of their width. */
+  /** Range of the shift per view, in pixels. At its ends, the outermost views are shifted by 15 % of their width. */
   get shiftRange(): [number, number] {
     const { across, view_size: size } = this.own;
     const most = (0.3 * size[0]) / Math.max(across.views - 1, 1);
@@ -83,7 +83,7 @@ export class Print {
     this.changed(false);
   }
 
-  /** Sets the shift per view. Shows the view through the sheet, because the zero plane is visible only there. */
+  /** Shows the view through the sheet, because the zero plane is visible only there. */
   setShift(shift: number): void {
     this.isWanted = true;
     this.set({ shift });
@@ -102,14 +102,13 @@ export class Print {
     return Math.min(Math.max(shift, least), most);
   }
 
-  /** Moves the zero plane to this depth. */
   setPlane(depth: number): void {
     this.awaitsClick = false;
     this.setShift(this.within(-disparityOfDepth(this.own, depth) * this.pixelsPerDisparity));
   }
 
-  /** Drags the zero plane. from: shift at the start of the drag. across: motion to the right, as a share of the picture. Shows the new
-   *  plane by focusing on it. */
+  /** Shows the new plane by focusing on it. from: shift at the start of the drag. across: motion to the right, as a share of
+   *  the picture. */
   dragPlane(from: number, across: number): void {
     const [least, most] = this.shiftRange;
     this.settings.shift = this.within(from + across * (most - least));
@@ -117,7 +116,6 @@ export class Print {
     this.changed(false);
   }
 
-  /** Ends the drag and makes the print with the new zero plane. */
   dropPlane(): void {
     this.preview = null;
     this.awaitsClick = false;
@@ -131,7 +129,7 @@ export class Print {
     this.enqueue(() => this.show());
   }
 
-  /** Starts or ends waiting for a click that sets the zero plane. Shows the views without the sheet meanwhile. */
+  /** Shows the views without the sheet while it waits. */
   awaitClick(on: boolean): void {
     this.see(false);
     this.awaitsClick = on;
@@ -144,14 +142,13 @@ export class Print {
     this.set({ display: kFile });
   }
 
-  /** Called when the state changes. Makes the print again if it is shown and no longer fits the state. */
+  /** Makes the print again if it is shown and no longer fits the state. */
   follow(): void {
     if (!this.isWanted || this.isBusy) return;
     if (this.state().show === "display") this.see(false);
     else if (!this.isCurrent()) this.enqueue(() => this.show());
   }
 
-  /** Returns whether the print of the current settings is shown, including the panel's picture if the page shows the panel. */
   private isCurrent(): boolean {
     const isThere = this.isSeen && this.shownId === this.made?.id && this.madeOf === this.request();
     return isThere && (this.hasPanel || !this.needsPanel(this.made as Made));

@@ -1,4 +1,3 @@
-// The controls of a print: the display, the zero plane, and saving.
 import { button, check, chooser, element, entry, group, rounded, slider, type Shown } from "./elements";
 import { kFile, kSheet, type Print } from "./print";
 

@@ -1,4 +1,4 @@
-// The line that shows the progress of long work: its description, the share that is done, and the time left.
+// The line that shows the progress of long work.
 import { element } from "./elements";
 import { minutes } from "./run";
 
@@ -13,7 +13,7 @@ export interface Work {
 
 /** Work shorter than this is not shown. */
 const kPatienceMs = 250;
-/** The time left is shown when this time has passed, because earlier estimates are inaccurate. */
+/** Earlier estimates of the time left are inaccurate. */
 const kGuessMs = 800;
 
 const megabytes = (bytes: number): string => (bytes < 1e6 ? `${Math.max(1, Math.round(bytes / 1e3))}\u2009kB` : `${(bytes / 1e6).toFixed(bytes < 1e7 ? 1 : 0)}\u2009MB`);
@@ -29,7 +29,7 @@ export class ProgressLine {
     parent.append(this.status, this.bar);
   }
 
-  /** Updates the line. about: identifies the work. work: its progress, or null when it is done. */
+  /** about: identifies the work. work: its progress, or null when it is done. */
   show(about: string, work: Work | null): void {
     const before = this.works.get(about);
     if (!work && !before) return;

@@ -1,28 +1,28 @@
-// The overlay that tints pixels by their origin (how they were made): the colour and the share of each origin, and the legend.
+// The overlay that tints pixels by their origin (how they were made), and its legend.
 import type { Field, Origin } from "./field";
 import { linearFromCode } from "./gl";
 import type { State } from "./state";
 
 export interface Provenance {
   texture: WebGLTexture;
-  /** Share of each origin in the pixels of all views; the shares add up to 1. */
+  /** The shares of all origins add up to 1. */
   shares: number[];
 }
 
-/** The colour of each code of provenance. Colour-blind users can distinguish them (Okabe and Ito, Color Universal Design). */
+/** Colours that colour-blind users can distinguish (Okabe and Ito, Color Universal Design). */
 const kColours = ["#d55e00", "#0072b2", "#009e73", "#f0e442", "#cc79a7", "#ffffff", "#56b4e9", "#4a3aa8"];
-/** Opacity of the tint for each overlay. It is higher if only missed pixels are tinted, because there are few. */
+/** Opacity of the tint; higher if only missed pixels are tinted, because there are few. */
 const kStrength = { provenance: 0.65, missed: 0.95, none: 0 };
 
 const linearColour = (colour: string): number[] => [1, 3, 5].map((at) => linearFromCode(parseInt(colour.slice(at, at + 2), 16)));
 
 const isShown = (origin: Origin | undefined, overlay: State["overlay"]): boolean => origin !== undefined && (overlay === "provenance" || origin.missed);
 
-/** Returns linear red, green and blue, and the opacity, of each of 8 codes. */
+/** Linear red, green and blue, and the opacity, of each of 8 codes. */
 export const tints = (field: Field, overlay: State["overlay"]): number[] =>
   kColours.flatMap((colour, code) => [...linearColour(colour), isShown(field.provenance?.[code], overlay) ? kStrength[overlay] : 0]);
 
-/** Returns the share of pixels with each code. Reads a few rows at a time, to limit memory. */
+/** Share of pixels with each code. A few rows at a time limit the memory. */
 export function sharesOf(picture: ImageBitmap, origins: number): number[] {
   const rows = Math.max(1, Math.min(picture.height, Math.floor((1 << 20) / picture.width)));
   const context = new OffscreenCanvas(picture.width, rows).getContext("2d", { willReadFrequently: true }) as OffscreenCanvasRenderingContext2D;
@@ -36,7 +36,7 @@ export function sharesOf(picture: ImageBitmap, origins: number): number[] {
   return counts.map((count) => count / (picture.width * picture.height));
 }
 
-/** Formats a share. Shares near 0 % or 100 % are not rounded to 0 or 100. */
+/** Shares near 0 % or 100 % are not rounded to 0 or 100. */
 function percent(share: number): string {
   if (share > 0 && share < 0.001) return "< 0.1\u2009%";
   const shown = share < 1 ? Math.min(share, 0.999) : share;
@@ -53,7 +53,6 @@ function entry(colour: string, name: string, share: number): HTMLElement {
   return item;
 }
 
-/** Fills the legend with the origins present in the frame. */
 export function showLegend(list: HTMLElement, field: Field, overlay: State["overlay"], shares: number[] | null): void {
   const origins = field.provenance ?? [];
   list.hidden = overlay === "none" || shares === null;

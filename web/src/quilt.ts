@@ -1,7 +1,7 @@
 // Quilts on the GPU: one texture, or layers of whole tiles if the quilt exceeds the GPU's texture size.
 import { bind, setFilter, type Gl } from "./gl";
 
-/** Number of tiles of a layer, (across, down). Null if the quilt is a single texture. */
+/** Tiles of a layer, (across, down); null: the quilt is a single texture. */
 export type LayerTiles = [number, number] | null;
 
 export type Holds = "srgb" | "codes" | "indices";
@@ -17,7 +17,7 @@ interface Size {
   height: number;
 }
 
-/** Returns the largest layer that fits into a texture. A single view always fits; see Frames.fitted. */
+/** Returns the largest layer that fits into a texture. A single view always fits. */
 export function layerTiles(gl: Gl, { width, height }: Size, tiles: readonly [number, number]): LayerTiles {
   const most = gl.getParameter(gl.MAX_TEXTURE_SIZE) as number;
   if (Math.max(width, height) <= most) return null;
@@ -25,7 +25,7 @@ export function layerTiles(gl: Gl, { width, height }: Size, tiles: readonly [num
   return [fitting(width, tiles[0]), fitting(height, tiles[1])];
 }
 
-/** Makes a texture whose first row is the top row. sRGB codes are sampled as linear light, other numbers unchanged. */
+/** The first row is the top row. sRGB codes are sampled as linear light, other numbers unchanged. */
 export function quiltTexture(gl: Gl, picture: ImageBitmap, tiles: readonly [number, number], holds: Holds): WebGLTexture {
   const [stored, sent] = kFormats[holds](gl);
   const layer = layerTiles(gl, picture, tiles);
@@ -37,7 +37,7 @@ export function quiltTexture(gl: Gl, picture: ImageBitmap, tiles: readonly [numb
   return texture;
 }
 
-/** Uploads the layers of a quilt, row by row from the top left. The last layer of a row or column may be partly filled. */
+/** Uploads layers row by row from the top left. The last layer of a row or column may be partly filled. */
 function sendLayers(gl: Gl, picture: ImageBitmap, tiles: readonly [number, number], layer: [number, number], [stored, sent]: number[]): void {
   const view = [picture.width / tiles[0], picture.height / tiles[1]];
   const [width, height] = [view[0] * layer[0], view[1] * layer[1]];
@@ -60,7 +60,8 @@ export function bindQuilt(gl: Gl, unit: number, texture: WebGLTexture | null, la
   return { unit };
 }
 
-/** GLSL that locates tiles. Insert it after u_tiles and u_view_size (floats). With LAYERED, u_layer_tiles holds the tiles of a layer. */
+/** GLSL that locates tiles. Insert it after u_tiles and u_view_size (floats). With LAYERED, u_layer_tiles holds the tiles of
+ *  a layer. */
 export const kQuiltPlaces = `
 #if LAYERED
 #define QUILT sampler2DArray
@@ -69,8 +70,7 @@ uniform ivec2 u_layer_tiles;
 #else
 #define QUILT sampler2D
 #endif
-// Returns the position (x, y) of a tile in pixels, from the top left, and its layer. Uses floats, because integer division is slow without
-// a GPU.
+// Returns a tile's position (x, y) in pixels, from the top left, and its layer. Integer division would be slow without a GPU.
 vec3 place_of_tile(vec2 tile, vec2 view_size, vec2 tiles) {
 #if LAYERED
   vec2 size = vec2(u_layer_tiles), layer = floor((tile + 0.5) / size);

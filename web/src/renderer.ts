@@ -1,4 +1,4 @@
-// Draws the page's picture: renders each eye's picture to a target in linear light, then composes the canvas from them.
+// Renders each eye's picture to a target in linear light, then composes the canvas from them.
 import { disparityOfDepth, hasCrosstalk, naturalSize, type Axis, type Field } from "./field";
 import type { Frames, LoadedFrame, Use } from "./frames";
 import { bind, codeFromLinear, Program, Target, type Gl, type Uniform } from "./gl";
@@ -27,21 +27,19 @@ const kPanelKinds = { integral: 0, quilt: 1, own: 2 };
 const kStereoModes = { off: "first", anaglyph: "anaglyph", "side-by-side": "beside", "top-bottom": "above" } as const;
 const kCompareModes = { first: "first", second: "first", wipe: "wipe", difference: "difference", "side-by-side": "beside" } as const;
 const kLoupeRadius = 92;
-/** Minimum resolution: views with fewer samples are upsampled, so that edges of lenses and of depth look smooth. */
+/** Views with fewer samples are upsampled, so that edges of lenses and of depth look smooth. */
 const kLeastLongSide = 800;
 /** Upper bound of the longer side of a magnified picture, in pixels. */
 const kMostPlace = 8192;
 
-/** Returns the use of frames for a state. Crosstalk applies only to the view of an eye with a closed aperture. */
+/** Crosstalk applies only to the view of an eye with a closed aperture. */
 export const useOf = (state: State): Use => (state.show === "eye" && state.crosstalk > 0 && state.aperture === 0 ? `eye/${Math.round(100 * state.crosstalk)}` : state.show);
 
-/** Returns the rectangle of a picture that is magnified and moved. */
 function magnified({ width, height, centre }: { width: number; height: number; centre: [number, number] }, by: number, pan: number[]): Rectangle {
   const place = { width: Math.max(1, Math.round(width * by)), height: Math.max(1, Math.round(height * by)) };
   return { left: Math.round(centre[0] + pan[0] * width - place.width / 2), top: Math.round(centre[1] + pan[1] * height - place.height / 2), ...place };
 }
 
-/** Returns the part of a rectangle within another. */
 function overlap({ left, top, width, height }: Rectangle, room: Rectangle): Rectangle {
   const at = { left: Math.max(left, room.left), top: Math.max(top, room.top) };
   const [right, bottom] = [Math.min(left + width, room.left + room.width), Math.min(top + height, room.top + room.height)];
@@ -55,7 +53,7 @@ export class Renderer {
   screen: [number, number] = [1, 1];
   /** Size and centre of the picture without magnification. */
   fitted = { width: 1, height: 1, centre: [0, 0] as [number, number] };
-  /** Layout of the eye's view and the panel beside it, or null if only one picture is shown. */
+  /** Null if only one picture is shown. */
   pair: Pair | null = null;
   /** Rectangle of the picture on the canvas, from the top left; may exceed the canvas if magnified. */
   place: Rectangle = { left: 0, top: 0, width: 1, height: 1 };
@@ -69,7 +67,7 @@ export class Renderer {
   private frameProgram: Program | null = null;
   private windowProgram: Program | null = null;
   private readonly screenPrograms = new Map<ScreenMode, Program>();
-  /** Whether the picture is drawn directly to the canvas, without a second pass. Without a GPU, this halves the time. */
+  /** Without a GPU, drawing directly to the canvas halves the time. */
   private direct = false;
   /** Rectangle of the panel shown in the last picture. */
   private panelPart: Rectangle = this.place;
@@ -87,8 +85,7 @@ export class Renderer {
     this.beside = [{ target: new Target(gl), shows: null }, { target: new Target(gl), shows: null }];
   }
 
-  /** Returns the frame of a light field to compare with frame `frame` of the first one: the frame with the same label, or else the frame
-   *  with the same index. */
+  /** Returns the index of the frame to compare: the one with the same label, or else the same index. */
   frameOf(field: number, frame: number): number {
     if (field === 0) return frame;
     const frames = this.fields[field].frames;
@@ -96,14 +93,13 @@ export class Renderer {
     return same >= 0 ? same : Math.min(frame, frames.length - 1);
   }
 
-  /** Returns the light fields that the state shows. */
   shownFields(state: State): number[] {
     if (this.fields.length < 2 || state.compare === "first" || state.show === "display") return [0];
     return state.compare === "second" ? [1] : [0, 1];
   }
 
-  /** Draws, if all pictures (or their previews) are loaded. Returns whether they are; if not, the canvas is unchanged. divisor: the size of
-   *  the canvas is the size of the screen divided by it. */
+  /** Draws if all pictures or their previews are loaded, and returns whether they are. divisor: size of the screen / size of
+   *  the canvas. */
   draw(state: State, ground: number[], divisor = 1): boolean {
     const shown = this.shownFields(state);
     const loaded = shown.map((field) => this.loaded(field, state) ?? this.frames.getPreview(field, this.frameOf(field, state.frame), useOf(state)));
@@ -138,7 +134,6 @@ export class Renderer {
     return true;
   }
 
-  /** Requests the provenance of a frame if the state tints pixels by their origin. */
   private wantOverlay(field: number, frame: LoadedFrame, state: State): void {
     if (state.overlay !== "none" && state.show !== "display" && this.fields[field].provenance) this.frames.wantProvenance(frame, field, this.frameOf(field, state.frame));
   }
@@ -151,7 +146,7 @@ export class Renderer {
     return state.overlay !== "none" && !this.showsDifference(state) && !!frame.provenance;
   }
 
-  /** Returns the share of each origin in the first light field that is shown, or null if the provenance is not loaded. */
+  /** Share of each origin in the first shown light field; null while the provenance is not loaded. */
   originShares(state: State): number[] | null {
     const field = this.shownFields(state)[0];
     return this.frames.peek(field, this.frameOf(field, state.frame), useOf(state))?.provenance?.shares ?? null;
@@ -165,7 +160,7 @@ export class Renderer {
     return this.frames.get(field, this.frameOf(field, state.frame), useOf(state));
   }
 
-  /** Draws the frame of a calibrated panel, pixel for pixel. The canvas has the size of the frame. */
+  /** Draws the frame of a calibrated panel, which has the size of the canvas. */
   private drawFrame(frame: LoadedFrame): true {
     const gl = this.gl;
     const { width, height } = gl.canvas;
@@ -179,8 +174,7 @@ export class Renderer {
     return true;
   }
 
-  /** Draws the pictures for the eyes of a headset. Draws only the background for eyes behind the display, and before the frame has
-   *  loaded. */
+  /** Draws only the background for eyes behind the display, and before the frame has loaded. */
   drawHeadset(state: State, framebuffer: WebGLFramebuffer | null, views: HeadsetView[], ground: number[]): void {
     const gl = this.gl;
     gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
@@ -204,14 +198,14 @@ export class Renderer {
     this.windowProgram.draw({ ...uniforms, u_first: bind(gl, 0, target.texture), u_exposure: 2 ** state.exposure }, 4);
   }
 
-  /** Returns the size of an eye's picture: the resolution of the views, limited to what the headset can show. */
+  /** The resolution of the views, limited to what the headset can show. */
   private windowSize(field: Field, shown: number): [number, number] {
     const [width, height] = field.window_mm.size;
     const scale = Math.min(shown, Math.max(...naturalSize(field), kLeastLongSide)) / Math.max(width, height);
     return [Math.max(1, Math.round(width * scale)), Math.max(1, Math.round(height * scale))];
   }
 
-  /** Returns the codes (RGBA, rows from the top) of the canvas. */
+  /** RGBA codes of the canvas, top row first. */
   canvasCodes(): Uint8ClampedArray {
     const gl = this.gl;
     const { width, height } = gl.canvas;
@@ -233,7 +227,7 @@ export class Renderer {
     });
   }
 
-  /** Divides the size of the canvas. The page stretches the canvas over the same rectangle of the screen. */
+  /** The page stretches the canvas over the same rectangle of the screen. */
   private resize(divisor: number): void {
     const { canvas } = this.gl, scaled = (length: number) => Math.round(length / divisor);
     const [width, height] = this.screen.map((side) => Math.max(1, scaled(side)));
@@ -269,12 +263,11 @@ export class Renderer {
     return this.screen[0] / Math.max(1, (this.gl.canvas as HTMLCanvasElement).clientWidth);
   }
 
-  /** The largest magnification, at which the longer side of the picture has kMostPlace pixels. */
   get mostMagnified(): number {
     return Math.max(1, kMostPlace / Math.max(this.fitted.width, this.fitted.height));
   }
 
-  /** Returns the magnification at which one pixel of the views (or the panel) covers one pixel of the screen. */
+  /** The magnification at which one pixel of the views or of the panel covers one pixel of the screen. */
   magnifiedForTrueSize(state: State): number {
     const field = this.fields[this.shownFields(state)[0]];
     const size = state.show === "panel" ? field.panel.size : naturalSize(field);
@@ -311,7 +304,7 @@ export class Renderer {
     };
   }
 
-  /** Returns a program for a task. Compiles the program when it is first used. */
+  /** Programs are compiled when they are first used. */
   private eyeProgram(field: Field, frame: LoadedFrame, task: Variant["task"], through: Partial<Variant> = {}): Program {
     const byAngle = field.across.by === "angle" || field.up.by === "angle";
     const variant: Variant = { byAngle, rows: field.up.views > 1, depth: false, task, layered: frame.layer !== null, screen: false, snap: false, crosstalk: false, budget: false, overlay: false, ...through };
@@ -414,7 +407,7 @@ export class Renderer {
     gl.scissor(...this.onCanvas(room));
   }
 
-  /** Converts a rectangle to (left, bottom, width, height) in pixels of the canvas at its current resolution. */
+  /** Returns (left, bottom, width, height) in pixels of the canvas at its current resolution. */
   private onCanvas({ left, top, width, height }: Rectangle): [number, number, number, number] {
     const { canvas } = this.gl;
     const [x, right] = [left, left + width].map((place) => Math.round((place * canvas.width) / this.screen[0]));
@@ -443,8 +436,7 @@ export class Renderer {
     return made;
   }
 
-  /** Draws a part of the panel. place: rectangle of the whole panel. part: the visible part, so that a magnified panel needs no larger
-   *  target. */
+  /** place: rectangle of the whole panel. part: its visible part, so that a magnified panel needs no larger target. */
   private drawPanel(target: Target, field: Field, frame: LoadedFrame, state: State, place: Rectangle, part: Rectangle): void {
     const size = [part.width, part.height].map((side) => Math.min(side, kMostPlace / 2)) as [number, number];
     target.begin(...size);
@@ -500,7 +492,6 @@ export class Renderer {
     this.clip(null);
   }
 
-  /** Draws the epipolar-plane image of the selected line, below the picture. */
   private drawLine(field: Field, frame: LoadedFrame, state: State): void {
     const gl = this.gl;
     const { width, height } = gl.canvas;
@@ -519,7 +510,7 @@ export class Renderer {
     gl.viewport(0, 0, width, height);
   }
 
-  /** Returns the point of the display at a point of the canvas, as shares from the top left. Returns null beside the picture. */
+  /** Returns the point of the display at a point of the canvas, as shares from the top left; null beside the picture. */
   shareAt(state: State, x: number, y: number): [number, number] | null {
     const room = this.pair?.eye.room;
     if (room && (x < room.left || y < room.top || x > room.left + room.width || y > room.top + room.height)) return null;
@@ -532,7 +523,7 @@ export class Renderer {
     return share;
   }
 
-  /** Returns the linear light at a point of the last picture. which: the light field or the eye. share: shares from the top left. */
+  /** Linear light at a point of the last picture. which: the light field or the eye. share: shares from the top left. */
   valueAt(which: 0 | 1, share: [number, number]): number[] {
     if (this.last && (this.direct || (this.overlays(this.last.frame, this.last.state) && this.last.state.show === "eye"))) return this.valueOfEye(share);
     const target = this.targets[which];
@@ -561,7 +552,7 @@ export class Renderer {
     return [...target.read(0, 0, 1, 1)].slice(0, 3);
   }
 
-  /** Returns the depth in mm at a point of the display. If the depth is unknown, returns the depth at which the views agree best. */
+  /** Depth in mm at a point of the display: the known depth, or the depth at which the views agree best. */
   depthAt(state: State, share: [number, number]): number | null {
     const field = this.fields[this.shownFields(state)[0]];
     const frame = this.loaded(this.shownFields(state)[0], state);
@@ -584,7 +575,7 @@ export class Renderer {
     return disparity / (1 + disparity * field.vergence_per_mm);
   }
 
-  /** Returns the codes (RGBA, rows from the top) of a light field's picture for the eye, or null while the light field loads. */
+  /** RGBA codes of a light field's picture for the eye, top row first; null while the light field loads. */
   picture(state: State, field: number, size: [number, number]): Uint8ClampedArray | null {
     const frame = this.loaded(field, { ...state, show: "eye" });
     if (!frame) return null;

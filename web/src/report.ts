@@ -27,21 +27,21 @@ interface Chart {
 
 const kHeight = 230;
 const kFont = '12px system-ui, -apple-system, "Segoe UI", "DejaVu Sans", sans-serif';
-/** Possible steps between labels of an axis: 1, 2 and 5 times powers of 10. */
+/** 1, 2 and 5 times powers of 10 */
 const kSteps = [...Array(19).keys()].flatMap((power) => [1, 2, 5].map((factor) => Number(`${factor}e${power - 9}`)));
 
-/** Returns a function that returns the current value of a CSS variable, a colour. */
+/** Reads the current colour of a CSS variable. */
 const color = (name: string) => () => getComputedStyle(document.documentElement).getPropertyValue(name);
 
 const numberText = (value: number | null | undefined) => (value == null ? "–" : String(Number(value.toPrecision(4))));
 
-/** Returns the tops of stacked bars: for each series, the sum of its values and those of the series before it. */
+/** Tops of stacked bars: for each series, the sum of its values and those of the series before it. */
 function stackedTops(series: Series[]): Values[] {
   const sums: number[] = [];
   return series.map(({ values }) => values.map((value, i) => (sums[i] = (sums[i] ?? 0) + Math.max(value ?? 0, 0))));
 }
 
-/** Returns the indices of values without neighbours. They are drawn as points, because a line would not show them. */
+/** Values without neighbours are drawn as points, because a line would not show them. */
 function lonePoints(u: uPlot, index: number): number[] {
   const values = u.data[index];
   return [...values.keys()].filter((i) => values[i] != null && values[i - 1] == null && values[i + 1] == null);
@@ -88,13 +88,13 @@ function markerColor(chart: Chart, index: number): string {
   return `var(--c${chart.series[chart.stacked ? count - index : index - 1].color})`;
 }
 
-/** Returns the data in the order of drawing. Stacked bars are drawn from the highest sum down, so that lower ones cover the higher. */
+/** Stacked bars are drawn from the highest sum down, so that lower ones cover the higher. */
 function dataOf(chart: Chart): uPlot.AlignedData {
   const values = chart.stacked ? stackedTops(chart.series).reverse() : chart.series.map((series) => series.values);
   return [chart.frames, ...values, ...chart.levels.map(({ value }) => chart.frames.map(() => value))];
 }
 
-/** Returns a description of the chart for screen readers. */
+/** A description of the chart for screen readers. */
 function spoken(chart: Chart): string {
   const parts = chart.series.map(({ name, values }) => {
     const known = values.filter((value): value is number => value !== null);

@@ -1,6 +1,5 @@
-// A render whose folder is shown while the render runs, or after it was stopped. Reads the state of the render from the server
-// (web/README.md lists the keys), and stops and resumes the render. All frames are on the time line from the start. They are `pending`
-// until they are finished.
+// A render whose folder is shown while it runs, or after it was stopped. All its frames are on the time line from the
+// start, `pending` until they are finished.
 import { postText, readState } from "./data";
 import type { Field } from "./field";
 import { pause } from "./pause";
@@ -54,7 +53,6 @@ export class Run {
     return state === "stopped" ? `Stopped: ${count}` : `Finished: ${frames} frame${frames === 1 ? "" : "s"}`;
   }
 
-  /** Stops a running render, or resumes a stopped one. */
   async toggle(): Promise<void> {
     const order = this.isUnderWay ? "stop" : this.canResume ? "resume" : "";
     if (!order) return;
@@ -73,7 +71,7 @@ export class Run {
     for (const { index, kind, psnr_db } of finished) Object.assign(this.field.frames[index], { pending: false, kind, psnr_db });
   }
 
-  /** Requests the state. Only one request is sent at a time, so that each change is reported once. */
+  /** Only one request is sent at a time, so that each change is reported once. */
   private ask(): Promise<void> {
     this.asking ??= this.answer().finally(() => (this.asking = null));
     return this.asking;

@@ -1,10 +1,9 @@
-// The controls of a render that is running or was stopped: its progress, and one button that stops or resumes it.
 import { button, element, group, type Shown } from "./elements";
 import type { Run } from "./run";
 
 const kOrders: Record<string, string> = { running: "Stop", starting: "Stop", stopping: "Stopping\u2026", stopped: "Resume" };
 
-/** Makes the controls. Stop and Resume are one button with a changing label, so that the keyboard focus stays. */
+/** Stop and Resume are one button with a changing label, so that the keyboard focus stays. */
 export function runGroup(run: Run, shown: Shown[]): HTMLElement {
   const status = element("output", { className: "value job" });
   status.setAttribute("aria-live", "off");  // screen readers must not read the text, which changes every second

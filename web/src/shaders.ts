@@ -1,10 +1,6 @@
-// The shaders.
-//
-// An eye is described by its slope at the middle of the display. All points of the display see view v under the same slope S_v. An eye E
-// sees the point s of the display's plane under the slope
-//   S(s) = E.xy / E.z - s (1 / E.z - vergence).
-// A scene point on this line of sight with the disparity w (a length; see src/view/disparity_codes.hpp) is at s + (S - S_v) w in view v.
-// The formula holds for eyes at any distance.
+// The shaders. All points of the display see view v under the same slope S_v. An eye E sees the point s of the
+// display's plane under the slope S(s) = E.xy / E.z - s (1 / E.z - vergence). A scene point on this line of sight with
+// the disparity w (a length; see src/view/disparity_codes.hpp) is at s + (S - S_v) w in view v.
 
 import { kQuiltPlaces } from "./quilt";
 
@@ -64,7 +60,7 @@ vec3 tile_of(ivec2 view) {
   return place_of_tile(vec2(index - row * columns, float(u_tiles.y) - 1.0 - row), u_view_size, vec2(u_tiles));
 }
 #if OVERLAY
-// Tints a colour by the origin of its pixel. The tint has nearly the luminance of the colour, so that the picture stays readable.
+// The tint has nearly the luminance of the colour, so that the picture stays readable.
 vec3 with_origin(vec3 seen, vec3 tile, vec2 pixel) {
   vec4 tint = u_tints[int(texel_of(u_provenance, tile, pixel).r * 255.0 + 0.5) & 7];
   return mix(seen, tint.rgb * (0.2 + 0.8 * dot(seen, vec3(0.2126, 0.7152, 0.0722))), tint.a);
@@ -95,23 +91,21 @@ float disparity_in_tile(vec3 tile, vec2 pixel) {
 float disparity_in_view(ivec2 view, vec2 pixel) { return disparity_in_tile(tile_of(view), pixel); }
 `;
 
-/** Features of a program. They are compiled in, because without a GPU every branch of a shader takes time. */
+/** Features are compiled in, because without a GPU every branch of a shader takes time. */
 export interface Variant {
   byAngle: boolean;
   rows: boolean;
   depth: boolean;
   task: "eye" | "refocus" | "line" | "find";
-  /** Writes codes to the screen and applies the exposure. Otherwise writes linear light to a target. */
+  /** Writes codes to the screen and applies the exposure; otherwise writes linear light to a target. */
   screen: boolean;
   /** Rounds positions to the centres of lenses. */
   snap: boolean;
-  /** Adds crosstalk: light of neighbouring pixels. */
+  /** Adds the light of neighbouring pixels. */
   crosstalk: boolean;
   /** Tints depths that the display shows sharply green, and depths that it blurs red. */
   budget: boolean;
-  /** Tints pixels by their origin. */
   overlay: boolean;
-  /** Quilts are stored in layers. */
   layered: boolean;
 }
 
@@ -137,7 +131,6 @@ vec3 srgb(vec3 linear) {
 }
 `;
 
-/** Renders what an eye sees. */
 export const eyeShader = (variant: Variant): string => `${preamble(variant)}${kCommon}${kSrgb}
 uniform vec2 u_output_size, u_offset;  // size of the picture, and its offset in the target, in pixels
 uniform float u_exposure;
@@ -152,10 +145,7 @@ out vec4 color;
 
 // Follows a line of sight from front to back through the depth of a view. s: point of the line on the display. apart: slope of the line
 // minus slope of the view. Returns the disparity of the first surface on the line, and 1 if the view sees that point, else 0.
-//
-// The line may pass behind a nearer surface of the view and come out on the other side. If it does not come out, the view does not see
-// the point. Its disparity is then that just before the line went behind the surface. The loop takes most of the time of a picture, so
-// everything that is the same for all steps is computed before it.
+// The line may pass behind a nearer surface of the view. If it does not come out again, the view does not see the point.
 vec2 meet(ivec2 view, vec2 s, vec2 apart) {
   vec3 tile = tile_of(view);
   vec2 start = pixel_of(s), per_disparity = apart * vec2(1.0, -1.0) * u_view_size / u_window_size;
@@ -173,7 +163,7 @@ vec2 meet(ivec2 view, vec2 s, vec2 apart) {
       w -= step_w;
     }
     if (i > steps) break;
-    // The line has passed behind a surface between the last two steps. Finds the crossing by bisection.
+    // The line has passed behind a surface between the last two steps.
     float near = i == 0 ? w : w + step_w, far = w;
     for (int j = 0; j < 3; ++j) {
       float middle = 0.5 * (near + far);
@@ -191,8 +181,7 @@ vec2 meet(ivec2 view, vec2 s, vec2 apart) {
 }
 
 #if BUDGET
-// Returns a pixel, tinted by its depth. The tint is green up to half the depth budget, yellow at the budget, and red from twice the
-// budget, where the display shows half the detail. Pixels without a surface have no depth and are not tinted.
+// Tints a pixel green up to half the depth budget, yellow at the budget, and red from twice the budget.
 vec3 tinted(ivec2 view, vec2 pixel, float disparity) {
   vec3 seen = in_view(view, pixel);
   if (disparity_in_view(view, pixel) < -1e29) return seen;
@@ -204,9 +193,8 @@ vec3 tinted(ivec2 view, vec2 pixel, float disparity) {
 #endif
 
 #if DEPTH
-// Interpolates a view as in_view does, but reduces the weights of texels that are nearer than the sample, because they belong to another
-// surface. per_disparity: motion in pixels per unit of disparity. A texel has no weight if its disparity moves it by 3/4 pixel or more,
-// relative to the sample's.
+// Interpolates a view without texels that are nearer than the sample, because they belong to another surface. per_disparity: motion in
+// pixels per unit of disparity. A texel has no weight if its disparity moves it by 3/4 pixel or more relative to the sample.
 vec3 in_view_behind(ivec2 view, vec2 pixel, vec2 per_disparity) {
   vec3 tile = tile_of(view);
   vec2 last = u_view_size - 1.0, at = clamp(pixel, vec2(0.5), u_view_size - 0.5) - 0.5, first = floor(at), share = at - first;
@@ -264,27 +252,25 @@ vec3 between_views(vec2 s, vec2 slope, vec2 place) {
 #endif
 }
 
-// Returns the position among the views that an eye beyond the zone sees instead. count: number of views. turns: number of zones that
-// the eye is away.
+// Returns the position among the views that an eye beyond the zone sees. count: views. turns: number of zones that the eye is away.
 float wrapped(float place, float count, float beyond, out float turns) {
   turns = beyond > 0.5 ? floor((place + 0.5) / count) : 0.0;
   return place - turns * count;
 }
 
 #if CROSSTALK
-// Returns the error function, by Abramowitz and Stegun, 7.1.26, with an error below 1.5e-7.
+// Error function with an error below 1.5e-7 (Abramowitz and Stegun, 7.1.26).
 float erf(float x) {
   float t = 1.0 / (1.0 + 0.3275911 * abs(x));
   float series = t * (0.254829592 + t * (-0.284496736 + t * (1.421413741 + t * (-1.453152027 + t * 1.061405429))));
   return sign(x) * (1.0 - series * exp(-x * x));
 }
-// Returns the weight of view i in a Gaussian with its centre at place, as in src/optics/crosstalk.cpp. View i covers i ... i + 1.
+// Weight of view i, which covers i ... i + 1, in a Gaussian around place, as in src/optics/crosstalk.cpp.
 float share_of(float i, float place) {
   float scale = 0.70710678 / u_sigma;
   return 0.5 * (erf((i + 1.0 - place) * scale) - erf((i - place) * scale));
 }
-// Returns the colour that a blurry lens shows: the weighted mean of pixels around the intended one. Pixels beyond the edge of the lens's
-// cell belong to the cell of the neighbouring lens.
+// Returns the colour that a blurry lens shows: the weighted mean of pixels around the intended one, also below the neighbouring lens.
 vec3 through_lens(vec2 s, vec2 place) {
   vec2 count = vec2(u_grid), pitch = u_window_size / u_view_size, reach = vec2(4.0 * u_sigma);
 #if !ROWS
@@ -335,8 +321,7 @@ vec3 seen(vec2 s) {
   return between_views(s, slope, place);
 }
 
-// Refocuses by shift-and-sum: averages the views within the aperture around the eye, shifted by the disparity u_focus. u_aperture is the
-// width of the aperture as a share of the zone.
+// Averages the views within the aperture around the eye, shifted by the disparity u_focus (shift-and-sum refocusing).
 vec3 refocused(vec2 s) {
   vec2 slope = slope_at(s), place = view_places(slope), half_width = 0.5 * u_aperture * vec2(u_grid);
   vec3 sum = vec3(0.0);
@@ -355,8 +340,8 @@ vec3 refocused(vec2 s) {
   return weights > 0.0 ? sum / weights : vec3(0.0);
 }
 
-// Returns the variance of the views around u_point, if the surface there had a certain disparity. share: 0 is the lowest disparity, 1 the
-// highest. The disparity with the lowest variance is that of the surface.
+// Returns the variance of the views around u_point for an assumed disparity, which is lowest at the disparity of the surface.
+// share: 0 is the lowest disparity, 1 the highest.
 float disagreement(float share) {
   float w = mix(u_disparities.x, u_disparities.y, share);
   float sum = 0.0;
@@ -386,8 +371,7 @@ void main() {
 #elif TASK == 1
   color = vec4(refocused(s), 1.0);
 #elif TASK == 2
-  // Epipolar-plane image. Its rows are eyes, evenly spread over the zone, with the leftmost at the top. If there are as many rows as
-  // views, the rows are the views.
+  // Epipolar-plane image: rows are eyes, evenly spread over the zone, with the leftmost at the top.
   s.y = u_window_centre.y + (0.5 - u_line) * u_window_size.y;
   float place = clamp((1.0 - share.y) * float(u_grid.x) - 0.5, 0.0, float(u_grid.x - 1));
   float up = clamp(view_places(slope_at(s)).y, 0.0, float(u_grid.y - 1));
@@ -405,7 +389,7 @@ void main() {
 }
 `;
 
-/** Renders what the panel behind the lenses shows, in linear light. */
+/** Renders what the panel shows without lenses, in linear light. */
 export const panelShader = ({ overlay, layered }: Pick<Variant, "overlay" | "layered">): string => `#version 300 es
 #define BY_ANGLE 0
 #define OVERLAY ${Number(overlay)}
@@ -470,7 +454,6 @@ void main() {
 }
 `;
 
-/** Copies the codes of a frame that was interlaced for a calibrated panel. */
 export const kFrameShader = `#version 300 es
 precision highp float;
 precision highp sampler2D;
@@ -489,7 +472,6 @@ void main() {
   gl_Position = u_clip_from_display * vec4(u_window_centre + (share - 0.5) * u_window_size, 0.0, 1.0);
 }
 `;
-/** Fragment shader that shows an eye's picture in the display's window. */
 export const kWindowShader = `#version 300 es
 precision highp float;
 precision highp sampler2D;
@@ -501,7 +483,7 @@ ${kSrgb}
 void main() { color = vec4(srgb(u_exposure * texture(u_first, share).rgb), 1.0); }
 `;
 
-/** Ways to compose the canvas from one or two pictures. screenShader() also applies the exposure. */
+/** Ways to compose the canvas from one or two pictures. */
 export const kScreenModes = ["first", "anaglyph", "wipe", "difference", "beside", "above"] as const;
 export type ScreenMode = (typeof kScreenModes)[number];
 
@@ -521,7 +503,7 @@ vec3 first(vec2 at) { return srgb(u_exposure * texture(u_first, at).rgb); }
 vec3 second(vec2 at) { return srgb(u_exposure * texture(u_second, at).rgb); }
 
 #if MODE == 3
-// Returns a colour for a difference t from 0 to 1: from black through blue, red and yellow to white.
+// From black through blue, red and yellow to white, for t from 0 to 1.
 vec3 heat(float t) {
   vec3 c = mix(vec3(0.01, 0.01, 0.06), vec3(0.16, 0.12, 0.55), smoothstep(0.0, 0.25, t));
   c = mix(c, vec3(0.72, 0.15, 0.42), smoothstep(0.2, 0.5, t));
@@ -538,7 +520,7 @@ void main() {
   }
   vec3 c;
 #if MODE == 1
-    // The red channel shows the luminance of the left eye's picture, which strains the eyes less than its red channel.
+    // The luminance of the left eye's picture strains the eyes less than its red channel.
     c = vec3(dot(first(at), vec3(0.299, 0.587, 0.114)), second(at).gb);
 #elif MODE == 2
     c = at.x < u_wipe ? first(at) : second(at);

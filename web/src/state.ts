@@ -1,4 +1,4 @@
-// The choices of the user. They are stored in the page's address. A script or an embedding page can set them.
+// The choices of the user, stored in the page's address. A script or an embedding page can set them.
 import type { Field } from "./field";
 
 export interface State {
@@ -17,14 +17,14 @@ export interface State {
   /** Magnification relative to the fitted picture, and the offset of its centre as a share of the magnified size. */
   magnify: number;
   pan: [number, number];
-  /** Tint: the origins of all pixels, or only of the missed pixels. */
+  /** Tints all pixels by their origin, or only the missed pixels. */
   overlay: "none" | "provenance" | "missed";
   compare: "first" | "second" | "wipe" | "side-by-side" | "difference";
   wipe: number;
   scale: number;
   speed: number;
   loop: boolean;
-  /** For a scene that is set up: what dragging moves, and whether the depth budget is drawn. */
+  /** In a scene that is set up: what dragging moves, and whether the depth budget is drawn. */
   drag: "eye" | "turn" | "plane";
   budget: boolean;
   theme: "system" | "dark" | "light";
@@ -81,7 +81,7 @@ export function defaultState(fields: Field[], plays: boolean, isSetUp = false): 
   };
 }
 
-/** Returns the distance of the two eyes of a viewer in mm: 63 mm, or an eighth of the viewing zone's width if that is less. */
+/** 63 mm, or an eighth of the viewing zone's width if that is less. */
 function defaultSeparation(field: Field): number {
   const zone = Math.abs(field.across.step) * field.across.views * field.eye_mm[2];
   return Math.min(63, Math.round(zone * 1.25) / 10);
@@ -107,15 +107,14 @@ function readValue(key: keyof State, value: unknown, fields: Field[], current: u
   return range ? Math.min(Math.max(number, range[0]), range[1]) : number;
 }
 
-/** Keeps the state, notifies listeners of changes, and writes it to the address. */
 export class Store {
   readonly state: State;
   private readonly defaults: State;
   private readonly listeners: (() => void)[] = [];
   private addressTimer = 0;
 
-  /** plays: whether there is a calibrated panel. beginsPlaying: whether the page first shows its picture. isSetUp: whether the page shows
-   *  a scene that is set up. */
+  /** plays: whether there is a calibrated panel. beginsPlaying: whether the page first shows its picture. isSetUp: whether
+   *  the page shows a scene that is set up. */
   constructor(
     readonly fields: Field[],
     public plays = false,
@@ -131,7 +130,7 @@ export class Store {
     this.listeners.push(listener);
   }
 
-  /** Notifies the listeners although the state has not changed, because something else that they show has. */
+  /** Notifies the listeners although the state has not changed. */
   touch(): void {
     this.listeners.forEach((listener) => listener());
   }
@@ -161,7 +160,7 @@ export class Store {
     this.set(Object.fromEntries(new URLSearchParams(location.hash.slice(1))));
   }
 
-  /** Returns the part of the address after #, with all values that differ from the defaults. */
+  /** The part of the address after #, with all values that differ from the defaults. */
   address(): string {
     const parameters = new URLSearchParams();
     for (const key of Object.keys(this.state) as (keyof State)[]) {

@@ -1,8 +1,7 @@
-// Moves the eye when the device is tilted, as if the eye stayed in place while the display turned.
-//
-// The sensor reports three angles. R = Rz(alpha) Rx(beta) Ry(gamma) rotates vectors from the frame of the device to that of the world.
-// In the device's frame, x points right, y up, and z out of the screen. R_0 is the initial rotation. The direction to the eye is fixed in
-// the world. If it was e in the initial frame of the device, it is R^T R_0 e in the current frame.
+// Moves the eye when the device is tilted, as if the eye stayed in place while the display turned. R = Rz(alpha)
+// Rx(beta) Ry(gamma), with the three angles of the sensor, rotates vectors from the device's frame (x right, y up, z
+// out of the screen) to the world. R_0 is the initial rotation. If the direction to the eye was e in the initial frame,
+// it is R^T R_0 e in the current one.
 
 type Vector = [number, number, number];
 type Matrix = [Vector, Vector, Vector];
@@ -30,14 +29,14 @@ function rotation({ alpha, beta, gamma }: Turn): Matrix {
 const times = (m: Matrix, v: Vector): Vector => m.map((row) => row[0] * v[0] + row[1] * v[1] + row[2] * v[2]) as Vector;
 const timesTransposed = (m: Matrix, v: Vector): Vector => [0, 1, 2].map((i) => m[0][i] * v[0] + m[1][i] * v[1] + m[2][i] * v[2]) as Vector;
 
-/** Rotates a vector from the device's frame to the screen's frame. degrees: rotation of the screen in the device. */
+/** Rotates a vector from the device's frame to the screen's. degrees: rotation of the screen in the device. */
 function turned([x, y, z]: Vector, degrees: number): Vector {
   const [c, s] = [Math.cos(degrees * kDegree), Math.sin(degrees * kDegree)];
   return [x * c - y * s, x * s + y * c, z];
 }
 
-/** Returns the slopes of the eye, at the middle of the screen, after the device has turned. from, to: rotations of the device. slopes: the
- *  slopes at `from`. Returns null if the eye is behind the screen. */
+/** Returns the slopes of the eye after the device has turned; null if the eye is behind the screen. from, to: rotations of
+ *  the device. slopes: the slopes at `from`. */
 export function slopesAfter(from: Turn, to: Turn, slopes: [number, number], screenDegrees = 0): [number, number] | null {
   const inDevice = turned([slopes[0], slopes[1], 1], -screenDegrees);
   const [x, y, z] = turned(timesTransposed(rotation(to), times(rotation(from), inDevice)), screenDegrees);
@@ -46,7 +45,7 @@ export function slopesAfter(from: Turn, to: Turn, slopes: [number, number], scre
 
 type WithPermission = { requestPermission?: () => Promise<"granted" | "denied"> };
 
-/** Moves the eye while isOn is true. isThere: whether there is a sensor, or the browser may be asked for one. */
+/** isThere: whether there is a sensor, or the browser may be asked for one. */
 export class Tilt {
   isThere = false;
   isOn = false;
@@ -60,7 +59,7 @@ export class Tilt {
   ) {
     // Devices without the sensor send one event without values.
     window.addEventListener("deviceorientation", (event) => this.take(event));
-    // Browsers that ask for permission do not reveal whether there is a sensor. Most touch devices have one, so it is assumed there.
+    // Browsers that ask for permission do not reveal whether there is a sensor. Most touch devices have one.
     if (typeof DeviceOrientationEvent !== "undefined") this.isThere = "requestPermission" in DeviceOrientationEvent && navigator.maxTouchPoints > 0;
   }
 

@@ -1,4 +1,4 @@
-// The time line: plays, pauses, steps and scrubs. Marks key frames, and plots the PSNR of each frame as a curve that can be clicked.
+// The time line: plays, pauses, steps and scrubs, marks key frames, and plots the PSNR of each frame.
 import type { Frame } from "./field";
 import type { Store } from "./state";
 
@@ -120,7 +120,7 @@ export class Timeline {
     this.update();
   }
 
-  /** Returns the nearest finished frame, starting with `frame` and going in steps of `by`. Returns `frame` if no frame is finished. */
+  /** Returns the nearest finished frame from `frame` in steps of `by`, or `frame` if there is none. */
   private finishedFrom(frame: number, by: number): number {
     const { frames } = this.store.fields[0];
     const at = (steps: number) => (((frame + steps * by) % frames.length) + frames.length) % frames.length;
@@ -128,7 +128,7 @@ export class Timeline {
     return found < 0 ? frame : at(found);
   }
 
-  /** Updates the time line. Called when frames were finished or are found to be missing. */
+  /** Called when frames were finished or are found to be missing. */
   takeFrames(): void {
     this.store.fields[0].frames.forEach((frame, i) => (this.psnr[i] = frame.psnr_db));
     if (this.psnr.length > 1) this.update();
@@ -144,8 +144,8 @@ export class Timeline {
     this.startFrame = this.store.state.frame;
   }
 
-  /** Advances to the frame that is due at the time `now`, but not beyond frames that are not loaded. now: time stamp of the screen's
-   *  frame, which may be before the time at which the button was pressed. */
+  /** Advances to the frame that is due, but not beyond frames that are not loaded. now: time stamp of the screen's frame,
+   *  which may be before the click on the button. */
   tick(now: number): void {
     if (!this.playing) return;
     const { state, fields } = this.store;

@@ -1,12 +1,10 @@
-// Shows the light field in a headset (WebXR). The display stands in front of the viewer, and each eye has its own view.
-//
-// The origin of the headset's space is the viewer's head. The display is placed so that the head is at the intended viewing position.
-// Displays with a viewing distance below kLeastDistanceMm are enlarged together with the distance, because near objects strain the eyes.
-// This does not change the slopes under which the eyes see the display, so the eyes stay in the viewing zone.
+// Shows the light field in a headset (WebXR), with the viewer's head at the intended viewing position of the display.
+// Displays with a viewing distance below kLeastDistanceMm are enlarged together with the distance, because near objects
+// strain the eyes. The slopes of the eyes stay the same, so they stay in the viewing zone.
 import { Refusal, type Field } from "./field";
 import type { Gl } from "./gl";
 
-// Declares the parts of WebXR that this file uses, because TypeScript's library does not declare them.
+// TypeScript's library does not declare WebXR.
 interface XrTransform {
   position: { x: number; y: number; z: number };
   inverse: { matrix: Float32Array };
@@ -43,11 +41,10 @@ type LayerMaker = new (session: XrSession, gl: Gl) => XrLayer;
 const systemOf = (): XrSystem | undefined => (navigator as { xr?: XrSystem }).xr;
 const layerMaker = (): LayerMaker | undefined => (window as { XRWebGLLayer?: LayerMaker }).XRWebGLLayer;
 
-/** The view of one eye of a headset. */
 export interface HeadsetView {
   framebuffer: WebGLFramebuffer | null;
   viewport: XrViewport;
-  /** Position of the eye in mm of the display. */
+  /** in mm of the display */
   eye: [number, number, number];
   /** Matrix (column-major) from mm of the display to the clip space of the eye's picture. */
   clipFromDisplay: number[];
@@ -55,10 +52,9 @@ export interface HeadsetView {
 
 const kLeastDistanceMm = 600;
 
-/** Returns the factor by which the display of a light field is enlarged. */
 export const enlargement = (field: Field): number => Math.max(1, kLeastDistanceMm / field.eye_mm[2]);
 
-/** Returns the product a b of 4 x 4 matrices (column-major). */
+/** Product a b of 4 x 4 matrices (column-major). */
 function product(a: ArrayLike<number>, b: ArrayLike<number>): number[] {
   const entry = (row: number, column: number) => [0, 1, 2, 3].reduce((sum, k) => sum + a[4 * k + row] * b[4 * column + k], 0);
   return [...Array(16).keys()].map((i) => entry(i % 4, i >> 2));
@@ -144,7 +140,8 @@ export class Headset {
     this.drawViews(now, layer.framebuffer, shown);
   }
 
-  /** Returns the eye's position in mm of the display. The origin of the headset's space, in metres, is the intended viewing position. */
+  /** Position of the eye in mm of the display. The origin of the headset's space, in metres, is the intended viewing
+   *  position. */
   private eyeOf(view: XrView): [number, number, number] {
     const mm = 1000 / enlargement(this.field);
     const { x, y, z } = view.transform.position;
