@@ -1,6 +1,5 @@
-"""Compares the formulas of docs/lab/scaling.md with a simulation of machines that each take the
-next group of frames when free.
-"""
+"""Compares the formulas of docs/lab/scaling.md with a simulation of machines that each take the next group of frames
+when free."""
 
 import random
 import sys

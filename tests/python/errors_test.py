@@ -332,9 +332,7 @@ class Errors(Case):
         self.assertTrue(error.problem.startswith("(4, 1)") and error.problem.endswith(" in 2x3"), error.problem)
 
     def assertIgnored(self, names, function, *arguments, **named):
-        """Expects one LippmannWarning for each argument in `names`, with the caller's file as its
-        source.
-        """
+        """Expects one LippmannWarning for each argument in `names`, with the caller's file as its source."""
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
             function(*arguments, **named)

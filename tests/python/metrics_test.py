@@ -1,6 +1,4 @@
-"""Compares the figures of `lippmann compare` with NumPy implementations of
-docs/reference/metrics.md.
-"""
+"""Compares the figures of `lippmann compare` with NumPy implementations of docs/reference/metrics.md."""
 
 import json
 import struct

@@ -1,6 +1,4 @@
-"""Tests optics that are chosen by name, and optics that are defined by a function from pixels to
-rays.
-"""
+"""Tests optics that are chosen by name, and optics that are defined by a function from pixels to rays."""
 
 import math
 import warnings
