@@ -1,6 +1,5 @@
-// The benchmarks of lippmann-bench. Each checks its results, measures, and returns rows of figures.
-//
-// Absolute times depend on the machine and its load. Therefore both sides of a ratio are measured alternately within one run.
+// Each benchmark checks its results, measures, and returns rows of figures. Both sides of a ratio are measured
+// alternately within one run, because times depend on the machine's load.
 #pragma once
 
 #include <functional>

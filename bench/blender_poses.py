@@ -1,12 +1,12 @@
 #!/usr/bin/python3
-"""Compares posed vertices of glTF files with Blender's. The files contain skinned meshes and meshes with morph targets.
+"""Compares posed vertices of glTF files with Blender's: skinned meshes, and meshes with morph
+targets.
 
   bench/blender_poses.py FILE.glb ... [--times N] [--bar FRACTION] [--tool PATH] [--json]
 
-The vertices are compared at several times of each animation. The error is the largest distance from a vertex of either program to the
-nearest vertex of the other program, as a fraction of the diagonal of the bounds. bench/cycles/poses_inside_blender.py describes which
-known differences are removed first, and which animations are left out. The exit code is 1 if an error exceeds --bar. Needs Debian's
-blender and python3-numpy, and the build target dump_pose.
+The error is the largest distance from a vertex of either program to the nearest vertex of the
+other, as a fraction of the diagonal of the bounds. The exit code is 1 if an error exceeds
+--bar. Needs Debian's blender and python3-numpy, and the build target dump_pose.
 """
 
 import argparse

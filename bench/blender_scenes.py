@@ -1,12 +1,12 @@
 #!/usr/bin/python3
-"""Renders .blend files with Blender's Cycles and with the add-on. Prints the PSNR of 8-bit codes, FLIP, and the add-on's warnings.
+"""Renders .blend files with Blender's Cycles and with the add-on. Prints the PSNR of 8-bit codes,
+FLIP, and the add-on's warnings.
 
   bench/blender_scenes.py FILE_OR_FOLDER ... [--out DIR] [--size N] [--samples N] [--tool FILE] [--json]
 
-Both renderers get the same file, frame, eye, number of samples and view transform (bench/cycles/blend_inside_blender.py). The exporter
-approximates materials, worlds and lamps that it does not support as docs/guide/blender.md describes; the figures show the effect of
-each warning. Writes DIR/scenes.html with the pictures side by side. Needs python3-numpy and Blender. The environment variable BLENDER
-names another version of Blender.
+Both renderers get the same file, frame, eye, number of samples and view transform. Writes
+DIR/scenes.html with the pictures side by side. Needs python3-numpy and Blender. The environment
+variable BLENDER names another version of Blender.
 """
 
 import argparse
@@ -33,7 +33,8 @@ def files_of(paths):
 
 
 def rendered(file, options):
-    """Returns a dictionary with "scene", "warnings" and "refused". If both pictures exist, it also has "cycles" and "lippmann"."""
+    """Returns a dictionary with "scene", "warnings" and "refused", and with "cycles" and "lippmann" if both pictures
+    exist."""
     folder = (options.out / file.stem).resolve()
     folder.mkdir(parents=True, exist_ok=True)
     for name in ("cycles.png", "ours.png", "result.json"):
@@ -51,7 +52,6 @@ def rendered(file, options):
 
 
 def judged(row):
-    """Adds the figures that compare our picture with the picture of Cycles."""
     if "cycles" not in row:
         return row
     ours = judge.judged({"cycles": row["cycles"], "lippmann": row["lippmann"]})["lippmann"]

@@ -1,19 +1,17 @@
 #!/usr/bin/python3
-"""Compares light-field animations with Blender's Cycles. Our program renders all views at once and denoises them together; Cycles
-renders view by view.
+"""Compares light-field animations with Blender's Cycles. Our program renders and denoises all 48
+views together; Cycles renders view by view.
 
   bench/cycles_light_field.py [--asset FILE.glb] [--panorama FILE.hdr] [--view YAW PITCH] [--frames N] [--size N] [--spp N]
                               [--reference-spp N] [--levels N N N] [--output DIR] [--tool PATH] [--threads N] [--json]
 
-Each frame has 48 views from the same eyes. The default scene is a room of bench/cycles/fixtures.py.
-1. The converged views of both programs must agree with 30 dB.
-2. The PSNR of each program is measured against its own converged views, in 8-bit sRGB codes.
-3. The CPU time that Cycles needs for our PSNR is interpolated between measured numbers of samples, as the logarithm of time over dB.
+The converged views of both programs must agree with 30 dB. The PSNR of each program is measured
+against its own converged views, in 8-bit sRGB codes. The CPU time that Cycles needs for our
+PSNR is interpolated between measured numbers of samples.
 
-Our time is that of the whole process, with set-up, denoising and files. The time of Cycles is that of rendering alone, with its scene
-kept loaded. All views take Cycles equally long, so only a few views of the first and the last frame are measured. The time to start a
-frame is counted once per frame. Needs Debian's blender and python3-numpy. A file without a camera must be .glb, and gets a camera that
-looks at its centre from YAW and PITCH degrees.
+Our time includes set-up, denoising and files. The time of Cycles is that of rendering alone,
+measured for a few views. Needs Debian's blender and python3-numpy. A file without a camera must
+be .glb, and gets a camera that looks at its centre from YAW and PITCH degrees.
 """
 
 import argparse
@@ -33,7 +31,7 @@ HERE = pathlib.Path(__file__).parent
 VERTICES = 8
 COLUMNS, ROWS, CONE_DEG = 8, 6, 40.0
 VIEWS = COLUMNS * ROWS
-FAN = VIEWS // 3  # number of views in a row that uses the eyes of every third view; our converged views are rendered as such rows
+FAN = VIEWS // 3  # views in a row that uses the eyes of every third view
 LIKENESS_DB = 30.0
 BAR = 20.0
 
@@ -61,7 +59,7 @@ class LightField:
                 "--size", f"{columns * self.options.size}x{rows * self.options.size}"]
 
     def eyes(self):
-        """Returns the offsets of the eyes to the right of the camera. The leftmost eye is first."""
+        """Returns the offsets of the eyes to the right of the camera, from left to right."""
         return [self.array["viewing_distance"] * math.tan(math.radians(CONE_DEG) * ((v + 0.5) / VIEWS - 0.5)) for v in range(VIEWS)]
 
     def compared(self):
@@ -91,7 +89,8 @@ def their_view(folder, samples, frame, view):
 
 
 def cycles(field, folder, levels, reference_spp):
-    """Returns CPU seconds per render for each number of samples, as pairs: renders that start a new frame, and the others."""
+    """Returns CPU seconds per render for each number of samples, as pairs: renders that start a new frame, and the
+    others."""
     options = field.options
     renders = [{"frame": f, "view": v, "samples": s, "seed": 99 if s == reference_spp else 7, "out": str(their_view(folder, s, f, v))}
                for s in (*levels, reference_spp) for f, v in field.compared()]
@@ -115,8 +114,8 @@ def mean_psnr(field, reference_of, test_of):
 
 
 def seconds_at(psnr, levels):
-    """Returns the seconds for a PSNR by interpolation. `levels` contains (dB, seconds) in ascending order. Outside of the levels,
-    extrapolates from the nearest two."""
+    """Returns the seconds for a PSNR, interpolated or extrapolated from the (dB, seconds) pairs in `levels`, in
+    ascending order."""
     after = next((i for i in range(1, len(levels) - 1) if levels[i][0] >= psnr), len(levels) - 1)
     (a, start), (b, end) = levels[after - 1], levels[after]
     return start * (end / start) ** ((psnr - a) / (b - a))

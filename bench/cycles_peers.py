@@ -1,12 +1,12 @@
 #!/usr/bin/python3
-"""Compares path tracing with Blender's Cycles. Prints the PSNR between both programs, and the samples per CPU second of each.
+"""Compares path tracing with Blender's Cycles. Prints the PSNR between both programs, and the
+samples per CPU second of each.
 
   bench/cycles_peers.py [NAME ...] [--size N] [--spp N] [--output DIR] [--tool PATH] [--threads N] [--json]
 
-The scenes are those of bench/cycles/fixtures.py. For your own files, use bench/gltf_fidelity.py. In Blender, materials are built from
-the file as in appendix B of glTF 2.0 (bench/cycles/gltf_in_blender.py). PSNR is computed from 8-bit sRGB codes by `lippmann compare`.
-For the speed, the CPU seconds of an eighth of the samples are subtracted from those of all samples, which excludes the set-up. Needs
-Debian's blender and python3-numpy.
+The scenes are those of bench/cycles/fixtures.py. PSNR is computed from 8-bit sRGB codes. The
+CPU seconds of an eighth of the samples are subtracted from those of all samples, which excludes
+the set-up. Needs Debian's blender and python3-numpy.
 """
 
 import argparse

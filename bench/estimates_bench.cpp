@@ -17,7 +17,6 @@ namespace {
 
 constexpr int kSeeds = 5, kQuickSeeds = 2, kFramesPerSeed = 4;
 
-/// Counts and sums over the frames of one row of the table.
 struct Intervals {
   /// frames whose interval contains the true PSNR (`contain`), is below it (`too_low`) or above it (`too_high`)
   int frames = 0, contain = 0, too_low = 0, too_high = 0;

@@ -1,23 +1,24 @@
 #!/usr/bin/python3
-"""Compares pictures of glTF files by several renderers. Each picture is compared with the median of the other renderers' pictures.
+"""Compares each renderer's pictures of glTF files with the median of the other renderers'
+pictures.
 
   bench/gltf_fidelity.py FOLDER_OR_CONFIG [--out DIR] [--cycles] [--importer] [--three] [--only NAME ...] [--size N] [--spp N]
                          [--tone CURVE] [--json]
 
-Scenarios come from a configuration as in glTF Render Fidelity, or from the glTF files of a folder (bench/fidelity/scenarios.py). Each
-scenario is rendered as one pinhole view, and compared with the reference pictures beside the configuration.
---cycles adds Cycles with the same file, camera, light, number of samples and view transform "Standard".
-bench/cycles/gltf_in_blender.py describes its surfaces.
---importer adds Cycles with Blender's own import of the file.
---three adds the path tracer three-gpu-pathtracer, which needs Chromium and `npm ci` in bench/fidelity/three.
+Scenarios come from a configuration as in glTF Render Fidelity, or from the glTF files of a
+folder (bench/fidelity/scenarios.py). Each is rendered as one pinhole view.
 
-Prints the PSNR and FLIP of each renderer against the median of the others, million samples per CPU second, and the PSNR that noise
-alone would give. For the speed, the CPU seconds of an eighth of the samples are subtracted from those of all samples, which excludes
-the set-up.
-A row names renderers that cannot show a file, and features that Blender's importer does not read. With two or more other renderers,
-prints how near these are to one another, and in how many scenarios our picture is nearer to their median.
-Writes DIR/fidelity.html with the pictures side by side. Pictures of other renderers are kept in DIR until the file, the light or the
-numbers change. Needs python3-numpy. --cycles and --importer need Debian's blender.
+  --cycles adds Cycles with the surfaces of bench/cycles/gltf_in_blender.py.
+  --importer adds Cycles with Blender's own import of the file.
+  --three adds three-gpu-pathtracer, which needs Chromium and `npm ci` in bench/fidelity/three.
+
+Prints the PSNR and FLIP of each renderer, million samples per CPU second, and the PSNR that
+noise alone would give. The CPU seconds of an eighth of the samples are subtracted from those of
+all samples, which excludes the set-up.
+
+Writes DIR/fidelity.html with the pictures side by side. Pictures of other renderers are kept in
+DIR until their inputs change. Needs python3-numpy. --cycles and --importer need Debian's
+blender.
 """
 
 import argparse
@@ -61,8 +62,8 @@ def has_lamps(doc):
 
 
 def place_camera(copy, scenario, options):
-    """Adds the camera of the scenario to the copy of the file. Without one, uses the file's own camera, or adds a camera with the
-    tool's default view."""
+    """Adds the scenario's camera to the copy of the file. Without one, uses the file's own camera or the tool's default
+    view."""
     if not scenario.orbit and copy.name_own_camera(scenario.width / scenario.height):
         return
     if scenario.orbit:
@@ -95,7 +96,6 @@ def set_up(scenario, options):
 
 
 def ours(shot, spp, options):
-    """Renders the shot with our program. Returns the file of the picture, and the CPU seconds."""
     out = shot.folder / f"lippmann-{spp}"
     command = [options.tool, "render", shot.file, "--camera", shot.camera, "--optics", "single", "--size", f"{shot.width}x{shot.height}", "--integrator", "path",
                "--denoise", "none", "--spp", spp, "--seed", spp, "--max-depth", options.vertices, "--threads", options.threads, "--frames", "0-0", "--environment",
@@ -113,8 +113,8 @@ def million_samples_per_second(shot, spp, seconds, few_seconds):
 
 
 def few_and_all(shot, name, options):
-    """Returns (file, CPU seconds) of the picture with few samples and of the picture with all samples. The seconds are None if they do
-    not measure the renderer."""
+    """Returns (file, CPU seconds) of the picture with few samples and of the one with all. The seconds are None if they
+    do not measure the renderer."""
     if name != "lippmann":
         return [(pathlib.Path(r["out"]), r["cpu_seconds"]) for r in others.RENDERERS[name](shot, options)]
     return [ours(shot, spp, options) for spp in (others.few(options.spp), options.spp)]
@@ -131,7 +131,8 @@ def pictures_of(shot, name, options, facts):
 
 
 def rendered(shot, options):
-    """Returns {renderer: RGBA picture}, a dictionary of speeds and noise, notes, and {renderer: reason why its picture is missing}."""
+    """Returns {renderer: RGBA picture}, a dictionary of speeds and noise, notes, and {renderer: reason why its picture
+    is missing}."""
     named, notes, facts, failed = {}, [], {}, {}
     for name in ["lippmann", *options.peers]:
         try:
@@ -148,7 +149,7 @@ def rendered(shot, options):
 
 
 def row_of(scenario, named=None, facts=None, notes=(), failed=None, unread=None):
-    """Returns the row of a scenario in the table. It has no figures if fewer than two renderers have a picture."""
+    """Returns the table row of a scenario. It has no figures if fewer than two renderers have a picture."""
     named, facts, failed, unread = named or {}, facts or {}, failed or {}, unread or {}
     judged = judge.judged(named) if len(named) > 1 else {}
     notes = [*notes, *(f"{name} has no picture: {why}" for name, why in failed.items()),
@@ -159,7 +160,7 @@ def row_of(scenario, named=None, facts=None, notes=(), failed=None, unread=None)
 
 
 def measure(scenario, options, out):
-    """Measures a scenario. Returns its row, and adds the scenario to the page. Returns None if there is nothing to compare with."""
+    """Measures a scenario and adds it to the page. Returns its row, or None if there is nothing to compare with."""
     try:
         shot = set_up(scenario, options)
     except peers.Failed as failure:
@@ -184,15 +185,14 @@ def line(row):
 
 
 def sentence(rows):
-    """Returns a sentence that states in how many scenarios our picture is as near to the median of the others as they are to one
-    another. Returns "" if there are never two other renderers."""
+    """States in how many scenarios our picture is as near to the median of the others as they are to one another.
+    Returns "" if there are never two other renderers."""
     compared = [row for row in rows if row["among_others_db"] is not None and "lippmann" in row["renderers"]]
     near = sum(row["renderers"]["lippmann"]["psnr_db"] >= row["among_others_db"] for row in compared)
     return f"lippmann is as near to the median of the others as they are to one another in {near} of {len(compared)} scenarios" if compared else ""
 
 
 def reservations(rows):
-    """Returns the limits of the figures: failed renders and features that were not read."""
     failed = [row["scenario"] for row in rows if row["failed"]]
     unread = [row["scenario"] for row in rows if any(row["unread"].values())]
     return [f"{len(names)} of {len(rows)} scenarios {what}: {', '.join(names)}"
@@ -200,7 +200,7 @@ def reservations(rows):
 
 
 def without_infinity(value):
-    """Returns the value with null for infinite numbers, because JSON has no infinity. Such numbers are the PSNRs of equal pictures."""
+    """Replaces infinite numbers, the PSNRs of equal pictures, by null, because JSON has no infinity."""
     if isinstance(value, dict):
         return {key: without_infinity(item) for key, item in value.items()}
     if isinstance(value, list):

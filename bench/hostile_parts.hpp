@@ -59,7 +59,6 @@ void turn(Scene& scene, int node, Vec3f axis, const std::function<float(float fr
 /// Adds a lens array, seen from `yaw` radians to the right and `pitch` radians above. Returns its node.
 int look_at(Scene& scene, Vec3f center, float yaw, float pitch, float height, float distance);
 
-/// Returns the scene with all lengths multiplied by `factor`.
 Scene scaled(Scene scene, float factor);
 
 }  // namespace lippmann::bench

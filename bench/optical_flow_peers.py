@@ -1,16 +1,16 @@
 #!/usr/bin/python3
-"""Compares in-between frames with optical flow. Both start from every second frame of the same integral images.
+"""Compares in-between frames with optical flow. Both start from every second frame of the same
+integral images.
 
   bench/optical_flow_peers.py [SCENE ...] [--frames N] [--first F] [--output DIR] [--tool PATH]
 
-Optical flow estimates the motion from the pictures of the key frames; Lippmann uses the motion of the scene. Two methods are compared:
-1. ffmpeg's minterpolate, motion-compensated, on the whole integral image.
-2. DIS flow with OpenCV in every directional view (T. Kroeger, R. Timofte, D. Dai, L. Van Gool, "Fast optical flow using dense inverse
-search", ECCV 2016). The flow is computed in both directions. Both key frames are warped to the middle and averaged.
+Optical flow estimates motion from pictures; Lippmann uses the motion of the scene. Two methods
+are compared: ffmpeg's minterpolate on the whole integral image, and OpenCV's DIS flow in every
+directional view (T. Kroeger, R. Timofte, D. Dai, L. Van Gool, "Fast optical flow using dense
+inverse search", ECCV 2016).
 
-Prints the mean PSNR over the in-between frames, for all pixels and for the pixels that change between the two key frames. For each
-scene, writes a picture with the traced frame, our frame and the frames of both methods side by side. Needs Debian's python3-opencv and
-ffmpeg.
+Prints the mean PSNR over the in-between frames, for all pixels and for the pixels that change
+between the key frames. Needs Debian's python3-opencv and ffmpeg.
 """
 
 import argparse
@@ -23,7 +23,7 @@ import cv2
 import numpy as np
 
 LENS_PIXELS = 8
-BEYOND = 4  # number of additional key frames; minterpolate needs later frames and ends early
+BEYOND = 4  # more key frames, because minterpolate needs later frames and ends early
 
 
 def run(*command, cwd=None):
@@ -31,7 +31,7 @@ def run(*command, cwd=None):
 
 
 def render(tool, scene, first, last, folder, *options):
-    """Renders frames `first` to `last`, and returns them as arrays of 8-bit codes. The scene keeps its full depth, as in the paper."""
+    """Renders frames as arrays of 8-bit codes. The scene keeps its full depth, as in the paper."""
     run(tool, "render", *scene.split(), "--full-depth", "--frames", f"{first}-{last}", "--output", folder, *options)
     return [cv2.imread(str(path)) for path in sorted(folder.glob("frame_*.png"))]
 
@@ -48,7 +48,7 @@ def minterpolate(keys, work):
 
 
 def warped_half_way(image, flow):
-    """Returns the image, warped by half of the flow. The flow is read at the target position, which is accurate enough for small
+    """Warps the image by half of the flow, which is read at the target position. This is accurate enough for small
     motion."""
     height, width = flow.shape[:2]
     x, y = np.meshgrid(np.arange(width, dtype=np.float32), np.arange(height, dtype=np.float32))
@@ -81,8 +81,8 @@ def psnr(truth, made, where=None):
 
 
 def figures(traced, made):
-    """Returns the mean PSNR of the in-between frames over all pixels, and over the pixels that differ between the key frames. Frames
-    without error are left out."""
+    """Returns the mean PSNR of the in-between frames over all pixels, and over the pixels that differ between the key
+    frames. Frames without error are left out."""
     every, moving = [], []
     for i, picture in enumerate(made):
         before, truth, after = traced[2 * i], traced[2 * i + 1], traced[2 * i + 2]

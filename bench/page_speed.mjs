@@ -20,7 +20,6 @@ async function firstPicture(address) {
   return milliseconds;
 }
 
-/** Notes when the page first shows something of a light field. */
 const kNoteFirst = `new MutationObserver((_, observer) => {
   const { preview, drawn } = document.getElementById("stage")?.dataset ?? {};
   if (preview !== "true" && drawn !== "true") return;
@@ -28,7 +27,7 @@ const kNoteFirst = `new MutationObserver((_, observer) => {
   requestAnimationFrame(() => (window.firstAt = performance.now()));
 }).observe(document, { attributes: true, childList: true, subtree: true });`;
 
-/** Returns the milliseconds until a new page shows something of a light field, and the bytes of all that it has received. */
+/** Returns the milliseconds until a new page shows a light field, and the bytes that it has received. */
 async function firstPreview(address) {
   const page = await open(address, { width: 1280, height: 800, script: kNoteFirst });
   const found = await page.evaluate(() => {
@@ -39,7 +38,7 @@ async function firstPreview(address) {
   return found;
 }
 
-/** Moves the eye in every frame of the screen and waits until each is drawn. Prints the divisor if pictures are coarser than at rest. */
+/** Moves the eye in every frame of the screen. Prints the divisor if pictures are coarser than at rest. */
 async function eyesASecond(page, seconds) {
   const [rate, divisor] = await page.evaluate(async (seconds) => {
     const [x, y, z] = window.lippmann.fields[0].eye_mm;
@@ -64,7 +63,7 @@ rows.push(["first picture, 48 frames of 512x512", `${(median(firsts) / 1000).toF
 const animation = await open(await view("animation"), { width: 850, height: 680 });
 await animation.waitForTimeout(3000);
 rows.push(["eyes a second, 512x512, 8 views", await eyesASecond(animation, 3)]);
-// The page lowers its resolution if frames take long. This script makes every frame appear to take no time.
+// The page lowers its resolution if frames take long. Here, every frame appears to take no time.
 const script = "const inTime = window.requestAnimationFrame.bind(window); window.requestAnimationFrame = (then) => inTime((now) => then(1e-3 * now));";
 const fine = await open(await view("animation"), { width: 850, height: 680, script });
 await fine.waitForTimeout(3000);

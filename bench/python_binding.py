@@ -1,10 +1,11 @@
 #!/usr/bin/python3
-"""Compares the CPU time of a render by the Python package with that of the tool. Both render the same frame to a file, alternately.
+"""Compares the CPU time of a render by the Python package with that of the tool. Both render the
+same frame to a file, alternately.
 
   PYTHONPATH=build/release/python bench/python_binding.py build/release/lippmann [RUNS]
 
-Prints the medians of user CPU seconds, of whole processes including their start and of rendering alone, with their ratios. Also prints
-the peak memory of both. The pictures must have the same bytes.
+Prints the medians of user CPU seconds, of whole processes and of rendering alone, and the peak
+memory of both. The pictures must have the same bytes.
 """
 
 import json

@@ -1,10 +1,9 @@
 #!/usr/bin/env python3
-"""Models the rendering of a film on many nodes with measured constants. The model covers the division into units of frames, the
-start-up of units, slow units, key frames and disks.
+"""Models the rendering of a film on many nodes with measured constants.
 
-python3 bench/scaling.py prints the table of docs/lab/scaling.md. --help lists the parameters for other films and machines.
-
-All times are wall times in seconds. All nodes are equally fast. A node renders one unit at a time.
+python3 bench/scaling.py prints the table of docs/lab/scaling.md. --help lists the parameters
+for other films and machines. All times are wall times in seconds. All nodes are equally fast,
+and render one unit of frames at a time.
 """
 
 import argparse
@@ -19,10 +18,10 @@ UNITS_PER_NODE = 8
 
 @dataclasses.dataclass(frozen=True)
 class Film:
-    """A film and the machines that render it. docs/lab/scaling.md states the sources of the default values."""
+    """docs/lab/scaling.md states the sources of the default values."""
 
     frames: int = 10_000
-    segment: int = 1  # number of frames rendered together: the key frame interval if frames are reused
+    segment: int = 1  # frames rendered together: the key frame interval if frames are reused
     frame_s: float = 60.0
     first_s: float = 0.0  # extra time of the first frame of a segment
     startup_s: float = 25.0  # time to start a process and load the scene, for every unit
@@ -52,19 +51,18 @@ def unit_seconds(film, frames):
 
 
 def whole_seconds(film):
-    """Returns the time of the whole film on one node in one process."""
+    """Returns the time of the whole film on one node."""
     return unit_seconds(film, film.frames)
 
 
 def disk_seconds(film):
-    """Returns a lower bound of the time for any number of nodes: the time of the shared folder, limited by its write rate and its
-    syncs."""
+    """Returns a lower bound of the time for any number of nodes, from the write rate and the syncs of the shared folder."""
     return film.frames * max(film.frame_bytes / film.disk_bytes_s, film.syncs / film.disk_syncs_s)
 
 
 def longest_seconds(film, units):
-    """Returns the expected time of the longest of `units` units. For a normal distribution, it is about sqrt(2 ln n) standard
-    deviations above the mean."""
+    """Returns the expected time of the longest unit. For a normal distribution of n units, it is about sqrt(2 ln n)
+    standard deviations above the mean."""
     sizes = unit_sizes(film, units)
     rendering = unit_seconds(film, max(sizes)) - film.startup_s
     return film.startup_s + rendering * (1.0 + film.spread * math.sqrt(2.0 * math.log(len(sizes))))
@@ -73,12 +71,11 @@ def longest_seconds(film, units):
 def bounds_seconds(film, nodes, units):
     """Returns (least, most), bounds of the time of the film.
 
-    least = max(work / nodes, disk), most = max(work / nodes + (1 - 1 / nodes) longest, disk). `work` is the time of all units,
-    `longest` the time of the longest unit, and `disk` the time of the shared folder.
-
-    A node takes the next unit as soon as it is free, so no node waits while units are left. All nodes therefore end within the time of
-    the longest unit (Graham, Bounds on multiprocessing timing anomalies, 1969, theorem 1).
-"""
+    least = max(work / nodes, disk), most = max(work / nodes + (1 - 1 / nodes) longest, disk).
+    `work` is the time of all units, `longest` that of the longest unit, and `disk` that of the
+    shared folder. No node waits while units are left (Graham, Bounds on multiprocessing timing
+    anomalies, 1969, theorem 1).
+    """
     work = sum(unit_seconds(film, size) for size in unit_sizes(film, units))
     even = work / nodes
     disk = disk_seconds(film)
@@ -86,8 +83,7 @@ def bounds_seconds(film, nodes, units):
 
 
 def drawn_seconds(film, units, draw):
-    """Returns random times of the units. They have a log-normal distribution: all are positive, and a few are much longer than the
-    mean."""
+    """Returns random times of the units with a log-normal distribution, of which a few are much longer than the mean."""
     sigma = math.sqrt(math.log(1.0 + film.spread**2))
     return [
         film.startup_s + (unit_seconds(film, size) - film.startup_s) * math.exp(draw.gauss(-0.5 * sigma**2, sigma))
@@ -112,8 +108,7 @@ def median_seconds(film, nodes, units, seeds=9):
 
 
 def table(film, nodes_list, units_per_node):
-    """Yields the lines of the scaling table in Markdown, one line for each number of nodes: the number of work units, the hours,
-    the efficiencies, and the share of the time for which the disk is busy."""
+    """Yields the lines of the scaling table in Markdown."""
     yield "| nodes | units | hours, simulated | efficiency, simulated | efficiency at least | disk busy |"
     yield "|---|---|---|---|---|---|"
     for nodes in nodes_list:

@@ -57,7 +57,7 @@ def render_as(name, program):
 
 
 def add_viewer_camera():
-    """Adds and returns a camera at the position of the display's viewer. It sees what the display shows."""
+    """Adds and returns a camera at the position of the display's viewer."""
     zone = frame.zone(scene)
     camera = bpy.data.cameras.new("eye")
     camera.sensor_fit, camera.lens = "VERTICAL", camera.sensor_height * zone.distance / zone.height

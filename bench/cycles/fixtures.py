@@ -1,4 +1,4 @@
-"""Makes glTF scenes like the Khronos samples for comparisons of path tracers. Each scene is a single .gltf file."""
+"""Makes glTF scenes like the Khronos samples. Each scene is a single .gltf file."""
 
 import base64
 import json
@@ -12,7 +12,7 @@ def turned_down(angle):
 
 
 class Gltf:
-    """Builds a glTF document. Each call adds a mesh, a material, a texture or a node. All binary data is in one buffer."""
+    """Builds a glTF document with all binary data in one buffer."""
 
     def __init__(self):
         self.blob = b""
@@ -36,7 +36,7 @@ class Gltf:
         return len(self.doc["accessors"]) - 1
 
     def texture(self, size, color):
-        """Adds an RGBA picture of `size` x `size` pixels. color(x, y) returns the four bytes of a pixel."""
+        """color(x, y) returns the four bytes of a pixel."""
         rows = b"".join(b"\0" + bytes(v for x in range(size) for v in color(x, y)) for y in range(size))
         chunk = lambda name, data: struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
         png = (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", size, size, 8, 6, 0, 0, 0)) +
@@ -58,7 +58,7 @@ class Gltf:
         self.doc["scenes"][0]["nodes"].append(len(self.doc["nodes"]) - 1)
 
     def move(self, seconds, places):
-        """Animates the node that was added last. It moves in straight lines from place to place."""
+        """Moves the last node in straight lines from place to place."""
         sampler = {"input": self._accessor(seconds, "SCALAR"), "output": self._accessor(places, "VEC3"), "interpolation": "LINEAR"}
         self.doc["accessors"][sampler["input"]].update(min=[seconds[0]], max=[seconds[-1]])
         animations = self.doc.setdefault("animations", [{"samplers": [], "channels": []}])
@@ -74,7 +74,7 @@ class Gltf:
         self.node(mesh=len(self.doc["meshes"]) - 1, translation=list(at))
 
     def quad(self, material, center, half_u, half_v, repeat=1.0):
-        """Adds a rectangle. Its normal is the cross product of half_u and half_v."""
+        """The normal is the cross product of half_u and half_v."""
         c, u, v = center, half_u, half_v
         n = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
         length = math.sqrt(sum(x * x for x in n))
@@ -112,7 +112,7 @@ class Gltf:
         self.light(at, type="point", intensity=candela, color=list(color))
 
     def light(self, at, down=0.0, **light):
-        """Adds a light that shines along -z, and tilts it down by `down` radians."""
+        """The light shines along -z, tilted down by `down` radians."""
         lights = self.doc.setdefault("extensions", {}).setdefault("KHR_lights_punctual", {"lights": []})["lights"]
         lights.append(light)
         self.node(translation=list(at), rotation=turned_down(down), extensions={"KHR_lights_punctual": {"light": len(lights) - 1}})
@@ -165,8 +165,7 @@ def diffuse_box():
 
 
 def textured_point_lights():
-    """A base colour map and a normal map, lit by two point lights. The bumps are gentle, because Cycles changes steep normals at
-    grazing angles."""
+    """The bumps are gentle, because Cycles changes steep normals at grazing angles."""
     g = Gltf()
     waves = lambda x, y: (int(127.5 + 35 * math.sin(2 * math.pi * x / 16)), int(127.5 + 35 * math.sin(2 * math.pi * y / 16)), 245, 255)
     bumps = g.texture(64, waves)
@@ -238,7 +237,7 @@ def leaves():
 
 
 def post(at, down, **light):
-    """A post and a glossy ball on a floor, lit by one area lamp. Shows soft shadows and highlights."""
+    """A post and a glossy ball on a floor, lit by one area lamp."""
     g = Gltf()
     g.quad(g.material((0.6, 0.6, 0.6), **MATTE), (0, 0, 0), (4, 0, 0), (0, 0, -4))
     g.box(g.material((0.7, 0.4, 0.2), **MATTE), (-0.3, 0.6, 0), (0.12, 0.6, 0.12))
@@ -262,8 +261,7 @@ def sun_disc():
 
 
 def moving_room():
-    """An animation in a room with tiled walls, a plastic ball and a matte ball below a square lamp. The matte ball rolls for 2
-    seconds."""
+    """A room with a plastic ball and a matte ball below a square lamp. The matte ball rolls for 2 seconds."""
     g = Gltf()
     tiles = g.texture(64, checker((200, 160, 90), (60, 80, 120)))
     wall = g.material((1, 1, 1), baseColorTexture=tiles, **MATTE)

@@ -1,8 +1,9 @@
-"""Functions for scripts inside Blender. They load a glTF file as a scene for Cycles, with surfaces as in appendix B of glTF 2.0.
+"""Loads a glTF file as a scene for Cycles, with surfaces as in appendix B of glTF 2.0. Runs inside
+Blender.
 
-Blender's own importer makes the textures, their transforms and the vertex colours. This file replaces the Principled surface that the
-importer makes, because its diffuse part in Blender 3.4 is Disney's model instead of glTF's. Materials with layers that this file does
-not build (LAYERS, GLOSS) keep the importer's surface.
+Blender's own importer makes the textures and the vertex colours. Its Principled surface is
+replaced, because its diffuse part in Blender 3.4 is Disney's model instead of glTF's. Materials
+with layers that are not built here (LAYERS, GLOSS) keep it.
 """
 
 import math
@@ -32,13 +33,14 @@ LATER = {"Specular": "Specular IOR Level", "Transmission": "Transmission Weight"
 
 
 def socket(node, key):
-    """Returns the input of a node with the number or name `key`, or with the later name of `key` (LATER)."""
+    """Returns the input of a node with the number or name `key`, or with its later name (LATER)."""
     later = LATER.get(key)
     return node.inputs[later if later and later in node.inputs else key]
 
 
 def below_gloss(roughness, f0, stops=24):
-    """Returns how much light a white GGX gloss does not reflect, as a list of (1 - cosine of the view angle, share)."""
+    """Returns the share of light that a white GGX gloss does not reflect, as a list of (1 - cosine of the view angle,
+    share)."""
     alpha2 = max(roughness, 0.03)**4
     u = (np.arange(4096) + 0.5) / 4096
     turn = 2 * np.pi * ((np.arange(4096) * 0.6180339887) % 1.0)
@@ -75,7 +77,6 @@ class Surface:
         self.absorb(extensions.get("KHR_materials_volume", {}))
 
     def input(self, name):
-        """Returns the link that leads to an input of the importer's surface, or the input's value if there is no link."""
         given = socket(self.principled, name)
         if given.is_linked:
             return given.links[0].from_socket
@@ -106,7 +107,7 @@ class Surface:
         return self.node("ShaderNodeMixRGB", {0: 1.0, 1: color, 2: factor}, blend_type="MULTIPLY")
 
     def mixed(self, shader, make_other, share):
-        """`share` is the weight of the second shader, which is made only if its weight is not 0."""
+        """share: weight of the second shader, which is made only if its weight is not 0."""
         if share == 0.0:
             return shader
         other = make_other()
@@ -127,8 +128,8 @@ class Surface:
     def plastic(self):
         """Returns the shader for plastic: the gloss of a black Principled surface plus the diffuse light below it."""
         f0 = self.specular * ((self.ior - 1) / (self.ior + 1))**2
-        # The input "Specular" gives the reflectance f0. Since Blender 4.0, an input of 0.5 means the reflectance of the index of
-        # refraction. In earlier versions, an input of 1 means 0.08.
+        # The input "Specular" sets the reflectance f0. An input of 1 means 0.08 before Blender 4.0; since then, 0.5
+        # means the reflectance of the index of refraction.
         of_ior = LATER["Specular"] in self.principled.inputs
         gloss = self.gloss(Base_Color=[0, 0, 0], Specular=0.5 * self.specular if of_ior else f0 / 0.08)
         return self.node("ShaderNodeAddShader", {0: gloss, 1: self.diffuse(self.times(self.input("Base Color"), self.left(f0)))})
@@ -160,7 +161,7 @@ class Surface:
         return self.gloss(Base_Color=self.input("Base Color"), Metallic=1.0)
 
     def coated(self, shader):
-        """Adds the layer of KHR_materials_clearcoat: a white gloss, weighted by Fresnel's term for the normal of the coat."""
+        """Adds a white gloss, weighted by Fresnel's term for the normal of the coat (KHR_materials_clearcoat)."""
         amount = self.input("Clearcoat")
         if amount == 0.0:
             return shader
@@ -190,8 +191,8 @@ class Surface:
         return self.node("ShaderNodeMixShader", {0: coverage, 1: self.node("ShaderNodeBsdfTransparent", {}), 2: shader})
 
     def absorb(self, volume):
-        """Sets absorption as KHR_materials_volume defines it, by the logarithm of the colour. Cycles absorbs density (1 -
-        colour) per unit of length."""
+        """Sets absorption by the logarithm of the colour (KHR_materials_volume). Cycles absorbs density (1 - colour) per
+        unit of length."""
         node = next((n for n in self.tree.nodes if n.type == "VOLUME_ABSORPTION"), None)
         distance = volume.get("attenuationDistance", math.inf)
         if node is None:
@@ -241,14 +242,14 @@ def load(file, own_surfaces=False):
 
 
 def importers_extensions():
-    """Returns the glTF extensions that Blender's importer reads. The importer of Blender 3.4 also reads volumes, which its
-    own list lacks."""
+    """Returns the glTF extensions that Blender's importer reads. The importer of Blender 3.4 also reads volumes, which
+    its own list lacks."""
     from io_scene_gltf2.io.imp.gltf2_io_gltf import glTFImporter
     return set(glTFImporter("", {"import_user_extensions": []}).extensions_managed) | {"KHR_materials_volume"}
 
 
 def unread(file):
-    """Returns the features of a file that are not shown in this Blender: extensions that the importer does not read, or that its Principled surface lacks."""
+    """Returns the features of a file that this Blender does not show."""
     names = reads.extensions_of(one_file.OneFile(pathlib.Path(file)).doc)
     return reads.unread(names, importers_extensions(), bpy.app.version)
 

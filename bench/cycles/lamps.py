@@ -1,5 +1,4 @@
-"""Scales the intensities of lamps in glTF files as src/scene/gltf/light.cpp does. Files of Blender's exporter need it, because this
-exporter has its own units."""
+"""Scales the intensities of lamps in glTF files of Blender's exporter, as src/scene/gltf/light.cpp does."""
 
 import math
 import re
@@ -15,7 +14,7 @@ def version(generator):
 
 
 def scale(generator, kind):
-    """Returns the factor for the intensity of a light. `kind` is the type of the light in the file: "point", "spot" or "directional"."""
+    """kind: "point", "spot" or "directional", as in the file."""
     unnumbered = "Khronos Blender glTF 2.0 I/O" in generator
     if not unnumbered and "Blender I/O" not in generator:
         return 1.0

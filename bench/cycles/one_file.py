@@ -1,4 +1,5 @@
-"""Packs a glTF file with its buffers, its images and a camera into one .glb, so that two programs open exactly the same scene."""
+"""Packs a glTF file with its buffers, its images and a camera into one .glb, so that two programs open exactly the same
+scene."""
 
 import base64
 import json
@@ -22,8 +23,6 @@ def bytes_of(uri, folder):
 
 
 class OneFile:
-    """A glTF document whose data is in a single buffer."""
-
     def __init__(self, path):
         data = path.read_bytes()
         self.folder, self.blob = path.parent, bytearray()
@@ -58,8 +57,7 @@ class OneFile:
             image.update(bufferView=len(self.doc["bufferViews"]) - 1, mimeType=kind)
 
     def add_camera(self, place, turn, vertical_fov, aspect, reach):
-        """Adds a camera. `vertical_fov` is in radians. `reach` is a typical length of the scene, from which the clipping planes are
-        derived."""
+        """vertical_fov: in radians. reach: a typical length of the scene, which sets the clipping planes."""
         doc = self.doc
         doc.setdefault("cameras", []).append({"type": "perspective", "perspective": {
             "yfov": vertical_fov, "aspectRatio": aspect, "znear": 1e-3 * reach, "zfar": 1e4 * reach}})
@@ -69,8 +67,7 @@ class OneFile:
         scene.setdefault("nodes", []).append(len(doc["nodes"]) - 1)
 
     def name_own_camera(self, aspect):
-        """Names the first perspective camera that a node uses as add_camera() would, and sets its aspect ratio. Returns False if there
-        is no such camera."""
+        """Renames the first perspective camera in use and sets its aspect ratio. Returns False if there is none."""
         cameras = self.doc.get("cameras", [])
         node = next((n for n in self.doc.get("nodes", []) if "camera" in n and cameras[n["camera"]]["type"] == "perspective"), None)
         if node is None:
@@ -97,8 +94,8 @@ def glb(doc, blob):
 
 
 def fitted(array, yaw_deg, pitch_deg):
-    """Returns the position, the rotation and the vertical angle of a camera. From the given yaw and pitch, the camera sees the
-    rectangle of the array that `lippmann info` prints."""
+    """Returns the position, the rotation and the vertical angle of a camera that sees the rectangle of the array that
+    `lippmann info` prints."""
     y, p = math.radians(yaw_deg), math.radians(pitch_deg)
     away = (math.sin(y) * math.cos(p), math.sin(p), math.cos(y) * math.cos(p))
     place = [c + array["viewing_distance"] * a for c, a in zip(array["center"], away)]

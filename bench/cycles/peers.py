@@ -1,4 +1,4 @@
-"""Functions for scripts that compare this program with Blender. They run both programs and compare pictures."""
+"""Runs this program and Blender, and compares their pictures."""
 
 import json
 import math
@@ -17,7 +17,7 @@ BLENDER = os.environ.get("BLENDER", "blender")  # this environment variable name
 
 
 class Failed(SystemExit):
-    """Raised if a program fails. If a script does not catch it, the script prints the message and ends."""
+    """A program failed. Ends the script with the message if it is not caught."""
 
 
 def reason(text):
@@ -35,7 +35,7 @@ def has_blender():
 
 
 def blender(script, words, mark):
-    """Runs a script of this folder inside Blender. For each line of the output that begins with `mark`, returns the rest of the line."""
+    """Runs a script of this folder inside Blender. Returns the rest of each output line that begins with `mark`."""
     command = [BLENDER, "-b", "--python-exit-code", "1", "-P", HERE / script, "--", *words]
     done = subprocess.run([str(word) for word in command], capture_output=True, text=True, env={**os.environ, "PATH": PATH})
     found = [line.removeprefix(mark).strip() for line in done.stdout.splitlines() if line.startswith(mark)]
@@ -52,8 +52,8 @@ def info(tool, scene, *flags):
 
 
 def with_camera(tool, asset, view, work):
-    """Returns the file, or a copy in the folder `work` with a camera if the file has none. This camera looks at the centre of the
-    scene. `view` is its yaw and pitch in degrees."""
+    """Returns the file, or a copy in the folder `work` with a camera that looks at the scene's centre if the file has
+    none. view: its yaw and pitch in degrees."""
     found = info(tool, asset)
     if found["cameras"]:
         return asset

@@ -28,8 +28,8 @@ file, dump_pose, count = sys.argv[sys.argv.index("--") + 1:]
 
 
 def load(index):
-    """Loads a new scene that plays one animation. Returns the names, the lengths in seconds and the interpolations of all animations,
-    in the order of the file."""
+    """Loads a new scene that plays one animation. Returns the names, the lengths in seconds and the interpolations of
+    all animations."""
     bpy.ops.wm.read_factory_settings(use_empty=True)
     animations = []
     restore = BlenderAnimation.restore_animation
@@ -57,7 +57,7 @@ def frame_of(seconds):
 
 
 def slerp_rotations(times):
-    """Adds keys at `times` to all rotations with linear interpolation in the current animation."""
+    """Adds keys at `times` to all rotations with linear interpolation."""
     for action in {thing.animation_data.action for thing in bpy.data.objects if thing.animation_data} - {None}:
         for path in {curve.data_path for curve in action.fcurves if curve.data_path.endswith("rotation_quaternion")}:
             curves = [action.fcurves.find(path, index=i) for i in range(4)]
@@ -78,7 +78,7 @@ def slerp_rotation(curves, frames):
 
 
 def pose_by_blender(seconds):
-    """Returns the vertices in world space. As in glTF, y points upwards."""
+    """Returns the vertices in world space, with y upwards."""
     scene = bpy.context.scene
     frame = frame_of(seconds)
     scene.frame_set(int(frame), subframe=frame - int(frame))
@@ -119,7 +119,7 @@ def errors(ours, theirs, diagonal):
 
 
 def measure(index, name, end):
-    # Avoids the times of keys, because rounding would decide on which side of a step interpolation such times are.
+    # At the times of keys, rounding would decide the side of a step interpolation.
     times = [end * (k + 0.618034) / int(count) for k in range(int(count))]
     unchanged = [pose_by_blender(t) for t in times]
     slerp_rotations(times)

@@ -10,7 +10,7 @@ def has_colour(gloss):
 
 
 def extensions_of(value):
-    """Returns the extensions used anywhere in a glTF document. A coloured gloss counts as an additional extension."""
+    """Returns the extensions used in a glTF document. A coloured gloss counts as an extension."""
     if isinstance(value, list):
         return set().union(*map(extensions_of, value))
     if not isinstance(value, dict):
@@ -23,7 +23,7 @@ def extensions_of(value):
 
 
 def unread(names, known, version):
-    """Returns a sorted list of the extensions in `names` that this version of Blender does not show. `version` is a tuple such as (4,
-    3, 0). `known` contains the extensions that the importer reads."""
+    """Returns the sorted extensions in `names` that this version of Blender does not show. version: a tuple such as (4,
+    3, 0). known: the extensions that the importer reads."""
     shown = known | SILENT | ({COLOURED_GLOSS} if version >= FIRST_WITH_COLOURED_GLOSS else set())
     return sorted(names - shown)

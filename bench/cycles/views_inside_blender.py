@@ -25,7 +25,7 @@ import gltf_in_blender as gltf  # noqa: E402
 
 
 class Views:
-    """Off-axis cameras that look through one rectangle. They are placed beside the camera of the file, which may move."""
+    """Off-axis cameras that look through one rectangle, beside the camera of the file."""
 
     def __init__(self, job):
         self.job = job
@@ -40,7 +40,7 @@ class Views:
         self.scene.collection.objects.link(self.camera)
         self.scene.camera = self.camera
         self.window = job["window_height"] * max(1.0, job["width"] / job["height"])
-        # number of Blender frames per frame of the job; the importer converts seconds to frames
+        # Blender frames per frame of the job
         self.frames_per_frame = self.scene.render.fps / job["frames_per_second"]
 
     def show(self, frame, view):

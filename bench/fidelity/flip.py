@@ -1,10 +1,8 @@
-"""Computes FLIP: how different two pictures look if a viewer alternates between them. The value of a pixel is between 0 and 1.
+"""Computes FLIP: how different two pictures look if a viewer alternates between them, from 0 to 1
+per pixel.
 
-Based on Andersson, Nilsson, Akenine-Moller, Oskarsson, Astrom and Fairchild, "FLIP: A Difference Evaluator for Alternating Images",
-2020:
-1. Both pictures are blurred by the contrast sensitivity of the eye at a distance (section 4.1.1).
-2. Their colours are compared in a perceptually uniform colour space: HyAB distance of Hunt-adjusted L*a*b* (4.1.2 and 4.1.3).
-3. Differences of edges or points (4.2) increase the weight of the colour difference (4.3).
+Based on Andersson, Nilsson, Akenine-Moller, Oskarsson, Astrom and Fairchild, "FLIP: A
+Difference Evaluator for Alternating Images", 2020. Section numbers are those of the paper.
 """
 
 import numpy as np
@@ -16,8 +14,8 @@ RGB_TO_XYZ = np.array([[10135552 / 24577794, 8788810 / 24577794, 4435075 / 24577
 WHITE = RGB_TO_XYZ.sum(axis=1)
 COLOR_POWER, COLOR_SPLIT, COLOR_SHARE, FEATURE_POWER = 0.7, 0.4, 0.95, 0.5
 FEATURE_WIDTH_DEG = 0.082
-# Contrast sensitivity of the eye for lightness, red-green and blue-yellow. A pair (a, b) is the Gaussian a sqrt(pi / b) exp(-(pi
-# x)^2 / b), with the distance x in degrees.
+# Contrast sensitivity of the eye for lightness, red-green and blue-yellow. A pair (a, b) is the Gaussian a sqrt(pi / b)
+# exp(-(pi x)^2 / b), with the distance x in degrees.
 SENSITIVITY = (((1.0, 0.0047),), ((1.0, 0.0053),), ((34.1, 0.04), (13.5, 0.025)))
 WIDEST = 0.04
 
@@ -39,7 +37,7 @@ def from_opponent(ycc):
 
 
 def hunt_lab(rgb):
-    """Returns L*, a* and b* of linear RGB. As in the Hunt effect, a* and b* are scaled by the lightness."""
+    """Returns L*, a* and b* of linear RGB, with a* and b* scaled by the lightness (Hunt effect)."""
     part = rgb @ RGB_TO_XYZ.T / WHITE
     edge = 6 / 29
     root = np.where(part > edge**3, np.cbrt(part), part / (3 * edge**2) + 4 / 29)
@@ -54,7 +52,7 @@ def hyab(a, b):
 
 
 def along(picture, kernel, axis):
-    """Convolves along an axis. Pixels at the border are repeated."""
+    """Convolves along an axis, with repeated border pixels."""
     radius = len(kernel) // 2
     pad = [(radius, radius) if i == axis else (0, 0) for i in range(picture.ndim)]
     wide, size = np.pad(picture, pad, mode="edge"), picture.shape[axis]

@@ -1,7 +1,8 @@
-"""Compares each renderer's picture of a scenario with the median of the other renderers' pictures.
+"""Compares each renderer's picture of a scenario with the median of the others', in front of plain
+grey.
 
-Only pixels that are covered in at least one picture count, because all renderers agree about an empty background. Pictures are RGBA
-codes (pictures.py). They are compared in front of plain grey.
+Only pixels that are covered in at least one picture count, because all renderers agree about an
+empty background.
 """
 
 import math
@@ -16,25 +17,24 @@ def decibels(mean_square):
 
 
 def psnr(a, b, counted):
-    """Returns the PSNR in dB of RGB codes over the pixels in the mask `counted`."""
+    """counted: mask of the compared pixels."""
     return decibels(np.mean((a[counted].astype(float) - b[counted])**2))
 
 
 def noise(few, many, times):
-    """Returns the mean squared noise of the picture `many`, from the difference to the picture `few`, which has independent
-    noise and 1 / `times` of the samples. For stratified samples, it is an upper bound."""
+    """Returns the mean squared noise of the picture `many`, from its difference to `few`, which has independent noise
+    and 1 / `times` of the samples. For stratified samples, it is an upper bound."""
     counted = (few[..., 3] > 0) | (many[..., 3] > 0)
     a, b = pictures.before_grey(few).astype(float), pictures.before_grey(many)
     return float(np.mean((a[counted] - b[counted])**2) / (times + 1)) if counted.any() else 0.0
 
 
 def noise_together(facts):
-    """Returns the PSNR in dB that two pictures would have if they differed only by their noise."""
+    """Returns the PSNR in dB of two pictures that differ only by their noise."""
     return decibels(sum(value for name, value in facts.items() if name in ("lippmann_noise", "cycles_noise")))
 
 
 def median_of(others):
-    """Returns the median of each pixel and channel. For two pictures, it is the mean."""
     return np.round(np.median(np.stack(others), axis=0)).astype(np.uint8)
 
 
@@ -46,8 +46,8 @@ def counted_pixels(named):
 
 
 def among_others(named, own):
-    """Returns the PSNR in dB among the pictures of all renderers except `own`, from the mean squared difference of each
-    picture from the median of the others. Returns None for fewer than two pictures."""
+    """Returns the PSNR in dB among the pictures of all renderers except `own`, each against the median of the others, or
+    None for fewer than two pictures."""
     counted = counted_pixels(named)
     flat = [pictures.before_grey(p) for name, p in named.items() if name != own]
     if len(flat) < 2:
@@ -57,11 +57,12 @@ def among_others(named, own):
 
 
 def judged(named):
-    """Returns {renderer: {"psnr_db", "flip", "map", "median"}} for a dictionary {renderer: RGBA picture} of two or more pictures of
+    """Returns {renderer: {"psnr_db", "flip", "map", "median"}} for two or more RGBA pictures of
     equal size.
 
-    "map" contains the FLIP differences (h, w), from 0 to 1. "flip" is their mean over the counted pixels.
-"""
+    "map" contains the FLIP differences (h, w), from 0 to 1. "flip" is their mean over the
+    counted pixels.
+    """
     counted = counted_pixels(named)
     flat = {name: pictures.before_grey(p) for name, p in named.items()}
     rows = {}

@@ -1,9 +1,9 @@
-"""Renders a shot with other path tracers: with Cycles in Blender, and with three-gpu-pathtracer in a browser.
+"""Renders a shot with other path tracers: with Cycles in Blender, and with three-gpu-pathtracer in
+a browser.
 
-A shot has the members file (a glTF file), camera (a name in this file), panorama (a file or None), width, height, folder, and
-scenario.skybox. Each renderer's function makes two PNG files, with an eighth of the samples and with all samples, and returns a list
-of {"out", "cpu_seconds"}. cpu_seconds is None if the time does not measure the renderer. Pictures are kept in the shot's folder until
-their inputs change.
+Each renderer makes two PNG files, with an eighth of the samples and with all, and returns a
+list of {"out", "cpu_seconds"}. cpu_seconds is None if the time does not measure the renderer.
+Pictures are kept in the shot's folder until their inputs change.
 """
 
 import hashlib
@@ -26,7 +26,6 @@ def few(spp):
 
 
 def job_of(shot, options):
-    """Returns the job that all renderers receive."""
     return {"file": str(shot.file), "panorama": shot.panorama and str(shot.panorama), "width": shot.width, "height": shot.height, "vertices": options.vertices,
             "threads": options.threads, "skybox": shot.scenario.skybox, "camera": shot.camera}
 
@@ -39,8 +38,7 @@ def key_of(job, shot, programs):
 
 
 def kept(shot, name, job, programs, render):
-    """Returns the stored result of an earlier run with the same inputs, or calls render() with the file of the job and stores
-    its result."""
+    """Returns the stored result of an earlier run with the same inputs, or stores and returns that of render()."""
     file, key = shot.folder / f"{name}.json", key_of(job, shot, programs)
     if file.exists() and json.loads(file.read_text())["key"] == key:
         return json.loads(file.read_text())["renders"]
@@ -52,8 +50,8 @@ def kept(shot, name, job, programs, render):
 
 
 def in_blender(name):
-    """Returns a function that renders with Cycles. It uses surfaces as in the glTF specification, or the surfaces of Blender's own
-    import if the name is "importer"."""
+    """Returns a function that renders with Cycles, with glTF's surfaces or, if the name is "importer", those of
+    Blender's own import."""
 
     def pictures_of(shot, options):
         renders = [{"samples": n, "seed": n, "out": str(shot.folder / f"{name}-{n}.png")} for n in (few(options.spp), options.spp)]
@@ -67,8 +65,7 @@ def in_blender(name):
 
 
 def unread(shot, name):
-    """Returns the features of the file that the renderer is known not to show. For Blender, they are found by its importer
-    (gltf_in_blender.py)."""
+    """Returns the features of the file that the renderer is known not to show."""
     file = shot.folder / f"{name}.json"
     renders = json.loads(file.read_text())["renders"] if file.exists() else []
     return renders[-1].get("unread", []) if renders else []
@@ -82,8 +79,7 @@ def has_three():
 
 
 def as_picture(file, width, height):
-    """Writes a PNG file beside the output of trace.mjs. This output consists of 32-bit floats of RGBA in linear light, with the lowest
-    row first."""
+    """Writes a PNG file beside the output of trace.mjs, which is linear RGBA as 32-bit floats, lowest row first."""
     light = np.frombuffer(file.read_bytes(), "<f4").reshape(height, width, 4)[::-1].astype(float)
     cover = np.clip(light[..., 3:], 0, 1)
     codes = np.concatenate([pictures.encode(light[..., :3] / np.maximum(cover, 1e-9)), np.round(255 * cover).astype(np.uint8)], axis=-1)

@@ -1,5 +1,4 @@
-"""Writes an HTML page with embedded pictures. For every scenario, it shows each renderer's picture and the difference from the median
-of the other renderers' pictures."""
+"""Writes an HTML page with each renderer's pictures and their differences from the median of the others."""
 
 import base64
 import html

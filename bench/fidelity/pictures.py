@@ -46,7 +46,7 @@ def chunks(data):
 
 
 def read(path):
-    """Reads a PNG file. Raises SystemExit unless it has 8 or 16 bits per channel, no palette and no interlacing."""
+    """Raises SystemExit unless the file has 8 or 16 bits per channel, no palette and no interlacing."""
     data = path.read_bytes()
     found = list(chunks(data)) if data[:8] == b"\x89PNG\r\n\x1a\n" else []
     if not found or found[0][0] != b"IHDR":
@@ -91,8 +91,8 @@ def decode(codes):
 
 
 def shrunk(picture, width, height):
-    """Returns the picture, reduced by an integer factor to this size. Each pixel is the mean of its light, weighted by coverage.
-    Returns None if the factor is not an integer."""
+    """Reduces the picture by an integer factor to this size, or returns None if the factor is not an integer. Light is
+    weighted by coverage."""
     times = picture.shape[0] // height
     if picture.shape[:2] != (height * times, width * times) or times == 0:
         return None
@@ -106,6 +106,6 @@ def shrunk(picture, width, height):
 
 
 def before_grey(picture, light=0.18):
-    """Returns the RGB codes of the picture in front of plain grey, on which both black and white are visible."""
+    """Returns RGB codes in front of plain grey, on which both black and white are visible."""
     alpha = picture[..., 3:] / 255.0
     return encode(decode(picture[..., :3]) * alpha + light * (1 - alpha))

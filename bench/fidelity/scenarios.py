@@ -1,11 +1,13 @@
 """Reads scenarios: a model, a camera that orbits a target, an environment and a size.
 
-A configuration has the form of glTF Render Fidelity's. It is a JSON file with a list "scenarios". Each scenario has a "name" and a
-"model" (a path relative to the configuration). It may have "lighting" (a panorama), "dimensions", "target", "orbit" (theta and phi in
-degrees, radius), "verticalFoV" (degrees), "renderSkybox" and "exclude" (renderers whose pictures do not count). The default values are
-those of glTF Render Fidelity. Reference pictures are the files goldens/NAME/RENDERER-golden.png beside the configuration.
+A configuration is a JSON file as in glTF Render Fidelity, with a list "scenarios". Each has a
+"name" and a "model" (a path), and may have "lighting" (a panorama), "dimensions", "target",
+"orbit" (theta and phi in degrees, radius), "verticalFoV" (degrees), "renderSkybox" and
+"exclude" (renderers whose pictures do not count). Reference pictures are
+goldens/NAME/RENDERER-golden.png beside it.
 
-A folder without a configuration has one scenario for each glTF file in it. The camera is that of the file, or the tool's default view.
+In a folder without a configuration, each glTF file is a scenario with its own camera or the
+tool's default view.
 """
 
 import dataclasses
@@ -19,8 +21,8 @@ DEFAULT_SIZE = 768
 
 @dataclasses.dataclass
 class Orbit:
-    """Position of a camera around its target. `theta` is the rotation about the vertical from the front, and `phi` is the angle from
-    the zenith, both in degrees. `radius` is in scene units."""
+    """Position of a camera around its target. theta: rotation about the vertical from the front, phi: angle from the
+    zenith, both in degrees. radius: in scene units."""
 
     theta: float = 0.0
     phi: float = 90.0
@@ -31,24 +33,24 @@ class Orbit:
 class Scenario:
     name: str
     model: pathlib.Path
-    lighting: pathlib.Path = None  # None means the benchmark's own panorama
+    lighting: pathlib.Path = None  # None: the benchmark's own panorama
     width: int = DEFAULT_SIZE
     height: int = DEFAULT_SIZE
-    orbit: Orbit = None  # None means the camera of the file, or the tool's default view
+    orbit: Orbit = None  # None: the camera of the file, or the tool's default view
     target: tuple = (0.0, 0.0, 0.0)
     vertical_fov_deg: float = 45.0
     skybox: bool = False
     references: dict = dataclasses.field(default_factory=dict)
 
     def size(self, longest):
-        """Returns the width and height in pixels. They are reduced so that the longer side is at most `longest`."""
+        """Returns the width and height in pixels, reduced to at most `longest`."""
         scale = min(1.0, longest / max(self.width, self.height))
         return max(1, round(self.width * scale)), max(1, round(self.height * scale))
 
 
 def camera_place(orbit, target):
-    """Returns the position of a camera on the orbit, and the quaternion (x, y, z, w) that rotates -z to the camera's
-    view direction."""
+    """Returns the position of a camera on the orbit, and the quaternion (x, y, z, w) that rotates -z to its view
+    direction."""
     theta, phi = math.radians(orbit.theta), math.radians(orbit.phi)
     away = (math.sin(phi) * math.sin(theta), math.cos(phi), math.sin(phi) * math.cos(theta))
     yaw, pitch = theta / 2, (phi - math.pi / 2) / 2
@@ -63,7 +65,7 @@ def references_of(folder, name, excluded):
 
 
 def scenario_of(entry, folder):
-    """Returns the scenario that an entry of "scenarios" describes. Raises SystemExit if a required key is missing."""
+    """Raises SystemExit if a required key is missing."""
     missing = [key for key in ("name", "model") if not isinstance(entry.get(key), str)]
     if missing:
         raise SystemExit(f"{folder}: a scenario has no {missing[0]}: {json.dumps(entry)[:120]}")
@@ -81,8 +83,7 @@ def files_below(folder):
 
 
 def read(path):
-    """Returns the scenarios of a configuration file, or of a folder. In a folder without a config.json, each glTF file is a
-    scenario."""
+    """Reads a configuration file or a folder."""
     config = path / "config.json" if path.is_dir() else path
     if path.is_dir() and not config.exists():
         found = files_below(path)

@@ -70,7 +70,7 @@ window.sample = async (wanted) => {
 /** Starts another picture with independent noise. */
 window.begin = () => tracer.reset();
 
-/** Returns RGBA of the mean as 32-bit floats, lowest row first, in base64. */
+/** Returns the mean as RGBA floats, lowest row first, in base64. */
 window.picture = () => {
   const { width, height } = tracer.target, values = new Float32Array(4 * width * height);
   renderer.readRenderTargetPixels(tracer.target, 0, 0, width, height, values);

@@ -20,7 +20,7 @@ function answer(request, response) {
   fs.createReadStream(file).pipe(response);
 }
 
-/** Draws on the processor or, with LIPPMANN_ANGLE=vulkan or gl-egl, on a graphics card. */
+/** LIPPMANN_ANGLE=vulkan or gl-egl draws on a graphics card instead of the processor. */
 function launch() {
   const graphics = ["--use-gl=angle", `--use-angle=${process.env.LIPPMANN_ANGLE ?? "swiftshader"}`, "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"];
   return chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: ["--no-sandbox", ...graphics] });
