@@ -24,7 +24,6 @@
 namespace lippmann {
 namespace {
 
-/// Prepares the folder of the render and records the frames to render.
 RenderFolder open_folder(const RenderSetup& setup, const Context& context) {
   make_room_for_videos(setup.videos, setup.layout, setup.stage.display.get(), context);
   RenderFolder folder = open_job_folder(setup.folder, setup.fingerprint, setup.job, setup.parts.of_job,
@@ -62,17 +61,15 @@ int kept_parts(const RenderSetup& setup, RenderFolder& folder) {
   return static_cast<int>(std::count_if(setup.parts.parts.begin(), setup.parts.parts.end(), is_finished));
 }
 
-/// Renders `parts`. A part is a frame or a strip (RunParts). Strips are then joined to frames, unless another process joins
-/// them.
+/// A part is a frame or a strip (RunParts).
 void make_parts(const RenderSetup& setup, const std::vector<int>& parts, FrameLoop& loop, StrippedFrames* strips) {
   if (setup.leaves_strips()) return strips->make_strips(parts);
   loop.take(frames_of_parts(parts, setup.parts.strips));
 }
 
-/// Renders units until none is left. The ranks share the units: each rank claims one unit after another.
+/// The ranks (processes of an MPI job) claim one unit after another.
 void share_parts(const Run& run, FrameLoop& loop, StrippedFrames* strips) {
-  // Number of units per rank (a process of an MPI job). Starting a unit costs time, so there should be few units. With fewer
-  // units than this, some ranks would end much later than others.
+  // Starting a unit costs time. With fewer units per rank, some ranks would end much later than others.
   constexpr int kUnitsPerRank = 8;
   const RenderSetup& setup = run.setup;
   Ranks& ranks = *setup.run.ranks;
@@ -95,11 +92,11 @@ void report_strips(const RenderSetup& setup, const StrippedFrames& strips, Rende
   }
 }
 
-/// Renders this process's share of the run. If this process renders alone (without ranks), it also writes the videos.
+/// A process without ranks also writes the videos.
 void make_run(const Run& run, FrameMaker& maker, StrippedFrames* strips) {
   const RenderSetup& setup = run.setup;
   RenderReport& report = run.report;
-  // A video is encoded along with the frames. With ranks, the frames of other processes would arrive too late for this.
+  // With ranks, the frames of other processes would arrive too late to encode videos along with the frames.
   const bool writes_videos = !setup.run.ranks;
   FrameLoop loop(run, maker, writes_videos ? setup.videos : std::vector<VideoFile>());
   run.progress.planned(setup.plan(kept_parts(setup, run.folder)));
@@ -117,8 +114,7 @@ void make_run(const Run& run, FrameMaker& maker, StrippedFrames* strips) {
   report.run.write_seconds = loop.write_seconds();
 }
 
-/// Returns whether all strips of a frame are recorded and their files exist. Returns false if the frame is already joined,
-/// because joining deletes the strips.
+/// False if the frame is already joined, because joining deletes the strips.
 bool has_all_strips(const FolderJournal& journal, const std::filesystem::path& folder, int frame, int strips) {
   const auto recorded = journal.strips.find(frame);
   if (recorded == journal.strips.end()) return false;
@@ -127,7 +123,7 @@ bool has_all_strips(const FolderJournal& journal, const std::filesystem::path& f
   return true;
 }
 
-/// Joins the frames whose strips are complete. A frame that an interrupted rank left incomplete stays in strips.
+/// A frame that an interrupted rank left incomplete stays in strips.
 void join_frames(const Run& run) {
   const FolderJournal journal = run.folder.now();
   std::vector<int> frames;
@@ -145,7 +141,7 @@ void join_frames(const Run& run) {
   });
 }
 
-/// Joins frames and encodes videos on the first rank, after all ranks have finished.
+/// Runs on the first rank, after all ranks have finished.
 void finish_ranks(const Run& run, FrameMaker& maker) {
   if (run.setup.job.is_in_strips() && !run.context.cancelled) join_frames(run);
   const FolderJournal journal = run.folder.now();
@@ -171,7 +167,7 @@ RenderReport render_animation(RenderSetup& setup, const Context& context, const 
   if (setup.parts.frames.empty())
     context.warning(
         fmt::format("unit {} has no frames: the job has fewer frames and strips than units", write_units(*setup.run.units)));
-  if (!is_first) ranks->begin();  // waits until the first rank has prepared the folder
+  if (!is_first) ranks->begin();
   RenderFolder folder = open_folder(setup, context);
   const KeptLease lease(folder);
   RunProgress progress(observer, ranks);

@@ -25,14 +25,13 @@ void check_transparent(const RenderParams& params) {
   if (params.optics.precompensate) throw usage_error(kFlag, "cannot be combined with --precompensate", "one of the two");
 }
 
-/// Returns whether `pictures.to` names a light-field format. It may also name a layout, or be empty.
+/// `pictures.to` may also name a layout, or be empty.
 bool is_light_field(const PictureParams& pictures) {
   constexpr std::array<std::string_view, 4> kLayouts{"integral", "quilt", "views", "native"};
   return !pictures.to.empty() && std::find(kLayouts.begin(), kLayouts.end(), pictures.to) == kLayouts.end();
 }
 
-/// Throws if a light-field format is combined with layers other than depth, or with a depth layer that the format does not
-/// store.
+/// Light-field formats store no layers except depth.
 void check_light_field(const RenderParams& params) {
   const bool stores_depth = find_output_format(params.output.pictures.to, "to").uses_cameras;
   for (const Aov layer : params.sampling.aov)

@@ -5,8 +5,7 @@
 
 namespace lippmann {
 
-/// Throws a usage Error if extra layers are requested for the test pattern, or if alpha is requested for pictures or videos
-/// that cannot store it.
+/// Throws a usage Error for extra layers of the test pattern, and for alpha in pictures or videos that cannot store it.
 void check_aovs(const RenderParams& params);
 
 }  // namespace lippmann

@@ -36,7 +36,7 @@ RenderParams job_of(const fs::path& folder, const std::vector<fs::path>& join) {
   return params;
 }
 
-/// Writes the job file of a folder into which other folders were joined, even if frames are still missing.
+/// Writes the job file of a folder into which other folders were joined, even if frames are missing.
 void write_joint_job(const fs::path& folder, const RenderParams& params) {
   const std::string job = read_journal(folder).value_or(FolderJournal{}).job;
   RenderFolder(folder, job).write(kJob, [&](const FolderJournal&) { return job_text(params, folder); });

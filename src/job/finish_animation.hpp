@@ -1,4 +1,4 @@
-// Finishes a job that several runs have rendered. Checks the folder and writes the files that need all frames.
+// Finishes a job that several runs have rendered.
 #pragma once
 
 #include <filesystem>
@@ -15,22 +15,21 @@ namespace lippmann {
 struct FinishedAnimation {
   JoinedFolders joined;
   FolderCheck check;  ///< state of the folder before it was finished
-  /// Frames that must be rendered again: they are missing or damaged, and cannot be joined from strips.
+  /// Frames that are missing or damaged, and cannot be joined from strips.
   std::vector<int> to_render;
   std::optional<RenderReport> report;  ///< report of the whole folder; nullopt if frames are missing
-  /// False if the job also needs a render of a single view (in the folder kSingleFolder), and that render is not complete.
+  /// False if the job also needs a render of a single view (in kSingleFolder) that is not complete.
   bool has_single = true;
 };
 
-/// Copies the frames of the folders `join` (see join_folders) and reads all files of the folder. If all frames of the job
-/// exist, whole or as strips, joins the strips and writes the videos, job.toml and report.json. Renders nothing. Finishes the
-/// job's render in kSingleFolder in the same way. Reads the job from the job.toml of `folder`. If this file does not exist,
-/// reads the job.toml of the first folder of `join`. Throws Error for folders without a render, and for files that cannot be
-/// written.
+/// Copies the frames of the folders `join` (see join_folders). If all frames of the job exist, whole or as strips,
+/// joins the strips and writes the videos, job.toml and report.json. Renders nothing. Treats kSingleFolder in the same
+/// way. The job is read from the job.toml of `folder`, or else of the first folder of `join`. Throws Error for folders
+/// without a render, and for files that cannot be written.
 FinishedAnimation finish_animation(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& join,
                                    const Context& context, const RenderObserver& observer = {});
 
-/// Like finish_animation(), but calls `complete` to write the videos, job.toml and report.json of a complete folder.
+/// Like finish_animation(), but calls `complete` to write the files of a complete folder.
 using CompleteFolder = std::function<RenderReport(const RenderParams&)>;
 FinishedAnimation finish_folder(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& join,
                                 const CompleteFolder& complete);

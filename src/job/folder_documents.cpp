@@ -19,7 +19,7 @@ namespace {
 constexpr const char* kJobFile = "job.toml";
 constexpr const char* kReportFile = "report.json";
 
-/// Returns the totals of all runs. Times are added, even if runs overlapped in time.
+/// Times are added, even if runs overlapped in time.
 RunReport all_of(const std::vector<RunReport>& runs) {
   RunReport all;
   for (const RunReport& run : runs) {
@@ -34,7 +34,7 @@ RunReport all_of(const std::vector<RunReport>& runs) {
   return all;
 }
 
-/// Returns a report of all frames in the journal. Frames of other runs are marked as kept.
+/// Frames of other runs are marked as kept.
 RenderReport report_of(const RenderReport& run, const FolderJournal& journal) {
   RenderReport all = run;
   for (const auto& [frame, record] : journal.frames) {
@@ -70,7 +70,7 @@ std::string job_of_folder(const RenderParams& params, const FolderJournal& journ
   return job_text(whole, folder);
 }
 
-/// Returns the videos of a job file. Returns nothing if the file cannot be read.
+/// Returns nothing if the file cannot be read.
 std::vector<std::string> videos_in(const std::filesystem::path& job) try {
   RenderParams params;
   read_job(job, params);
@@ -87,17 +87,15 @@ bool is_readable_job(const std::filesystem::path& job) try {
   return false;
 }
 
-/// Returns whether a job file that differs from the journal is damaged. A file that the user has edited is not damaged: it can
-/// be read, and a resumed run reads the same settings from it. The job file of the single view beside a light field
-/// (kSingleFolder) is not meant to be edited, so any difference means damage.
+/// A job file that differs from the journal is damaged unless the user edited it: then it can be read, and has the
+/// settings of the resumed run. Users do not edit the job file in kSingleFolder.
 bool is_damaged_job(const std::filesystem::path& file, const ResolvedJob& job, const RenderFolder& folder) {
   if (!job.params().resume || !folder.now().files.contains(kJobFile)) return false;
   const bool is_of_single = folder.path().filename() == kSingleFolder && has_journal(folder.path().parent_path());
   return is_of_single || !is_readable_job(file) || !differences(file, job).empty();
 }
 
-/// Returns whether earlier runs already included all frames that this run requests, and all companion folders (additional
-/// renders, such as kSingleFolder).
+/// Returns whether earlier runs already included all frames and companion folders (additional renders) of this run.
 bool holds_all(const FolderJournal& before, const FolderJournal& now) {
   return before.asked == now.asked && before.companions == now.companions;
 }

@@ -9,9 +9,9 @@
 namespace lippmann {
 namespace {
 
-/// Assumed number of frames per key frame, if the renderer chooses the key frames itself. About 16 frames are copied from a key
-/// frame that pays off, and at least 16 frames without a key frame follow one that does not (frames/exact_frames.cpp). Short
-/// trial renders would measure too few, because their first frame is always a key frame.
+/// Assumed number of frames per key frame, if the renderer chooses the key frames itself. A key frame that pays off
+/// serves about 16 frames, and at least 16 frames follow one that does not (frames/exact_frames.cpp). Trial renders
+/// cannot measure it, because their first frame is always a key frame.
 constexpr double kFramesPerFreeKey = 16.0;
 
 double mean_cost(const std::vector<double>& costs) {
@@ -26,7 +26,7 @@ double sum_of_cpu(const std::vector<FrameReport>& frames) {
   return sum;
 }
 
-/// Returns the mean cost of frames, indexed by the position of the frames in their segment.
+/// Mean cost of frames by their position in the segment.
 std::map<int, double> costs_by_place(const std::vector<FrameReport>& frames, int segment) {
   std::map<int, std::vector<double>> costs;
   std::vector<double> free_keys;
@@ -54,9 +54,8 @@ std::set<int> segments_of(const std::vector<FrameReport>& frames, int segment) {
   return segments;
 }
 
-/// Returns the mean cost per unit of source frames: frames that a unit renders only because its own frames are made from them.
-/// If a source frame is in a measured segment and belongs to the job, it is not counted, because the unit renders it as one of
-/// its own frames.
+/// Mean cost per unit of source frames, which a unit renders only because its own frames are made from them. A source
+/// frame in a measured segment is not counted, because the unit renders it as one of its own.
 double source_cost(const MeasuredRun& run, const std::vector<int>& of_job, int segment) {
   const std::set<int> measured = segments_of(run.frames, segment);
   double sum = 0.0;

@@ -1,5 +1,5 @@
-// Estimates the cost of a job's frames from a few rendered frames. A job is divided into units, which different runs render.
-// Frames that are made together form a segment; units begin at segments.
+// Estimates the cost of a job's frames from a few rendered frames. A job is divided into units, which different runs
+// render. Frames that are made together form a segment; units begin at segments.
 #pragma once
 
 #include <cstdint>
@@ -10,17 +10,17 @@
 
 namespace lippmann {
 
-/// Costs of the steps of a job. CPU times are sums over all threads.
+/// CPU times are sums over all threads.
 struct JobCosts {
-  /// Cost of loading the scene and building its acceleration structures. Every unit has this cost.
+  /// Loading the scene and building its acceleration structures, for every unit.
   double setup_cpu_seconds = 0.0;
-  /// Cost of a frame, indexed by its position in its segment (from 0). A position without an entry costs as much as the nearest
-  /// lower position that has an entry.
+  /// Cost of a frame by its position in its segment. A position without an entry costs as much as the nearest lower
+  /// one.
   std::map<int, double> at;
-  double write_cpu_seconds = 0.0;  ///< cost of writing the files of one frame
-  /// Cost of source frames: frames that a unit renders only because its own frames are made from them.
+  double write_cpu_seconds = 0.0;  ///< writing the files of one frame
+  /// Source frames, which a unit renders only because its own frames are made from them.
   double source_cpu_seconds = 0.0;
-  std::uint64_t peak_memory_bytes = 0;  ///< peak memory of the measuring process
+  std::uint64_t peak_memory_bytes = 0;  ///< of the measuring process
   std::vector<int> frames;              ///< measured frames; of some of them, only some strips were rendered
 };
 
@@ -32,15 +32,15 @@ struct MeasuredRun {
   std::uint64_t peak_memory_bytes = 0;
 };
 
-/// How the frames of a segment depend on each other. This decides how many frames are measured.
+/// How the frames of a segment depend on each other, which decides how many are measured.
 enum class Neighbours {
-  /// All frames of a segment after the first frame cost about the same. The first two frames of a segment are measured.
+  /// After the first one, all frames of a segment cost about the same. The first two are measured.
   kOthers,
-  /// Frames may be copied from the frame before, even if each segment is a single frame. Two consecutive frames are measured.
+  /// Frames may be copied from the frame before, also across segments. Two consecutive frames are measured.
   kCopied,
 };
 
-/// Returns the frames to measure. They are taken from the first, the middle and the last segment.
+/// Returns frames of the first, the middle and the last segment.
 std::vector<int> frames_to_measure(const std::vector<int>& of_job, int segment, Neighbours neighbours);
 
 JobCosts frame_costs(const MeasuredRun& run, const std::vector<int>& of_job, int segment);

@@ -19,7 +19,7 @@
 namespace lippmann {
 namespace {
 
-/// Returns EXR attributes that describe the render, for programs that read a picture without the report.
+/// EXR attributes for programs that read a picture without the report.
 std::vector<ExrAttribute> about_render(const RenderSetup& setup) {
   std::vector<ExrAttribute> about{{"lippmann.version", version()},
                                   {"lippmann.scene", setup.job.scene().name},
@@ -77,7 +77,7 @@ void FrameLoop::add_kept(const std::vector<int>& frames) {
   for (const int frame : frames) sink_.add_kept(frame);
 }
 
-/// Renders one frame and passes it to the writer. Returns false if the run was cancelled.
+/// Returns false if the run was cancelled.
 bool FrameLoop::make(int frame) {
   if (run_.context.cancelled) return false;
   RenderedFrame made = rendered(frame);
@@ -85,14 +85,13 @@ bool FrameLoop::make(int frame) {
   run_.report.frames.push_back(made.report);
   run_.report.run.frames.push_back(frame);
   const bool in_strips = run_.setup.job.is_in_strips();
-  // Strips are reported one by one after they are traced.
   if (!in_strips) run_.progress.traced(made.report);
   sink_.add(std::move(made));
   if (in_strips || run_.setup.memory.one_at_a_time) sink_.wait();
   return true;
 }
 
-/// Renders a frame. If it is the first frame of the job and shows nothing, warns with the reason.
+/// If the first frame of the job shows nothing, warns with the reason.
 RenderedFrame FrameLoop::rendered(int frame) {
   RenderSetup& setup = run_.setup;
   const bool is_checked = frame == setup.parts.of_job.front() && !setup.job.is_in_strips() && !setup.job.is_test_pattern();

@@ -36,10 +36,10 @@ class FrameLoop {
   /// Waits until all files are written. Throws Error if a frame cannot be written.
   void wait();
 
-  /// Completes the videos. Call this after wait().
+  /// Call this after wait().
   void finish_videos();
 
-  /// Returns the seconds spent on encoding and writing so far, summed over threads.
+  /// Seconds of encoding and writing so far, summed over threads.
   double write_seconds() const { return sink_.write_seconds(); }
 
  private:

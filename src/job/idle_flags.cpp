@@ -30,8 +30,7 @@ bool precompensates(const RenderParams& params) { return params.optics.precompen
 
 bool makes_videos(const RenderParams& params) { return !params.output.video.empty(); }
 
-/// Returns whether the job writes a video with a lossy codec. FFV1, the default codec of .mkv, is lossless and has no quality
-/// setting.
+/// FFV1, the default codec of .mkv, is lossless and has no quality setting.
 bool makes_lossy_videos(const RenderParams& params) {
   if (params.output.video_codec) return makes_videos(params) && *params.output.video_codec != VideoCodec::kFfv1;
   const auto is_lossy = [](const std::string& file) { return std::filesystem::path(file).extension() != ".mkv"; };
@@ -46,32 +45,28 @@ bool makes_codes(const RenderParams& params) { return !makes_exr(params) || make
 
 bool is_file(const RenderParams& params) { return !is_builtin_scene(params.scene.name); }
 
-/// Returns whether the scene may have surroundings. Built-in scenes have their own light. With Whitted shading, files have
-/// surroundings only if they are requested.
+/// Built-in scenes have their own light. With Whitted shading, files have surroundings only if they are requested.
 bool has_surroundings(const RenderParams& params) {
   if (!params.scene.environment.empty()) return params.scene.environment != "none";
   return is_file(params) && facts_of(params.sampling).is_lit_by_surroundings;
 }
 
-/// Returns whether rotating the surroundings changes the picture. A uniform colour (scene_light.hpp) looks the same from all
-/// directions.
+/// A uniform colour (scene_light.hpp) looks the same from all directions.
 bool has_surroundings_to_turn(const RenderParams& params) {
   const std::string& environment = params.scene.environment;
   const bool is_colour = environment.starts_with('#') || environment.find(',') != std::string::npos;
   return has_surroundings(params) && !is_colour;
 }
 
-/// Returns whether the optics may be microlenses. If a display is given without a kind of optics, the display decides, so the
-/// result is true.
+/// If a display is given without a kind of optics, the display decides, so the result is true.
 bool has_microlenses(const RenderParams& params) {
   return optics_kind(params).info().takes_param("packing") || (!params.optics.kind && !params.optics.display.empty());
 }
 
 bool has_parallax(const RenderParams& params) { return optics_kind(params).info().has_parallax; }
 
-/// Returns whether the render may use random numbers. Built-in scenes with one sample per pixel use none, because the sample
-/// lies at the centre of the pixel. A file may hold splats, which have several samples per pixel. A set of cameras around the
-/// scene is split into training and test views at random.
+/// Built-in scenes with one sample per pixel use no random numbers. A file may hold splats, which have several samples.
+/// A set of cameras is split into training and test views at random.
 bool has_random_numbers(const RenderParams& params) {
   return is_file(params) || samples_per_pixel(params.sampling) > 1 || params.scene.cameras;
 }
@@ -79,8 +74,8 @@ bool has_random_numbers(const RenderParams& params) {
 struct Effect {
   std::string_view parameter;
   bool (*exists)(const RenderParams&);
-  const char* ineffective;  ///< setting in which the parameter has no effect
-  const char* accepted;     ///< settings with which the parameter has an effect
+  const char* ineffective;
+  const char* accepted;
 };
 
 constexpr const char* kNotInterpolated = "without interpolated frames";
@@ -116,8 +111,7 @@ constexpr std::array kEffects{
     Effect{"crf", makes_lossy_videos, "without a video in a lossy format", "--video FILE that ends in .mp4, .mov or .webm"},
 };
 
-/// Returns the flags that set a parameter, such as "--packing". If two flags set it, returns both: "--fit-depth or
-/// --full-depth".
+/// Returns the flags that set a parameter, such as "--packing" or "--fit-depth or --full-depth".
 std::string flags_of(std::string_view parameter) {
   const std::string_view opposite = find_param(parameter)->opposite;
   return flag_of(parameter) + (opposite.empty() ? "" : " or " + flag_of(opposite));

@@ -32,7 +32,7 @@ bool is_relative_path(const ParamInfo& info, const std::string& value) {
          !(info.name == "environment" && !environment_is_file(value));
 }
 
-/// Returns the normalised path without a trailing slash. Returns "." for an empty path.
+/// Normalises the path and removes a trailing slash. Returns "." for an empty path.
 std::string tidy(const fs::path& path) {
   std::string text = path.lexically_normal().string();
   while (text.size() > 1 && text.back() == '/') text.pop_back();
@@ -43,7 +43,7 @@ constexpr std::uintmax_t kMaxBytesOfJob = std::uintmax_t{1} << 20;
 
 // ---- Reading --------------------------------------------------------------------------------------------------------
 
-/// Converts a TOML value to the text that a flag would take. `where` is the location of the key, for messages.
+/// Converts a TOML value to the text that a flag would take. `where`: location of the key, for messages.
 std::string value_text(const toml::node& node, const std::string& where) {
   if (const auto* text = node.as_string()) return text->get();
   if (const auto* whole = node.as_integer()) return fmt::format("{}", whole->get());
@@ -96,8 +96,7 @@ std::string toml_value(const ParamInfo& info, const std::vector<std::string>& va
   return fmt::format("[{}]", fmt::join(elements, ", "));
 }
 
-/// Converts a path that is relative to the working folder to a path relative to `folder`. An empty `folder` is the working
-/// folder.
+/// Converts a path relative to the working folder to one relative to `folder`. An empty `folder` is the working folder.
 std::string path_from(const fs::path& folder, const std::string& path) {
   const fs::path here = fs::current_path();
   return tidy((here / path).lexically_normal().lexically_relative((here / folder / "").lexically_normal()));
@@ -108,14 +107,13 @@ bool lies_in(const fs::path& folder, const std::string& path) {
   return from != ".." && !from.starts_with("../");
 }
 
-/// Returns whether `value` is a path inside `folder`, and `folder` is the output folder of the render. Such paths are stored
-/// relative to the folder, so that a copied folder renders into the copy.
+/// Paths inside the render's output folder are stored relative to it, so that a copied folder renders into the copy.
 bool is_own_file(const ParamInfo& info, const std::string& value, const RenderParams& params, const fs::path& folder) {
   const bool is_own_folder = !params.output.folder.empty() && path_from(folder, params.output.folder) == ".";
   return is_own_folder && (info.name == "output" || info.name == "video") && !value.empty() && lies_in(folder, value);
 }
 
-/// Sets a parameter through its opposite. For example, full-depth = true sets fit-depth = false, and vice versa.
+/// Sets a parameter through its opposite: full-depth = true sets fit-depth = false, and vice versa.
 void set_opposite(const ParamInfo& info, const toml::table& job, const std::string& value, const std::string& place,
                   RenderParams& params) {
   const std::string where = fmt::format("{}: {}", place, info.opposite);

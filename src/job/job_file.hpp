@@ -1,8 +1,7 @@
-// Reads and writes job files. A job file is TOML with the keys of params_table.hpp and reproduces a render.
-//
-// Paths in a job file are relative to the folder of the job file. Paths in RenderParams are relative to the working folder. If
-// a job file lies in the output folder of its render, the output folder and all paths inside it are stored relative to the job
-// file, even if they were given as absolute paths. A copy of the folder therefore renders into the copy.
+// Reads and writes job files: TOML with the keys of params_table.hpp, which reproduces a render. Paths in a job file
+// are relative to its folder; paths in RenderParams are relative to the working folder. In the output folder of its
+// render, a job file stores all paths inside that folder relative to itself, so that a copy of the folder renders into
+// the copy.
 #pragma once
 
 #include <filesystem>
@@ -12,15 +11,13 @@
 
 namespace lippmann {
 
-/// Reads the keys of a job file into `params`. Parameters without a key keep their values. Throws Error that names the file and
-/// the line. For an unknown key, the error also names the most similar known key.
+/// Reads the keys of a job file into `params`. Parameters without a key keep their values. Throws Error that names the
+/// file and the line, and for an unknown key the most similar known one.
 void read_job(const std::filesystem::path& file, RenderParams& params);
 
-/// Returns the text of a job file that lies in `folder`. The text has a key for every parameter that is set, below the heading
-/// of the parameter's group.
+/// Returns the text of a job file in `folder`, with a key for every parameter that is set.
 std::string job_text(const RenderParams& params, const std::filesystem::path& folder);
 
-/// Writes job_text() atomically.
 void write_job(const std::filesystem::path& file, const RenderParams& params);
 
 }  // namespace lippmann

@@ -1,4 +1,3 @@
-// Computes fingerprints of jobs from everything that affects their pictures.
 #pragma once
 
 #include <filesystem>
@@ -11,12 +10,12 @@
 
 namespace lippmann {
 
-/// Returns 16 hexadecimal digits that identify everything that affects the pictures: the job's parameters, the scene, the
-/// display and the version of this program.
+/// Returns 16 hexadecimal digits that identify everything that affects the pictures: parameters, scene, display and
+/// version of this program.
 std::string job_fingerprint(const ResolvedJob& job, const Scene& scene, const Display* display = nullptr);
 
-/// Returns the names of the parameters that differ between a job file and `job`, if they affect pictures. Returns nothing if
-/// the file cannot be read.
+/// Returns the names of parameters that affect pictures and differ between a job file and `job`. Returns nothing if the
+/// file cannot be read.
 std::vector<std::string> differences(const std::filesystem::path& job_file, const ResolvedJob& job);
 
 }  // namespace lippmann

@@ -1,4 +1,3 @@
-// Loads the scene of a job and adds the light that the job requests.
 #pragma once
 
 #include <string>
@@ -10,7 +9,6 @@
 
 namespace lippmann {
 
-/// Facts about a loaded scene that Scene does not store.
 struct SceneNotes {
   std::vector<std::string> camera_names;  ///< in the order of the file
   std::string light;                      ///< one sentence that names the light and the reason for it
@@ -22,7 +20,8 @@ struct JobScene {
   SceneNotes notes;
 };
 
-/// Loads the job's scene, or an empty scene for the test pattern. Throws Error if the scene cannot be loaded.
+/// Loads the job's scene with the light that the job requests, or an empty scene for the test pattern. Throws Error if
+/// the scene cannot be loaded.
 JobScene load_scene_of(const ResolvedJob& job, const Context& context);
 
 }  // namespace lippmann

@@ -12,7 +12,7 @@ JobStage::JobStage(const ResolvedJob& job, const ThreadPool& pool, const Context
 JobStage::JobStage(JobScene loaded, const ResolvedJob& job, const ThreadPool& pool)
     : JobStage(std::move(loaded), lippmann::place(job, loaded.scene), *job.sampling().integrator, pool) {}
 
-// `loaded` is passed as a reference, so that its scene is moved only after the optics have been placed in the scene.
+// `loaded` is a reference, so that its scene is moved only after the optics have been placed in it.
 JobStage::JobStage(JobScene&& loaded, PlacedJob placed_job, Integrator integrator, const ThreadPool& pool)
     : Stage(std::move(loaded.scene), std::move(placed_job.array), std::move(placed_job.placed), integrator, pool),
       display(std::move(placed_job.display)),

@@ -18,11 +18,11 @@ struct JobStage : Stage {
 
   /// Loads the scene, places the optics and builds the acceleration structures. Throws Error.
   JobStage(const ResolvedJob& job, const ThreadPool& pool, const Context& context);
-  /// Makes the stage from a loaded scene. The scene keeps its light, even if the job names another environment. Throws Error.
+  /// The scene keeps its light, even if the job names another environment. Throws Error.
   JobStage(JobScene loaded, const ResolvedJob& job, const ThreadPool& pool);
 
-  /// Replaces the optics by the optics of `job`, which must have the same scene, light and integrator. If it throws Error, the
-  /// stage is unchanged.
+  /// Replaces the optics by those of `job`, which must have the same scene, light and integrator. If it throws Error,
+  /// the stage is unchanged.
   void place(const ResolvedJob& job);
 
  private:

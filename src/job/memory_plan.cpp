@@ -17,10 +17,11 @@ namespace {
 
 constexpr double kFilm = 3 * sizeof(float);
 
-/// Ratio of allocated to used memory of an encoded file. The file is a vector that grows by doubling.
+/// An encoded file is a vector that grows by doubling.
 constexpr double kGrowth = 2.0;
 
-/// Fraction of the available memory that a plan may use. The rest allows for errors of the estimate and for other programs.
+/// Fraction of the available memory that a plan may use. The rest allows for errors of the estimate and for other
+/// programs.
 constexpr double kReserve = 0.8;
 
 std::vector<Aov> layers_of(const MemoryFacts& facts) {
@@ -33,15 +34,15 @@ std::vector<Aov> layers_of(const MemoryFacts& facts) {
 
 double bytes_of(Aov aov) { return sizeof(float) * channels_of(aov); }
 
-/// Returns the bytes per pixel of a frame's film and layers.
+/// Bytes per pixel of a frame's film and layers.
 double frame_held(const MemoryFacts& facts) {
   double bytes = kFilm;
   for (const Aov aov : layers_of(facts)) bytes += bytes_of(aov);
   return bytes;
 }
 
-/// Returns the bytes per pixel for encoding a picture: the picture's integer or half-float samples, and the encoded file. The
-/// file is assumed to be as large as for a noisy picture.
+/// Bytes per pixel for encoding a picture: its integer or half-float samples, and a file as large as for a noisy
+/// picture.
 double picture_written(const MemoryFacts& facts) {
   constexpr double kPngFile = 3 * 0.6, kPng16File = 3 * 1.7, kHalfFile = 3 * 1.3, kFloatFile = 3 * 2.9;
   constexpr double kCodes = 3.0, kCodes16 = 6.0, kHalves = 6.0;
@@ -60,9 +61,8 @@ double picture_written(const MemoryFacts& facts) {
   return (floats ? kGrowth * kFloatFile : kHalves + kGrowth * kHalfFile) + video_codes;
 }
 
-/// Returns the bytes per pixel for encoding layers. Layers that are stored as 16-bit floats are converted first. In formats
-/// other than EXR, the samples of an alpha layer are interleaved with those of the picture, so alpha is encoded as part of the
-/// picture.
+/// Bytes per pixel for encoding layers. Layers that are stored as 16-bit floats are converted first. In formats other
+/// than EXR, alpha is encoded as part of the picture.
 double layers_written(const MemoryFacts& facts) {
   double bytes = 0.0;
   for (const Aov aov : layers_of(facts)) {
@@ -75,8 +75,7 @@ double layers_written(const MemoryFacts& facts) {
   return bytes;
 }
 
-/// Returns the bytes per pixel for rearranging a frame in another layout. This needs a second film, and a second copy of one
-/// layer at a time.
+/// Bytes per pixel for rearranging a frame in another layout: a second film, and a second copy of one layer at a time.
 double moved_bytes(const MemoryFacts& facts) {
   if (!facts.layout.moves()) return 0.0;
   double layer = 0.0;
@@ -84,13 +83,13 @@ double moved_bytes(const MemoryFacts& facts) {
   return kFilm + layer;
 }
 
-/// Returns the bytes per pixel of a light field that is assembled from film and depth before it is written.
+/// Bytes per pixel of a light field that is assembled from film and depth before it is written.
 double light_field_bytes(const MemoryFacts& facts) {
   if (!facts.layout.light_field()) return 0.0;
   return kFilm + 2.0 * sizeof(float);
 }
 
-/// Returns the bytes per pixel that a video encoder buffers.
+/// Bytes per pixel that a video encoder buffers.
 double video_bytes(VideoCodec codec) {
   switch (codec) {
     case VideoCodec::kH264:
@@ -116,21 +115,21 @@ double videos_written(const MemoryFacts& facts) {
   return bytes;
 }
 
-/// Returns the bytes per pixel for writing a frame, in addition to its film and layers.
+/// Bytes per pixel for writing a frame, in addition to its film and layers.
 double writing(const MemoryFacts& facts) {
   const double precompensated = facts.params.optics.precompensate ? 2.0 * kFilm : 0.0;
   return picture_written(facts) + layers_written(facts) + moved_bytes(facts) + light_field_bytes(facts) + precompensated +
          videos_written(facts);
 }
 
-/// Returns the bytes per pixel of the table that maps pixels of the layout to film pixels. All frames share the table.
+/// Bytes per pixel of the table that maps pixels of the layout to film pixels, which all frames share.
 double layout_tables(const MemoryFacts& facts) { return facts.layout.moves() ? sizeof(std::uint32_t) : 0.0; }
 
 double working(const MemoryFacts& facts) { return working_bytes_per_pixel(facts.frame_settings, facts.frames); }
 
 double pixels_of(const MemoryFacts& facts) { return static_cast<double>(facts.film.x) * facts.film.y; }
 
-/// Returns the reason why frames cannot be traced in bands. Returns an empty string if they can.
+/// Returns why frames cannot be traced in bands, or an empty string.
 std::string reason_against_bands(const MemoryFacts& facts) {
   const FrameParams& frame_settings = facts.frame_settings;
   if (facts.rows_around >= facts.film.y) return "the denoiser (`denoise`) averages views of all rows of the quilt";
@@ -140,7 +139,7 @@ std::string reason_against_bands(const MemoryFacts& facts) {
   return {};
 }
 
-/// Returns the fraction of a frame's rows that is traced at once.
+/// Fraction of a frame's rows that is traced at once.
 double traced_share(const MemoryFacts& facts, int bands) {
   return bands > 1 ? std::min(1.0, 1.0 / bands + 2.0 * facts.rows_around / facts.film.y) : 1.0;
 }
@@ -182,7 +181,7 @@ MemoryPlan plan_strips_memory(const MemoryFacts& facts, int strips, bool joins, 
                 fmt::format("joining a frame of {}x{} pixels from its strips needs about {} of memory, but {} are available",
                             facts.film.x, facts.film.y, bytes_text(joined), bytes_text(available)),
                 "fewer pixels, fewer layers, or more memory");
-  // Add the memory for joining to the memory for tracing, because the heap keeps most of the memory that tracing used.
+  // The heap keeps most of the memory that tracing used, so the memory for joining is added.
   return {1, false, strip + joined};
 }
 

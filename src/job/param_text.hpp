@@ -1,7 +1,5 @@
-// Converts parameter values to and from text: numbers in a range, extents such as 64x64, and names of choices.
-//
-// The functions read_* throw a usage Error at `where` that names the accepted values. Floats are written with the fewest digits
-// that read back to the same value.
+// Converts parameter values to and from text. The functions read_* throw a usage Error at `where` that names the
+// accepted values. Floats are written with the fewest digits that read back to the same value.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +15,6 @@
 
 namespace lippmann {
 
-/// Reads "true" or "false".
 bool read_flag(std::string_view text, const std::string& where);
 
 /// Reads "64" (y stays 0) or "64x32".
@@ -26,7 +23,7 @@ Extent<float> read_extent(std::string_view text, float lowest, float highest, co
 std::string write_extent(const Extent<int>& extent);
 std::string write_extent(const Extent<float>& extent);
 
-/// Reads a number of millimetres above 0, "inf", or "auto". Returns nullopt for "auto".
+/// Reads a number of millimetres above 0, "inf", or "auto" (nullopt).
 std::optional<float> read_distance(std::string_view text, const std::string& where);
 std::string write_distance(std::optional<float> distance_mm);
 
@@ -37,7 +34,7 @@ std::string write_eye_height(const EyeHeight& height);
 /// Reads NEAR:FAR in mm. FAR must be less than NEAR.
 DepthRange read_depth_range(std::string_view text, const std::string& where);
 
-/// Reads the name of a choice and returns its index in `names`. The Error lists the names.
+/// Returns the index of `text` in `names`. The Error lists the names.
 std::size_t read_choice(std::string_view text, std::span<const std::string_view> names, const std::string& where);
 
 }  // namespace lippmann

@@ -1,5 +1,5 @@
-// The parameters of a render as the user gave them. params_table.hpp reads and writes them as command-line flags and job-file
-// keys. ResolvedJob (resolved_job.hpp) fills in the defaults.
+// The parameters of a render as the user gave them. params_table.hpp reads and writes them as flags and job-file keys.
+// ResolvedJob fills in the defaults.
 #pragma once
 
 #include <cstdint>
@@ -24,43 +24,39 @@ namespace lippmann {
 enum class ReuseChoice { kAuto, kNone, kCopy, kInterpolate };
 enum class DebugPicture { kNone, kMissed };
 
-/// The scene, its light, and the part of it that is shown.
 struct SceneParams {
-  std::string name;  ///< name of a built-in scene, or a file
-  /// Tachyon .cam file for a .dat scene. Empty if there is none.
+  std::string name;  ///< built-in scene or file
+  /// Tachyon .cam file for a .dat scene; may be empty.
   std::string camera_path;
-  /// Name or index of the animation to show. If empty, the first animation.
+  /// Name or index of the animation; empty: the first one.
   std::string animation;
-  /// Name or index of the material variant. If empty, the default of the file.
+  /// Name or index of the material variant; empty: the default of the file.
   std::string variant;
-  /// Folder that must contain all files that the scene refers to. If empty, the folder of the scene.
+  /// Folder that must contain all files that the scene refers to; empty: the folder of the scene.
   std::string asset_root;
   /// Limit in MB for the decoded textures of a file. Larger textures are halved until they fit.
   int texture_memory = 1024;
-  /// Name or index of the camera that sets the view. If empty, the first camera of the file.
+  /// Name or index of the camera that sets the view; empty: the first camera of the file.
   std::string camera;
   UpAxis up = UpAxis::kY;  ///< axis of the scene's file that points upwards
-  /// Frames per second of the animation and of videos. If 0, the frame rate of the scene.
+  /// Frames per second of the animation and of videos; 0: the frame rate of the scene.
   double fps = 0.0;
   float light_scale = 1.0f;  ///< factor for the lamps of the file
-  /// "none", "studio", a colour or a panorama file. If empty, light_scene() chooses (job/scene_light.hpp).
+  /// "none", "studio", a colour or a panorama file; empty: light_scene() chooses (job/scene_light.hpp).
   std::string environment;
   float environment_strength = 1.0f;  ///< factor for the light of the environment
   float environment_rotation_deg = 0.0f;
-  /// Cameras around the scene, one per frame, which replace the scene's own cameras. If nullopt, the scene's own cameras are
-  /// used.
+  /// Cameras around the scene, one per frame, which replace the scene's own cameras.
   std::optional<CameraSet> cameras{};
   /// Diameter of the points of a point cloud, in units of the file. If nullopt, it is derived from the spacing of the points.
   std::optional<double> point_size{};
   ViewWish view;
 };
 
-/// Reuse between frames, as the user gave it. Parameters without effect on the chosen kind of reuse must not be given
-/// (job/reuse_params.hpp).
 struct ReuseParams {
   ReuseChoice choice = ReuseChoice::kAuto;
-  /// Number of frames from one key frame to the next. If nullopt, the number is kDefaultKeyframes for Interpolate without a
-  /// minimum PSNR. Otherwise, it is chosen automatically.
+  /// Frames from one key frame to the next; nullopt: kDefaultKeyframes for Interpolate without a minimum PSNR,
+  /// otherwise chosen automatically.
   std::optional<int> keyframes{};
   std::optional<double> min_psnr_db{};  ///< minimum PSNR of every frame in dB, after rounding to 8 bits
   SplatMode splat = SplatMode::kView;
@@ -70,51 +66,47 @@ struct ReuseParams {
   DebugPicture debug = DebugPicture::kNone;  ///< kMissed leaves missed pixels black
 };
 
-/// Additional renders that are made of the same frames.
-enum class Companion { kSingle };  ///< kSingle is a render of a single view beside a light field (job/single_clip.hpp)
+enum class Companion { kSingle };  ///< render of a single view beside a light field (job/single_clip.hpp)
 
 struct OutputParams {
-  std::string folder;                 ///< output folder; if empty, out/<scene name>
-  std::optional<FrameRanges> frames;  ///< frames to render; nullopt: the whole animation
+  std::string folder;                 ///< empty: out/<scene name>
+  std::optional<FrameRanges> frames;  ///< nullopt: the whole animation
   PictureParams pictures;
-  /// Video files. The extension selects the container.
+  /// The extension of a video file selects the container.
   std::vector<std::string> video;
-  /// Codec of all videos. If nullopt, it is chosen by extension and size.
+  /// Codec of all videos; nullopt: chosen by extension and size.
   std::optional<VideoCodec> video_codec;
-  /// Quality (CRF) of all lossy videos. If nullopt, the default of the codec.
+  /// Quality (CRF) of all lossy videos; nullopt: the default of the codec.
   std::optional<int> crf;
-  std::optional<Companion> also;  ///< additional render that is made after the frames, into a subfolder
-  bool page = false;              ///< whether to write a web page that shows the light field, after all frames
+  std::optional<Companion> also;  ///< made after the frames, into a subfolder
+  bool page = false;              ///< writes a web page that shows the light field, after all frames
 };
 
-/// All parameters of a job, and of how it is run.
 struct RenderParams {
   Sampling sampling;
   ReuseParams reuse;
   SceneParams scene;
   OpticsParams optics;
   OutputParams output;
-  /// Number of strips of rows per frame (frames/strip_maker.hpp). 1 renders whole frames.
+  /// Strips of rows per frame (frames/strip_maker.hpp); 1: whole frames.
   int strips = 1;
-  /// Number of rendering threads. 0 uses one thread per processor.
+  /// Rendering threads; 0: one per processor.
   int threads = 0;
-  bool resume = false;  ///< whether to keep frames that earlier runs of the same job have finished
+  bool resume = false;  ///< keeps frames that earlier runs of the same job have finished
 };
 
-/// Returns whether the job's pictures hold two views, one per eye (job/screen_for_stereo.hpp).
+/// The pictures hold two views, one per eye (job/screen_for_stereo.hpp).
 bool wants_stereo(const RenderParams& params);
 
-/// Returns the given kind of optics, or lenticular by default.
 inline OpticsKind optics_kind(const RenderParams& params) { return params.optics.kind.value_or(OpticsKind::kLenticular); }
 
-/// Returns whether `scene` is the name of a built-in scene, and not a file.
 bool is_builtin_scene(const std::string& scene);
 
-/// Returns the output folder: `output`, or out/<scene name> by default. The scene name is the name of the built-in scene, or
-/// the file's name without folder and extension.
+/// Returns `output`, or out/<scene name> by default. The scene name is that of a built-in scene, or the file's name
+/// without folder and extension.
 std::string output_folder(const RenderParams& params);
 
-/// Returns the frames of the job in ascending order. Throws a usage Error for frames outside the animation.
+/// Returns the frames in ascending order. Throws a usage Error for frames outside the animation.
 std::vector<int> frames_of_job(const RenderParams& params, const Timeline& timeline);
 
 }  // namespace lippmann

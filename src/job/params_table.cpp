@@ -41,18 +41,18 @@ constexpr std::array<std::string_view, 7> kLayoutNames{"integral", "quilt", "vie
 constexpr std::array<std::string_view, 1> kCompanionNames{"single"};
 constexpr std::array<std::string_view, 2> kExrPixelNames{"half", "float"};
 constexpr std::array<std::string_view, 2> kDepthScaleNames{"disparity", "depth"};
-/// The layers that `aov` accepts. Alpha, the last layer, is left out because `transparent` selects it.
+/// `transparent` selects alpha, the last layer, so it is left out.
 const std::span<const std::string_view> kWantedAovNames(kAovNames.data(), kAovs - 1);
 
 /// Maximum number of pixels or lenses along one side. panel_size() limits the size of the whole panel.
 constexpr int kMaxCount = 1 << 20;
 
-/// Reads and writes values of one type. `set` and `get` of each row of the table use a codec.
+/// Reads and writes values of one type.
 template <class T>
 struct Codec {
   std::function<T(std::string_view, const std::string& where)> read;
   std::function<std::string(const T&)> write;
-  /// The words that `read` accepts. Empty if values are not from a list of words.
+  /// Accepted words; empty: values are not from a list of words.
   std::vector<std::string_view> choices = {};
 };
 
@@ -87,7 +87,7 @@ Codec<Extent<T>> extent(T lowest, T highest) {
           [](const Extent<T>& value) { return value.x == T{0} ? std::string() : write_extent(value); }};
 }
 
-/// Returns a codec that reads WxH. A single number sets width and height.
+/// Reads WxH. A single number sets width and height.
 Codec<Extent<int>> full_extent(int highest) {
   Codec<Extent<int>> codec = extent(1, highest);
   codec.read = [highest](std::string_view value, const std::string& where) {
@@ -106,7 +106,7 @@ Codec<E> choice(const std::array<std::string_view, N>& names) {
       {names.begin(), names.end()}};
 }
 
-/// Returns a codec that also accepts the names that job files of earlier versions use.
+/// Also accepts the names in job files of earlier versions.
 Codec<ReuseChoice> reuse_choice() {
   Codec<ReuseChoice> codec = choice<ReuseChoice>(kReuseNames);
   codec.read = [by_name = codec.read](std::string_view value, const std::string& where) {
@@ -116,7 +116,7 @@ Codec<ReuseChoice> reuse_choice() {
   return codec;
 }
 
-/// Returns a codec that also accepts true and false, which job files of earlier versions use.
+/// Also accepts true and false, as in job files of earlier versions.
 Codec<Denoise> denoise_choice() {
   Codec<Denoise> codec = choice<Denoise>(kDenoiseNames);
   codec.read = [by_name = codec.read](std::string_view value, const std::string& where) {
@@ -185,8 +185,7 @@ struct Documentation {
   std::string_view name, group, type, doc;
 };
 
-/// Returns the member at the end of a path of member pointers. For example, member_of(params, &RenderParams::scene,
-/// &SceneParams::fps) is params.scene.fps.
+/// member_of(params, &RenderParams::scene, &SceneParams::fps) is params.scene.fps.
 template <class T>
 T& member_of(T& value) {
   return value;
@@ -196,8 +195,8 @@ auto& member_of(T& value, M Group::*member, Rest... rest) {
   return member_of(value.*member, rest...);
 }
 
-/// Makes the row of a parameter. `members` is the path of member pointers from RenderParams to the value. If the codec's
-/// `write` returns an empty text, the parameter counts as not given.
+/// `members` is the path of member pointers from RenderParams to the value. If the codec's `write` returns an empty
+/// text, the parameter counts as not given.
 template <class T, class... Members>
 ParamInfo row_of(ParamKind kind, Codec<T> codec, Documentation words, Members... members) {
   ParamInfo info{words.name, words.group, words.type, words.doc, kind, true, false, {}, {}};

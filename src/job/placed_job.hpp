@@ -18,14 +18,12 @@ struct PlacedJob {
   PlacedOptics placed;
 };
 
-/// Returns the screen of a job. The arguments must outlive the result. Throws a usage Error if parameters contradict each
-/// other.
+/// The arguments must outlive the result. Throws a usage Error if parameters contradict each other.
 Screen screen_of(const ResolvedJob& job, const Scene& scene, const Display* display);
 
-/// Loads the job's display, fits the array to the scene, and makes the optics. Rays normally start at the viewer. If walls hide
-/// the scene from the viewer but not from the file's camera, rays start behind these walls. A camera inside a room therefore
-/// shows the room. `scene` must pass validate(). Throws Error if the display cannot be read. Throws a usage Error if parameters
-/// contradict each other, or if no rays exist for them.
+/// Loads the job's display, fits the array to the scene, and makes the optics. Rays start at the viewer, or behind
+/// walls that hide the scene from the viewer but not from the file's camera. `scene` must pass validate(). Throws Error
+/// if the display cannot be read, and a usage Error if parameters contradict each other or no rays exist for them.
 PlacedJob place(const ResolvedJob& job, const Scene& scene);
 
 }  // namespace lippmann

@@ -6,7 +6,7 @@ namespace lippmann {
 namespace {
 
 struct Removed {
-  std::string_view name, value;  ///< the removed value; if empty, the parameter itself was removed
+  std::string_view name, value;  ///< empty `value`: the parameter itself was removed
   const char *why, *accepted;
 };
 

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the parameters of frames. Throws for all invalid parameters that can be detected before the scene is loaded.
+/// Throws for all invalid parameters that can be detected before the scene is loaded.
 FrameParams checked_frame_params(const ResolvedJob& job) {
   FrameParams frame_settings = frame_params(job);
   check_floor(job.params());
@@ -61,8 +61,8 @@ void plan_memory_of(RenderSetup& setup, const Context& context) {
   if (!sentence.empty() && run.is_first_rank()) context.warning(sentence);
 }
 
-/// Returns the requested folder. By default, returns the first of out/<scene name>, out/<scene name>-2, ... that does not hold
-/// another render.
+/// Returns the requested folder, or the first of out/<scene name>, out/<scene name>-2, ... that does not hold another
+/// render.
 fs::path chosen_folder(const RenderSetup& setup) {
   const fs::path wanted = output_folder(setup.job.params());
   if (wanted == "-") throw usage_error("output", "a render writes a folder of files, not standard output", "a folder");

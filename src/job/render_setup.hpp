@@ -1,4 +1,4 @@
-// Sets up one run of a job before its first frame. Invalid jobs are rejected here, before anything is written.
+// Sets up one run of a job. Invalid jobs are rejected here, before anything is written.
 #pragma once
 
 #include <chrono>
@@ -19,13 +19,13 @@
 
 namespace lippmann {
 
-/// The objects that one run of a job needs. Not movable, because its members refer to each other.
+/// Not movable, because its members refer to each other.
 struct RenderSetup {
  private:
   const std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 
  public:
-  ResolvedJob job;  ///< the job, with its output folder filled in
+  ResolvedJob job;  ///< with its output folder filled in
   const FrameParams frame_settings;
   const RunParams run;
   const ThreadPool pool;
@@ -33,21 +33,21 @@ struct RenderSetup {
   const RunParts parts;
   const FrameLayout layout;
   MemoryPlan memory;  ///< how frames fit into the available memory
-  /// Estimated memory for joining a frame from strips. 0 if no frame is joined.
+  /// Estimated memory for joining a frame from strips; 0: no frame is joined.
   double join_bytes = 0.0;
-  /// Crosstalk to correct: the standard deviation of the Gaussian blur (optics/crosstalk.hpp), in pixels, or in views for a
-  /// quilt. nullopt if no crosstalk is corrected.
+  /// Crosstalk to correct: the standard deviation of the Gaussian blur (optics/crosstalk.hpp), in pixels, or in views
+  /// for a quilt.
   std::optional<double> crosstalk;
   FormatOptions writing;
-  /// Videos of all frames. Empty if other runs render some of the frames.
+  /// Empty if other runs render some of the frames.
   std::vector<VideoFile> videos;
   std::string fingerprint;
   std::filesystem::path folder;
-  /// The default output folder, if it holds another render. `folder` is then a different folder. Empty otherwise.
+  /// The default output folder if it holds another render, in which case `folder` is a different one.
   std::filesystem::path crowded_folder;
 
-  /// Loads the scene unless `loaded` is given. Throws Error if the job cannot be rendered, or if the folder holds anything
-  /// except this render.
+  /// Loads the scene unless `loaded` is given. Throws Error if the job cannot be rendered, or if the folder holds
+  /// anything except this render.
   RenderSetup(const ResolvedJob& wanted, const RunParams& run, const Context& context,
               std::optional<JobScene> loaded = std::nullopt);
   RenderSetup(const RenderSetup&) = delete;
@@ -57,15 +57,14 @@ struct RenderSetup {
 
   const Optics& optics() const { return stage.placed.optics; }
 
-  /// Returns whether finished frames of earlier runs are kept. They are not kept if the job makes videos and its pictures are
-  /// not 8-bit PNG files, because videos need the exact 8-bit values.
+  /// Frames of earlier runs are not kept if the job makes videos and its pictures are not 8-bit PNG files, because
+  /// videos need the exact 8-bit values.
   bool keeps_frames() const;
 
-  /// Returns whether the run leaves its frames in strips. This is the case if other runs render some of the strips. It is also
-  /// the case if several processes (ranks) share the run, because they join the strips at the end.
+  /// A run leaves its frames in strips if other runs or ranks render some of them. Ranks join the strips at the end.
   bool leaves_strips() const { return job.is_in_strips() && (run.units || run.parts || run.ranks); }
 
-  /// Returns the plan of the run. `kept` is the number of frames or strips that exist already.
+  /// `kept`: frames or strips that exist already.
   RenderPlan plan(int kept) const;
 
   /// Returns a report without frames.

@@ -14,8 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Returns the figures of the crosstalk correction, together with the amount of crosstalk. Returns null without crosstalk
-/// correction.
+/// Figures of the crosstalk correction with the amount of crosstalk; null without correction.
 Json precompensation_json(const RenderReport& report) {
   Json json = to_json(precompensation_of(report));
   if (!report.crosstalk_px || json.is_null()) return nullptr;
@@ -45,8 +44,7 @@ Json totals_json(const RenderReport& report) {
           {"threads", report.run.threads}};
 }
 
-/// Returns the runs as JSON. Of the source frames of a run, lists only the number, because totals_json() includes their
-/// figures.
+/// Lists only the number of source frames of a run, because totals_json() includes their figures.
 Json runs_json(const RenderReport& report) {
   Json runs = Json::array();
   for (const RunReport& run : report.runs.empty() ? std::vector{report.run} : report.runs) {

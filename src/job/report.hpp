@@ -1,4 +1,4 @@
-// Figures of a render, per frame and in total. They are written to report.json; docs/reference/formats.md explains every key.
+// Figures of a render, per frame and in total, as in report.json (docs/reference/formats.md).
 #pragma once
 
 #include <cstdint>
@@ -25,26 +25,25 @@ struct RenderReport {
   std::string view;   ///< one sentence on how the array was placed (FittedArray::how)
   std::string cut;    ///< one sentence on walls that hide the scene (PlacedOptics::cut)
   ShownDepth depth;
-  /// Factor of depth: depth on the display divided by depth in the scene.
+  /// Depth on the display divided by depth in the scene.
   float depth_scale = 1.0f;
-  /// Corrected crosstalk: the standard deviation of the Gaussian blur (optics/crosstalk.hpp), in pixels, or in views for a
-  /// quilt.
+  /// Corrected crosstalk: the standard deviation of the Gaussian blur (optics/crosstalk.hpp), in pixels, or in views
+  /// for a quilt.
   std::optional<double> crosstalk_px;
   double frames_per_second = 25.0;
-  /// Reports of the frames, in ascending order. Kept frames have the figures of the run that rendered them.
+  /// In ascending order. Kept frames have the figures of the run that rendered them.
   std::vector<FrameReport> frames;
-  std::vector<FrameReport> strips;  ///< reports of strips whose frames are not in `frames`
-  /// Figures of this run except those of its frames. In the report of a folder, the totals of all runs.
+  std::vector<FrameReport> strips;  ///< strips whose frames are not in `frames`
+  /// Figures of this run except those of its frames; in the report of a folder, the totals of all runs.
   RunReport run;
-  /// All runs that rendered into the folder. Empty if `run` is the only run.
+  /// All runs that rendered into the folder; empty if `run` is the only one.
   std::vector<RunReport> runs;
   std::vector<std::string> videos;
-  /// Whether the run stopped before its last frame. The frames in the report are complete.
+  /// The run stopped before its last frame. The frames in the report are complete.
   bool interrupted = false;
 };
 
-/// Returns the figures of the crosstalk correction: the mean share of clipped samples and the largest residual over all frames.
-/// Returns nullopt without crosstalk correction.
+/// Mean share of clipped samples and largest residual of the crosstalk correction over all frames.
 std::optional<Precompensation> precompensation_of(const RenderReport& report);
 
 nlohmann::ordered_json to_json(const RenderReport& report);

@@ -27,7 +27,7 @@ void complete_pictures(RenderParams& params) {
 
 ResolvedJob::ResolvedJob(RenderParams asked) : params_(std::move(asked)) {
   complete_pictures(params_);
-  if (params_.sampling.integrator) return;  // without this return, scene_kind() would open the scene's file for nothing
+  if (params_.sampling.integrator) return;  // avoids opening the scene's file in scene_kind()
   const bool interpolates = params_.reuse.choice == ReuseChoice::kInterpolate;
   params_.sampling = completed(std::move(params_.sampling), scene_kind(params_.scene.name), interpolates);
 }

@@ -1,4 +1,3 @@
-// A job whose defaults are filled in. Scenes, optics and frames are made from it.
 #pragma once
 
 #include <filesystem>
@@ -10,15 +9,12 @@
 
 namespace lippmann {
 
-/// The parameters of a job with all defaults filled in. Only the constructor fills in defaults, so they cannot be forgotten or
-/// applied twice.
+/// A job with all defaults filled in. Only the constructor fills in defaults, so they cannot be forgotten or applied
+/// twice.
 class ResolvedJob {
  public:
-  /// Makes a job from the parameters `asked`. Fills in:
-  /// - the integrator: see completed() (frames/frame_params.hpp);
-  /// - the depth layer for output formats that store depth;
-  /// - a single view for RGB-D pictures.
-  /// Throws a usage Error for an unknown output format.
+  /// Fills in the integrator (see completed()), the depth layer for output formats that store depth, and a single view
+  /// for RGB-D pictures. Throws a usage Error for an unknown output format.
   explicit ResolvedJob(RenderParams asked);
 
   const RenderParams& params() const { return params_; }
@@ -26,19 +22,18 @@ class ResolvedJob {
   const OutputParams& output() const { return params_.output; }
   const Sampling& sampling() const { return params_.sampling; }
 
-  /// Returns whether the job renders the test pattern of a display instead of a scene.
+  /// The job renders the test pattern of a display instead of a scene.
   bool is_test_pattern() const;
 
-  /// Returns whether each frame is rendered in strips of rows.
   bool is_in_strips() const { return params_.strips > 1; }
 
-  /// Returns the number of rendering threads: the requested number, or the default of `context`.
+  /// The requested number, or the default of `context`.
   int threads(const Context& context) const;
 
-  /// Returns the frame rate of the animation and of videos: the requested rate, or the rate of the scene.
+  /// The requested rate, or the rate of the scene.
   double frames_per_second(const Timeline& timeline) const;
 
-  /// Returns the same job with its files in another folder.
+  /// The same job with its files in another folder.
   ResolvedJob in_folder(const std::filesystem::path& folder) const;
 
  private:

@@ -6,8 +6,7 @@
 namespace lippmann {
 namespace {
 
-/// Returns the first flag of interpolation whose value differs from its default. Returns an empty string if all have their
-/// defaults.
+/// Returns the first flag of interpolation that differs from its default, or an empty string.
 std::string interpolation_flag(const ReuseParams& params) {
   const ReuseParams defaults;
   if (params.splat != defaults.splat) return "--splat";
@@ -49,9 +48,8 @@ Interpolate interpolate(const ReuseParams& params) {
           params.halving,   params.no_z_buffer};
 }
 
-/// Returns the kind of reuse that kAuto stands for. Some parameters are ignored and not rejected, so that the same flags work
-/// for many scenes. --keyframes is ignored if no frame can be copied. --min-psnr is ignored if pixels are copied or traced
-/// without noise, because such pixels satisfy any minimum.
+/// Returns the kind of reuse that kAuto stands for. --keyframes is ignored if no frame can be copied, and --min-psnr if
+/// pixels are copied or traced without noise, so that the same flags work for many scenes.
 Reuse reuse_by_sampling(ReuseParams params, const Sampling& sampling) {
   if (can_copy_settled(sampling)) return copy_settled(params);
   params.keyframes.reset();
@@ -77,7 +75,7 @@ Reuse wanted_reuse(const ReuseParams& params, const Sampling& sampling) {
 
 FrameParams frame_params(const ResolvedJob& job) {
   FrameParams frames{job.sampling(), wanted_reuse(job.params().reuse, job.sampling())};
-  // Switch off the lens of the sampling, because rays of camera optics already pass through the lens of the optics.
+  // Rays of camera optics already pass through a lens.
   if (optics_kind(job.params()).info().is_camera) frames.sampling.lens.f_number = 0.0f;
   check(frames);
   return frames;

@@ -1,4 +1,4 @@
-// Converts the parameters of reuse to one kind of reuse and the parameters of that kind (frames/reuse.hpp).
+// Converts the parameters of reuse to one kind of reuse and its parameters (frames/reuse.hpp).
 #pragma once
 
 #include "job/resolved_job.hpp"
@@ -6,13 +6,13 @@
 namespace lippmann {
 
 inline constexpr int kMaxKeyframes = 4096;
-inline constexpr double kMinPsnr = 20.0, kMaxPsnr = 90.0;  ///< range of --min-psnr
+inline constexpr double kMinPsnr = 20.0, kMaxPsnr = 90.0;  ///< range of --min-psnr in dB
 
-/// Returns how the frames of a job are made. kAuto is replaced by the kind of reuse that suits the job's sampling. Throws a
-/// usage Error for parameters that the resulting kind of reuse does not use, and for everything that check() rejects.
+/// kAuto is replaced by the kind of reuse that suits the job's sampling. Throws a usage Error for parameters that the
+/// resulting kind does not use, and for everything that check() rejects.
 FrameParams frame_params(const ResolvedJob& job);
 
-/// Throws a usage Error if a minimum PSNR is combined with exposure or tone mapping.
+/// A minimum PSNR cannot be combined with exposure or tone mapping; throws a usage Error.
 void check_floor(const RenderParams& params);
 
 }  // namespace lippmann

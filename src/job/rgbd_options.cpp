@@ -11,7 +11,7 @@
 namespace lippmann {
 namespace {
 
-/// Returns the eye of the middle view, which is the view that is written.
+/// The middle view is written.
 EyeAtWindow written_eye(const Optics& optics) {
   const std::optional<RenderedViews> rendered = rendered_views(optics);
   if (!rendered || !rendered->cameras)

@@ -1,5 +1,5 @@
-// Chooses the depth coding of an RGB-D render. All frames share it, so that a grey level means the same depth throughout a
-// video.
+// Chooses the depth coding of an RGB-D render. All frames share it, so that a grey level means the same depth
+// throughout a video.
 #pragma once
 
 #include "folder/picture_params.hpp"
@@ -10,8 +10,8 @@ namespace lippmann {
 
 struct Stage;
 
-/// Returns the options with the requested depth range. If no range is requested, uses the depth range that is visible in the
-/// whole animation, whichever frames or strips are rendered. Throws a usage Error for a range that is not in front of the eye.
+/// Uses the requested depth range, or the range that is visible in the whole animation. Throws a usage Error for a
+/// range that is not in front of the eye.
 FormatOptions rgbd_options(const DepthParams& wanted, const Stage& stage, const ThreadPool& pool);
 
 }  // namespace lippmann

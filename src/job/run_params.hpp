@@ -11,44 +11,44 @@
 
 namespace lippmann {
 
-/// Parameters of one run of a job. A unit is a set of frames or strips that one run renders.
+/// A unit is a set of frames or strips that one run renders.
 struct RunParams {
-  /// Whether to replace another render in the folder, and existing videos (folder/claim_folder.hpp).
+  /// Replaces another render in the folder, and existing videos (folder/claim_folder.hpp).
   bool force = false;
-  /// Units of the job to render. If nullopt, all frames are rendered. With units, finish_animation() makes the videos later.
+  /// Units of the job to render; nullopt: all frames. finish_animation() makes the videos of a job in units.
   std::optional<Units> units = {};
-  /// Frames to render. Other frames of the job or of `units` are left out. If nullopt, no frame is left out.
+  /// Frames to render among those of the job or of `units`; nullopt: all.
   std::optional<FrameRanges> only_frames = {};
-  /// Parts to render (see RunParts). They replace the parts that `units` and `only_frames` select.
+  /// Parts to render (see RunParts), in place of those that `units` and `only_frames` select.
   std::optional<std::vector<int>> parts = {};
-  /// The processes that share the frames. If null, this process renders all frames.
+  /// The processes that share the frames; null: this process renders all frames.
   Ranks* ranks = nullptr;
-  bool only_finished = false;  ///< if true, nothing is rendered, and a missing frame is an Error
-  /// Available memory in bytes. If nullopt, the memory of this machine (core/platform.hpp).
+  bool only_finished = false;  ///< renders nothing; a missing frame is an Error
+  /// Available memory in bytes; nullopt: the memory of this machine (core/platform.hpp).
   std::optional<double> available_memory = {};
 
-  /// Returns whether other runs render some parts of the job.
+  /// Other runs render the rest of the job.
   bool is_part() const { return units || only_frames || parts; }
 
-  /// Returns whether this process reports the results of the run.
+  /// The first process reports the results of the run.
   bool is_first_rank() const { return !ranks || ranks->rank() == 0; }
 };
 
-/// The parts of a job that a run makes. Normally, a part is a frame. If the job is rendered in strips, a part is a strip, and
-/// its number is frame * strips + strip.
+/// The parts of a job that a run makes: frames or, if the job is rendered in strips, strips with the numbers frame *
+/// strips + strip.
 struct RunParts {
   int strips = 1;
   /// Units begin at frames that are multiples of this number (frames_per_segment).
   int segment = 1;
   std::vector<int> of_job;
-  std::vector<int> parts;   ///< parts of this run, in ascending order
-  std::vector<int> frames;  ///< frames that `parts` belong to
+  std::vector<int> parts;   ///< of this run, in ascending order
+  std::vector<int> frames;  ///< frames of `parts`, in ascending order
 
   /// Throws a usage Error for frames outside the animation, and if `run` selects no frame.
   RunParts(const ResolvedJob& job, const FrameParams& frame_settings, const Timeline& timeline, const RunParams& run);
 };
 
-/// Returns RunParts::segment. It is 1 for frames in strips, because units may begin at any strip.
+/// Returns RunParts::segment, which is 1 for frames in strips.
 int segment_of(const ResolvedJob& job, const FrameParams& frame_settings);
 
 }  // namespace lippmann

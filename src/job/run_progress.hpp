@@ -13,22 +13,22 @@
 
 namespace lippmann {
 
-/// Progress callbacks. Each may be empty. All except `written` are called on the thread that called render_animation().
+/// Callbacks may be empty. All except `written` are called on the thread that called render_animation().
 struct RenderObserver {
   std::function<void(const RenderPlan&)> planned;
   /// Called for each traced frame or strip, in order, before its files are written.
   std::function<void(const FrameReport&)> traced;
-  /// Called when the files of a frame or strip are on disk, with their total size. Calls are made in order and one at a time,
-  /// but on any thread. Not called for kept frames and for frames that are joined from strips.
+  /// Called when the files of a frame or strip are on disk, with their total size: in order and one at a time, but on
+  /// any thread. Not called for kept frames and for frames that are joined from strips.
   std::function<void(int frame, std::uintmax_t bytes)> written;
 };
 
 class RunProgress {
  public:
-  /// Forwards progress to `observer`. `ranks` is null for a single process. Both arguments must outlive this object.
+  /// `ranks` is null for a single process. Both arguments must outlive this object.
   RunProgress(const RenderObserver& observer, Ranks* ranks) : observer_(observer), ranks_(ranks) {}
 
-  /// On the first rank, begins to forward the progress of the other ranks. Call this before Ranks::begin().
+  /// The first rank begins to forward the progress of the others. Call this before Ranks::begin().
   void listen();
 
   void planned(const RenderPlan& plan) const;
@@ -42,7 +42,7 @@ class RunProgress {
   const RenderObserver& observer_;
   Ranks* const ranks_;
   std::mutex mutex_;
-  /// Work of this rank, indexed by frame. It is sent to the first rank when the files are written.
+  /// Work of this rank by frame, sent to the first rank when the files are written.
   std::map<int, WorkDone> traced_;
 };
 

@@ -33,7 +33,7 @@ struct CountShape {
   void operator()(const Splats& splats) const { info.splats += splats.centers.size(); }
 };
 
-/// Counts the contents of the scene. A shape is counted once for each of its instances.
+/// A shape is counted once for each of its instances.
 void count(const Scene& scene, SceneInfo& info) {
   info.nodes = scene.nodes.size();
   info.instances = scene.instances.size();
@@ -55,7 +55,7 @@ Bounds3f bounds_over_animation(const Scene& scene) {
   return bounds;
 }
 
-/// Returns a position in the coordinates of the file.
+/// In the coordinates of the file.
 Json place_json(const SceneInfo& info, Vec3f p) {
   const Vec3d place = info.origin + Vec3d(p);
   return {place.x, place.y, place.z};
@@ -66,14 +66,14 @@ Json bounds_json(const SceneInfo& info) {
   return {{"lower", place_json(info, info.bounds.lower)}, {"upper", place_json(info, info.bounds.upper)}};
 }
 
-/// Returns a position as "(1, 2, 3)". Uses 12 digits instead of 6 if the scene was moved to another origin.
+/// Returns "(1, 2, 3)", with 12 digits instead of 6 if the scene was moved to another origin.
 std::string place_text(const SceneInfo& info, Vec3f p) {
   const Vec3d place = info.origin + Vec3d(p);
   const int digits = info.origin == Vec3d(0.0) ? 6 : 12;
   return fmt::format("({:.{}g}, {:.{}g}, {:.{}g})", place.x, digits, place.y, digits, place.z, digits);
 }
 
-/// Lists the animations, as in "shown: Walk (1); others: Survey (0), Run (2)".
+/// Returns, for example, "shown: Walk (1); others: Survey (0), Run (2)".
 std::string list_animations(const SceneInfo& info) {
   const auto shown_one = static_cast<std::size_t>(info.animation);
   const auto label = [&](std::size_t i) { return fmt::format("{} ({})", printable(info.animations[i]), i); };
@@ -84,7 +84,7 @@ std::string list_animations(const SceneInfo& info) {
   return text;
 }
 
-/// Lists the material variants, as in "Beach (0), Street (1)".
+/// Returns, for example, "Beach (0), Street (1)".
 std::string list_variants(const SceneInfo& info) {
   std::string text;
   for (std::size_t i = 0; i < info.variants.size(); ++i)
@@ -92,15 +92,14 @@ std::string list_variants(const SceneInfo& info) {
   return text;
 }
 
-/// Describes whether all animation keys fall on frames. Returns an empty string for a file without animations.
+/// States whether all animation keys fall on frames; empty for a file without animations.
 std::string describe_keys(const SceneInfo& info) {
   if (info.animations.empty()) return "";
   return info.keys_on_frames ? "; all keys of the file lie on frames"
                              : "; some keys of the file lie between frames (see --fps)";
 }
 
-/// Describes the animation, as in "48 frames at 24 fps, 2.0 s; 3 of 5 instances move". Returns "none: a still scene" if nothing
-/// moves.
+/// Returns, for example, "48 frames at 24 fps, 2.0 s; 3 of 5 instances move", or "none: a still scene".
 std::string describe_animation(const SceneInfo& info) {
   if (info.frames == 1 && info.animations.empty() && info.moving_instances == 0) return "none: a still scene";
   return fmt::format("{} frame{} at {:g} fps, {:.1f} s{}; {} of {} instance{} move", info.frames, info.frames == 1 ? "" : "s",

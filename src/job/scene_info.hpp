@@ -24,23 +24,23 @@ struct SceneInfo {
 
   int frames = 1;
   double frames_per_second = 25.0;
-  bool keys_on_frames = true;        ///< whether every key of the animation falls on a frame
-  std::size_t moving_instances = 0;  ///< number of instances that move or change their shape
+  bool keys_on_frames = true;        ///< every key of the animation falls on a frame
+  std::size_t moving_instances = 0;  ///< instances that move or change their shape
   std::vector<std::string> animations;
-  int animation = -1;  ///< index of the shown animation
+  int animation = -1;  ///< the shown animation; -1: none
   std::vector<std::string> variants;
 
   /// Origin of `bounds` and `array_center`, in the coordinates of the file.
   Vec3d origin{0.0};
-  /// Bounds of all finite shapes over the animation, which is sampled at up to 32 frames. In world coordinates.
+  /// Bounds of all finite shapes over the animation, sampled at up to 32 frames, in world coordinates.
   Bounds3f bounds;
 
   FittedArray array;
   Optics optics;
   float units_per_mm = 1.0f, depth_scale = 1.0f;  ///< see PlacedOptics
-  /// Centre of the lens array at the first frame. In world coordinates.
+  /// Centre of the lens array at the first frame, in world coordinates.
   Vec3f array_center{0.0f};
-  std::vector<std::string> warnings;  ///< sentences on contents of the file that the importer left out
+  std::vector<std::string> warnings;  ///< contents of the file that the importer left out
 };
 
 /// Loads the scene and places the optics as a render would. Throws Error.
@@ -48,7 +48,6 @@ SceneInfo describe_scene(const ResolvedJob& job, const Context& context);
 
 nlohmann::ordered_json to_json(const SceneInfo& info);
 
-/// Returns several lines of text for the user.
 std::string to_text(const SceneInfo& info);
 
 }  // namespace lippmann

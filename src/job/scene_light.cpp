@@ -48,7 +48,7 @@ Vec3f read_linear(std::string_view text, const std::string& where) {
   return color;
 }
 
-/// Parses a colour. Returns nullopt if the value does not look like a colour. Throws if it looks like a colour but is invalid.
+/// Returns nullopt if the value does not look like a colour. Throws if it looks like one but is invalid.
 std::optional<Vec3f> read_color(std::string_view value, const std::string& where) {
   if (value.starts_with('#')) {
     const std::optional<Vec3f> color = parse_hexadecimal(value);
@@ -61,8 +61,7 @@ std::optional<Vec3f> read_color(std::string_view value, const std::string& where
 
 Surrounding surrounding_of(const SceneParams& params) { return {params.environment_strength, params.environment_rotation_deg}; }
 
-/// Returns the error for an unknown environment. If the name has an extension, the error reports a missing file. Otherwise the
-/// name may be a misspelt word.
+/// A name with an extension is a missing file; another name may be a misspelt word.
 Error no_such_environment(const std::string& value) {
   const std::filesystem::path path(value);
   if (path.has_extension()) return Error(value, "there is no such file", kAccepted);
@@ -72,7 +71,7 @@ Error no_such_environment(const std::string& value) {
                      kAccepted);
 }
 
-/// Adds the light that --environment requests. Returns a sentence on the light.
+/// Returns a sentence on the light.
 std::string requested_light(Scene& scene, const SceneParams& params, const Context& context) {
   const std::string& value = params.environment;
   if (value == kNone) return "The scene has only its own light, as requested by --environment none.";

@@ -9,15 +9,15 @@
 
 namespace lippmann {
 
-/// Returns whether the value of --environment names a file. Empty values, "none", "studio" and colours do not.
+/// Empty values, "none", "studio" and colours are no files.
 bool environment_is_file(std::string_view value);
 
-/// Checks `value` and returns it unchanged. Throws a usage Error at `where` for an invalid colour.
+/// Returns `value` unchanged. Throws a usage Error at `where` for an invalid colour.
 std::string read_environment_choice(std::string_view value, const std::string& where);
 
-/// Adds the light that --environment requests to `scene`. Without --environment, adds missing light like add_missing_light()
-/// (lippmann/stage/lighting.hpp), except that path tracing keeps the light of scenes made for Whitted shading. Returns one
-/// sentence on the light, and the reason for it.
+/// Adds the requested environment to `scene`. Without one, adds missing light like add_missing_light()
+/// (lippmann/stage/lighting.hpp), except that path tracing keeps the light of scenes made for Whitted shading. Returns
+/// one sentence on the light, and the reason for it.
 std::string light_scene(Scene& scene, const SceneParams& params, Integrator integrator, const Context& context);
 
 }  // namespace lippmann

@@ -11,7 +11,7 @@
 namespace lippmann {
 namespace {
 
-constexpr Vec2i kDefaultViewPx{960, 540};  ///< default size of a view before it is squeezed
+constexpr Vec2i kDefaultViewPx{960, 540};  ///< size of a view before it is squeezed
 
 void refuse_in_stereo(bool given, std::string_view parameter) {
   if (given)
@@ -27,7 +27,7 @@ void refuse_other_optics(const OpticsParams& optics) {
 
 StereoPacking packing_of(const RenderParams& params) { return params.output.pictures.stereo.packing; }
 
-/// Returns the size of a view in the picture, after squeezing.
+/// Size of a view in the picture, after squeezing.
 Vec2i stored_view(const RenderParams& params, const Display* display) {
   const StereoPacking packing = packing_of(params);
   const Extent<int> size = params.optics.size;
@@ -51,7 +51,7 @@ double eyes_distance_mm(const RenderParams& params, const FittedArray& array, co
   const double distance = params.optics.viewing_distance_mm.value_or(
       display ? static_cast<float>(viewing_distance_mm(*display))
               : array.viewing_distance / scene_units_per_mm(array, static_cast<float>(height_mm)));
-  // An orthographic camera has no viewing distance, so a default is used.
+  // An orthographic camera has no viewing distance.
   if (!params.optics.viewing_distance_mm && !std::isfinite(distance)) return 3.0 * height_mm;
   if (!std::isfinite(distance))
     throw usage_error("viewing-distance", "cannot be infinite for two eyes", "millimetres above 0, or auto");

@@ -27,8 +27,7 @@ void refuse_params_of_display(const RenderParams& params) {
          "one of the two");
 }
 
-/// Returns the display with the viewing angle, the viewing distance and the size that the parameters request. The size of a
-/// quilt is not changed here.
+/// Applies the requested viewing angle, viewing distance and size. The size of a quilt is not changed here.
 Display with_params(const RenderParams& params, Display display, bool is_quilt) {
   if (params.optics.view_angle_deg) display.view_cone_deg = *params.optics.view_angle_deg;
   if (params.optics.viewing_distance_mm) display.viewing_distance_mm = *params.optics.viewing_distance_mm;
@@ -40,7 +39,7 @@ Display with_params(const RenderParams& params, Display display, bool is_quilt) 
   return display;
 }
 
-/// Returns the quilt that the parameters define. Missing values are those of the display's quilt.
+/// Missing values are those of the display's quilt.
 Optics wanted_quilt(const RenderParams& params, Display display) {
   refuse(!display.quilt && params.optics.views.x == 0, "--optics multiview", "the display has no quilt",
          "--views CxR and --size WxH");

@@ -1,10 +1,7 @@
-// The screen of a display that is chosen by name. Lengths are in millimetres on the display. Parameters can change some
-// properties of the display.
-//
-// Slanted panels show a quilt. With --layout native, they show an interlaced image of their sub-pixels. Lenticular sheets and
-// microlens arrays show the image behind their lenses. The viewer is at the display's viewing distance and not at the scene's
-// camera, so that the viewer's eyes see one view through all lenses. --optics single renders the view of one eye in front of
-// the middle of the display.
+// The screen of a display that is chosen by name. Lengths are in millimetres on the display. Slanted panels show a
+// quilt, or with --layout native an interlaced image of their sub-pixels. The viewer is at the display's viewing
+// distance and not at the scene's camera, so that the viewer's eyes see one view through all lenses. --optics single
+// renders the view of one eye in front of the middle of the display.
 #pragma once
 
 #include "job/params.hpp"
@@ -13,7 +10,7 @@
 
 namespace lippmann {
 
-/// Returns the screen. Throws a usage Error for parameters that the display does not support or defines itself, such as lenses.
+/// Throws a usage Error for parameters that the display does not support or defines itself, such as lenses.
 Screen screen_of_display(const RenderParams& params, const Display& display);
 
 }  // namespace lippmann

@@ -15,9 +15,9 @@ namespace lippmann {
 namespace {
 
 constexpr float kLensWidthMm = 1.0f;  ///< width of a lens's cell on the panel
-/// Width of a view without lenses. Equal to the width of 64 cells.
+/// Width of a view without lenses: 64 cells.
 constexpr float kSingleWidthMm = 64.0f;
-/// Default viewing distance in window heights. Usual for a picture on a wall.
+/// Viewing distance in window heights, usual for a picture on a wall.
 constexpr float kViewerHeights = 3.0f;
 
 bool has_lenses(const PanelSize& size) { return size.lens_pixels > 0.0f; }
@@ -28,8 +28,8 @@ Panel make_panel(const OpticsParams& params, const PanelSize& size, bool is_came
   return {size.width, size.height, has_lenses(size) ? kLensWidthMm / size.lens_pixels : kSingleWidthMm / view_width};
 }
 
-/// Returns the viewing distance. For lens arrays, it is the distance at which the whole array shows one view; it may be
-/// infinite. For other optics, it is the distance of the eyes and must be finite.
+/// For lens arrays, the distance at which the whole array shows one view, which may be infinite; for other optics, the
+/// finite distance of the eyes.
 float viewing_distance_mm(const OpticsParams& params, const PanelSize& size, float fitted_mm, float window_height_mm) {
   const float distance = params.viewing_distance_mm.value_or(fitted_mm);
   if (has_lenses(size) || std::isfinite(distance)) return distance;
@@ -38,7 +38,7 @@ float viewing_distance_mm(const OpticsParams& params, const PanelSize& size, flo
   return kViewerHeights * window_height_mm;
 }
 
-/// Returns the distance of a camera from its plane of focus. By default, units of the scene are metres.
+/// Distance of a camera from its plane of focus. By default, units of the scene are metres.
 float camera_distance_mm(const OpticsParams& params, const FittedArray& array) {
   constexpr float kMmPerMetre = 1000.0f;
   const float distance = params.viewing_distance_mm.value_or(kMmPerMetre * array.viewing_distance);
@@ -49,8 +49,7 @@ float camera_distance_mm(const OpticsParams& params, const FittedArray& array) {
   return distance;
 }
 
-/// Throws if the lenses would have to be narrower than a pixel, which happens for a near viewer. Such lenses cannot show a
-/// picture.
+/// For a near viewer, lenses would have to be narrower than a pixel, and could not show a picture.
 void require_lenses_of_a_pixel(float lens_pitch_mm, float gap_mm, float viewing_distance_mm, const Panel& panel) {
   if (!(lens_pitch_mm < 0.999f * panel.pixel_pitch_mm)) return;  // allows for rounding, as in validate()
   throw usage_error("--viewing-distance",
@@ -65,7 +64,7 @@ void check_lens(const Optics& optics) {
                               static_cast<float>(lenses->viewing_distance_mm), optics.panel);
 }
 
-/// Returns the offset of the samples of a single view, in pixels. `height` is the height of the view.
+/// Offset of the samples of a single view, in pixels. `height` is the height of the view.
 Vec2f offset_px(const Camera& camera, int height) {
   return camera.pixel_offset + static_cast<float>(height) * Vec2f(camera.shift.x, -camera.shift.y);
 }

@@ -21,7 +21,7 @@ bool is_default(const std::string& name, const Json& value) {
   return value.is_null() || (defaults.contains(name) && defaults[name] == value);
 }
 
-/// Shell-quotes the name, because it may come from an untrusted report.
+/// The name may come from an untrusted report.
 std::string flag_of(const std::string& name) { return shell_word("--" + name); }
 
 std::string switch_of(const std::string& name, bool is_on) {

@@ -1,4 +1,4 @@
-// Reconstructs the command line from the settings of a report, for people to read and run.
+// Reconstructs the command line from the settings of a report.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -6,12 +6,11 @@
 
 namespace lippmann {
 
-/// Returns one line for a shell. `settings` comes from settings_json(). Defaults are left out. `resume` is left out too,
-/// because it does not affect the pictures. An unknown setting becomes a flag with the setting's name.
+/// Returns one line for a shell. `settings` comes from settings_json(). Defaults and `resume` are left out. An unknown
+/// setting becomes a flag with the setting's name.
 std::string command_of_settings(const std::string& scene, const nlohmann::ordered_json& settings);
 
-/// Returns the flag of one setting, with its value if it takes one. A list gives one flag per value. Returns an empty string
-/// for a default value.
+/// A list gives one flag per value. Returns an empty string for a default value.
 std::string flags_of_setting(const std::string& name, const nlohmann::ordered_json& value);
 
 }  // namespace lippmann

@@ -1,4 +1,3 @@
-// The parameters of a render as JSON, for "settings" in report.json.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -7,7 +6,8 @@
 
 namespace lippmann {
 
-/// Returns every parameter except the scene, in the order of --help. A parameter that is not given is null.
+/// Returns every parameter except the scene, in the order of --help, for "settings" in report.json. A parameter that is
+/// not given is null.
 nlohmann::ordered_json settings_json(const RenderParams& params);
 
 }  // namespace lippmann

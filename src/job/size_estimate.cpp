@@ -10,7 +10,7 @@
 namespace lippmann {
 namespace {
 
-/// The amount of noise in a picture, which determines how well the picture compresses.
+/// Noise determines how well a picture compresses.
 enum class Texture { kClean, kDenoised, kNoisy };
 
 Texture texture_of(const RenderParams& params) {
@@ -26,7 +26,7 @@ double of(Texture texture, double clean, double denoised, double noisy) {
 // teapot and tree behind 64 lenses of 8 pixels, path-traced with 16 samples per pixel. The sizes of the layers of direct and
 // indirect light are not measured; all three channels are assumed to be noisy.
 
-/// Returns the bytes per sample of a picture. A pixel has three samples.
+/// A pixel has three samples.
 double picture_bytes_per_sample(const RenderParams& params, PictureFormat format) {
   const Texture texture = texture_of(params);
   switch (format) {

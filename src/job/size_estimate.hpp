@@ -1,8 +1,5 @@
-// Estimates the size of a render's files before rendering, from measured bytes per pixel.
-//
-// The estimate is accurate to a factor of about two if the scene fills the picture. A small object in front of a plain
-// background takes only a fifth of the estimate. After the first frame is written, the sizes of its files give a better
-// estimate.
+// Estimates the size of a render's files before rendering, from measured bytes per pixel. It is accurate to a factor of
+// about two if the scene fills the picture. A small object in front of a plain background takes a fifth of it.
 #pragma once
 
 #include <string>
@@ -12,16 +9,16 @@
 
 namespace lippmann {
 
-/// Estimated total sizes of the files of all frames, in bytes.
+/// Total sizes of the files of all frames, in bytes.
 struct FileSizes {
   double pictures = 0.0, layers = 0.0, videos = 0.0;
   double all() const { return pictures + layers + videos; }
 };
 
-/// Returns the estimated sizes for all frames of a plan, including kept frames.
+/// Includes kept frames.
 FileSizes estimated_file_sizes(const RenderPlan& plan, const RenderParams& params);
 
-/// Returns a size with two significant digits, such as "0.35 MB", "12 MB" or "4.1 GB".
+/// Returns two significant digits, such as "0.35 MB", "12 MB" or "4.1 GB".
 std::string bytes_text(double bytes);
 
 }  // namespace lippmann

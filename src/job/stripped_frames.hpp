@@ -1,4 +1,4 @@
-// Renders frames in strips. Each strip is written to a file of the folder. Frames are joined from these files.
+// Renders frames in strips, which are files of the folder, and joins frames from these files.
 #pragma once
 
 #include <vector>
@@ -16,8 +16,8 @@ class StrippedFrames final : public FrameMaker {
   struct Settings {
     FrameAovs wanted;
     Vec2i film{0, 0};             ///< size of a whole frame
-    bool keeps_finished = false;  ///< whether to keep strips that are recorded in the journal and unchanged
-    bool only_joins = false;      ///< if true, no strip is rendered, and a missing strip is an Error
+    bool keeps_finished = false;  ///< keeps strips that match the journal
+    bool only_joins = false;      ///< renders no strip; a missing strip is an Error
   };
 
   struct MadeStrip {
@@ -25,18 +25,17 @@ class StrippedFrames final : public FrameMaker {
     FrameReport report;
   };
 
-  /// `folder`, `progress` and `context` must outlive this object. Nothing else may write to the folder's journal while a strip
-  /// or a frame is made.
+  /// `folder`, `progress` and `context` must outlive this object. Nothing else may write to the folder's journal while
+  /// a strip or a frame is made.
   StrippedFrames(const StripMaker& strips, RenderFolder& folder, const Settings& settings, RunProgress& progress,
                  const Context& context);
 
   /// Renders the missing strips of `parts` (see parts_of()). Stops early if the context is cancelled.
   void make_strips(const std::vector<int>& parts);
 
-  /// Renders the missing strips of a frame and joins all strips. Throws Error if a strip is still missing afterwards.
+  /// Renders the missing strips of a frame and joins all strips. Throws Error if a strip is missing afterwards.
   RenderedFrame make(int frame) override;
 
-  /// Returns the strips rendered so far, in order.
   const std::vector<MadeStrip>& made() const { return made_; }
 
  private:

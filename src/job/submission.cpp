@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Returns the command that renders one unit. `unit` is shell text that expands to the number of the unit.
+/// `unit` is shell text that expands to the number of the unit.
 std::string render_command(const Submission& submission, const std::string& unit) {
   return fmt::format("{} render {} --unit {}/{} --threads {} --resume --quiet", shell_word(submission.program.string()),
                      shell_word(submission.job.string()), unit, submission.units, submission.threads);

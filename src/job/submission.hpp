@@ -1,5 +1,5 @@
-// Describes a job for clusters and render farms: as a Slurm script, an Open Job Description template, or plain commands. The
-// job is divided into units. Each task of the cluster renders one unit.
+// Describes a job for clusters and render farms: as a Slurm script, an Open Job Description template, or plain
+// commands. Each task of the cluster renders one unit of the job.
 #pragma once
 
 #include <cstdint>
@@ -10,12 +10,12 @@
 namespace lippmann {
 
 struct Submission {
-  std::filesystem::path program;  ///< path of the command-line tool: absolute, or a name in PATH
+  std::filesystem::path program;  ///< absolute path of the command-line tool, or a name in PATH
   std::filesystem::path job;      ///< absolute path of a job file
   std::filesystem::path folder;   ///< absolute path of the job's output folder
   std::string name;               ///< name of the job in the scheduler's lists
   int units = 1;
-  int chunk = 1;  ///< number of units that one task renders in sequence, if the scheduler supports such tasks
+  int chunk = 1;  ///< units that one task renders in sequence, if the scheduler supports such tasks
   int threads = 1;
   std::optional<int> minutes = {};                 ///< time limit of a task; nullopt: the default of the scheduler
   std::optional<std::uint64_t> memory_bytes = {};  ///< memory limit of a task in bytes; nullopt: the default of the scheduler
@@ -24,23 +24,22 @@ struct Submission {
   std::string partition = {};  ///< empty for the default of Slurm
 };
 
-/// Returns a time limit in minutes for a unit that needs `cpu_seconds`. It is three times the estimate plus five minutes, to
-/// allow for busy or slower machines.
+/// Time limit in minutes for a unit: three times the estimate plus five minutes, for busy or slower machines.
 int minutes_for(double cpu_seconds, int threads);
 
-/// Returns a memory limit in bytes: one and a half times the estimate.
+/// Memory limit in bytes: one and a half times the estimate.
 std::uint64_t memory_for(std::uint64_t peak_memory_bytes);
 
-/// Returns a script that submits two jobs. The first is an array job over the units. The second finishes the folder after all
-/// units have succeeded. Tasks may be requeued at any time; a requeued task keeps its finished frames.
+/// Returns a script that submits an array job over the units, and a job that finishes the folder after all units have
+/// succeeded. A requeued task keeps its finished frames.
 std::string slurm_script(const Submission& submission);
 
-/// Returns an Open Job Description template (jobtemplate-2023-09) as JSON. It has one step over the units, and a second step
-/// that finishes the folder. If chunk > 1, the tasks are of type CHUNK[INT] (extension TASK_CHUNKING).
+/// Returns an Open Job Description template (jobtemplate-2023-09) as JSON, with one step over the units, and a second
+/// one that finishes the folder. If chunk > 1, the tasks are of type CHUNK[INT] (extension TASK_CHUNKING).
 std::string openjd_template(const Submission& submission);
 
-/// Returns one command per line. The commands of the units come first; they may run in any order and on any machines. The last
-/// command must run after all of them.
+/// Returns one command per line. The commands of the units come first and may run in any order and on any machines; the
+/// last command must run after all of them.
 std::string shell_commands(const Submission& submission);
 
 }  // namespace lippmann

@@ -13,9 +13,9 @@ constexpr float kLine = 0.006f;  ///< half the width of a line, relative to half
 constexpr float kGrid = 0.25f;   ///< distance between grid lines, relative to half the height of the display
 
 struct Band {
-  float end;  ///< right end of the band in the viewing zone; the zone ranges from 0 (left) to 1
+  float end;  ///< right end of the band in the viewing zone, which ranges from 0 (left) to 1
   Vec3f color;
-  int arrow;  ///< direction of the band's arrow: -1 left, 1 right, 0 no arrow
+  int arrow;  ///< -1: arrow to the left, 1: to the right, 0: no arrow
 };
 
 constexpr Band kBands[] = {{0.2f, {0.80f, 0.04f, 0.02f}, -1},
@@ -26,8 +26,7 @@ constexpr Band kBands[] = {{0.2f, {0.80f, 0.04f, 0.02f}, -1},
 
 bool near_line(float distance) { return std::abs(distance) < kLine; }
 
-/// Returns whether a point is in the arrow. The arrow is a triangle. Its tip is at x = -0.5 if it points to the left, and at x
-/// = 0.5 if it points to the right.
+/// The arrow is a triangle with its tip at x = -0.5 or x = 0.5.
 bool in_arrow(Vec2f place, int arrow) {
   const float back = 0.5f - static_cast<float>(arrow) * place.x;  // distance from the tip towards the arrow's base
   return arrow != 0 && back > 0.0f && back < 0.6f && std::abs(place.y) < 0.7f * back;
@@ -38,7 +37,7 @@ bool on_grid(Vec2f place) {
   return near_line(off(place.x)) || near_line(off(place.y));
 }
 
-/// Returns where a ray arrives in the viewing zone, from 0 (left) to 1. Returns 0.5 for a single view.
+/// From 0 (left) to 1; 0.5 for a single view.
 float place_in_zone(const Ray& ray, Vec3f at_plane, float distance_mm, float zone) {
   if (!(zone > 0.0f)) return 0.5f;
   const float slope = ray.direction.x / ray.direction.z + (std::isinf(distance_mm) ? 0.0f : at_plane.x / distance_mm);
@@ -83,7 +82,7 @@ Vec3f test_pattern(Vec2f place, float aspect, float zone) {
 
 Image test_pattern_film(const Optics& optics, const ThreadPool& pool) {
   Optics parallel = optics;
-  // Start the rays 1 mm in front of the display plane, so that rounding errors where they cross the plane are small.
+  // Rays that start 1 mm in front of the display plane cross it with small rounding errors.
   parallel.z_front_mm = 1.0f;
   const RayGenerator generator(parallel);
   const Vec2f half = 0.5f * window_size_mm(optics);

@@ -21,18 +21,17 @@
 
 namespace lippmann {
 
-/// The name that `render` accepts in place of a scene.
 inline constexpr std::string_view kTestPattern = "test-pattern";
 
-/// Returns a scene without objects and with one frame. It only defines the position of the array that shows the pattern.
+/// A scene without objects and with one frame, which only defines the position of the array.
 Scene test_pattern_scene();
 
-/// Returns the linear RGB of a ray. `place` is where the ray crosses the display, relative to the middle of the display (x
-/// right, y up), in units of half the display's height. `zone` is where the ray arrives in the viewing zone, from 0 (leftmost)
-/// to 1. `aspect` is width / height of the display.
+/// Linear RGB of a ray that crosses the display at `place`, relative to its middle (x right, y up) in units of half its
+/// height. `zone`: where the ray arrives in the viewing zone, from 0 (leftmost) to 1. `aspect`: width / height of the
+/// display.
 Vec3f test_pattern(Vec2f place, float aspect, float zone);
 
-/// Returns a frame maker for the pattern. It traces no rays. The arguments must outlive the result.
+/// The frame maker traces no rays. The arguments must outlive it.
 std::unique_ptr<FrameMaker> make_pattern_frames(const Stage& stage, const ThreadPool& pool);
 
 Image test_pattern_film(const Optics& optics, const ThreadPool& pool);

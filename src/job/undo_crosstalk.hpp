@@ -1,4 +1,3 @@
-// Selects the crosstalk that `--precompensate` corrects.
 #pragma once
 
 #include <optional>
@@ -8,9 +7,9 @@
 
 namespace lippmann {
 
-/// Returns the crosstalk to correct: the standard deviation of the Gaussian blur (optics/crosstalk.hpp), in pixels, or in views
-/// for a quilt. It is the requested value, or the value of the display. Returns nullopt if no correction is requested. Throws a
-/// usage Error if the value is unknown or too large, or if the optics have no neighbouring pixels.
+/// Returns the crosstalk that `--precompensate` corrects: the standard deviation of the Gaussian blur
+/// (optics/crosstalk.hpp), in pixels, or in views for a quilt. It is the requested value, or that of the display.
+/// Throws a usage Error if the value is unknown or too large, or if the optics have no neighbouring pixels.
 std::optional<double> crosstalk_to_undo(const RenderParams& params, const Optics& optics, const Display* display);
 
 }  // namespace lippmann

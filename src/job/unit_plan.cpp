@@ -18,8 +18,7 @@
 namespace lippmann {
 namespace {
 
-/// Divides parts into units without estimating their costs. A part is a frame or a strip (parts_of()). `strips` is the number
-/// of strips per frame.
+/// Divides parts (frames or strips) into units without estimating their costs. `strips`: strips per frame.
 UnitPlan cut(const std::vector<int>& parts, int strips, int segment, int count) {
   UnitPlan plan;
   plan.segment = segment;
@@ -40,7 +39,7 @@ UnitPlan unmeasured_plan(const ResolvedJob& job, int count, const Context& conte
              count);
 }
 
-/// Returns the job with the output folder `folder`. The job has no videos, because units do not make videos.
+/// Units make no videos.
 ResolvedJob job_in(const std::filesystem::path& folder, const ResolvedJob& job) {
   RenderParams params = job.params();
   params.output.folder = folder.string();
@@ -54,7 +53,7 @@ Neighbours neighbours_in(const ResolvedJob& job, const FrameParams& frame_settin
   return std::holds_alternative<CopySettled>(frame_settings.reuse) ? Neighbours::kCopied : Neighbours::kOthers;
 }
 
-/// Renders a few frames as a unit would, and writes their files. Estimates the costs of all units from the measured times.
+/// Renders a few frames as a unit would, and estimates the costs of all units from the measured times.
 UnitPlan measured_plan(const ResolvedJob& job, int count, const Context& context) {
   const double begin = platform::process_cpu_seconds();
   const FrameParams frame_settings = frame_params(job);

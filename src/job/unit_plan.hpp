@@ -1,4 +1,4 @@
-// Divides a job into units, which different runs render. Estimates the cost of each unit from a few rendered frames.
+// Divides a job into units, which different runs render, and estimates the cost of each from a few rendered frames.
 #pragma once
 
 #include <map>
@@ -13,9 +13,9 @@ namespace lippmann {
 
 struct PlannedUnit {
   std::vector<int> frames;
-  /// Strips to render, indexed by frame. Empty if whole frames are rendered.
+  /// Strips to render, by frame; empty: whole frames.
   std::map<int, std::vector<int>> strips = {};
-  std::optional<double> cpu_seconds = {};  ///< estimated CPU time; nullopt if not measured
+  std::optional<double> cpu_seconds = {};  ///< nullopt: not measured
 };
 
 struct UnitPlan {
@@ -23,11 +23,11 @@ struct UnitPlan {
   int segment = 1;
   std::vector<PlannedUnit> units;
   std::optional<JobCosts> costs = {};
-  /// Estimated memory for joining a frame from strips. nullopt if unknown, or if no frame is joined.
+  /// Estimated memory for joining a frame from strips; nullopt: unknown, or no frame is joined.
   std::optional<double> join_bytes = {};
 };
 
-/// Plans `count` units. If the job has fewer segments, plans one unit per segment. With `measure`, renders some frames into a
+/// Plans `count` units, or one per segment if the job has fewer segments. With `measure`, renders some frames into a
 /// temporary folder (core/scratch_folder.hpp). Throws Error for jobs that cannot be rendered.
 UnitPlan plan_units(const ResolvedJob& job, int count, bool measure, const Context& context);
 
