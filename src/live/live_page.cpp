@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Number of server threads that may wait for changes. Further requests are answered without waiting.
+/// Server threads that may wait for changes. Further requests are answered without waiting.
 constexpr int kMaxWaiting = 8;
 constexpr std::chrono::milliseconds kPatience{250};
 

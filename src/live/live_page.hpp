@@ -21,7 +21,7 @@ namespace lippmann {
 
 class LiveAnswers : public LivePage {
  public:
-  /// `plays`: the page starts with the image of the panel.
+  /// plays: the page starts with the image of the panel.
   explicit LiveAnswers(std::unique_ptr<LiveScene> scene, bool plays = false) : scene_(std::move(scene)), plays_(plays) {}
 
   nlohmann::ordered_json field() const override;

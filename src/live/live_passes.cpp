@@ -18,7 +18,7 @@
 namespace lippmann {
 namespace {
 
-/// Pixels of a coarse image, which one core traces in a fraction of a second.
+/// One core traces a coarse image of so many pixels in a fraction of a second.
 constexpr double kCoarsePixels = 48e3;
 /// Samples per pixel of coarse, path-traced images. Few pixels with little noise show more than many noisy ones.
 constexpr int kCoarsePaths = 4;

@@ -1,7 +1,5 @@
-// Makes the images of a frame in passes: first a coarse light field, then a draft with few paths, and last the image of
-// `lippmann render`.
-//
-// Each pass returns early, without an image, if the context is cancelled.
+// Makes the images of a frame in passes: a coarse light field, a draft with few paths, and the image of `lippmann
+// render`. Each pass returns early, without an image, if the context is cancelled.
 #pragma once
 
 #include <optional>
@@ -24,7 +22,7 @@ struct LivePictures {
 /// Returns images of few pixels, or nullopt for the test pattern, which has no scene.
 std::optional<LivePictures> coarse_pictures(LiveStage& live, const PageFacts& facts, int frame, const Context& context);
 
-/// Returns images with fewer samples per pixel than the render, or nullopt if they would not be faster.
+/// Returns images with fewer samples per pixel, or nullopt if they would not be faster.
 std::optional<LivePictures> draft_pictures(LiveStage& live, const PageFacts& facts, int frame, const Context& context);
 
 /// Returns the 8-bit images that a render would write. Throws Error if parameters contradict each other.

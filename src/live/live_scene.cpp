@@ -27,7 +27,7 @@ Json plane_json(double distance, double nearest, double farthest) {
   return {{"distance", distance}, {"nearest", nearest}, {"farthest", farthest}};
 }
 
-/// Returns null for other displays than slanted panels, because only these interlace views.
+/// Only slanted panels interlace views.
 Json panel_json(const Display* display, const InterlaceParams& interlace) {
   if (!display || display->kind != DisplayKind::kSlantedPanel) return nullptr;
   return page_display_json({*display, interlace});

@@ -1,7 +1,5 @@
-// Renders a scene while its settings change: first a coarse image, then finer ones until the settings change again.
-//
-// A single thread renders. While a job is rendered (LiveRender), only coarse images are made, so that the job can use the
-// processor.
+// Renders a scene while its settings change: first a coarse image, then finer ones. A single thread renders. While a
+// job is rendered (LiveRender), only coarse images are made.
 #pragma once
 
 #include <atomic>
@@ -28,8 +26,8 @@ namespace lippmann {
 
 class LiveScene {
  public:
-  /// Loads the scene and starts rendering. Jobs are saved to `job_file`. `warn` is called like Context::warn. `interlace`
-  /// describes how a panel interlaces views. Throws Error if the scene cannot be shown.
+  /// Loads the scene and starts rendering. Jobs are saved to `job_file`. `warn` is called like Context::warn.
+  /// `interlace` describes how a panel interlaces views. Throws Error if the scene cannot be shown.
   LiveScene(const LiveSettings& settings, std::filesystem::path job_file, std::function<void(std::string_view)> warn,
             const InterlaceParams& interlace = {});
   ~LiveScene();
@@ -54,7 +52,7 @@ class LiveScene {
   /// Throws a usage Error if the views have more than one row, which panels cannot interlace.
   void require_playable() const;
 
-  /// `kind` is "views", "depth" or "panel". Returns null if a newer image exists.
+  /// `kind`: "views", "depth" or "panel". Returns null if a newer image exists.
   Bytes picture(std::string_view kind, std::uint64_t id) const;
 
   bool is_outdated(std::uint64_t id) const;
@@ -105,8 +103,8 @@ class LiveScene {
   LiveSettings settings_;
   LiveJobFile job_file_;
   LiveRender render_;
-  // These members belong to the latest settings that the render thread has begun. distance_ is the distance from the viewer to
-  // the display plane, in world units. world_per_shown_mm_ is world units per mm of shown depth.
+  // Members of the latest settings that the render thread has begun. distance_: from the viewer to the display plane,
+  // in world units. world_per_shown_mm_: world units per mm of shown depth.
   PageFacts facts_;
   nlohmann::ordered_json facts_json_, placement_;
   double distance_ = 0.0, world_per_shown_mm_ = 0.0;

@@ -32,13 +32,13 @@ class LiveSettings {
   ResolvedJob job() const;
   int frame() const { return frame_; }
 
-  /// Returns the value of each parameter as text, which is empty if it follows from other parameters.
+  /// Returns the value of each parameter as text; empty if it follows from other parameters.
   nlohmann::ordered_json values() const;
 
   nlohmann::ordered_json changed() const;
 
  private:
-  /// Returns the parameters, base_ or first_, to which `changes` are applied.
+  /// Returns base_ or first_, to which `changes` are applied.
   const RenderParams& changed_params(const std::map<std::string, std::string>& changes) const;
   RenderParams applied(const std::map<std::string, std::string>& changes) const;
 

@@ -21,7 +21,7 @@ std::string scene_key(const ResolvedJob& job) {
   return job_text(key, {});
 }
 
-/// Pixels are not copied between frames: tracing gives the same bits, and finding unchanged pixels takes time.
+/// Tracing gives the same bits as copying pixels between frames, and finding unchanged pixels takes time.
 FrameParams params_of_one_frame(const ResolvedJob& job) {
   FrameParams frame_settings = frame_params(job);
   if (std::holds_alternative<CopySettled>(resolved_reuse(frame_settings))) frame_settings.reuse = TraceAll{};

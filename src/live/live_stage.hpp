@@ -1,4 +1,4 @@
-// Keeps a scene ready for rendering while its settings change. Rebuilds only what a change affects.
+// Keeps a scene ready for rendering while its settings change.
 #pragma once
 
 #include <memory>
@@ -27,8 +27,8 @@ class LiveStage {
   const JobStage& stage() const { return *stage_; }
   const ThreadPool& pool() const { return pool_; }
 
-  /// Renders a frame as `lippmann render` does. Data that frames share are kept as long as only the frame number changes.
-  /// Returns nullopt if cancelled. Throws Error if parameters contradict each other.
+  /// Renders a frame as `lippmann render` does. Data that frames share are kept as long as only the frame number
+  /// changes. Returns nullopt if cancelled. Throws Error if parameters contradict each other.
   std::optional<RenderedFrame> frame(int frame);
 
   PageFacts facts() const;

@@ -11,8 +11,7 @@
 namespace lippmann {
 namespace {
 
-/// Makes the ray of a view's pixel from the eye of the view. The slopes relative to the middle view are multiplied by the
-/// parallax.
+/// Rays from the eye of a view, with the slopes relative to the middle view multiplied by the parallax.
 class EyeRays {
  public:
   EyeRays(const PlacedOptics& placed, const PageFacts& facts)

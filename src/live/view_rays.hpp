@@ -1,4 +1,3 @@
-// Rays of a light field's views at reduced resolution, for the first, coarse image.
 #pragma once
 
 #include "lippmann/optics/optics.hpp"
@@ -7,13 +6,13 @@
 
 namespace lippmann {
 
-/// Returns a size of a view, at most facts.view_size, with about `pixels` samples in all views together. Samples are square in
-/// the plane z = 0.
+/// Returns a size of a view, at most facts.view_size, with about `pixels` samples in all views together, square in the
+/// plane z = 0.
 Vec2i coarse_view_size(const PageFacts& facts, double pixels);
 
-/// Returns optics that are a table of rays. Their film is a quilt with facts.tiles tiles of view_size. If views consist of
-/// whole panel pixels, a pixel of a tile has the ray of the nearest one. Otherwise its ray goes from the eye of the view
-/// through the pixel's position in the plane z = 0.
+/// Returns a table of rays for views at reduced resolution, whose film is a quilt with facts.tiles tiles of view_size.
+/// If views consist of whole panel pixels, a pixel has the ray of the nearest one. Otherwise its ray goes from the eye
+/// of the view through the pixel's position in the plane z = 0.
 Optics view_rays(const PlacedOptics& placed, const PageFacts& facts, Vec2i view_size);
 
 }  // namespace lippmann
