@@ -35,15 +35,13 @@ bool is_there(const fs::path& path) {
   return fs::exists(fs::symlink_status(path, ignored));
 }
 
-/// Throws if job.toml or the report exists but is not a regular file.
 void require_regular_files(const fs::path& folder) {
   for (const char* name : {"job.toml", kReport}) is_regular_file_there(folder / name);
 }
 
-/// The contents of a folder, compared with a job.
 struct Contents {
-  std::optional<FolderJournal> journal;  ///< the folder's journal, which may belong to another job
-  bool is_this_job = false;              ///< whether the journal belongs to this job and is undamaged
+  std::optional<FolderJournal> journal;  ///< may belong to another job
+  bool is_this_job = false;              ///< the journal belongs to this job and is undamaged
   /// Foreign files (see foreign_files()), without leftovers of an interrupted run of this job.
   std::vector<std::string> foreign;
 };
@@ -77,7 +75,7 @@ bool is_free(const fs::path& folder, const std::string& job) {
   return is_free(contents_of(folder, job)) && !has_other_run(folder, job);
 }
 
-/// Returns names for a message, such as "frame_0000.png and 3 more".
+/// Returns, for example, "frame_0000.png and 3 more".
 std::string some_of(const std::vector<std::string>& names) {
   return names.size() == 1 ? names.front() : fmt::format("{} and {} more", names.front(), names.size() - 1);
 }
@@ -95,8 +93,8 @@ std::optional<JournalVideo> find_video(const FolderJournal& journal, const std::
   return found == journal.videos.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// Returns the record of the job's video. The folder of the single view beside a light field (kSingleFolder) may be removed, so
-/// its videos are also recorded in the journal of the light field's folder.
+/// The folder of the single view beside a light field (kSingleFolder) may be removed, so its videos are also recorded
+/// in the light field's journal.
 std::optional<JournalVideo> recorded_video(const fs::path& folder, const Contents& contents, const std::string& video) {
   if (contents.is_this_job)
     if (auto own = find_video(*contents.journal, video_name(folder, video))) return own;
@@ -121,8 +119,8 @@ void require_free_video(const fs::path& folder, const Contents& contents, const 
                 "replaces the video");
 }
 
-/// Removes the file of a picture or view, and the folder of views once it is empty. Objects that are not files are kept.
-/// Returns whether no object with that name is left. Throws Error if the file cannot be removed.
+/// Removes a file, and the folder of views once it is empty. Objects that are not files are kept. Returns whether no
+/// object with that name is left. Throws Error if the file cannot be removed.
 bool remove_file(const fs::path& folder, const std::string& name) {
   std::error_code ignored;
   const fs::path file = folder / name, parent = fs::path(name).parent_path();
@@ -133,7 +131,8 @@ bool remove_file(const fs::path& folder, const std::string& name) {
   return true;
 }
 
-/// Removes the files that a journal records. Keeps videos, job files and reports that have changed since they were recorded.
+/// Removes the files that a journal records. Keeps videos, job files and reports that have changed since they were
+/// recorded.
 void remove_files_of(const fs::path& folder, const FolderJournal& journal) {
   for (const auto& [frame, record] : journal.frames)
     for (const auto& [name, sum] : record.files) remove_file(folder, name);
@@ -147,7 +146,7 @@ void remove_files_of(const fs::path& folder, const FolderJournal& journal) {
 
 /// Removes the files of a page, and folders that become empty. Does not follow symbolic links.
 void remove_page(const fs::path& folder, const FileRecords& files) {
-  std::set<fs::path, std::greater<>> folders;  // sorted so that inner folders come first
+  std::set<fs::path, std::greater<>> folders;  // inner folders first
   for (const auto& [name, sum] : files) {
     std::error_code ignored;
     bool is_linked = false;
@@ -167,7 +166,7 @@ void sync_if_there(const fs::path& folder) {
   if (fs::is_directory(folder, ignored)) platform::sync_folder(folder);
 }
 
-/// Syncs the folders, so that removed files of frames cannot reappear after a power loss.
+/// After a power loss, removed files of frames must not reappear.
 void sync_removed(const fs::path& folder, const FolderJournal& journal) {
   std::set<fs::path> folders{folder};
   for (const auto& [frame, record] : journal.frames)
@@ -175,8 +174,8 @@ void sync_removed(const fs::path& folder, const FolderJournal& journal) {
   for (const fs::path& emptied : folders) sync_if_there(emptied);
 }
 
-/// Removes journal files except `own`, and the journal's folder if it becomes empty. Syncs the removal, so that old records
-/// cannot reappear after a power loss beside those of the next render.
+/// Removes journal files except `own`, and the journal's folder if it becomes empty. The removal is synced, so that old
+/// records cannot reappear after a power loss.
 void remove_parts(const fs::path& folder, const std::vector<fs::path>& parts, const fs::path& own = {}) {
   for (const fs::path& part : parts)
     if (part != own) remove_if_there(part);
@@ -185,7 +184,7 @@ void remove_parts(const fs::path& folder, const std::vector<fs::path>& parts, co
   for (const fs::path& emptied : {journal_folder(folder), folder}) sync_if_there(emptied);
 }
 
-/// Removes the render of the single view beside a light field (kSingleFolder), unless its folder is a symbolic link.
+/// Removes the render in kSingleFolder, unless its folder is a symbolic link.
 void remove_single(const fs::path& folder) {
   std::error_code ignored;
   if (fs::is_symlink(folder, ignored)) return;
@@ -198,7 +197,7 @@ void remove_single(const fs::path& folder) {
   fs::remove(folder, ignored);
 }
 
-/// Removes all files of a render. Removes the journal last, so that an interrupted removal can be repeated.
+/// The journal is removed last, so that an interrupted removal can be repeated.
 void remove_render(const fs::path& folder, const FolderJournal& journal, const fs::path& own) {
   remove_files_of(folder, journal);
   remove_page(folder, journal.page);
@@ -207,8 +206,7 @@ void remove_render(const fs::path& folder, const FolderJournal& journal, const f
   remove_parts(folder, journal.parts, own);
 }
 
-/// Removes files that block a render. These are the files of other jobs whose runs finished nothing. With `force`, also removes
-/// the files of another render.
+/// Removes the files of other jobs whose runs finished nothing. With `force`, also removes the files of another render.
 void remove_others(const fs::path& folder, const Contents& contents, const NewRender& render) {
   if (!contents.journal) return;
   for (const fs::path& claim : contents.journal->claims)

@@ -1,4 +1,5 @@
-// Develops a traced frame into a picture: applies the tone curve, corrects crosstalk, and arranges the pixels in the layout.
+// Develops a traced frame into a picture: applies the tone curve, corrects crosstalk, and arranges the pixels in the
+// layout.
 #pragma once
 
 #include <optional>
@@ -16,15 +17,15 @@ struct Development {
   const Optics& optics;
   Tone tone = {};
   Encoding encoding = Encoding::kSrgb;  ///< encoding of the scene's values
-  /// Crosstalk to correct: the standard deviation of the Gaussian blur (optics/crosstalk.hpp), in pixels, or in views for a
-  /// quilt.
+  /// Crosstalk to correct: the standard deviation of the Gaussian blur (optics/crosstalk.hpp), in pixels, or in views
+  /// for a quilt.
   std::optional<double> crosstalk_to_undo = {};
-  /// If true, the picture holds linear light, premultiplied by alpha, without tone mapping.
+  /// The picture holds linear light, premultiplied by alpha, without tone mapping.
   bool keeps_light = false;
 };
 
-/// Develops the film and the layers in place. They remain floats. If the picture needs a new buffer, returns the old buffer of
-/// the film. Otherwise returns an empty image.
+/// Develops the film and the layers in place, as floats. Returns the old buffer of the film if the picture needs a new
+/// one, otherwise an empty image.
 Image develop_frame(const Development& development, RenderedFrame& rendered);
 
 }  // namespace lippmann

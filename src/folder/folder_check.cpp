@@ -27,7 +27,7 @@ bool is_of_frame(const FolderJournal& journal, int frame, const std::string& nam
   return found != journal.frames.end() && found->second.files.contains(name);
 }
 
-/// Adds the foreign files in the subfolder `below` of `folder`. Searches folders of views too, but no deeper folders.
+/// Adds the foreign files in the subfolder `below` of `folder`, and in folders of views in it.
 void add_foreign(const fs::path& folder, const fs::path& below, const FolderJournal& journal,
                  std::vector<std::string>& foreign) {
   for (const fs::directory_entry& entry : entries_of(folder / below)) {
@@ -58,7 +58,7 @@ void add_file(const fs::path& folder, const std::string& name, const std::vector
   add_file(name, state_of(folder / name, sums), check);
 }
 
-/// Adds the strips of a frame that is missing or damaged. Strips of finished frames are not checked.
+/// Strips of finished frames are not checked.
 void add_strips(const fs::path& folder, int frame, const JournalStrips& strips, FolderCheck& check) {
   const std::size_t wrong_before = check.missing.size() + check.damaged.size();
   for (const auto& [strip, record] : strips.finished)
@@ -79,8 +79,7 @@ void add_strips(const fs::path& folder, const FolderJournal& journal, FolderChec
   }
 }
 
-/// Returns the paths, relative to `folder`, of the videos of the single view in kSingleFolder. add_single() checks these
-/// videos.
+/// Paths relative to `folder`. add_single() checks these videos.
 std::set<std::string> videos_of_single(const fs::path& folder, const FolderJournal& journal) {
   std::set<std::string> names;
   if (!journal.companions.contains(kSingleFolder)) return names;
@@ -89,7 +88,7 @@ std::set<std::string> videos_of_single(const fs::path& folder, const FolderJourn
   return names;
 }
 
-/// Checks the render of the single view in kSingleFolder. If this folder has no journal, it counts as missing.
+/// Checks the render in kSingleFolder. A folder without a journal counts as missing.
 void add_single(const fs::path& folder, FolderCheck& check) {
   const std::optional<FolderJournal> journal = read_journal(folder / kSingleFolder);
   if (!journal || journal->job.empty()) return add_file(kSingleFolder, FileState::kMissing, check);

@@ -1,4 +1,3 @@
-// Writes the pictures of one frame with their extra layers.
 #pragma once
 
 #include <filesystem>
@@ -14,13 +13,12 @@
 
 namespace lippmann {
 
-/// Settings of a render whose frames form a single data set, with one camera per frame.
+/// The frames of a render form a single data set, with one camera per frame.
 struct OneSet {
   int count = 1;
   double units_per_mm = 1.0;  ///< world units per millimetre of the display frame
 };
 
-/// Settings that all frames of a render share.
 struct FrameFiles {
   std::filesystem::path folder;
   FrameNames names;
@@ -30,20 +28,20 @@ struct FrameFiles {
   double pixels_per_mm = 0.0;  ///< resolution written to TIFF files; 0 if unknown
   std::vector<ExrAttribute> about = {};
   FormatOptions writing = {};
-  /// nullopt if every frame is a light field of its own.
+  /// nullopt: every frame is a light field of its own.
   std::optional<OneSet> one_set = {};
 };
 
-/// Returns the file name extension: "png", "tif" or "exr".
+/// Returns "png", "tif" or "exr".
 const char* ending_of(PictureFormat format);
 
-/// Writes the files of a frame. Each file appears atomically. If names.views > 0, `pictures` holds views that are stacked
-/// vertically. EXR pictures include the extra layers; other pictures have a separate file for them (layers_path()). Returns the
-/// paths of the written files. Throws Error that names the file.
+/// Each file appears atomically. If names.views > 0, `pictures` holds views that are stacked vertically. EXR pictures
+/// include the extra layers; other pictures have a separate file for them (layers_path()). Returns the paths of the
+/// written files. Throws Error that names the file.
 std::vector<std::filesystem::path> write_frame_files(const FrameFiles& files, int frame, const FramePictures& pictures);
 
-/// Writes the views of a film in a light-field format, as a folder or as one picture. `pictures` holds 8- or 16-bit samples, or
-/// linear floats for EXR. If the format uses depth, `pictures` also holds depth (Aov::kDepth). Returns the paths of the written
+/// Writes the views of a film in a light-field format, as a folder or as one picture. `pictures` holds 8- or 16-bit
+/// samples, or linear floats for EXR, and depth (Aov::kDepth) if the format uses it. Returns the paths of the written
 /// files.
 std::vector<std::filesystem::path> write_light_field_files(const FrameFiles& files, int frame, const LightFieldFormat& format,
                                                            const Optics& optics, const FramePictures& pictures);

@@ -15,7 +15,7 @@
 namespace lippmann {
 namespace {
 
-/// Maximum number of pixels of a PNG or EXR file, for reading and for writing.
+/// Maximum number of pixels of a PNG or EXR file.
 constexpr std::int64_t kMaxFilePixels = std::int64_t{1} << 28;
 
 ViewLayout wanted_layout(const PictureParams& params, PictureLayout layout, const ViewLayout& film) {
@@ -37,13 +37,13 @@ bool same_places(const ViewLayout& a, const ViewLayout& b) {
   return a.kind == b.kind && (a.kind != LayoutKind::kQuilt || a.tiles == b.tiles);
 }
 
-/// Returns width / height of the visible part of the display plane.
+/// Width / height of the visible part of the display plane.
 double display_aspect(const Optics& optics) {
   const Vec2f window = window_size_mm(optics);
   return static_cast<double>(window.x) / window.y;
 }
 
-/// Returns the default layout: a quilt if the optics render views for the quilt of a display, otherwise the integral image.
+/// A quilt if the optics render views for the quilt of a display, otherwise the integral image.
 PictureLayout default_layout(const Optics& optics, const Display* display) {
   const bool is_quilt = display && view_tiles(optics);
   return is_quilt ? PictureLayout::kQuilt : PictureLayout::kIntegral;
@@ -63,7 +63,7 @@ std::optional<PictureLayout> layout_named(const std::string& format) {
   return std::nullopt;
 }
 
-/// Returns the parameters with the layout that `to` names. Nothing changes if `to` is not the name of a layout.
+/// Returns the parameters with the layout that `to` names, or unchanged if `to` does not name one.
 PictureParams with_layout(PictureParams params) {
   if (params.layout == PictureLayout::kRgbd && params.to.empty()) params.to = "rgbd";
   if (params.to.empty()) return params;
@@ -170,8 +170,7 @@ void FrameLayout::arrange_views(const PictureParams& params, PictureLayout layou
   if (!same_places(film, wanted)) arrangement_.emplace(film, wanted, film_, "layout");
 }
 
-/// Arranges the two views of the film in the stereo picture. If the packing squeezes the views, the film's views are already
-/// squeezed.
+/// If the packing squeezes the views, the film's views are already squeezed.
 void FrameLayout::pair_views(const StereoLayout& layout, const Optics& optics) {
   const ViewLayout film = film_layout(optics, "layout");
   if (film.kind != LayoutKind::kQuilt || film.grid != ViewGrid{2, 1})
@@ -216,7 +215,7 @@ Image FrameLayout::arrange(const Image& film) const {
 void FrameLayout::arrange(FrameAovs& aovs) const {
   for (std::size_t i = 0; i < kAovs; ++i) {
     if (!aovs.wanted[i]) continue;
-    // Layers of light have separate colours for sub-pixels; all other layers have one value per whole pixel.
+    // Layers of light have separate colours for sub-pixels; all other layers have one value per pixel.
     const bool whole_pixels = sub_pixels_ && !is_light(static_cast<Aov>(i));
     aovs.images[i] = whole_pixels ? middle_sub_pixels(aovs.images[i]) : arrange(aovs.images[i]);
   }

@@ -1,5 +1,5 @@
-// Selects and applies the layout of each frame's picture. This is the native layout of the film, another layout of its views,
-// or one of the light-field formats that `lippmann convert` writes.
+// Selects and applies the layout of each frame's picture: the native layout of the film, another layout of its views,
+// or a light-field format that `lippmann convert` writes.
 #pragma once
 
 #include <cstdint>
@@ -21,52 +21,51 @@ namespace lippmann {
 
 class FrameLayout {
  public:
-  /// `display` is the display of the optics, or null. Throws a usage Error if views must be rearranged, but the views of the
-  /// optics do not consist of whole pixels. Also throws if the number of tiles does not match the optics.
+  /// `display` is the display of the optics, or null. Throws a usage Error if views must be rearranged but do not
+  /// consist of whole pixels, or if the number of tiles does not match the optics.
   FrameLayout(const PictureParams& params, const Optics& optics, const Display* display = nullptr);
 
   const FrameNames& names() const { return names_; }
 
   PictureFormat format() const { return format_; }
 
-  /// Returns the light-field format of the frames. Returns null if frames are pictures or folders of views.
+  /// Null if frames are pictures or folders of views.
   const LightFieldFormat* light_field() const { return light_field_; }
 
-  /// Returns whether each frame is a single picture. Videos require this.
+  /// Each frame is a single picture, as videos require.
   bool is_picture() const { return names_.views == 0 && (!light_field_ || is_rgbd_); }
 
-  /// Returns whether each frame is one view with its depth beside it.
+  /// Each frame is one view with its depth beside it.
   bool is_rgbd() const { return is_rgbd_; }
 
-  /// Returns the number of pictures per frame. Each picture has picture_size().
+  /// Each picture has picture_size().
   int pictures_per_frame() const { return pictures_per_frame_; }
 
-  /// Returns the path of a video of these pictures. Quilt, stereo and RGB-D videos get a suffix.
+  /// Quilt, stereo and RGB-D videos get a suffix.
   std::filesystem::path video_path(const std::filesystem::path& requested) const;
 
   /// Returns the tiles, the aspect of the display and the grid of the views, for quilts only.
   const std::optional<QuiltSideFile>& quilt() const { return quilt_; }
 
-  /// Returns the arrangement of the two views, for stereo pictures only.
+  /// Arrangement of the two views, for stereo pictures only.
   const std::optional<StereoLayout>& stereo() const { return stereo_; }
 
-  /// Returns whether the pixels of the picture have other positions than in the film.
+  /// The pixels of the picture have other positions than in the film.
   bool moves() const { return stereo_ || arrangement_ || sub_pixels_ || mirrors_; }
 
-  /// Returns whether each pixel of the picture is joined from sub-pixels of the film. The panel then shows the arranged
-  /// picture, and not the film.
+  /// Each pixel of the picture is joined from sub-pixels of the film. The panel then shows the arranged picture.
   bool joins_sub_pixels() const { return sub_pixels_; }
 
-  /// Returns the resolution of the display in pixels per mm, or 0 without a display.
+  /// Resolution of the display in pixels per mm; 0 without a display.
   double pixels_per_mm() const { return pixels_per_mm_; }
 
-  /// Returns the size of a picture: the size of a view if views are separate pictures.
+  /// Size of a picture, or of a view if views are separate pictures.
   Vec2i picture_size() const;
 
   /// Throws a usage Error if pictures or extra layers exceed the limits of their file format.
   void check_picture_size(bool with_layers) const;
 
-  /// Returns a rearranged film, or a rearranged layer of the same size. If names().views > 0, the views are stacked vertically.
+  /// Rearranges a film, or a layer of the same size. If names().views > 0, the views are stacked vertically.
   Image arrange(const Image& film) const;
 
   void arrange(FrameAovs& aovs) const;

@@ -15,7 +15,7 @@ std::optional<double> number_or_none(const Json& json) {
   return json.is_null() ? std::nullopt : std::optional(json.get<double>());
 }
 
-/// Reads a figure that may be missing, because reports of earlier versions do not have it.
+/// Reports of earlier versions lack some figures.
 std::optional<double> number_if_any(const Json& json, const char* key) {
   const auto found = json.find(key);
   return found == json.end() ? std::nullopt : number_or_none(*found);

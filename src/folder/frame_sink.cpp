@@ -19,14 +19,13 @@
 namespace lippmann {
 namespace {
 
-/// Returns the number of writing threads. Writing costs less than tracing, so half the number of rendering threads suffices.
+/// Writing costs less than tracing, so half the number of rendering threads suffices.
 int writing_threads(int rendering_threads) { return std::clamp(rendering_threads / 2, 1, 8); }
 
-/// Returns the capacity of the queue. It is one more than the number of writing threads, so that a thread never waits for its
-/// next frame.
+/// With one more than the number of writing threads, a thread never waits for its next frame.
 int queue_capacity(int rendering_threads) { return writing_threads(rendering_threads) + 1; }
 
-/// Measures the wall time between its construction and its destruction. Adds the time to a sum of nanoseconds.
+/// Adds the wall time between its construction and its destruction to a sum of nanoseconds.
 class TimedWork {
  public:
   explicit TimedWork(std::atomic<std::int64_t>& sum) : sum_(sum) {}
@@ -57,12 +56,11 @@ struct FrameSink::Impl {
   const FrameFiles files;
   std::vector<std::unique_ptr<VideoWriter>> videos;
   std::map<int, Precompensation> precompensated;
-  int first_frame = -1;  ///< first frame of the videos; -1 if no frame has been added
+  int first_frame = -1;  ///< first frame of the videos; -1: no frame has been added
   std::atomic<std::int64_t> write_nanoseconds{0};
   BackgroundQueue queue;  ///< the last member, because its threads use the other members
 
-  /// Writes a frame and returns the records of its files. Computes the checksums immediately, because the bytes are still in
-  /// memory and the next frame is rendered in parallel.
+  /// Returns the records of the files. Checksums are computed here, while the bytes are still in memory.
   FileRecords write(RenderedFrame& rendered) {
     const TimedWork timed(write_nanoseconds);
     Image as_traced = develop(rendered);
@@ -78,15 +76,15 @@ struct FrameSink::Impl {
 
   bool keeps_light() const { return files.format == PictureFormat::kExr; }
 
-  /// Returns whether the 8-bit samples of pictures are kept. Videos are made from these samples, so that they have the same
-  /// bytes whether a frame was just rendered or is the picture of an earlier run.
+  /// Videos are made from 8-bit samples, so that they have the same bytes whether a frame was just rendered or is the
+  /// picture of an earlier run.
   bool needs_codes() const {
     // Light-field formats convert pictures to 8 bits themselves. Videos read these samples from the files.
     if (settings.layout.light_field()) return false;
     return files.format == PictureFormat::kPng || files.format == PictureFormat::kTiff || !videos.empty();
   }
 
-  /// Develops the film in place. If the picture gets a new buffer, returns the old buffer of the film.
+  /// Develops the film in place. Returns the old buffer of the film if the picture gets a new one.
   Image develop(RenderedFrame& rendered) const {
     FramePictures& pictures = rendered.pictures;
     const Tone tone = tone_of(settings.pictures);
@@ -115,8 +113,8 @@ struct FrameSink::Impl {
     return written;
   }
 
-  /// Copies the depth range of the first frame to the side files of the videos. All frames have the same range. Returns whether
-  /// the frame has a side file.
+  /// Copies the depth range, which all frames share, to the side files of the videos. Returns whether the frame has a
+  /// side file.
   bool describe_depth() const {
     const auto frame = picture_paths(files.folder, files.names, first_frame).front();
     const std::optional<RgbdSideFile> side = read_rgbd_side_file(frame);
@@ -125,7 +123,7 @@ struct FrameSink::Impl {
     return side.has_value();
   }
 
-  /// Returns 8-bit samples with the tone curve applied. Videos need them if the pictures store linear light.
+  /// Videos need 8-bit samples if the pictures store linear light.
   Image8 toned_codes(const Tone& tone, Image film) const {
     apply_tone(tone, film);
     return to_codes(film, settings.encoding);

@@ -1,5 +1,5 @@
-// Encodes and writes rendered frames in the background, and records finished frames in the journal. The number of frames in
-// memory is limited.
+// Encodes and writes rendered frames in the background, and records finished frames in the journal. The number of
+// frames in memory is limited.
 #pragma once
 
 #include <cstdint>
@@ -35,53 +35,50 @@ class FrameSink {
     const FrameLayout& layout;
     const Optics& optics;
     Encoding encoding = Encoding::kSrgb;  ///< encoding of the scene's values
-    /// Crosstalk to correct: the standard deviation of the Gaussian blur (optics/crosstalk.hpp), in pixels, or in views for a
-    /// quilt.
+    /// Crosstalk to correct: the standard deviation of the Gaussian blur (optics/crosstalk.hpp), in pixels, or in views
+    /// for a quilt.
     std::optional<double> crosstalk_to_undo = {};
     std::vector<VideoFile> videos = {};
     FormatOptions writing = {};
     std::vector<ExrAttribute> about = {};
-    /// Number of rendering threads. Writing uses up to half this number of additional threads.
+    /// Rendering threads. Writing uses up to half this number of additional threads.
     int threads = 1;
     /// Called with the film of every written frame, on any thread. May be empty.
     std::function<void(Image)> done_with = {};
-    /// Called when the files of a frame are written, with their total size in bytes. Calls are made in the order of frames and
-    /// one at a time, but on any thread. May be empty.
+    /// Called when the files of a frame are written, with their total size in bytes: in the order of frames and one at
+    /// a time, but on any thread. May be empty.
     std::function<void(int frame, std::uintmax_t bytes)> written = {};
-    std::optional<OneSet> one_set = {};  ///< set if all frames are views of a single data set
+    std::optional<OneSet> one_set = {};  ///< all frames are views of a single data set
   };
 
-  /// `folder` must outlive the sink. Nothing else may record files in it during the sink's lifetime. Throws Error if a video
-  /// cannot be begun.
+  /// `folder` must outlive the sink. Nothing else may record files in it during the sink's lifetime. Throws Error if a
+  /// video cannot be begun.
   FrameSink(const Settings& settings, RenderFolder& folder);
-  /// Discards unwritten frames. Discards the videos unless finish_videos() was called.
+  /// Discards unwritten frames, and the videos unless finish_videos() was called.
   ~FrameSink();
   FrameSink(const FrameSink&) = delete;
   FrameSink& operator=(const FrameSink&) = delete;
 
-  /// Queues a frame. Frames must be added in ascending order. Blocks while the queue is full. If an earlier frame could not be
-  /// written, throws its Error once.
+  /// Queues a frame, in ascending order. Blocks while the queue is full. If an earlier frame could not be written,
+  /// throws its Error once.
   void add(RenderedFrame rendered);
 
-  /// Adds a frame whose picture exists already. Only videos use the frame; they read the picture from its file. Blocks and
-  /// throws like add().
+  /// Adds an existing frame for the videos, which read its picture from the file. Blocks and throws like add().
   void add_kept(int frame);
 
   /// Waits until all frames are written. Throws the same Errors as add().
   void wait();
 
-  /// Completes the videos. Call this after wait(). Returns whether the videos have side files.
+  /// Call this after wait(). Returns whether the videos have side files.
   bool finish_videos();
 
-  /// Returns the results of the crosstalk correction, indexed by frame. Call this after wait(). Empty if no correction was
-  /// requested.
+  /// Results of the crosstalk correction by frame. Call this after wait().
   const std::map<int, Precompensation>& precompensated() const;
 
-  /// Returns the seconds spent on encoding and writing so far, summed over threads.
+  /// Seconds of encoding and writing so far, summed over threads.
   double write_seconds() const;
 
-  /// Returns the maximum number of films in memory for a number of rendering threads. The film that is being traced is
-  /// included.
+  /// Maximum number of films in memory, with the one that is being traced.
   static int frames_in_memory(int threads);
 
  private:

@@ -25,7 +25,7 @@ FolderJournal journal_of_render(const fs::path& folder) {
   return *std::move(journal);
 }
 
-/// Returns the job that all folders share. Throws if their jobs differ.
+/// Throws if the jobs differ.
 std::string common_job(const fs::path& folder, const std::vector<fs::path>& others) {
   const std::optional<FolderJournal> there = read_journal(folder);
   const std::string job = there ? there->job : journal_of_render(others.front()).job;
@@ -35,8 +35,7 @@ std::string common_job(const fs::path& folder, const std::vector<fs::path>& othe
   return job;
 }
 
-/// Makes the file `from` available as `to`, atomically. Links the file if both folders are on one file system, otherwise copies
-/// it.
+/// Links the file atomically if both folders are on one file system, otherwise copies it.
 void take_over(const fs::path& from, const fs::path& to) {
   make_folder(to.parent_path());
   AtomicFile file(to);
@@ -47,7 +46,6 @@ void take_over(const fs::path& from, const fs::path& to) {
   file.commit();
 }
 
-/// Copies the strips of a frame that are missing in `folder`.
 void join_strips(const fs::path& other, int frame, const JournalStrips& strips, RenderFolder& folder, JoinedFolders& joined) {
   const FolderJournal there = folder.now();
   for (const auto& [strip, record] : strips.finished) {

@@ -30,14 +30,14 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// Thrown for an invalid line of a journal, with the reason.
+/// An invalid line of a journal, with the reason.
 using LineProblem = std::runtime_error;
 
 std::string line_of(const Json& json) { return json_to_text(json, -1) + '\n'; }
 
 Json checksum_json(const FileChecksum& sum) { return {{"bytes", sum.bytes}, {"xxh3", sum.xxh3}}; }
 
-/// Returns the values that the lines of frames and of strips have in common.
+/// Values that the lines of frames and of strips have in common.
 Json finished_json(const FrameReport& report, const FileRecords& files) {
   Json json = to_json(report);
   json["files"] = Json::object();
@@ -81,8 +81,7 @@ void add_frames(const std::vector<int>& more, std::vector<int>& frames) {
   frames = std::move(both);
 }
 
-/// Returns whether a name belongs to a file that describes all frames together, such as the job, the report, or the cameras of
-/// a data set.
+/// Documents describe all frames together, such as the job, the report, or the cameras of a data set.
 bool is_document(const std::string& name) {
   static const std::set<std::string_view> documents{
       "job.toml",         "report.json", "transforms.json",      "transforms_train.json", "transforms_test.json",
@@ -117,7 +116,6 @@ void read_asked(const Json& json, FolderJournal& journal) {
   }
 }
 
-/// Returns whether `name` is the path of a file in the folder of the page or its subfolders.
 bool is_page_file(const std::string& name) {
   const fs::path path(name);
   return path.is_relative() && path.lexically_normal() == path && path.has_filename() && path.has_parent_path() &&
@@ -193,7 +191,7 @@ void read_job(const Json& json, FolderJournal& journal) {
   journal.job = job;
 }
 
-/// Adds one line to the journal. Throws LineProblem or an exception of nlohmann::json if the line is invalid.
+/// Throws LineProblem or an exception of nlohmann::json if the line is invalid.
 void read_line(const Json& json, bool is_first, FolderJournal& journal) {
   if (!json.is_object()) throw LineProblem("is not a JSON object");
   if (is_first)
@@ -217,7 +215,7 @@ void read_line(const Json& json, bool is_first, FolderJournal& journal) {
 // Maximum total size of the journal files. A frame of 48 views takes about 5000 bytes.
 constexpr std::uintmax_t kMaxJournalBytes = std::uintmax_t{4} << 30;
 
-/// Adds one line to the journal. Returns the problem of the line, or an empty string if it has none.
+/// Returns the problem of the line, or an empty string.
 std::string problem_of(const Json& json, bool is_first, FolderJournal& journal) try {
   read_line(json, is_first, journal);
   return {};
@@ -227,7 +225,7 @@ std::string problem_of(const Json& json, bool is_first, FolderJournal& journal) 
   return problem.what();
 }
 
-/// Reads the journal file of one run. The file of a run that was killed while writing its first line counts as empty.
+/// The file of a run that was killed while writing its first line counts as empty.
 void read_part(const fs::path& path, std::uintmax_t& bytes_left, FolderJournal& journal) {
   if (!is_regular_file_there(path)) return;  // the file was removed after the folder was listed
   std::istringstream in(read_file_text(path, bytes_left, "the journal of a render"));
@@ -246,7 +244,7 @@ void read_part(const fs::path& path, std::uintmax_t& bytes_left, FolderJournal& 
   }
 }
 
-/// Returns the job in the first line of a journal file. Returns an empty string if there is no complete first line.
+/// Returns the job in the first line of a journal file, or an empty string if that line is incomplete.
 std::string job_of_part(const fs::path& path) {
   if (!is_regular_file_there(path)) return {};
   std::ifstream in(path, std::ios::binary);
@@ -257,8 +255,8 @@ std::string job_of_part(const fs::path& path) {
   return json.is_object() && job != json.end() && job->is_string() ? job->get<std::string>() : std::string();
 }
 
-/// Removes claims from `parts` and returns them. `parts` are journal files. A claim is the journal file of a run that finished
-/// nothing and whose job differs from the job of the other runs.
+/// Removes claims from `parts` and returns them. A claim is the journal file of a run that finished nothing and whose
+/// job differs from the job of the other runs.
 std::vector<fs::path> take_claims(std::vector<fs::path>& parts) {
   std::map<std::string, std::vector<fs::path>> by_job;
   for (const fs::path& part : parts)
@@ -361,7 +359,7 @@ void sync_render(const fs::path& folder, const FolderJournal& journal) {
   std::vector<fs::path> files;
   for (const auto& [frame, record] : journal.frames)
     for (const auto& [name, sum] : record.files) files.push_back(folder / name);
-  // The name of one strip is enough, because all strips are in the same folder, and sync_names() syncs folders.
+  // One strip is enough, because all strips are in the same folder, and sync_names() syncs folders.
   if (!journal.strips.empty()) files.push_back(folder / strip_name(0, 0));
   sync_names(folder, files);
 }

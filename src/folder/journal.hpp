@@ -42,13 +42,13 @@
 
 namespace lippmann {
 
-/// Checksums of finished files, indexed by file name relative to the folder.
+/// Checksums of finished files by name, relative to the folder.
 using FileRecords = std::map<std::string, FileChecksum>;
 
-/// Syncs the directory entries of files in `folder` or its subfolders, so that the files survive a power loss.
+/// Syncs the directory entries of files in `folder` or its subfolders, so that they survive a power loss.
 void sync_names(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& files);
 
-/// Syncs the directory entries of files in `folder` and returns the checksums of the files. Throws Error that names a file that
+/// Syncs the directory entries of files in `folder` and returns their checksums. Throws Error that names a file that
 /// cannot be read.
 FileRecords records_of(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& files);
 
@@ -57,28 +57,28 @@ struct JournalEntry {
   FileRecords files;
 };
 
-/// Identifies a strip of a frame. Strips are numbered from 0 at the top.
+/// Strip 0 is at the top.
 struct StripNumber {
   int frame = 0, strip = 0;
-  int count = 1;  ///< number of strips per frame
+  int count = 1;  ///< strips per frame
 };
 
 struct JournalStrips {
-  int count = 1;  ///< number of strips per frame
-  /// Indexed by strip. If a strip has several lines, the last line counts.
+  int count = 1;  ///< strips per frame
+  /// By strip. If a strip has several lines, the last one counts.
   std::map<int, JournalEntry> finished;
 };
 
 struct JournalVideo {
-  /// Checksums of all versions that were written. Empty if a run stopped while writing the video.
+  /// Checksums of all versions that were written; empty if a run stopped while writing the video.
   std::vector<FileChecksum> sums;
-  std::vector<int> frames;  ///< frames of the video, in ascending order
-  /// Checksums of all versions of the video's side file. Empty if it has no side file.
+  std::vector<int> frames;  ///< in ascending order
+  /// Checksums of all versions of the video's side file; empty if it has none.
   std::vector<FileChecksum> side;
 };
 
-/// Companion folders in the folder of a render. kSingleFolder holds a render of a single view beside a light field, with its
-/// own journal. kPageFolder holds a page for browsers.
+/// kSingleFolder holds a render of a single view beside a light field, with its own journal; kPageFolder a page for
+/// browsers.
 inline constexpr const char* kSingleFolder = "single";
 inline constexpr const char* kPageFolder = "page";
 
@@ -86,76 +86,74 @@ inline constexpr const char* kPageFolder = "page";
 struct RunReport {
   std::string host = {};         ///< name of the machine
   std::string cpu = {};          ///< name of the processor; empty if not recorded
-  std::string unit = {};         ///< unit of the run, such as 7/200; empty for all frames
-  std::vector<int> frames = {};  ///< frames that the run rendered, in ascending order
-  /// Strips that the run rendered, indexed by frame, in ascending order.
+  std::string unit = {};         ///< such as 7/200; empty for all frames
+  std::vector<int> frames = {};  ///< rendered frames, in ascending order
+  /// Rendered strips by frame, in ascending order.
   std::map<int, std::vector<int>> strips = {};
-  double setup_seconds = 0.0;  ///< wall time of the set-up before the first frame
-  /// Time of encoding and writing, summed over threads. It overlaps with rendering.
+  double setup_seconds = 0.0;  ///< wall time before the first frame
+  /// Summed over threads. Overlaps with rendering.
   double write_seconds = 0.0;
   std::uint64_t peak_memory_bytes = 0;
   int threads = 1;
-  /// Reports of source frames, in ascending order. The run rendered these frames only because its own frames are made from
-  /// them.
+  /// Frames that were rendered only because other frames are made from them, in ascending order.
   std::vector<FrameReport> sources = {};
 };
 
 struct FolderJournal {
   std::string job;
-  /// Frames that the runs of the job were requested to render, in ascending order without duplicates.
+  /// Frames that the runs of the job were requested to render, ascending and without duplicates.
   std::vector<int> asked;
-  /// Companion folders that the runs of the job were requested to write: kSingleFolder, kPageFolder.
+  /// Requested companion folders: kSingleFolder, kPageFolder.
   std::set<std::string> companions;
-  FileRecords page;  ///< files of the page; paths are relative to the folder
-  /// Finished frames, indexed by frame. If a frame has several lines, the last line counts.
+  FileRecords page;  ///< paths relative to the folder
+  /// Finished frames by number. If a frame has several lines, the last one counts.
   std::map<int, JournalEntry> frames;
-  /// Finished strips, indexed by frame. Their files are deleted when the frame is finished.
+  /// Finished strips by frame. Their files are deleted when the frame is finished.
   std::map<int, JournalStrips> strips;
-  /// Checksums of all versions of job.toml, report.json and similar files, indexed by name.
+  /// Checksums of all versions of job.toml, report.json and similar files, by name.
   std::map<std::string, std::vector<FileChecksum>> files;
-  /// Videos, indexed by path relative to the folder.
+  /// By path relative to the folder.
   std::map<std::string, JournalVideo> videos;
   std::vector<RunReport> runs;
   /// Journal files that were read, one per run.
   std::vector<std::filesystem::path> parts;
   /// Journal files of runs that belong to other jobs and have finished no file.
   std::vector<std::filesystem::path> claims;
-  /// Number and problem of the first invalid line. Empty if all lines are valid.
+  /// Number and problem of the first invalid line; empty if all lines are valid.
   std::string problem;
 };
 
-/// Returns whether the render finished any file. A render that stopped before its first frame has finished none.
+/// A render that stopped before its first frame holds nothing.
 bool holds_anything(const FolderJournal& journal);
 
-/// Returns whether a file has one of the checksums `sums`.
+/// The file has one of the checksums `sums`.
 bool is_as_written(const std::filesystem::path& file, const std::vector<FileChecksum>& sums);
 
-/// Returns whether the file `name` (such as job.toml or report.json) equals one of the versions that runs have written.
+/// The file, such as job.toml or report.json, equals one of the versions that runs have written.
 bool is_as_written(const FolderJournal& journal, const std::filesystem::path& folder, const std::string& name);
 
-/// Returns whether all `files` match their checksums.
+/// All `files` match their checksums.
 bool are_as_recorded(const std::filesystem::path& folder, const FileRecords& files);
 
 nlohmann::ordered_json to_json(const RunReport& run);
 
 std::filesystem::path journal_folder(const std::filesystem::path& folder);
 
-/// Reads the journal of a folder. Returns nullopt if no run has written there. `problem` names a damaged line, or two runs of
-/// different jobs that both finished files. An incomplete last line is not a problem. Throws Error if a journal file is not a
-/// regular file or cannot be read.
+/// Returns nullopt if no run has written in the folder. `problem` names a damaged line, or two runs of different jobs
+/// that both finished files. An incomplete last line is no problem. Throws Error if a journal file is not a regular
+/// file or cannot be read.
 std::optional<FolderJournal> read_journal(const std::filesystem::path& folder);
 
-/// Reads the journal file of one run. Returns an empty journal if the file does not exist.
+/// Reads the journal file of one run. Returns an empty journal if it does not exist.
 FolderJournal read_journal_part(const std::filesystem::path& part);
 
-/// Syncs the journal and the directory entries of the frames' files. Needed because a killed run may not have synced its last
-/// line and its last files.
+/// A killed run may not have synced its last line and the directory entries of its last files.
 void sync_render(const std::filesystem::path& folder, const FolderJournal& journal);
 
 /// Throws Error if the journal has a problem.
 void require_sound(const std::filesystem::path& folder, const FolderJournal& journal);
 
-/// The following functions return lines of a journal. Each line ends with a newline.
+/// Lines of a journal, each with a newline at the end.
 std::string job_line(const std::string& job);
 std::string asked_line(const std::vector<int>& frames, const std::set<std::string>& companions = {});
 std::string frame_line(const FrameReport& frame, const FileRecords& files);
@@ -166,13 +164,13 @@ std::string video_line(const std::string& name, const std::vector<int>& frames, 
 std::string page_line(const FileRecords& files);
 std::string run_line(const RunReport& run);
 
-/// Returns whether a file belongs to a requested but unfinished frame, or to a strip of such a frame. An interrupted render may
-/// have left the file.
+/// The file belongs to a requested but unfinished frame, or to one of its strips. An interrupted render may have left
+/// it.
 bool is_unfinished(const FolderJournal& journal, const std::string& name);
 
 std::string side_name(const std::string& video);
 
-/// Returns whether a video lies directly in the folder. The path `video` is relative to the folder.
+/// `video` is relative to the folder.
 bool lies_in_folder(const std::string& video);
 
 }  // namespace lippmann

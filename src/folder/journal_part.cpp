@@ -19,8 +19,7 @@ Error part_cannot_be_written(const fs::path& path, const std::error_code& proble
   return Error(path.string(), fmt::format("cannot be written ({})", problem.message()));
 }
 
-/// Returns a file name that begins with the current time. The alphabetical order of such names is their order in time, within
-/// the accuracy of clocks.
+/// The name begins with the current time, so that the alphabetical order of names is their order in time.
 std::string first_name() {
   const auto now = std::chrono::system_clock::now().time_since_epoch();
   const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(now).count();

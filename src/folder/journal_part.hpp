@@ -11,18 +11,17 @@ namespace lippmann {
 
 class JournalPart {
  public:
-  /// Creates the run's journal file in the existing folder of journal files. The first line names the job. Throws Error if the
-  /// file cannot be written.
+  /// Creates the run's journal file, whose first line names the job. Throws Error if the file cannot be written.
   JournalPart(const std::filesystem::path& folder, const std::string& job);
 
-  /// Appends a line and waits until it is on the disk. Throws Error if the line cannot be written or the file was removed. All
-  /// later calls then throw as well, so that an incomplete line remains the last line of the file.
+  /// Appends a line and waits until it is on the disk. Throws Error if the line cannot be written or the file was
+  /// removed. All later calls then throw too, so that an incomplete line remains the last one.
   void add(const std::string& line);
 
-  /// Renews the lease of the run, as is_held() requires. May be called in parallel with add().
+  /// Renews the lease of the run, as is_held() requires. Thread-safe.
   void renew() const;
 
-  /// Removes the file. Call this only if no frame or file has been recorded.
+  /// Call this only if no frame or file has been recorded.
   void remove();
 
   const std::filesystem::path& path() const { return path_; }
@@ -30,7 +29,7 @@ class JournalPart {
  private:
   std::filesystem::path path_;
   platform::OpenFile file_;
-  std::error_code problem_;  ///< error of the first failed write
+  std::error_code problem_;  ///< of the first failed write
 };
 
 }  // namespace lippmann

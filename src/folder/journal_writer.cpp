@@ -25,8 +25,8 @@ Number number_of_digits(const std::string& digits) {
 
 using platform::ProcessHandle;
 
-/// Calls `act` for the process that writes a journal file, and returns the result. Returns false if no process of this machine
-/// writes the file. The process is opened before it is checked, so that its number cannot be reused in between.
+/// Returns act(writing process), or false if no process of this machine writes the file. The process is opened before
+/// it is checked, so that its id cannot be reused in between.
 bool with_writer(const fs::path& part, bool (*act)(const ProcessHandle&)) {
   const std::optional<JournalWriter> writer = writer_of(part);
   if (!writer || !writer->is_of_this_machine()) return false;
@@ -34,8 +34,7 @@ bool with_writer(const fs::path& part, bool (*act)(const ProcessHandle&)) {
   return process.is_there() && process.writes(part) && act(process);
 }
 
-/// Returns whether this process may list the open files of the writer. Also returns true if the writer has ended, because it
-/// then has no open files.
+/// This process may list the open files of the writer, or the writer has ended.
 bool can_be_seen(const JournalWriter& writer) {
   if (!writer.is_of_this_machine()) return false;
   const ProcessHandle process(writer.process);
@@ -54,8 +53,8 @@ double seconds_since_written(const fs::path& part) {
 bool JournalWriter::is_of_this_machine() const { return host == platform::host_name(); }
 
 std::optional<JournalWriter> writer_of(const fs::path& part) {
-  // Host names may contain dashes and digits. The name of this machine is matched exactly. For other machines, the last number
-  // is the process number.
+  // Host names may contain dashes and digits, so the name of this machine is matched exactly. For other machines, the
+  // last number is the process id.
   static const TextPattern own("([0-9]{1,15})-(" + platform::host_name() + R"()-([0-9]{1,9})(?:-[0-9]{1,9})?\.jsonl)");
   static const TextPattern any(R"(([0-9]{1,15})-([A-Za-z0-9-]{1,64})-([0-9]{1,9})\.jsonl)");
   const std::string name = part.filename().string();

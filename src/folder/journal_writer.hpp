@@ -1,8 +1,6 @@
-// Finds the process that writes a journal file, and interrupts it.
-//
-// A journal file, called `part` below, is named TIME-HOST-PROCESS.jsonl (folder/journal.hpp). Process numbers are reused. A
-// process therefore counts as the writer only while it has the file open for writing. The system closes the file when the
-// process ends, even after a crash.
+// Finds the process that writes a journal file (called `part`), and interrupts it. The file is named
+// TIME-HOST-PROCESS.jsonl. Process ids are reused, so a process counts as the writer only while it has the file open
+// for writing.
 #pragma once
 
 #include <filesystem>
@@ -13,7 +11,7 @@ namespace lippmann {
 
 struct JournalWriter {
   std::string host;    ///< name of the machine (platform::host_name)
-  int process = 0;     ///< process number on that machine
+  int process = 0;     ///< process id on that machine
   double began = 0.0;  ///< start of the run, in whole seconds since 1970, by that machine's clock
 
   bool is_of_this_machine() const;
@@ -22,20 +20,19 @@ struct JournalWriter {
 /// Parses the name of a journal file. Returns nullopt if `part` has no such name.
 std::optional<JournalWriter> writer_of(const std::filesystem::path& part);
 
-/// Returns whether a process of this machine writes the journal file. Processes of other users may not be detected.
+/// A process of this machine writes the file. Processes of other users may not be detected.
 bool is_being_written(const std::filesystem::path& part);
 
-/// Duration of a run's lease after its last renewal (JournalPart::renew). The lease only matters if the process of the run
+/// Duration of a run's lease after its last renewal (JournalPart::renew). It only matters if the process of the run
 /// cannot be inspected.
 inline constexpr double kLeaseSeconds = 600.0;
 
-/// Returns whether the run that writes the journal file may still be active. A run on this machine is active while its process
-/// writes the file. A run on another machine, or a run whose process cannot be inspected, counts as active until it records its
-/// end or its lease expires.
+/// The run that writes the file may be active: its process on this machine writes the file, or its process cannot be
+/// inspected and neither recorded its end nor let its lease expire.
 bool is_held(const std::filesystem::path& part);
 
-/// Interrupts the writer like Ctrl-C. Call this only once, because a second interrupt ends the process immediately. Returns
-/// false if there is no writer.
+/// Interrupts the writer like Ctrl-C. Call this only once, because a second interrupt ends the process immediately.
+/// Returns false if there is no writer.
 bool interrupt_writer(const std::filesystem::path& part);
 
 }  // namespace lippmann

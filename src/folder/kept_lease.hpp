@@ -1,4 +1,3 @@
-// Renews the lease of a run on its folder, so that machines that cannot inspect its process consider it active.
 #pragma once
 
 #include <condition_variable>
@@ -11,7 +10,8 @@ namespace lippmann {
 
 class KeptLease {
  public:
-  /// Starts a background thread that renews the lease until this object is destroyed. `folder` must outlive this object.
+  /// Renews the lease of a run on its folder in a background thread, so that machines that cannot inspect its process
+  /// consider it active. `folder` must outlive this object.
   explicit KeptLease(const RenderFolder& folder);
   ~KeptLease();
   KeptLease(const KeptLease&) = delete;

@@ -18,25 +18,25 @@ enum class ExrPixels { kHalf, kFloat };
 
 /// The coding of depth in RGB-D pictures (kRgbd).
 struct DepthParams {
-  /// Coded depth range. If nullopt, the range that is visible in the animation (job/rgbd_options.hpp).
+  /// Coded depth range; nullopt: the range that is visible in the animation (job/rgbd_options.hpp).
   std::optional<DepthRange> range;
-  /// Quantity that grey levels are linear in. If nullopt, disparity.
+  /// Quantity that grey levels are linear in; nullopt: disparity.
   std::optional<DepthScale> linear;
   bool near_black = false;
 };
 
 struct PictureParams {
-  /// Exposure of encoded pictures and videos. EXR files store linear light unchanged.
+  /// EXR files store linear light unchanged.
   float exposure_ev = 0.0f;
   ToneCurve tone = ToneCurve::kNone;    ///< tone curve of encoded pictures and videos
-  std::optional<PictureLayout> layout;  ///< if nullopt, the native layout of the optics
-  /// Light-field format that replaces the layout. Empty if there is none.
+  std::optional<PictureLayout> layout;  ///< nullopt: the native layout of the optics
+  /// Light-field format that replaces the layout; may be empty.
   std::string to;
   /// Only for kIntegral: rotates elemental images by 180 degrees, which inverts depth.
   bool pseudoscopic = false;
   /// Only for kPrint: exchanges left and right, for a print on the back of a sheet.
   bool mirror = false;
-  /// Number of tiles of kQuilt. If 0, the number of the native layout, or a nearly square arrangement.
+  /// Tiles of kQuilt; 0: the number of the native layout, or a nearly square arrangement.
   Extent<int> quilt;
   StereoLayout stereo;  ///< only used by kStereo
   DepthParams depth;    ///< only used by kRgbd

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the journal of this job's earlier and active runs. Throws if the folder holds another render.
+/// Throws if the folder holds another render.
 FolderJournal journal_of(const fs::path& folder, const std::string& job) {
   FolderJournal journal = read_journal(folder).value_or(FolderJournal{});
   if (!journal.job.empty() && journal.job != job && journal.problem.empty())
@@ -28,7 +28,7 @@ FolderJournal journal_of(const fs::path& folder, const std::string& job) {
   return journal;
 }
 
-/// Makes the folder of the journal files and returns it. Syncs its parent folders, so that it survives a power loss.
+/// Syncs the parent folders, so that the new folder survives a power loss.
 fs::path made_journal_folder(const fs::path& folder) {
   make_folder(journal_folder(folder));
   for (const fs::path& made : {folder, fs::absolute(folder / "").parent_path().parent_path()}) platform::sync_folder(made);
@@ -41,7 +41,7 @@ FileChecksum written_checksum(const fs::path& file) {
   return *sum;
 }
 
-/// Returns the journal files that runs of other jobs still write, also in the subfolder kSingleFolder.
+/// Journal files that runs of other jobs still write, also in the subfolder kSingleFolder.
 std::vector<fs::path> other_runs(const fs::path& folder, const std::string& job) {
   const std::optional<FolderJournal> journal = read_journal(folder);
   if (!journal) return {};
@@ -56,8 +56,8 @@ std::vector<fs::path> other_runs(const fs::path& folder, const std::string& job)
   return runs;
 }
 
-/// Waits until runs of other jobs that began at the same time have stopped. Among these runs, the run whose journal file comes
-/// first by name stays. The others stop before they record the frames that they would render.
+/// Waits until runs of other jobs that began at the same time have stopped. The run whose journal file comes first by
+/// name stays; the others stop before they record their frames.
 void wait_for_others_to_give_way(const fs::path& folder, const std::string& job, const fs::path& own) {
   constexpr int kTries = 40;
   constexpr std::chrono::milliseconds kBetween(50);
@@ -76,8 +76,8 @@ void wait_for_others_to_give_way(const fs::path& folder, const std::string& job,
 RenderFolder::RenderFolder(fs::path folder, const std::string& job, const MakeRoom& make_room)
     : folder_(std::move(folder)), part_(made_journal_folder(folder_), job) {
   try {
-    // The check comes after this run's journal file exists. If two runs begin at the same time, at least one of them therefore
-    // finds the other.
+    // The check comes after this run's journal file exists, so that of two runs that begin at the same time, at least
+    // one finds the other.
     wait_for_others_to_give_way(folder_, job, part_.path());
     require_no_other_run(folder_, job);
     if (make_room) make_room(part_.path());

@@ -1,5 +1,4 @@
-// Reads the progress of a render from its journal and from the processes that write the journal. The render may be active or
-// stopped.
+// Reads the progress of a render from its journal and from the processes that write the journal.
 #pragma once
 
 #include <filesystem>
@@ -15,7 +14,7 @@
 namespace lippmann {
 
 enum class RenderActivity {
-  kRunning,  ///< at least one process of this machine writes the journal
+  kRunning,  ///< a process of this machine writes the journal
   /// A run on another machine has not recorded its end. It is active or was killed.
   kElsewhere,
   kStopped,   ///< frames are missing and no run is active
@@ -26,19 +25,19 @@ struct RenderState {
   RenderActivity activity = RenderActivity::kStopped;
   FolderJournal journal;
   std::vector<std::filesystem::path> running;  ///< journal files that processes of this machine write
-  /// Name of another machine whose run has not recorded its end. Empty if there is none.
+  /// Another machine whose run has not recorded its end; may be empty.
   std::string elsewhere;
-  std::optional<double> seconds_left;  ///< estimated seconds left at the current speed; nullopt if unknown
+  std::optional<double> seconds_left;  ///< at the current speed; nullopt if unknown
 };
 
-/// Times of a run in seconds since 1970. They give the speed of the run.
+/// In seconds since 1970.
 struct RunPace {
   double began = 0.0, last = 0.0;  ///< start of the run, and time of its last recorded frame
   int frames = 0;
 };
 
-/// Returns the estimated seconds until all frames are finished. Assumes that all runs share the remaining frames, each at its
-/// own speed. Returns nullopt if no run has finished a frame. The result is at least 0.
+/// Assumes that all runs share the remaining frames, each at its own speed. Returns nullopt if no run has finished a
+/// frame, otherwise at least 0.
 std::optional<double> estimated_seconds_left(std::span<const RunPace> runs, int frames_left, double now);
 
 /// Polls one folder. Reads the journal again only if it has grown. Not thread-safe.
@@ -46,7 +45,7 @@ class RenderStateReader {
  public:
   explicit RenderStateReader(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-  /// Reads the state. Returns nullopt if the folder holds no journal. Throws Error if the journal is damaged or cannot be read.
+  /// Returns nullopt if the folder holds no journal. Throws Error if the journal is damaged or cannot be read.
   std::optional<RenderState> read();
 
  private:
@@ -63,7 +62,7 @@ class RenderStateReader {
   std::optional<FolderJournal> journal_;
 };
 
-/// Returns the path of a finished frame's picture or folder of views, relative to the folder of the render.
+/// Path of a finished frame's picture or folder of views, relative to the folder of the render.
 std::filesystem::path picture_of(const JournalEntry& frame);
 
 }  // namespace lippmann

@@ -18,8 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns a layer that is stored as floats. A frame joined from strips then has the same bits as a frame that was rendered as
-/// a whole.
+/// Layers are stored as floats, so that a joined frame has the same bits as one rendered as a whole.
 ExrLayer float_layer(Aov aov, const Image& image) {
   const AovInfo& info = info_of(aov);
   ExrLayer layer{std::string(info.exr.layer), &image, {}, ExrSample::kFloat};
@@ -62,7 +61,7 @@ std::optional<FrameReport> find_strip(const fs::path& folder, const FolderJourna
 
 FileRecords write_strip(const fs::path& folder, int frame, int strip, const FramePictures& pictures) {
   const fs::path file = folder / strip_name(frame, strip);
-  // The file is not compressed, because it is temporary and is read only once.
+  // The file is temporary and read only once, so it is not compressed.
   write_exr(file, layers_of_strip(pictures), ExrCompression::kNone);
   return records_of(folder, {file});
 }
