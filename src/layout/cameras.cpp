@@ -19,7 +19,7 @@ void require_length(double length_mm, const char* parameter) {
     throw usage_error(parameter, fmt::format("is {} mm", length_mm), fmt::format("{} to {} mm", kLeast, kMost));
 }
 
-/// Returns the sum of the vectors from the first to the last eye of each row (`across`) or of each column.
+/// Sum of the vectors from the first to the last eye of each row (`across`) or of each column.
 Vec2d sum_of_steps(const std::vector<Vec2d>& eyes, ViewGrid grid, bool across) {
   Vec2d sum(0.0);
   const auto eye = [&](int column, int row) { return eyes[static_cast<std::size_t>(row * grid.columns + column)]; };
@@ -30,8 +30,7 @@ Vec2d sum_of_steps(const std::vector<Vec2d>& eyes, ViewGrid grid, bool across) {
   return sum;
 }
 
-/// Returns the positions scaled to mm, with their mean at (0, 0). Negates x or y if needed, so that x increases to the right
-/// and y upwards in the grid of views.
+/// Scales the positions to mm, with their mean at (0, 0), x to the right and y upwards in the grid of views.
 std::vector<Vec2d> scaled_eyes(const std::vector<Vec2d>& positions, ViewGrid grid, double scale) {
   Vec2d middle(0.0);
   for (const Vec2d& position : positions) middle += position / static_cast<double>(positions.size());
@@ -86,8 +85,7 @@ std::optional<RenderedViews> rendered_views(const Optics& optics) {
 }
 
 std::optional<double> common_baseline_mm(const ViewCameras& cameras, ViewGrid grid) {
-  // Largest deviation of an eye from the grid, as a share of the baseline. It causes an error of 1/100 pixel at a disparity of
-  // 100 pixels.
+  // Largest deviation of an eye from the grid, as a share of the baseline: 1/100 pixel at a disparity of 100 pixels.
   constexpr double kShare = 1e-4;
   const auto eye = [&](int column, int row) { return cameras.eyes_mm[static_cast<std::size_t>(row * grid.columns + column)]; };
   const double baseline = grid.columns > 1 ? eye(1, 0).x - eye(0, 0).x : grid.rows > 1 ? eye(0, 1).y - eye(0, 0).y : 0.0;
@@ -122,7 +120,7 @@ ViewCameras cameras_as_stated(const StatedCameras& stated, const LightField& fie
   const auto is_finite = [](const Vec2d& eye) { return std::isfinite(eye.x) && std::isfinite(eye.y); };
   if (!std::all_of(eyes.begin(), eyes.end(), is_finite))
     throw Error(where, "the positions in its file names are equal in all columns", "a different position for each column");
-  // If the positions match a regular grid up to rounding, use the exact grid.
+  // If the positions match a regular grid up to rounding, the exact grid is used.
   const ViewCameras placed{cameras.distance_mm, cameras.pixel_mm, cameras.centre_px, eyes};
   return common_baseline_mm(placed, grid) ? cameras : placed;
 }

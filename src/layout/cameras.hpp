@@ -16,22 +16,20 @@ struct RenderedViews {
   std::optional<ViewCameras> cameras = {};  ///< none: the views are parallel projections (lenses viewed from infinity)
 };
 
-/// Returns the views of the optics; a single view counts as a grid of one view. Returns none if views do not consist of whole
-/// pixels, as for slanted or hexagonal lenses.
+/// A single view counts as a grid of one view. Returns none if views do not consist of whole pixels, as for slanted or
+/// hexagonal lenses.
 std::optional<RenderedViews> rendered_views(const Optics& optics);
 
-/// Returns the distance between neighbouring eyes if it is the same everywhere, both along rows and along columns. Returns
-/// 0 for a single camera, and none if distances differ by more than a relative 1e-4.
+/// Returns the distance between neighbouring eyes; 0 for a single camera, and none if distances differ by more than a
+/// relative 1e-4.
 std::optional<double> common_baseline_mm(const ViewCameras& cameras, ViewGrid grid);
 
-/// Returns the mean distance between neighbouring eyes along the rows, or along the column if the grid has only one column.
-/// Returns 0 for a single eye.
+/// Mean distance between neighbouring eyes along the rows, or along the only column; 0 for a single eye.
 double mean_step(const std::vector<Vec2d>& eyes, ViewGrid grid);
 
-/// Returns cameras for the views of a light field. If the light field has positions, the eyes are at these positions, scaled so
-/// that their mean step equals the baseline. Otherwise the eyes form a regular grid. In both cases the mean of the eyes is on
-/// the display's axis. Throws a usage Error naming the parameter for lengths that are not positive. Throws Error naming `where`
-/// if all positions coincide.
+/// Returns cameras whose eyes are at the positions of the light field, scaled so that their mean step equals the
+/// baseline, or otherwise form a regular grid. The mean of the eyes is on the display's axis. Throws a usage Error
+/// naming the parameter for lengths that are not positive, and Error naming `where` if all positions coincide.
 ViewCameras cameras_as_stated(const StatedCameras& stated, const LightField& field, const std::string& where);
 
 /// Sets the cameras of a light field to cameras_as_stated(). Throws a usage Error naming "baseline" if its files state cameras.

@@ -23,17 +23,16 @@ constexpr double kMostPlace = 1e9;
 
 struct ColmapModel {
   std::string_view name;
-  /// `params`: number of parameters of the camera. `focals`: how many of them are focal lengths. The focal lengths come first,
-  /// then the principal point, then distortion parameters.
+  /// The focal lengths come first in a camera's parameters, then the principal point, then distortion.
   std::size_t params, focals;
 };
 
-/// COLMAP's camera models, indexed by model id. A model with 0 focal lengths is not a pinhole.
+/// COLMAP's camera models by id. Models with 0 focal lengths are not pinholes.
 constexpr ColmapModel kColmapModels[] = {{"SIMPLE_PINHOLE", 3, 1}, {"PINHOLE", 4, 2}, {"SIMPLE_RADIAL", 4, 1},
                                          {"RADIAL", 5, 1},         {"OPENCV", 8, 2},  {"OPENCV_FISHEYE", 8, 0},
                                          {"FULL_OPENCV", 12, 2}};
 
-/// A source of the values of a camera or pose: a text or binary file.
+/// The values of a camera or pose in a text or binary file.
 class ColmapSource {
  public:
   virtual ~ColmapSource() = default;
@@ -69,7 +68,7 @@ class ColmapLine final : public ColmapSource {
       reject(fmt::format("its {} is {}", what, shown(text)), fmt::format("a whole number up to {}", most));
     return value;
   }
-  /// Returns the rest of the line without blanks at its ends.
+  /// Returns the rest of the line, trimmed.
   std::string remaining() const {
     const std::size_t begin = std::min(text_.find_first_not_of(" \t"), text_.size());
     const std::size_t end = text_.find_last_not_of(" \t\r");
@@ -150,7 +149,7 @@ PosedCamera camera_of_model(const ColmapModel& model, ColmapSource& source) {
   return camera;
 }
 
-/// Reads a rotation and a translation and converts them to the axes of PosedCamera.
+/// Converts to the axes of PosedCamera.
 void read_pose(ColmapSource& source, PosedCamera& camera) {
   double q[4], t[3];
   for (double& value : q) value = source.number("rotation", 1e3);
@@ -186,7 +185,6 @@ void add_camera(ColmapCameras& cameras, std::uint64_t id, const PosedCamera& cam
     source.reject(fmt::format("repeats the number {}", id), "distinct numbers");
 }
 
-/// Calls visit(line, line number) for each line except comments.
 template <class Visit>
 void visit_lines(const std::string& text, const Visit& visit) {
   std::size_t number = 0;
@@ -233,7 +231,7 @@ ColmapCameras parse_colmap_cameras(std::span<const std::byte> binary, const std:
 
 std::vector<PosedPicture> parse_colmap_images(const std::string& text, const ColmapCameras& cameras, const std::string& where) {
   std::vector<PosedPicture> pictures;
-  bool is_points = false;  // whether the next line lists the points of the previous picture; that line may be empty
+  bool is_points = false;  // the next line lists the points of the previous picture, and may be empty
   visit_lines(text, [&](std::string_view line, std::size_t number) {
     if (is_points) {
       is_points = false;

@@ -1,7 +1,5 @@
-// Reads and writes COLMAP models: cameras, images (with poses) and points3D, as text or binary.
-//
-// COLMAP's cameras look along +z, with x to the right and y down. Poses map the world to the camera; they are stored as a
-// quaternion w, x, y, z and a translation. Pixel coordinates are the same as in PosedCamera.
+// Reads and writes COLMAP models: cameras, images (with poses) and points3D, as text or binary. Cameras look along +z,
+// with x to the right and y down. Poses map the world to the camera: a quaternion w, x, y, z and a translation.
 #pragma once
 
 #include <cstddef>
@@ -14,10 +12,10 @@
 
 namespace lippmann {
 
-/// Cameras by COLMAP's camera id. Their members `position_mm` and `rotation` are not set.
+/// By COLMAP's camera id. `position_mm` and `rotation` are not set.
 using ColmapCameras = std::map<unsigned, PosedCamera>;
 
-/// Parse camera entries. Cameras with distortion are errors. All parsers throw Error naming `where` and the line or entry.
+/// Cameras with distortion are errors. All parsers throw Error naming `where` and the line or entry.
 ColmapCameras parse_colmap_cameras(const std::string& text, const std::string& where);
 ColmapCameras parse_colmap_cameras(std::span<const std::byte> binary, const std::string& where);
 

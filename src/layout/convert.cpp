@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the given number of threads, or one per processor if it is 0.
+/// 0: one per processor
 int resolved_threads(int threads) {
   Context context;
   context.threads = threads;
@@ -35,7 +35,7 @@ Picture cropped(Picture view, const Crop& window) {
   return std::move(one.stack);
 }
 
-/// Writes a display picture; prints include their resolution. `profile`: the printer's colour profile; null: none.
+/// Prints include their resolution. `profile`: the printer's colour profile; null: none.
 std::vector<fs::path> write_display_picture(const Picture& picture, const Display& display, DisplayTarget target,
                                             const fs::path& path, const OutputProfile* profile) {
   if (target == DisplayTarget::kQuilt) {
@@ -56,8 +56,7 @@ class Conversion {
     if (params.display_picture) pool_ = std::make_unique<ThreadPool>(resolved_threads(params.threads));
   }
 
-  /// Converts one light field. `is_frame`: true if `in` is a frame of a folder, so that the user did not choose the ending of
-  /// `out`.
+  /// `is_frame`: `in` is a frame of a folder, so that the user did not choose the ending of `out`.
   void convert_one(const fs::path& in, const fs::path& out, bool is_frame, Converted& result) const {
     if (params_.display_picture) return convert_for_display(in, out, is_frame, result);
     FormatOptions reading = params_.options;
@@ -87,8 +86,7 @@ class Conversion {
     result.left_out = left_out_of(field);
   }
 
-  /// Converts one light field to the picture for the display. Views in folders may be large photos, so each view is resized to
-  /// the display right after it is read.
+  /// Views in folders may be large photos, so each view is resized to the display right after it is read.
   void convert_for_display(const fs::path& in, const fs::path& out, bool is_frame, Converted& result) const {
     const Display display = with_bleed(*params_.options.display, params_.display_picture->finish.bleed_mm);
     const DisplayTarget target = display_target(display, to_.name);
@@ -124,8 +122,7 @@ class Conversion {
     result.too_coarse = fitter.coarseness();
   }
 
-  /// Returns the output name of a frame: the name of `frame` without a suffix of the input format, such as _qs8x6a0.75. The
-  /// writer of the output format adds its own suffix.
+  /// Removes the suffix of the input format, such as _qs8x6a0.75. The writer of the output format adds its own.
   fs::path name_of(const fs::path& frame) const {
     const fs::path bare = without_rgbd_name(without_quad_name(without_stereo_name(without_quilt_name(frame.filename()))));
     return to_.is_folder ? bare.stem() : bare;
@@ -151,11 +148,10 @@ class Conversion {
   const ConvertParams& params_;
   const LightFieldFormat& to_;
   std::optional<OutputProfile> profile_;
-  std::unique_ptr<ThreadPool> pool_;  ///< used only for display pictures
+  std::unique_ptr<ThreadPool> pool_;  ///< only for display pictures
 };
 
-/// Returns whether each picture of a folder is a light field of its own. For a flip print, the folder's pictures are the frames
-/// of a single print.
+/// For a flip print, the folder's pictures are the frames of a single print.
 bool may_have_frames(const ConvertParams& params) { return !params.display_picture || !params.display_picture->flip; }
 
 }  // namespace

@@ -22,7 +22,6 @@ std::string_view without_blanks(std::string_view text) {
   return first == std::string_view::npos ? std::string_view() : text.substr(first, last - first + 1);
 }
 
-/// Parses the lines KEY=VALUE of a text into a map.
 class CvkitProperties {
  public:
   CvkitProperties(std::string_view text, const std::string& where) : where_(where) {
@@ -38,7 +37,7 @@ class CvkitProperties {
 
   bool has(const std::string& key) const { return values_.contains(key); }
 
-  /// Returns the numbers of a value: a matrix or vector in brackets, row by row, or a single number.
+  /// Numbers of a matrix or vector in brackets, row by row, or a single number.
   std::vector<double> numbers(const std::string& key, std::size_t count) const {
     const auto found = values_.find(key);
     if (found == values_.end()) throw Error(where_, "has no " + key);

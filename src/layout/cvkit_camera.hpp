@@ -17,12 +17,12 @@
 namespace lippmann {
 
 struct CvkitCamera {
-  /// The name and the depth range are not set. The resolution is not set if the file lacks width and height.
+  /// The name and the depth range are not set; the resolution is not set if the file lacks width and height.
   MivCamera camera;
   double rho = 0.0;  ///< disparity times depth, in pixels times metres; 0: not given
 };
 
-/// Parses a camera file. Throws Error naming `where` for malformed matrices, skewed or rotated cameras, and lens distortion.
+/// Throws Error naming `where` for malformed matrices, skewed or rotated cameras, and lens distortion.
 CvkitCamera parse_cvkit_camera(const std::string& text, const std::string& where);
 
 std::string cvkit_camera_text(const CvkitCamera& camera);

@@ -1,5 +1,5 @@
-// Extracts views from the interlaced frame of a slanted panel. Each row of the views' samples depends only on the panel rows
-// whose centres lie in this row of samples. Rows are therefore processed independently.
+// Extracts views from the interlaced frame of a slanted panel. A row of the views' samples depends only on the panel
+// rows whose centres lie in it, so rows are processed independently.
 #include <fmt/format.h>
 
 #include <limits>
@@ -13,22 +13,22 @@ namespace {
 
 constexpr float kNone = std::numeric_limits<float>::infinity();
 
-/// Collects one row of samples of every view. Stores the nearest sub-pixel found so far for each sample.
+/// One row of samples of every view, with the nearest sub-pixel found so far for each sample.
 template <class Sample>
 class SampleRow {
  public:
   SampleRow(int views, int width)
       : width_(width), best_(3 * static_cast<std::size_t>(views) * static_cast<std::size_t>(width), Found{kNone, {}}) {}
 
-  /// Replaces the sub-pixel of a sample if the offered one is nearer. `distance`: square of the distance between the sub-pixel
-  /// and the centre of the sample; its components are x and y in samples, and the view.
+  /// `distance`: squared distance between the sub-pixel and the centre of the sample; its components are x and y in
+  /// samples, and the view.
   void offer(int view, int x, int color, float distance, Sample value) {
     Found& best = best_[at(view, x, color)];
     if (distance < best.distance) best = {distance, value};
   }
 
-  /// Writes one view's row. Samples without a sub-pixel take the nearest sample that has one, or the left one of two equally
-  /// near. Returns false if no sample of the row has a sub-pixel.
+  /// Samples without a sub-pixel take the nearest sample that has one, or the left one of two equally near. Returns
+  /// false if no sample of the row has a sub-pixel.
   bool write(int view, int color, Sample* out) const {
     int left = -1, right = next(view, 0, color);
     if (right == width_) return false;
@@ -84,8 +84,8 @@ void fill(const Image& frame, const auto& samples, const SlantedPanel& panel, in
         }
       }
     };
-    // Take the panel rows whose centres lie in this row of samples. If the view has more rows than the panel, there may be no
-    // such panel row. In that case, take the panel row that contains the row of samples.
+    // If the view has more rows than the panel, no panel row may have its centre in this row of samples. Then the panel
+    // row that contains it is taken.
     int first = static_cast<int>(static_cast<std::int64_t>(y) * pixels.y / size.y);
     while (first > 0 && sample_at(first - 1, pixels.y, size.y) >= y) --first;
     while (first + 1 < pixels.y && sample_at(first, pixels.y, size.y) < y) ++first;

@@ -27,7 +27,7 @@ bool has_z(const fs::path& path) {
   return std::find(names.begin(), names.end(), "Z") != names.end();
 }
 
-/// Reads the channel Z of an EXR file, the depth image of a HEIC photo, or all channels of other files.
+/// The channel Z of an EXR file, the depth image of a HEIC photo, or all channels of other files.
 Image depth_channels(const fs::path& path) {
   if (std::optional<StoredDepth> stored = read_stored_depth(path)) return std::move(stored->grey);
   if (!has_z(path)) return read_image(path);
@@ -37,8 +37,8 @@ Image depth_channels(const fs::path& path) {
 
 /// Returns the first channel. Throws Error for colours; a second or fourth channel is alpha.
 Image grey_channel(const Image& channels, const fs::path& path) {
-  // Largest mean difference of the channels, as a share of the largest value. In lossy pictures, the channels of grey pixels
-  // differ a little.
+  // Largest mean difference of the channels, as a share of the largest value. In lossy pictures, grey pixels are
+  // slightly coloured.
   constexpr double kMostColour = 0.05;
   Image grey(channels.width, channels.height, 1);
   double colour = 0.0, range = 0.0;

@@ -17,7 +17,7 @@
 namespace lippmann {
 namespace {
 
-/// Returns eyes that are spread evenly over the viewing zone of a microlens array, across and up.
+/// Spreads eyes evenly over the viewing zone of a microlens array, across and up.
 ViewCameras eyes_over_zone(const LightField& field, const Display& array) {
   const Optics optics = native_optics(array);
   const double distance = viewing_distance_mm(array), zone = 2.0 * distance * std::tan(0.5 * viewing_zone(optics));
@@ -38,7 +38,7 @@ Picture array_picture(const LightField& field, const Display& array, const Displ
   return interlace_behind_lenses(with_eyes, array, pool);
 }
 
-/// Returns the view for a tile of a quilt: the nearest view, or a blend of two in linear light.
+/// Returns the nearest view, or a blend of two in linear light.
 Picture view_of_tile(const LightField& field, int tile, int tiles, ViewFilter filter) {
   const int count = field.grid.count();
   const double place = (tile + 0.5) * count / tiles;

@@ -22,16 +22,14 @@ struct EslfSideFile {
   std::optional<ViewCameras> cameras = {};
 };
 
-/// Returns <picture>.json.
 std::filesystem::path eslf_side_path(const std::filesystem::path& picture);
 
-/// Reads the side file of a picture; none if it does not exist or describes something else. Throws Error naming the file.
+/// Returns none if it does not exist or describes something else. Throws Error naming the file.
 std::optional<EslfSideFile> read_eslf_side_file(const std::filesystem::path& picture);
-/// Parses a side file; none for JSON without the key `eslf`. Throws Error naming `where`.
+/// Returns none for JSON without the key `eslf`. Throws Error naming `where`.
 std::optional<EslfSideFile> parse_eslf_side_file(const std::string& text, const std::string& where);
 
 std::string eslf_side_text(const EslfSideFile& side);
-/// Writes the side file and returns its path.
 std::filesystem::path write_eslf_side_file(const std::filesystem::path& picture, const EslfSideFile& side);
 
 }  // namespace lippmann

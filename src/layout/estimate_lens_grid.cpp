@@ -39,7 +39,7 @@ Error no_lens_grid(const std::string& where, const std::string& problem) {
       "number");
 }
 
-/// Applies the Fourier transform in place. The number of values must be a power of two.
+/// In place. The number of values must be a power of two.
 void fourier(std::vector<Complex>& values) {
   const std::size_t count = values.size();
   for (std::size_t i = 1, j = 0; i < count; ++i) {
@@ -60,7 +60,7 @@ void fourier(std::vector<Complex>& values) {
   }
 }
 
-/// Applies the Fourier transform to a square of values, along rows and then along columns.
+/// Transforms along rows and then along columns.
 void fourier_2d(std::vector<Complex>& values, std::size_t side) {
   std::vector<Complex> line(side);
   for (std::size_t y = 0; y < side; ++y) {
@@ -79,7 +79,7 @@ double light_at(const Image& image, int x, int y) {
   return static_cast<double>(*image.pixel(std::clamp(x, 0, image.width - 1), std::clamp(y, 0, image.height - 1)));
 }
 
-/// Returns the light at a pixel, filtered to remove the pattern of colour filters.
+/// Light at a pixel, filtered to remove the pattern of colour filters.
 double smooth_light_at(const Image& image, int x, int y) {
   double sum = 0.0;
   for (int j = -1; j <= 1; ++j)
@@ -87,8 +87,8 @@ double smooth_light_at(const Image& image, int x, int y) {
   return sum / 16.0;
 }
 
-/// The autocorrelation of a square crop from the middle of a picture, for lags up to a quarter of the crop. Variations slower
-/// than the lenses are removed first.
+/// Autocorrelation of a square crop from the middle of a picture, for lags up to a quarter of the crop, without
+/// variations slower than the lenses.
 class Autocorrelation {
  public:
   explicit Autocorrelation(const Image& white) : crop_(std::min({white.width, white.height, kLargestCrop})) {
@@ -119,7 +119,7 @@ class Autocorrelation {
     return true;
   }
 
-  /// Returns the sub-pixel position of a peak at `lag`, from parabolas through the peak and its neighbours.
+  /// Sub-pixel position of a peak at `lag`, from parabolas through the peak and its neighbours.
   Vec2d top(Vec2i lag) const {
     const auto shift = [](double before, double here, double after) {
       return 0.5 * (before - after) / (before - 2.0 * here + after);
@@ -135,7 +135,7 @@ class Autocorrelation {
   }
   double hann(int i) const { return 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * (i + 0.5) / crop_); }
 
-  /// Returns the crop's light minus its mean, multiplied by a Hann window and padded with zeros to side_ x side_.
+  /// The crop's light minus its mean, multiplied by a Hann window and padded with zeros to side_ x side_.
   std::vector<Complex> windowed(const Image& white) const {
     const int left = (white.width - crop_) / 2, top = (white.height - crop_) / 2;
     double light = 0.0, window = 0.0;
@@ -157,7 +157,7 @@ class Autocorrelation {
 
 double cross(Vec2d a, Vec2d b) { return a.x * b.y - a.y * b.x; }
 
-/// Returns the two shortest vectors between lenses. The angle between them is at most 90 degrees.
+/// The two shortest vectors between lenses, at an angle of at most 90 degrees.
 std::pair<Vec2d, Vec2d> lattice_basis(const Image& white, const std::string& where) {
   const Autocorrelation correlation(white);
   std::vector<Vec2i> peaks;
@@ -182,7 +182,7 @@ std::pair<Vec2d, Vec2d> lattice_basis(const Image& white, const std::string& whe
   throw no_lens_grid(where, "the picture is periodic in only one direction");
 }
 
-/// Returns the direction that is closest to the axis, reversed if needed so that it points along the axis.
+/// The direction that is closest to the axis, reversed if needed so that it points along it.
 Vec2d nearest_to_axis(std::array<Vec2d, 3> directions, int axis) {
   Vec2d nearest(0.0);
   double most = -1.0;
@@ -193,7 +193,7 @@ Vec2d nearest_to_axis(std::array<Vec2d, 3> directions, int axis) {
   return nearest;
 }
 
-/// Returns a grid with the basis vectors a and b. Does not set the offset of the grid.
+/// Does not set the offset of the grid.
 LensGrid grid_of_basis(Vec2d a, Vec2d b, const std::string& where) {
   const double cosine = glm::dot(a, b) / (glm::length(a) * glm::length(b)), ratio = glm::length(b) / glm::length(a);
   LensGrid grid;
@@ -236,7 +236,7 @@ class LightAtFrequencies {
 
   Vec2d middle() const { return middle_; }
 
-  /// Returns the coefficient at a frequency, in periods per pixel.
+  /// `frequency`: in periods per pixel.
   Complex at(Vec2d frequency) const {
     Complex sum = 0.0;
     for (const Sample& sample : samples_)
@@ -253,10 +253,10 @@ class LightAtFrequencies {
   std::vector<Sample> samples_;
 };
 
-/// Returns the centre of a lens near the middle, from the phase of the light at the two fundamental frequencies. Throws Error
-/// if the amplitude at a half or a third of these frequencies is more than half of the larger fundamental amplitude, because
-/// the true lenses are then farther apart than those of `grid`. With this limit, no wrong grid was accepted in sweeps of 1.5 to
-/// 40 lenses across.
+/// Centre of a lens near the middle, from the phase of the light at the two fundamental frequencies. Throws Error if
+/// the amplitude at a half or a third of these frequencies is more than half of the larger fundamental amplitude,
+/// because the lenses are then farther apart than those of `grid`. No wrong grid was accepted in tests of 1.5 to 40
+/// lenses across.
 Vec2d lens_by_phase(const Image& white, const LensGrid& grid, const std::string& where) {
   LensGrid centred = grid;
   centred.offset_px = Vec2d(0.0);
@@ -275,7 +275,7 @@ Vec2d lens_by_phase(const Image& white, const LensGrid& grid, const std::string&
   return light.middle() + turns * std::arg(sum1) * e1 + turns * std::arg(sum2) * e2;
 }
 
-/// Returns the centre of the lens near `start`, in pixels. Returns NaN if the iteration does not converge.
+/// Centre of the lens near `start`, in pixels; NaN if the iteration does not converge.
 Vec2d settled_centre(const Image& white, Vec2d start, double radius) {
   Vec2d centre = start;
   for (int step = 0; step < 30; ++step) {
@@ -294,7 +294,7 @@ Vec2d settled_centre(const Image& white, Vec2d start, double radius) {
         sum += weight, mean += weight * from;
       }
     if (!(sum > 0.0)) return Vec2d(NAN);
-    const Vec2d move = 1.5 * mean / sum;  // the mean underestimates the step, so enlarge it
+    const Vec2d move = 1.5 * mean / sum;  // the mean underestimates the step
     centre += move;
     if (glm::length(centre - start) > 0.3 * radius) return Vec2d(NAN);
     if (glm::length(move) < 1e-3) return centre;
@@ -312,7 +312,7 @@ double column_shift(const LensGrid& grid, int row) {
   return grid.arrangement == LensArrangement::kHexagonal && row % 2 != 0 ? 0.5 : 0.0;
 }
 
-/// Returns the lenses within `reach_px` of the grid's offset that lie completely in the picture.
+/// The lenses within `reach_px` of the grid's offset that lie completely in the picture.
 std::vector<FoundLens> find_lenses(const Image& white, const LensGrid& grid, double reach_px) {
   const double radius = 0.6 * std::min(grid.pitch_px, grid.row_pitch_px);
   const int columns = static_cast<int>(std::ceil(reach_px / grid.pitch_px)) + 1,
@@ -330,7 +330,6 @@ std::vector<FoundLens> find_lenses(const Image& white, const LensGrid& grid, dou
   return found;
 }
 
-/// A least-squares line through points (place, value).
 struct LineFit {
   double sum = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
   void add(double place, double value) { sum += 1.0, x += place, y += value, xx += place * place, xy += place * value; }
@@ -339,8 +338,8 @@ struct LineFit {
   double at_zero() const { return (y - slope() * x) / sum; }
 };
 
-/// Returns the least-squares grid. Each pass fits pitches and offset along the axes of the current rotation. It then corrects
-/// the rotation by the mean skew of rows and columns, weighted by their spread.
+/// Least-squares grid. Each pass fits pitches and offset along the axes of the current rotation, and then corrects the
+/// rotation by the mean skew of rows and columns, weighted by their spread.
 LensGrid fit_grid(const std::vector<FoundLens>& lenses, LensGrid grid) {
   for (int pass = 0; pass < 6; ++pass) {
     const double c = std::cos(grid.rotation), s = std::sin(grid.rotation);
@@ -383,7 +382,7 @@ bool spans_both_ways(const std::vector<FoundLens>& lenses) {
   return right->column - left->column >= 2.0 && bottom->row - top->row >= 2;
 }
 
-/// Performs steps 3 and 4 of the comment at the top. Does not support kHexagonalColumns.
+/// Steps 3 and 4 of the comment at the top. Does not support kHexagonalColumns.
 LensGridFit grown_fit(const Image& white, LensGrid grid, const std::string& where) {
   grid.offset_px = lens_by_phase(white, grid, where);
   const double whole = std::hypot(white.width, white.height);

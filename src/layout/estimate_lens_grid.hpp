@@ -1,4 +1,3 @@
-// Estimates the lens grid of a plenoptic camera from a picture of uniform white light.
 #pragma once
 
 #include <string>
@@ -12,8 +11,8 @@ namespace lippmann {
 /// grid (kHexagonal or kHexagonalColumns). Throws Error naming `where` if there is no such grid.
 LensGridFit estimate_lens_grid(const Image& white, const std::string& where);
 
-/// Returns a summary: "lens grid: hexagonal, pitch 10.135 x 8.777 px, rotation 0.12 deg, a lens at (1640.2, 1639.8) px; 125000
-/// lenses, residual 0.03 px RMS".
+/// Returns, for example, "lens grid: hexagonal, pitch 10.135 x 8.777 px, rotation 0.12 deg, a lens at (1640.2, 1639.8)
+/// px; 125000 lenses, residual 0.03 px RMS".
 std::string lens_grid_text(const LensGridFit& fit);
 
 }  // namespace lippmann

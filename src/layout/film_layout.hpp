@@ -1,4 +1,3 @@
-// Finds how views are arranged in the film, the image that is rendered for given optics.
 #pragma once
 
 #include "lippmann/layout/view_layout.hpp"
@@ -6,8 +5,8 @@
 
 namespace lippmann {
 
-/// Returns the arrangement of views as tiles of a quilt or as pixels below each lens. Throws a usage Error naming `where` for
-/// optics whose views do not consist of whole pixels, such as slanted lenses.
+/// Returns how views are arranged in the film, the image that is rendered for given optics. Throws a usage Error naming
+/// `where` for optics whose views do not consist of whole pixels, such as slanted lenses.
 ViewLayout film_layout(const Optics& optics, const char* where);
 
 }  // namespace lippmann

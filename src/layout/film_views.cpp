@@ -12,7 +12,7 @@
 namespace lippmann {
 namespace {
 
-/// Throws Error unless the image has the film's size and `channels` channels; 0 channels: any number.
+/// Throws Error unless the image has the film's size and `channels` channels; 0: any number.
 void require_size(const Image& image, Vec2i film, int channels, const char* what) {
   require_samples(image, what);
   if (channels > 0) require_channels(image, channels, what);

@@ -69,7 +69,7 @@ std::optional<int> frame_of_file(const std::string& name) {
   static const TextPattern pattern(kFrameFiles);
   const std::optional<PatternMatch> found = pattern.match(name);
   if (!found) return std::nullopt;
-  // Exactly one group contains digits.
+  // exactly one group contains digits
   const std::string digits = found->groups[1] + found->groups[2] + found->groups[3] + found->groups[4] + found->groups[5];
   int frame = 0;
   std::from_chars(digits.data(), digits.data() + digits.size(), frame);

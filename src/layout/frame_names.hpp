@@ -9,42 +9,42 @@
 namespace lippmann {
 
 struct FrameNames {
-  std::string ending = "png";  ///< file extension of pictures, without the dot
-  /// Suffix of the names of quilts and stereo pictures: _qs8x6a0.75, _2x1; empty for other pictures.
+  std::string ending = "png";  ///< without the dot
+  /// Suffix of the names of quilts and stereo pictures, such as _qs8x6a0.75 or _2x1.
   std::string suffix = {};
   int views = 0;           ///< > 0: every frame is a folder that contains this many pictures
-  bool is_folder = false;  ///< true: every frame is a folder whose files are named by a format (layout/formats.hpp)
+  bool is_folder = false;  ///< every frame is a folder whose files are named by a format (layout/formats.hpp)
 };
 
-/// Returns frame_0000.png, .tif or .exr, or with a suffix, such as frame_0000_qs8x6a0.75.png. For views and formats with
-/// several files, returns the name of the folder, frame_0000.
+/// Returns, for example, frame_0000.png or frame_0000_qs8x6a0.75.png. For views and formats with several files, returns
+/// the name of the folder, frame_0000.
 std::string frame_name(const FrameNames& names, int frame);
 
-/// Returns DIR/frame_0000.png, or DIR/frame_0000/view_000.png, ... Must not be called if names.is_folder, where the format
-/// names the files.
+/// Returns DIR/frame_0000.png, or DIR/frame_0000/view_000.png, ... Not for names.is_folder, where the format names the
+/// files.
 std::vector<std::filesystem::path> picture_paths(const std::filesystem::path& folder, const FrameNames& names, int frame);
 
-/// Returns the path of the separate file for layers that the picture itself does not contain. `view`: number of a view; -1: the
-/// layers are those of the whole frame.
+/// Path of the separate file for layers that the picture itself does not contain. `view`: number of a view; -1: the
+/// whole frame.
 std::filesystem::path layers_path(const std::filesystem::path& folder, int frame, int view = -1);
 
-/// Maximum number of strips per frame: a film of 65536 rows in strips of 16 rows.
+/// Strips per frame: a film of 65536 rows in strips of 16 rows.
 inline constexpr int kMostStrips = 4096;
 
-/// Returns strip_0000_003.exr, the name of a file with some rows of a frame that has not been joined yet.
+/// Returns, for example, strip_0000_003.exr, the file of some rows of a frame.
 std::string strip_name(int frame, int strip);
 
 bool is_strip_name(const std::string& name);
 
-/// Returns the frame that a file with this name (relative to a render's folder) belongs to. The file may be a picture, a strip,
-/// a layer, a side file, or a file in a format's folder. Returns none if no render writes such a name.
+/// Returns the frame of a picture, strip, layer, side file, or file in a format's folder. The name is relative to a
+/// render's folder. Returns none if no render writes such a name.
 std::optional<int> frame_of_file(const std::string& name);
 
-/// Returns whether the name has the extension of a supported picture format, in upper or lower case.
+/// The name has the extension of a supported picture format, in any case.
 bool is_picture_name(const std::filesystem::path& path);
 
-/// Return the pictures (or the folders) in `folder` that are named like frames, in numerical order. Throw Error if the folder
-/// cannot be listed, or if a file that the render's journal lists is missing.
+/// Return the pictures (or the folders) in `folder` that are named like frames, in numerical order. Throw Error if the
+/// folder cannot be listed, or if a file that the render's journal lists is missing.
 std::vector<std::filesystem::path> frame_pictures_in(const std::filesystem::path& folder);
 std::vector<std::filesystem::path> frame_folders_in(const std::filesystem::path& folder);
 

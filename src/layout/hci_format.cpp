@@ -27,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the grid: from the options if they have it, else from parameters.cfg, else a square.
+/// The grid of the options, else of parameters.cfg, else a square.
 ViewGrid grid_of(const fs::path& folder, int count, const FormatOptions& options,
                  const std::optional<HciParameters>& parameters) {
   const int side = static_cast<int>(std::lround(std::sqrt(static_cast<double>(count))));
@@ -101,7 +101,7 @@ DepthMaps depth_maps(const LightField& field, int view, const HciParameters& par
   return maps;
 }
 
-/// Writes the depth and disparity maps, and sets the range of disparities in `parameters`. The range is 0 to 0 if there are no
+/// Writes the depth and disparity maps, and sets the range of disparities in `parameters`; 0 to 0 if there are no
 /// surfaces.
 void write_depth(const LightField& field, const fs::path& folder, HciParameters& parameters, std::vector<fs::path>& written) {
   // File names number the views from the top left.

@@ -22,7 +22,7 @@ std::optional<double> number_between(const std::map<std::string, double>& attrib
   return found->second;
 }
 
-/// Returns the position of a view in the grid, relative to the grid's middle, in steps from camera to camera.
+/// Position of a view relative to the grid's middle, in steps from camera to camera.
 Vec2d place_in_grid(ViewGrid grid, int view) {
   return Vec2d(view % grid.columns, view / grid.columns) - 0.5 * Vec2d(grid.columns - 1, grid.rows - 1);
 }
@@ -38,7 +38,7 @@ bool set_hdf5_cameras(const std::map<std::string, double>& attributes, LightFiel
   const auto focal = number_between(attributes, "focalLength", kLeast, kMost, where);
   const double shift = number_between(attributes, "shift", -kMostShift, kMostShift, where).value_or(0.0);
   if (!focal || (grid.columns > 1 && !across) || (grid.rows > 1 && !along) || (!across && !along)) return false;
-  // In a grid with a single row or column, one known distance is enough. Use this distance for both axes.
+  // In a grid with a single row or column, the one known distance is used for both axes.
   const Vec2d step_mm =
       kMmPerMetre * Vec2d(grid.columns > 1 || !along ? *across : *along, grid.rows > 1 || !across ? *along : *across);
   const bool shares_plane = shift >= kLeastShift && std::abs(step_mm.x / step_mm.y - 1.0) < kEqual;
@@ -61,7 +61,7 @@ bool set_hdf5_cameras(const std::map<std::string, double>& attributes, LightFiel
 }
 
 float z_of_hdf5_depth(float depth, const LightField& field) {
-  constexpr float kNothing = 1e9f;  // larger depths mean no surface: Blender writes 1e10 there
+  constexpr float kNothing = 1e9f;  // Blender writes 1e10 where there is no surface
   if (!(depth > 0.0f && depth < kNothing)) return -kInfinity;
   const double plane_mm = field.cameras ? field.cameras->distance_mm : 0.0;
   return static_cast<float>(plane_mm - kMmPerMetre * static_cast<double>(depth));

@@ -17,12 +17,12 @@
 
 namespace lippmann {
 
-/// Sets field.cameras from the attributes, the grid and the size of the views. If there is no plane in which points have no
-/// disparity, sets field.poses instead. Returns false if some attributes of the cameras are missing. Throws Error naming
-/// `where` and an attribute that is out of range.
+/// Sets field.cameras from the attributes, the grid and the size of the views, or field.poses if no plane has zero
+/// disparity. Returns false if attributes of the cameras are missing. Throws Error naming `where` and an attribute that
+/// is out of range.
 bool set_hdf5_cameras(const std::map<std::string, double>& attributes, LightField& field, const std::string& where);
 
-/// Converts a planar depth Z in the file's unit to z as in LightField::depth. Returns -inf if there is no surface.
+/// Converts a planar depth Z in the file's unit to z as in LightField::depth; -inf: no surface.
 float z_of_hdf5_depth(float depth, const LightField& field);
 
 }  // namespace lippmann

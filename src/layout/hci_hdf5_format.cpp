@@ -33,7 +33,7 @@ const Hdf5Module& hdf5_module() {
   return loaded;
 }
 
-/// Checks the array of views. Sets the grid and the size of the views.
+/// Checks the array of views, and sets the grid and the size of the views.
 void set_size(const Hdf5Array& array, LightField& field, const std::string& where) {
   constexpr std::uint64_t kMostViews = 1024, kMostSide = 65536;
   const std::vector<std::uint64_t>& shape = array.shape;
@@ -51,7 +51,7 @@ void set_size(const Hdf5Array& array, LightField& field, const std::string& wher
   field.aspect = static_cast<double>(field.view_size.x) / field.view_size.y;
 }
 
-/// Return the indices t and s of a view in the arrays.
+/// Indices t and s of a view in the arrays.
 std::uint64_t t_of(const LightField& field, int view) {
   return static_cast<std::uint64_t>(field.grid.rows - 1 - view / field.grid.columns);
 }

@@ -24,7 +24,7 @@ std::string_view trimmed(std::string_view text) {
   return first == std::string_view::npos ? std::string_view() : text.substr(first, last - first + 1);
 }
 
-/// The keys and values of a file. Sections are ignored because no key occurs in two sections.
+/// Sections are ignored because no key occurs in two sections.
 class Values {
  public:
   Values(std::string_view text, const std::string& where) : where_(where) {
@@ -70,7 +70,7 @@ class Values {
   std::map<std::string, std::string> values_;
 };
 
-/// Returns the parameters. `baseline_mm`: distance between neighbouring eyes.
+/// `baseline_mm`: distance between neighbouring eyes.
 HciParameters parameters_with(double baseline_mm, const LightField& field, const std::string& where) {
   const ViewCameras& cameras = *field.cameras;
   if (std::abs(cameras.pixel_mm.x / cameras.pixel_mm.y - 1.0) > 1e-4)

@@ -27,7 +27,7 @@ struct HciParameters {
   double disparity_min = 0.0, disparity_max = 0.0;
 };
 
-/// Parses a file. Throws Error naming `where` for missing keys, malformed numbers and invalid cameras.
+/// Throws Error naming `where` for missing keys, malformed numbers and invalid cameras.
 HciParameters parse_hci_parameters(const std::string& text, const std::string& where);
 std::string hci_parameters_text(const HciParameters& parameters);
 
@@ -38,17 +38,17 @@ void require_size(const HciParameters& parameters, const std::filesystem::path& 
 /// Writes FOLDER/parameters.cfg and returns its path.
 std::filesystem::path write_hci_parameters(const std::filesystem::path& folder, const HciParameters& parameters);
 
-/// Returns the disparity between neighbouring cameras in pixels, positive for points nearer than the focus distance. depth_m:
+/// Disparity between neighbouring cameras in pixels, positive for points nearer than the focus distance. depth_m:
 /// planar depth > 0; may be inf.
 double hci_disparity_px(const HciParameters& parameters, double depth_m);
 
-/// Returns the parameters of a light field with known cameras. Sensors are taken to be 35 mm wide. Throws Error naming `where`
-/// if the format cannot express the cameras: non-uniform eye distances or non-square pixels.
+/// Sensors are taken to be 35 mm wide. Throws Error naming `where` if the format cannot express the cameras:
+/// non-uniform eye distances or non-square pixels.
 HciParameters hci_parameters(const LightField& field, const std::string& where);
-/// Returns parameters with the mean distance between neighbouring eyes, for formats that also store each eye's position.
+/// Parameters with the mean distance between neighbouring eyes, for formats that also store each eye's position.
 HciParameters mean_hci_parameters(const LightField& field, const std::string& where);
 StatedCameras stated_cameras(const HciParameters& parameters);
-/// Returns the cameras, centred on the display's axis. The position and rotation of the middle camera in its scene are ignored.
+/// Cameras centred on the display's axis. The pose of the middle camera in its scene is ignored.
 ViewCameras hci_cameras(const HciParameters& parameters);
 
 }  // namespace lippmann

@@ -1,5 +1,5 @@
-// The interface to a module (liblippmann_hdf5.so) that contains libhdf5. The module is loaded when the first HDF5 file is read,
-// because nothing else needs the library. Private to src/layout.
+// The interface to a module (liblippmann_hdf5.so) with libhdf5, which is loaded when the first HDF5 file is read.
+// Private to src/layout.
 #pragma once
 
 #include <cstddef>
@@ -15,13 +15,12 @@ namespace lippmann {
 struct Hdf5Array {
   std::vector<std::uint64_t> shape = {};  ///< empty: the file has no such array
   std::size_t item_bytes = 0;
-  bool is_float = false;  ///< true: floats; false: integers
+  bool is_float = false;  ///< false: integers
 };
 
-/// The contents of a light field's file, except the samples.
 struct Hdf5Header {
   Hdf5Array light_field, depth;  ///< the arrays LF and GT_DEPTH of the root group
-  /// Attributes of the root group that describe cameras, by name. Attributes that the file lacks are not in the map.
+  /// Attributes of the root group that describe cameras, by name.
   std::map<std::string, double> attributes = {};
   std::string problem = {};  ///< error message; empty on success
 };
@@ -30,9 +29,8 @@ class Hdf5File {
  public:
   virtual ~Hdf5File() = default;
   virtual const Hdf5Header& header() const = 0;
-  /// Read one view, with the array indices t and s. read_codes() reads its samples from LF, in the machine's byte order;
-  /// read_depth() reads its depth from GT_DEPTH. The span must be as large as a view. Return an error message; empty on
-  /// success.
+  /// Read one view, with the array indices t and s: samples of LF in the machine's byte order, and depth of GT_DEPTH.
+  /// The span must be as large as a view. Return an error message; empty on success.
   virtual std::string read_codes(std::uint64_t t, std::uint64_t s, std::span<std::byte> codes) const = 0;
   virtual std::string read_depth(std::uint64_t t, std::uint64_t s, std::span<float> depth) const = 0;
 };
@@ -43,7 +41,7 @@ class Hdf5Module {
   virtual std::unique_ptr<Hdf5File> open(const std::string& path) const = 0;
 };
 
-/// Version of this header. Increment it with every change, because a module of another version is rejected.
+/// Increment with every change of this header, because a module of another version is rejected.
 inline constexpr int kHdf5ModuleVersion = 1;
 
 }  // namespace lippmann

@@ -1,5 +1,5 @@
-// The formats `integral` and `eslf`. `integral` is the picture behind a lens array. `eslf`, for plenoptic cameras, is the same
-// picture with the pixels below each lens rotated by 180 degrees.
+// `integral` is the picture behind a lens array. `eslf`, for plenoptic cameras, is the same picture with the pixels
+// below each lens rotated by 180 degrees.
 #include <fmt/format.h>
 
 #include "layout/eslf_side_file.hpp"

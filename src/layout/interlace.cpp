@@ -35,8 +35,7 @@ struct Views {
   }
 };
 
-/// Two samples between which a position lies, for linear interpolation: `at`, `next` (at most the last sample), and the weight
-/// of `next`.
+/// For linear interpolation: `at`, `next` (at most the last sample), and the weight of `next`.
 struct Between {
   int at, next;
   float share;

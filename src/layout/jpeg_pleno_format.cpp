@@ -30,7 +30,7 @@ bool is_ppm_name(const fs::path& path) {
   return ending.match(path.extension().string()).has_value();
 }
 
-/// Returns the files row by row. Their `numbers` are (row, column); in their names the order is (column, row).
+/// `numbers` are (row, column); in the names the order is (column, row).
 std::vector<NumberedFile> files_by_row(const fs::path& folder) {
   static const TextPattern name("([0-9]{1,4})_([0-9]{1,4})\\.(?:ppm|png|tiff?|bmp|jpe?g|webp|exr)",
                                 TextPattern::Letters::kEitherCase);
@@ -91,7 +91,7 @@ std::vector<fs::path> write_jpeg_pleno(const LightField& field, const fs::path& 
   make_folder(folder);
   std::vector<fs::path> written;
   for (int i = 0; i < field.grid.count(); ++i) {
-    const int column = i / field.grid.rows, row = i % field.grid.rows;  // names begin with the column, so sort by column
+    const int column = i / field.grid.rows, row = i % field.grid.rows;  // names begin with the column
     const int view = from_top_left(field.grid, row * field.grid.columns + column);
     written.push_back(folder / name(view));
     write_ppm(written.back(), codes_of(view_of(field, view), bits));

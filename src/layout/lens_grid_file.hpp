@@ -16,14 +16,14 @@
 
 namespace lippmann {
 
-/// Convert an arrangement to its name and back. read_arrangement() returns none for an unknown name.
+/// read_arrangement() returns none for an unknown name.
 std::string_view name_of(LensArrangement arrangement);
 std::optional<LensArrangement> read_arrangement(std::string_view name);
 
-/// Returns the object under the key "plenoptic" of a side file.
+/// The object under the key "plenoptic" of a side file.
 nlohmann::ordered_json lens_grid_json(const LensGrid& grid);
 
-/// Parses a side file; none if the document has no key "plenoptic". Throws Error naming `where` and the key.
+/// Returns none if the document has no key "plenoptic". Throws Error naming `where` and the key.
 std::optional<LensGrid> parse_lens_grid(const std::string& text, const std::string& where);
 
 /// Reads the side file of a picture; none if it does not exist or describes something else.

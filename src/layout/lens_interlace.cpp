@@ -15,7 +15,7 @@
 namespace lippmann {
 namespace {
 
-/// The eyes of a grid along one axis. They are evenly spaced, and the first has the lowest coordinate.
+/// Evenly spaced eyes along one axis, from the lowest coordinate.
 struct EyeAxis {
   double first = 0.0, step = 0.0;
   int count = 1;

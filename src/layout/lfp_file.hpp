@@ -25,7 +25,7 @@ bool is_lfp(std::span<const std::byte> file);
 /// Returns all sections with data, in file order, as views into `file`. Throws Error naming `where`.
 std::vector<LfpSection> lfp_sections(std::span<const std::byte> file, const std::string& where);
 
-/// Returns a section by name. Throws Error naming `where` if it is missing.
+/// Throws Error naming `where` if the section is missing.
 const LfpSection& lfp_section(const std::vector<LfpSection>& sections, const std::string& name, const std::string& where);
 
 }  // namespace lippmann

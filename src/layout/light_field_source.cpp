@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the format of a folder of views: the first format in `kinds` that matches a file name; none: unknown.
+/// Returns the first format in `kinds` that matches a file name; none: unknown.
 std::optional<std::string> format_of_folder(const fs::path& folder) {
   struct Kind {
     std::string_view format;
@@ -64,8 +64,7 @@ bool has_lytro_name(const fs::path& file) {
   return lytro.match(file.filename().string()).has_value();
 }
 
-/// Returns the pictures of a folder that have the format `from`. If `from` is empty, returns those whose names or side files
-/// imply a format.
+/// Returns the pictures of the format `from`, or, if it is empty, those whose names or side files imply a format.
 std::vector<fs::path> described_pictures_in(const fs::path& folder, const std::string& from) {
   std::vector<fs::path> pictures;
   for (const fs::directory_entry& entry : entries_of(folder))
@@ -94,8 +93,8 @@ std::string format_of(const fs::path& path, const LightFieldSource& source) {
   }
 }
 
-/// Returns whether the report.json that was found describes these files. A folder of another format beside a render, or a
-/// picture with another grid of views, may be derived from the render's views. The report does not describe such files.
+/// A folder of another format beside a render, or a picture with another grid of views, may be derived from the
+/// render's views. The report does not describe it.
 bool matches_report(const fs::path& path, const LightFieldSource& source, const FormatOptions& options) {
   const LightFieldFormat& format = *source.format;
   if (format.states_cameras) return false;
@@ -103,8 +102,7 @@ bool matches_report(const fs::path& path, const LightFieldSource& source, const 
   return format.name != "eslf" || !options.views || !source.rendered || *options.views == source.rendered->film.grid;
 }
 
-/// Returns whether a report.json may describe these files. A report cannot describe a folder of pictures with arbitrary names,
-/// because no render writes such a folder.
+/// No render writes a folder of pictures with arbitrary names.
 bool may_have_report(const fs::path& path, const std::string& from) {
   if (!from.empty() && find_format(from, "from").states_cameras) return false;
   std::error_code ignored;

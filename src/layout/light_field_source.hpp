@@ -13,7 +13,7 @@
 
 namespace lippmann {
 
-/// A light field whose format is known. Read it by source.format->read(path, source.options).
+/// Read it by source.format->read(path, source.options).
 struct LightFieldSource {
   const LightFieldFormat* format = nullptr;
   FormatOptions options;  ///< the given options, with missing ones added from the files beside the picture
@@ -23,37 +23,34 @@ struct LightFieldSource {
   std::optional<RenderedViews> rendered = {};
 };
 
-/// Detects the source. `from`: a format's name; empty: detected from names and the report. Options that are given override the
-/// report. Throws Error naming the file, or the flag that must be given because no file states its value.
+/// `from`: a format's name; empty: detected from names and the report. Given options override the report. Throws Error
+/// naming the file, or the flag that must be given because no file states its value.
 LightFieldSource light_field_source(const std::filesystem::path& path, const std::string& from, const FormatOptions& options);
 
-/// Returns the format that a picture's name or its side file implies; none if neither does. Throws Error for a malformed side
-/// file or name.
+/// Returns the format that a picture's name or its side file implies; none if neither does. Throws Error for a
+/// malformed side file or name.
 std::optional<std::string> format_by_name(const std::filesystem::path& picture);
 
-/// Returns whether the name is that of a file which holds a light field and is no picture: HDF5, or Lytro's containers.
+/// HDF5 and Lytro's containers hold light fields and are no pictures.
 bool is_light_field_file_name(const std::filesystem::path& file);
 
-/// Returns a usage Error which states that the format of this picture must be given.
+/// A usage Error: the format of this picture must be given.
 Error unknown_format(const std::filesystem::path& picture);
 
 /// Returns the format of `in`, or of its first frame. Throws Error as light_field_source() does.
 const LightFieldFormat& format_of_light_field(const std::filesystem::path& in, const std::string& from);
 
-/// Returns whether a folder is a light field: it holds files named like the views of a format, or only pictures, which then are
-/// the views.
+/// The folder holds files named like the views of a format, or only pictures, which then are the views.
 bool is_light_field_folder(const std::filesystem::path& folder);
 
-/// Returns the folder of the pictures of `folder`: its subfolder images/ if it has one and holds cameras of any pose (nerf,
-/// colmap, llff), otherwise `folder` itself.
+/// Returns the subfolder images/ if the folder has one and holds cameras of any pose (nerf, colmap, llff), otherwise
+/// `folder` itself.
 std::filesystem::path folder_of_pictures(const std::filesystem::path& folder);
 
-/// Returns the frames of an animation in a folder. An empty result means that the folder holds one light field, or nothing.
-///
-/// 1. If `from` is a folder format, the frames are the folders frame_*.
-/// 2. Otherwise they are the pictures frame_*. If there are none and `from` is empty, they are the folders frame_*.
-/// 3. If there are no names frame_* and the folder is not a light field, the frames are the pictures of the format `from`.
-///    If `from` is empty, they are all pictures whose names or side files imply a format.
+/// Returns the frames of an animation in a folder; empty: the folder holds one light field, or nothing. Frames are the
+/// folders frame_* if `from` is a folder format, otherwise the pictures frame_*, or else, if `from` is empty, the
+/// folders frame_*. Without such names, and if the folder is not a light field, they are the pictures of the format
+/// `from`, or all whose names or side files imply a format.
 std::vector<std::filesystem::path> light_field_frames(const std::filesystem::path& folder, const std::string& from);
 
 }  // namespace lippmann

@@ -50,18 +50,18 @@ SensorLevels sensor_levels(const JsonFields& format) {
   return levels;
 }
 
-/// Returns the position of the red pixel among the first 2 x 2 pixels. The colour pattern is r,gr:gb,b, and the picture may
-/// begin at any pixel of the pattern.
+/// Position of the red pixel among the first 2 x 2 pixels, because the picture may begin at any pixel of the pattern
+/// r,gr:gb,b.
 Vec2i red_place(const JsonFields& mosaic) {
   mosaic.word("tile", {"r,gr:gb,b"});
   const auto corner = static_cast<int>(mosaic.word("upperLeftPixel", {kColors.begin(), kColors.end()}));
   return {corner % 2, corner / 2};
 }
 
-/// Returns the index of a pixel's colour in the list r, gr, gb, b.
+/// Index of a pixel's colour in the list r, gr, gb, b.
 std::size_t color_at(int x, int y, Vec2i red) { return static_cast<std::size_t>(((x ^ red.x) & 1) + 2 * ((y ^ red.y) & 1)); }
 
-/// Unpacks samples and calls put(index, code) for each.
+/// Calls put(index, code) for each sample.
 template <class Put>
 void unpack(std::span<const std::byte> bytes, int bits, std::size_t count, const Put& put) {
   const auto byte = [&](std::size_t i) { return std::to_integer<unsigned>(bytes[i]); };
@@ -75,7 +75,7 @@ void unpack(std::span<const std::byte> bytes, int bits, std::size_t count, const
       for (std::size_t k = 0; k < 4; ++k) put(i + k, byte(at + k) << 2 | (byte(at + 4) >> (2 * k) & 3u));
 }
 
-/// Unpacks the sensor's codes and scales them to light: 0 at the black level, 1 at the white level.
+/// Scales the codes to light: 0 at the black level, 1 at the white level.
 Image mosaic_of(std::span<const std::byte> codes, Vec2i size, int bits, const SensorLevels& levels, Vec2i red) {
   Image mosaic(size.x, size.y, 1);
   std::array<double, 4> scale{};
@@ -133,15 +133,14 @@ Json parsed_json(std::span<const std::byte> text, const std::string& where, cons
   return json;
 }
 
-/// Returns the first element of the list with this key, which must be an object.
+/// Returns the first element of a list, which must be an object.
 JsonFields first_of(const JsonFields& fields, std::string_view key) {
   const Json& list = fields.value(key);
   if (!list.is_array() || list.empty()) fields.reject(key, "is not a list of frames", "a raw picture as the camera writes it");
   return fields.element(key, list.front());
 }
 
-/// Makes the picture from packed sensor samples (`codes`) and their metadata. `frame` is the whole metadata document, or a part
-/// of the document for white pictures of the F01.
+/// `frame` is the metadata document, or a part of it for white pictures of the F01.
 LytroRaw lytro_of(std::span<const std::byte> codes, const JsonFields& frame) {
   const JsonFields image = frame.inner("image");
   if (image.has("representation")) image.word("representation", {"rawPacked"});
@@ -173,7 +172,7 @@ std::string lower_ending(const fs::path& path) {
   return ending;
 }
 
-/// Returns the path of NAME.TXT or NAME.txt beside NAME.RAW; empty if neither exists.
+/// Returns NAME.TXT or NAME.txt beside NAME.RAW; empty if neither exists.
 fs::path metadata_beside(const fs::path& raw) {
   for (const char* ending : {".TXT", ".txt"})
     if (const fs::path path = fs::path(raw).replace_extension(ending); is_regular_file_there(path)) return path;

@@ -13,27 +13,25 @@
 namespace lippmann {
 
 struct LytroRaw {
-  /// The light on the sensor, linear: 0 at the sensor's black level, 1 at its white level. 3 channels, without white balance.
+  /// Linear light on the sensor: 0 at its black level, 1 at its white level. 3 channels, without white balance.
   Image light;
   LensGrid grid;
   Vec3f gains{1.0f};             ///< white balance factors
   Mat3f srgb_from_camera{1.0f};  ///< applied after the white balance gains
-  int orientation = 1;           ///< orientation as stated in the file; not applied
+  int orientation = 1;           ///< as stated in the file; not applied
 };
 
-/// Returns whether read_lytro() supports a file. It recognises .lfp and .lfr by their first bytes, and .raw (white pictures) by
-/// a .txt beside it.
+/// .lfp and .lfr are recognised by their first bytes, and .raw (white pictures) by a .txt beside it.
 bool is_lytro_raw(const std::filesystem::path& path);
 
-/// Reads a file. Throws Error naming the file and the key.
+/// Throws Error naming the file and the key.
 LytroRaw read_lytro(const std::filesystem::path& path);
 
 /// parse_lfr() parses a container file, and parse_lytro() packed samples with their metadata.
 LytroRaw parse_lfr(std::span<const std::byte> file, const std::string& where);
 LytroRaw parse_lytro(std::span<const std::byte> codes, const std::string& metadata, const std::string& where);
 
-/// Returns the picture with white balance and colour matrix applied, in sRGB encoding. Samples at the sensor's white level
-/// become white.
+/// Applies white balance and colour matrix, in sRGB encoding. The sensor's white level becomes white.
 Image16 developed(const LytroRaw& raw);
 
 }  // namespace lippmann

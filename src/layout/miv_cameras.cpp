@@ -40,8 +40,7 @@ MivCamera camera_from(const JsonFields& json) {
   return camera;
 }
 
-/// Returns the height of a camera in hundredths of a millimetre. It is rounded because rows of calibrated cameras are not
-/// exactly level.
+/// Height in hundredths of a millimetre, rounded because rows of calibrated cameras are not exactly level.
 double height_of(const MivCamera& camera) { return std::round(1e5 * camera.position_m[2]); }
 
 Vec2d eye_of(const MivCamera& camera) { return 1e3 * Vec2d(-camera.position_m[1], camera.position_m[2]); }

@@ -15,21 +15,21 @@
 namespace lippmann {
 
 struct MivCamera {
-  std::string name;  ///< name of the view's picture, without its extension
+  std::string name;  ///< the view's picture, without extension
   double position_m[3] = {0.0, 0.0, 0.0}, rotation_deg[3] = {0.0, 0.0, 0.0};
   double near_m = 0.1, far_m = 100.0;
   Vec2i resolution{0, 0};
   Vec2d focal_px{0.0}, principal_point_px{0.0};
 };
 
-/// Parses a file. Throws Error naming `where` if the file is malformed, if it has no camera or more than 4096 cameras, or if a
-/// camera is not perspective, has a path as its name, or has invalid numbers.
+/// Throws Error naming `where` if the file is malformed, has no or more than 4096 cameras, or if a camera is not
+/// perspective, has a path as its name, or has invalid numbers.
 std::vector<MivCamera> parse_miv_cameras(const std::string& text, const std::string& where);
 
-/// Returns the contents of a file. `depth`: whether there are depth maps beside the views.
+/// `depth`: there are depth maps beside the views.
 std::string miv_cameras_text(const std::vector<MivCamera>& cameras, const std::string& content, bool depth);
 
-/// Sorts cameras into view order: row by row upwards, each row from left to right.
+/// Sorts row by row upwards, each row from left to right.
 void sort_as_views(std::vector<MivCamera>& cameras);
 
 /// Sets field.cameras if all cameras are parallel, have their eyes in one plane and show the same rectangle of another plane.
@@ -44,13 +44,12 @@ void warn_of_missing_cameras(const std::vector<MivCamera>& cameras, const std::s
 /// different number of cameras.
 ViewGrid grid_of_cameras(const std::vector<MivCamera>& cameras, std::optional<ViewGrid> views, const std::string& where);
 
-/// Returns one MIV camera per view. All eyes are in one plane. The plane with zero disparity is cameras.distance_mm in front of
-/// the eyes.
+/// All eyes are in one plane. The plane with zero disparity is cameras.distance_mm in front of them.
 std::vector<MivCamera> miv_cameras(const ViewCameras& cameras, Vec2i view_size, const std::vector<std::string>& names,
                                    double near_m, double far_m);
 
-/// Converts cameras in view order to ViewCameras. Returns none if the cameras are not parallel, if their eyes are not in one
-/// plane, or if the views do not show the same rectangle of one plane.
+/// Converts cameras in view order to ViewCameras. Returns none unless the cameras are parallel, have their eyes in one
+/// plane, and show the same rectangle of another plane.
 std::optional<ViewCameras> cameras_of_miv(const std::vector<MivCamera>& cameras);
 
 }  // namespace lippmann

@@ -1,5 +1,5 @@
-// Folders of MIV and RVS: pictures, and cameras.json, which lists them. If depth is known, <name>_depth.png has depth maps of
-// 16-bit codes.
+// Folders of MIV and RVS: pictures, and cameras.json, which lists them. If depth is known, <name>_depth.png has depth
+// maps of 16-bit codes.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kDepthEnding = "_depth.png";
 constexpr double kHighest = 65535.0;
-/// The code of the farthest point. TMIV rounds codes to 10 bits: a smaller code might become 0, which means no surface.
+/// Code of the farthest point. TMIV rounds codes to 10 bits: a smaller code might become 0, which means no surface.
 constexpr double kFarthestCode = 64.0;
 constexpr double kLeastRange = 1.001;  // least farthest depth / nearest depth; codes need a range
 
@@ -108,8 +108,7 @@ struct DepthRange {
   double near_m = 0.1, far_m = 100.0;
 };
 
-/// Returns the range of depths of all surfaces. The far end lies beyond the farthest surface, so that this surface has the code
-/// kFarthestCode if possible.
+/// The far end lies beyond the farthest surface, so that this surface has the code kFarthestCode if possible.
 DepthRange depth_range(const LightField& field) {
   double nearest = INFINITY, farthest = 0.0;
   for (const float z : field.depth->data) {

@@ -1,5 +1,4 @@
-// The format `native`: the picture that is shown on a display's calibrated slanted panel. The writer interlaces views into the
-// picture, and the reader extracts views from it.
+// The format `native`: the picture on a display's calibrated slanted panel, interlaced from views.
 #include <fmt/format.h>
 
 #include <thread>
@@ -21,8 +20,7 @@ const Display& wanted_display(const FormatOptions& options) {
                     "a name that 'lippmann displays' lists, or a file");
 }
 
-/// Reads as many views as the options state, or by default as many as the display's quilt has. Views have the size of the
-/// quilt's tiles.
+/// Reads as many views as the options state, or as the display's quilt has. Views have the size of the quilt's tiles.
 LightField read_native(const fs::path& path, const FormatOptions& options) {
   const Display& display = wanted_display(options);
   const DisplayQuilt quilt = display.quilt.value_or(DisplayQuilt{});

@@ -9,12 +9,12 @@
 
 namespace lippmann {
 
-/// Reads a picture. with_depth: also reads the depth layer if there is one (layout/rendered.hpp). warn: called as in
-/// read_picture(). Throws Error naming the file if views of equal size do not fill the picture.
+/// with_depth: also reads the depth layer if there is one (layout/rendered.hpp). warn: called as in read_picture().
+/// Throws Error naming the file if views of equal size do not fill the picture.
 LightField read_packed(const std::filesystem::path& path, const ViewLayout& layout, bool with_depth,
                        const std::function<void(std::string_view)>& warn);
 
-/// Writes a picture and returns the paths of the files written. Throws Error naming the file, as write_picture() does.
+/// Returns the paths of the files written. Throws Error naming the file, as write_picture() does.
 std::vector<std::filesystem::path> write_packed(const LightField& field, const ViewLayout& layout,
                                                 const std::filesystem::path& path);
 

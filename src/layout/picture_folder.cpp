@@ -24,7 +24,7 @@ constexpr std::size_t kListedNames = 5;
 
 struct FolderContent {
   std::vector<fs::path> pictures;
-  std::vector<std::string> others;  ///< names of other entries; names of folders end in '/'
+  std::vector<std::string> others;  ///< names of folders end in '/'
 };
 
 FolderContent content_of(const fs::path& folder) {
@@ -50,7 +50,7 @@ bool is_ignorable(const std::string& name) {
   return std::any_of(std::begin(kNotes), std::end(kNotes), [&](std::string_view ending) { return lower.ends_with(ending); });
 }
 
-/// Returns a list such as "a, b, c and 4 more".
+/// Returns, for example, "a, b, c and 4 more".
 std::string listed(const std::vector<std::string>& texts) {
   std::string list;
   for (std::size_t i = 0; i < std::min(texts.size(), kListedNames); ++i) list += (i == 0 ? "" : ", ") + printable(texts[i]);

@@ -1,6 +1,5 @@
-// Folders of pictures with arbitrary names. Each picture is a view, in the natural order of the names: 2.jpg before 10.jpg.
-//
-// Subfolders are not searched. All functions throw Error naming the folder if it cannot be listed.
+// Folders of pictures with arbitrary names. Each picture is a view, in the natural order of the names: 2.jpg before
+// 10.jpg. Subfolders are not searched. All functions throw Error naming the folder if it cannot be listed.
 #pragma once
 
 #include <filesystem>
@@ -10,15 +9,13 @@
 
 namespace lippmann {
 
-/// Returns whether a folder is treated as views by default. It must hold at least two pictures and, apart from these, only
-/// subfolders, notes (.txt, .md, .pdf, .xmp) and files of file managers (Thumbs.db, desktop.ini, hidden files). Opens no file.
+/// A folder is treated as views by default if it holds at least two pictures and otherwise only subfolders, notes
+/// (.txt, .md, .pdf, .xmp) and files of file managers (Thumbs.db, desktop.ini, hidden files). Opens no file.
 bool is_picture_folder(const std::filesystem::path& folder);
 
-/// Returns the pictures of a folder. Other files are ignored; one call of `warn` lists them. Only the pictures' headers are
-/// read. Throws Error if
-///   - there are fewer than two pictures;
-///   - they differ in size or sample type (the message lists the differences);
-///   - two names differ only in their extension.
+/// Returns the pictures of a folder. Other files are ignored; one call of `warn` lists them. Reads only the pictures'
+/// headers. Throws Error if there are fewer than two pictures, if they differ in size or sample type, or if two names
+/// differ only in their extension.
 std::vector<std::filesystem::path> pictures_of_views(const std::filesystem::path& folder,
                                                      const std::function<void(std::string_view)>& warn = {});
 

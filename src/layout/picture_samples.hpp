@@ -1,4 +1,3 @@
-// Uniform access to the samples of pictures of any bit depth.
 #pragma once
 
 #include <cmath>
@@ -8,7 +7,7 @@
 
 namespace lippmann {
 
-/// Returns the samples of Image, Image8 or Image16: row by row, with interleaved channels.
+/// Samples of Image, Image8 or Image16: row by row, with interleaved channels.
 template <class T>
 auto& samples_of(T& image) {
   if constexpr (std::is_same_v<std::remove_const_t<T>, Image>)
@@ -17,7 +16,7 @@ auto& samples_of(T& image) {
     return image.rgb;
 }
 
-/// Converts an interpolated value to a sample; rounds it if samples are integers.
+/// Rounds an interpolated value if samples are integers.
 template <class Sample>
 Sample nearest_sample(double value) {
   return static_cast<Sample>(std::is_floating_point_v<Sample> ? value : std::floor(value + 0.5));

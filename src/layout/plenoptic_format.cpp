@@ -1,5 +1,5 @@
-// The format of a plenoptic camera's raw picture: the sensor image behind lenses of any pitch and rotation. It can only be
-// read. To write its views, use `eslf` or `integral`, where each lens is a whole number of pixels wide.
+// The raw picture of a plenoptic camera: the sensor image behind lenses of any pitch and rotation. It can only be read.
+// `eslf` and `integral` store its views.
 #include <fmt/format.h>
 
 #include <functional>
@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 struct RawPicture {
   Picture picture;
-  std::optional<LensGrid> grid;  ///< lens grid that the picture's container or side file states
+  std::optional<LensGrid> grid;  ///< stated by the picture's container or side file
 };
 
 RawPicture read_raw(const fs::path& path, const std::function<void(std::string_view)>& warn) {

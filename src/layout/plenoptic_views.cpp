@@ -23,13 +23,13 @@ double lanczos_weight(double x) {
   return kLobes * std::sin(t) * std::sin(t / kLobes) / (t * t);
 }
 
-/// The weights of the samples around a position; they sum to 1.
+/// The weights of the samples around a position, which sum to 1.
 struct SampleTaps {
   int first = 0, count = 0;
   std::array<double, std::size_t{2} * kLobes> weight{};
 };
 
-/// Returns the weights for the position `at`, in coordinates where sample i lies at i.
+/// Sample i lies at i.
 SampleTaps sample_taps(double at, bool lanczos) {
   SampleTaps taps;
   const int reach = lanczos ? kLobes : 1;
@@ -46,7 +46,7 @@ SampleTaps sample_taps(double at, bool lanczos) {
   return taps;
 }
 
-/// Returns the interpolated light at a position. Beyond the edges, edge pixels are repeated.
+/// Beyond the edges, edge pixels are repeated.
 Vec3f sample_light(const Image& light, Vec2d place, bool lanczos) {
   const SampleTaps across = sample_taps(place.x - 0.5, lanczos), down = sample_taps(place.y - 0.5, lanczos);
   Vec3f sum(0.0f);
@@ -113,7 +113,7 @@ class SampledRangeSearch {
     return range;
   }
 
-  /// Returns the share of the lenses in a row or column whose samples lie outside of the picture.
+  /// Share of the lenses in a row or column whose samples lie outside of the picture.
   double share_outside(Vec2i first, Vec2i last) const {
     int outside = 0, count = 0;
     for (int j = first.y; j <= last.y; ++j)
@@ -141,8 +141,7 @@ class ViewSampler {
 
   Vec2i size() const {
     if (grid_.arrangement == LensArrangement::kSquare) return {range_.columns(), range_.rows()};
-    // Use only the width that all rows of lenses cover: from the first lens of the shifted rows to the last lens of the other
-    // rows.
+    // All rows of lenses cover the width from the first lens of the shifted rows to the last lens of the other rows.
     const double span_px = (range_.columns() - 1.5) * grid_.pitch_px;
     return {static_cast<int>(std::floor(span_px / grid_.row_pitch_px + 1e-9)) + 1, range_.rows()};
   }
@@ -191,8 +190,7 @@ class ViewSampler {
   }
 
  private:
-  /// Converts a pixel of a view's row to a position along the row of lenses, in lenses. Pixels are square, as wide as the row
-  /// pitch.
+  /// Converts a pixel of a view's row to a position in lenses. Pixels are square, as wide as the row pitch.
   double place_in_row(int pixel, int row) const {
     const double from_left = 0.5 + pixel * grid_.row_pitch_px / grid_.pitch_px;
     return from_left - shift_of(row);
@@ -214,7 +212,7 @@ class ViewSampler {
   const LensGrid& grid_;
   const SampledRange& range_;
   bool lanczos_;
-  Vec2d right_, down_;  // vectors in pixels from a lens to the next one in its row and to the next row
+  Vec2d right_, down_;  // in pixels from a lens to the next one in its row and to the next row
 };
 
 Image swap_axes(const Image& image) {

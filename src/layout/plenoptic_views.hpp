@@ -1,9 +1,8 @@
-// Extracts views from a raw plenoptic picture: one sample per view below each lens.
-//
-// View (a, b) of a C x R grid is sampled at the same offset from the centre of every lens, along the axes of the lens grid: a -
-// (C - 1) / 2 pixels to the right and b - (R - 1) / 2 pixels up. If the calibration is inverted, both directions are reversed.
-// A view has one pixel per lens in the largest rectangle of lenses within the picture. In hexagonal grids, rows are resampled
-// to square pixels of the size of the row pitch.
+// Extracts views from a raw plenoptic picture: one sample per view below each lens. View (a, b) of a C x R grid is
+// sampled a - (C - 1) / 2 pixels to the right and b - (R - 1) / 2 pixels up from the centre of every lens, along the
+// axes of the lens grid, or in the opposite directions if the calibration is inverted. A view has one pixel per lens in
+// the largest rectangle of lenses within the picture. In hexagonal grids, rows are resampled to square pixels of the
+// size of the row pitch.
 #pragma once
 
 #include <filesystem>
@@ -14,18 +13,17 @@
 
 namespace lippmann {
 
-/// Divides light by a white picture of the same size. White values below 1/20 are treated as 1/20. Throws Error naming `where`
-/// if the sizes differ.
+/// White values below 1/20 are treated as 1/20. Throws Error naming `where` if the sizes differ.
 void divide_by_white(Image& light, const Image& white, const std::string& where);
 
-/// Returns the grey values of a picture of uniform white light (1 channel), scaled so that the brightest 0.5 % of the
-/// pixels are at least 1.
+/// Grey values of a picture of uniform white light (1 channel), scaled so that the brightest 0.5 % of the pixels are at
+/// least 1.
 Image white_shares(const Image& light);
 
 /// Reads a white picture and returns its white_shares(). Throws Error naming the file.
 Image read_white(const std::filesystem::path& path);
 
-/// Returns the default number of views: the number of whole pixels below a lens, across and up.
+/// Whole pixels below a lens, across and up.
 ViewGrid default_plenoptic_views(const LensGrid& grid);
 
 /// Extracts the views of `light` (linear, 3 channels). `like`: a picture with the sample type that the result should have.

@@ -32,8 +32,8 @@ std::optional<ViewCameras> shared_plane(const std::vector<PosedCamera>& cameras)
   const auto from_first = [&](const PosedCamera& c) {
     return glm::transpose(first.rotation) * (c.position_mm - first.position_mm);
   };
-  // When the eye moves by m mm, the principal point shifts by focal_px m / distance, with `distance` from the eyes to the plane
-  // with zero disparity. Compute the distance from the longest shift.
+  // When the eye moves by m mm, the principal point shifts by focal_px m / distance, with `distance` from the eyes to
+  // the plane with zero disparity. The longest shift gives the distance.
   double distance = 0.0, longest = 0.0, extent = 0.0;
   for (const PosedCamera& c : cameras) {
     const Vec3d by_mm = from_first(c);
@@ -58,7 +58,7 @@ std::optional<ViewCameras> shared_plane(const std::vector<PosedCamera>& cameras)
       return std::nullopt;
     shared.eyes_mm.emplace_back(eye);
   }
-  // At this point the origin is at the first eye. Move it so that the display's middle appears in the middle of the views.
+  // So far the origin is at the first eye. The display's middle must appear in the middle of the views.
   const Vec2d middle = (0.5 * Vec2d(first.size) - shared.centre_px) * shared.pixel_mm * Vec2d(1.0, -1.0);
   for (Vec2d& eye : shared.eyes_mm) eye -= middle;
   shared.centre_px = 0.5 * Vec2d(first.size);

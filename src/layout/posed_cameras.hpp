@@ -1,4 +1,4 @@
-// Conversions between cameras with arbitrary poses and parallel cameras whose views show the same rectangle of a plane
+// Converts between cameras with arbitrary poses and parallel cameras whose views show the same rectangle of a plane
 // (ViewCameras).
 #pragma once
 
@@ -11,12 +11,12 @@
 
 namespace lippmann {
 
-/// Converts posed cameras to ViewCameras, in the frame of the first camera. Returns none unless all cameras are parallel, have
-/// their eyes in one plane and show the same rectangle of another plane. `cameras` must not be empty.
+/// Returns ViewCameras in the frame of the first camera, or none unless all cameras are parallel, have their eyes in
+/// one plane and show the same rectangle of another plane. `cameras` must not be empty.
 std::optional<ViewCameras> shared_plane(const std::vector<PosedCamera>& cameras);
 
-/// Returns the camera of a single view in the world. Lengths are in thousandths of the world's unit, and `origin` is added to
-/// the camera's position. world_from_display must be a similarity.
+/// Returns the camera of a single view in the world. Lengths are in thousandths of the world's unit, and `origin` is
+/// added to the position. world_from_display must be a similarity.
 PosedCamera camera_in_world(const Optics& single_view, const Affine3f& world_from_display, const Vec3d& origin);
 
 /// Converts z as in LightField::depth to planar depth in mm. Results that are <= 0 or not finite mean no surface.

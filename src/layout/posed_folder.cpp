@@ -85,7 +85,7 @@ void reorder(std::vector<T>& values, const std::vector<std::size_t>& order) {
 
 /// Sorts views row by row upwards, each row from left to right. Returns the number of rows.
 int sort_as_rows(ViewCameras& cameras, std::vector<PosedPicture>& pictures) {
-  // Maximum difference in height within a row, as a fraction of the extent of all eyes. It is not 0, because rows of calibrated
+  // Maximum difference in height within a row, as a fraction of the extent of all eyes, because rows of calibrated
   // cameras are not exactly level.
   constexpr double kSameRow = 1e-4;
   std::vector<std::size_t> order(pictures.size());
@@ -177,7 +177,6 @@ void write_array(const fs::path& path, const Image& image) {
   write_file_atomically(path, encode_npy(std::span<const float>(image.data), shape));
 }
 
-/// Reads a view written by write_posed_view().
 LightField field_of_picture(const fs::path& folder, const PosedPicture& picture, bool with_colours) {
   LightField field;
   field.grid = {1, 1}, field.view_size = picture.camera.size;

@@ -27,9 +27,9 @@ namespace {
 constexpr double kExact = 1e-7;  ///< accuracy of the solution in linear light; far below a 16-bit step
 constexpr int kMaxSweeps = 2000;
 
-/// Parallel lines of samples in a picture. `sample`: offset of each sample of a line from the line's first sample. Each of
-/// `rows` rows contains the first samples of `across` lines, which are consecutive floats. `row_stride`: distance between these
-/// rows. All offsets and distances are in floats.
+/// Parallel lines of samples in a picture. `sample`: offset of each sample from the line's first one. Each of `rows`
+/// rows contains the first samples of `across` lines, which are consecutive. `row_stride`: distance between these rows.
+/// All offsets and distances are in floats.
 struct Lines {
   std::vector<std::size_t> sample;
   std::size_t across = 0, rows = 0, row_stride = 0;
@@ -40,12 +40,12 @@ struct Bounds {
 };
 constexpr Bounds kLight{0.0, 1.0}, kNoBounds{-INFINITY, INFINITY};
 
-/// kLanes lines are processed together. A Lane holds the same sample of each of them.
+/// kLanes lines are processed together. A Lane holds the same sample of each.
 constexpr std::size_t kLanes = 8;
 using Lane = std::array<double, kLanes>;
 
-/// The matrix A for lines of one length. weights[k]: weight of the samples at distance k. sums[i]: sum of the weights, around
-/// sample i, that lie inside the line.
+/// Crosstalk along lines of one length. weights[k]: weight of the samples at distance k. sums[i]: sum of the weights
+/// around sample i that lie inside the line.
 struct Leak {
   std::vector<double> weights, sums;
 
@@ -78,7 +78,7 @@ LIPPMANN_MULTIVERSION void leak_lines(const Leak& leak, const Lane* shown, Lane*
   }
 }
 
-/// The largest change in one sweep, and the number of samples clipped to their bounds, for each lane.
+/// For each lane: largest change in one sweep, and number of clipped samples.
 struct Swept {
   Lane change{}, clipped{};
 };
@@ -112,8 +112,7 @@ std::size_t solve_lines(const Leak& leak, const std::vector<Lane>& wanted, Bound
   return static_cast<std::size_t>(std::accumulate(swept.clipped.begin(), swept.clipped.end(), 0.0));
 }
 
-/// Calls change(leak, samples of kLanes lines) for all lines and stores the changed samples. If the last batch has fewer lines,
-/// its other lanes are 0.
+/// Calls change(leak, samples of kLanes lines) for all lines. If the last batch has fewer lines, its other lanes are 0.
 template <class Change>
 void for_each_line(const std::vector<Lines>& all, double sigma_px, Image& picture, Change change) {
   for (const Lines& lines : all) {
@@ -136,7 +135,7 @@ void for_each_line(const std::vector<Lines>& all, double sigma_px, Image& pictur
   }
 }
 
-/// The lines along which the optics have crosstalk: lines across and lines up.
+/// The lines along which the optics have crosstalk.
 struct LinesOfAxes {
   std::vector<Lines> across, up;
 };
@@ -152,7 +151,7 @@ LinesOfAxes lines_of_panel(const Image& picture) {
   return {{{counted(width, 3), 3, height, 3 * width}}, {{counted(height, 3 * width), 3 * width, 1, 0}}};
 }
 
-/// Returns the lines that run through the same pixel of all views.
+/// Lines through the same pixel of all views.
 LinesOfAxes lines_of_views(const Image& picture, const ViewTiles& views) {
   const auto columns = static_cast<std::size_t>(views.columns), rows = static_cast<std::size_t>(views.rows);
   const std::size_t row_stride = 3 * static_cast<std::size_t>(picture.width);
@@ -230,7 +229,7 @@ Precompensation precompensate(const Optics& optics, double sigma_px, const char*
 Precompensation precompensate_encoded(const Optics& optics, double sigma_px, Encoding encoding, const char* where,
                                       Image& film) {
   if (encoding == Encoding::kSrgb) return precompensate(optics, sigma_px, where, film);
-  // Crosstalk mixes linear light, so display-referred values are converted first.
+  // Crosstalk mixes linear light.
   for (float& value : film.data) value = static_cast<float>(linear_from_srgb(value > 0.0f ? std::min(value, 1.0f) : 0.0f));
   const Precompensation done = precompensate(optics, sigma_px, where, film);
   for (float& value : film.data) value = static_cast<float>(srgb_from_linear(value));

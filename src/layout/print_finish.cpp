@@ -19,7 +19,7 @@ constexpr double kMarginMm = 10.0;
 
 int bleed_px(const Display& display, double bleed_mm) { return static_cast<int>(std::lround(bleed_mm / display.pixel_mm())); }
 
-/// Copies a box of a picture to a position in another picture with the same sample type.
+/// Copies a box to a position in a picture with the same sample type.
 void copy_box(const Picture& from, const PixelBox& box, Picture& to, Vec2i corner) {
   const Vec2i from_size = size_of(from), to_size = size_of(to);
   std::visit(
@@ -34,7 +34,7 @@ void copy_box(const Picture& from, const PixelBox& box, Picture& to, Vec2i corne
       from);
 }
 
-/// Returns the square inch in the middle of a box, or a smaller box if `box` is smaller.
+/// The square inch in the middle of a box, or a smaller box if `box` is smaller.
 PixelBox middle_inch(const PixelBox& box, double dpi) {
   const Vec2i size = glm::min(box.size(), Vec2i(static_cast<int>(std::lround(dpi))));
   const Vec2i from = box.from + (box.size() - size) / 2;
@@ -46,8 +46,8 @@ PixelBox grown(const PixelBox& box, int by) { return {box.from - by, box.to + by
 /// Draws the marks of a print, whose cut edges are `trim`, into a picture with white margins.
 class PrintMarks {
  public:
-  /// `origin`: the pixel of the display's picture that corresponds to the first pixel of `picture`. `picture` and `display`
-  /// must outlive this object.
+  /// `origin`: the pixel of the display's picture that is the first pixel of `picture`. `picture` and `display` must
+  /// outlive this object.
   PrintMarks(Picture& picture, const PixelBox& trim, const PixelBox& bleed, const Display& display, Vec2i origin)
       : picture_(picture), trim_(trim), bleed_(bleed), display_(display), origin_(origin) {}
 
@@ -77,14 +77,13 @@ class PrintMarks {
   int px(double mm) const { return static_cast<int>(std::lround(mm / display_.pixel_mm())); }
   int thickness() const { return std::max(1, px(0.1)); }
 
-  /// Draws a line along x or y. The coordinates are the middle of the line's thickness.
+  /// Draws a line along x or y through the middle of its thickness.
   void line(Vec2i from, Vec2i to) {
     const int before = thickness() / 2, after = thickness() - before;
     const Vec2i across(from.x == to.x ? 1 : 0, from.y == to.y ? 1 : 0);
     fill_box(picture_, {from - before * across, to + after * across}, kBlackRgb);
   }
 
-  /// Draws a cross with a ring.
   void target(Vec2i centre) {
     const int arm = px(2.5);
     line({centre.x - arm, centre.y}, {centre.x + arm, centre.y});

@@ -1,5 +1,5 @@
-// Four views in one picture, for Leia's displays. The order, from the leftmost view: top left, top right, bottom left, bottom
-// right. (A quilt of 2x2 tiles begins with the lower row instead.)
+// Four views in one picture, for Leia's displays, from the leftmost view: top left, top right, bottom left, bottom
+// right. (A quilt of 2x2 tiles begins with the lower row.)
 #include <fmt/format.h>
 
 #include "layout/packed_views.hpp"
@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 constexpr ViewGrid kQuadViews{4, 1}, kQuadTiles{2, 2};
 constexpr ViewLayout kQuadAsQuilt{LayoutKind::kQuilt, kQuadViews, kQuadTiles};
 
-/// Returns the field with the upper and the lower two tiles exchanged.
+/// Exchanges the upper and the lower two tiles.
 LightField with_rows_exchanged(const LightField& field) {
   LightField exchanged = field;
   for (int view = 0; view < kQuadViews.count(); ++view) {

@@ -1,5 +1,5 @@
-// Reads and writes file names of quads, four views in one picture: name_2x2.png, as in Leia's programs. Case is ignored, and
-// copy marks are accepted (layout/copy_mark.hpp).
+// File names of quads, four views in one picture: name_2x2.png, as in Leia's programs, in any case and with copy marks
+// (layout/copy_mark.hpp).
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
-// Views side by side in one picture, the format of Looking Glass's programs. The picture's name and its side file describe the
-// tiles.
+// Views side by side in one picture, the format of Looking Glass's programs. The picture's name and its side file
+// describe the tiles.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,8 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The properties of a quilt from flags, its name and its side file. A flag overrides the name and the side file, which must
-/// agree.
+/// The properties of a quilt. A flag overrides the name and the side file, which must agree.
 struct Quilt {
   ViewGrid tiles, grid;
   bool inverted = false;

@@ -18,12 +18,12 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// Maximum number of tiles across and down, the same as in file names of quilts.
+/// Tiles across and down, as in file names of quilts.
 constexpr int kMaxTiles = 9999;
 
 constexpr std::string_view kOwnTable = "quilt_settings", kGrid = "grid";
 
-/// Returns the key of the table that describes the quilt. Empty: the document itself is the table.
+/// Key of the table that describes the quilt; empty: the document itself is the table.
 std::string_view settings_table(const Json& json) {
   if (json.contains(kOwnTable)) return kOwnTable;
   return json.contains("quilt") && json["quilt"].is_object() ? "quilt" : "";
@@ -33,8 +33,8 @@ struct TileKeys {
   std::string_view columns, rows;
 };
 
-/// Returns the keys of the numbers of tiles. If the table has no such pair of keys, returns none, or the first pair if the
-/// table must describe a quilt.
+/// Returns the keys of the numbers of tiles. Without such a pair, returns none, or the first pair if the table must
+/// describe a quilt.
 std::optional<TileKeys> tile_keys(const JsonFields& settings, bool is_quilt) {
   constexpr TileKeys kOwn{"viewX", "viewY"};
   for (const TileKeys keys : {kOwn, TileKeys{"columns", "rows"}, TileKeys{"quiltCols", "quiltRows"}})

@@ -14,7 +14,7 @@ namespace lippmann {
 
 struct QuiltSideFile {
   QuiltName quilt;
-  /// Number of views, which are in the first tiles; at most the number of tiles.
+  /// The views are in the first tiles.
   int views = 0;
   bool inverted = false;              ///< true: the first view of each row is the rightmost
   std::optional<ViewGrid> grid = {};  ///< none: the views are one row
@@ -29,7 +29,7 @@ std::filesystem::path quilt_side_path(const std::filesystem::path& image);
 /// quiltRows. Throws Error for impossible values, and for a grid with another number of views.
 std::optional<QuiltSideFile> read_quilt_side_file(const std::filesystem::path& image);
 
-/// Parses the text of a side file. `where`: name of the file, for messages.
+/// `where`: name of the file, for messages.
 std::optional<QuiltSideFile> parse_quilt_side_file(const std::string& text, const std::string& where);
 
 void write_quilt_side_file(const std::filesystem::path& image, const QuiltSideFile& side);

@@ -39,8 +39,8 @@ bool has_channels(const fs::path& picture, LayerChannels channels) {
                      [&](const std::string& channel) { return std::find(names.begin(), names.end(), channel) != names.end(); });
 }
 
-/// Reads a layer of a picture: from the picture itself if it is an EXR file with this layer, otherwise from the file of layers
-/// beside it.
+/// Reads a layer from the picture itself if it is an EXR file with this layer, otherwise from the file of layers beside
+/// it.
 std::optional<Image> rendered_layer(const fs::path& picture, LayerChannels channels) {
   if (picture.extension() == ".exr" && has_channels(picture, channels)) return read_channels(picture, channels);
   static const TextPattern numbered("(?:frame|view)_([0-9]+).*");
@@ -61,7 +61,7 @@ Json read_report(const fs::path& report) {
   return json;
 }
 
-/// Returns the depth scale that a report states, or 1 if it is missing or implausible.
+/// 1 if it is missing or implausible.
 float depth_scale_of(const Json& report) {
   const auto depth = report.find("depth");
   if (depth == report.end() || !depth->is_object()) return 1.0f;
@@ -87,7 +87,7 @@ FrameFacts frame_facts(const Json& frame) {
   return facts;
 }
 
-/// Returns the facts about frames by frame number. Skips malformed entries.
+/// By frame number. Skips malformed entries.
 std::map<int, FrameFacts> frames_of(const Json& report) {
   std::map<int, FrameFacts> frames;
   const auto list = report.find("frames");
@@ -102,7 +102,7 @@ std::map<int, FrameFacts> frames_of(const Json& report) {
   return frames;
 }
 
-/// Reads a report, which must have the key "optics".
+/// The report must have the key "optics".
 Rendering rendering_from(const Json& json, const fs::path& report) {
   Rendering rendering{optics_from_json(json["optics"], report.string())};
   const Json settings = json.value("settings", Json::object());
@@ -117,7 +117,7 @@ Rendering rendering_from(const Json& json, const fs::path& report) {
   return rendering;
 }
 
-/// Adds the files in `folder` / `below` to `names`: report.json and the files of frames, except those in `recorded`.
+/// Adds report.json and the files of frames in `folder` / `below` that are not in `recorded`.
 void add_unrecorded(const fs::path& folder, const fs::path& below, const std::set<std::string>& recorded,
                     std::vector<std::string>& names) {
   for (const fs::directory_entry& entry : entries_of(folder / below)) {
@@ -130,7 +130,7 @@ void add_unrecorded(const fs::path& folder, const fs::path& below, const std::se
   }
 }
 
-/// Warns about files of a render that are not in its journal. Considers only `in` and its contents.
+/// Considers only `in` and its contents.
 void warn_about_unrecorded_files(const fs::path& folder, const fs::path& in, const Context& context) {
   std::vector<std::string> names;
   add_unrecorded(folder, {}, recorded_names(folder), names);
@@ -180,7 +180,7 @@ void warn_about_unchecked_files(const fs::path& in, const Context& context) {
     std::error_code ignored;
     const fs::path report = of_render / "report.json";
     if (!fs::is_regular_file(report, ignored)) continue;
-    if (read_report(report).contains("runs"))  // unlike reports of renders, reports of converted pictures have no "runs"
+    if (read_report(report).contains("runs"))  // reports of converted pictures have no "runs"
       context.warning(fmt::format("{} has no journal of its render (.lippmann), so its files are not checked for damage",
                                   of_render.string()));
     return;

@@ -1,8 +1,5 @@
-// RGB-D pictures: the left half has the colours of one view, and the right half has the depth as grey
-// (layout/rgbd_side_file.hpp). Players of glasses-free displays use this format.
-//
-// If the light field has several views, the writer takes the middle one. Pixels without a surface get the farthest depth of the
-// range.
+// RGB-D pictures: the left half has the colours of one view, the middle one, and the right half has its depth as grey
+// (layout/rgbd_side_file.hpp). Pixels without a surface get the farthest depth of the range.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -28,8 +25,7 @@ constexpr double kAssumedHeightMm = 100.0, kAssumedDistanceMm = 300.0;  ///< for
 template <class Sample>
 constexpr double kWhiteCode = std::is_floating_point_v<Sample> ? 1.0 : std::numeric_limits<Sample>::max();
 
-/// Reads the grey values (0 ... 1) in the right half of a picture. A grey value is the mean of the three channels, which must
-/// be about equal.
+/// Grey values (0 ... 1) in the right half of a picture: the mean of the three channels, which must be about equal.
 Image read_greys(const Picture& picture, Vec2i view, const std::string& where) {
   Image greys(view.x, view.y, 1);
   double colour = 0.0;
@@ -46,7 +42,7 @@ Image read_greys(const Picture& picture, Vec2i view, const std::string& where) {
           }
       },
       picture);
-  // Largest mean difference of the channels. In lossy pictures, the channels of grey pixels differ a little.
+  // Largest mean difference of the channels. In lossy pictures, grey pixels are slightly coloured.
   constexpr double kMostColour = 0.05;
   if (colour > kMostColour * view.x * view.y)
     throw Error(where, "its right half has colours, so it is not depth", "colours at the left, depth as grey at the right");
@@ -58,8 +54,7 @@ void require_depth(const Image& greys, const std::string& where) {
   throw Error(where, "its depth is 0 everywhere", "colours at the left, depth as grey at the right");
 }
 
-/// Returns the description in the side file, or defaults if there is no side file. Options override the side file and the
-/// defaults.
+/// Options override the side file, which overrides the defaults.
 RgbdSideFile described_rgbd(const fs::path& path, const FormatOptions& options, Vec2i view) {
   RgbdSideFile assumed;
   assumed.distance_mm = kAssumedDistanceMm;
@@ -84,7 +79,7 @@ LightField read_rgbd(const fs::path& path, const FormatOptions& options) {
   return field;
 }
 
-/// Returns the range from the farthest to the nearest surface. It is slightly extended if all surfaces have one depth.
+/// The range from the farthest to the nearest surface, slightly extended if all surfaces have one depth.
 DepthRange range_of(const Image& depth, double distance_mm) {
   DepthRange range{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   for (const float z : depth.data) {
@@ -108,7 +103,7 @@ RgbdSideFile side_of(const LightField& field, int view, const Image& depth, cons
   return side;
 }
 
-/// Returns a picture with the colours at the left and the greys at the right.
+/// The colours are at the left, the greys at the right.
 Picture side_by_side(const Picture& colours, const Image& depth, const RgbdSideFile& side) {
   const Vec2i view = size_of(colours);
   Picture picture = blank(colours, {2 * view.x, view.y});

@@ -1,5 +1,5 @@
-// Reads and writes file names of RGB-D pictures: name_rgbd.png, name.rgbd.png or rgbd.png. Case is ignored, and copy marks are
-// accepted (layout/copy_mark.hpp). A name such as name_hrgbd.png means that both halves are squeezed to half their width.
+// File names of RGB-D pictures: name_rgbd.png, name.rgbd.png or rgbd.png, in any case and with copy marks
+// (layout/copy_mark.hpp). A name such as name_hrgbd.png means that both halves are squeezed to half their width.
 #pragma once
 
 #include <filesystem>

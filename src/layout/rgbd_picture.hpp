@@ -10,14 +10,14 @@
 
 namespace lippmann {
 
-/// Converts an RGB-D picture. `file`: path whose side file is read, if there is one (layout/rgbd_side_file.hpp). `where`: name
-/// of the picture for messages. If the grey half is 0 everywhere, all points lie at one end of the depth range. Throws Error if
-/// the picture's width is odd or its right half has colours.
+/// `file`: path whose side file is read, if there is one (layout/rgbd_side_file.hpp). `where`: name of the picture for
+/// messages. If the grey half is 0 everywhere, all points lie at one end of the depth range. Throws Error if the
+/// picture's width is odd or its right half has colours.
 LightField light_field_of_rgbd(const Picture& picture, const std::filesystem::path& file, const std::string& where,
                                const FormatOptions& options);
 
-/// Converts colours and a map of grey values from 0 to 1, which have the same size. `file`: path whose side file is read, if
-/// there is one.
+/// Converts colours and grey values from 0 to 1 of the same size. `file`: path whose side file is read, if there is
+/// one.
 LightField light_field_of_colours(Picture colours, Image greys, const std::filesystem::path& file,
                                   const FormatOptions& options);
 

@@ -30,7 +30,7 @@ Json rgbd_document(const fs::path& path) {
   return json;
 }
 
-/// Returns the quantity in which grey is linear: z, or the disparity.
+/// The quantity in which grey is linear: z, or the disparity.
 double scale_of(const DepthCoding& coding, double distance_mm, double z_mm) {
   return coding.even_in_depth ? z_mm : disparity_of_depth(z_mm, distance_mm);
 }

@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the position that a file's name states, x right and y up; none if the name has no position.
+/// The position in a file's name, x right and y up; none if the name has no position.
 std::optional<Vec2d> stanford_position(const fs::path& file) {
   static const TextPattern name("out_[0-9]+_[0-9]+_(-?[0-9.]{1,40})_(-?[0-9.]{1,40})_?", TextPattern::Letters::kEitherCase);
   const std::optional<PatternMatch> found = name.match(file.stem().string());
@@ -36,7 +36,7 @@ std::optional<Vec2d> stanford_position(const fs::path& file) {
   return Vec2d(position.x, -position.y);
 }
 
-/// Returns the positions of all views, or none if one of them is unknown.
+/// None if one of the positions is unknown.
 std::optional<std::vector<Vec2d>> stanford_positions(const std::vector<fs::path>& by_view) {
   std::vector<Vec2d> positions;
   for (const fs::path& file : by_view) {
@@ -67,7 +67,7 @@ LightField read_stanford(const fs::path& folder, const FormatOptions& options) {
   return field;
 }
 
-/// Returns the parameters of a light field; none if the cameras are unknown or the format cannot express their pixels.
+/// None if the cameras are unknown or the format cannot express their pixels.
 std::optional<HciParameters> parameters_of(const LightField& field, const fs::path& folder) {
   if (!field.cameras) return std::nullopt;
   try {
@@ -77,7 +77,7 @@ std::optional<HciParameters> parameters_of(const LightField& field, const fs::pa
   }
 }
 
-/// Returns a number with six decimals as in the archive, or with more if they are needed to restore the same number.
+/// Six decimals as in the archive, or more if they are needed to restore the same number.
 std::string position_text(double position) {
   const std::string archived = fmt::format("{:.6f}", position + 0.0), shortest = fmt::format("{}", position + 0.0);
   double read = 0.0;

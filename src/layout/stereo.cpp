@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, 5> kStereoEndings{"_2x1", "_half_2x1", "_ou", "_half_ou", "_rows"};
 
-/// Returns the number of stored views that fit into the picture, across and down.
+/// Stored views that fit into the picture, across and down.
 Vec2i views_in_picture(StereoPacking packing) {
   switch (packing) {
     case StereoPacking::kSideBySide:
@@ -31,8 +31,7 @@ Vec2i views_in_picture(StereoPacking packing) {
   return {1, 1};
 }
 
-/// The position of a picture's pixel: the first or the second view (place = 0 or 1), and the position in the stored view
-/// (pixel).
+/// A picture's pixel: the first or the second view (place = 0 or 1), and the position in the stored view (pixel).
 struct StereoPlace {
   int place;
   Vec2i pixel;

@@ -1,5 +1,5 @@
-// The views of a left and a right eye in one picture (layout/stereo.hpp). The picture's name, or the option `stereo`, states
-// the packing.
+// The views of a left and a right eye in one picture (layout/stereo.hpp). The picture's name, or the option `stereo`,
+// states the packing.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -21,8 +21,7 @@ StereoLayout described_stereo(const fs::path& path, const FormatOptions& options
                                 kStereoPackingNames[3], kStereoPackingNames[4]));
 }
 
-/// Reads the views as they are stored in the picture: squeezed views stay squeezed, and row-interlaced views have half the
-/// rows.
+/// Squeezed views stay squeezed, and row-interlaced views have half the rows.
 LightField read_stereo(const fs::path& path, const FormatOptions& options) {
   const StereoLayout layout = described_stereo(path, options);
   const Picture picture = read_picture(path, options.warn);
@@ -37,7 +36,7 @@ LightField read_stereo(const fs::path& path, const FormatOptions& options) {
   return field;
 }
 
-/// Returns the size of a whole view with square pixels that keeps all samples of the field's views.
+/// Size of a whole view with square pixels that keeps all samples of the field's views.
 Vec2i whole_view_size(const LightField& field) {
   const Vec2i size = field.view_size;
   const double wider = field.aspect * size.y / size.x;
@@ -46,15 +45,14 @@ Vec2i whole_view_size(const LightField& field) {
   return {size.x, static_cast<int>(std::lround(size.y / wider))};
 }
 
-/// Returns the size of a stored view: the size of a whole view, squeezed. A side that is halved is first rounded up to an even
-/// number.
+/// Size of a whole view, squeezed. A side that is halved is first rounded up to an even number.
 Vec2i stored_size_of(const LightField& field, StereoPacking packing) {
   const Vec2i squeeze = stereo_squeeze(packing), whole = whole_view_size(field);
   const Vec2i stored = (whole + squeeze - 1) / squeeze;
   return packing == StereoPacking::kRows ? Vec2i(stored.x, stored.y + stored.y % 2) : stored;
 }
 
-/// Returns a stack of the views with the size `stored`: the field's own stack, or a stack resampled in linear light.
+/// Returns the field's own stack, or a stack resampled in linear light.
 Picture stored_views(const LightField& field, Vec2i stored) {
   if (stored == field.view_size) return field.stack;
   LightField sized = field;

@@ -23,7 +23,7 @@ struct Blend {
   float share = 0.0f;
 };
 
-/// Selects the pictures (views or frames) shown at a position in a strip, from 0 at its left end to 1 at its right end.
+/// Selects the views or frames shown at a position in a strip, from 0 at its left end to 1 at its right end.
 class StripOrder {
  public:
   StripOrder(int count, const DisplayPictureParams& params) : count_(count), linear_(params.filter == ViewFilter::kLinear) {
@@ -60,8 +60,7 @@ class StripOrder {
     return ends_[at] - (at > 0 ? ends_[at - 1] : 0.0);
   }
 
-  /// Returns how far the transition between `frame` and the next frame extends on each side of their common edge, as a share of
-  /// the strip's width.
+  /// Half width of the transition between `frame` and the next frame, as a share of the strip's width.
   double reach_of(int frame) const { return 0.5 * blend_ * std::min(share_of(frame), share_of(frame + 1)); }
 
   Blend frame_at(double place) const {
@@ -108,7 +107,7 @@ class LightOfSamples {
   std::vector<float> light_;
 };
 
-/// The value of a pixel: a blend of two views, each of which is a blend of two columns.
+/// A blend of two views, each of which is a blend of two columns.
 struct StripPixel {
   Blend views, columns;
 };

@@ -1,4 +1,3 @@
-// Computes the positions of points of a print within the strips below the lenses of a sheet.
 #pragma once
 
 #include <cmath>
@@ -12,8 +11,9 @@ struct StripPlace {
   double within = 0.0;  ///< position in the strip, from 0 at its left end to below 1
 };
 
-/// Returns the position within the strips of `point`, which is in pixels (y down; the centre of the first pixel is at 0.5). A
-/// point on the edge between two parts of a strip counts as in the right part, regardless of rounding errors.
+/// Position of `point` within the strips below the lenses of a sheet. `point`: in pixels (y down; the centre of the
+/// first pixel is at 0.5). A point on the edge between two parts of a strip counts as in the right part, regardless of
+/// rounding errors.
 inline StripPlace strip_place(const LensStrips& strips, Vec2d point) {
   constexpr double kRoundingPx = 1e-6;
   const double s = point.x * strips.cosine - point.y * strips.sine;

@@ -1,4 +1,3 @@
-// Computes the view of each sub-pixel of a slanted panel, row by row. Private to src/layout.
 #pragma once
 
 #include <array>
@@ -8,7 +7,7 @@
 
 namespace lippmann {
 
-/// The sub-pixels of one row of the panel. view(i, color) returns the view coordinate v of a sub-pixel of pixel i.
+/// One row of a slanted panel. view(i, color) returns the view coordinate v of a sub-pixel of pixel i.
 struct SubPixelRow {
   std::array<std::array<double, 3>, 2> phase;  ///< phase[i & 1][color]: phase of pixel 0 with the sub-pixel offsets of pixel i
   double phase_per_pixel;
@@ -21,7 +20,7 @@ struct SubPixelRow {
   }
 };
 
-/// Returns row j of the panel, counted from the top.
+/// Row j of the panel, counted from the top.
 inline SubPixelRow sub_pixel_row(const SlantedPanel& panel, Vec2i pixels, int j) {
   SubPixelRow row{{}, panel.periods / pixels.x, panel.inverted};
   const int up = pixels.y - 1 - j;
@@ -35,13 +34,13 @@ inline SubPixelRow sub_pixel_row(const SlantedPanel& panel, Vec2i pixels, int j)
   return row;
 }
 
-/// Returns the view, of `count` views, that is nearest to the view coordinate v.
+/// The view, of `count` views, that is nearest to the view coordinate v.
 inline int nearest_view(double v, int count) {
   const int view = static_cast<int>(v * count);
   return view < count ? view : count - 1;
 }
 
-/// Returns the sample that contains the centre of pixel i, if `pixels` pixels are divided into `size` samples.
+/// The sample that contains the centre of pixel i, if `pixels` pixels are divided into `size` samples.
 inline int sample_at(int i, int pixels, int size) {
   return static_cast<int>((2 * static_cast<std::int64_t>(i) + 1) * size / (2 * static_cast<std::int64_t>(pixels)));
 }

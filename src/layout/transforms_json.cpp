@@ -29,7 +29,7 @@ void check_pinhole(const JsonFields& json) {
     json.reject("camera_model", "is " + model, "PINHOLE, SIMPLE_PINHOLE or OPENCV without distortion");
 }
 
-/// Reads the intrinsics in an object. They replace earlier values in `picture`.
+/// The intrinsics in `json` replace earlier values in `picture`.
 void read_intrinsics(const JsonFields& json, PosedPicture& picture) {
   PosedCamera& camera = picture.camera;
   check_pinhole(json);

@@ -82,7 +82,7 @@ void require_all_views(const fs::path& folder, const std::vector<NumberedFile>& 
 
 void require_stack_fits(const std::string& where, int views, Vec2i view_size, std::size_t sample_bytes,
                         double available_bytes) {
-  constexpr double kMostPixels = 4294967295.0;  // largest number of pixels of a stack, whose pixels have 32-bit indices
+  constexpr double kMostPixels = 4294967295.0;  // pixels of a stack have 32-bit indices
   constexpr double kGiB = 1024.0 * 1024.0 * 1024.0;
   const double pixels = 1.0 * views * view_size.x * view_size.y, bytes = 3.0 * pixels * static_cast<double>(sample_bytes);
   const std::string what = fmt::format("{} views of {}x{} pixels", views, view_size.x, view_size.y);

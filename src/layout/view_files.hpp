@@ -13,20 +13,20 @@
 
 namespace lippmann {
 
-/// A file whose name matches a pattern, and the numbers captured by the pattern's first 1 or 2 groups.
+/// A file whose name matches a pattern, and the numbers in the pattern's first 1 or 2 groups.
 struct NumberedFile {
   std::vector<int> numbers;
   std::filesystem::path path;
 };
 
-/// Returns the files of a folder that match the pattern, in ascending order of their numbers. Throws Error naming the folder if
-/// it cannot be listed, if it has no such files, or if two files have the same numbers. `accepted`: description of the file
-/// names, for the message.
+/// Returns the files of a folder that match the pattern, in ascending order of their numbers. Throws Error naming the
+/// folder if it cannot be listed, has no such files, or has two files with the same numbers. `accepted`: description of
+/// the file names, for the message.
 std::vector<NumberedFile> numbered_files(const std::filesystem::path& folder, const TextPattern& pattern,
                                          const std::string& accepted);
 
-/// Returns the grid of files that are numbered by row and column. The first row and the first column may have any number.
-/// Throws Error naming the folder and a missing file if the grid is incomplete.
+/// Returns the grid of files that are numbered by row and column, starting at any number. Throws Error naming the
+/// folder and a missing file if the grid is incomplete.
 ViewGrid complete_grid(const std::filesystem::path& folder, const std::vector<NumberedFile>& files);
 
 /// Throws Error naming the first missing file unless `files`, which have one number each, have all numbers from `first` to
@@ -38,8 +38,8 @@ void require_all_views(const std::filesystem::path& folder, const std::vector<Nu
 /// memory (infinite: no limit).
 void require_stack_fits(const std::string& where, int views, Vec2i view_size, std::size_t sample_bytes, double available_bytes);
 
-/// Reads the views in order with `read`. by_view: grid.count() files. Throws Error naming a file whose size or sample type
-/// differs from that of the first file. Throws Error naming the first file if the views together do not fit into memory.
+/// Reads the views in order with `read`. by_view: grid.count() files. Throws Error naming a file whose size or sample
+/// type differs from that of the first file, or the first file if the views do not fit into memory.
 LightField read_view_files(const std::vector<std::filesystem::path>& by_view, ViewGrid grid,
                            const std::function<Picture(const std::filesystem::path&)>& read);
 /// Reads the views with read_picture(). Uses options.warn and options.fit_view. `check_size`, if given, is called with the size
@@ -56,11 +56,11 @@ void leave_out_depth(LightField& field, const FormatOptions& options, const std:
 /// Returns whether all depth maps exist. If only some exist, calls leave_out_depth() with the first missing file.
 bool has_all_depth_maps(const std::vector<std::filesystem::path>& maps, LightField& field, const FormatOptions& options);
 
-/// Returns the extension of a lossless format for the picture's samples: "png" for integers, "exr" for floats.
+/// Returns "png" for integers, "exr" for floats.
 const char* exact_ending(const Picture& picture);
 
-/// Creates the folder, writes one file per view into it, and returns the files in the order of their names. name(view) returns
-/// a file name with extension.
+/// Creates the folder, writes one file per view into it, and returns the files in the order of their names. name(view)
+/// returns a file name with extension.
 std::vector<std::filesystem::path> write_view_files(const LightField& field, const std::filesystem::path& folder,
                                                     const std::function<std::string(int view)>& name);
 

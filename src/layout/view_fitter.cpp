@@ -14,15 +14,15 @@ namespace {
 /// Relative difference below which aspect ratios count as equal.
 constexpr double kSameAspect = 0.01;
 
-/// Samples of a view along one row of a display's lenses: their number (count), the left edge of the first one (first) and
-/// their width (step). Lengths are fractions of the display's width.
+/// Samples of a view along one row of a display's lenses: their number (count), the left edge of the first one (first)
+/// and their width (step), as fractions of the display's width.
 struct RowOfSamples {
   int count;
   double first, step;
 };
 
-/// Returns the samples for a lenticular sheet. If the lenses are vertical, there is one sample per lens, at the strip below the
-/// lens. Slanted lenses cross pixel columns, so there are two samples per lens.
+/// One sample per vertical lens, at the strip below the lens. Slanted lenses cross pixel columns, so they have two
+/// samples per lens.
 RowOfSamples samples_of_sheet(const Display& display) {
   const LensStrips strips = lens_strips(display);
   const double width = display.pixels.x;
@@ -74,8 +74,8 @@ ViewFitter::ViewFitter(const Display& display, DisplayTarget target, AspectFit f
   }
 }
 
-/// Returns the size of the part of a view that fills the display, in pixels of the view. It is larger than the view if the view
-/// is padded.
+/// Size of the part of a view that fills the display, in pixels of the view. It is larger than the view if the view is
+/// padded.
 Vec2d ViewFitter::window_of(Vec2i view, double aspect) const {
   const double excess = aspect / aspect_;
   const bool is_tile = target_ != DisplayTarget::kIntegral && view == size_;
@@ -85,8 +85,8 @@ Vec2d ViewFitter::window_of(Vec2i view, double aspect) const {
   return {view.x, view.y * excess};
 }
 
-/// Returns the part of window_of() that every view still contains after the views are shifted by view_shift_px_ from one to the
-/// next. For kPad, returns all of window_of().
+/// The part of window_of() that every view still contains after shifts by view_shift_px_ from one to the next; for
+/// kPad, all of it.
 Vec2d ViewFitter::window_in_all(Vec2i view, double aspect, ViewGrid grid) const {
   Vec2d window = window_of(view, aspect);
   const Vec2d left = Vec2d(view) - std::abs(view_shift_px_) * Vec2d(grid.columns - 1, grid.rows - 1);
@@ -109,8 +109,8 @@ Picture ViewFitter::fitted(const Picture& view, double aspect, int number, ViewG
                 "views of one size");
   original_ = from, window_ = window_in_all(from, aspect, grid);
   const bool is_whole = window_ == Vec2d(from) && view_shift_px_ == 0.0;
-  // Interlacing samples views of any size, as players do, so a native frame needs no resized views. Only views that are cropped
-  // or padded, or larger than the display (unless stretched), are resized.
+  // Interlacing samples views of any size, so for a native frame only views that are cropped or padded, or larger than
+  // the display (unless stretched), are resized.
   const bool is_small = from.x <= display_.pixels.x && from.y <= display_.pixels.y;
   if (target_ == DisplayTarget::kNative && is_whole && (is_small || fit_ == AspectFit::kStretch)) {
     size_ = from;

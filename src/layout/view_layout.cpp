@@ -9,7 +9,7 @@
 namespace lippmann {
 namespace {
 
-/// The position of a view's top left pixel, and the steps from a pixel of the view to its neighbours.
+/// Position of a view's top left pixel, and the steps from a pixel of the view to its neighbours.
 struct Corner {
   Vec2i at, step;
 };

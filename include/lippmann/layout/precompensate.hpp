@@ -1,8 +1,6 @@
-// Precompensates pictures for a display's crosstalk (optics/crosstalk.hpp).
-//
-// If the display shows v', an eye sees A v', where the matrix A holds the crosstalk weights. We compute v' such that the
-// eye sees the intended picture v. Light cannot be negative or exceed the display's white, so we find the closest solution
-// within 0 ... 1. Where v' reaches these bounds, contrast is lost; struct Precompensation measures the loss.
+// Precompensates pictures for a display's crosstalk (optics/crosstalk.hpp). If the display shows v', an eye sees A v',
+// where the matrix A holds the crosstalk weights. v' is computed such that A v' is the intended picture v, or as close
+// to it as light from 0 to 1, the display's white, allows. struct Precompensation measures the loss of contrast.
 #pragma once
 
 #include "lippmann/image/encoding.hpp"
@@ -12,14 +10,13 @@
 
 namespace lippmann {
 
-/// Largest supported sigma. With a larger sigma, less than 8 % of the difference between neighbouring pixels remains, too
-/// little to restore the difference.
+/// With a larger sigma, less than 8 % of the difference between neighbouring pixels remains, too little to restore it.
 inline constexpr double kMaxPrecompensatedPx = 0.75;
 
-/// Replaces a picture by one that makes an eye see the original. `picture`: the panel's picture, 3 channels of linear light,
-/// clamped to 1, the display's white. For a slanted panel, it has one pixel per panel pixel, not per sub-pixel. 0 <= sigma_px
-/// <= kMaxPrecompensatedPx. Throws a usage Error naming `where` for a larger sigma, and for optics in which pixels have no
-/// neighbours (a single view).
+/// Replaces a picture by one that makes an eye see the original. `picture`: the panel's picture, 3 channels of linear
+/// light, clamped to 1, with one pixel per panel pixel also for a slanted panel. 0 <= sigma_px <= kMaxPrecompensatedPx.
+/// Throws a usage Error naming `where` for a larger sigma, and for optics in which pixels have no neighbours (a single
+/// view).
 Precompensation precompensate(const Optics& optics, double sigma_px, const char* where, Image& picture);
 
 /// Precompensates a film of any encoding. Display-referred values are converted to linear light and back.

@@ -1,5 +1,5 @@
-// Reads arrays with libhdf5. The module exports only its entry function. HDF5 allows data outside of the file; arrays with such
-// data are not read.
+// Reads arrays with libhdf5. Arrays with data outside of the file, which HDF5 allows, are not read. The module exports
+// only its entry function.
 #include <hdf5.h>
 
 #include <array>
@@ -10,7 +10,6 @@
 namespace lippmann {
 namespace {
 
-/// Owns an open object of libhdf5.
 template <auto close>
 class Handle {
  public:
@@ -46,7 +45,7 @@ std::vector<std::uint64_t> shape_of(const Space& space) {
   return {shape.begin(), shape.end()};
 }
 
-/// Opens an array whose samples lie in this file. A link to another file counts as missing.
+/// A link to another file counts as missing.
 Dataset open_array(const FileHandle& file, const char* name, std::string& problem) {
   H5L_info_t link;
   if (H5Lexists(*file, name, H5P_DEFAULT) <= 0 || H5Lget_info(*file, name, &link, H5P_DEFAULT) < 0 ||
@@ -74,7 +73,7 @@ Hdf5Array described(const Dataset& array) {
   return {shape_of(space), is_number ? H5Tget_size(*type) : 0, kind == H5T_FLOAT};
 }
 
-/// Reads the first number of an attribute. Some files store a number as an array with one element.
+/// Some files store a number as an array with one element.
 void read_attribute(const FileHandle& file, const char* name, Hdf5Header& header) {
   constexpr hssize_t kMostNumbers = 64;
   if (H5Aexists(*file, name) <= 0) return;
@@ -141,7 +140,7 @@ class Libhdf5 : public Hdf5Module {
  public:
   Libhdf5() {
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors are returned, not printed
-    H5PLset_loading_state(0);                     // load no filter plugins from folders that the environment names
+    H5PLset_loading_state(0);                     // loads no filter plugins from folders that the environment names
   }
   std::unique_ptr<Hdf5File> open(const std::string& path) const override { return std::make_unique<OpenedFile>(path); }
 };
