@@ -32,10 +32,10 @@ class FrameLayout {
   /// Null if frames are pictures or folders of views.
   const LightFieldFormat* light_field() const { return light_field_; }
 
-  /// Each frame is a single picture, as videos require.
+  /// Returns whether each frame is a single picture, as videos require.
   bool is_picture() const { return names_.views == 0 && (!light_field_ || is_rgbd_); }
 
-  /// Each frame is one view with its depth beside it.
+  /// Returns whether each frame is one view with its depth beside it.
   bool is_rgbd() const { return is_rgbd_; }
 
   /// Each picture has picture_size().
@@ -50,10 +50,11 @@ class FrameLayout {
   /// Arrangement of the two views, for stereo pictures only.
   const std::optional<StereoLayout>& stereo() const { return stereo_; }
 
-  /// The pixels of the picture have other positions than in the film.
+  /// Returns whether the pixels of the picture have other positions than in the film.
   bool moves() const { return stereo_ || arrangement_ || sub_pixels_ || mirrors_; }
 
-  /// Each pixel of the picture is joined from sub-pixels of the film. The panel then shows the arranged picture.
+  /// Returns whether each pixel of the picture is joined from sub-pixels of the film. The panel then shows the arranged
+  /// picture.
   bool joins_sub_pixels() const { return sub_pixels_; }
 
   /// Resolution of the display in pixels per mm; 0 without a display.

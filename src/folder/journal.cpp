@@ -81,7 +81,7 @@ void add_frames(const std::vector<int>& more, std::vector<int>& frames) {
   frames = std::move(both);
 }
 
-/// Documents describe all frames together, such as the job, the report, or the cameras of a data set.
+/// Returns whether the file describes all frames together, such as the job, the report, or the cameras of a data set.
 bool is_document(const std::string& name) {
   static const std::set<std::string_view> documents{
       "job.toml",         "report.json", "transforms.json",      "transforms_train.json", "transforms_test.json",

@@ -123,16 +123,16 @@ struct FolderJournal {
   std::string problem;
 };
 
-/// A render that stopped before its first frame holds nothing.
+/// Returns whether any file is finished. A render that stopped before its first frame has none.
 bool holds_anything(const FolderJournal& journal);
 
-/// The file has one of the checksums `sums`.
+/// Returns whether the file has one of the checksums `sums`.
 bool is_as_written(const std::filesystem::path& file, const std::vector<FileChecksum>& sums);
 
-/// The file, such as job.toml or report.json, equals one of the versions that runs have written.
+/// Returns whether the file, such as job.toml or report.json, equals one of the versions that runs have written.
 bool is_as_written(const FolderJournal& journal, const std::filesystem::path& folder, const std::string& name);
 
-/// All `files` match their checksums.
+/// Returns whether all `files` match their checksums.
 bool are_as_recorded(const std::filesystem::path& folder, const FileRecords& files);
 
 nlohmann::ordered_json to_json(const RunReport& run);
@@ -164,8 +164,8 @@ std::string video_line(const std::string& name, const std::vector<int>& frames, 
 std::string page_line(const FileRecords& files);
 std::string run_line(const RunReport& run);
 
-/// The file belongs to a requested but unfinished frame, or to one of its strips. An interrupted render may have left
-/// it.
+/// Returns whether the file belongs to a requested but unfinished frame, or to one of its strips. An interrupted render
+/// may have left it.
 bool is_unfinished(const FolderJournal& journal, const std::string& name);
 
 std::string side_name(const std::string& video);

@@ -34,7 +34,7 @@ bool with_writer(const fs::path& part, bool (*act)(const ProcessHandle&)) {
   return process.is_there() && process.writes(part) && act(process);
 }
 
-/// This process may list the open files of the writer, or the writer has ended.
+/// Returns whether this process may list the open files of the writer, or the writer has ended.
 bool can_be_seen(const JournalWriter& writer) {
   if (!writer.is_of_this_machine()) return false;
   const ProcessHandle process(writer.process);

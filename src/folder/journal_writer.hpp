@@ -20,15 +20,15 @@ struct JournalWriter {
 /// Parses the name of a journal file. Returns nullopt if `part` has no such name.
 std::optional<JournalWriter> writer_of(const std::filesystem::path& part);
 
-/// A process of this machine writes the file. Processes of other users may not be detected.
+/// Returns whether a process of this machine writes the file. Processes of other users may not be detected.
 bool is_being_written(const std::filesystem::path& part);
 
 /// Duration of a run's lease after its last renewal (JournalPart::renew). It only matters if the process of the run
 /// cannot be inspected.
 inline constexpr double kLeaseSeconds = 600.0;
 
-/// The run that writes the file may be active: its process on this machine writes the file, or its process cannot be
-/// inspected and neither recorded its end nor let its lease expire.
+/// Returns whether the run that writes the file may be active. A run on this machine is active while its process writes
+/// the file. If its process cannot be inspected, it counts as active until it records its end or its lease expires.
 bool is_held(const std::filesystem::path& part);
 
 /// Interrupts the writer like Ctrl-C. Call this only once, because a second interrupt ends the process immediately.

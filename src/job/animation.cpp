@@ -114,7 +114,7 @@ void make_run(const Run& run, FrameMaker& maker, StrippedFrames* strips) {
   report.run.write_seconds = loop.write_seconds();
 }
 
-/// False if the frame is already joined, because joining deletes the strips.
+/// Returns false if the frame is already joined, because joining deletes the strips.
 bool has_all_strips(const FolderJournal& journal, const std::filesystem::path& folder, int frame, int strips) {
   const auto recorded = journal.strips.find(frame);
   if (recorded == journal.strips.end()) return false;

@@ -25,7 +25,7 @@ void check_transparent(const RenderParams& params) {
   if (params.optics.precompensate) throw usage_error(kFlag, "cannot be combined with --precompensate", "one of the two");
 }
 
-/// `pictures.to` may also name a layout, or be empty.
+/// Returns whether `pictures.to` names a light-field format. It may also name a layout, or be empty.
 bool is_light_field(const PictureParams& pictures) {
   constexpr std::array<std::string_view, 4> kLayouts{"integral", "quilt", "views", "native"};
   return !pictures.to.empty() && std::find(kLayouts.begin(), kLayouts.end(), pictures.to) == kLayouts.end();

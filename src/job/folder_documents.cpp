@@ -87,8 +87,8 @@ bool is_readable_job(const std::filesystem::path& job) try {
   return false;
 }
 
-/// A job file that differs from the journal is damaged unless the user edited it: then it can be read, and has the
-/// settings of the resumed run. Users do not edit the job file in kSingleFolder.
+/// Returns whether a job file that differs from the journal is damaged. It is not if the user edited it: then it can be
+/// read, and has the settings of the resumed run. Users do not edit the job file in kSingleFolder.
 bool is_damaged_job(const std::filesystem::path& file, const ResolvedJob& job, const RenderFolder& folder) {
   if (!job.params().resume || !folder.now().files.contains(kJobFile)) return false;
   const bool is_of_single = folder.path().filename() == kSingleFolder && has_journal(folder.path().parent_path());

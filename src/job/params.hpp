@@ -95,7 +95,7 @@ struct RenderParams {
   bool resume = false;  ///< keeps frames that earlier runs of the same job have finished
 };
 
-/// The pictures hold two views, one per eye (job/screen_for_stereo.hpp).
+/// Returns whether the pictures hold two views, one per eye (job/screen_for_stereo.hpp).
 bool wants_stereo(const RenderParams& params);
 
 inline OpticsKind optics_kind(const RenderParams& params) { return params.optics.kind.value_or(OpticsKind::kLenticular); }

@@ -22,7 +22,7 @@ class ResolvedJob {
   const OutputParams& output() const { return params_.output; }
   const Sampling& sampling() const { return params_.sampling; }
 
-  /// The job renders the test pattern of a display instead of a scene.
+  /// Returns whether the job renders the test pattern of a display instead of a scene.
   bool is_test_pattern() const;
 
   bool is_in_strips() const { return params_.strips > 1; }

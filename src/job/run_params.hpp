@@ -27,10 +27,10 @@ struct RunParams {
   /// Available memory in bytes; nullopt: the memory of this machine (core/platform.hpp).
   std::optional<double> available_memory = {};
 
-  /// Other runs render the rest of the job.
+  /// Returns whether other runs render the rest of the job.
   bool is_part() const { return units || only_frames || parts; }
 
-  /// The first process reports the results of the run.
+  /// Returns whether this process reports the results of the run.
   bool is_first_rank() const { return !ranks || ranks->rank() == 0; }
 };
 

@@ -9,7 +9,7 @@
 
 namespace lippmann {
 
-/// Empty values, "none", "studio" and colours are no files.
+/// Returns whether the value of --environment names a file: not "none", "studio", a colour or an empty value.
 bool environment_is_file(std::string_view value);
 
 /// Returns `value` unchanged. Throws a usage Error at `where` for an invalid colour.

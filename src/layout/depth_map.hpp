@@ -11,8 +11,8 @@
 namespace lippmann {
 
 struct DepthMapCoding {
-  bool near_black = false;  ///< small values are near; false: large values are near
-  /// Values are linear in depth; false: in disparity.
+  bool near_black = false;  ///< true: small values are near; false: large values are near
+  /// Values are linear in depth if true, otherwise in disparity.
   bool even_in_depth = false;
 };
 

@@ -40,7 +40,7 @@ bool is_strip_name(const std::string& name);
 /// render's folder. Returns none if no render writes such a name.
 std::optional<int> frame_of_file(const std::string& name);
 
-/// The name has the extension of a supported picture format, in any case.
+/// Returns whether the name has the extension of a supported picture format, in any case.
 bool is_picture_name(const std::filesystem::path& path);
 
 /// Return the pictures (or the folders) in `folder` that are named like frames, in numerical order. Throw Error if the

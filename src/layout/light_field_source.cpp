@@ -93,8 +93,8 @@ std::string format_of(const fs::path& path, const LightFieldSource& source) {
   }
 }
 
-/// A folder of another format beside a render, or a picture with another grid of views, may be derived from the
-/// render's views. The report does not describe it.
+/// Returns whether the report describes these files. It does not describe a folder of another format beside a render,
+/// or a picture with another grid of views, which may be derived from the render's views.
 bool matches_report(const fs::path& path, const LightFieldSource& source, const FormatOptions& options) {
   const LightFieldFormat& format = *source.format;
   if (format.states_cameras) return false;
@@ -102,7 +102,7 @@ bool matches_report(const fs::path& path, const LightFieldSource& source, const 
   return format.name != "eslf" || !options.views || !source.rendered || *options.views == source.rendered->film.grid;
 }
 
-/// No render writes a folder of pictures with arbitrary names.
+/// Returns false for a folder of pictures with arbitrary names, which no render writes.
 bool may_have_report(const fs::path& path, const std::string& from) {
   if (!from.empty() && find_format(from, "from").states_cameras) return false;
   std::error_code ignored;

@@ -31,7 +31,7 @@ LightFieldSource light_field_source(const std::filesystem::path& path, const std
 /// malformed side file or name.
 std::optional<std::string> format_by_name(const std::filesystem::path& picture);
 
-/// HDF5 and Lytro's containers hold light fields and are no pictures.
+/// Returns whether the file holds a light field and is no picture: HDF5, or Lytro's containers.
 bool is_light_field_file_name(const std::filesystem::path& file);
 
 /// A usage Error: the format of this picture must be given.
@@ -40,7 +40,7 @@ Error unknown_format(const std::filesystem::path& picture);
 /// Returns the format of `in`, or of its first frame. Throws Error as light_field_source() does.
 const LightFieldFormat& format_of_light_field(const std::filesystem::path& in, const std::string& from);
 
-/// The folder holds files named like the views of a format, or only pictures, which then are the views.
+/// Returns whether the folder holds files named like the views of a format, or only pictures, which then are the views.
 bool is_light_field_folder(const std::filesystem::path& folder);
 
 /// Returns the subfolder images/ if the folder has one and holds cameras of any pose (nerf, colmap, llff), otherwise

@@ -21,7 +21,8 @@ struct LytroRaw {
   int orientation = 1;           ///< as stated in the file; not applied
 };
 
-/// .lfp and .lfr are recognised by their first bytes, and .raw (white pictures) by a .txt beside it.
+/// Returns whether read_lytro() supports a file. It recognises .lfp and .lfr by their first bytes, and .raw (white
+/// pictures) by a .txt beside it.
 bool is_lytro_raw(const std::filesystem::path& path);
 
 /// Throws Error naming the file and the key.

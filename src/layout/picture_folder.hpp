@@ -9,8 +9,9 @@
 
 namespace lippmann {
 
-/// A folder is treated as views by default if it holds at least two pictures and otherwise only subfolders, notes
-/// (.txt, .md, .pdf, .xmp) and files of file managers (Thumbs.db, desktop.ini, hidden files). Opens no file.
+/// Returns whether a folder is treated as views by default. It must hold at least two pictures and otherwise only
+/// subfolders, notes (.txt, .md, .pdf, .xmp) and files of file managers (Thumbs.db, desktop.ini, hidden files). Opens
+/// no file.
 bool is_picture_folder(const std::filesystem::path& folder);
 
 /// Returns the pictures of a folder. Other files are ignored; one call of `warn` lists them. Reads only the pictures'

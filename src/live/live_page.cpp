@@ -46,7 +46,7 @@ Json choices_json() {
   return choices;
 }
 
-/// The body of a request is {"frames": "all"} or {"frames": "this"}.
+/// Returns whether the body is {"frames": "all"} and not {"frames": "this"}.
 bool wants_all(const std::string& body) {
   const Json json = json_from_text(body);
   const auto frames = json.is_object() ? json.value("frames", Json()) : Json();
