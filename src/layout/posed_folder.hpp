@@ -92,7 +92,7 @@ std::vector<CloudPoint> point_cloud(const LightField& field, const std::vector<P
 /// The least and the greatest planar depth in mm, or 100 mm and 100 m without depth.
 Vec2d depth_bounds_mm(const LightField& field);
 
-/// As point_cloud() and depth_bounds_mm(), for pictures that write_posed_view() wrote. They are read one by one.
+/// Return the same as point_cloud() and depth_bounds_mm() for pictures of write_posed_view(), which are read one by one.
 std::vector<CloudPoint> cloud_of_pictures(const std::filesystem::path& folder, const std::vector<PosedPicture>& pictures,
                                           std::size_t most);
 Vec2d depth_bounds_of_pictures(const std::filesystem::path& folder, const std::vector<PosedPicture>& pictures);

@@ -163,7 +163,7 @@ TEST(Spoc, two_tiers_show_correct_depth) {
     view.eye_mm = {zone_x_mm(optics, across, 2000.0), 0.0, 2000.0}, view.size = size;
     const Image seen = eye_view(converted, view, pool), should = eye_view(truth, view, pool);
     const Image one_tier = eye_view(recorded, view, pool);
-    // At z = 16 mm, lenses and pixels sample the wall in steps of 0.9 mm, so positions err by up to 0.45 mm. A wave of
+    // At z = 16 mm, lenses and pixels sample the wall in steps of 0.9 mm, so positions have errors of up to 0.45 mm. A wave of
     // amplitude 0.4 and 0.95 rad/mm changes by up to 0.4 * 0.95 * 0.45 = 0.17, which is 15 dB; the mean error is
     // smaller.
     EXPECT_GE(test::linear_psnr(seen, should, 5), 17.0) << across;

@@ -35,7 +35,7 @@ double disparity_of_plane(const Optics& optics, double z, double ipd) {
 }
 
 // From the viewing distance D, a bar at depth z has the disparity -ipd z / (D - z), with eyes `ipd` apart. Interpolated
-// views err by a tenth of a pixel.
+// views have errors of a tenth of a pixel.
 TEST(StereoFrames, eyes_see_the_disparity_of_similar_triangles) {
   const Optics optics = test::quilt();
   const double distance = viewing_distance_mm(optics), pixel = optics.panel.pixel_pitch_mm, ipd = 20.0;

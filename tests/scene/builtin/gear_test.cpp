@@ -25,7 +25,7 @@ float clearance(int teeth, float gear_angle, Vec2f p) {
   return radius * (std::abs(from_tooth(teeth, gear_angle, p)) - tooth_half_angle(teeth, radius));
 }
 
-/// As clearance(), for the inner teeth of a ring, whose angle is the centre of one of its gaps.
+/// Clearance for the inner teeth of a ring, whose angle is the centre of one of its gaps.
 float ring_clearance(int teeth, float ring_angle, Vec2f p) {
   const float radius = glm::length(p);
   if (radius < pitch_radius(teeth) - kAddendum) return kInfinity;
