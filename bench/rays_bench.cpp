@@ -1,8 +1,6 @@
-// Measures the rays per second of primary rays and of whole Whitted frames, and compares them with a bare Embree loop over the
-// same rays.
-//
-// The bare loop copies a prepared packet, traces it and keeps the hits in registers. It is timed for a strip of the picture at
-// a time, so that the packets of the strip are in the cache. A row states the median ratio of the bare loop's time to our time.
+// Measures the rays per second of primary rays and of whole Whitted frames, relative to a bare Embree loop over the
+// same rays, which copies a prepared packet, traces it and keeps the hits in registers. A row states the median ratio
+// of the bare loop's time to our time.
 #include <fmt/core.h>
 
 #include <algorithm>

@@ -1,11 +1,6 @@
-// Compares two pictures for each of 25 eyes inside the viewing zone: what the eye sees through a lens array that shows the
-// built-in room, and a pinhole view rendered for the eye.
-//
-// PSNR is computed from 8-bit codes, for all pixels and for four ranges of depth in the pinhole view, relative to the depth
-// budget. The depth budget is the gap times the number of pixels per lens; beyond it, a pixel is wider than a lens.
-//
-// Each view is also compared with the view of another eye, a fifth of the zone away. Depth must be orthoscopic both behind and
-// in front of the display, and pseudoscopic after the conversion.
+// Compares, for each of 25 eyes inside the viewing zone, what the eye sees through a lens array that shows the built-in
+// room with a pinhole view rendered for the eye. PSNR is computed for all pixels and for four ranges of depth, relative
+// to the depth budget: the gap times the number of pixels per lens, beyond which a pixel is wider than a lens.
 #include <fmt/core.h>
 
 #include <algorithm>

@@ -1,9 +1,7 @@
-// Compares the CPU time per pixel of our Whitted frames with that of the program tachyon. Both render tachyon's own scenes and
-// cameras with one thread.
-//
-// The time of tachyon is the difference between the times of a large and of a tiny picture, which excludes reading the scene
-// and building its data structures. Two of our frames are measured: a single view of the same size, and the integral image of
-// our default array around the same camera.
+// Compares the CPU time per pixel of our Whitted frames with that of the program tachyon, for tachyon's own scenes and
+// cameras on one thread. The time of tachyon is the difference between a large and a tiny picture, which excludes
+// reading the scene. Two of our frames are measured: a single view of the same size, and the integral image around the
+// same camera.
 #include <fmt/core.h>
 
 #include <filesystem>

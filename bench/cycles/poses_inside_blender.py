@@ -1,16 +1,15 @@
-"""Runs inside Blender. Compares the vertices of meshes posed by Blender with those of dump_pose. The meshes are skinned or have morph
-targets.
+"""Runs inside Blender. Compares the vertices of skinned or morphed meshes posed by Blender with
+those of dump_pose.
 
   blender -b --python-exit-code 1 -P poses_inside_blender.py -- FILE DUMP_POSE TIMES
 
-The importer may split and drop vertices, so two poses are compared as sets of points. The error is the largest distance from a point
-of either set to the nearest point of the other set, as a fraction of the diagonal of the bounds of all poses. Prints a line "POSES
-{json}" for each animation.
+The importer may split and drop vertices, so poses are compared as sets of points: the error is
+the largest distance from a point of either set to the nearest point of the other, as a fraction
+of the diagonal of the bounds. Prints a line "POSES {json}" for each animation.
 
-Blender deviates from glTF 2.0 in two ways that do not concern poses.
-1. Between keys, Blender interpolates the components of a rotation separately instead of along the arc. Therefore keys are added at the
-compared times, with rotations from Blender's slerp. The error without these keys is printed too.
-2. Blender's importer drops the tangents of cubic splines. Animations with cubic splines are left out.
+Between keys, Blender interpolates the components of a rotation separately instead of along the
+arc, so keys are added at the compared times. Its importer drops the tangents of cubic splines,
+so such animations are left out.
 """
 
 import json

@@ -1,15 +1,12 @@
 // Estimates the lens grid of a white picture in four steps:
-//
-//   1. The autocorrelation of the middle of the picture has a peak at every vector between two lenses. The two shortest
-//      non-parallel vectors are a basis of the lattice. The angle between them distinguishes square from hexagonal grids.
-//      Variations of less than four periods across the picture are treated as vignetting and removed first.
-//   2. The phase of the picture at the lattice's two fundamental frequencies gives the position of a lens. Light at fractions
-//      of these frequencies means that the true lattice is coarser, and its fundamental was removed in step 1. Such pictures
-//      are refused.
-//   3. The centre of each lens is the fixed point of a mean of positions, weighted by light and by a smooth window (mean
-//      shift: D. Comaniciu, P. Meer, "Mean shift: a robust approach toward feature space analysis", PAMI 2002).
-//   4. A grid is fitted to the centres by least squares, first near the middle, then repeatedly over twice the extent, so
-//      that each fit predicts the next centres to a fraction of a lens.
+// 1. The two shortest non-parallel vectors to peaks of the autocorrelation are a basis of the lattice. Their angle
+// distinguishes square from hexagonal grids. Variations of less than four periods across the picture, such as
+// vignetting, are removed first.
+// 2. The phase of the picture at the lattice's two fundamental frequencies gives the position of a lens. Light at
+// fractions of these frequencies means that the true lattice is coarser; such pictures are refused.
+// 3. The centre of each lens is found by mean shift: D. Comaniciu, P. Meer, "Mean shift: a robust approach toward
+// feature space analysis", PAMI 2002.
+// 4. A grid is fitted to the centres by least squares, first near the middle, then repeatedly over twice the extent.
 #include "layout/estimate_lens_grid.hpp"
 
 #include <fmt/format.h>

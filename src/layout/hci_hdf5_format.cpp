@@ -1,11 +1,9 @@
 // HCI's older light fields: one HDF5 file with the arrays LF [t][s][y][x][channel] and, for rendered scenes, GT_DEPTH
-// [t][s][y][x]. t counts views from the top and s from the right. layout/hci_hdf5_cameras.hpp reads the cameras.
+// [t][s][y][x]. t counts views from the top and s from the right.
 //
-// Wanner, Meister, Goldluecke: Datasets and benchmarks for densely sampled 4D light fields, VMV 2013.
-// The directions of t and s are those of Rossi, Frossard: Graph-based light field
-// super-resolution, MMSP 2017, whose reader (readhci.m in rossimattia/light-field-super-resolution) reverses s to get columns
-// of cameras from left to right, and keeps t for rows from top to bottom. Readers that need only an equal sign of both
-// disparities reverse one axis, too, such as HCIloadLF.m in brownvc/lightfieldsuperpixels.
+// Wanner, Meister, Goldluecke: Datasets and benchmarks for densely sampled 4D light fields, VMV 2013. The directions of
+// t and s are those of readhci.m in rossimattia/light-field-super-resolution (Rossi, Frossard: Graph-based light field
+// super-resolution, MMSP 2017).
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -1,12 +1,11 @@
-// Reads the raw pictures of Lytro cameras. The metadata keys are those of lytro_illum_public_schema.json 1.3.5. The F01's files
-// store the same values under image.rawDetails.
+// Reads the raw pictures of Lytro cameras. The metadata keys are those of lytro_illum_public_schema.json 1.3.5. The
+// F01's files store the same values under image.rawDetails.
 //
-// Packed samples have 12 or 10 bits. Two samples of 12 bits take three bytes, high bits first. Four samples of 10 bits take
-// five bytes: the first four hold the upper 8 bits of one sample each, and the fifth holds the lower 2 bits of all four, with
-// those of the first sample in its lowest bits.
+// Two samples of 12 bits take three bytes, high bits first. Four samples of 10 bits take five bytes: the upper 8 bits
+// of each, and a byte with their lower 2 bits, the first sample's in the lowest bits.
 //
-// The sensor sees the lenses from the exit pupil of the main lens. Therefore the images of the lenses are farther apart than
-// the lenses, by the factor (pupil + gap) / pupil.
+// The sensor sees the lenses from the exit pupil of the main lens, so their images are farther apart than the lenses,
+// by the factor (pupil + gap) / pupil.
 #include "layout/lytro_raw.hpp"
 
 #include <fmt/format.h>

@@ -1,11 +1,10 @@
-// Precompensates a picture by solving A v' = v (precompensate.hpp). A row of A is a row of weights, divided by the sum of those
-// weights that lie inside the line of samples. We move the sums to the other side: W v' = sums v, where W holds the undivided
-// weights and is symmetric and positive definite. With bounds, this is a linear complementarity problem. We solve it by
-// projected Gauss-Seidel: Cryer, "The solution of a quadratic programming problem using systematic overrelaxation", SIAM J.
-// Control 9, 1971. If no bound is reached, the result is A's inverse applied to v.
+// Solves A v' = v (precompensate.hpp). A row of A holds weights divided by the sum of those inside the line of samples.
+// Multiplying by the sums gives W v' = sums v, where W holds the undivided weights and is symmetric and positive
+// definite. With bounds, this is a linear complementarity problem, solved by projected Gauss-Seidel: Cryer, "The
+// solution of a quadratic programming problem using systematic overrelaxation", SIAM J. Control 9, 1971.
 //
-// Lines of neighbouring samples are independent. Microlenses and camera grids have crosstalk along two axes, A = Ax Ay: we
-// first invert Ay without bounds, then Ax with bounds.
+// Microlenses and camera grids have crosstalk along two axes, A = Ax Ay: first Ay is inverted without bounds, then Ax
+// with bounds.
 #include "lippmann/layout/precompensate.hpp"
 
 #include <fmt/format.h>

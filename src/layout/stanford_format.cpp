@@ -1,11 +1,9 @@
-// Folders of the Stanford light field archive: out_{row}_{column}_{y}_{x}.png, with row 0 at the top and column 0 at the left.
-// y and x are the position of the camera; y counts downwards like the rows. (Some names in the archive have another _ at the
-// end.)
+// Folders of the Stanford light field archive: out_{row}_{column}_{y}_{x}.png, with row 0 at the top and column 0 at
+// the left. y and x are the position of the camera, in no stated unit; y counts downwards like the rows. (Some names in
+// the archive have another _ at the end.) If positions are unknown, y and x are the row and the column.
 //
-// Names state neither a unit nor a distance. Positions are read and written again unchanged. If the cameras are known,
-// parameters.cfg is also written and read, as in the HCI benchmark (layout/hci_parameters.hpp). Its baseline is the mean
-// distance between neighbouring cameras, in the unit of the positions. If positions are unknown, y and x are the row and the
-// column.
+// If the cameras are known, parameters.cfg is also written and read (layout/hci_parameters.hpp). Its baseline is the
+// mean distance between neighbouring cameras, in the unit of the positions.
 #include <fmt/format.h>
 
 #include <charconv>

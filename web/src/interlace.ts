@@ -1,7 +1,6 @@
 // Interlaces views for a panel, as `lippmann convert --to native` does. The phase of a sub-pixel, its position below
-// its lens, determines its view. The phase is the fraction of a sum of two terms, for the row and for the column. In
-// single precision it would be too coarse for hundreds of lenses, so both terms are tables of 64-bit fractions, whose
-// sum wraps around.
+// its lens, determines its view: the fraction of a sum of two terms, for the row and for the column. Both terms are
+// tables of 64-bit fractions, because single precision is too coarse for hundreds of lenses.
 import type { PanelDisplay } from "./display";
 import { Refusal, type Field } from "./field";
 import { bind, CodeTarget, Program, wordTexture, type Gl, type Uniform } from "./gl";
