@@ -1,4 +1,3 @@
-// Tests the commands on data sets of cameras around a scene, written by `render --cameras`.
 #include <gmock/gmock.h>
 
 #include "cli/tool.hpp"

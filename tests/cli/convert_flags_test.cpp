@@ -1,4 +1,3 @@
-// Tests that every flag of `lippmann convert` either changes the result or is refused by name.
 #include <gmock/gmock.h>
 
 #include <algorithm>

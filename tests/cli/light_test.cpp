@@ -1,4 +1,3 @@
-// Tests what the tool prints about path-traced frames.
 #include <gmock/gmock.h>
 
 #include <fstream>

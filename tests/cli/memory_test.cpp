@@ -1,4 +1,3 @@
-// Compares the estimated with the measured peak memory of a render.
 #include <gmock/gmock.h>
 
 #include <string_view>

@@ -1,4 +1,3 @@
-// Tests that commands create the folder of their output, and remove it if they fail.
 #include <gmock/gmock.h>
 
 #include "cli/tool.hpp"

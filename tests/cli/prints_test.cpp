@@ -1,4 +1,3 @@
-// Tests prints, quilts and pictures for slanted lenses that are made from views.
 #include <fmt/core.h>
 #include <gmock/gmock.h>
 

@@ -1,4 +1,3 @@
-// Runs the commands in README.md and in the guide.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 

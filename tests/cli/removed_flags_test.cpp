@@ -1,4 +1,3 @@
-// Tests that removed flags and job-file keys cause an error that names the replacement.
 #include <gmock/gmock.h>
 
 #include <fstream>

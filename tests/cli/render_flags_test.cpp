@@ -1,4 +1,3 @@
-// Tests that every flag of `lippmann render` either changes the files or is refused by name.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -131,7 +130,6 @@ const std::map<std::string, std::string>& others() {
   return all;
 }
 
-/// Returns the bytes of pictures and of their JSON files.
 std::map<std::string, std::string> frames_in(const fs::path& folder) {
   std::map<std::string, std::string> files;
   if (fs::exists(folder))

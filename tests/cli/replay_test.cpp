@@ -1,4 +1,3 @@
-// Tests the flags, output and warnings of `lippmann replay`. Tests in tests/replay check its pictures.
 #include <gmock/gmock.h>
 
 #include <fstream>

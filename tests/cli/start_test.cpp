@@ -1,4 +1,3 @@
-// Tests which libraries the tool loads at start, and that it finds FFmpeg's module.
 #include <gmock/gmock.h>
 
 #include <filesystem>

@@ -1,4 +1,3 @@
-// Tests the tool with a closed standard stream, or a pipe that nobody reads.
 #include <gmock/gmock.h>
 
 #include <fstream>

@@ -1,4 +1,3 @@
-// Tests `lippmann submit` with a local Slurm cluster, with shell commands, and with OpenJD templates.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

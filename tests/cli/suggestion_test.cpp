@@ -1,4 +1,3 @@
-// Tests that the commands that the tool suggests run as printed.
 #include <gmock/gmock.h>
 
 #include <sstream>

@@ -1,4 +1,3 @@
-// Tests jobs that several processes render in parts: `lippmann plan`, `render --unit` and `finish`.
 #include <gmock/gmock.h>
 
 #include "cli/tool.hpp"

@@ -1,4 +1,3 @@
-// Tests `lippmann view`, and the page that `render --page` writes.
 #include <gmock/gmock.h>
 
 #include <csignal>

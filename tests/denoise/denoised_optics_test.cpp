@@ -1,4 +1,3 @@
-// Denoises frames of uniformly lit planes for every kind of optics.
 #include <gtest/gtest.h>
 
 #include <functional>

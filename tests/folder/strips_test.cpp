@@ -1,4 +1,3 @@
-// A strip holds some rows of a frame.
 #include "folder/strips.hpp"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,3 @@
-// Uses Renderer as another program does, without flags, job files or folders.
 #include "lippmann/frames/renderer.hpp"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,3 @@
-// Compares pictures of Tachyon scenes with those of the program tachyon.
 #include <gtest/gtest.h>
 
 #include <fstream>

@@ -1,4 +1,3 @@
-// Compares cameras with the rays of the optics, and HCI parameters with values computed by hand.
 #include "layout/cameras.hpp"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,3 @@
-// Tests light fields in HDF5 files written by libhdf5.
 #include <gmock/gmock.h>
 #include <hdf5.h>
 

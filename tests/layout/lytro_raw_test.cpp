@@ -1,4 +1,3 @@
-// Tests files of Lytro cameras that the tests build byte by byte.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

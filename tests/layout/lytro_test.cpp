@@ -1,4 +1,3 @@
-// Tests folders of views that other programs decoded from plenoptic pictures.
 #include <gmock/gmock.h>
 
 #include "light_fields.hpp"

@@ -1,4 +1,3 @@
-// Tests light fields that consist of a folder of pictures with any names.
 #include "layout/picture_folder.hpp"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,3 @@
-// Tests views and lens grids from raw plenoptic pictures of known light.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

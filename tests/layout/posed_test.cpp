@@ -1,4 +1,3 @@
-// Compares cameras of the NeRF, COLMAP and LLFF formats with values computed by hand.
 #include <gmock/gmock.h>
 
 #include <array>

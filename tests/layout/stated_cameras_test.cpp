@@ -1,4 +1,3 @@
-// Tests cameras that flags describe for files without camera data.
 #include <gmock/gmock.h>
 
 #include <cmath>

@@ -1,4 +1,3 @@
-// Compares pixels_seeing() with a search over the rays of all pixels.
 #include <gtest/gtest.h>
 
 #include <algorithm>

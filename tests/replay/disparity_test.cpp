@@ -1,4 +1,3 @@
-// Tests refocusing on planes whose position is given as a disparity.
 #include "lippmann/replay/disparity.hpp"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,3 @@
-// Tests that a precompensated picture that is replayed with crosstalk looks like the original without crosstalk.
 #include "lippmann/layout/precompensate.hpp"
 
 #include <gtest/gtest.h>

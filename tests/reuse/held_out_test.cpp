@@ -65,7 +65,7 @@ Evidence evidence_of(const HeldOut& held_out, std::span<const double> squared_er
 TEST(HeldOut, errors_are_weighted_by_untraced_patches) {
   const HeldOut held_out = drawn_by_hand();
   const auto errors = estimate_errors(held_out, evidence_of(held_out, std::vector<double>{0.0, 0.0, 0.0, 5.0, 200.0, 400.0}));
-  // Of 150 patches, 96 of level 0 are not traced, with a mean error of 5/4, and 48 of level 2, with a mean error of
+  // 150 patches: 96 of level 0 are not traced, with a mean error of 5/4, and 48 of level 2, with a mean error of
   // 300.
   EXPECT_NEAR(errors[0].mse, 96.0 / 150.0 * 1.25, 1e-12);
   EXPECT_NEAR(errors[1].mse, errors[0].mse, 1e-12);

@@ -7,7 +7,6 @@
 
 namespace lippmann::test {
 
-/// Returns the message of the Error that `work` throws, or "(no Error)".
 inline std::string error_message(const std::function<void()>& work) {
   try {
     work();

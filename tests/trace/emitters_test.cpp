@@ -1,4 +1,3 @@
-// Meshes that emit light by a texture.
 #include "shading/emitters.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,3 @@
-// Lamps with measured light distributions (photometric webs).
 #include <gtest/gtest.h>
 
 #include <cmath>
