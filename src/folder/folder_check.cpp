@@ -79,7 +79,6 @@ void add_strips(const fs::path& folder, const FolderJournal& journal, FolderChec
   }
 }
 
-/// Paths relative to `folder`. add_single() checks these videos.
 std::set<std::string> videos_of_single(const fs::path& folder, const FolderJournal& journal) {
   std::set<std::string> names;
   if (!journal.companions.contains(kSingleFolder)) return names;

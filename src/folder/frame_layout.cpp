@@ -15,7 +15,6 @@
 namespace lippmann {
 namespace {
 
-/// Maximum number of pixels of a PNG or EXR file.
 constexpr std::int64_t kMaxFilePixels = std::int64_t{1} << 28;
 
 ViewLayout wanted_layout(const PictureParams& params, PictureLayout layout, const ViewLayout& film) {

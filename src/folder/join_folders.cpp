@@ -25,7 +25,6 @@ FolderJournal journal_of_render(const fs::path& folder) {
   return *std::move(journal);
 }
 
-/// Throws if the jobs differ.
 std::string common_job(const fs::path& folder, const std::vector<fs::path>& others) {
   const std::optional<FolderJournal> there = read_journal(folder);
   const std::string job = there ? there->job : journal_of_render(others.front()).job;

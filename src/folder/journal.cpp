@@ -30,7 +30,6 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// An invalid line of a journal, with the reason.
 using LineProblem = std::runtime_error;
 
 std::string line_of(const Json& json) { return json_to_text(json, -1) + '\n'; }
@@ -215,7 +214,6 @@ void read_line(const Json& json, bool is_first, FolderJournal& journal) {
 // Maximum total size of the journal files. A frame of 48 views takes about 5000 bytes.
 constexpr std::uintmax_t kMaxJournalBytes = std::uintmax_t{4} << 30;
 
-/// Returns the problem of the line, or an empty string.
 std::string problem_of(const Json& json, bool is_first, FolderJournal& journal) try {
   read_line(json, is_first, journal);
   return {};

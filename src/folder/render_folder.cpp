@@ -19,7 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Throws if the folder holds another render.
 FolderJournal journal_of(const fs::path& folder, const std::string& job) {
   FolderJournal journal = read_journal(folder).value_or(FolderJournal{});
   if (!journal.job.empty() && journal.job != job && journal.problem.empty())

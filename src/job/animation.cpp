@@ -92,7 +92,6 @@ void report_strips(const RenderSetup& setup, const StrippedFrames& strips, Rende
   }
 }
 
-/// A process without ranks also writes the videos.
 void make_run(const Run& run, FrameMaker& maker, StrippedFrames* strips) {
   const RenderSetup& setup = run.setup;
   RenderReport& report = run.report;

@@ -19,7 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Paths are relative to the folder.
 std::vector<PosedPicture> pictures_of(const RenderSetup& setup, const FolderJournal& journal) {
   const int count = setup.stage.scene.timeline.frame_count;
   const std::vector<bool> is_test = test_cameras(count, setup.job.sampling().seed);

@@ -70,7 +70,6 @@ std::string job_of_folder(const RenderParams& params, const FolderJournal& journ
   return job_text(whole, folder);
 }
 
-/// Returns nothing if the file cannot be read.
 std::vector<std::string> videos_in(const std::filesystem::path& job) try {
   RenderParams params;
   read_job(job, params);

@@ -26,7 +26,6 @@ double sum_of_cpu(const std::vector<FrameReport>& frames) {
   return sum;
 }
 
-/// Mean cost of frames by their position in the segment.
 std::map<int, double> costs_by_place(const std::vector<FrameReport>& frames, int segment) {
   std::map<int, std::vector<double>> costs;
   std::vector<double> free_keys;

@@ -77,7 +77,6 @@ void FrameLoop::add_kept(const std::vector<int>& frames) {
   for (const int frame : frames) sink_.add_kept(frame);
 }
 
-/// Returns false if the run was cancelled.
 bool FrameLoop::make(int frame) {
   if (run_.context.cancelled) return false;
   RenderedFrame made = rendered(frame);

@@ -47,7 +47,6 @@ const std::span<const std::string_view> kWantedAovNames(kAovNames.data(), kAovs 
 /// Maximum number of pixels or lenses along one side. panel_size() limits the size of the whole panel.
 constexpr int kMaxCount = 1 << 20;
 
-/// Reads and writes values of one type.
 template <class T>
 struct Codec {
   std::function<T(std::string_view, const std::string& where)> read;
@@ -185,7 +184,6 @@ struct Documentation {
   std::string_view name, group, type, doc;
 };
 
-/// member_of(params, &RenderParams::scene, &SceneParams::fps) is params.scene.fps.
 template <class T>
 T& member_of(T& value) {
   return value;

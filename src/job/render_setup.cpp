@@ -49,7 +49,7 @@ void plan_memory_of(RenderSetup& setup, const Context& context) {
   const RunParams& run = setup.run;
   const MemoryFacts facts = memory_facts(setup);
   if (setup.job.is_in_strips()) setup.join_bytes = joined_frame_bytes(facts);
-  if (run.only_finished && !setup.job.is_in_strips()) return;  // no frame is rendered
+  if (run.only_finished && !setup.job.is_in_strips()) return;
   const double available = run.available_memory.value_or(platform::available_memory_bytes());
   if (setup.job.is_in_strips()) {
     const bool joins = !setup.leaves_strips() || (run.ranks && run.is_first_rank());

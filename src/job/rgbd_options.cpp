@@ -11,7 +11,6 @@
 namespace lippmann {
 namespace {
 
-/// The middle view is written.
 EyeAtWindow written_eye(const Optics& optics) {
   const std::optional<RenderedViews> rendered = rendered_views(optics);
   if (!rendered || !rendered->cameras)

@@ -71,7 +71,6 @@ Error no_such_environment(const std::string& value) {
                      kAccepted);
 }
 
-/// Returns a sentence on the light.
 std::string requested_light(Scene& scene, const SceneParams& params, const Context& context) {
   const std::string& value = params.environment;
   if (value == kNone) return "The scene has only its own light, as requested by --environment none.";

@@ -27,7 +27,6 @@ void refuse_other_optics(const OpticsParams& optics) {
 
 StereoPacking packing_of(const RenderParams& params) { return params.output.pictures.stereo.packing; }
 
-/// Size of a view in the picture, after squeezing.
 Vec2i stored_view(const RenderParams& params, const Display* display) {
   const StereoPacking packing = packing_of(params);
   const Extent<int> size = params.optics.size;

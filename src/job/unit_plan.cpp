@@ -39,7 +39,6 @@ UnitPlan unmeasured_plan(const ResolvedJob& job, int count, const Context& conte
              count);
 }
 
-/// Units make no videos.
 ResolvedJob job_in(const std::filesystem::path& folder, const ResolvedJob& job) {
   RenderParams params = job.params();
   params.output.folder = folder.string();

@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using EslfJson = nlohmann::ordered_json;
 
-constexpr int kMaxEslfSide = 1024;  ///< views across or up
+constexpr int kMaxEslfSide = 1024;
 constexpr std::string_view kEslfTable = "eslf";
 constexpr NumberRange kEslfLength{1e-9, 1e12};
 

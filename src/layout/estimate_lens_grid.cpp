@@ -57,7 +57,6 @@ void fourier(std::vector<Complex>& values) {
   }
 }
 
-/// Transforms along rows and then along columns.
 void fourier_2d(std::vector<Complex>& values, std::size_t side) {
   std::vector<Complex> line(side);
   for (std::size_t y = 0; y < side; ++y) {
@@ -291,7 +290,7 @@ Vec2d settled_centre(const Image& white, Vec2d start, double radius) {
         sum += weight, mean += weight * from;
       }
     if (!(sum > 0.0)) return Vec2d(NAN);
-    const Vec2d move = 1.5 * mean / sum;  // the mean underestimates the step
+    const Vec2d move = 1.5 * mean / sum;
     centre += move;
     if (glm::length(centre - start) > 0.3 * radius) return Vec2d(NAN);
     if (glm::length(move) < 1e-3) return centre;

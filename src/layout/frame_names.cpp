@@ -64,7 +64,7 @@ std::string strip_name(int frame, int strip) { return fmt::format("strip_{:04}_{
 bool is_strip_name(const std::string& name) { return name.starts_with("strip_") && frame_of_file(name); }
 
 std::optional<int> frame_of_file(const std::string& name) {
-  constexpr std::size_t kMaxLetters = 255;  // maximum length of a file name
+  constexpr std::size_t kMaxLetters = 255;
   if (name.size() > kMaxLetters) return std::nullopt;
   static const TextPattern pattern(kFrameFiles);
   const std::optional<PatternMatch> found = pattern.match(name);

@@ -49,7 +49,6 @@ void set_size(const Hdf5Array& array, LightField& field, const std::string& wher
   field.aspect = static_cast<double>(field.view_size.x) / field.view_size.y;
 }
 
-/// Indices t and s of a view in the arrays.
 std::uint64_t t_of(const LightField& field, int view) {
   return static_cast<std::uint64_t>(field.grid.rows - 1 - view / field.grid.columns);
 }

@@ -21,7 +21,6 @@ void move_samples(const T& from, const std::vector<std::uint32_t>& from_pixel, T
   }
 }
 
-/// Indices of a view's pixels in the stack, in order.
 std::vector<std::uint32_t> pixels_of(const LightField& field, int view) {
   const auto size = static_cast<std::uint32_t>(field.view_size.x) * static_cast<std::uint32_t>(field.view_size.y);
   std::vector<std::uint32_t> pixels(size);

@@ -60,7 +60,6 @@ Vec2i red_place(const JsonFields& mosaic) {
 /// Index of a pixel's colour in the list r, gr, gb, b.
 std::size_t color_at(int x, int y, Vec2i red) { return static_cast<std::size_t>(((x ^ red.x) & 1) + 2 * ((y ^ red.y) & 1)); }
 
-/// Calls put(index, code) for each sample.
 template <class Put>
 void unpack(std::span<const std::byte> bytes, int bits, std::size_t count, const Put& put) {
   const auto byte = [&](std::size_t i) { return std::to_integer<unsigned>(bytes[i]); };

@@ -8,7 +8,6 @@ namespace lippmann {
 namespace fs = std::filesystem;
 namespace {
 
-/// Warns if a quilt has pixels outside of its tiles.
 void warn_about_padding(const fs::path& path, Vec2i size, Vec2i used, const std::function<void(std::string_view)>& warn) {
   if (size == used || !warn) return;
   warn(fmt::format(

@@ -29,7 +29,6 @@ struct SampleTaps {
   std::array<double, std::size_t{2} * kLobes> weight{};
 };
 
-/// Sample i lies at i.
 SampleTaps sample_taps(double at, bool lanczos) {
   SampleTaps taps;
   const int reach = lanczos ? kLobes : 1;

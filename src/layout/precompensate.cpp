@@ -134,7 +134,6 @@ void for_each_line(const std::vector<Lines>& all, double sigma_px, Image& pictur
   }
 }
 
-/// The lines along which the optics have crosstalk.
 struct LinesOfAxes {
   std::vector<Lines> across, up;
 };
@@ -150,7 +149,6 @@ LinesOfAxes lines_of_panel(const Image& picture) {
   return {{{counted(width, 3), 3, height, 3 * width}}, {{counted(height, 3 * width), 3 * width, 1, 0}}};
 }
 
-/// Lines through the same pixel of all views.
 LinesOfAxes lines_of_views(const Image& picture, const ViewTiles& views) {
   const auto columns = static_cast<std::size_t>(views.columns), rows = static_cast<std::size_t>(views.rows);
   const std::size_t row_stride = 3 * static_cast<std::size_t>(picture.width);

@@ -15,7 +15,6 @@ namespace fs = std::filesystem;
 constexpr ViewGrid kQuadViews{4, 1}, kQuadTiles{2, 2};
 constexpr ViewLayout kQuadAsQuilt{LayoutKind::kQuilt, kQuadViews, kQuadTiles};
 
-/// Exchanges the upper and the lower two tiles.
 LightField with_rows_exchanged(const LightField& field) {
   LightField exchanged = field;
   for (int view = 0; view < kQuadViews.count(); ++view) {

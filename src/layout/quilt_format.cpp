@@ -48,7 +48,6 @@ Quilt described(const fs::path& path, const FormatOptions& options) {
   return {name->tiles, row_of_views(name->tiles.count()), false, name->aspect};
 }
 
-/// Reverses the views of each row.
 void reverse_views(LightField& field) {
   const LightField from = field;
   const int columns = field.grid.columns;

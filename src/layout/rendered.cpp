@@ -102,7 +102,6 @@ std::map<int, FrameFacts> frames_of(const Json& report) {
   return frames;
 }
 
-/// The report must have the key "optics".
 Rendering rendering_from(const Json& json, const fs::path& report) {
   Rendering rendering{optics_from_json(json["optics"], report.string())};
   const Json settings = json.value("settings", Json::object());

@@ -34,7 +34,6 @@ std::optional<Vec2d> stanford_position(const fs::path& file) {
   return Vec2d(position.x, -position.y);
 }
 
-/// None if one of the positions is unknown.
 std::optional<std::vector<Vec2d>> stanford_positions(const std::vector<fs::path>& by_view) {
   std::vector<Vec2d> positions;
   for (const fs::path& file : by_view) {

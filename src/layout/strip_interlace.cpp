@@ -17,7 +17,6 @@
 namespace lippmann {
 namespace {
 
-/// Two neighbouring samples, and the weight of the second.
 struct Blend {
   int at = 0, next = 0;
   float share = 0.0f;

@@ -18,7 +18,6 @@ int number(const std::string& digits) {
   return value;
 }
 
-/// Indices in `range` along an axis with `count` views.
 std::vector<int> members(const ViewRange& range, int count, const char* axis, const std::string& flag) {
   const int last = range.last < 0 ? count - 1 : range.last;
   if (range.first > last || last >= count)

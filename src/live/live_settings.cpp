@@ -42,7 +42,6 @@ std::string value_of(const ParamInfo& info, const RenderParams& params) {
   return values.empty() ? std::string() : fmt::format("{}", fmt::join(values, ","));
 }
 
-/// A page may not select files.
 void refuse_files(const std::string& name, const std::string& value, const RenderParams& base) {
   if (name == "display" && !value.empty() && value != base.optics.display && is_display_file(value))
     throw usage_error("display", "the page accepts presets only",

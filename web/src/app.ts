@@ -152,7 +152,6 @@ export class App {
     }
   }
 
-  /** The panel may change with the scene. */
   private beginPlaying(display: PanelDisplay): void {
     if (this.live) this.player.follow(display);
     else this.player.playOn(display);
@@ -557,7 +556,6 @@ export class App {
 
   // ---- Actions of the mouse and the keyboard (hands.ts) -----------------------------------------------------------------
 
-  /** Position of the eye as shares of the viewing zone. */
   shares(): [number, number] {
     const { eye } = this.store.state;
     const field = this.fields[0];

@@ -90,7 +90,6 @@ function lookGroup(store: Store, field: Field, actions: Actions, hasEyes: () => 
   );
 }
 
-/** Controls that save or share what is shown. */
 function shareGroup(actions: Actions, shown: Shown[]): HTMLElement {
   const { savePage, isLocal } = actions;
   const copy = isLocal

@@ -130,7 +130,6 @@ function fromScript(name: string): Promise<Blob> {
   });
 }
 
-/** Reads text that a page saved as one file contains. */
 function textWithin(name: string): string {
   const text = document.getElementById(`data:${name}`)?.textContent;
   if (!text) throw new Refusal(`The page is damaged: it lacks ${name}.`);

@@ -33,7 +33,6 @@ export function readDisplay(json: unknown): PanelDisplay {
   return display;
 }
 
-/** Panels that show the same frames need no interlacing. */
 export const samePanel = (a: SlantedPanel | undefined, b: SlantedPanel): boolean => JSON.stringify(a) === JSON.stringify(b);
 
 /** Reads the text of a visual.json. Throws a Refusal that describes the error. */

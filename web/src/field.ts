@@ -55,7 +55,6 @@ export interface Field {
   frames: Frame[];
 }
 
-/** An error whose message is shown to the user. */
 export class Refusal extends Error {}
 
 function require(holds: boolean, what: string): asserts holds {

@@ -19,12 +19,10 @@ interface Page {
   readonly motion: Motion;
   readonly live: Live | null;
   readonly print: Print | null;
-  /** Indices of the light fields shown. */
   shown(): number[];
   redraw(): void;
   /** Ends the automatic motion. stays: the eye stays where it was drawn. */
   touched(stays: boolean): void;
-  /** Position of the eye as shares of its zone. */
   shares(): [number, number];
   moveEye(across: number, up: number): void;
   focusAt(share: [number, number]): void;

@@ -29,7 +29,6 @@ export interface LiveState {
   depth: { budget_mm: number | null; summary: string };
   view: string;
   light: string;
-  /** The calibrated panel for which the scene is set up. */
   display: PanelDisplay | null;
   picture: { id: number; version: number; frame: number; pass: string; view_size: [number, number]; depth: boolean; panel: boolean; field: Omit<Field, "frames"> } | null;
   saved: string;

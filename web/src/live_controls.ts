@@ -48,7 +48,6 @@ export function setPlaneDistance(live: Live, distance: number): void {
   live.set({ focus: digits(distance, 5) });
 }
 
-/** Angle of the viewing zone in degrees. */
 function coneOf(field: Field): number {
   const { across } = field;
   const last = across.first + across.step * (across.views - 0.5);

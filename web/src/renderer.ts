@@ -53,7 +53,6 @@ export class Renderer {
   screen: [number, number] = [1, 1];
   /** Size and centre of the picture without magnification. */
   fitted = { width: 1, height: 1, centre: [0, 0] as [number, number] };
-  /** Null if only one picture is shown. */
   pair: Pair | null = null;
   /** Rectangle of the picture on the canvas, from the top left; may exceed the canvas if magnified. */
   place: Rectangle = { left: 0, top: 0, width: 1, height: 1 };
@@ -304,7 +303,6 @@ export class Renderer {
     };
   }
 
-  /** Programs are compiled when they are first used. */
   private eyeProgram(field: Field, frame: LoadedFrame, task: Variant["task"], through: Partial<Variant> = {}): Program {
     const byAngle = field.across.by === "angle" || field.up.by === "angle";
     const variant: Variant = { byAngle, rows: field.up.views > 1, depth: false, task, layered: frame.layer !== null, screen: false, snap: false, crosstalk: false, budget: false, overlay: false, ...through };

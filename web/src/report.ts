@@ -30,7 +30,6 @@ const kFont = '12px system-ui, -apple-system, "Segoe UI", "DejaVu Sans", sans-se
 /** 1, 2 and 5 times powers of 10 */
 const kSteps = [...Array(19).keys()].flatMap((power) => [1, 2, 5].map((factor) => Number(`${factor}e${power - 9}`)));
 
-/** Reads the current colour of a CSS variable. */
 const color = (name: string) => () => getComputedStyle(document.documentElement).getPropertyValue(name);
 
 const numberText = (value: number | null | undefined) => (value == null ? "–" : String(Number(value.toPrecision(4))));
@@ -94,7 +93,6 @@ function dataOf(chart: Chart): uPlot.AlignedData {
   return [chart.frames, ...values, ...chart.levels.map(({ value }) => chart.frames.map(() => value))];
 }
 
-/** A description of the chart for screen readers. */
 function spoken(chart: Chart): string {
   const parts = chart.series.map(({ name, values }) => {
     const known = values.filter((value): value is number => value !== null);

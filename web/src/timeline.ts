@@ -128,7 +128,6 @@ export class Timeline {
     return found < 0 ? frame : at(found);
   }
 
-  /** Called when frames were finished or are found to be missing. */
   takeFrames(): void {
     this.store.fields[0].frames.forEach((frame, i) => (this.psnr[i] = frame.psnr_db));
     if (this.psnr.length > 1) this.update();
