@@ -75,7 +75,7 @@ def write_glb(target):
 def main():
     words = sys.argv[sys.argv.index("--") + 1:] if "--" in sys.argv else []
     if len(words) != 2 or not words[1].lower().endswith(".glb"):
-        fail("accepted: -- SCENE FILE.glb")
+        fail("needs two paths after `--`: SCENE FILE.glb")
     source, target = (pathlib.Path(word).absolute() for word in words)
     read_into_blender(source)
     cover_animations(bpy.context.scene)

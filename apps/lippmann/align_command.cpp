@@ -48,8 +48,9 @@ void warn_of_parallax(const Parallax& parallax, const ShownParallax& shown, cons
   const double lenses = most_px * shown.mm_per_px / shown.lens_mm;
   if (lenses <= shown.resolved_lenses) return;
   context.warning(fmt::format(
-      "Points {} the display move by {:.1f} lens widths, but {} views resolve only {:.0f}: "
-      "they will look torn. Take pictures closer together, or `focus` on a point nearer to the middle of the depths.",
+      "Between the first and the last view, points {} the display move by {:.1f} lens widths. With {} views, only "
+      "{:.0f} are possible, so these points will look torn. Take pictures closer together, or `focus` on a point nearer to the "
+      "middle of the depths.",
       std::abs(parallax.near_px) == most_px ? "in front of" : "behind", lenses, shown.views, shown.resolved_lenses));
 }
 

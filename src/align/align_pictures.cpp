@@ -58,7 +58,7 @@ void require_window(const AlignParams& params, const AlignedPictures& aligned) {
   throw Error(params.in.string(),
               fmt::format("the aligned pictures have only {}x{} pixels in common", std::max(aligned.size.x, 0),
                           std::max(aligned.size.y, 0)),
-              "pictures that show the same part of the scene, or another focus");
+              "pictures that show the same part of the scene, or a `focus` that shifts them less");
 }
 
 void write_pictures(const AlignParams& params, AlignedPictures& aligned, const ThreadPool& pool, const Context& context) {

@@ -93,7 +93,7 @@ CvkitCamera parse_cvkit_camera(const std::string& text, const std::string& where
   const std::vector<double> a = properties.numbers("camera.A", 9);
   constexpr double kLeastFocal = 1e-6;
   if (a[1] != 0.0 || a[3] != 0.0 || a[6] != 0.0 || a[7] != 0.0 || a[8] != 1.0 || !(a[0] >= kLeastFocal && a[4] >= kLeastFocal))
-    throw Error(where, "its camera.A is not a matrix of a camera without skew", "[fx 0 cx; 0 fy cy; 0 0 1], fx and fy above 0");
+    throw Error(where, "its camera.A has another form", "[fx 0 cx; 0 fy cy; 0 0 1], fx and fy above 0");
   if (properties.has("camera.R"))
     if (properties.numbers("camera.R", 9) != std::vector<double>{1, 0, 0, 0, 1, 0, 0, 0, 1})
       throw Error(where, "its camera is rotated", "parallel cameras, camera.R=[1 0 0; 0 1 0; 0 0 1]");

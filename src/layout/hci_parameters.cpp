@@ -75,7 +75,7 @@ HciParameters parameters_with(double baseline_mm, const LightField& field, const
   const ViewCameras& cameras = *field.cameras;
   if (std::abs(cameras.pixel_mm.x / cameras.pixel_mm.y - 1.0) > 1e-4)
     throw Error(where, "the pixels are not square, as in views of cylindrical lenses, but the format requires square pixels",
-                "views of `optics` multiview `camera-grid` or `optics` microlens");
+                "views rendered with `camera-grid`, or with the `optics` microlens");
   HciParameters p;
   p.width = field.view_size.x, p.height = field.view_size.y;
   p.columns = field.grid.columns, p.rows = field.grid.rows;
@@ -177,7 +177,7 @@ HciParameters hci_parameters(const LightField& field, const std::string& where) 
   const std::optional<double> baseline = common_baseline_mm(*field.cameras, field.grid);
   if (!baseline)
     throw Error(where, "the spacing of the views is not uniform, but the format has a single baseline",
-                "views of `optics` multiview `camera-grid` or `optics` microlens; `keep` with equal steps");
+                "views rendered with `camera-grid`, or with the `optics` microlens; `keep` with equal steps");
   return parameters_with(*baseline, field, where);
 }
 

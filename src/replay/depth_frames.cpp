@@ -166,8 +166,8 @@ void warn_of_assumptions(const fs::path& first, const DepthConversion& params, c
   if (read_rgbd_side_file(first)) return;
   const DepthRange range = params.options.depth_range.value_or(DepthRange{});
   context.warning(
-      fmt::format("The depth range of {} is unknown: no side file lies beside it. Assumed: from {:g} mm (black) to {:g} mm in "
-                  "front (white) of a picture 100 mm high, seen from 300 mm; `depth-range` sets the range.",
+      fmt::format("The depth range of {} is unknown, because it has no side file. Assumed: black is at {:g} mm and white at "
+                  "{:g} mm in front of a picture 100 mm high, seen from 300 mm. `depth-range` sets the range.",
                   first.string(), range.far_mm, range.near_mm));
 }
 

@@ -83,7 +83,7 @@ class ToGlb(unittest.TestCase):
         stage.write_text("#usda 1.0\n")
         told = ["holds nothing that Blender has read"] if hasattr(bpy.types, "WM_OT_usd_import") else ["was built without an importer of .usda"]
         for words, expected in (((empty, self.target), ["empty.fbx"]), ((self.folder / "none.fbx", self.target), ["there is no such file"]), ((stage, self.target), told),
-                                ((self.folder / "a.xyz", self.target), ["accepted: .usd"]), ((empty,), ["accepted: -- SCENE FILE.glb"])):
+                                ((self.folder / "a.xyz", self.target), ["accepted: .usd"]), ((empty,), ["needs two paths after `--`"])):
             code, lines = (to_glb if words[0] == empty and len(words) == 2 else to_glb_here)(*words)
             self.assertEqual((code, len(lines)), (1, 1), lines)
             for part in expected:

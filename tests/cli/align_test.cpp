@@ -55,7 +55,7 @@ TEST_F(AlignTool, states_the_parallax_on_the_sheet) {
 
 TEST_F(AlignTool, warns_of_unresolved_parallax) {
   EXPECT_THAT(run_tool(dir_, {"align", "in", "out", "--lpi", "100", "--dpi", "400", "--paper", "A4"}).err,
-              HasSubstr("lens widths, but 4 views resolve only 3"));
+              HasSubstr("lens widths. With 4 views, only 3 are possible"));
   EXPECT_EQ(run_tool(dir_, {"align", "in", "out", "--lpi", "4", "--dpi", "400", "--paper", "A7"}).err, "");
 }
 
