@@ -60,7 +60,7 @@ class Blend {
     left_ = hit.left;
   }
 
-  /// Returns the transmittance. A transmittance below kDark counts as 0, and radiance() then divides by the coverage.
+  /// Returns the transmittance. A transmittance below kDark counts as 0.
   float passed() const { return left_ < kDark ? 0.0f : left_; }
   Vec3f radiance() const {
     const Vec3f seen = encoded_share_ > 0.0f ? linear_ + encoded_share_ * linear_of(encoded_ / encoded_share_) : linear_;

@@ -25,7 +25,8 @@ struct LensShape {
   double view_angle_deg = 0.0;  ///< full angle over which a lens of thickness_mm shows the strip of the print below it
 };
 
-/// Throws a usage Error if the cap would exceed half a cylinder, or unless exactly one of the three values is given.
+/// Throws a usage Error if the cap would exceed half a cylinder, or unless `spec` has exactly one of radius, height and
+/// thickness.
 LensShape lens_shape(double pitch_mm, const LensSpec& spec);
 
 /// Returns 16-bit heights: 0 at the lens edges, 65535 at the tops. The result does not depend on the number of threads.

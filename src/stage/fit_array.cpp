@@ -53,7 +53,8 @@ float world_units(const Setting& setting, int node) {
   return std::abs(scale - 1.0f) <= kRounding ? 1.0f : scale;
 }
 
-/// The frame of a node's array has the node's translation and rotation. Its unit of length is the world unit at frame 0.
+/// Returns the coordinate system of an array attached to the node. Its origin and axes are those of the node, and its unit of
+/// length is the world unit at frame 0.
 Affine3f world_from_frame(const Setting& setting, int node, const ResolvedScene& resolved) {
   const Affine3f world_from_node = similarity(resolved.of(node));
   return {world_from_node.linear / world_units(setting, node), world_from_node.translation};
@@ -96,9 +97,8 @@ ConvexRegion region_of(const CameraView& view) {
   return view.is_orthographic ? beam_region(view.half) : view_region(Vec3f(0.0f), view.half);
 }
 
-/// Places the array at a distance from a camera, perpendicular to its axis and as large as the view. The viewer is at the
-/// camera. An orthographic camera has no position along its axis, so its viewer is at least so far away that the default angle
-/// covers the view.
+/// Places the array at a distance from a camera, perpendicular to its axis and as large as the view. The viewer is at the camera.
+/// The viewer of an orthographic camera is farther away if necessary, so that the view covers at most the default angle.
 void place_before_camera(FittedArray& array, const Camera& camera, float distance, const CameraView& view) {
   array.node_from_plane = {Mat3f(1.0f), {0.0f, 0.0f, -distance}};
   array.plane_height = 2.0f * view.half.y * (view.is_orthographic ? 1.0f : distance);
@@ -140,8 +140,8 @@ float width_of_subject(const Setting& setting, const Camera& camera, const Camer
   return half;
 }
 
-/// Returns the view of the image, which is as high as the camera's view. If the file states an aspect ratio but no resolution
-/// (glTF), the view is higher if the visible part of the subject would be cut off at the sides.
+/// Returns the view of the image, which is as high as the camera's view. A glTF file states an aspect ratio but no resolution.
+/// The view is then enlarged if it would cut off the sides of the subject.
 CameraView view_for(const Setting& setting, const Camera& camera) {
   const CameraView own = view_of(camera);
   float height = own.half.y;
@@ -273,9 +273,9 @@ SubjectBounds bounds_in_view(const Setting& setting, const Direction& direction,
   return all;
 }
 
-/// Returns the centre (x, y) of the image at which opposite margins are equal, for a viewer at `distance` from the subject's
-/// middle. If the subject fills the image along one axis only, its bounds along the other axis are measured again with the
-/// angle that it covers.
+/// Returns the position (x, y) of the image's centre at which opposite margins are equal, for a viewer at `distance` from the
+/// subject's middle. Along an axis that the subject does not fill, measures the bounds again for the angle that the subject
+/// covers.
 Vec2f middle_from(const Setting& setting, const Direction& direction, const SubjectBounds& bounds, Vec2f angle,
                   float distance) {
   constexpr int kMostPasses = 4;
@@ -409,7 +409,7 @@ bool shows_a_beam(const FittedArray& array, const Scene& scene) {
          view_of(scene.cameras.front()).is_orthographic;
 }
 
-/// Moves the plane along the axis of the view, with the same viewer and view.
+/// Moves the plane along the axis of the view. The viewer and the view stay the same.
 void focus_at(FittedArray& array, const Setting& setting, const std::string& focus) {
   if (focus.empty()) return;
   const float z = wanted_plane_z(array, setting, focus), distance = array.viewing_distance - z;
@@ -446,8 +446,7 @@ void measure_all_depth(FittedArray& array, const Setting& setting, const Affine3
   array.depth_back = std::min(bounds.lower.z, array.viewing_distance);
 }
 
-/// Uses the subject and visible walls within one diagonal of the subject. A ground does not count, because it is sharp where
-/// the subject stands on it.
+/// The depth range covers the subject and visible walls within one diagonal of the subject, but not the ground.
 void measure_depth(FittedArray& array, const Setting& setting, const Affine3f& plane_from_world, Bounds3f subject) {
   const float tangent = 0.5f * array.plane_height / array.viewing_distance;
   ConvexRegion region = view_region({0.0f, 0.0f, array.viewing_distance}, {tangent * setting.aspect, tangent});

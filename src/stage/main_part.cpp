@@ -7,11 +7,11 @@
 namespace lippmann {
 namespace {
 
-/// Smallest width of the narrowest gap, as a multiple of the main part's diagonal.
+/// The scene is cut only if all gaps are at least this many times as wide as the main part's diagonal.
 constexpr float kFarAway = 20.0f;
-/// Smallest width of a gap, as a fraction of the scene's longest side. Narrower gaps are normal in a scattered scene.
+/// Gaps narrower than this fraction of the scene's longest side are ignored, because they are normal in a scattered scene.
 constexpr float kWideGap = 0.2f;
-constexpr float kSliver = 1000.0f;  ///< smallest ratio of longest to shortest side
+constexpr float kSliver = 1000.0f;  ///< A triangle is a sliver if its longest side is at least this many times its shortest side.
 constexpr int kMostCuts = 64;
 constexpr std::size_t kBins = 512;  ///< The gap search divides each axis into this many bins.
 

@@ -31,8 +31,8 @@ ConvexRegion box_region(const Bounds3f& box);
 void visit_boxes(const Scene& scene, const Instance& instance, const ResolvedScene& resolved, const Affine3f& frame_from_world,
                  const std::function<void(const Bounds3f&)>& visit);
 
-/// Visits the parts inside the region of an instance's polygons. Corners are in the frame of the region, and valid only during
-/// the call.
+/// Receives the part of a polygon that is inside the region. Corners are in the frame of the region, and valid only during the
+/// call.
 using PolygonVisitor = std::function<void(std::span<const Vec3f> polygon)>;
 void visit_seen(const Scene& scene, const Instance& instance, const ResolvedScene& resolved, const Affine3f& frame_from_world,
                 const ConvexRegion& region, const PolygonVisitor& visit);

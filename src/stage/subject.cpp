@@ -24,9 +24,9 @@ constexpr float kThin = 0.1f;  ///< a sheet's largest thickness / longest side
 /// Largest distance of a sheet from a face of the bounding box, as a fraction of the box's size.
 constexpr float kNearFace = 0.05f;
 constexpr float kSpanning = 0.8f;  ///< fraction of a face that its sheets must span
-/// Largest diagonal of what remains without surroundings, as a fraction of the whole.
+/// Surroundings are removed only if the bounding box of the rest has at most this fraction of the whole diagonal.
 constexpr float kMuchSmaller = 0.5f;
-/// Largest such diagonal if the surroundings have no ground.
+/// Replaces kMuchSmaller if the surroundings have no ground.
 constexpr float kSmallBefore = 0.25f;
 
 using Indices = std::vector<std::size_t>;
@@ -156,8 +156,8 @@ class Peeling {
     return true;
   }
 
-  /// Returns the sheets at a face, or nothing if they do not span it together. With `each`, returns only sheets that span it
-  /// alone.
+  /// Returns the sheets at a face of the bounding box, or nothing if these sheets together do not span the face. each: returns
+  /// only sheets that alone span the face.
   Indices sheets_at(Face face, const Bounds3f& all, bool each) const {
     Indices sheets;
     for (const std::size_t i : left_)
@@ -165,8 +165,8 @@ class Peeling {
     return spans(bounds_of(sheets), face, all) ? sheets : Indices{};
   }
 
-  /// Removes sheets if the remaining part is much smaller, and returns whether it did. With `each`, removes only sheets that
-  /// span their face alone: a table, but not the coins on it.
+  /// Removes sheets if the rest is much smaller than the whole. Returns whether sheets were removed. each: removes only sheets
+  /// that alone span a face, such as a table, but not the coins on the table.
   bool peel_sheets(bool each) {
     const Bounds3f all = bounds_of(left_);
     const Indices floor = sheets_at(kFloorFace, all, each);
@@ -192,7 +192,7 @@ class Peeling {
 
   bool peel_sheets() { return peel_sheets(true) || peel_sheets(false); }
 
-  /// Returns the instances without the shell and without sheets. A sky may surround a ground nearly as wide as the sky.
+  /// Returns the instances other than the shell, without sheets such as a ground below a sky.
   Indices core_without(std::size_t shell) const {
     Peeling inner(*this);
     inner.left_ = without({shell});
@@ -201,7 +201,7 @@ class Peeling {
     return inner.left_;
   }
 
-  /// Returns whether the free space between shell and content, except below, is half as wide as the content.
+  /// Returns whether the shell leaves free space around the content, except below, of at least half the content's largest side.
   bool leaves_free(std::size_t shell, const Bounds3f& core) const {
     const Vec3f size = core.size();
     const float reach = 0.5f * std::max({size.x, size.y, size.z});

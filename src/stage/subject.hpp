@@ -34,7 +34,7 @@ bool is_surrounding(InstanceRole role);
 
 struct Subject {
   std::vector<InstanceRole> roles;
-  /// Parts outside this box (world space) are left out. Not set if nothing is.
+  /// Parts outside this box (world space) are left out. Not set if no parts are left out.
   std::optional<Bounds3f> main_part;
   /// True for an instance that main_part cuts. Empty without main_part.
   std::vector<bool> is_cut;
@@ -51,13 +51,12 @@ Subject whole_scene(const Scene& scene);
 Bounds3f bounds_of_part(const Scene& scene, const Subject& subject, std::size_t instance, const ResolvedScene& resolved,
                         const Affine3f& frame_from_world = {});
 
-/// For the whole animation. If all finite instances are surroundings, the subject is everything.
+/// Finds the subject of the whole animation. If all finite instances are surroundings, the subject is everything.
 Subject find_subject(const Scene& scene);
 
 inline float diagonal(const Bounds3f& bounds) { return bounds.empty() ? 0.0f : glm::length(bounds.size()); }
 
-/// Return lists such as "'Plane', 'Wall' and 3 others": of the surroundings, and of distant instances and splats that are left
-/// out.
+/// List the surroundings, and the distant instances and splats that are left out, in the form "'Plane', 'Wall' and 3 others".
 std::string list_surroundings(const Scene& scene, const Subject& subject);
 std::string list_strays(const Scene& scene, const Subject& subject);
 

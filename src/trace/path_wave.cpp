@@ -34,7 +34,8 @@ LIPPMANN_INLINE void gather(const Word* from, const std::int32_t* place, Word* t
   LIPPMANN_FOR_LANES(i) to[i] = from[place[i]];
 }
 
-/// Gathers a packet. Lane i of each field is copied from the float at `place[i]` behind lane 0 of that field in met[0].
+/// Gathers a packet from the packets at `met`. Lane i of each field is the float that is place[i] floats behind lane 0 of this
+/// field in met[0].
 LIPPMANN_MULTIVERSION void gather_packet(const RayHitPacket* met, const std::int32_t* place, RayHitPacket& to) {
   gather(met->ray.org_x, place, to.ray.org_x);
   gather(met->ray.org_y, place, to.ray.org_y);

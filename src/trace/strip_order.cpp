@@ -49,7 +49,7 @@ void append_along_slant(std::vector<StripPixel>& out, double columns_per_row, in
 }
 
 int strip_height(const std::optional<LensArray>& lenses, Vec2i n) {
-  // Four rows of lenses per strip give view tiles of 4 x 4 pixels.
+  // With four rows of lenses per strip, a packet can cover 4 x 4 pixels of one view.
   if (lenses && lenses->row_pitch_mm > 0.0 && n.y > 0) return 4 * n.y;
   return kRowsPerStrip;
 }

@@ -37,7 +37,8 @@ struct LayeredSurface {
 
 class LayeredBsdf {
  public:
-  /// Same as MetalRoughBsdf. `tangent` is the rougher direction. It has any length, and must not be parallel to the normal.
+  /// The arguments are as for MetalRoughBsdf, except for `tangent`: the direction of greater roughness. It may have any length,
+  /// but must not be parallel to the normal.
   LayeredBsdf(const LayeredSurface& surface, const GgxAlbedo& albedo, const MetalRoughBsdf::Normals& normals, Vec3f tangent,
               Vec3f view, bool entering);
 

@@ -62,8 +62,8 @@ LIPPMANN_INLINE MetalRoughBase metal_rough_base(const MetalRoughSurface& s, cons
   b.gloss_f0 = dielectric * b.dielectric_f0 + s.metallic * s.base_color;
   b.gloss_f90 = dielectric * b.dielectric_f90 + s.metallic;
 
-  // One lobe carries dielectric and metal. Its factor for multiple scattering is the mean of both, weighted by the light that
-  // each reflects.
+  // One lobe reflects for the dielectric and the metal. Its factor for multiple scattering is the mean of the two materials'
+  // factors, weighted by the light that each material reflects.
   const Vec3f single = single_albedo(albedo, view.z, b.alpha);
   const Vec3f of_dielectric = GgxAlbedo::directional_of(single, b.dielectric_f0, Vec3f(b.dielectric_f90));
   b.gloss_albedo = dielectric * of_dielectric + s.metallic * GgxAlbedo::directional_of(single, s.base_color, Vec3f(1.0f));
@@ -97,8 +97,8 @@ LIPPMANN_INLINE Vec3f diffuse_cosine_f(const MetalRoughBase& b, const GgxAlbedo&
   return b.diffuse_color * let_in(b, albedo, cosine) * (cosine * (1.0f / kPi));
 }
 
-/// Returns the BRDF of a rough gloss times the cosine, for light.z > 0. Also sets `density` to Ggx::visible_density(), which
-/// has most terms in common.
+/// Returns the BRDF of a rough gloss times the cosine, for light.z > 0. Also computes `density`, the probability density of light
+/// directions that are sampled by draw_facet().
 LIPPMANN_INLINE Vec3f gloss_cosine_f(const MetalRoughBase& b, Vec3f light, float& density) {
   const Ggx ggx{b.alpha};
   const Vec3f h = glm::normalize(b.view + light);

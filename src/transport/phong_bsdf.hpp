@@ -8,8 +8,8 @@
 
 namespace lippmann {
 
-/// Surface parameters at one point, with textures applied. Their sum may exceed 1, so the surface may reflect more light than
-/// arrives.
+/// Surface parameters at one point, with textures applied. The diffuse, mirrored and transmitted fractions may add up to more
+/// than 1, so the surface may reflect more light than arrives.
 struct PhongPoint {
   Vec3f diffuse{0.8f};
   Vec3f highlight{0.0f};

@@ -64,7 +64,7 @@ Vec3f film_reflectance(const ThinFilm& film, Vec3f f0, float cosine) {
         kPi +
         (n3 < n2
              ? kPi
-             : 0.0f);  // phase shifts of the reflections from film to air, where the film is denser, and from film to surface
+             : 0.0f);  // each reflection at a less dense medium shifts the phase by pi
   }
   const Vec3f r123 = glm::clamp(r12 * r23, Vec3f(1e-5f), Vec3f(0.9999f)), root = glm::sqrt(r123);
   const Vec3f rs = t121 * t121 * r23 / (Vec3f(1.0f) - r123);

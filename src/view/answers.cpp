@@ -150,7 +150,7 @@ PageAnswer PageAnswers::answer(const PageRequest& request) {
   return request.method == "POST" ? answer_text(request, path) : answer_path(path);
 }
 
-/// Answers new drops and the description. The PageAnswers of the images shown answer all other requests.
+/// Answers POSTs of dropped images, and GET fields.json. The PageAnswers of the images shown answer all other requests.
 PageAnswer PageAnswers::answer_drop(const PageRequest& request, std::string_view path) {
   const bool is_text = request.method == "POST";
   const std::shared_ptr<PageAnswers> shown = dropped_->shown();
@@ -193,7 +193,7 @@ PageAnswer PageAnswers::answer_path(std::string_view path) {
   return picture(path);
 }
 
-/// Returns the page with all data as one file, for sharing. Of a render, it has the frames that are finished.
+/// Returns the page with all data as one file, for sharing. For a render, the file has the finished frames.
 PageAnswer PageAnswers::whole_page() const {
   const auto html = [](const std::vector<std::unique_ptr<PageField>>& fields) {
     return answer_with(200, page_as_file(fields, {}), "text/html; charset=utf-8");

@@ -11,8 +11,8 @@ constexpr double kSteps = 65534.0;
 }  // namespace
 
 double disparity_mm(double z_mm, double vergence, double parallax) {
-  // Computes w (see the header) times `parallax`, with V = 1 / vergence. At z = -infinity, w is -V. From the viewers on, w is
-  // undefined, and infinity shows nothing.
+  // Computes w (see the header) times `parallax`, with V = 1 / vergence. At z = -infinity, w is -V. For points at or behind the
+  // viewers (z >= V), returns infinity, which is encoded as no surface.
   const double before_viewer = 1.0 - z_mm * vergence;
   if (std::isinf(z_mm)) return vergence > 0.0 ? -parallax / vergence : -std::numeric_limits<double>::infinity();
   return before_viewer > 0.0 ? parallax * z_mm / before_viewer : std::numeric_limits<double>::infinity();

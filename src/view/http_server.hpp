@@ -34,8 +34,8 @@ class HttpServer {
   /// page empty.
   static constexpr int kDefaultIdleSeconds = 15;
 
-  /// Listens on `port`. 0 is any free port; none is kDefaultPort, or any free port if that one is taken. Connections without a
-  /// request are closed after idle_seconds. Throws Error.
+  /// Listens on `port`; 0 means any free port. If `port` is empty, listens on kDefaultPort, or on any free port if kDefaultPort
+  /// is taken. Connections without a request are closed after idle_seconds. Throws Error.
   HttpServer(const std::string& host, std::optional<int> port, int idle_seconds = kDefaultIdleSeconds);
 
   int port() const;

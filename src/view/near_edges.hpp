@@ -9,12 +9,12 @@
 
 namespace lippmann {
 
-/// Returns the difference of disparities, in mm, that moves a pixel by half a pixel from view to view. Views have view_size
-/// pixels.
+/// Returns the difference of disparities, in mm, that shifts two points by half a pixel relative to each other between
+/// neighbouring views. view_size: pixels of a view.
 double visible_jump_mm(const PageFacts& facts, Vec2i view_size);
 
-/// If the nearest of a pixel's eight neighbours is nearer by at least jump_mm, the pixel gets its disparity. disparities: views
-/// of view_size as tiles. Neighbours without a finite disparity do not count.
+/// Gives each pixel the disparity of the nearest of its eight neighbours, if this neighbour is nearer by at least jump_mm.
+/// `disparities` holds the views as tiles of view_size pixels. Neighbours without a finite disparity do not count.
 void spread_near_disparities(Image& disparities, Vec2i view_size, double jump_mm);
 
 }  // namespace lippmann

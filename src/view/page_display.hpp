@@ -23,7 +23,7 @@ nlohmann::ordered_json phases_json(const ViewPhases& phases);
 
 nlohmann::ordered_json page_display_json(const PageDisplay& shown);
 
-/// Parses a visual.json that the page sent. `otherwise` states what the file does not define. Throws Error naming "the
+/// Parses a visual.json that the page sent. `otherwise` provides values that the file does not define. Throws Error naming "the
 /// calibration".
 PageDisplay dropped_calibration(std::string_view text, const InterlaceParams& otherwise);
 

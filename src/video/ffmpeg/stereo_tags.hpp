@@ -14,7 +14,7 @@ namespace lippmann {
 /// Call before writing the file header.
 void tag_stereo(AVFormatContext& muxer, AVStream& stream, const StereoLayout& layout);
 
-/// H.264 encoders then write the layout into the stream.
+/// Tags a frame, so that H.264 encoders write the layout into the stream.
 void tag_stereo(AVFrame& frame, const StereoLayout& layout);
 
 }  // namespace lippmann
