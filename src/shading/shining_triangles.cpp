@@ -90,8 +90,8 @@ float ShiningTriangles::seen_area(std::size_t triangle, Vec3f direction) const {
   return std::abs(glm::dot(direction, t.normal)) * t.area;
 }
 
-/// This test needs no shadow ray. Shadow rays end just before the light, so near an edge they may miss the part of the mesh that
-/// hides the light.
+/// This test needs no shadow ray. Shadow rays end just before the light, so near an edge they may miss the part of the mesh
+/// that hides the light.
 bool ShiningTriangles::is_hidden(const Triangle& t, Vec3f from, Vec3f direction) const {
   if (t.closed == BodyFacing::kNone || !is_outside(bodies_[t.record], from)) return false;
   return (glm::dot(direction, t.normal) > 0.0f) == (t.closed == BodyFacing::kOutward);

@@ -48,8 +48,8 @@ class Bsdf {
     const auto* layered = std::get_if<LayeredBsdf>(&bsdf_);
     return layered ? layered->straight() : Vec3f(0.0f);
   }
-  /// Returns the normal of the side on which a light must be to reach the viewer, or the null vector if lights on both sides do.
-  /// If the coat has a normal of its own, returns `smooth`, the shading normal without normal maps.
+  /// Returns the normal of the side on which a light must be to reach the viewer, or the null vector if lights on both sides
+  /// do. If the coat has a normal of its own, returns `smooth`, the shading normal without normal maps.
   Vec3f lit_side(Vec3f smooth) const {
     if (scatters_through()) return Vec3f(0.0f);
     return std::visit([&](const auto& b) { return b.has_coat_apart() ? smooth : b.normal(); }, bsdf_);

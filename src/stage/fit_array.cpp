@@ -97,8 +97,9 @@ ConvexRegion region_of(const CameraView& view) {
   return view.is_orthographic ? beam_region(view.half) : view_region(Vec3f(0.0f), view.half);
 }
 
-/// Places the array at a distance from a camera, perpendicular to its axis and as large as the view. The viewer is at the camera.
-/// The viewer of an orthographic camera is farther away if necessary, so that the view covers at most the default angle.
+/// Places the array at a distance from a camera, perpendicular to its axis and as large as the view. The viewer is at the
+/// camera. The viewer of an orthographic camera is farther away if necessary, so that the view covers at most the default
+/// angle.
 void place_before_camera(FittedArray& array, const Camera& camera, float distance, const CameraView& view) {
   array.node_from_plane = {Mat3f(1.0f), {0.0f, 0.0f, -distance}};
   array.plane_height = 2.0f * view.half.y * (view.is_orthographic ? 1.0f : distance);

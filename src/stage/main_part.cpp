@@ -11,7 +11,8 @@ namespace {
 constexpr float kFarAway = 20.0f;
 /// Gaps narrower than this fraction of the scene's longest side are ignored, because they are normal in a scattered scene.
 constexpr float kWideGap = 0.2f;
-constexpr float kSliver = 1000.0f;  ///< A triangle is a sliver if its longest side is at least this many times its shortest side.
+constexpr float kSliver =
+    1000.0f;  ///< A triangle is a sliver if its longest side is at least this many times its shortest side.
 constexpr int kMostCuts = 64;
 constexpr std::size_t kBins = 512;  ///< The gap search divides each axis into this many bins.
 

@@ -97,8 +97,8 @@ LIPPMANN_INLINE Vec3f diffuse_cosine_f(const MetalRoughBase& b, const GgxAlbedo&
   return b.diffuse_color * let_in(b, albedo, cosine) * (cosine * (1.0f / kPi));
 }
 
-/// Returns the BRDF of a rough gloss times the cosine, for light.z > 0. Also computes `density`, the probability density of light
-/// directions that are sampled by draw_facet().
+/// Returns the BRDF of a rough gloss times the cosine, for light.z > 0. Also computes `density`, the probability density of
+/// light directions that are sampled by draw_facet().
 LIPPMANN_INLINE Vec3f gloss_cosine_f(const MetalRoughBase& b, Vec3f light, float& density) {
   const Ggx ggx{b.alpha};
   const Vec3f h = glm::normalize(b.view + light);

@@ -60,11 +60,7 @@ Vec3f film_reflectance(const ThinFilm& film, Vec3f f0, float cosine) {
   for (int c = 0; c < 3; ++c) {
     const float root = std::sqrt(std::clamp(f0[c], 0.0f, 0.9999f)), n3 = (1.0f + root) / (1.0f - root);
     r23[c] = schlick(reflectance_between(n2, n3), c2);
-    phi[c] =
-        kPi +
-        (n3 < n2
-             ? kPi
-             : 0.0f);  // each reflection at a less dense medium shifts the phase by pi
+    phi[c] = kPi + (n3 < n2 ? kPi : 0.0f);  // each reflection at a less dense medium shifts the phase by pi
   }
   const Vec3f r123 = glm::clamp(r12 * r23, Vec3f(1e-5f), Vec3f(0.9999f)), root = glm::sqrt(r123);
   const Vec3f rs = t121 * t121 * r23 / (Vec3f(1.0f) - r123);

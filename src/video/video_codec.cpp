@@ -44,8 +44,8 @@ std::string names(const std::vector<VideoCodec>& codecs) {
   return text;
 }
 
-/// Returns the longest permitted side in pixels. For H.264 and HEVC, this is the limit of hardware decoders (levels 5.2 and 6.2).
-/// For VP9 and AV1, it is enough for the largest quilts.
+/// Returns the longest permitted side in pixels. For H.264 and HEVC, this is the limit of hardware decoders (levels 5.2
+/// and 6.2). For VP9 and AV1, it is enough for the largest quilts.
 int longest_side(VideoCodec codec) {
   switch (codec) {
     case VideoCodec::kH264:

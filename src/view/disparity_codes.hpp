@@ -1,8 +1,8 @@
 // Encodes depth for a page as disparity codes in the pixels of an image.
 //
 // Two eyes at distance V look at the display at slopes that differ by d. From one eye to the other, a point at depth z moves by
-// d w in the plane z = 0, where w = z V / (V - z), or w = z for eyes at infinity. A code stores w, with even steps near the plane and ever
-// larger steps away from it:
+// d w in the plane z = 0, where w = z V / (V - z), or w = z for eyes at infinity. A code stores w, with even steps near the
+// plane and ever larger steps away from it:
 //   code = 1 + round(65534 (t + 1) / 2),  t = w / (|w| + scale)
 // in red (high byte) and green (low byte); blue is 0. Code 0 means that there is no surface.
 #pragma once

@@ -24,8 +24,8 @@ ViewGrid tiles_for(int views) {
   return {columns, (views + columns - 1) / columns};
 }
 
-/// Describes the views of lenses that are not a whole number of pixels wide: one view per direction that the panel distinguishes.
-/// Reduces the size of the views if they would exceed kMaxEyePixels.
+/// Describes the views of lenses that are not a whole number of pixels wide: one view per direction that the panel
+/// distinguishes. Reduces the size of the views if they would exceed kMaxEyePixels.
 void describe_eyes(const Optics& optics, PageFacts& facts) {
   const Vec2i counts = glm::min(view_counts(optics), Vec2i(kMaxEyesAcross, kMaxEyesUp));
   facts.grid = {counts.x, counts.y};

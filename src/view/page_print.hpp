@@ -34,8 +34,8 @@ class PagePrints {
   /// `field` must outlive this object. Requires field.has_plain_views().
   explicit PagePrints(const PageField& field);
 
-  /// Returns the print's `id`, `description`, how its views were `fitted`, its `pixels`, and as `field` the light field that
-  /// eyes see of it. Throws Error.
+  /// Makes a print. Returns JSON with the keys `id`, `description`, `fitted` (how the views were fitted), `pixels` and `field`
+  /// (the light field that eyes see of the print). Throws Error.
   nlohmann::ordered_json make(const std::string& request);
 
   /// `kind` is "views" (what eyes see), "panel" or "file" (the print itself). Null if there is no such print.

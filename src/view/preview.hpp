@@ -12,7 +12,8 @@ namespace lippmann {
 /// nullopt if the quilt is so small that it needs no preview.
 std::optional<Vec2i> preview_view_size(const PageFacts& facts);
 
-/// Each pixel is the mean of a block. Needs preview_view_size(facts).
+/// Shrinks a quilt: each pixel of the preview is the mean of a block of pixels. Call this only if preview_view_size(facts) has
+/// a value.
 Image8 preview_of(const Image8& quilt, const PageFacts& facts);
 
 std::string encoded_preview(const Image8& quilt, const PageFacts& facts);

@@ -52,7 +52,7 @@ class PageFolder {
   std::vector<fs::path> files_;
 };
 
-/// Saving would replace another file.
+/// Throws Error if the file exists and is not a saved page, because saving would replace it.
 void require_own_page(const fs::path& file, std::string_view mark, const char* accepted) {
   if (!is_regular_file_there(file)) return;
   if (read_file_text(file, kMaxFileBytes, "a page that was saved before").find(mark) == std::string::npos)

@@ -24,8 +24,8 @@ struct SavedPage {
   std::vector<std::filesystem::path> files = {};
 };
 
-/// Makes the folder if necessary, and replaces a page saved there before. Throws Error naming a file, also if the folder
-/// contains another page. If context.cancelled is set, stops without writing index.html.
+/// Makes the folder if necessary, and replaces a page saved there before. Throws Error naming a file if saving fails, or if the
+/// folder contains any other page. If context.cancelled is set, stops without writing index.html.
 SavedPage save_page(const std::vector<std::unique_ptr<PageField>>& fields, const std::filesystem::path& folder,
                     const Context& context, const FrameSaved& saved = {});
 
@@ -34,7 +34,7 @@ SavedPage save_page(const std::vector<std::unique_ptr<PageField>>& fields, const
 std::string page_as_file(const std::vector<std::unique_ptr<PageField>>& fields, const Context& context,
                          const FrameSaved& saved = {});
 
-/// Throws Error naming the file, also if it exists and is not a saved page.
+/// Throws Error naming the file if saving fails, or if the file exists and is not a saved page.
 SavedPage save_page_file(const std::vector<std::unique_ptr<PageField>>& fields, const std::filesystem::path& file,
                          const Context& context, const FrameSaved& saved = {});
 

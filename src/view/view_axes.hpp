@@ -1,7 +1,7 @@
 // The eyes of a page's views along one axis, equally spaced in slope or in angle.
 //
-// An eye is given by its slope at the middle of the display (optics/viewer.hpp). View i has T(slope) = first + i step, where T
-// is the arc tangent if by_angle, otherwise the identity.
+// An eye is given by its slope at the middle of the display (optics/viewer.hpp). For view i, T(slope) = first + i * step, where
+// T is the arc tangent if by_angle is set, otherwise the identity.
 #pragma once
 
 #include "lippmann/layout/view_layout.hpp"
@@ -31,7 +31,7 @@ struct ViewAxes {
   double vergence = 0.0;
 };
 
-/// If views are not whole pixels, returns the axes of eyes in all distinguishable directions.
+/// If the pixels of views are not whole pixels of the panel, returns eyes in all directions that the panel distinguishes.
 ViewAxes view_axes(const Optics& optics, ViewGrid grid);
 
 }  // namespace lippmann

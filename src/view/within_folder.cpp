@@ -45,8 +45,8 @@ bool is_read_with(const fs::path& picture, const std::string& name) {
   return name.starts_with(stem + ".") || name.starts_with(stem + "_") || name.starts_with("aov_" + number);
 }
 
-/// Reports are also searched in the two folders above, which may be outside `root`. A report may be a link within its own
-/// folder.
+/// Reports are also read from the two folders above the file, which may be outside `root`. A report may be a link to a file in
+/// its own folder.
 void require_reports_within(const fs::path& root, const fs::path& file) {
   const fs::path parent = file.parent_path();
   for (const fs::path& folder : {file, parent, parent.parent_path()}) {

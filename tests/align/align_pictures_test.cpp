@@ -113,7 +113,8 @@ TEST_F(Align, views_show_the_focus_at_one_place) {
             std::abs(view.rgb[3 * (static_cast<std::size_t>(y) * view.width + x)] - 20.0 - 215.0 * texture_at(place, 21));
         worst = std::max(worst, off), sum += off, ++count;
       }
-    // In codes: rounding adds up to 1/2 in the input and 1/2 in the output, and a misalignment of 0.1 px about 1.
+    // Differences are in codes. Rounding the input and the output adds up to 1/2 each, and a misalignment of 0.1 px adds
+    // about 1.
     EXPECT_LT(sum / count, 1.5) << i;
     EXPECT_LT(worst, 12.0) << i;
   }

@@ -18,8 +18,8 @@ Scene scene_named(const std::string& name) {
   return std::find_if(all.begin(), all.end(), [&](const HostileScene& scene) { return scene.name == name; })->build();
 }
 
-/// Returns the longest distance that a shape or light moves since the previous frame, relative to the height of the
-/// display plane. Points beside each shape count too, so that rotation does.
+/// Returns the longest distance that a shape or light moves since the previous frame, relative to the height of the display
+/// plane. Points beside the shapes are moved too, so that rotations count.
 float largest_step(const Scene& scene, int frame) {
   const ResolvedScene before = evaluate(scene, scene.timeline.time(frame - 1)),
                       after = evaluate(scene, scene.timeline.time(frame));

@@ -37,8 +37,8 @@ TEST(LightFigures, error_is_the_mean_over_all_frames) {
 }
 
 TEST(LightFigures, noise_of_references_is_not_counted) {
-  // The true value is 100. The two references differ from it by +-4 and +-6 codes. A picture of the true value differs
-  // from them by -+4 and -+6, so the products of both differences, +-24, sum to 0.
+  // The true value is 100. The references differ from it by (4, -4, 4, -4) and by (6, 6, -6, -6) codes. The products of these
+  // differences, (24, -24, -24, 24), add up to 0.
   const References references{{picture(4, 1, {104, 96, 104, 96}), picture(4, 1, {106, 106, 94, 94})}};
   EXPECT_DOUBLE_EQ(mean_squared_error(references, {picture(4, 1, {100, 100, 100, 100})}), 0.0);
   EXPECT_DOUBLE_EQ(mean_squared_error(references, {picture(4, 1, {103, 103, 103, 103})}), 9.0);

@@ -27,7 +27,8 @@ class Scaling(unittest.TestCase):
     def test_free_nodes_take_the_next_unit(self):
         self.assertEqual(scaling.scheduled_seconds([4.0, 1.0, 1.0, 5.0], 2), 7.0)
         self.assertEqual(scaling.scheduled_seconds([4.0, 1.0], 8), 4.0)
-        # The units take 12, 12 and 8 s. Two nodes run the first two, and then one of them the third.
+        # The three groups of frames take 12, 12 and 8 s. Two machines take the groups of 12 s, and then one machine takes the
+        # group of 8 s.
         self.assertEqual(scaling.simulated_seconds(SMALL, 2, 3, seed=1), 12 + 8)
 
     def test_the_simulation_is_within_its_bounds(self):

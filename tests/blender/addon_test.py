@@ -417,7 +417,8 @@ class AddOn(unittest.TestCase):
         portrait = next(one for one in displays.known() if one["name"] == "looking-glass-portrait")
         per_unit = portrait["size_mm"][1] / 2.0
         self.assertAlmostEqual(job["focal-plane"], 2.0 * per_unit, delta=1e-3 * per_unit)  # the camera focuses at 8 units; the display's plane is at 10 units
-        self.assertAlmostEqual(job["aperture"], 0.04 / 0.5 * portrait["viewing_distance_mm"] / 10.0, delta=1e-3)  # f / N = 40 mm / 0.5, times viewing distance / 10 units
+        # the aperture f / N = 0.04 / 0.5 units, converted to mm: 10 units are the viewing distance
+        self.assertAlmostEqual(job["aperture"], 0.04 / 0.5 * portrait["viewing_distance_mm"] / 10.0, delta=1e-3)
         self.assertEqual(job["shutter"], 0.25)
         scene.render.motion_blur_shutter, scene.lippmann.resume = 1.5, False
         bpy.ops.render.render(animation=True)

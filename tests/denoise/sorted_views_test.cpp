@@ -84,8 +84,8 @@ TEST(SortedViews, sights_find_points_at_their_pixels) {
   }
 }
 
-// The directions of a view's pixels differ by less than a pixel's angle, so a point at half the depth budget is mapped
-// to within one pixel. With diamond-shaped pixels, a few belong to a neighbouring view.
+// The directions of a view's pixels differ by less than a pixel's angle, so a point at half the depth budget is mapped to
+// within one pixel. If pixels are diamond-shaped, a few points are mapped to a neighbouring view.
 TEST(SortedViews, sights_are_accurate_to_one_pixel) {
   for (const OpticsCase& kind : optics_cases()) {
     const SortedViews views = all_views(kind.optics);

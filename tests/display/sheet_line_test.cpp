@@ -37,9 +37,8 @@ TEST(SheetLine, papers) {
   EXPECT_EQ(load_display("lpi=60 dpi=1440 paper=42x10mm").pixels.x, 2381);
 }
 
-// c is the width in mm of the print below a lens. With a viewing angle of 2 atan(1/2), the gap g from lenses to print
-// equals c. Rays from an eye at 500 mm through lenses 0.5 mm apart meet the print c = 0.5 (500 + g) / 500 apart, so c =
-// 250 / 499.5.
+// c is the width in mm of the print below a lens. The viewing angle is 2 atan(1/2), so the gap between lenses and print equals
+// c. The lenses are 0.5 mm apart and the eye is at 500 mm. By similar triangles, c / 0.5 = (500 + c) / 500, so c = 250 / 499.5.
 TEST(SheetLine, near_viewers_need_a_wider_print) {
   const double angle = 2.0 * std::atan(0.5) * 180.0 / std::numbers::pi;
   const std::string rest = " dpi=2540 paper=A6 viewing-distance=500 view-angle=" + std::to_string(angle);

@@ -62,7 +62,7 @@ TEST(JournalWriter, names_of_parts_state_the_writer) {
   EXPECT_TRUE(writer->is_of_this_machine());
   EXPECT_EQ(writer->process, 4321);
   EXPECT_EQ(writer->began, 1764104700.0);
-  // -2: the process's second journal that began in the same second
+  // The suffix -2 marks the second journal that a process began in the same second.
   EXPECT_EQ(writer_of("01764104700-" + platform::host_name() + "-4321-2.jsonl")->process, 4321);
 }
 

@@ -58,9 +58,9 @@ struct MovingEdge {
   Placement placement;
 };
 
-// The edge moves 10 pixels per frame and the shutter is open for half a frame, so the edge becomes a ramp of 5 pixels
-// around 10 pixels. `steps` are differences of neighbouring pixels, with the variance 5^2 / 12 of the ramp plus 1/6 for
-// the width of pixels. Exposure times are 5 / 32 = 0.16 pixels apart, and a pixel's light has errors of up to 2/64.
+// The edge moves 10 pixels per frame, and the shutter is open for half a frame, so the edge becomes a ramp 5 pixels wide around
+// pixel 10. The ramp has the variance 5^2 / 12, to which the width of pixels adds 1/6. `steps` are differences of neighbouring
+// pixels. Between two of the 32 exposure times, the edge moves by 5 / 32 = 0.16 pixels.
 TEST(Exposure, a_moving_edge_becomes_a_ramp) {
   const Image film = MovingEdge().frame({.spp = 64, .shutter = 0.5f}).pictures.film;
   double place = 0.0, variance = 0.0;

@@ -159,7 +159,7 @@ TEST_F(DisplayRenders, finished_pictures_are_precompensated_equally) {
   render(teapot("plain", "3", sheet));
   render(teapot("shown", "3", sheet + Settings{{"precompensate", "true"}, {"crosstalk", "0.35"}}));
   precompensate_frames({dir_ / "plain", dir_ / "made", 0.35}, context_);
-  // The first picture is corrected from floats, the second from 16-bit codes.
+  // The folder `shown` has a picture corrected from floats, and `made` has one corrected from 16-bit codes.
   EXPECT_LE(compare(dir_ / "shown/frame_0003.png", dir_ / "made/frame_0003.png", context_).mean_rmse.mean, 0.05);
   EXPECT_EQ(replay({.in = dir_ / "made"}, context_).written.size(), 1u);
 }

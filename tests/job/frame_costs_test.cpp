@@ -54,12 +54,12 @@ TEST(JobCosts, keys_of_copies_count_for_sixteen_frames) {
 }
 
 TEST(JobCosts, sources_exclude_later_frames_of_the_unit) {
-  // Frames 0, 8 and 16 are key frames. Frames 0 and 1 also need frames 2, 4 and 8. Frame 9 needs frame 16, outside the
-  // job.
+  // Frames 0, 1, 8 and 9 are measured. They also need the frames 2, 4 and 16. Frames 2 and 4 belong to the job, which renders
+  // them anyway. Only frame 16, outside the job, is an additional cost.
   const MeasuredRun run{
       {made(0, 1.0), made(1, 1.0), made(8, 1.0), made(9, 1.0)}, {made(2, 4.0), made(4, 4.0), made(16, 6.0)}, 0.0, 18.0, 0};
   const JobCosts costs = frame_costs(run, frames_from(0, 16), 8);
-  EXPECT_DOUBLE_EQ(costs.source_cpu_seconds, 3.0);  // frame 16 costs 6 s, shared by two segments
+  EXPECT_DOUBLE_EQ(costs.source_cpu_seconds, 3.0);  // 6 s for frame 16, divided by two groups of 8 frames
   EXPECT_DOUBLE_EQ(costs.write_cpu_seconds, 0.0);
 }
 

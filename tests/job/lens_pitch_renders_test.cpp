@@ -101,7 +101,7 @@ TEST_F(LensPitchRenders, wrong_pitch_drifts_one_lens_per_74) {
   const LightField field = views_with_pitch(render_squares(0.0), 10.0);
   for (int view = 0; view < field.grid.count(); ++view) {
     const std::array<Vec2d, 4> found = squares_in(field, view);
-    // 143 lenses are 1449.3 pixels
+    // 143 lenses of 10.135 pixels are 1449.3 pixels, which are read as 144.93 lenses of 10 pixels.
     EXPECT_NEAR(found[1].x - found[0].x, 143.0 + 143.0 / 74.0, 0.3) << view;
     EXPECT_NEAR(found[3].x - found[2].x, 143.0 + 143.0 / 74.0, 0.3) << view;
   }

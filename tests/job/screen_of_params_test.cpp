@@ -122,8 +122,8 @@ TEST(ScreenOfParams, viewer_too_close_for_lenses_is_refused) {
   for (const OpticsKind kind : {OpticsKind::kLenticular, OpticsKind::kMicrolens}) {
     RenderParams params;
     params.optics.kind = kind;
-    // With the viewer 0.1 mm in front of the lenses and the panel 2 mm behind them, lenses would be 0.1 / (0.1 + 2) =
-    // 1/21 as wide as their cells.
+    // The viewer is 0.1 mm in front of the lenses, and the panel 2 mm behind them. Lenses would thus be 0.1 / (0.1 + 2) = 1/21
+    // as wide as the parts of the panel below them.
     params.optics.viewing_distance_mm = 0.1f;
     try {
       optics_on(placed_array(), params);

@@ -239,9 +239,8 @@ TEST_F(StripRenders, plan_has_every_strip_once) {
   EXPECT_FALSE(exists("out"));
 }
 
-// Tests frames that are rendered in bands because they do not fit into memory. Memory per pixel: with `copy`, 31 bytes
-// for a frame and its key frame, 19 for bands; with denoising, 123 bytes for a frame, 66 for bands with the rows around
-// them.
+// Tests frames that are rendered in bands of rows because whole frames do not fit into available_memory. `kinds` has the
+// available bytes per pixel.
 TEST_F(StripRenders, bands_have_the_bytes_of_whole_frames) {
   const std::pair<Settings, double> kinds[] = {{{{"frames", "3-4"}, {"reuse", "copy"}}, 31.0},
                                                {{{"integrator", "path"}, {"spp", "2"}}, 130.0}};

@@ -20,8 +20,8 @@ TEST(TestPattern, zone_goes_from_red_to_blue) {
 }
 
 TEST(TestPattern, arrows_point_to_the_eye) {
-  // At x = -0.45, the left arrow's tip is visible only from the left; at x = 0.45, the right arrow's only from the
-  // right.
+  // The tip of the left arrow, at x = -0.45, is visible only from the left. The tip of the right arrow, at x = 0.45, is visible
+  // only from the right.
   const Vec3f white(0.9f);
   EXPECT_EQ(test_pattern({-0.45f, 0.012f}, 1.0f, 0.1f), white);
   EXPECT_NE(test_pattern({0.45f, 0.012f}, 1.0f, 0.1f), white);

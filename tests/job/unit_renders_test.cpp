@@ -81,7 +81,7 @@ TEST_F(UnitRenders, missing_frames_are_named_and_resumed) {
   EXPECT_TRUE(finish("a").report) << "a second time";
 }
 
-// With `copy`, runs choose different source frames, so their provenance differs.
+// Does not test `copy`, because its runs choose different source frames, so that the provenance differs.
 TEST_F(UnitRenders, provenance_equals_that_of_one_run) {
   const std::vector<Settings> ways{{{"reuse", "interpolate"}, {"keyframes", "4"}},
                                    {{"reuse", "interpolate"}, {"keyframes", "2"}, {"min-psnr", "40"}},

@@ -23,8 +23,8 @@ LightField views_with(const Attributes& attributes, ViewGrid grid = {3, 3}) {
   return field;
 }
 
-/// Returns the disparity in pixels of a point from the left to the middle view (x, to the left) and from the lower to
-/// the middle view (y, upwards).
+/// Returns the disparities of a point in pixels. x: how far the point moves to the left from the left view to the middle view.
+/// y: how far the point moves down from the lower view to the middle view.
 Vec2d disparity_of(const LightField& field, double depth_m) {
   const std::vector<PosedCamera> cameras = posed_cameras(field, "a");
   const Vec3d point = unprojected(cameras[4], {7.0, 11.0}, 1000.0 * depth_m);

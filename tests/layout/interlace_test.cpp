@@ -125,7 +125,7 @@ TEST(Interlace, linear_filter_is_bilinear_within_a_view) {
 }
 
 TEST(Interlace, native_rays_match_interlaced_views) {
-  // The eye at which a sub-pixel's ray arrives must lie in the part of the view cone that belongs to its view.
+  // A sub-pixel's ray must meet the part of the view cone that belongs to the view shown by the sub-pixel.
   const Display display = load_display("looking-glass-16-portrait");
   const Optics optics = native_optics(display);
   const auto& panel = std::get<SlantedPanel>(optics.model);

@@ -177,7 +177,7 @@ TEST(LostDepth, conversion_warns_once) {
   EXPECT_FALSE(converted.lacks_depth) << "the reader has warned";
 }
 
-/// Prints whose views are resized while they are read must not compare the resized views with depth maps and cameras.
+/// Readers that resize the views must not compare the resized views with depth maps and cameras.
 TEST(LostDepth, resized_views_need_no_depth) {
   for (const char* format : {"hci", "cvkit", "miv", "stanford"}) {
     const Damaged whole(format, {});

@@ -65,8 +65,8 @@ RawLight white_light(double pitch) {
   };
 }
 
-/// Returns the largest distance in pixels from a lens of one grid to the nearest lens of the other. Offsets of equal
-/// grids may differ by whole lenses.
+/// Returns the largest distance in pixels from a lens of `estimate` to the nearest lens of `truth`. Equal grids may have
+/// offsets that differ by whole lenses.
 double grid_distance(const LensGrid& estimate, const LensGrid& truth, Vec2i size) {
   double most = 0.0;
   for (int j = -100; j <= 100; ++j)
@@ -223,8 +223,8 @@ TEST(PlenopticViews, hexagonal_rows_become_square_pixels) {
   for (const bool lanczos : {false, true}) {
     const LightField field = views_of(raw_picture(grid, {360, 300}, ramp), {.grid = grid, .lanczos = lanczos}, {3, 3});
     const double rows = grid.row_pitch_px;
-    // Lens centres are at 12 to 348 pixels in shifted rows and at 6 to 342 in the others. The views cover the range of
-    // both, 12 to 342.
+    // Lens centres are at 12 to 348 pixels in shifted rows, and at 6 to 342 pixels in other rows. The views cover the common
+    // range, 12 to 342.
     ASSERT_EQ(field.view_size, Vec2i(static_cast<int>(330.0 / rows) + 1, 29));
     for (const Vec2i at : {Vec2i(4, 4), Vec2i(15, 11), Vec2i(27, 20)})
       EXPECT_NEAR(view_sample(field, 4, at.x, at.y), 0.001 * (12.0 + at.x * rows) + 0.0005 * (6.0 + at.y * rows), 1e-3);
@@ -395,8 +395,8 @@ LightField views_of(const Optics& optics, ViewGrid views) {
   return plenoptic_views(raw, {.grid = lens_grid_of(optics), .optics = optics}, views, raw, "a", &z);
 }
 
-/// Compares the cameras with the rays of the sensor: the ray of the pixel below a lens must be that of the view's pixel. The
-/// array of the second camera is so near to the main lens that no plane has zero disparity.
+/// Compares the cameras of views with rays: a pixel below a lens and the pixel of the view must have the same ray. With a shift
+/// of -4 mm, the lens array is so near to the main lens that no plane has zero disparity.
 TEST(PlenopticViews, cameras_see_along_the_rays_of_the_sensor) {
   for (const float shift_mm : {0.0f, 1.5f, -4.0f})
     for (const LensPacking packing : {LensPacking::kSquare, LensPacking::kHexagonal}) {
@@ -405,7 +405,7 @@ TEST(PlenopticViews, cameras_see_along_the_rays_of_the_sensor) {
       const LightField field = views_of(optics, {5, 3});
       EXPECT_EQ(field.cameras.has_value(), shift_mm > -3.0f);
       const std::vector<PosedCamera> cameras = posed_cameras(field, "a");
-      // Cameras that share a plane are in a frame of their own, whose origin differs from that of the display frame.
+      // If all cameras lie in one plane, the origin of their coordinates differs from that of the display frame.
       const Vec3d moved = Vec3d(0.0, 0.0, 800.0) - cameras[7].position_mm;
       for (const int view : {0, 4, 7, 10}) {
         const PosedCamera& camera = cameras[static_cast<std::size_t>(view)];
@@ -431,7 +431,8 @@ TEST(PlenopticViews, views_coincide_in_the_plane_in_focus) {
   const LightField field = views_of(optics, {9, 9});
   ASSERT_TRUE(field.cameras);
   EXPECT_NEAR(field.cameras->distance_mm, 800.0, 0.01);
-  // Neighbouring views are m t / b = 0.01 * 53.333 / 2 mm apart on the main lens.
+  // Neighbouring views are pixel width * distance from main lens to lens array / gap = 0.01 * 53.333 / 2 mm apart on the main
+  // lens.
   EXPECT_NEAR(field.cameras->eyes_mm[1].x - field.cameras->eyes_mm[0].x, 0.01 * (800.0 / 15.0) / 2.0, 1e-5);
   EXPECT_NEAR(field.cameras->eyes_mm[9].y - field.cameras->eyes_mm[0].y, 0.01 * (800.0 / 15.0) / 2.0, 1e-5);
   ASSERT_TRUE(field.depth);

@@ -391,8 +391,8 @@ TEST(ColmapFormat, points_come_back_as_text_and_binary) {
 }
 
 TEST(ColmapFormat, points_keep_their_pixels_in_grids) {
-  // The second camera is the first one moved by (20, 0, 0) mm, turned by 90 degrees about z together with the point. Both see
-  // the same window of the plane at a distance of 500 mm, so the views become a grid in another frame.
+  // The cameras are 20 mm apart. Cameras and point are turned by 90 degrees about z. Both cameras see the same window of the
+  // plane at a distance of 500 mm, so the views become a grid, with other coordinates.
   const TempDir dir;
   LightField field = numbered_field({2, 1}, {40, 30});
   const glm::dmat3 turn(Vec3d(0.0, 1.0, 0.0), Vec3d(-1.0, 0.0, 0.0), Vec3d(0.0, 0.0, 1.0));

@@ -91,8 +91,8 @@ TEST(Rgbd, colours_depth_and_camera_come_back) {
   EXPECT_EQ(opened.format, "rgbd");
   EXPECT_TRUE(same_samples(opened.field.stack, view_of(field, 1)));
   EXPECT_EQ(opened.field.cameras->pixel_mm, Vec2d(10.0));
-  // 16-bit codes cover the disparities from -29 / 1.29 to 1 / 0.99 mm, so a step is 4e-4 mm, and less than twice as
-  // much in depth.
+  // Depths of -29 to 1 mm are disparities of -29 / 1.29 to 1 / 0.99 mm. A step of 16-bit codes is 4e-4 mm in disparity, and
+  // less than twice as much in depth.
   for (int x = 0; x < 4; ++x) EXPECT_NEAR(opened.field.depth->pixel(x, 1)[0], -10.0 * x + 1.0, 4e-4) << x;
 }
 
