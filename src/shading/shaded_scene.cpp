@@ -67,7 +67,7 @@ bool ShadedScene::any_emitter_moves() const {
   return false;
 }
 
-/// A tree of a million lights takes seconds to build, so update() keeps the table while no light moves.
+/// Building a light tree for a million lights takes seconds, so update() calls this only if a light has moved.
 void ShadedScene::tabulate_lights() {
   if (path)
     path->lights = std::make_unique<LightTable>(

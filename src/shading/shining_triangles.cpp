@@ -11,7 +11,7 @@ namespace {
 /// Scenes with more emissive triangles than this sample them by a tree instead of by power.
 constexpr std::size_t kMostTrianglesByPower = 4;
 
-/// Returns the facing of a closed mesh after a transform, which reverses the facing if it mirrors.
+/// Returns the facing of a closed mesh after a transform. A mirroring transform reverses the facing.
 BodyFacing mirrored(BodyFacing facing, const Affine3f& place) {
   if (facing == BodyFacing::kNone || glm::determinant(place.linear) > 0.0f) return facing;
   return facing == BodyFacing::kOutward ? BodyFacing::kInward : BodyFacing::kOutward;

@@ -35,7 +35,8 @@ struct SurfacePacket {
 std::uint32_t hit_instance(const ShadedScene& scene, const RayHitPacket& packet, int i);
 
 /// Evaluates the surfaces that the active lanes of `packet` have hit. path_length: for each lane, the length of the path before
-/// this ray. `beam` determines the texture filter, which covers a whole pixel in the lanes of `spread`, otherwise one sample.
+/// this ray. `beam` determines the texture filter. The filter covers a whole pixel in the lanes of `spread`, and one sample in
+/// other lanes.
 void evaluate_surfaces(const ShadedScene& scene, const RayHitPacket& packet, const LaneMask& active, const Lanes& path_length,
                        const BeamFootprint& beam, SurfacePacket& surface, const LaneMask* spread = nullptr);
 
@@ -45,8 +46,8 @@ Vec3f smooth_lift(const SurfacePacket& surface, int i);
 
 /// Width of a ray's beam at its hit, for texture filtering: the sample_footprint_mm of the optics, in world units, as a
 /// function of the path length from the plane where rays start. Paths are treated as straight along the display's -z axis, with
-/// mirrors unfolded. The width is exact for the central view, and off by at most the cosine of half the viewing zone for
-/// others.
+/// mirrors unfolded. The width is exact for the central view. For other views, it is wrong by at most a factor of the cosine of
+/// half the viewing zone.
 ///
 /// With n samples per pixel, the beam of a sample covers 1 / n of the pixel's area, but at least 1 / 8 of its width. After: M.
 /// Pharr et al., "Physically Based Rendering", 4th ed., section 10.1.

@@ -29,8 +29,8 @@ const std::uint16_t* texel(const DeviceTexture::Level& level, int x, int y) {
          4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(level.width) + static_cast<std::size_t>(x));
 }
 
-/// Halves the resolution. For odd sizes, the last column or row of the coarse level covers three texels. Tachyon mode drops the
-/// extra texels, and truncates the averages of bytes; a byte b is stored as the code 257 b.
+/// Halves the resolution. For odd sizes, the last column or row of the coarse level covers three texels. Tachyon mode ignores
+/// the third texel, and rounds averages down to whole bytes. A byte b is stored as the code 257 * b.
 DeviceTexture::Level halve(const DeviceTexture::Level& fine, bool tachyon) {
   DeviceTexture::Level coarse{std::max(1, fine.width / 2), std::max(1, fine.height / 2), {}};
   coarse.rgba.reserve(4 * static_cast<std::size_t>(coarse.width) * static_cast<std::size_t>(coarse.height));

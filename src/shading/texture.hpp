@@ -48,8 +48,7 @@ Vec4f sample_point(const DeviceTexture& texture, Vec2f uv, std::size_t level = 0
 /// path_length: length of the whole path from the eye, for each lane.
 /// 1. Within a level, interpolation is bilinear over (resolution - 1) texels, without wrapping.
 /// 2. The level is blur * (n - 0.9999) for n levels. The blur, 0 to 1, grows with the path length. The two nearest levels are
-/// blended, but from level n - 2
-///    on, only the last level is used.
+///    blended, but from level n - 2 on, only the last level is used.
 void sample_projected(const DeviceTexture& texture, const ImageProjection& projection, const Lanes3& point,
                       const Lanes& path_length, const LaneMask& wanted, Lanes3& color);
 

@@ -7,8 +7,9 @@
 
 namespace lippmann {
 
-/// Converts a lamp. The power is 0 if light trees do not support it: directional lamps, and lamps without inverse-square
-/// falloff. `beam` describes the lamp's photometric web and must exist until the tree is built; null: the lamp has no web.
+/// Converts a lamp. The power is 0 for lamps that light trees do not support: directional lamps, and lamps without
+/// inverse-square falloff. `beam` describes the lamp's photometric web and must exist until the tree is built; null: the lamp
+/// has no web.
 TreeLight tree_light(const WhittedLight& lamp, const WebBeam* beam = nullptr);
 
 /// Converts a triangle with a positive area. `power` is proportional to area times radiance, in any unit that all triangles

@@ -13,7 +13,7 @@ namespace lippmann {
 struct ShownDepth {
   float front_mm = 0.0f, back_mm = 0.0f;
   float budget_mm = kInfinity;
-  /// Only the subject's range; surroundings may exceed it.
+  /// True if the range is that of the subject only; surroundings may exceed it.
   bool of_subject = false;
 
   float deepest_mm() const;

@@ -252,8 +252,8 @@ struct SubjectBounds {
 };
 
 SubjectBounds bounds_in_view(const Setting& setting, const Direction& direction, Vec2f cosine, Vec2f sine) {
-  // The matrices `width` and `height` compute x cos + z sin and -x cos + z sin, and the same with y. Their third rows are
-  // unused.
+  // The matrix `width` computes x cos + z sin and -x cos + z sin. The matrix `height` computes the same with y instead of x.
+  // The third rows are unused.
   const Affine3f width{glm::transpose(Mat3f({cosine.x, 0, sine.x}, {-cosine.x, 0, sine.x}, {0, 0, 1})), Vec3f(0.0f)};
   const Affine3f height{glm::transpose(Mat3f({0, cosine.y, sine.y}, {0, -cosine.y, sine.y}, {0, 0, 1})), Vec3f(0.0f)};
   SubjectBounds all;

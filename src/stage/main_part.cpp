@@ -11,8 +11,8 @@ namespace {
 constexpr float kFarAway = 20.0f;
 /// Gaps narrower than this fraction of the scene's longest side are ignored, because they are normal in a scattered scene.
 constexpr float kWideGap = 0.2f;
-constexpr float kSliver =
-    1000.0f;  ///< A triangle is a sliver if its longest side is at least this many times its shortest side.
+/// A triangle is a sliver if its longest side is at least this many times its shortest side.
+constexpr float kSliver = 1000.0f;
 constexpr int kMostCuts = 64;
 constexpr std::size_t kBins = 512;  ///< The gap search divides each axis into this many bins.
 
@@ -33,7 +33,7 @@ Gap widest_gap(const std::vector<ScenePiece>& pieces, const Bounds3f& all, int a
   const auto bin_of = [&](float at) {
     return std::min(static_cast<std::size_t>(std::max((at - all.lower[axis]) / bin, 0.0f)), kBins - 1);
   };
-  // Number of pieces that begin in a bin, minus those that ended in the bin before.
+  // Number of pieces that begin in a bin, minus the pieces that end in the previous bin.
   std::array<int, kBins + 1> begins{};
   for (const ScenePiece& piece : pieces) {
     ++begins[bin_of(piece.bounds.lower[axis])];

@@ -1,4 +1,4 @@
-// For infinite planes, 1 / depth is linear in the position in the window, so extreme depths lie at its corners.
+// For infinite planes, 1 / depth is linear in the position in the window, so the extreme depths are at the window's corners.
 #include "stage/seen_depth.hpp"
 
 #include <algorithm>

@@ -42,7 +42,7 @@ struct Subject {
   bool contains(std::size_t instance) const { return roles[instance] == InstanceRole::kSubject; }
 };
 
-/// Frames at which the animation is sampled: 0 and every n-th frame, at most 63.
+/// Returns the frames at which the animation is sampled: frame 0 and every n-th frame, at most 63 frames.
 std::vector<int> sampled_frames(const Timeline& timeline);
 
 Subject whole_scene(const Scene& scene);

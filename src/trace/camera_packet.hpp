@@ -14,7 +14,7 @@ struct CameraPacket {
   alignas(64) std::uint32_t stream[kLanes], sample[kLanes];
 };
 
-/// Call this while `target` still holds indices in the whole film.
+/// Sets the streams to the pixels in `target`, which must still be indices in the whole film.
 inline void set_streams(int sample, CameraPacket& packet) {
   LIPPMANN_FOR_LANES(i) packet.stream[i] = packet.target[i], packet.sample[i] = static_cast<std::uint32_t>(sample);
 }

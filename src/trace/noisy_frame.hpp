@@ -25,7 +25,7 @@ struct NoisyFrame {
 /// pixel evenly.
 inline bool is_of_second_half(std::uint32_t sample) { return (std::popcount(sample) & 1) != 0; }
 
-/// Returns the factors of samples in the first and the second half. With these factors, the sum of a pixel's samples is
+/// Returns the factors for samples of the first and of the second half. With these factors, a pixel's samples add up to
 /// NoisyFrame::noise.
 std::array<float, 2> weights_of_halves(int spp);
 

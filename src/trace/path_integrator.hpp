@@ -46,7 +46,7 @@ class PathIntegrator final : public FrameIntegrator {
     LaneMask active;
     std::array<ShadingPoint, kLanes> points;
     Lanes lengths;
-    Lanes near_share{};  ///< LightReceiver::near_share; defined if the scene has both near and far lights
+    Lanes near_share{};  ///< see LightReceiver::near_share; set only if the scene has both near and far lights
     BsdfPacket bsdfs;
 
     const ShadingPoint& point(int i) const { return points[static_cast<std::size_t>(i)]; }

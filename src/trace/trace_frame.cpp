@@ -33,7 +33,7 @@ class FrameTracer {
 
   void capture_to(const PointCapture* points) { sinks_.points = points; }
 
-  /// Marks in `touched` the blocks whose later rays meet the boxes of `probe`.
+  /// From now on, marks in `touched` the blocks whose rays meet the boxes of `probe`.
   void probe_with(const TouchProbe& probe, TouchedBlocks& touched) {
     const std::size_t blocks = static_cast<std::size_t>(source_.strips()) * blocks_in(source_.packets_per_strip());
     touched.lowest_horizon.assign(blocks, TouchedBlocks::kNever);

@@ -35,7 +35,7 @@ class Environment {
   void radiance(SkyRays& rays) const;
 
   /// Returns the sun's fraction of all light, or 0 without a sun. The sun is a small bright set of directions that casts
-  /// distinct shadows (see find_sun() in sky_patches.hpp). Gradients have none.
+  /// distinct shadows (see find_sun() in sky_patches.hpp). Gradients have no sun.
   float sun_share() const;
 
   struct Sample {
@@ -52,8 +52,8 @@ class Environment {
     float value = 0.0f;
     bool of_sun = false;
   };
-  /// Returns the density with which sample_sun() or sample_rest() samples the direction of ray i. `rays` must hold its
-  /// radiance.
+  /// Returns the density with which sample_sun() or sample_rest() samples the direction of ray i. `rays` must hold the radiance
+  /// of this ray.
   Density density(const SkyRays& rays, int i) const;
 
   bool is_dark() const { return sun_.is_dark() && rest_.is_dark(); }

@@ -64,7 +64,7 @@ class GgxAlbedo {
   /// Returns the mean of directional() over the hemisphere, weighted by the cosine.
   LIPPMANN_INLINE Vec3f mean(float alpha, Vec3f f0, Vec3f f90) const {
     const TablePlace r(std::sqrt(alpha), kSize);
-    const float edge = edge_of_later_facets(0.65f, alpha);  // at this cosine, most of the light is lost
+    const float edge = edge_of_later_facets(0.65f, alpha);  // light is lost mostly at about this cosine
     const auto mixed = [&](int k) LIPPMANN_INLINE_LAMBDA {
       const float(&column)[kSize] = mean_[k];
       return column[r.index] * (1.0f - r.share) + column[r.index + 1] * r.share;

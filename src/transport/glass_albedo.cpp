@@ -67,7 +67,7 @@ class Table {
 
 }  // namespace
 
-/// Total reflection gives the albedo of rays that leave the glass sharp edges, which need a finer table.
+/// For rays that leave the glass, total reflection causes sharp edges in the albedo, which need a finer table.
 struct GlassAlbedo::Tables {
   Table entered{6, 16, true}, left{12, 24, false};
 };

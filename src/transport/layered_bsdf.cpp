@@ -124,8 +124,8 @@ void LayeredBsdf::set_coat() {
   below_coat_ = 1.0f - surface_.base.clearcoat * GgxAlbedo::directional(single, Vec3f(kCoatReflectance), Vec3f(1.0f)).x;
 }
 
-/// Returns the fraction of light that passes the gloss along `direction`. It is grey below a thin film, which would otherwise
-/// colour the layers below.
+/// Returns the fraction of light that passes the gloss along `direction`. Below a thin film, the fraction is grey, so that the
+/// film does not colour the layers below.
 Vec3f LayeredBsdf::passes_gloss(Vec3f direction) const {
   const Vec3f reflected = albedo_of(dielectric_f0_, dielectric_f90_, direction);
   if (surface_.film_share == 0.0f) return Vec3f(1.0f) - reflected;

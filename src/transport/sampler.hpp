@@ -22,7 +22,7 @@ struct PathPairs {
 };
 
 /// Computes two random numbers per path, stratified over the paths of a pixel. The sum first + pair selects a pair of
-/// dimensions. Different sums are independent, so the same decision must use the same sum on all paths.
+/// dimensions. Pairs for different sums are independent, so a decision must use the same sum on all paths.
 void sample_pairs(const PathPairs& paths, std::uint32_t pair, float* x, float* y);
 
 }  // namespace lippmann

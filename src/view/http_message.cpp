@@ -145,7 +145,7 @@ std::optional<PageAnswer> read_first_line(std::string_view line, RequestHead& he
   return std::nullopt;
 }
 
-/// Returns whether the length is unambiguous.
+/// Reads the length of the body. Returns whether the length is unambiguous.
 bool read_body_length(const Headers& headers, RequestHead& head) {
   if (headers.has("transfer-encoding")) {
     head.body_refusal = 411;

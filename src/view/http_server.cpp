@@ -26,7 +26,7 @@ namespace {
 constexpr std::size_t kMaxConnections = 128;
 /// Up to eight of these threads wait for changes of a scene (live/live_page.cpp).
 constexpr int kAnsweringThreads = 32;
-/// how often deadlines and `stopped` are checked
+/// interval between checks of deadlines and of `stopped`
 constexpr std::chrono::milliseconds kTick{50};
 
 class AnswerPool {

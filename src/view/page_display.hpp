@@ -1,5 +1,5 @@
-// The panel on which a page plays light fields. With its phases, the page's shader computes the same image as
-// layout/interlace.hpp. Only this module parses calibrations; the page sends the text of a dropped file.
+// The panel on which a page plays light fields. From the panel's phases, the page's shader computes the same image as
+// layout/interlace.hpp. Only this module parses calibrations; the page sends it the text of a dropped file.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -35,7 +35,7 @@ struct PageFacts {
   Vec2i view_size{0, 0};
   Window window;  ///< part of the plane z = 0 that every view shows
   ViewAxes axes;
-  /// A sample of a view covers a whole lens horizontally (across) or vertically (up).
+  /// Whether a sample of a view covers a whole lens horizontally (across) or vertically (up).
   bool lens_samples_across = false, lens_samples_up = false;
   PanelPicture panel = PanelPicture::kOwn;
   Vec2i panel_size{0, 0};

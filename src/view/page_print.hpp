@@ -38,7 +38,8 @@ class PagePrints {
   /// (the light field that eyes see of the print). Throws Error.
   nlohmann::ordered_json make(const std::string& request);
 
-  /// `kind` is "views" (what eyes see), "panel" or "file" (the print itself). Null if there is no such print.
+  /// Returns an image of the print `id`, or null if there is no such print. kind: "views" (what eyes see of the print),
+  /// "panel", or "file" (the print itself).
   Bytes picture(std::string_view kind, std::size_t id) const;
   bool is_outdated(std::size_t id) const;
 

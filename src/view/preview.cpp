@@ -9,7 +9,7 @@
 namespace lippmann {
 namespace {
 
-/// Approximate number of pixels. Quilts with less than four times this number have no preview.
+/// Approximate number of pixels of a preview. Quilts with less than four times this number have no preview.
 constexpr double kPreviewPixels = 512.0 * 512.0;
 constexpr int kPreviewQuality = 60;
 

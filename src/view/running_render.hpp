@@ -46,7 +46,7 @@ class RunningRender {
   void stop();
 
   /// Continues the render in a child process, which ends with this object. Throws Error if a render is running, or if job.toml
-  /// was changed since.
+  /// was changed since the render began.
   void resume();
 
  private:

@@ -100,7 +100,7 @@ TEST(BenchPaper, json_text_and_plots_are_complete) {
   std::string said;
   request.csv = dir / "paper.csv", request.say = [&](std::string_view line) { said += line, said += '\n'; };
   const bench::Report report = run_benchmark("paper", request);
-  // one check per key frame
+  // Each row has one check per key frame.
   EXPECT_EQ(report.passed_checks, 2 + 1 + 1 + 1 + 1);
   ASSERT_EQ(report.rows.size(), 5u);
   for (const Json& row : report.rows) {

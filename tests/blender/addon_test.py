@@ -370,7 +370,7 @@ class AddOn(unittest.TestCase):
         self.assertTrue(any(target["path"] == "rotation" and target["node"] in joints for target in targets))
         self.assertTrue(any(target["path"] == "weights" for target in targets))
         said = " ".join(engine.last_warnings)
-        # Blender 4 and later repair such names when they open the file.
+        # Blender 4 and later repair names that are not UTF-8 when they open a file.
         for words in (*(["no UTF-8"] if bpy.app.version < (4, 0, 0) else []), "guests.blend is missing", "Checker Texture", "display's lenses blur with depth"):
             self.assertIn(words, said)
 

@@ -116,8 +116,8 @@ struct Ends {
   int ended = 0;        ///< were ended by a signal
 };
 
-/// A failed allocation may cause a reported error, no error, or an abort: destructors that allocate must not throw, and
-/// Embree's threads do not check for missing memory.
+/// A failed allocation causes a reported error, no error, or an abort. Destructors that allocate abort because they must not
+/// throw, and Embree's threads because they do not check for missing memory.
 void expect_error_or_whole_files(const RunResult& result, const Files& files, const Files& whole, int number, Ends& ends) {
   constexpr int kSignals = 128;
   if (result.exit_code > kSignals) {

@@ -19,7 +19,7 @@ Memory memory_of(const TempDir& dir, const Words& flags, const std::string& size
   return {plan["estimated_memory_bytes"], report["totals"]["peak_memory_bytes"]};
 }
 
-/// Returns estimated / measured increase of memory from the size `small` to `large`.
+/// Returns the ratio of the estimated to the measured increase of memory from the size `small` to `large`.
 double ratio(const Words& flags, const std::string& small, const std::string& large) {
   const TempDir dir;
   const Memory a = memory_of(dir, flags, small), b = memory_of(dir, flags, large);

@@ -59,11 +59,12 @@ Errors errors_of(const Image& film, const Image& truth, int channel) {
   return {errors.squared / pixels, errors.mean / pixels};
 }
 
-/// variance relative to the squared light: the mean of two halves has 0.5^2 / 2
+/// Variance of a pixel, relative to the squared light. The pixel is the mean of two halves with the standard deviation 0.5, so
+/// the variance is 0.5^2 / 2.
 constexpr double kVariance = 0.125;
 
-/// Part of the variance that may be left. The filter weights (1, 4, 6, 4, 1) / 16 leave the sum of their squares, 70 /
-/// 256, per direction. The factor 2 allows for narrow views.
+/// Fraction of the variance that may be left. A filter with the weights (1, 4, 6, 4, 1) / 16 leaves the sum of the squared
+/// weights, 70 / 256, per direction. The factor 2 allows for narrow views.
 constexpr double kLeft = 2.0 * (70.0 / 256.0) * (70.0 / 256.0);
 
 TEST(DenoisedOptics, uniform_light_loses_only_its_noise) {

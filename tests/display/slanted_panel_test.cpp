@@ -94,9 +94,9 @@ TEST(SlantedDisplay, flipped_portrait_sub_pixel_table_by_hand) {
 }
 
 TEST(SlantedDisplay, flipping_only_the_slope_keeps_steps) {
-  // Expected v = 1 - fract(z) of sub-pixel c at pixel (0, 0). With kSlope, the sub-pixels are not mirrored: z = 45.328980 +
-  // 0.053597 c, so green (c = 1) has v = 0.617423. kSlopeStepAndCenter mirrors them and adds 1/2 to the centre: z = 45.328980 -
-  // 0.053597 - 0.5 = 44.775384 for green.
+  // View: v = 1 - fract(z). Red (c = 0) at pixel (0, 0) has z = 45.328980, as in the test above. A sub-pixel changes z by P /
+  // 4608 = 0.053597. With kSlope, sub-pixels are not mirrored, so green (c = 1) has z = 45.382577 and v = 0.617423.
+  // kSlopeStepAndCenter mirrors them and adds 1/2 to the centre, so green has z = 45.328980 - 0.053597 - 0.5 = 44.775384.
   Display d;
   d.calibration = {.pitch = 52.594, .slope = -7.2115, .center = 0.40277, .flip_image_x = true};
   d.calibration.flip = Calibration::Flip::kSlope;

@@ -48,8 +48,8 @@ struct Agreement {
   double psnr_db = 0.0, visible = 0.0;
 };
 
-/// Warps view B to view A by A's disparity, with the eyes `across` and `up` baselines apart. Returns the PSNR in dB and
-/// the fraction of visible pixels, whose disparities differ by less than 0.1 pixel.
+/// Warps view B to view A by the disparity of A. across, up: distances of the eyes, in baselines. Returns the PSNR in dB and
+/// the fraction of visible pixels, at which the disparities of both views differ by less than 0.1 pixel.
 Agreement warp(const View& a, const View& b, int across, int up) {
   double sum = 0.0;
   int count = 0;

@@ -117,7 +117,7 @@ TEST(Provenance, of_denoised_frames_equals_noisy_frames) {
   EXPECT_EQ(count(made, 1, Provenance::kTraced), provenance(made, 1).data.size());
 }
 
-// All other layers require that every pixel is traced.
+// Unlike the provenance, all other layers require that every pixel is traced.
 TEST(Provenance, does_not_change_reuse) {
   const FrameParams params{with_provenance(small_scene()).sampling, AutoReuse{}};
   EXPECT_STREQ(name_of(resolved_reuse(params)), "copy");

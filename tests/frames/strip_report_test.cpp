@@ -31,8 +31,8 @@ TEST(StripReport, interval_narrows_by_the_root_of_the_number) {
   EXPECT_NEAR(frame.psnr_at_most_db.value(), 40.0 + 3.0 / std::sqrt(2.0), 1e-9);
 }
 
-// The first strip has 8 of 32 rows, the second no error. The frame's squared error is a quarter of the first strip's,
-// so the PSNR rises by 10 log10(4) dB.
+// The first strip has 8 of 32 rows. The second strip has no error. The frame's squared error is thus a quarter of the first
+// strip's, so the PSNR rises by 10 log10(4) dB.
 TEST(StripReport, exact_strips_add_no_error) {
   const FrameReport frame = report_of_strips({strip_of_40_db(), FrameReport{}}, {8, 24});
   const double quarter_db = 10.0 * std::log10(4.0);

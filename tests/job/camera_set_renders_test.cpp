@@ -24,7 +24,7 @@ class CameraSetRenders : public Renders {
   }
 };
 
-/// Projects the points of view `from` into view `to`. Returns the fraction at which `to` sees that point or a nearer
+/// Projects the points of view `from` into view `to`. Returns the fraction of points at which `to` sees the point or a nearer
 /// surface.
 double consistent_share(const LightField& field, const std::vector<PosedCamera>& cameras, int from, int to) {
   const Image depth = depth_of(field, from), other = depth_of(field, to);

@@ -137,7 +137,7 @@ TEST_F(DisplayRenders, precompensated_picture_looks_plain_through_crosstalk) {
                  undone = seen("shown", "c", sigma_px);
   const auto rmse = [&](const fs::path& picture) { return compare(wanted, picture, context_).mean_rmse.mean; };
   EXPECT_GE(rmse(leaking), 0.5);
-  EXPECT_LE(rmse(undone), 0.5 * rmse(leaking));  // some values are clipped
+  EXPECT_LE(rmse(undone), 0.5 * rmse(leaking));  // clipped values cannot be corrected exactly
 }
 
 TEST_F(DisplayRenders, crosstalk_has_pixels_or_views_as_unit) {

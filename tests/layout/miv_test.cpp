@@ -131,8 +131,8 @@ TEST(MivFormat, depth_codes_match_formula) {
   EXPECT_EQ(codes.rgb[0], 65535) << "the nearest";
   EXPECT_EQ(codes.rgb[3], 64) << "the farthest: 1 of 1023 codes in 10 bits, where 0 is nothing";
   EXPECT_EQ(codes.rgb[9], 0);
-  // Half a 16-bit code. Codes are linear in 1 / distance, from 1/m to 4/m, so at 1 m half a code is (4 - 1) / 65535 / 2
-  // m = 0.023 mm.
+  // The tolerance is half a 16-bit code. Codes are linear in 1 / distance, from 1/m to 4/m, so at 1 m half a code is (4 - 1) /
+  // 65535 / 2 m = 0.023 mm.
   for (const std::size_t i : {0u, 1u, 2u, 1201u}) EXPECT_NEAR(back.depth->data[i], field.depth->data[i], 0.024f) << i;
   EXPECT_EQ(back.depth->data[3], -INFINITY);
 }

@@ -307,9 +307,9 @@ Vec2d centroid_of_view(const LightField& field, int view) {
   return mean / sum;
 }
 
-/// The main lens has f = 100 mm and is focused at Zf = 2 m, so the lens array is s = 105.263 mm behind it. Neighbouring
-/// views are m s / b apart on the main lens, with the pixel width m and the gap b. From view to view, a spot at the
-/// distance Z moves by s (1/Zf - 1/Z) m s / (b p) lenses, with the lens pitch p.
+/// The main lens has f = 100 mm and is focused at Zf = 2 m, so the lens array is s = 105.263 mm behind it. For the pixel width
+/// m and the gap b, neighbouring views are m s / b apart on the main lens. For the lens pitch p, a spot at the distance Z moves
+/// from view to view by (m s / b) s (1/Zf - 1/Z) / p lenses.
 TEST(PlenopticViews, simulated_camera_has_parallax_of_the_thin_lens) {
   constexpr double kFocal = 100.0, kFocus = 2000.0, kGap = 0.5, kPixel = 0.01;
   const double s = kFocal * kFocus / (kFocus - kFocal), eye_step = kPixel * s / kGap;

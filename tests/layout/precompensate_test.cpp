@@ -38,8 +38,8 @@ TEST(Precompensate, three_views_are_solved_for) {
   EXPECT_LE(done.largest_residual, 1e-6);
 }
 
-// The views 0.5, 0, 0.5 need the light -0.145 in the middle, which is clipped to 0. The outer views then need 0.9 * 0.5
-// / 0.8 = 0.5625. In the middle, an eye sees 2 * 0.1 * 0.5625 = 0.1125.
+// The views 0.5, 0, 0.5 would need negative light in the middle, which is clipped to 0. The outer views then need 0.9 * 0.5 /
+// 0.8 = 0.5625. In the middle, an eye sees 2 * 0.1 * 0.5625 = 0.1125.
 TEST(Precompensate, clips_negative_light_and_adjusts_neighbours) {
   Image image = views(0.5f, 0.0f, 0.5f);
   const Precompensation done = precompensate(three_views(), kTenPercent, "test", image);

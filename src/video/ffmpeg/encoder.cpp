@@ -116,7 +116,7 @@ class FfmpegEncoder : public VideoEncoder {
       check(code, "cannot be encoded");
       packet_->stream_index = stream_->index;
       packet_->duration = 1;
-      if (!is_plausible(packet_->dts, packet_->pts)) packet_->dts = AV_NOPTS_VALUE;  // the muxer derives it from pts
+      if (!is_plausible(packet_->dts, packet_->pts)) packet_->dts = AV_NOPTS_VALUE;  // the muxer derives dts from pts
       av_packet_rescale_ts(packet_.get(), codec_->time_base, stream_->time_base);
       check(av_interleaved_write_frame(muxer_.context, packet_.get()), "cannot be written");
     }
