@@ -32,13 +32,13 @@ class LiveSettings {
   ResolvedJob job() const;
   int frame() const { return frame_; }
 
-  /// Returns the value of each parameter as text; empty if it follows from other parameters.
+  /// Returns the value of each parameter as text. The text is empty if the value is derived from other parameters.
   nlohmann::ordered_json values() const;
 
   nlohmann::ordered_json changed() const;
 
  private:
-  /// Returns base_ or first_, to which `changes` are applied.
+  /// Returns the parameters without changes: first_ until the page sets optics or a display, otherwise base_.
   const RenderParams& changed_params(const std::map<std::string, std::string>& changes) const;
   RenderParams applied(const std::map<std::string, std::string>& changes) const;
 

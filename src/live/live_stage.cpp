@@ -21,7 +21,8 @@ std::string scene_key(const ResolvedJob& job) {
   return job_text(key, {});
 }
 
-/// Tracing gives the same bits as copying pixels between frames, and finding unchanged pixels takes time.
+/// Traces all pixels instead of copying unchanged pixels from other frames. The image is the same, and finding unchanged pixels
+/// takes time.
 FrameParams params_of_one_frame(const ResolvedJob& job) {
   FrameParams frame_settings = frame_params(job);
   if (std::holds_alternative<CopySettled>(resolved_reuse(frame_settings))) frame_settings.reuse = TraceAll{};

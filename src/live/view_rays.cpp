@@ -11,7 +11,8 @@
 namespace lippmann {
 namespace {
 
-/// Rays from the eye of a view, with the slopes relative to the middle view multiplied by the parallax.
+/// Rays from the eye of a view. The parallax multiplies the difference between the slope of a ray and its slope in the middle
+/// view.
 class EyeRays {
  public:
   EyeRays(const PlacedOptics& placed, const PageFacts& facts)

@@ -6,13 +6,13 @@
 
 namespace lippmann {
 
-/// Returns a size of a view, at most facts.view_size, with about `pixels` samples in all views together, square in the
-/// plane z = 0.
+/// Returns the view size at which all views together have about `pixels` pixels. Pixels are square in the plane z = 0. The size
+/// is at most facts.view_size.
 Vec2i coarse_view_size(const PageFacts& facts, double pixels);
 
-/// Returns a table of rays for views at reduced resolution, whose film is a quilt with facts.tiles tiles of view_size.
-/// If views consist of whole panel pixels, a pixel has the ray of the nearest one. Otherwise its ray goes from the eye
-/// of the view through the pixel's position in the plane z = 0.
+/// Returns optics that render all views at the reduced size view_size. The film is a quilt with facts.tiles tiles, one per view.
+/// If views consist of whole panel pixels, a film pixel uses the ray of the nearest panel pixel. Otherwise its ray passes from
+/// the eye of the view through the position of the pixel in the plane z = 0.
 Optics view_rays(const PlacedOptics& placed, const PageFacts& facts, Vec2i view_size);
 
 }  // namespace lippmann

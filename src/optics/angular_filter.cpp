@@ -12,8 +12,8 @@ double radical_inverse(int i, int base) {
   return inverse;
 }
 
-/// Returns one position per sample, from -1/2 to 1/2: the midpoints of equal intervals, in the order of the samples' radical
-/// inverses.
+/// Returns one position from -1/2 to 1/2 per sample. The positions are the midpoints of equal intervals. Positions of samples
+/// have the same order as their radical inverses.
 std::vector<float> places(int samples, int base) {
   std::vector<int> by_place(static_cast<std::size_t>(samples));
   std::iota(by_place.begin(), by_place.end(), 0);

@@ -12,7 +12,7 @@
 namespace lippmann {
 
 inline constexpr int kMaxSide = 1 << 16;  ///< maximum side of a panel in pixels; up to this size, floats resolve 1/256 pixel
-/// Limits of lengths in mm, whose squares and quotients do not overflow floats.
+/// Limits of lengths in mm. Within these limits, squares and quotients of lengths do not overflow floats.
 inline constexpr float kMinLength = 1e-6f, kMaxLength = 1e9f;
 
 [[noreturn]] inline void reject_field(const char* field, const std::string& problem, const std::string& accepted) {
@@ -41,7 +41,7 @@ inline void check_position(const char* field, float value) {
     reject_field(field, fmt::format("is {} mm", value), fmt::format("a position within {} mm of the centre", kMaxLength));
 }
 
-/// Checks that a lens is at least one pixel wide, up to rounding (0.999).
+/// Checks that a lens is at least one pixel wide. The factor 0.999 allows for rounding errors.
 inline void check_lens(const char* field, float lens_pitch_mm, const Panel& panel) {
   check_length(field, lens_pitch_mm);
   if (lens_pitch_mm < 0.999f * panel.pixel_pitch_mm)

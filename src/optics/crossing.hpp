@@ -43,8 +43,7 @@ LIPPMANN_INLINE void write_ray_of(const Rays& constants, const RayFrame& frame, 
   write_ray(frame, crossing(constants, px, py), rays, i);
 }
 
-/// Number of pixels in one call of a model's loop: one AVX-512 vector or two AVX2 vectors. In a loop over all pixels, the
-/// compiler would first load dozens of constants into registers.
+/// Number of pixels that one call of a ray function computes: one AVX-512 vector or two AVX2 vectors.
 inline constexpr int kRayBlock = 16;
 
 /// Writes the rays of kRayBlock pixels. line_of(px, py) is the model's inlined function that returns a Crossing. Call this from

@@ -42,8 +42,8 @@ struct LensAxisSpec {
   double parallax = 1.0;
 };
 
-/// If the lens cells have a width and edges within 1/100 pixel of whole numbers, rounds them to these numbers and lets cell 0
-/// begin at pixel 0. Otherwise lens 0 is the lens nearest to the centre.
+/// Rounds the width and the edges of cells to whole pixels if they differ by at most 1/100 pixel. Cell 0 then begins at pixel 0.
+/// Otherwise lens 0 is the lens nearest to the centre.
 LensAxis<double> make_lens_axis(const LensAxisSpec& spec);
 
 /// The line from a panel point through the centre of its lens.
@@ -86,12 +86,12 @@ inline double image_offset_px(const LensAxis<double>& axis, double lens_mm, doub
   return -((x_mm - lens_mm) / z_mm + (lens_mm - axis.eye_mm) * axis.vergence) / axis.slope_per_px;
 }
 
-/// Returns the lenses that may image the point to within `reach_px` of the centre of their cell, and one more at each end for
-/// rounding. Excludes cells outside the panel, which extends from s_low to s_high pixels.
+/// Returns the lenses whose image of the point may lie within `reach_px` of the centre of their cell. Adds one lens at each end
+/// for rounding. Excludes cells outside the panel, which extends from s_low to s_high pixels.
 LensRange lenses_near(const LensAxis<double>& axis, double x_mm, double z_mm, double reach_px, double s_low, double s_high);
 
-/// Returns whether moving a point by 2e-5 lens pitches would move its image across the whole cell. Floats do not resolve such
-/// small movements, so the point counts as lying in the lens plane.
+/// Returns whether a point at z counts as lying in the lens plane. The test is whether moving the point by 2e-5 lens pitches
+/// moves its image across the whole cell, because floats do not resolve such small movements.
 inline bool in_lens_plane(const LensAxis<double>& axis, double z_mm) {
   return std::abs(z_mm) * axis.slope_per_px * axis.cell_px <= 2e-5 * axis.pitch_mm;
 }

@@ -17,7 +17,7 @@ LenticularConstants<double> make_lenticular(const Panel& panel, const Lenticular
   c.eye_y_mm = sheet.eye_height_mm;
   c.row_vergence = 1.0 / (distance + gap);
   c.z_front_mm = z_front_mm;
-  // The terms are arranged so that the heights of all rows equal the eye's height exactly if z_front is the viewing distance.
+  // This form of the equation makes all rows meet exactly at the eye if z_front is the viewing distance.
   c.row_scale = std::isinf(distance) ? 1.0 : (distance - z_front_mm) * c.row_vergence;
   c.row_shift_mm = c.eye_y_mm * (z_front_mm + gap) * c.row_vergence;
   c.axis = make_lens_axis({.pitch_mm = sheet.lens_pitch_mm,

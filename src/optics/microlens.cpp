@@ -25,8 +25,8 @@ MicrolensConstants<double> make_microlens(const Panel& panel, const MicrolensArr
   rows.pitch_mm = row_pitch, rows.offset_mm = -array.offset_mm.y;
   rows.centre_px = 0.5 * panel.height;
   rows.size_px = hexagonal ? 0 : panel.height;
-  // make_lens_axis() renumbers rows so that the row nearest to the centre becomes row 0. If it was an odd row, its shift by
-  // half a pitch is added to the offset.
+  // make_lens_axis() renumbers rows so that the row nearest to the centre becomes row 0. If that row was odd, it is shifted by
+  // half a pitch, so the offset of the columns includes this shift.
   const double renamed_rows = std::round(rows.offset_mm / row_pitch);
   if (hexagonal && std::fmod(renamed_rows, 2.0) != 0.0) columns.offset_mm += 0.5 * pitch;
   return {make_lens_axis(columns), make_lens_axis(rows), z_front_mm};

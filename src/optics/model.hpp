@@ -65,7 +65,7 @@ float lens_zone(float pitch_mm, float gap_mm, float viewing_distance_mm);
 
 OpticsFacts facts_of_lenses(const Panel& panel, const LensArray& lenses, Vec2i whole_pixels_per_lens);
 
-/// Returns the facts of optics whose window is the panel's pixels in the plane z = 0: the window and the samples of a view.
+/// Returns the facts of optics whose pixels all lie in the plane z = 0: the extent of the panel there and the samples of a view.
 OpticsFacts facts_of_window(const Panel& panel, float viewing_distance_mm);
 
 int rounded_count(double samples);

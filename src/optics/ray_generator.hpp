@@ -12,8 +12,8 @@ class RayGenerator {
   /// origins in world units and unit directions. By default, they are in the display frame, in mm.
   explicit RayGenerator(const Optics& optics, const Affine3f& world_from_display = {});
 
-  /// Computes the rays of `count` points of the panel, in continuous pixel coordinates. Rays start in the plane z = z_front
-  /// (see resolved_z_front_mm()), and rays of a table at their own origins. A multiple of 16 points is most efficient. The
+  /// Computes the rays of `count` points of the panel, in continuous pixel coordinates. Rays of a RayTable start at their own
+  /// origins, all others in the plane z = z_front (see resolved_z_front_mm()). A multiple of 16 points is most efficient. The
   /// arrays must not overlap.
   void rays(const float* pixel_x, const float* pixel_y, int count, const RayArrays& rays) const;
 

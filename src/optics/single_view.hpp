@@ -11,7 +11,7 @@ namespace lippmann {
 /// The rays of a pinhole at (0, eye_height, distance). They are computed relative to the pinhole, so that they start exactly
 /// there if z_front = distance.
 struct SingleViewRays {
-  float centre_x_px, centre_y_px;  ///< the panel's centre minus the offset of the sample points
+  float centre_x_px, centre_y_px;  ///< centre of the panel minus SingleView::pixel_offset
   float pixel_pitch_mm;
   float eye_y_mm;
   float inverse_distance;

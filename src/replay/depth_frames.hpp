@@ -17,7 +17,7 @@ struct DepthConversion {
   std::filesystem::path out;
   std::string to;
   FormatOptions options = {};
-  /// Full angle between the outer views without a display; none: default of the layout.
+  /// Full angle between the outermost views if there is no display. No value: the default of the layout.
   std::optional<double> view_angle_deg = {};
   double ipd_mm = kDefaultIpdMm;
   double depth_scale = 1.0;          ///< depth shown / depth stored in the image

@@ -146,7 +146,8 @@ class SlantedSampler {
   bool in_zone(const Viewer& viewer, Vec2d point_mm) const { return sight_.seen_from(viewer, point_mm, 0).in_zone; }
 
  private:
-  /// Interpolates between the sub-pixels of one colour below one lens, or returns the nearest sub-pixel if there are none.
+  /// Interpolates between the sub-pixels of one colour below one lens. If the filter covers no such sub-pixel, returns the
+  /// nearest sub-pixel.
   float in_row(const SlantedPoint& seen, int row, int c, double near_column) const {
     const double column = std::clamp(sight_.column_of(seen, c, row, near_column), -1e6, 1e6);
     const bool blurred = quality_.blurs();

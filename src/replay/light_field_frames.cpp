@@ -58,7 +58,7 @@ FormatOptions options_of(const LightFieldHints& hints) {
   return options;
 }
 
-/// Sets the function that reads a frame, and rearranges its views for the panel.
+/// Sets frames.read to a function that reads a frame and rearranges its views for the panel.
 LightFieldFrames rearranged(LightFieldFrames frames, const std::string& from, const FormatOptions& options) {
   const auto files = std::make_shared<std::vector<fs::path>>(frames.files);
   frames.read = [files, from, options, optics = frames.optics](std::size_t index) {
@@ -69,7 +69,7 @@ LightFieldFrames rearranged(LightFieldFrames frames, const std::string& from, co
   return frames;
 }
 
-/// Sets the function that reads a frame, and returns its file unchanged.
+/// Sets frames.read to a function that reads a frame without rearranging its pixels.
 LightFieldFrames as_shown(LightFieldFrames frames) {
   const RenderedFrames pictures{frames.optics, frames.files, frames.frames_per_second};
   frames.read = [pictures](std::size_t index) { return read_rendered_panel(pictures, index); };

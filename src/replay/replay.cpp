@@ -165,8 +165,8 @@ class Replay {
     files.add("depth_" + label(frame), depth_preview(sharpest->depth(), stack_mm_));
   }
 
-  /// Makes image i of the sweep, with the eye in the middle of the i-th of equal parts of the viewing zone. The animation
-  /// advances during the sweep.
+  /// Makes image i of the sweep. The viewing zone is divided into equal parts, and the eye is in the middle of part i. The
+  /// animation advances during the sweep.
   void make_sweep(int i, ReplayFiles& files) {
     const double share = (i + 0.5) / params_.sweep;
     Vec3d eye = view_.eye_mm;

@@ -54,7 +54,7 @@ struct ReplayParams {
 struct Replayed {
   std::vector<std::filesystem::path> written;
   std::optional<Vec3d> eye_mm = {};  ///< the eye, or the middle of both eyes; none if no image shows an eye's view
-  /// Fraction of the lenses through which an eye sees a neighbouring viewing zone; the larger one of a pair.
+  /// Fraction of the lenses through which an eye sees a neighbouring viewing zone. For a pair of eyes, the larger fraction.
   double out_of_zone = 0.0;
 };
 

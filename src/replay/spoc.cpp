@@ -21,8 +21,8 @@ class RecordedPixels {
   std::uint32_t looking_at(Vec2d point_mm, Vec2d ray_meets_array_mm) const {
     constexpr int kTries = 16;
     const Viewer from_point = viewer_at({point_mm, z_});
-    // If the nearest lens has no such pixel, tries the lenses on the line to `foot`, whose lens sees the point from the middle
-    // of its cell.
+    // If the nearest lens has no such pixel, tries the lenses on the line to `foot`. The lens at `foot` images the point to the
+    // middle of its cell.
     const Vec2d foot = (point_mm - design_.slope_at_centre * z_) / (1.0 - design_.vergence * z_);
     for (int i = 0; i <= kTries; ++i) {
       const Vec2d at = glm::mix(ray_meets_array_mm, foot, static_cast<double>(i) / kTries);

@@ -41,7 +41,7 @@ bool is_pair(const Optics& optics) {
   return tiles && tiles->columns == 2 && tiles->rows == 1;
 }
 
-/// The eyes have no effect on light fields of two views.
+/// Throws if parameters of the eyes are given. They have no effect on light fields of two views.
 void refuse_eye_params(const StereoParams& params) {
   const auto refuse = [](bool given, const char* flag) {
     if (given)

@@ -31,11 +31,13 @@ struct ConvertedStereo {
   double out_of_zone = 0.0;  ///< largest fraction of the display on which an eye sees a neighbouring viewing zone
 };
 
-/// A light field of two views keeps its views, and the lengths in `params` are then an Error. Warns if an eye is outside the
-/// viewing zone. Throws Error naming the file or parameter. Stops at once if context.cancelled is set; finished images remain.
+/// The views of a light field of two views are copied, and giving lengths in `params` is then an Error. Warns if an eye is
+/// outside the viewing zone. Throws Error naming the file or parameter. Stops at once if context.cancelled is set; finished
+/// images remain.
 ConvertedStereo convert_to_stereo(const StereoParams& params, const Context& context);
 
-/// Returns a light field of the 2 views that eyes around eye_mm see, ipd_mm apart. It is unfinished if `context` is cancelled.
+/// Returns the views of two eyes that are ipd_mm apart, with their middle at eye_mm. The light field is unfinished if `context`
+/// is cancelled.
 LightField stereo_views(const RenderedPanel& panel, Vec3d eye_mm, double ipd_mm, const ThreadPool& pool,
                         const Context& context = {});
 

@@ -1,5 +1,5 @@
 // Reads the frames of a video as the views of one light field. The camera must move sideways past a still scene, or the scene
-// turn.
+// must turn in front of a still camera.
 #pragma once
 
 #include <filesystem>

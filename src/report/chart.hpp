@@ -27,7 +27,7 @@ struct Chart {
   std::vector<ChartSeries> series = {};
   std::vector<ChartLevel> levels = {};
   bool is_stacked = false;
-  /// The value axis starts at zero. With bars it always does.
+  /// Whether the value axis starts at zero. In charts with bars, it always does.
   bool starts_at_zero = true;
   /// Upper end of the value axis; nullopt: just above the largest value.
   std::optional<double> top = {};

@@ -9,7 +9,7 @@
 
 namespace lippmann {
 
-/// The mean PSNR in dB over the frames of the paper's teapot: Eljdid, Aggoun, Youssef, "Enhanced Techniques 3D Integral Images
+/// Mean PSNR in dB over the frames of the teapot animation in Eljdid, Aggoun, Youssef, "Enhanced Techniques 3D Integral Images
 /// Video Computer Generated".
 inline constexpr double kPaperPsnrDb = 34.5;
 

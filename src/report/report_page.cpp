@@ -30,7 +30,7 @@ constexpr const char* kAccepted = "the folder of a render, its report.json, or w
 // Largest input in bytes. A frame takes about 600 bytes.
 constexpr std::uintmax_t kMostBytes = std::uintmax_t{256} << 20;
 constexpr std::size_t kMaxPictures = 6;
-/// A file that contains this text may be replaced.
+/// Every report page contains this text. Other existing files are not overwritten.
 constexpr std::string_view kMark = "<meta name=\"generator\" content=\"lippmann report\">";
 
 bool is_folder(const fs::path& path) {
@@ -47,7 +47,7 @@ Json read_json(const fs::path& file) {
   return json;
 }
 
-/// Renders with equal titles get their paths instead.
+/// Returns the titles of the renders. Renders with equal titles are named by their paths.
 std::vector<std::string> names_of(const std::vector<RenderFigures>& renders) {
   std::vector<std::string> names;
   for (const RenderFigures& render : renders) {

@@ -33,9 +33,9 @@ struct Landed {
   const float* color(std::uint64_t key) const { return film + 3 * std::size_t{SplatBuffer::source(key)}; }
 };
 
-/// Mixes the colours of pixels first ... end - 1, and lists in `special` the pixels that are left to the caller. These are the
-/// pixels that lack a point from one source, the pixels with SplatBuffer::color_changes(), and the last pixels that fill no
-/// block. Returns their number.
+/// Mixes the colours of pixels first ... end - 1, except the pixels that the caller must mix. Writes the indices of these to
+/// `special` and returns their number. They are the pixels that lack a point from one source, the pixels with
+/// SplatBuffer::color_changes(), and the last pixels if they fill no whole block.
 LIPPMANN_MULTIVERSION std::size_t mix_plainly(const Landed& a, const Landed& b, float weight_b, std::size_t first,
                                               std::size_t end, Image& film, std::uint32_t* special) {
   const std::uint64_t *keys_a = a.keys, *keys_b = b.keys;

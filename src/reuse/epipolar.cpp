@@ -9,7 +9,7 @@
 namespace lippmann {
 namespace {
 
-// Smallest interpolated colour difference, as a fraction of the image's range.
+// Colours are interpolated if neighbouring samples differ by more than this fraction of the range of colours.
 constexpr float kContrast = 0.15f;
 constexpr int kViews = 3;  // number of views searched on each side of the pixel's view
 // Penalty per view between the pixel's view and the sample's view, added to the distance in lenses.
@@ -279,7 +279,7 @@ LIPPMANN_INLINE void look_at(const Constants& constants, const PrimaryPoints& po
     const float extra = std::abs(there.view - s.view.v[i]) * kViewCost;
     const float x = position_on_line(there.place, there.slope, c.vergence, z.v[i]);
     const float r = coordinate(c, x, z.v[i], s.slope.v[i]) - s.place.v[i];
-    // One condition per selection: the compiler vectorises only such loops.
+    // Each selection has a single condition, because the compiler vectorises only such loops.
     float as_end = s.object.v[i] != s.object_beside.v[i] ? cost_there : kFar;
     as_end = depth_or_behind_all(z.v[i], id.v[i]) <= s.depth.v[i] ? as_end : kFar;
     as_end = id.v[i] != kMissedObject ? as_end : kFar;

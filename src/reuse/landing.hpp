@@ -271,8 +271,8 @@ LIPPMANN_INLINE HexagonPlace place_in_hexagon(const MicrolensConstants<float>& c
   return {cell.column, cell.row, cell.from_column * c.columns.cell_px, cell.from_row * c.rows.cell_px};
 }
 
-/// Returns the pixel at a position below a lens. If its centre belongs to a neighbouring lens, returns the next pixel towards
-/// the centre of the cell.
+/// Returns the pixel at a position below a lens. If the centre of this pixel belongs to a neighbouring lens, returns the next
+/// pixel towards the centre of the cell.
 LIPPMANN_INLINE PointLanding pixel_below_hexagon(const MicrolensConstants<float>& c, float column, float row, float offset_x,
                                                  float offset_y) {
   const float centre_x = c.columns.start_px + (column + 0.5f) * c.columns.cell_px;

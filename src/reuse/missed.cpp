@@ -14,7 +14,7 @@ namespace {
 /// Neighbours belong to different surfaces if their depths differ by more than kSameLayer (1 mm + |depth|).
 constexpr float kSameLayer = 0.1f;
 
-/// The point of a pixel that is nearest to the viewer, over both source frames.
+/// The nearest point to the viewer among the points of both source frames that land on a pixel.
 struct Seen {
   std::uint32_t pixel;
   float z;  ///< -infinity for background

@@ -50,8 +50,8 @@ struct FloorOutcome {
   ErrorEstimate error;  ///< estimated error of the frame; only set if `holds` is true
 };
 
-/// Traces part of a frame so that it reaches the floor. `film` holds the prediction, and on return the result. The sources of
-/// the frame behind `learned` must be at least as far apart in time.
+/// Traces part of a frame so that it reaches the floor. `film` holds the prediction, and on return the result. `learned` must
+/// come from a frame whose sources are at least as far apart in time as the sources of this frame.
 FloorOutcome hold_floor(const FloorParams& params, const Predicted& frame, const Evidence& learned, const TracePackets& trace,
                         const ThreadPool& pool, Image& film);
 

@@ -5,7 +5,8 @@
 namespace lippmann {
 namespace {
 
-// Costs relative to tracing a full frame: tracing a key frame and testing its rays against boxes, and copying a frame.
+// kKeyCost is the cost of tracing a key frame and testing its rays against boxes, kCopyCost the cost of copying a frame. Both are
+// relative to the cost of tracing a frame without these tests.
 constexpr double kKeyCost = 1.2, kCopyCost = 0.01;
 
 }  // namespace

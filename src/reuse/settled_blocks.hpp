@@ -24,8 +24,8 @@ class SettledBlocks {
 
   static bool can_settle(std::span<const HorizonBox> boxes);
 
-  /// Returns the number of frames, including the key frame, that needs the fewest traced rays per frame. Returns 1 if reuse
-  /// traces more rays than it saves.
+  /// Returns the number of frames per key frame, itself included, for which the fewest rays per frame are traced. Returns 1 if
+  /// reuse saves no rays.
   int choose_span(const TouchedBlocks& blocks, int key, int last_frame) const;
 
   /// Returns 1 for each block that must be traced in the frame `ahead` frames after the key frame, and 0 for each block that

@@ -42,7 +42,7 @@ struct SlantedLanding {
   }
 };
 
-/// Converts a film column to a position along the row, in sub-pixels, and back. Centres are at + 0.5.
+/// Converts a film column to a position along the row, in sub-pixels, or back. Sub-pixel k is centred at k + 0.5.
 LIPPMANN_INLINE float along_row(const SlantedLanding::Row& r, float column) {
   const float pixel = std::floor(column * (1.0f / 3.0f)), middle = 3.0f * pixel + 1.5f;
   return middle + r.turned * (column - middle);

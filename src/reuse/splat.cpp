@@ -40,7 +40,7 @@ struct Limits {
   float front, back;  ///< range of z of the rays, mm
 };
 
-/// Maps depths to integers above kBackgroundOrder, in ascending order.
+/// Maps depths to integers above kBackgroundOrder. Greater depths have greater integers.
 LIPPMANN_INLINE std::uint32_t order_of(float depth) {
   const auto bits = std::bit_cast<std::uint32_t>(depth + 0.0f);  // adding 0 turns -0 into +0
   return bits & 0x80000000u ? ~bits : bits | 0x80000000u;
@@ -85,7 +85,7 @@ LIPPMANN_INLINE void project_lanes(const Rule& rule, const Limits& limits, const
   const std::int32_t own = points.row * limits.width + points.first + first, width = limits.width;
   const float front = limits.front, back = limits.back;
   for (int i = 0; i < kPointLanes; ++i) {
-    // One condition per selection: the compiler vectorises only such loops.
+    // Each selection has a single condition, because the compiler vectorises only such loops.
     const PointLanding at = land_by(rule, row, i, p.x[i], p.y[i], p.z[i]);
     const bool lands = (at.column >= 0.0f) & (at.row >= 0.0f) & (p.z[i] <= front) & (p.z[i] >= back);
     const std::int32_t landed =

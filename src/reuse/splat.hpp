@@ -48,7 +48,7 @@ struct SplatParams {
   bool z_buffer = true;
 };
 
-/// Thread-safe. An animation needs one object.
+/// Thread-safe. One object suffices for a whole animation.
 class Splatter {
  public:
   Splatter(const Optics& optics, const SplatParams& params);

@@ -25,7 +25,7 @@ namespace lippmann {
 ///   tree (894,000): 284, 251
 double seconds_per_ray(const Scene& scene);
 
-/// Projection, colours and uncertainty of a predicted frame, in seconds per pixel.
+/// Cost of predicting a frame (projection, colours and uncertainty), in seconds per pixel.
 inline constexpr double kPredictionSecondsPerPixel = 50e-9;
 
 /// Returns the cost of predicting a frame relative to tracing it. `rays` are the ray counts of a traced frame.

@@ -47,7 +47,7 @@ class UncertaintyEstimator {
                 std::vector<std::uint8_t>& uncertainty);
 
  private:
-  /// One value per pixel. Each row has `across_` more at both ends.
+  /// One value per pixel, and `across_` more values at both ends of each row.
   using Plane = std::vector<std::uint8_t>;
 
   void make_planes(const Prediction& previous, const Prediction& following, const Image& film, int row);

@@ -48,7 +48,7 @@ bool is_phong_lamp(const Material& material) {
 
 float brightest(Vec3f color) { return std::max({color.x, color.y, color.z}); }
 
-/// The renderer rounds channels below the smallest normal float to 0.
+/// Lights whose channels are all below the smallest normal float do not count, because the renderer rounds them to 0.
 bool has_lamps(const Scene& scene) {
   return std::any_of(scene.lights.begin(), scene.lights.end(),
                      [](const Light& light) { return brightest(light.color) >= std::numeric_limits<float>::min(); });

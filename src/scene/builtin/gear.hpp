@@ -1,6 +1,6 @@
 // Involute gears: tooth shapes, solid meshes, and the rotation angles at which gears mesh.
 //
-// A gear lies in the x-y plane and rotates about z. A tooth is centred on +x, or, for an internal ring, a gap. The unit of
+// A gear lies in the x-y plane and rotates about z. A tooth is centred on +x; in an internal ring, a gap. The unit of
 // length is the module: the pitch diameter divided by the number of teeth. Two gears mesh if the distance between their centres
 // is half the sum of their tooth counts.
 #pragma once

@@ -1,7 +1,7 @@
 // The scene "gears": a planetary gear train whose ring drives more gears. The unit of length is the module of the gears.
 //
 // Every gear makes a whole number w of turns per loop, so that the loop is seamless. The ring makes 1 turn and the carrier 2.
-// The others follow from Willis' equation, with 36 teeth inside the ring and 12 teeth for sun and planets:
+// The turns of sun and planets follow from Willis' equation. The ring has 36 teeth inside, the sun and each planet have 12:
 // - Sun: (w_sun - w_carrier) / (w_ring - w_carrier) = -36/12, so the sun makes 5 turns.
 // - Planets: (w_planet - w_carrier) / (w_ring - w_carrier) = 36/12, so each planet makes -1 turn.
 #include <cmath>

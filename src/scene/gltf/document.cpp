@@ -191,7 +191,7 @@ void read_layout(Document& document) {
   for (std::size_t i = 0; i < accessors.size(); ++i) document.accessors.push_back(read_accessor(accessors.at(i)));
 }
 
-/// The schema check only covers indices into the root's arrays.
+/// Checks the sampler index of each channel. The schema check only covers indices into the arrays of the root.
 void check_channels(const Document& document) {
   const Value animations = document.root["animations"];
   for (std::size_t i = 0; i < animations.size(); ++i) {
