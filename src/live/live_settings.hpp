@@ -38,7 +38,8 @@ class LiveSettings {
   nlohmann::ordered_json changed() const;
 
  private:
-  /// Returns the parameters without changes: first_ until the page sets optics or a display, otherwise base_.
+  /// Returns the parameters to which `changes` apply: first_, but base_ if `changes` set optics or a display or if there is no
+  /// first_.
   const RenderParams& changed_params(const std::map<std::string, std::string>& changes) const;
   RenderParams applied(const std::map<std::string, std::string>& changes) const;
 

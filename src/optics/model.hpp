@@ -46,8 +46,8 @@ struct OpticsFacts {
   bool repeats_beyond_zone = false;  ///< whether eyes beyond the viewing zone see pixels of neighbouring lenses
   /// Slanted panels only: shift of a lens to the right from one film row to the next, in film columns.
   std::optional<double> lens_columns_per_row = {};
-  /// The sigma of the lens blur along x and y is the sigma across the lenses divided by these factors. Sigmas are in pixels or,
-  /// for quilts, in views. 0: the lenses have no power along the axis.
+  /// Factors of the lens blur along x and y. The sigma along an axis is the sigma across the lenses divided by the factor, in
+  /// pixels or, for quilts, in views. 0: the lenses have no power along the axis.
   Vec2d crosstalk_pitch{0.0};
 };
 
@@ -65,7 +65,7 @@ float lens_zone(float pitch_mm, float gap_mm, float viewing_distance_mm);
 
 OpticsFacts facts_of_lenses(const Panel& panel, const LensArray& lenses, Vec2i whole_pixels_per_lens);
 
-/// Returns the facts of optics whose pixels all lie in the plane z = 0: the extent of the panel there and the samples of a view.
+/// Returns the window, the viewing distance and the spacing of the samples of optics whose pixels lie in the plane z = 0.
 OpticsFacts facts_of_window(const Panel& panel, float viewing_distance_mm);
 
 int rounded_count(double samples);

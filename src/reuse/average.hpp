@@ -25,8 +25,9 @@ struct SplatSource {
   float weight = 0.5f;
 };
 
-/// Sets `film` to the mean colours and `missed` to the ascending indices of the missed pixels, which become black. With a
-/// sampler, which needs PointImage::contrast of both images, colours that change between neighbouring samples are interpolated.
+/// Sets `film` to the mean colours and `missed` to the ascending indices of the missed pixels, which become black. If `sampler`
+/// is given, colours that change between neighbouring samples are interpolated. This requires PointImage::contrast of both
+/// images.
 void average(const SplatSource& previous, const SplatSource& following, const EpipolarSampler* sampler, const ThreadPool& pool,
              Image& film, std::vector<std::uint32_t>& missed);
 

@@ -80,7 +80,7 @@ struct ErrorEstimate {
   double bound = 0.0;  ///< the upper bound U at the top of this file
 };
 
-/// Returns one estimate per level. Entry h is for the frame in which only levels 0 ... h remain predicted.
+/// Returns one estimate per level. Entry h applies to a frame in which only levels 0 ... h remain predicted.
 std::array<ErrorEstimate, kUncertaintyLevels> estimate_errors(const HeldOut& held_out, const Evidence& evidence);
 
 /// Returns how many of the lowest levels may remain predicted if the frame's mean squared error must stay within `mse`. Testing

@@ -98,7 +98,7 @@ struct GridLanding {
 
   Constants c;
   int width;
-  /// One entry per column. Rows with different directions have different sets of `width` entries, one after another.
+  /// Each vector has sets of `width` entries, one entry per column. Rows whose rays differ in direction use different sets.
   std::vector<float> place, slope, first, low, high;
   std::vector<GridLine> lines;
   std::vector<int> set_of_row;
@@ -175,8 +175,8 @@ LIPPMANN_INLINE CellLanding land_in_cells(const LensAxis<float>& axis, CellPlace
   return mode == SplatMode::kView ? land_in_view(axis, from, x, z) : land_below_lens(axis, from, x, z);
 }
 
-/// Returns the pixel at a position below a lens. At the edge of the lens's cell, returns the nearest pixel whose centre is
-/// inside.
+/// Returns the pixel at a position below a lens. At the edge of the cell, returns the nearest pixel whose centre is inside the
+/// cell.
 template <SplatMode mode>
 LIPPMANN_INLINE AxisLanding pixel_below_lens(const LensAxis<float>& axis, const CellLanding& at, float begin, float per_pixel) {
   const float cell = axis.start_px + at.lens * axis.cell_px - begin;

@@ -17,7 +17,7 @@ namespace lippmann {
 
 class SettledBlocks {
  public:
-  /// `every` is the number of frames per key frame, itself included, at least 2. If not given, choose_span() chooses it.
+  /// `every` is the number of frames from one key frame to the next, at least 2. If not given, choose_span() chooses it.
   SettledBlocks(const Scene& scene, int display_node, std::optional<int> every);
 
   std::vector<HorizonBox> boxes(int key, int last_frame) const { return swept_.around(key, horizons_, last_frame); }

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kSplatBlock = 64;
 constexpr int kRowsPerStrip = 64;
-// Up to this distance from a sample's centre, in samples, its colour is used unchanged.
+// A point within this distance of a sample, in samples, uses the colour of the sample unchanged.
 constexpr float kNearEnough = 0.1f;
 constexpr int kLeftBit = 1;
 static_assert(kRightDiffers == 1 && kLeftDiffers == 1 << kLeftBit);

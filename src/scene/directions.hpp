@@ -5,7 +5,7 @@
 
 namespace lippmann {
 
-/// Uses double precision so that no length overflows or underflows.
+/// Returns v with unit length. Uses double precision so that the squared length neither overflows nor underflows.
 Vec3f direction_of(Vec3f v);
 
 /// Returns the rotation of a node whose -z points along `forward` and whose +y is as close to `up` as possible. Both vectors

@@ -49,7 +49,7 @@ class Lexer {
   void set_origin(const Vec3d& origin) { origin_ = origin; }
   const Vec3d& origin() const { return origin_; }
 
-  // Each reads the given keyword and then a value.
+  // These functions read the given keyword and then a value.
   float number_after(std::string_view keyword);
   Vec3f vector_after(std::string_view keyword);
   Vec3f point_after(std::string_view keyword);

@@ -15,7 +15,8 @@
 namespace lippmann {
 namespace {
 
-/// The length of the normal is twice the area. It points to the side from which the polygon is counter-clockwise.
+/// Returns a normal whose length is twice the area of the polygon. From the side that the normal points to, the corners are
+/// counter-clockwise.
 Vec3d newell_normal(std::span<const Vec3f> corners) {
   Vec3d normal(0.0);
   const Vec3d origin(corners[0]);

@@ -11,7 +11,7 @@ namespace lippmann {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// The triangulation of concave polygons takes quadratic time.
+/// Maximum number of corners of a concave polygon, because triangulation takes quadratic time.
 inline constexpr std::size_t kMostConcaveCorners = 10'000;
 
 /// Returns triangles of corner indices with the winding of the polygon, at most corners - 2. Returns none for polygons without

@@ -1,7 +1,7 @@
 // Finds the files that a scene file refers to. Such a file must lie in the scene's folder or below the asset root.
 //
-// File names are relative to the scene's folder. Each name is checked before symbolic links are resolved, so that the rejection
-// of a name does not depend on the disk, and afterwards, so that no link leads outside.
+// File names are relative to the folder of the scene. Each name is checked twice: before symbolic links are resolved, so that the
+// result does not depend on the disk, and afterwards, so that no link leads outside.
 #pragma once
 
 #include <filesystem>
@@ -24,7 +24,7 @@ struct SideFile {
 /// read.
 SideFile find_side_file(const SideFolders& folders, std::string_view name, const std::string& where);
 
-/// Returns the location of the file that a scene refers to as `name`. It need not exist. Throws Error at `where` if the
+/// Returns the location of the file that a scene refers to as `name`. The file need not exist. Throws Error at `where` if the
 /// location is outside `folders`.
 std::filesystem::path side_file(const SideFolders& folders, std::string_view name, const std::string& where);
 

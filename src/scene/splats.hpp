@@ -35,8 +35,8 @@ glm::dmat3 axes_of_splat(const Splats& splats, std::size_t i, const Affine3f& a)
 
 Bounds3f whole_bounds(const Splats& splats, const Affine3f& a);
 
-/// Returns the bounds of all splats except outliers. Along each axis, the middle 96 % of the centres, weighted by opacity, span
-/// a range. Outliers lie outside it by more than a quarter of its length.
+/// Returns the bounds of all splats except outliers. The range of an axis holds the middle 96 % of the centres, weighted by
+/// opacity. The centre of an outlier lies outside the range of some axis by more than a quarter of the length of the range.
 Bounds3f bulk_bounds(const Splats& splats, const Affine3f& a);
 
 /// Returns the number of visible splats that are more than 20 diagonals of the bulk bounds away from these bounds.

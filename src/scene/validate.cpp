@@ -25,7 +25,7 @@ bool finite(const Affine3f& a) {
   return finite(a.linear[0]) && finite(a.linear[1]) && finite(a.linear[2]) && finite(a.translation);
 }
 
-/// Tolerates 1 % for normals with 8 bits per component.
+/// Returns whether the length of v is within 1 % of 1, because files may store normals with 8 bits per component.
 template <class V>
 bool unit(const V& v) {
   return std::abs(glm::dot(v, v) - 1.0f) < 0.02f;

@@ -12,8 +12,8 @@ namespace {
 
 /// A triangle is divided into at most kMostParts parts along each edge, with one texture lookup per part.
 constexpr int kMostParts = 2;
-/// Texture lookups may miss small bright areas, so these are lower bounds. kLeastShare: luminance of a textured triangle,
-/// relative to the texture's mean. kLeastMean: each channel of the texture's mean colour.
+/// Lower bounds, because texture lookups may miss small bright areas. kLeastShare bounds the luminance of a textured triangle,
+/// relative to the mean luminance of the texture. kLeastMean bounds each channel of the mean colour of the texture.
 constexpr float kLeastShare = 1e-2f, kLeastMean = 1.0f / 65535.0f;
 constexpr std::size_t kPiece = 4096;
 

@@ -69,8 +69,8 @@ LightTable::LightTable(const LightSources& sources, const Environment& environme
       triangles_(sources),
       choice_(make_choice()) {}
 
-/// The group of point lamps has an element for every lamp, so that indices match the scene's lamps. Lamps with a size have
-/// power 0 in it.
+/// The group of point lamps has an element for every lamp of the scene, so that indices match. Lamps with a size have power 0 in
+/// this group.
 LightChoice LightTable::make_choice() {
   LightGroup points, rounds;
   points.most_by_power = rounds.most_by_power = kMostLampsByPower;

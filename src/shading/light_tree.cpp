@@ -10,8 +10,8 @@ constexpr float kLeastSquared = 1e-20f;
 /// Lower bound of the squared cosine of faces seen edge-on, so that rounding does not remove their light.
 constexpr float kLeastSquaredCosine = 1e-6f;
 constexpr float kLeastFaceShining = 1e-4f;
-/// Lower bounds of `shining` (light_tree.hpp) inside the cones: for clusters, relative to their mean emission, and for single
-/// lamps, relative to their full light.
+/// Lower bounds of `shining` (light_tree.hpp) inside the cones. kLeastShining is relative to the mean emission of a cluster,
+/// kLeastFading to the full light of a single lamp.
 constexpr float kLeastShining = 1.0f / 16.0f, kLeastFading = 1e-3f;
 /// Relative enlargement of ranges and cones, so that rounding does not remove light.
 constexpr float kMargin = 1e-4f;
@@ -90,8 +90,8 @@ LIPPMANN_INLINE void weigh(const LightNodes& tree, std::uint32_t node, const Lig
   if (tree.faces) weigh_faces(tree.nodes[node], tree.faces[node], at, w);
 }
 
-/// Partial sums of the sixteen weights. Elements 0 to 7 are the sums of lanes i and i + 8, elements 8 to 11 the sums of
-/// elements i and i + 4, and so on. The last element is the total.
+/// Partial sums of sixteen weights w. Element i is w[i] + w[i + 8] for i < 8. Elements 8 to 11 add elements 0 to 3 and 4 to 7 in
+/// pairs, elements 12 and 13 add those, and element 14 is the total.
 struct Sums {
   float of[kLanes];
   LIPPMANN_INLINE float all() const { return of[14]; }

@@ -167,7 +167,7 @@ class LightTreeBuilder {
     return best;
   }
 
-  /// Returns for each bin the scatter (power times variance) of the lights from this bin on.
+  /// Returns for each bin the scatter (power times variance) of the lights in this bin and all following bins.
   static std::array<double, kBins> scatters_from(const std::array<PowerMoments, kBins>& bins) {
     std::array<double, kBins> scatters{};
     PowerMoments sum;

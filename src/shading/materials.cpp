@@ -61,8 +61,8 @@ WhittedMaterial from(const MetallicRoughness& s, Vec3f surroundings) {
   m.mirror = smooth * glm::mix(dielectric_f0, 1.0f, s.metallic);
   m.mirror_tint = s.metallic;
   m.diffuse = (1.0f - s.metallic) * (1.0f - s.transmission) / kPi;
-  // Ambient light stands for the light of the background: irradiance / pi on the diffuse part, and the mean background on metal
-  // whose mirror is not traced.
+  // Ambient light replaces the light of the background. It is the irradiance / pi on the diffuse part. On metal, the mean
+  // radiance of the background replaces the part of the mirror image that is not traced.
   m.ambient = surroundings * ((1.0f - s.metallic) * (1.0f - s.transmission) + s.metallic * (1.0f - smooth));
   const float alpha = std::max(s.roughness * s.roughness, 0.01f);
   m.highlight_size = std::max(1.0f, 2.0f / (alpha * alpha) - 2.0f);

@@ -69,8 +69,8 @@ class MetalRoughLanes {
   template <bool with_glass>
   LIPPMANN_INLINE BsdfValue evaluate(int i, const GgxAlbedo& albedo, Vec3f light) const;
   LIPPMANN_INLINE void draw_glass(int i, float lobe, Vec2f u, GlassLanes& drawn) const;
-  /// Samples a direction. For Dirac lobes, density and weight are final. For other lobes both are set to 1, and weigh()
-  /// replaces them.
+  /// Samples a direction. For Dirac lobes, density and weight are final. For other lobes, density and weight are set to 1 here
+  /// and replaced by weigh().
   template <bool with_glass>
   LIPPMANN_INLINE BsdfSample draw(int i, float lobe, Vec2f u, const GlassLanes* by_glass) const;
   template <bool with_glass>

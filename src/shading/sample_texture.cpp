@@ -196,7 +196,7 @@ Vec4f sample_point(const DeviceTexture& texture, Vec2f uv, std::size_t of_level)
 
 namespace {
 
-/// Blends the two nearest levels as Tachyon does: from the second to last level on, takes only the last one.
+/// Blends the two nearest levels as Tachyon does. Between the last two levels, uses only the last one.
 LIPPMANN_INLINE void choose_levels(const DeviceTexture& texture, const ProjectedLanes& at, LevelPair& level) {
   const auto count = static_cast<std::int32_t>(texture.levels.size());
   const float range = static_cast<float>(count) - 0.9999f;

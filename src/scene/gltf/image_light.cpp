@@ -2,7 +2,7 @@
 // a rotation and an intensity. Each level of the cube map has six images in the order +x, -x, +y, -y, +z, -z. Images with four
 // channels are RGBD: colours are divided by alpha.
 //
-// We use only the first level, which is not blurred, because path tracing computes the effects of the others.
+// We use only the first level, which is not blurred. The other levels are not needed, because path tracing computes the blur.
 //
 // The specification leaves two questions open:
 // - Colour encoding: we assume sRGB, as in the extension's JPEG images and in the RGBD of Babylon.js, whose authors wrote the

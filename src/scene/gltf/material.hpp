@@ -15,7 +15,7 @@ struct MaterialNeeds {
 
 struct MaterialTable {
   std::vector<MaterialNeeds> needs;
-  /// Index of the material of primitives that have none. -1: not added yet.
+  /// Index of the material for primitives without a material. -1: not added yet.
   int default_material = -1;
 };
 

@@ -15,8 +15,8 @@ namespace lippmann::gltf {
 std::vector<std::byte> fetch(std::string_view uri, const SideFolders& folders, std::uint64_t limit, std::string_view element,
                              const Report& report);
 
-/// Returns why a URI cannot be loaded, or an empty text if it can, and for data URIs. If the scene's folder cannot be read,
-/// throws Error at `where`.
+/// Returns the reason why a URI cannot be loaded. Returns an empty text for URIs that can be loaded and for data URIs. If the
+/// folder of the scene cannot be read, throws Error at `where`.
 std::string uri_problem(std::string_view uri, const SideFolders& folders, const std::string& where);
 
 }  // namespace lippmann::gltf

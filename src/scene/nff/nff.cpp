@@ -62,7 +62,8 @@ void require_view(const View& view, const Lexer& lexer) {
   if (!(*view.angle > 0.0f && *view.angle < 180.0f))
     throw lexer.error(fmt::format("the view's angle is {}", *view.angle), "degrees above 0 and below 180");
   const glm::dvec3 along = glm::dvec3(*view.at) - glm::dvec3(*view.from), up(*view.up);
-  // Smallest sine of the angle between the two directions. Below it, the result depends on the rounding of digits.
+  // Smallest accepted sine of the angle between the view direction and up. Below it, the result depends on the rounding of
+  // digits.
   constexpr double kSine = 1e-6;
   if (!(glm::length(glm::cross(along, up)) > kSine * glm::length(along) * glm::length(up)))
     throw lexer.error("the view's from, at and up do not span a plane",

@@ -11,7 +11,7 @@ namespace lippmann::ply {
 
 bool has_points(const Header& header);
 
-/// Coloured points become unlit splats; points without colours become lit spheres.
+/// Returns whether the points have colours. Coloured points become unlit splats; points without colours become lit spheres.
 bool has_point_colors(const Header& header);
 
 /// Returns a scene with one instance that contains all points. `size` is the diameter of the points in the file's units. If it

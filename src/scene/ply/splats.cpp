@@ -135,7 +135,7 @@ class SplatReader {
     return {x, std::exp(at(scale[1])), scale.size() == 3 ? std::exp(at(scale[2])) : 0.0f};
   }
 
-  /// Returns the harmonic of degree 0, from red, green and blue if the file has no harmonics.
+  /// Returns the coefficient of degree 0. If the file has no harmonics, computes it from red, green and blue.
   Vec3f first_harmonic() const {
     const Vec3f value = at(columns_.color);
     if (columns_.has_harmonics) return value;

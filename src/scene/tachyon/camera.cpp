@@ -81,7 +81,8 @@ CameraRecord parse_camera(Lexer& lexer, const Context& context) {
 
 void require_orientation(const CameraPose& pose, const Lexer& lexer) {
   const glm::dvec3 view(pose.view), up(pose.up), right = glm::cross(up, view);
-  // Smallest sine of the angle between the two directions. Below it, the result depends on the rounding of digits.
+  // Smallest accepted sine of the angle between the view and up directions. Below it, the result depends on the rounding of
+  // digits.
   constexpr double kSine = 1e-6;
   if (glm::length(right) > kSine * glm::length(up) * glm::length(view)) return;
   throw lexer.error("the camera's view and up directions do not span a plane", "two non-zero vectors that are not parallel");

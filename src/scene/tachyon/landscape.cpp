@@ -37,8 +37,8 @@ class Terrain {
     return random_state_ / 4294967296.0;
   }
 
-  /// Sets the height of the midpoint m of the edge from a to b, unless it has one: the mean of both ends plus a random
-  /// displacement.
+  /// Sets the height of m, the midpoint of the edge from a to b, to the mean of both ends plus a random displacement. Does
+  /// nothing if m already has a height.
   void displace(Point m, Point a, Point b) {
     if (at(m.x, m.y) != 0.0) return;
     const double length =

@@ -110,7 +110,7 @@ constexpr Statement kStatements[] = {
     {"VERTEXARRAY", parse_vertexarray},
 };
 
-/// Tachyon's statements that this reader does not support. Their message says so instead of suggesting another spelling.
+/// Statements of Tachyon that this reader does not support. Their error message does not suggest another spelling.
 constexpr std::string_view kUnsupported[] = {"CYLINDER",  "END_CLIPGROUP", "MGFFILE",
                                              "SCALARVOL", "SPHEREARRAY",   "START_CLIPGROUP"};
 
