@@ -23,8 +23,8 @@ class LiveSettings {
   /// Uses `first` until the page sets optics or a display. `first` differs from `base` only in its optics.
   LiveSettings(RenderParams base, RenderParams first);
 
-  /// A null `value` restores the value of the command line. Throws a usage Error naming the parameter and the accepted values;
-  /// nothing changes then.
+  /// A null `value` restores the value of the command line. Throws a usage Error naming the parameter and the accepted values.
+  /// On an Error, nothing changes.
   void set(const std::string& name, const std::string* value);
 
   void set_frame(int frame, int frame_count);

@@ -19,7 +19,7 @@ class LiveStage {
   /// `context` must outlive this object. Throws Error.
   LiveStage(const ResolvedJob& job, const Context& context);
 
-  /// Reloads the scene only if it, its light or its integrator has changed. On an Error, nothing changes.
+  /// Reloads the scene only if the scene, its light or the integrator has changed. On an Error, nothing changes.
   void set(const ResolvedJob& job);
 
   const ResolvedJob& job() const { return job_; }

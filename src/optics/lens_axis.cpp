@@ -7,7 +7,8 @@ namespace {
 
 constexpr double kAlignmentTolerancePx = 0.01;
 
-/// Rounds the width and the edges of cells to whole pixels if they differ only by rounding errors. Cell 0 then begins at pixel 0.
+/// Rounds the width and the edges of cells to whole pixels if they differ only by rounding errors. Cell 0 then begins at pixel
+/// 0.
 void snap_to_pixels(LensAxis<double>& axis, int size_px) {
   const double whole = std::round(axis.cell_px);
   if (size_px <= 0 || whole < 1.0) return;

@@ -42,8 +42,8 @@ struct LensAxisSpec {
   double parallax = 1.0;
 };
 
-/// Rounds the width and the edges of cells to whole pixels if they differ by at most 1/100 pixel. Cell 0 then begins at pixel 0.
-/// Otherwise lens 0 is the lens nearest to the centre.
+/// Rounds the width and the edges of cells to whole pixels if they differ by at most 1/100 pixel. Cell 0 then begins at pixel
+/// 0. Otherwise lens 0 is the lens nearest to the centre.
 LensAxis<double> make_lens_axis(const LensAxisSpec& spec);
 
 /// The line from a panel point through the centre of its lens.

@@ -1,7 +1,7 @@
 // Maps the ray of a film pixel to its lens and to the position of the pixel below the lens.
 //
-// A ray is the line x(z) = l + s z, in mm. `place` is l, the point where the ray crosses the plane z = 0. k = l / V + s, with the
-// viewing distance V. All pixels at the same position below their lenses have the same k (optics/view_place.hpp).
+// A ray is the line x(z) = l + s z, in mm. `place` is l, the point where the ray crosses the plane z = 0. k = l / V + s, with
+// the viewing distance V. All pixels at the same position below their lenses have the same k (optics/view_place.hpp).
 #pragma once
 
 #include <optional>

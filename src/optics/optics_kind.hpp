@@ -20,7 +20,7 @@ struct ModelSetup {
   const OpticsParams& params;
   Panel panel;
   PanelSize size;
-  float viewing_distance_mm;  ///< may be infinite for optics with lenses; for a camera: its distance from the plane z = 0
+  float viewing_distance_mm;  ///< distance of the viewer or camera from the plane z = 0; infinite only for optics with lenses
   Vec2f pixel_offset{0.0f};
   /// Distance from the panel to a pinhole with the field of view of the scene's camera.
   float pinhole_mm = kInfinity;
@@ -30,7 +30,7 @@ struct ModelSetup {
 struct OpticsKindInfo {
   std::string_view name;
   std::string_view help = {};
-  std::array<std::string_view, 7> takes = {};  ///< names of the elements of kKindParams that have an effect on this kind
+  std::array<std::string_view, 7> takes = {};  ///< names of the parameters of kKindParams that affect this kind
   bool has_parallax = true;
   bool is_camera = false;  ///< whether the panel is a camera's sensor, with the main lens at the scene's camera
 

@@ -9,7 +9,7 @@ namespace lippmann {
 class RayGenerator {
  public:
   /// `optics` must pass validate(). `world_from_display` consists of a rotation, a uniform scale and a translation. Rays have
-  /// origins in world units and unit directions. By default, they are in the display frame, in mm.
+  /// origins in world units and unit directions. Without `world_from_display`, rays are in the display frame, in mm.
   explicit RayGenerator(const Optics& optics, const Affine3f& world_from_display = {});
 
   /// Computes the rays of `count` points of the panel, in continuous pixel coordinates. Rays of a RayTable start at their own

@@ -32,7 +32,7 @@ class SlantedSight {
   SlantedPoint seen_from(const Viewer& viewer, Vec2d point_mm, int row) const;
 
   /// Returns the position along a row, in continuous pixel coordinates, of the pixel whose sub-pixel of this colour has the
-  /// phase of `point`. `near_column` is an estimate of it.
+  /// phase of `point`. `near_column` is an estimate of the result.
   double column_of(const SlantedPoint& point, int color, int row, double near_column) const;
 
   double lens_of(int column, int row, int color) const;

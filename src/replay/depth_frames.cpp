@@ -109,7 +109,7 @@ std::optional<RgbdFrame> RgbdFrames::next_of_video() {
                    light_field_of_rgbd(*std::exchange(picture, {}), first(), where, params_.options)};
 }
 
-/// Slanted panels do not count, because they need a calibration.
+/// Returns whether the display has lenses. Slanted panels do not count, because they need a calibration.
 bool has_lenses(const Display& display) { return display.kind != DisplayKind::kSlantedPanel; }
 
 bool is_behind_lenses(const DepthConversion& params) {

@@ -11,10 +11,10 @@
 namespace lippmann {
 
 struct DepthOrder {
-  /// How many dB lower the squared difference is at the expected position than at the opposite one, for points behind and in
-  /// front of the display. Above 0, the depth order is right.
+  /// Squared difference at the opposite position divided by that at the expected position, in dB, for points behind and in
+  /// front of the display. A positive value means that the depth order is right.
   double behind_db = 0.0, front_db = 0.0;
-  /// Pixels that were compared: they move by at least a pixel, and both positions are inside the image.
+  /// Number of compared pixels. They move by at least a pixel, and both of their positions are inside the image.
   int behind_pixels = 0, front_pixels = 0;
 };
 

@@ -75,7 +75,7 @@ class ViewMaker {
         if (has_point(x, y)) take_colour(x, y);
   }
 
-  /// Fills empty pixels that have a point in `other`, a view of another source from the same eye.
+  /// Fills empty pixels from `other`, a view from the same eye that was made from another source.
   void complete_from(const ViewMaker& other) {
     for (int y = 0; y < disparity_.height; ++y)
       for (int x = 0; x < disparity_.width; ++x) {

@@ -25,8 +25,8 @@ struct DepthViews {
   double filled_share = 0.0;  ///< fraction of pixels that had no point and were filled
 };
 
-/// `source` is one view with depth and camera. `optics` is a quilt or a camera grid. The image is cropped to the aspect ratio of
-/// the display, which it then fills. Throws Error if the views of `optics` have no cameras.
+/// `source` is one view with depth and camera. `optics` is a quilt or a camera grid. The image is cropped to the aspect ratio
+/// of the display, which it then fills. Throws Error if the views of `optics` have no cameras.
 DepthViews views_from_depth(const LightField& source, const Optics& optics, double depth_scale, const ThreadPool& pool);
 
 /// Makes each view from the source with the nearest eye. Pixels without a point are taken from the other sources, or filled.

@@ -76,7 +76,7 @@ LightFieldFrames as_shown(LightFieldFrames frames) {
   return frames;
 }
 
-/// Sets the optics, the frame rate and the function that reads a frame, for a finished render.
+/// For a finished render, sets the optics, the frame rate and the function that reads a frame.
 LightFieldFrames of_render(LightFieldFrames frames, const Rendering& rendering, const LightFieldHints& hints) {
   const fs::path& first = frames.files.front();
   if (hints.display && !hints.is_other_display)
@@ -100,7 +100,7 @@ LightFieldFrames of_render(LightFieldFrames frames, const Rendering& rendering, 
   return as_shown(std::move(frames));
 }
 
-/// Sets the optics and the function that reads a frame, for images of a display's panel without a report.
+/// For panel images of a display that have no report, sets the optics and the function that reads a frame.
 LightFieldFrames of_panel(LightFieldFrames frames, const LightFieldHints& hints) {
   for (const auto& [given, flag] :
        {std::pair(hints.view_angle_deg.has_value(), "view-angle"), std::pair(hints.views.has_value(), "views"),
@@ -162,7 +162,7 @@ std::string assumption_about(const fs::path& file, bool are_turned, const Optics
   return text + ".";
 }
 
-/// Sets the optics, the assumptions and the function that reads a frame, for a light field without a report.
+/// For a light field without a report, sets the optics, the assumptions and the function that reads a frame.
 LightFieldFrames of_format(LightFieldFrames frames, const LightFieldSource& source, const LightFieldHints& hints) {
   const fs::path& first = frames.files.front();
   const LightField field = source.format->read(first, source.options);

@@ -1,5 +1,5 @@
-// Corrects images with inverted depth: `lippmann convert --rotate-elemental` and `--spoc`. Both move pixels without changing
-// them.
+// Corrects images with inverted depth: `lippmann convert --rotate-elemental` and `--spoc`. Both conversions move pixels without
+// changing their colours.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
 // Converts a stereo pair to two images with depth, from which views for other eyes can be made (replay/depth_views.hpp). The
-// baseline of a pair is unknown, so its images become the first and the last of these views.
+// baseline of a pair is unknown. Its images are therefore taken as the two outermost views.
 #pragma once
 
 #include <string>

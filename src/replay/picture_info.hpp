@@ -21,7 +21,7 @@ struct PictureInfo {
   std::string cameras = {};
   bool has_depth = false;
   std::filesystem::path side_file = {};  ///< <picture>.json, report.json, parameters.cfg or cameras.json
-  std::string problem = {};              ///< why the views cannot be read, and what to do; empty if they can
+  std::string problem = {};              ///< why the views cannot be read, and what to do; empty if the views can be read
 };
 
 PictureInfo describe_picture(const std::filesystem::path& in);

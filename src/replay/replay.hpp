@@ -39,7 +39,8 @@ struct ReplayParams {
 
   // The images to make. If none is requested, every frame gives eye_0000.png etc.
 
-  /// Distance between the eyes of a pair: left_0000.png, right_0000.png and pair_0000.png with both.
+  /// If set, makes left_0000.png, right_0000.png, and pair_0000.png with both images. The value is the distance between the
+  /// eyes in mm.
   std::optional<double> ipd_mm = {};
   int sweep = 0;
   std::optional<FocusPlane> refocus = {};

@@ -30,7 +30,7 @@ std::vector<std::string> keys_of(const Json& rows) {
   return keys;
 }
 
-/// The bars of a column are scaled to this value; 0 means no bars.
+/// Returns the largest absolute value of a column, to which the bars of the column are scaled. 0 means no bars.
 double largest_in(const Json& rows, const std::string& key) {
   double largest = 0.0;
   for (const Json& row : rows)

@@ -28,8 +28,8 @@ Chart time_comparison(const std::vector<RenderFigures>& renders, const std::vect
 Chart saving_comparison(const std::vector<RenderFigures>& renders, const std::vector<std::string>& names);
 
 std::optional<double> wanted_psnr_db(const RenderFigures& render);
-/// Returns the lower bound of the estimate, or the estimate if it has no bound. nullopt if the frame is exact or has no
-/// estimate.
+/// Returns the lower bound of the estimated PSNR, or the estimate if it has no bound. Returns nullopt if the frame is exact or
+/// has no estimate.
 std::optional<double> sure_psnr_db(const FrameReport& frame);
 
 }  // namespace lippmann

@@ -31,7 +31,7 @@ struct RenderFigures {
   std::vector<RunFigures> runs;
   /// Number of pixels of a film; nullopt if the optics cannot be read.
   std::optional<double> pixels;
-  double source_frames = 0.0;  ///< frames that were rendered only as sources of other frames
+  double source_frames = 0.0;  ///< number of frames that were rendered only as sources of other frames
   double cpu_seconds = 0.0;
   double setup_seconds = 0.0, write_seconds = 0.0, peak_memory_bytes = 0.0;
   std::vector<std::string> missing;  ///< sentences for the user on missing values

@@ -53,8 +53,8 @@ struct HeldOut {
   std::array<std::uint64_t, kUncertaintyLevels> drawn;
 };
 
-/// Returns R, the length of the runs from which hold_out() draws one patch each. R is chosen so that about 400 patches are drawn,
-/// but is at least 4 and at most 64.
+/// Returns R, the length of the runs from which hold_out() draws one patch each. R is chosen so that about 400 patches are
+/// drawn, but is at least 4 and at most 64.
 std::uint32_t patches_per_sample(std::size_t patches);
 
 HeldOut hold_out(std::span<const std::uint8_t> uncertainty, std::uint32_t seed, int frame);

@@ -60,8 +60,8 @@ LIPPMANN_INLINE float pixel_if(bool seen, float pixel) { return seen ? pixel : k
 
 // ---- Regular grids: neighbouring samples of a view are a whole number of pixels apart -----------------------------------
 
-/// Samples of a view along one axis. Position l (mm) belongs to sample k = floor(l samples_per_mm + shift), which is pixel
-/// first + k step.
+/// Samples of a view along one axis. Position l (mm) belongs to sample k = floor(l * samples_per_mm + shift). Sample k is pixel
+/// first + k * step, with GridLine::first.
 struct GridScale {
   float samples_per_mm, shift, step;
 };
@@ -142,8 +142,8 @@ LIPPMANN_INLINE CellPlace place_in_cell(const LensAxis<float>& axis, float s_px)
 
 inline constexpr float kNotSeen = std::numeric_limits<float>::quiet_NaN();
 
-/// Lens and cell offset (pixels) through which a moved point is seen. `offset` is NaN if the point is not visible. `off` is the
-/// distance from the lens centre, in lenses.
+/// The lens through which a moved point is seen, and the offset of its image from the centre of the cell, in pixels. `offset`
+/// is NaN if the point is not visible. `off` is the distance from the lens centre, in lenses.
 struct CellLanding {
   float lens, offset, off;
 };

@@ -46,7 +46,8 @@ GridLine plain_line(const GridScale& scale, double slope, int i, int first, int 
           static_cast<float>(high)};
 }
 
-/// Returns the rows of a lenticular sheet. A ray that crosses z = 0 at the height y (mm) belongs to row floor(-y samples_per_mm
+/// Returns the rows of a lenticular sheet. A ray that crosses z = 0 at the height y (mm) belongs to row floor(-y *
+/// samples_per_mm
 /// + shift).
 GridScale sheet_rows(const LenticularConstants<double>& c) {
   const double spread = 1.0 + c.gap_mm * c.axis.vergence;

@@ -37,7 +37,7 @@ struct Predicted {
 
 struct FloorLesson {
   Evidence evidence;
-  /// Cost of tracing part of a similar frame, relative to the whole frame.
+  /// Cost of tracing the patches that the floor requires in a similar frame, relative to the whole frame.
   double cost = 1.0;
 };
 

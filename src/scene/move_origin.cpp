@@ -231,8 +231,8 @@ bool is_distant(const Bounds3f& bounds) {
   return std::isfinite(away) && std::isfinite(size) && away > kFarthest * size;
 }
 
-/// Returns the middle of the bounds, rounded to a multiple of a power of two near the size of the bounds. Subtracting this point
-/// from positions is then exact.
+/// Returns the middle of the bounds, rounded to a multiple of a power of two near the size of the bounds. Subtracting this
+/// point from positions is then exact.
 Vec3d rounded_middle(const Bounds3f& bounds) {
   const Vec3d middle = middle_of(bounds);
   const double step = std::exp2(std::floor(std::log2(std::max(size_of(bounds), glm::length(middle) * 0x1p-22))));

@@ -21,7 +21,7 @@ struct TextureLimits {
 
 class PendingTextures {
  public:
-  /// Returns the encoded bytes of an image. May use `storage` to keep them. decode() calls it from several threads.
+  /// Returns the encoded bytes of an image, which may be kept in `storage`. decode() calls this function from several threads.
   using Picture = std::function<FileBytes(std::vector<std::byte>& storage)>;
   using Change = std::function<void(Texture&)>;
 

@@ -1,7 +1,7 @@
 // Finds the files that a scene file refers to. Such a file must lie in the scene's folder or below the asset root.
 //
-// File names are relative to the folder of the scene. Each name is checked twice: before symbolic links are resolved, so that the
-// result does not depend on the disk, and afterwards, so that no link leads outside.
+// File names are relative to the folder of the scene. Each name is checked twice: before symbolic links are resolved, so that
+// the result does not depend on the disk, and afterwards, so that no link leads outside.
 #pragma once
 
 #include <filesystem>

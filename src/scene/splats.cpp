@@ -12,7 +12,7 @@
 namespace lippmann {
 namespace {
 
-/// Products of two numbers within these bounds stay finite floats.
+/// Bounds of absolute values. Products of two numbers within these bounds neither overflow nor underflow floats.
 constexpr float kLargestSplatNumber = 1e18f, kLeastDeviation = 1e-15f;
 /// Flatter splats are thickened to this ratio of their smallest to their largest deviation, which is invisible but avoids
 /// numerical problems.

@@ -71,7 +71,7 @@ float LightChoice::chance_of_sun(const LightReceiver& at) const {
   return near * near_.of_sun + (1.0f - near) * far_.of_sun;
 }
 
-/// A light is chosen either by its own entry or by its group's tree. The other probability is 0.
+/// A light is chosen either by its own entry or through the tree of its group. The probability of the other way is 0.
 float LightChoice::chance_of(Part group, std::size_t light, const LightReceiver& at) const {
   const Tree& by_tree = trees_[group];
   const float near = near_share(at);
@@ -80,7 +80,7 @@ float LightChoice::chance_of(Part group, std::size_t light, const LightReceiver&
   return near * near_.probability(by_tree.entry) * by_tree.tree.probability(static_cast<std::uint32_t>(light), at);
 }
 
-/// `pick` chooses near or far lights. Its position within the chosen range then chooses a light of that kind.
+/// `pick` first chooses between near and far lights. The position of `pick` within the chosen interval then chooses a light.
 std::optional<LightChoice::Chosen> LightChoice::choose(const LightReceiver& at, float pick) const {
   if (near_.empty() && far_.empty()) return std::nullopt;
   const float near = near_share(at);

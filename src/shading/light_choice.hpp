@@ -71,9 +71,9 @@ class LightChoice {
   bool draws_by_tree(Part group) const { return near_.probability(trees_[group].entry) > 0.0f; }
 
  private:
-  /// The choice among all near lights, or among all far lights. Each group has one entry per light, followed by one entry for its
-  /// tree. In each group, either the lights or the tree have probability 0. The entry of the sun precedes the triangles, and the
-  /// entry of the sky is the last.
+  /// The choice among all near lights, or among all far lights. Each group has one entry per light, followed by one entry for
+  /// its tree. In each group, either the lights or the tree have probability 0. The entry of the sun precedes the triangles,
+  /// and the entry of the sky is the last.
   struct Kind {
     DiscreteDistribution chances;
     float of_sun = 0.0f, of_sky = 0.0f;

@@ -26,7 +26,8 @@ float strength(const WhittedLight& light, Vec3f direction, float distance) {
   return s;
 }
 
-/// Far lights send the same irradiance to all points of the scene.
+/// Returns whether the irradiance of a light falls off with distance. Far lights send the same irradiance to all points of the
+/// scene.
 bool is_near(const WhittedLight& light) { return light.falls_off > 0.0f; }
 
 /// Returns the flux of a near light, or the irradiance that a far light gives a surface facing it. light_table.hpp explains
@@ -69,8 +70,8 @@ LightTable::LightTable(const LightSources& sources, const Environment& environme
       triangles_(sources),
       choice_(make_choice()) {}
 
-/// The group of point lamps has an element for every lamp of the scene, so that indices match. Lamps with a size have power 0 in
-/// this group.
+/// The group of point lamps has an element for every lamp of the scene, so that indices match. Lamps with a size have power 0
+/// in this group.
 LightChoice LightTable::make_choice() {
   LightGroup points, rounds;
   points.most_by_power = rounds.most_by_power = kMostLampsByPower;

@@ -90,8 +90,8 @@ LIPPMANN_INLINE void weigh(const LightNodes& tree, std::uint32_t node, const Lig
   if (tree.faces) weigh_faces(tree.nodes[node], tree.faces[node], at, w);
 }
 
-/// Partial sums of sixteen weights w. Element i is w[i] + w[i + 8] for i < 8. Elements 8 to 11 add elements 0 to 3 and 4 to 7 in
-/// pairs, elements 12 and 13 add those, and element 14 is the total.
+/// Partial sums of sixteen weights w. For i < 8, element i is w[i] + w[i + 8]. For i < 4, element 8 + i is the sum of the
+/// elements i and i + 4. Elements 12 and 13 are formed in the same way. Element 14 is the total.
 struct Sums {
   float of[kLanes];
   LIPPMANN_INLINE float all() const { return of[14]; }

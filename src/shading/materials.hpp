@@ -19,7 +19,8 @@ struct WhittedMaterial {
   float diffuse = 0.9f;
   float highlight = 0.0f;
   float highlight_size = 1.0f;
-  /// The highlight is skipped where N.H is below this value, because it is weaker than 2^-14. 2: always skipped.
+  /// The highlight is skipped where N.H is below this value, because the highlight is weaker than 2^-14 there. 2: always
+  /// skipped.
   float highlight_cutoff = 2.0f;
   float highlight_tint = 0.0f;  ///< 0: the highlight has the light's colour; 1: the light's colour times the surface's colour
   float mirror = 0.0f;          ///< fraction of the radiance from the mirror direction that is reflected

@@ -14,8 +14,8 @@ namespace {
 
 constexpr const char* kPunctual = "KHR_lights_punctual";
 
-/// Blender's exporter multiplies the power of lamps by this factor, in lumens per watt, but not the emission of surfaces. Without
-/// the reverse conversion, lamps would be 683 times too bright relative to surfaces.
+/// Blender's exporter multiplies the power of lamps by this factor, in lumens per watt, but not the emission of surfaces.
+/// Without the reverse conversion, lamps would be 683 times too bright relative to surfaces.
 constexpr float kLumensPerWatt = 683.0f;
 
 using Version = std::array<int, 3>;

@@ -107,7 +107,8 @@ class InstanceReader {
     }
   }
 
-  /// A deformed mesh needs its own vertices at every node that shows it.
+  /// Checks the memory and the positions of the deformed mesh of an instance. A deformed mesh needs its own vertices at every
+  /// node that shows it.
   void check_pose(const Instance& instance, PrimitiveId id) {
     const std::size_t vertices = std::get<Mesh>(scene_.shapes[static_cast<std::size_t>(instance.shape)]).positions.size();
     document_.unpacked.spend(vertices, sizeof(PosedVertex), element(id), document_.report);

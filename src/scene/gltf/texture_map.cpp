@@ -19,7 +19,7 @@ void set_transform(Value transform, TextureMap& map) {
   map.uv_set = transform["texCoord"].integer(map.uv_set);
 }
 
-/// choose_uv_sets() prefers the uv sets of maps that come first in this list.
+/// Returns the maps of a surface. choose_uv_sets() prefers the uv sets of maps that come first in this list.
 std::vector<TextureMap*> maps_of(MetallicRoughness& s) {
   std::vector<TextureMap*> maps{&s.base_color_map, &s.normal_map,           &s.metallic_roughness_map, &s.emissive_map,
                                 &s.occlusion_map,  &s.transmission_map,     &s.specular_map,           &s.specular_color_map,

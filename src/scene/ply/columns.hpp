@@ -17,8 +17,8 @@ class Columns {
  public:
   explicit Columns(const Element& element) : element_(element), read_(element.properties.size(), false) {}
 
-  /// value() and list() return the column of the first property called `name`. value() only finds properties with a single value,
-  /// list() only lists.
+  /// value() and list() return the column of the first property called `name`. value() only finds properties with a single
+  /// value, list() only lists.
   int value(std::string_view name) { return mark(find(name, false)); }
   int list(std::string_view name) { return mark(find(name, true)); }
 
