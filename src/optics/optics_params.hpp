@@ -46,10 +46,10 @@ struct OpticsParams {
   std::optional<float> view_angle_deg{};
   /// No value: distance of the scene's camera; infinity: a view's rays are parallel.
   std::optional<float> viewing_distance_mm{};
-  std::optional<EyeHeight> eye_height{};  ///< no value: the eyes are level with the middle of the display
-  std::optional<bool> fit_depth{};        ///< whether to reduce depth to the range that the display resolves; see fits_depth()
-  float slant_deg = 0.0f;                 ///< angle between the lenses of a lenticular sheet and the vertical
-  std::optional<double> ipd_mm{};         ///< stereo: distance between the eyes; no value: kDefaultIpdMm
+  std::optional<EyeHeight> eye_height{};    ///< no value: the eyes are level with the middle of the display
+  std::optional<bool> fit_depth{};          ///< whether to reduce depth to what the display resolves; see fits_depth()
+  float slant_deg = 0.0f;                   ///< angle between the lenses of a lenticular sheet and the vertical
+  std::optional<double> ipd_mm{};           ///< stereo: distance between the eyes; no value: kDefaultIpdMm
   std::optional<double> screen_width_mm{};  ///< stereo: width of the screen; no value: the display's or kDefaultScreenMm
   std::optional<double> crosstalk_px{};     ///< sigma of the lens blur (optics/crosstalk.hpp); no value: the display's
   bool precompensate = false;               ///< whether to change pictures to counteract the display's crosstalk

@@ -45,9 +45,8 @@ class MicrolensSight {
 };
 
 struct QuiltPoint {
-  /// In a camera grid, column and row of the view. In a cone of N views, (v, 0), where v is the index of the view, from -1/2 to
-  /// N
-  /// - 1/2. Eyes between two views have fractional indices. Views repeat beyond the ends of the cone.
+  /// In a camera grid, column and row of the view. In a cone of N views, (v, 0) with the index v of the view, which lies
+  /// between -1/2 and N - 1/2. Eyes between two views have fractional indices. Views repeat beyond the ends of the cone.
   Vec2d view{0.0};
   Vec2d pixel{0.0};
   bool in_zone = true;

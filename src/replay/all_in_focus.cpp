@@ -10,7 +10,7 @@ namespace lippmann {
 namespace {
 
 constexpr double kWindowRadius = 1.5;  ///< half width of the averaging window, in distances between lenses
-constexpr float kNoRays = 1e6f;        ///< disagreement of the rays of a pixel without rays; finite, so that sums stay finite
+constexpr float kNoRays = 1e6f;        ///< value for pixels without rays; finite, so that sums stay finite
 
 /// Replaces each of `count` samples, `stride` apart, by the mean of the 2 radius + 1 samples around it. Windows are cut off at
 /// the ends.

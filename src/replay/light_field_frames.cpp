@@ -100,7 +100,7 @@ LightFieldFrames of_render(LightFieldFrames frames, const Rendering& rendering, 
   return as_shown(std::move(frames));
 }
 
-/// For panel images of a display that have no report, sets the optics and the function that reads a frame.
+/// For pictures in the pixel layout of a display, without a report, sets the optics and the function that reads a frame.
 LightFieldFrames of_panel(LightFieldFrames frames, const LightFieldHints& hints) {
   for (const auto& [given, flag] :
        {std::pair(hints.view_angle_deg.has_value(), "view-angle"), std::pair(hints.views.has_value(), "views"),

@@ -31,9 +31,8 @@ struct ConvertedStereo {
   double out_of_zone = 0.0;  ///< largest fraction of the display on which an eye sees a neighbouring viewing zone
 };
 
-/// The views of a light field of two views are copied, and giving lengths in `params` is then an Error. Warns if an eye is
-/// outside the viewing zone. Throws Error naming the file or parameter. Stops at once if context.cancelled is set; finished
-/// images remain.
+/// If the light field has two views, copies them, and throws Error if `params` gives lengths. Warns if an eye is outside the
+/// viewing zone. Throws Error naming the file or parameter. Stops at once if context.cancelled is set; finished images remain.
 ConvertedStereo convert_to_stereo(const StereoParams& params, const Context& context);
 
 /// Returns the views of two eyes that are ipd_mm apart, with their middle at eye_mm. The light field is unfinished if `context`

@@ -30,7 +30,7 @@ constexpr const char* kAccepted = "the folder of a render, its report.json, or w
 // Largest input in bytes. A frame takes about 600 bytes.
 constexpr std::uintmax_t kMostBytes = std::uintmax_t{256} << 20;
 constexpr std::size_t kMaxPictures = 6;
-/// Every report page contains this text. Other existing files are not overwritten.
+/// Every report page contains this text. An existing file without this text is not overwritten.
 constexpr std::string_view kMark = "<meta name=\"generator\" content=\"lippmann report\">";
 
 bool is_folder(const fs::path& path) {

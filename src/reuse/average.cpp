@@ -35,7 +35,7 @@ struct Landed {
 
 /// Mixes the colours of pixels first ... end - 1, except the pixels that the caller must mix. Writes the indices of these to
 /// `special` and returns their number. They are the pixels that lack a point from one source, the pixels with
-/// SplatBuffer::color_changes(), and the last pixels if they fill no whole block.
+/// SplatBuffer::color_changes(), and the last pixels if they do not fill a block.
 LIPPMANN_MULTIVERSION std::size_t mix_plainly(const Landed& a, const Landed& b, float weight_b, std::size_t first,
                                               std::size_t end, Image& film, std::uint32_t* special) {
   const std::uint64_t *keys_a = a.keys, *keys_b = b.keys;

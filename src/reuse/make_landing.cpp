@@ -46,9 +46,8 @@ GridLine plain_line(const GridScale& scale, double slope, int i, int first, int 
           static_cast<float>(high)};
 }
 
-/// Returns the rows of a lenticular sheet. A ray that crosses z = 0 at the height y (mm) belongs to row floor(-y *
-/// samples_per_mm
-/// + shift).
+/// Returns the rows of a lenticular sheet. If a ray crosses z = 0 at the height y (mm), its row is floor(shift - y *
+/// samples_per_mm).
 GridScale sheet_rows(const LenticularConstants<double>& c) {
   const double spread = 1.0 + c.gap_mm * c.axis.vergence;
   return {static_cast<float>(spread / c.pixel_pitch_mm),

@@ -24,7 +24,7 @@ class SettledBlocks {
 
   static bool can_settle(std::span<const HorizonBox> boxes);
 
-  /// Returns the number of frames per key frame, itself included, for which the fewest rays per frame are traced. Returns 1 if
+  /// Returns the number of frames from one key frame to the next for which the fewest rays per frame are traced. Returns 1 if
   /// reuse saves no rays.
   int choose_span(const TouchedBlocks& blocks, int key, int last_frame) const;
 
