@@ -50,7 +50,7 @@ def dataset(
     scenes: names of built-in scenes and files, or one of them; their meshes become objects, beside spheres and boxes.
     rows, columns: the grid of cameras. size: width and height of a view in pixels. spp: samples per pixel.
     unit: "I/N": make only the I-th of N parts; other calls, also at the same time, make the rest. None: all samples.
-    threads: 0: one per processor.
+    threads: number of threads. 0: one per processor.
     progress: called as progress(made, share) about every 50 ms, in this thread, with the number of samples made so far and the share
         of the current one; an exception stops the call, and so does Ctrl-C.
     """

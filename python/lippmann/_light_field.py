@@ -116,7 +116,7 @@ class LightField:
         display: Optional[Display] = None,
         in_world: bool = False,
     ) -> None:
-        """in_world: the camera of a rendered view has its pose in the scene."""
+        """in_world: the poses of the cameras of rendered views are relative to the scene instead of the display."""
         self._own, self._film, self._placement, self._optics, self._display = views, film, placement, optics, display
         self._in_world = in_world
         self._shown: Optional[_core.Panel] = None
@@ -321,9 +321,9 @@ class LightField:
     def world_from_camera(self) -> NDArray[Any]:
         """(rows, columns, 4, 4), float64: matrix from the frame of each camera to the world, in mm.
 
-        The camera's x axis points right, y up and z backwards, as in Blender and NeRF. The last column is the camera's position. Parallel
-        cameras in one plane that share a window have the display's frame as their world, in files of any format, too. Other cameras of
-        nerf, colmap and llff have the world of the files, and frames with `cameras` the world of the scene, whose units count as 1 m.
+        The camera's x axis points right, y up and z backwards, as in Blender and NeRF. The last column is the camera's position.
+        For parallel cameras in one plane that share a window, the world is the display's frame. For other cameras of nerf, colmap
+        and llff, it is the world of the files. For frames with `cameras`, it is the world of the scene, whose unit counts as 1 m.
         """
         return self._poses()[0]
 
@@ -409,8 +409,9 @@ class LightField:
         pupil_mm: diameter of the eye's pupil. 0 is a pinhole, which ignores focus_mm with a LippmannWarning.
         focus_mm: depth at which the eye is focused, in front of the display.
         nearest: True does not interpolate between the pixels below a lens.
-        crosstalk: blur of each lens, as in `lippmann replay --crosstalk`. Either a standard deviation from 0 to 8 in pixels of the panel
-            (for quilts in views), such as display.crosstalk_px of a native frame; or the share of light of each neighbour, such as "10%".
+        crosstalk: blur of each lens, as in `lippmann replay --crosstalk`. Either a standard deviation from 0 to 8 in pixels of the
+            panel, or in views for quilts, such as display.crosstalk_px of a native frame; or the share of light of each neighbour,
+            such as "10%".
         """
         panel = self._panel()
         eye = tuple(
@@ -597,7 +598,7 @@ def _given_tone(exposure: float) -> str:
 
 
 def _tone_of_linear(exposure: float, tone: str) -> _core.Tone:
-    """Returns the tone of files with linear light, which is none. Warns if another one is given."""
+    """Returns the tone that changes nothing, because files with linear light are not tone-mapped. Warns about another tone."""
     if not _tone(exposure, tone).is_identity:
         warn_of_ignored(_given_tone(exposure), "files with linear light stay linear")
     return _tone(0.0, "none")

@@ -73,8 +73,8 @@ class Animation:
 
     @property
     def test_frames(self) -> Tuple[int, ...]:
-        """Numbers of the frames for testing, if the frames have `cameras`: one in eight, chosen by `seed` as in the tool. The others
-        are for training. Empty without `cameras`.
+        """Numbers of the frames for testing, if the frames have `cameras`: one in eight, chosen by `seed` as in the tool.
+        The other frames are for training. Empty without `cameras`.
         """
         return () if self._tests is None else tuple(frame for frame in self._frames if frame in self._tests)
 

@@ -1,6 +1,6 @@
 // Serialises plain structs of the library for pickling and deep copies.
 //
-// The number of members is the number of initialisers that the struct accepts. New members therefore need no change here.
+// The number of initialisers that a struct accepts gives the number of its members, so new members need no change here.
 //
 // The bytes depend on the machine and the build. Reading throws Error if the library's version or the struct's size differs.
 #pragma once
@@ -246,7 +246,7 @@ class ArchiveReader {
   void length(auto& values) {
     std::size_t size = 0;
     raw(&size, sizeof size);
-    require(size);  // an element takes at least one byte, so a larger size is an error
+    require(size);  // throws if fewer bytes than elements are left, as an element takes at least one byte
     values.resize(size);
   }
   template <class T>

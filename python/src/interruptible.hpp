@@ -1,7 +1,8 @@
-// Runs long work while other Python threads run, Ctrl-C stops the work, and callbacks run on the calling thread.
+// Runs long work so that other Python threads can run, Ctrl-C can stop the work, and callbacks run on the calling thread.
 //
 // The work runs in a thread without the interpreter's lock. Every 50 ms, the calling thread takes the lock, calls the callbacks
-// and checks for signals. An exception there sets Context::cancelled, and is raised when the work has stopped.
+// and checks for signals. If a callback or a signal raises an exception, Context::cancelled is set, and the exception is passed
+// on when the work has stopped.
 #pragma once
 
 #include <atomic>

@@ -247,7 +247,7 @@ py::array panel_array(const SharedPanel& panel) {
   return view_of(picture.data.data(), {picture.height, picture.width, picture.channels}, panel);
 }
 
-/// Writes the picture as sRGB codes, or as linear floats to .exr, which `tone` does not change.
+/// Writes .exr files with linear floats, and all other files with sRGB codes. `tone` has no effect on .exr files.
 void write_panel(const RenderedPanel& panel, const std::filesystem::path& path, const Tone& tone,
                  std::optional<double> crosstalk_px) {
   const py::gil_scoped_release release;

@@ -25,7 +25,7 @@ Optics checked(Panel panel, OpticsModel model) {
   return optics;
 }
 
-/// If baseline_mm > 0, the eyes are a grid with this spacing; otherwise cone_deg spreads them.
+/// If baseline_mm > 0, the eyes form a grid with this spacing. Otherwise the eyes are spread over the angle cone_deg.
 Optics views(Vec2i grid, Vec2i view, float pixel_mm, float cone_deg, float distance_mm, float baseline_mm) {
   MultiView model;
   model.columns = grid.x, model.rows = grid.y;

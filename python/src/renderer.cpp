@@ -58,8 +58,7 @@ struct Development {
   bool is_none() const { return tone.is_identity() && !crosstalk_px; }
 };
 
-/// Returns codes as `lippmann render` writes them. Those of a transparent frame have straight alpha (colours not multiplied by
-/// alpha).
+/// Returns codes as `lippmann render` writes them. Codes of a transparent frame are not multiplied by alpha (straight alpha).
 Image8 developed_codes(const Film& film, const Development& development) {
   const FramePictures& pictures = film.frame.pictures;
   Image light = pictures.film;
@@ -130,7 +129,7 @@ py::array layer_of_views(const Film& film, const std::string& name, int views) {
   return moved(std::move(stack.data), {views, stack.height / views, stack.width, stack.channels});
 }
 
-/// in_world: the cameras get their poses in the world, and the depth is in their frames.
+/// in_world: each camera gets its pose in the world, and its depth is stored in the frame of the camera.
 std::shared_ptr<LightField> views_of_film(const Film& film, bool in_world) {
   const py::gil_scoped_release release;
   const FramePictures& pictures = film.frame.pictures;

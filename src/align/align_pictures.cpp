@@ -38,8 +38,8 @@ Vec2d focus_of(const AlignParams& params, Vec2i size) {
   return focus;
 }
 
-/// Finds the largest window of whole pixels that every image covers. For the small rotations of cameras in a row, the innermost
-/// corners bound it.
+/// Finds the largest window of whole pixels that every image covers. The rotations are small, so the innermost corners of the
+/// images bound the window.
 void find_window(const std::vector<Similarity>& pictures, AlignedPictures& result) {
   const Vec2d size(result.read_size);
   Vec2d low(-1e300), high(1e300);

@@ -19,7 +19,8 @@ namespace fs = std::filesystem;
 constexpr int kLongestPx = 1600;    ///< longer side of the compared images; noise and blur hide finer detail
 constexpr int kMaxFeatures = 2500;  ///< maximum number of features per image; matching time is quadratic in it
 constexpr int kMaxReaders = 8;
-constexpr double kTolerance = 2e-3;  ///< vertical tolerance between neighbours, as a fraction of the longer side
+/// Largest vertical mismatch of a point in neighbouring images, relative to their longer side.
+constexpr double kTolerance = 2e-3;
 constexpr std::size_t kMinPlaces = 20;
 
 std::vector<Features> features_of(const std::vector<fs::path>& files, RegisteredPictures& result, int threads,

@@ -18,7 +18,7 @@ struct RegisteredPictures {
   Vec2i size{0};
   std::size_t middle = 0;
   std::vector<GreyPicture> greys;
-  /// Points shared by neighbours (images i and i + 1), then points shared by an image (first) and the middle one.
+  /// The points that images i and i + 1 share, for each i. Then the points that other images share with the middle image.
   std::vector<SharedPlaces> shared;
   /// Transforms that align the rows of the images and make the line of the cameras horizontal.
   std::vector<Similarity> pictures;

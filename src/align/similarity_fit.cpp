@@ -10,8 +10,8 @@
 namespace lippmann {
 namespace {
 
-/// Number of RANSAC samples. If 1/3 of the matches are correct, the chance that no sample has only correct matches is 1 in
-/// 10^8.
+/// Number of RANSAC samples of three matches. If a third of all matches are correct, the chance that no sample has three
+/// correct matches is (1 - 1/27)^500, below 10^-8.
 constexpr int kSamples = 500;
 constexpr double kMaxTurn = 0.5, kMaxScale = 2.0;
 constexpr int kRounds = 8;

@@ -5,9 +5,9 @@
 // surface is e_t(p) - e_{t-1}(p - motion(p)), with bilinear interpolation. The weight of a pixel is exp(-50 |a_t - a_{t-1}|^2),
 // where a is the reference's colour in 0 ... 1.
 //
-// Angular consistency compares the differences between neighbouring views, as tLP does for frames: Chu, Xie, Mayer, Leal-Taixe,
-// Thuerey, "Learning temporal coherence via self-supervision for GAN-based video generation", ACM Trans. Graphics 39(4), 2020,
-// section 5.2.
+// Angular consistency compares the differences between neighbouring views, as the metric tLP compares neighbouring frames: Chu,
+// Xie, Mayer, Leal-Taixe, Thuerey, "Learning temporal coherence via self-supervision for GAN-based video generation", ACM
+// Trans. Graphics 39(4), 2020, section 5.2.
 //
 // We deviate:
 // 1. The motion of every pixel is known, so there is no optical flow and no occlusion mask.

@@ -28,7 +28,7 @@ Image8 codes_of(const Image16& picture) {
 
 Image8 codes_of(const Image& picture) { return to_codes(picture, Encoding::kSrgb); }
 
-/// Decides by `hints`, or by the report beside the file.
+/// Returns whether the file shows a single view, according to `hints` or, without hints, to the report beside the file.
 bool is_single_view(const fs::path& path, const ViewsHints& hints) {
   if (fs::is_directory(path) || !hints.from.empty() || hints.tiles) return false;
   if (hints.views) return hints.views->count() == 1;

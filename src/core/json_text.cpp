@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 class ErrorFinder final : public nlohmann::json_sax<Json> {
  public:
   std::size_t bytes_read = 0;  ///< number of bytes up to and including the error
-  std::string member;          ///< empty: the document itself
+  std::string member;          ///< member with the error; empty: the document itself
 
   bool null() override { return end_value(); }
   bool boolean(bool) override { return end_value(); }

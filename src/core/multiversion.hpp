@@ -1,8 +1,8 @@
 // LIPPMANN_MULTIVERSION before a function definition compiles the function once per instruction set (AVX-512, AVX2, baseline);
 // the loader selects one version. LIPPMANN_INLINE marks the small functions inside such kernels.
 //
-// Write plain loops over lanes or pixels: the compiler vectorises them for each instruction set. Only inlined code uses the
-// wide instructions. -ffp-contract=off (cmake/options.cmake) keeps all versions bit-identical.
+// Write plain loops over lanes or pixels: the compiler vectorises them for each instruction set. Functions that are not inlined
+// use only baseline instructions. -ffp-contract=off (cmake/options.cmake) keeps all versions bit-identical.
 //
 // Multiple versions need x86-64, glibc (whose loader resolves such functions), and GCC or Clang 19. Clang 14 has the attribute,
 // but its resolver does not test for architecture levels.

@@ -42,7 +42,7 @@ std::vector<Mesh> unit_meshes_of(const Scene& scene);
 Scene dataset_scene(const std::vector<Mesh>& meshes, SampleRandom& random);
 
 /// Returns a random grid of cameras, 150 to 400 mm from the plane of zero disparity. In this plane, views are 64 mm high. Seen
-/// from it, neighbouring cameras are 0.5 to 2.5 degrees apart.
+/// from this plane, neighbouring cameras are 0.5 to 2.5 degrees apart.
 DatasetCameras dataset_cameras(ViewGrid grid, Vec2i view_size, SampleRandom& random);
 
 }  // namespace lippmann

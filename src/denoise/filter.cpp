@@ -16,14 +16,15 @@ namespace {
 constexpr float kNormalSpread = 0.2f;  ///< length of the difference between two unit normals
 constexpr float kAlbedoSpread = 0.2f;
 constexpr float kMetSpread = 0.2f;
-/// Distance of a point from the plane of the surface, in distances between samples.
+/// Distance of a point from the plane of the surface, in units of the distance between neighbouring samples.
 constexpr float kPlaneSpread = 3.0f;
 constexpr float kRelativeSpread = 0.01f;
 
 constexpr int kViewReach = 3;  ///< number of views searched to the left, to the right, up and down
 
 // Thresholds of the test for fireflies (find_outliers()).
-/// Minimum ratio of noise to light. A ratio of 0.4 means that one half of the samples has 70 % of the light.
+/// Minimum ratio of noise to light. The noise is half the difference between the two halves of the samples, and the light is
+/// their mean. At a ratio of 0.4, one half has 70 % of the light: (0.7 - 0.3) / (0.7 + 0.3) = 0.4.
 constexpr float kOneHalf = 0.4f;
 constexpr float kBrighter = 2.0f;  ///< minimum ratio of the pixel's light to the light of its second-brightest neighbour
 constexpr float kSameMaterial = 4.0f;
@@ -97,7 +98,7 @@ void for_each_piece(const SortedViews& views, int stride, const ThreadPool& pool
   });
 }
 
-/// The `kHeight` rows of a view around the current row. From top to bottom, each row is loaded only once.
+/// The `kHeight` rows of a view around the current row. If around() is called from top to bottom, each row is loaded only once.
 template <int kHeight, class Row>
 class RowWindow {
  public:
@@ -196,8 +197,8 @@ LIPPMANN_INLINE float weight_of(float difference) {
   return power;
 }
 
-/// Scaled normals of the points of a row. The dot product with an offset is the distance from the plane, divided by
-/// kPlaneSpread sample distances.
+/// Scaled normals of the points of a row. The dot product of a normal with the offset to another point is the distance of that
+/// point from the plane, in units of kPlaneSpread sample distances.
 struct alignas(64) PlaneRow {
   float x[kColumns], y[kColumns], z[kColumns];
 };

@@ -145,7 +145,7 @@ void SortedViews::sort_by_lenses(const Optics& optics, const LensCells& cells, R
     if (!is_in_rows(line)) return;
     const int y = cell.lens.y - lens_rows.x, x = cell.lens.x - bounds.columns_of_rows[cell.lens.y].x;
     const int view = free_view(px, x, y);
-    // The pixel is then not denoised. This does not happen with any known optics.
+    // A pixel without a free view is not denoised. This does not happen with any known optics.
     if (view < 0) return;
     pixels_[slot(view, y) + static_cast<std::size_t>(x)] = line.pixel - before;
     shifts_[static_cast<std::size_t>(y + kBeyond)] = static_cast<float>(at.x - cell.in_lens - x);

@@ -29,8 +29,8 @@ class SortedViews {
  public:
   static constexpr std::uint32_t kNoPixel = 0xffffffff;
 
-  /// `rows` are the rows of the film that a frame holds. Pixel indices count from the first pixel of these rows. Views have the
-  /// columns and rows of the whole film's views, except for rows without a pixel in the frame.
+  /// `rows` are the rows of the film that a frame holds. Pixel indices count from the first pixel of these rows. A view has all
+  /// columns of the whole film's view, but only the rows with a pixel in the frame.
   SortedViews(const Optics& optics, RowRange rows);
 
   Vec2i size() const { return size_; }
@@ -42,8 +42,8 @@ class SortedViews {
 
   /// How a view maps points to pixels. k is the direction of the view's rays (see the top of this file). A position `place` in
   /// the plane z = 0 belongs to column samples_per_mm.x place.x - first.x - shifts()[row], and to row first.y -
-  /// samples_per_mm.y place.y - first_row(). If lenses do not cover a whole number of pixels, the direction may differ by half
-  /// a pixel.
+  /// samples_per_mm.y place.y - first_row(). If lenses do not cover a whole number of pixels, the direction of a ray may differ
+  /// from k by half a pixel.
   struct Sight {
     Vec2f k{0.0f}, first{0.0f};
   };
@@ -61,7 +61,7 @@ class SortedViews {
  private:
   void sort_by_tiles(const Optics& optics, RowRange rows);
   void sort_by_lenses(const Optics& optics, const LensCells& cells, RowRange rows);
-  /// Returns the nearest view to column at.x among those in row at.y of the grid that have no pixel at (x, y), or -1.
+  /// Searches row at.y of the grid for views without a pixel at (x, y). Returns the view that is nearest to column at.x, or -1.
   int free_view(Vec2i at, int x, int y) const;
   std::size_t slot(int view, int y) const {
     return (static_cast<std::size_t>(view) * static_cast<std::size_t>(size_.y) + static_cast<std::size_t>(y)) *

@@ -60,8 +60,8 @@ struct ShadowContext {
   const SceneGeometry* geometry = nullptr;  ///< lets filters of meshes look up hits
 };
 
-/// Returns the active lanes whose rays have finite coordinates within `reach`. All other lanes hit nothing. Rays become invalid
-/// if products of valid inputs overflow.
+/// Returns the active lanes whose rays have coordinates from -reach to reach. All other rays, such as those with NaN or
+/// infinite coordinates after an overflow, hit nothing.
 LaneMask sound_lanes(const RayPacket& rays, float reach, const LaneMask& active);
 
 /// Traces the active lanes, which must come from sound_lanes(). Sets tfar and the hit of each lane that hits something nearer

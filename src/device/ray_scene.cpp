@@ -61,7 +61,7 @@ LIPPMANN_MULTIVERSION void meet_lights(const WorldSphere* lights, std::size_t co
 }
 
 /// Ends the active rays that cross an opaque plane, by setting tfar to -inf. Transparent planes reduce the transmittance
-/// instead. Sets `lit` to the lanes whose rays have not ended. Returns whether there are any.
+/// instead. Sets `lit` to the lanes whose rays have not ended. Returns whether any ray has not ended.
 LIPPMANN_MULTIVERSION int cross_planes(const WorldPlaneRecord* planes, std::size_t count, const LaneMask& active,
                                        RayPacket& rays, Lanes& transmittance, LaneMask& lit) {
   for (std::size_t p = 0; p < count; ++p) {

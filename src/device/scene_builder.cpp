@@ -17,8 +17,8 @@ constexpr std::size_t kFlattenTriangles = 200'000;
 /// Rays may reach coordinates of this many times the scene's size, however strongly instances magnify coordinates.
 constexpr float kLeastReach = 1000.0f;
 
-/// Embree's faster test rounds an edge differently for the two triangles that share it, so that one in ten rays along the edge
-/// would pass between them.
+/// Uses Embree's robust triangle test. The faster test rounds the common edge of two triangles differently for each, so that
+/// one in ten rays along the edge would pass between them.
 EmbreeScene make_scene(RTCDevice device, RTCSceneFlags flags) {
   EmbreeScene scene(rtcNewScene(device));
   rtcSetSceneFlags(scene.get(), flags | RTC_SCENE_FLAG_ROBUST);

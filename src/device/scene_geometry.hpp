@@ -103,7 +103,7 @@ struct SceneGeometry {
   std::vector<WorldPlaneRecord> planes;
   std::vector<WorldSphere> visible_lights;  ///< one sphere per light; radius 0: the light is invisible
   bool any_visible_light = false;
-  /// Whether any instance is hidden from camera rays, and from shadow rays.
+  /// Whether any instance is invisible to camera rays, and whether any is invisible to shadow rays.
   bool hides_from_cameras = false, hides_from_shadows = false;
   bool has_shadows = false;
   std::vector<bool> instance_moves;

@@ -105,7 +105,7 @@ TouchProbe::~TouchProbe() = default;
 std::uint8_t TouchProbe::lowest_met(const RayPacket& rays, const LaneMask& active) const {
   RayPacket packet = rays;
   ShadowContext context;
-  make_ready(packet);  // shadow rays lack these fields before they are traced
+  make_ready(packet);  // sets the fields that callers of shadow rays leave unset
   std::fill_n(context.transmittance, kLanes, static_cast<float>(everything_));
   if (!boxes_->boxes.empty())
     occluded(boxes_->scene.get(), boxes_->native_width, sound_lanes(packet, kLargestReach, active), packet, context);

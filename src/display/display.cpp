@@ -52,8 +52,8 @@ struct Lenses {
 };
 
 Lenses lenses_of(const Display& display, double distance_mm) {
-  // Cells are p (1 + g/V) wide, with the gap g, the lens pitch p and the viewing distance V. Solving 2 atan(cell / 2g) = cone
-  // for g gives g = p / (2 tan(cone/2) - p/V).
+  // A cell is the area of the panel below one lens. It is p (1 + g/V) wide, with the gap g, the lens pitch p and the viewing
+  // distance V. Solving 2 atan(cell / 2g) = cone for g gives g = p / (2 tan(cone/2) - p/V).
   const double p = display.lenses.pitch_mm, spread = 2.0 * std::tan(0.5 * display.view_cone_deg * kDegree);
   return {p, p / (spread - p / distance_mm)};
 }

@@ -158,8 +158,8 @@ Display display_from_line(const std::string& line) {
   if (key == "visual-lpi" && !sheet.viewing_distance_mm)
     throw usage_error("visual-lpi", "needs the distance from the eye to the lenses",
                       "`viewing-distance`, or `lpi` in place of `visual-lpi`");
-  // pitch_mm is the width c of strips. They fill the viewing angle if the gap is g = c / (2 tan(angle / 2)). At distance D, the
-  // pitch of the lenses is p = c D / (D + g).
+  // pitch_mm is the width c of the print's strips. Each strip fills the viewing angle of its lens if the gap is g = c / (2
+  // tan(angle / 2)). At distance D, the pitch of the lenses is p = c D / (D + g).
   const double gap = pitch_mm / (2.0 * std::tan(0.5 * sheet.view_cone_deg * std::numbers::pi / 180.0));
   const double distance = viewing_distance_mm(sheet);
   sheet.lenses.pitch_mm = is_of_print ? pitch_mm * distance / (distance + gap) : pitch_mm;

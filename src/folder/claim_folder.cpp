@@ -166,7 +166,7 @@ void sync_if_there(const fs::path& folder) {
   if (fs::is_directory(folder, ignored)) platform::sync_folder(folder);
 }
 
-/// After a power loss, removed files of frames must not reappear.
+/// Syncs the folders of the removed frames, so that the files do not reappear after a power loss.
 void sync_removed(const fs::path& folder, const FolderJournal& journal) {
   std::set<fs::path> folders{folder};
   for (const auto& [frame, record] : journal.frames)

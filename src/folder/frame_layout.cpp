@@ -169,7 +169,7 @@ void FrameLayout::arrange_views(const PictureParams& params, PictureLayout layou
   if (!same_places(film, wanted)) arrangement_.emplace(film, wanted, film_, "layout");
 }
 
-/// If the packing squeezes the views, the film's views are already squeezed.
+/// If the stereo layout squeezes the views, the film already holds squeezed views.
 void FrameLayout::pair_views(const StereoLayout& layout, const Optics& optics) {
   const ViewLayout film = film_layout(optics, "layout");
   if (film.kind != LayoutKind::kQuilt || film.grid != ViewGrid{2, 1})

@@ -22,7 +22,7 @@ namespace {
 /// Writing costs less than tracing, so half the number of rendering threads suffices.
 int writing_threads(int rendering_threads) { return std::clamp(rendering_threads / 2, 1, 8); }
 
-/// With one more than the number of writing threads, a thread never waits for its next frame.
+/// The queue holds one frame more than there are writing threads, so that no thread waits for its next frame.
 int queue_capacity(int rendering_threads) { return writing_threads(rendering_threads) + 1; }
 
 /// Adds the wall time between its construction and its destruction to a sum of nanoseconds.
@@ -123,7 +123,7 @@ struct FrameSink::Impl {
     return side.has_value();
   }
 
-  /// Videos need 8-bit samples if the pictures store linear light.
+  /// Returns the 8-bit samples for videos, if the pictures store linear light.
   Image8 toned_codes(const Tone& tone, Image film) const {
     apply_tone(tone, film);
     return to_codes(film, settings.encoding);

@@ -63,7 +63,7 @@ class FrameSink {
   /// throws its Error once.
   void add(RenderedFrame rendered);
 
-  /// Adds an existing frame for the videos, which read its picture from the file. Blocks and throws like add().
+  /// Adds the frame of an earlier run to the videos, whose picture is read from its file. Blocks and throws like add().
   void add_kept(int frame);
 
   /// Waits until all frames are written. Throws the same Errors as add().
@@ -78,7 +78,7 @@ class FrameSink {
   /// Seconds of encoding and writing so far, summed over threads.
   double write_seconds() const;
 
-  /// Maximum number of films in memory, with the one that is being traced.
+  /// Returns the maximum number of films in memory, including the film that is being traced.
   static int frames_in_memory(int threads);
 
  private:

@@ -57,7 +57,7 @@ struct JournalEntry {
   FileRecords files;
 };
 
-/// Strip 0 is at the top.
+/// Identifies a strip, a group of neighbouring rows that is rendered separately. Strip 0 is the topmost.
 struct StripNumber {
   int frame = 0, strip = 0;
   int count = 1;  ///< strips per frame
@@ -65,7 +65,7 @@ struct StripNumber {
 
 struct JournalStrips {
   int count = 1;  ///< strips per frame
-  /// By strip. If a strip has several lines, the last one counts.
+  /// Finished strips by number. If the journal has several lines for a strip, the last one counts.
   std::map<int, JournalEntry> finished;
 };
 
@@ -86,12 +86,12 @@ inline constexpr const char* kPageFolder = "page";
 struct RunReport {
   std::string host = {};         ///< name of the machine
   std::string cpu = {};          ///< name of the processor; empty if not recorded
-  std::string unit = {};         ///< such as 7/200; empty for all frames
+  std::string unit = {};         ///< 7/200 means the 7th of 200 parts of the job; empty: all frames
   std::vector<int> frames = {};  ///< rendered frames, in ascending order
   /// Rendered strips by frame, in ascending order.
   std::map<int, std::vector<int>> strips = {};
   double setup_seconds = 0.0;  ///< wall time before the first frame
-  /// Summed over threads. Overlaps with rendering.
+  /// Time of encoding and writing, summed over threads. Overlaps with rendering.
   double write_seconds = 0.0;
   std::uint64_t peak_memory_bytes = 0;
   int threads = 1;
@@ -106,13 +106,13 @@ struct FolderJournal {
   /// Requested companion folders: kSingleFolder, kPageFolder.
   std::set<std::string> companions;
   FileRecords page;  ///< paths relative to the folder
-  /// Finished frames by number. If a frame has several lines, the last one counts.
+  /// Finished frames by number. If the journal has several lines for a frame, the last one counts.
   std::map<int, JournalEntry> frames;
   /// Finished strips by frame. Their files are deleted when the frame is finished.
   std::map<int, JournalStrips> strips;
   /// Checksums of all versions of job.toml, report.json and similar files, by name.
   std::map<std::string, std::vector<FileChecksum>> files;
-  /// By path relative to the folder.
+  /// Videos, by their path relative to the folder.
   std::map<std::string, JournalVideo> videos;
   std::vector<RunReport> runs;
   /// Journal files that were read, one per run.
@@ -147,7 +147,7 @@ std::optional<FolderJournal> read_journal(const std::filesystem::path& folder);
 /// Reads the journal file of one run. Returns an empty journal if it does not exist.
 FolderJournal read_journal_part(const std::filesystem::path& part);
 
-/// A killed run may not have synced its last line and the directory entries of its last files.
+/// Syncs the journal and the names of the files that it records, because a killed run may not have synced its last files.
 void sync_render(const std::filesystem::path& folder, const FolderJournal& journal);
 
 /// Throws Error if the journal has a problem.
@@ -170,7 +170,7 @@ bool is_unfinished(const FolderJournal& journal, const std::string& name);
 
 std::string side_name(const std::string& video);
 
-/// `video` is relative to the folder.
+/// Returns whether a video with this path, relative to the folder, lies in the folder itself.
 bool lies_in_folder(const std::string& video);
 
 }  // namespace lippmann

@@ -4,8 +4,8 @@
 // variance of the rays' colours (replay/refocus.hpp), averaged over a square window. This is the correspondence cue of Tao,
 // Hadap, Malik and Ramamoorthi, "Depth from combining defocus and correspondence using light-field cameras", ICCV 2013, eq. 5.
 //
-// We deviate: the variance replaces its square root, so that large differences weigh more, and there is no second cue and no
-// smoothing. On surfaces without texture, the depth is unreliable.
+// Unlike the paper, we use the variance instead of the standard deviation, so that large differences weigh more. We use neither
+// the defocus cue nor smoothing. On surfaces without texture, the depth is unreliable.
 #pragma once
 
 #include "lippmann/image/image.hpp"
@@ -15,7 +15,7 @@ namespace lippmann {
 
 class AllInFocus {
  public:
-  /// `size` is the size of the refocused images, which cover the display's window.
+  /// `size` is the size of the refocused images in pixels.
   AllInFocus(const Optics& optics, Vec2i size);
 
   /// Adds an image focused at depth z_mm. `disagreement` is the variance of the colours of each pixel's rays, see refocus(). If

@@ -26,7 +26,8 @@ class EyeSampler {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Returns the fraction of the lenses (for a quilt: of the points) through which the eye sees a neighbouring viewing zone.
+/// Returns the fraction of the lenses through which the eye sees a neighbouring viewing zone. Quilts have no lenses, so for
+/// them, returns the fraction of points of the display.
 double share_out_of_zone(const Optics& optics, const Viewer& viewer);
 
 }  // namespace lippmann

@@ -1,7 +1,7 @@
 // Computes what an eye sees of a rendered panel through its lens array.
 //
-// The view covers the display's window in the plane z = 0 (optics/viewing.hpp). A pixel of the view is the same point of that
-// plane for every eye. Colours are linear. Points beside the panel are black.
+// The view covers a fixed rectangle in the display plane z = 0, the window of optics/viewing.hpp. Each pixel of the view shows
+// the same point of this plane for every eye. Colours are linear. Points beside the panel are black.
 #pragma once
 
 #include "lippmann/core/parallel.hpp"
@@ -14,7 +14,7 @@ struct EyeView {
   Vec2i size{0, 0};                             ///< 0: natural_view_size() (optics/viewing.hpp)
   SampleFilter filter = SampleFilter::kLinear;  ///< interpolation of pixels below one lens, or of views of a quilt
   /// Standard deviation of the Gaussian with which a lens blurs the panel, in panel pixels (quilt: in views), 0 ... kMaxBlurPx.
-  /// Above 0, it replaces `filter` across the lenses.
+  /// If above 0, the Gaussian replaces `filter` in the directions in which the lenses separate pixels.
   double crosstalk_px = 0.0;
   double pupil_mm = 0.0;  ///< diameter of the pupil; 0: a pinhole
   double focus_mm = 0.0;  ///< z of the plane on which the eye focuses; 0: the display

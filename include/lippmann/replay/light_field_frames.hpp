@@ -1,9 +1,9 @@
 // Finds the frames to replay, from a finished render or a light field in any format of `convert`, and reads each frame as a
 // panel with optics.
 //
-// The optics are those in a render's report.json, or those of the cameras in the files (HCI, MIV), or assumed
-// (assumed_optics()). Rearranged views of a render are moved back to their place on the panel. Without a report, the panel is a
-// quilt of the views.
+// The optics come from a render's report.json. Without a report, they follow from the cameras in the files (HCI, MIV) or are
+// assumed (assumed_optics()), and the panel is a quilt of the views. If a render stored its views in another layout, they are
+// moved back to their places on the panel.
 #pragma once
 
 #include <filesystem>
@@ -27,11 +27,11 @@ struct LightFieldHints {
   std::optional<ViewGrid> views = {};
   std::optional<ViewGrid> tiles = {};         ///< columns and rows of a quilt's tiles
   std::optional<double> view_angle_deg = {};  ///< full angle of the viewing zone, if the cameras are unknown
-  /// True: the outermost views are at the two ends of view_angle_deg. False: half a step inside.
+  /// Whether the outermost views are at the two ends of view_angle_deg. If not, they are half a view step inside.
   bool cone_ends = false;
   std::function<void(std::string_view)> warn = {};  ///< called with each warning
-  /// Display for the images. Images of the format `native` or of unknown format are then frames of its panel, and a row of
-  /// views without cameras is a quilt for it.
+  /// The display that the images were made for. If it is set, images whose format is `native` or unknown are frames of its
+  /// panel, and a row of views without cameras is a quilt for it.
   std::optional<Display> display = {};
   bool is_other_display = false;  ///< no error if the images are for another display
 };
@@ -56,8 +56,8 @@ struct LightFieldFrames {
 /// Throws Error naming the file, a flag that is needed because the input lacks the information, or a flag that has no effect.
 LightFieldFrames find_light_field_frames(const std::filesystem::path& in, const LightFieldHints& hints);
 
-/// Arranges the views on the panel of `optics`, in linear light. Throws Error naming `where` if the optics have another grid or
-/// size of views, or views that are not whole pixels.
+/// Arranges the views on the panel of `optics`, in linear light. Throws Error naming `where` if the grid or the size of the
+/// views differs from that of the optics, or if the views of the optics do not consist of whole pixels.
 RenderedPanel panel_of(const LightField& field, const Optics& optics, const std::string& where);
 
 /// Throws Error naming `where` unless the cameras form a regular grid centred on the display's axis.
@@ -68,7 +68,7 @@ Optics optics_of_cameras(const LightField& field, const std::string& where);
 /// spans 10 degrees across by default.
 Optics assumed_optics(const LightField& field, std::optional<double> view_angle_deg, bool cone_ends = false);
 
-/// The model of assumed_optics().
+/// Returns the parameters of the cameras that assumed_optics() assumes.
 MultiView assumed_views(const LightField& field, std::optional<double> view_angle_deg, bool cone_ends = false);
 
 }  // namespace lippmann

@@ -5,7 +5,7 @@
 namespace lippmann {
 
 enum class SplatMode {
-  /// A point is projected to pixels below its own lens, as in the paper. A point that leaves the lens's cell is dropped.
+  /// A point is projected to pixels below its own lens, as in the paper. A point that would land below another lens is dropped.
   kLens,
   kView,  ///< a point is projected to pixels of its own directional view
 };

@@ -4,9 +4,11 @@
 // Scene::origin. The limit follows from the 24-bit significand of a float. An image of 4,096 pixels needs:
 // - 12 bits to distinguish pixels,
 // - 4 bits for positions of a sixteenth of a pixel,
-// - 2 bits for the rounding errors of a few transforms. The other 6 bits are left for the distance from the origin.
+// - 2 bits for the rounding errors of a few transforms.
 //
-// A scene also gets its own origin if only some of its instances are that far away, provided that they are larger together than
+// The other 24 - 12 - 4 - 2 = 6 bits are left for the distance from the origin.
+//
+// A scene also gets its own origin if only some of its instances are that far away, provided that together they are larger than
 // all other instances.
 #pragma once
 

@@ -405,7 +405,7 @@ struct Instance {
   int skin = -1;
   /// Meshes only: camera rays pass through the instance, but mirrors show it, and it still emits light.
   bool hidden_from_cameras = false;
-  /// Only meshes may set this, unless no instance of the scene casts shadows.
+  /// If any instance of the scene casts shadows, only meshes may set this.
   bool casts_no_shadow = false;
 };
 

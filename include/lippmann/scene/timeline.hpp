@@ -19,7 +19,7 @@ struct ResolvedScene {
 /// Returns the state of all nodes at a time in seconds. Equal times give the same bits. Throws Error if a node does not come
 /// after its parent, or if an animated node does not exist. Cubic splines follow glTF 2.0, appendix C.
 ///
-/// Except for these two errors, the functions of this header require a scene that passes validate() (scene/load.hpp).
+/// Apart from these two conditions, the scene must pass validate() (scene/load.hpp), here and in all functions below.
 ResolvedScene evaluate(const Scene& scene, double time);
 
 /// Returns for each node whether it or one of its ancestors has an animation with more than one value.
@@ -32,8 +32,8 @@ bool keys_fall_on_frames(const Timeline& timeline, double frames_per_second);
 /// Returns for each node whether its morph weights ever change.
 std::vector<bool> morphing_nodes(const Scene& scene);
 
-/// Returns the bounds of all shapes except planes at one time, along the axes of the frame that frame_from_world maps to, by
-/// default the world's. Returns empty bounds if there are none. Ignores outlying splats (bulk_bounds() in scene/splats.hpp).
+/// Returns the bounds of all shapes except planes at one time, in the coordinates that frame_from_world maps to. Returns empty
+/// bounds if there are none. Ignores outlying splats (bulk_bounds() in scene/splats.hpp).
 Bounds3f finite_bounds(const Scene& scene, const ResolvedScene& resolved, const Affine3f& frame_from_world = {});
 
 /// Returns the bounds of one instance, exact in any affine frame.

@@ -32,10 +32,10 @@ inline constexpr int kMostCameras = 10000;
 CameraSet read_camera_set(const std::string& text, const std::string& where);
 std::string write_camera_set(const CameraSet& set);
 
-/// Unit vectors from the subject to each camera. +y is up.
+/// Returns the unit vectors from the subject to each camera. +y is up.
 std::vector<Vec3d> camera_directions(const CameraSet& set);
 
-/// Marks an eighth of the cameras as test cameras, at random and at least one of two or more.
+/// Marks a random eighth of the cameras as test cameras, but at least one if there are two or more cameras.
 std::vector<bool> test_cameras(int count, std::uint32_t seed);
 
 /// The cameras have the vertical field of view of the scene's first camera, or 45 degrees. Throws Error if the scene has no

@@ -17,8 +17,8 @@ std::vector<std::string> camera_names(const Scene& scene);
 /// Returns for example "Front (0), Side (1)".
 std::string list_cameras(const std::vector<std::string>& names);
 
-/// Makes the camera called `wanted`, or with this index, the first camera, which defines the view. An empty string changes
-/// nothing. Throws a usage Error that lists the cameras.
+/// Moves the camera whose name or index is `wanted` to the front of the list, because the first camera defines the view. An
+/// empty string changes nothing. Throws a usage Error that lists the cameras.
 void choose_camera(Scene& scene, const std::string& wanted);
 
 /// Makes the camera with the index `index` the first one. Throws a usage Error that lists the cameras.

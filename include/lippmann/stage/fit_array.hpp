@@ -7,8 +7,8 @@
 // - The plane is as high as the camera's view at this distance, and the viewer is at the camera's position. The central
 //   directional view therefore equals the camera's own image.
 // - An image that is narrower than the camera's image shows more above and below, so that the visible subject still fits.
-// - An orthographic camera shows the same height at every distance. Its viewer is at least so far away that this height covers
-//   45 degrees.
+// - An orthographic camera shows the same height at every distance. Its viewer is far enough away that this height covers at
+//   most 45 degrees.
 //
 // If the scene has no camera, or if the view is fitted to a named node, the subject defines the view:
 // - The viewer looks from the camera's direction. Without a camera, the viewer looks from the front, a little from above and
@@ -47,15 +47,15 @@ struct FittedArray {
   Affine3f node_from_plane{};
   float plane_height = 1.0f;
   float viewing_distance = kInfinity;  ///< from the plane to the viewer in front of it
-  /// From the viewer to the near clipping plane of the camera; 0 without one.
+  /// Distance from the viewer to the near clipping plane of the camera; 0 if the camera has none.
   float near_distance = 0.0f;
   /// Nearest and farthest z that the display should show sharply, above 0 in front of the plane. Both are 0 without finite
-  /// shapes. They are the range, in front of the viewer, of:
+  /// shapes. The range leaves out everything behind the viewer. It contains:
   /// - all finite shapes at frame 0, if the author placed the array,
   /// - the subject over the whole animation, and walls within one diagonal of it, if the view is fitted to the subject,
   /// - the visible subject at frame 0, and walls within one diagonal of it, otherwise.
   float depth_front = 0.0f, depth_back = 0.0f;
-  /// Ground, walls and sky do not affect the position of the plane.
+  /// Whether the position of the plane ignores ground, walls and sky.
   bool leaves_out_surroundings = false;
   /// Per instance: true for the subject of the view, false for surroundings and distant parts.
   std::vector<bool> is_subject{};

@@ -16,11 +16,12 @@ struct PlacedOptics {
   Optics optics{};
   /// World units per millimetre of the display.
   float units_per_mm = 1.0f;
-  /// The optics belong to a display, which shows each view as a beam of finite width.
+  /// Whether the optics belong to a display, which shows each view as a beam of finite width.
   bool for_display = false;
   /// Shown depth / true depth (with_parallax()).
   float depth_scale = 1.0f;
-  /// Sentence that names the walls between the start of rays and the viewer, or empty.
+  /// Sentence for the user that names the walls that rays skip, because they would hide the scene from the viewer; may be
+  /// empty.
   std::string cut{};
 };
 
@@ -46,8 +47,9 @@ enum class DisplayPicture {
   kQuilt,
 };
 
-/// Returns whether the depth of a scene is reduced to the range that the optics resolve: `wish` if it is set, otherwise false
-/// only for views that are not for a screen. `is_for_screen` means that the optics belong to a display or to a stereo image.
+/// Returns whether the depth of a scene is reduced to the range that the optics resolve. Returns `wish` if it is set. Otherwise
+/// returns false only for optics with separate views and without a screen. `is_for_screen`: the optics belong to a display or
+/// to a stereo image.
 bool fits_depth(std::optional<bool> wish, const Optics& optics, bool is_for_screen);
 
 /// Scales optics to the fitted array. `fit_depth` reduces depth to the range that the optics resolve. Rays begin at the viewer,

@@ -20,7 +20,7 @@ enum class Aov : std::uint8_t {
   kNormal,  ///< surface normal in world space, unit length, on the side of the ray's origin
   kId,      ///< index of the object in Scene::instances
   kPosition,
-  kRayDepth,    ///< distance from the ray's start in mm (resolved_z_front_mm); in views, from the eye
+  kRayDepth,    ///< distance from the ray's start in mm; in views, rays start at the eye
   kAlbedo,      ///< base colour with textures and vertex colours
   kMotion,      ///< movement of the surface point since the previous frame, in pixels to the right and down
   kProvenance,  ///< how the pixel was made: a value of Provenance
