@@ -82,7 +82,7 @@ class Error(ValueError):
 
 
 class UnknownError(Error, AttributeError):
-    """Raised by an attribute that this object lacks, although others of its type have it. hasattr() then returns False."""
+    """Raised by an attribute that only other objects of this type have. hasattr() then returns False."""
 
 
 class MissingFileError(Error, FileNotFoundError):

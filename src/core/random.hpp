@@ -1,6 +1,7 @@
 // Random numbers as hashes of seed, frame, pixel and sample, so that they do not depend on the order of work or on threads.
 //
-// pcg-style integer mixing after: Jarzynski, Olano, "Hash Functions for GPU Rendering", JCGT 9(3), 2020.
+// The integers are mixed like those of a PCG generator, after: Jarzynski, Olano, "Hash Functions for GPU Rendering", JCGT 9(3),
+// 2020.
 #pragma once
 
 #include <cstdint>

@@ -32,8 +32,8 @@ std::set<std::string> recorded_names(const std::filesystem::path& folder);
 
 bool has_journal(const std::filesystem::path& folder);
 
-/// Returns whether an incomplete last line of a journal may have been cut by a killed process (the beginning of a line) or by a
-/// loss of power (zero bytes).
+/// Returns whether the last line of a journal may be incomplete because a killed process wrote only its beginning, or because a
+/// loss of power left zero bytes.
 bool may_be_cut_line(std::string_view line);
 
 }  // namespace lippmann

@@ -5,7 +5,7 @@
 // with y up.
 //
 // The views of a quilt are its tiles. Optics with lenses have views with one pixel below each lens. If lenses cover a whole
-// number of pixels, it is the same pixel below every lens. Otherwise it is the pixel whose ray is nearest to the view's
+// number of pixels, a view has the same pixel below every lens. Otherwise it has the pixel whose ray is nearest to the view's
 // direction, to within half a pixel. The grid of a view has gaps at the panel's edge, for hexagonal lenses, and for lenses of a
 // fractional width. All other optics have a single view, which is the film.
 #pragma once
@@ -55,7 +55,8 @@ class SortedViews {
   float vergence() const { return vergence_; }
   Vec2f samples_per_mm() const { return samples_per_mm_; }
 
-  /// Returns the distance between neighbouring samples of a view in the plane z = 0, in mm: the larger of those along x and y.
+  /// Returns the distance between neighbouring samples of a view in the plane z = 0, in mm: the larger of the distances along x
+  /// and y.
   float sample_distance_mm() const { return std::max(1.0f / samples_per_mm_.x, 1.0f / samples_per_mm_.y); }
 
  private:

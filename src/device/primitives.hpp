@@ -56,7 +56,8 @@ LIPPMANN_INLINE bool crosses(const Primitive& primitive, const LaneRay& r) {
   return distance(primitive, r) < kInfinity;
 }
 
-/// Compares squares to avoid half = sqrt(squared): the condition b - half > t_near is equivalent to b - t_near > half.
+/// Avoids the square root in half = sqrt(squared), half of the chord. The condition b - half > t_near is equivalent to b -
+/// t_near > half, so the squares of b - t_near and half are compared.
 LIPPMANN_INLINE bool crosses(const WorldSphere& s, const LaneRay& r) {
   const auto [b, squared] = crossing(s, r);
   const float past_near = b - r.t_near, past_far = b - r.t_far;
@@ -151,7 +152,7 @@ Bounds3f bounds(const WorldCylinder& c);
 Bounds3f bounds(const WorldRing& g);
 Bounds3f bounds(const WorldBox& b);
 
-/// Returns the outward normal at a surface point, in any length. Rings and planes return their stored normal.
+/// Returns the outward normal at a surface point. It need not have unit length. Rings and planes return their stored normal.
 LIPPMANN_INLINE Vec3f normal_at(const WorldSphere& s, Vec3f p) { return {p.x - s.x, p.y - s.y, p.z - s.z}; }
 LIPPMANN_INLINE Vec3f normal_at(const WorldCylinder& c, Vec3f p) {
   const Vec3f axis(c.ax, c.ay, c.az), q = p - Vec3f(c.x, c.y, c.z);

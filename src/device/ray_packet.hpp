@@ -39,7 +39,7 @@ struct alignas(64) RayHitPacket {
 void clear_hits(RayHitPacket& packet);
 
 inline constexpr unsigned kNoId = 0xffffffffu;
-/// kPlaneId + p is the geometry id of infinite plane p; kLightId + l is that of visible light l.
+/// kPlaneId + p is the geometry id of the infinite plane p, and kLightId + l the geometry id of the visible light l.
 inline constexpr unsigned kPlaneId = 0x80000000u;
 inline constexpr unsigned kLightId = 0xC0000000u;
 

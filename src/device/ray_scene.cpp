@@ -81,8 +81,8 @@ LIPPMANN_MULTIVERSION int cross_planes(const WorldPlaneRecord* planes, std::size
   return any;
 }
 
-// Returns the distance at which secondary rays start: 1e-4 for Tachyon scenes, measured on Tachyon's images, otherwise about
-// ten times the rounding error of a hit point.
+// Returns the distance at which secondary rays start. For Tachyon scenes, it is 1e-4, as measured on Tachyon's images.
+// Otherwise it is about ten times the rounding error of a hit point.
 float choose_t_near(const Scene& scene, const Bounds3f& b) {
   if (scene.encoding == Encoding::kTachyonTruncate) return 1e-4f;
   return b.empty() ? 1e-4f : 1e-5f * glm::length(b.size());

@@ -30,7 +30,7 @@ int cell_at(const Calibration& calibration, int column, int row) {
   return cell % static_cast<int>(calibration.cells.size());
 }
 
-/// Returns whether flip_image_x negates the step s of the formula of Calibration.
+/// Returns whether flip_image_x negates the step s from a sub-pixel to the next (see Calibration).
 bool flips_step(const Calibration& calibration) {
   return calibration.flip_image_x && calibration.flip != Calibration::Flip::kSlope;
 }
@@ -58,7 +58,7 @@ Lenses lenses_of(const Display& display, double distance_mm) {
   return {p, p / (spread - p / distance_mm)};
 }
 
-/// Returns x cos(slant) - y sin(slant) of the panel's centre, in pixels (see LensStrips).
+/// Returns the position of the panel's centre across the lenses, x cos(slant) - y sin(slant), in pixels.
 double centre_of_strips(const Display& display, const LensStrips& strips) {
   return 0.5 * (display.pixels.x * strips.cosine - display.pixels.y * strips.sine);
 }

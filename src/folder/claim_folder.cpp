@@ -119,8 +119,8 @@ void require_free_video(const fs::path& folder, const Contents& contents, const 
                 "replaces the video");
 }
 
-/// Removes a file, and the folder of views once it is empty. Objects that are not files are kept. Returns whether no
-/// object with that name is left. Throws Error if the file cannot be removed.
+/// Removes a file, and its folder of views if that becomes empty. Keeps objects that are not files. Returns whether the name is
+/// free now. Throws Error if the file cannot be removed.
 bool remove_file(const fs::path& folder, const std::string& name) {
   std::error_code ignored;
   const fs::path file = folder / name, parent = fs::path(name).parent_path();

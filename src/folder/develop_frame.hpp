@@ -20,7 +20,7 @@ struct Development {
   /// Crosstalk to correct: the standard deviation of the Gaussian blur (optics/crosstalk.hpp), in pixels, or in views
   /// for a quilt.
   std::optional<double> crosstalk_to_undo = {};
-  /// The picture holds linear light, premultiplied by alpha, without tone mapping.
+  /// Whether the picture holds linear light, premultiplied by alpha, without tone mapping.
   bool keeps_light = false;
 };
 

@@ -28,7 +28,7 @@ ExrLayer layer_of(Aov aov, const Image& image) {
   return layer;
 }
 
-/// Alpha is stored with the colours.
+/// Returns the extra layers of an EXR file. Alpha is not among them, because it is stored with the colours.
 std::vector<ExrLayer> aov_layers(const FrameAovs& aovs) {
   std::vector<ExrLayer> layers;
   for (std::size_t i = 0; i < kAovs; ++i)

@@ -38,10 +38,10 @@ class FrameLayout {
   /// Returns whether each frame is one view with its depth beside it.
   bool is_rgbd() const { return is_rgbd_; }
 
-  /// Each picture has picture_size().
+  /// Returns the number of pictures of each frame. All pictures have picture_size().
   int pictures_per_frame() const { return pictures_per_frame_; }
 
-  /// Quilt, stereo and RGB-D videos get a suffix.
+  /// Returns `requested`, with a suffix for videos of quilts, stereo pictures or RGB-D pictures.
   std::filesystem::path video_path(const std::filesystem::path& requested) const;
 
   /// Returns the tiles, the aspect of the display and the grid of the views, for quilts only.
@@ -53,8 +53,7 @@ class FrameLayout {
   /// Returns whether the pixels of the picture have other positions than in the film.
   bool moves() const { return stereo_ || arrangement_ || sub_pixels_ || mirrors_; }
 
-  /// Returns whether each pixel of the picture is joined from sub-pixels of the film. The panel then shows the arranged
-  /// picture.
+  /// Returns whether sub-pixels of the film are joined to pixels of the picture.
   bool joins_sub_pixels() const { return sub_pixels_; }
 
   /// Resolution of the display in pixels per mm; 0 without a display.

@@ -41,7 +41,7 @@ class FrameSink {
     std::vector<VideoFile> videos = {};
     FormatOptions writing = {};
     std::vector<ExrAttribute> about = {};
-    /// Rendering threads. Writing uses up to half this number of additional threads.
+    /// Number of rendering threads. Writing uses additional threads, at most half this number.
     int threads = 1;
     /// Called with the film of every written frame, on any thread. May be empty.
     std::function<void(Image)> done_with = {};

@@ -11,7 +11,7 @@ namespace lippmann {
 
 struct EyeView {
   Vec3d eye_mm{0.0, 0.0, 500.0};                ///< in the display frame; z > 0
-  Vec2i size{0, 0};                             ///< 0: natural_view_size() (optics/viewing.hpp)
+  Vec2i size{0, 0};                             ///< in pixels; 0: natural_view_size() (optics/viewing.hpp)
   SampleFilter filter = SampleFilter::kLinear;  ///< interpolation of pixels below one lens, or of views of a quilt
   /// Standard deviation of the Gaussian with which a lens blurs the panel, in panel pixels (quilt: in views), 0 ... kMaxBlurPx.
   /// If above 0, the Gaussian replaces `filter` in the directions in which the lenses separate pixels.

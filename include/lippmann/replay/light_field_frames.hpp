@@ -49,7 +49,7 @@ struct LightFieldFrames {
   double frames_per_second = 25.0;
   bool is_panel = false;        ///< the images have no report and are frames of the panel of `optics`
   std::string assumption = {};  ///< sentence about assumed cameras, or empty
-  /// Throws Error naming the file, for example if its size is not the panel's.
+  /// Reads the frame with this index in `files`. Throws Error naming the file, for example if its size is not the panel's.
   std::function<RenderedPanel(std::size_t)> read{};
 };
 

@@ -440,7 +440,7 @@ struct Scene {
   /// A point p of the scene lies at origin + p in the file (scene/origin.hpp).
   Vec3d origin{0.0};
   Encoding encoding = Encoding::kSrgb;
-  int max_depth = 6;       ///< maximum number of vertices of a path; the file's limit, if it states one
+  int max_depth = 6;       ///< maximum number of vertices of a path; 6 unless the file states a limit
   Vec2i resolution{0, 0};  ///< image width and height that the file requests; 0: none
   SceneKind kind = SceneKind::kPhysical;
 

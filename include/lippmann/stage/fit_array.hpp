@@ -49,8 +49,8 @@ struct FittedArray {
   float viewing_distance = kInfinity;  ///< from the plane to the viewer in front of it
   /// Distance from the viewer to the near clipping plane of the camera; 0 if the camera has none.
   float near_distance = 0.0f;
-  /// Nearest and farthest z that the display should show sharply, above 0 in front of the plane. Both are 0 without finite
-  /// shapes. The range leaves out everything behind the viewer. It contains:
+  /// Nearest and farthest z that the display should show sharply. z is positive in front of the plane. Both are 0 without
+  /// finite shapes. The range leaves out everything behind the viewer. It contains:
   /// - all finite shapes at frame 0, if the author placed the array,
   /// - the subject over the whole animation, and walls within one diagonal of it, if the view is fitted to the subject,
   /// - the visible subject at frame 0, and walls within one diagonal of it, otherwise.

@@ -1,4 +1,4 @@
-// A thread of rank 0 receives requests for numbers and reports of finished work.
+// A thread of rank 0 receives the requests of other ranks for work, and their reports of finished work.
 #include <mpi.h>
 
 #include <atomic>
