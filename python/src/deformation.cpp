@@ -1,4 +1,4 @@
-// Binds deforming meshes: morph targets, which weights blend, and skins, which follow joints.
+// Binds the deformation of meshes by morph targets, which are blended by weights, and by skins, which follow joints.
 //
 // In a lippmann.Scene, each mesh shape has exactly one instance and one node, so the index of the shape identifies all three.
 #include <algorithm>

@@ -6,8 +6,9 @@
 
 namespace lippmann {
 
-/// Disparities: x in the left image minus x in the right one, in pixels of the input images; positive in front of the display.
-/// 1 channel each, at most 1600 pixels a side. Points that only one image shows have the disparity of the surface behind them.
+/// The disparity of a point is its x in the left image minus its x in the right image, in pixels of the input images. It is
+/// positive in front of the display. Both images have one channel and at most 1600 pixels a side. Points that only one image
+/// shows have the disparity of the surface behind them.
 struct StereoDisparity {
   Image of_left, of_right;
   double least = 0.0, most = 0.0;

@@ -51,7 +51,7 @@ void BackgroundQueue::Impl::start(int number) {
   for (int i = 0; i < number; ++i) threads.emplace_back([this] { serve(); });
 }
 
-/// Runs one of the two functions of a piece, without holding the lock. Does nothing after a failure.
+/// Runs one of the two functions of a piece of work, without holding the lock. Does nothing after a failure.
 void BackgroundQueue::Impl::run(const std::function<void()>& half) {
   {
     const std::lock_guard lock(mutex);

@@ -34,8 +34,8 @@ class Fingerprint {
     return value;
   }
 
-  /// As FNV-1a, XORs a value into the state and multiplies the state, but with words of 64 bits instead of bytes. Then XORs the
-  /// upper half of the product into its lower half, because the upper bits of a factor do not affect the lower bits of the
+  /// XORs a value into the state and multiplies the state, like FNV-1a but with words of 64 bits instead of bytes. Then XORs
+  /// the upper half of the product into its lower half, because the upper bits of a factor do not affect the lower bits of the
   /// product.
   void mix(std::uint64_t value) {
     state_ = (state_ ^ value) * 0x9e3779b97f4a7c15u;

@@ -49,8 +49,8 @@ double left_in(const fs::path& group, const CgroupFiles& files) {
   return *limit - *usage + number_after(group / "memory.stat", files.cache).value_or(0.0);
 }
 
-/// Returns the smallest number of bytes left in a cgroup and its parents. If `path` is a path of the host, as in some
-/// containers, only `root` exists.
+/// Returns the smallest number of bytes left in a cgroup and its parents. In some containers, `path` is a path of the host, and
+/// only `root` exists.
 double left_in_all(const fs::path& root, std::string path, const CgroupFiles& files) {
   double left = left_in(root, files);
   for (; path.size() > 1; path.resize(path.rfind('/'))) left = std::min(left, left_in(root / path.substr(1), files));

@@ -1,8 +1,8 @@
 // Finds the blocks of a frame whose rays hit given boxes. Rays of all kinds count.
 //
-// A block is neighbouring packets, and the mirrored and refracted rays that follow from them. Retracing a block gives the same
-// bits, whether alone or with other blocks. Retracing single pixels does not, because the rays that share a packet affect
-// rounding.
+// A block consists of neighbouring packets of camera rays, and of the mirrored and refracted rays that follow from them.
+// Retracing a block gives the same bits as tracing the whole frame. Retracing single pixels does not, because the rays that
+// share a packet affect rounding.
 //
 // If boxes enclose everything that moves in the following frames, the blocks without hits provably stay unchanged. Based on the
 // voxels of D. A. Jevans, "Object space temporal coherence for ray tracing", Graphics Interface 1992.

@@ -20,8 +20,8 @@ struct WorldSplat {
 };
 static_assert(sizeof(WorldSplat) == 64, "one line of the cache");
 
-/// The point of a ray that is nearest to the splat in standard deviations, and its squared distance from the splat's centre.
-/// The ray's direction must have unit length.
+/// The point of a ray where the distance from the splat's centre, in standard deviations, is smallest: `t` is its ray
+/// parameter, and `squared` its squared distance. The ray's direction must have unit length.
 ///
 /// approach() computes this point as an offset from the ray's point that is nearest to the centre in world space, which avoids
 /// cancellation for distant eyes and flat splats.

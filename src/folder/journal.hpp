@@ -77,8 +77,8 @@ struct JournalVideo {
   std::vector<FileChecksum> side;
 };
 
-/// kSingleFolder holds a render of a single view beside a light field, with its own journal; kPageFolder a page for
-/// browsers.
+/// Subfolders of a render. kSingleFolder holds the render of a single view beside a light field, with its own journal.
+/// kPageFolder holds a page for browsers.
 inline constexpr const char* kSingleFolder = "single";
 inline constexpr const char* kPageFolder = "page";
 

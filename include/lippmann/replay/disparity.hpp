@@ -10,8 +10,8 @@
 
 namespace lippmann {
 
-/// Returns the depth in mm of points with this disparity. The baseline b is the mean distance between neighbouring eyes. Throws
-/// a usage Error naming `parameter` if the optics have fewer than two views or views without cameras, or if no point has this
+/// Returns the depth in mm of points with this disparity. The baseline is the mean distance between neighbouring eyes. Throws a
+/// usage Error naming `parameter` if the optics have fewer than two views or views without cameras, or if no point has this
 /// disparity.
 double depth_of_disparity_px(const Optics& optics, double disparity_px, const char* parameter);
 

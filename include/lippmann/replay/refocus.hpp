@@ -18,7 +18,7 @@
 
 namespace lippmann {
 
-/// Throws a usage Error naming `flag` if the depth is not finite or not in front of the design viewer.
+/// Throws a usage Error naming `flag` if the depth is not finite, or if it is not in front of the intended viewer.
 void validate_depth(const Optics& optics, double z_mm, const char* flag);
 
 /// Returns the image focused at z_mm, in linear light, and black where no ray arrives. z_mm must pass validate_depth(). `size`

@@ -19,7 +19,7 @@ struct ResolvedScene {
 /// Returns the state of all nodes at a time in seconds. Equal times give the same bits. Throws Error if a node does not come
 /// after its parent, or if an animated node does not exist. Cubic splines follow glTF 2.0, appendix C.
 ///
-/// Apart from these two conditions, the scene must pass validate() (scene/load.hpp), here and in all functions below.
+/// The scene must satisfy all other conditions of validate() (scene/load.hpp), here and in all functions below.
 ResolvedScene evaluate(const Scene& scene, double time);
 
 /// Returns for each node whether it or one of its ancestors has an animation with more than one value.
@@ -36,7 +36,7 @@ std::vector<bool> morphing_nodes(const Scene& scene);
 /// bounds if there are none. Ignores outlying splats (bulk_bounds() in scene/splats.hpp).
 Bounds3f finite_bounds(const Scene& scene, const ResolvedScene& resolved, const Affine3f& frame_from_world = {});
 
-/// Returns the bounds of one instance, exact in any affine frame.
+/// Returns the exact bounds of one instance in the coordinates that frame_from_world maps to.
 Bounds3f finite_bounds(const Scene& scene, const Instance& instance, const ResolvedScene& resolved,
                        const Affine3f& frame_from_world = {});
 

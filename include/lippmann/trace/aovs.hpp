@@ -31,14 +31,14 @@ enum class Aov : std::uint8_t {
   kAlpha,
 };
 
-/// How a pixel was made. A pixel is "missed" if no point of another frame is projected onto it.
+/// How a pixel was made.
 enum class Provenance : std::uint8_t {
   kTraced,
   kCopied,        ///< copied from a key frame, because the pixel provably has not changed
   kInterpolated,  ///< interpolated from points of other frames
-  kFilled,        ///< missed, then filled from neighbouring pixels
-  kRetraced,      ///< missed, then traced
-  kBlack,         ///< missed, then left black
+  kFilled,        ///< no point was projected onto the pixel; filled from neighbouring pixels
+  kRetraced,      ///< no point was projected onto the pixel; traced
+  kBlack,         ///< no point was projected onto the pixel; left black
 };
 struct ProvenanceInfo {
   std::string_view name{};
