@@ -27,9 +27,10 @@ namespace {
 
 constexpr int kMatchedPx = 1600, kMatchedFeatures = 3000;
 constexpr std::size_t kMinShared = 20;
-/// The pair causes a warning if the median row difference of shared points exceeds this, in pixels of the matched images.
+/// A warning is given if the heights of shared points differ by more than this (median), in pixels of the images as reduced to
+/// kMatchedPx.
 constexpr double kMaxRowError = 1.0;
-/// Largest difference between the disparities of both images at one point, in pixels of the matched images.
+/// Largest difference between the disparities that both images give a point, in pixels of the images as reduced to kMatchedPx.
 constexpr double kMaxContradiction = 1.5;
 constexpr float kUnknown = -std::numeric_limits<float>::infinity();
 

@@ -20,7 +20,8 @@ struct FrameComparison {
   PictureMetrics metrics;
 };
 
-/// A value is empty if it was not requested or is undefined (equal frames, a single view, the first frame).
+/// A value is empty if it was not requested, or if it is undefined, as for equal frames, for a single view, and for the flicker
+/// of the first frame.
 struct FrameConsistency {
   std::string name;
   std::optional<double> angular_psnr_db = {}, flicker = {};

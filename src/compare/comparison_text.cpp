@@ -32,7 +32,8 @@ std::string quoted(const std::string& name) {
 
 std::string csv_number(std::optional<double> value) { return value ? fmt::format("{}", *value) : ""; }
 
-/// JSON and CSV hold the metrics that are always computed, and those for which a frame has a value.
+/// Returns whether JSON and CSV have a column for the metric. The metric must always be computed, or some frame must have a
+/// value.
 bool is_written(const MetricColumn& column, const Comparison& comparison) {
   return column.is_chosen({}) || column.key == "psnr_y_db" || column.key == "psnr_yuv_db" ||
          std::any_of(comparison.frames.begin(), comparison.frames.end(), [&](const FrameComparison& frame) {

@@ -41,7 +41,7 @@ BackgroundQueue::Impl::~Impl() {
   {
     const std::lock_guard lock(mutex);
     stopping = true;
-    waiting.clear();  // safe: running pieces never wait for pieces that have not started
+    waiting.clear();  // safe: running work never waits for work that has not started
   }
   changed.notify_all();
   for (std::thread& thread : threads) thread.join();

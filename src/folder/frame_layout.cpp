@@ -42,7 +42,7 @@ double display_aspect(const Optics& optics) {
   return static_cast<double>(window.x) / window.y;
 }
 
-/// A quilt if the optics render views for the quilt of a display, otherwise the integral image.
+/// Returns the quilt layout if the optics render the views of a display's quilt, otherwise the layout of integral images.
 PictureLayout default_layout(const Optics& optics, const Display* display) {
   const bool is_quilt = display && view_tiles(optics);
   return is_quilt ? PictureLayout::kQuilt : PictureLayout::kIntegral;

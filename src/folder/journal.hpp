@@ -105,7 +105,7 @@ struct FolderJournal {
   std::vector<int> asked;
   /// Requested companion folders: kSingleFolder, kPageFolder.
   std::set<std::string> companions;
-  FileRecords page;  ///< paths relative to the folder
+  FileRecords page;  ///< files of the page, by their path relative to the folder
   /// Finished frames by number. If the journal has several lines for a frame, the last one counts.
   std::map<int, JournalEntry> frames;
   /// Finished strips by frame. Their files are deleted when the frame is finished.

@@ -17,7 +17,7 @@ namespace lippmann {
 enum class CameraPath {
   kSphere,
   kHemisphere,
-  kCircle,  ///< a circle 20 degrees above the subject's middle
+  kCircle,  ///< a circle around the subject, at an elevation of 20 degrees
 };
 
 struct CameraSet {
