@@ -156,7 +156,7 @@ TEST(LostDepth, missing_map_is_named) {
   EXPECT_THAT(read("cvkit", cvkit.dir / "in").warnings, ElementsAre(HasSubstr("view_001_param.txt states no rho")));
   const Damaged nerf("nerf", {});
   nerf.replace("transforms.json", "\"depth_file_path\": \"depth/000.npy\",", "");
-  EXPECT_THAT(read("nerf", nerf.dir / "in").warnings, ElementsAre(HasSubstr("frames[0] lists no depth file")));
+  EXPECT_THAT(read("nerf", nerf.dir / "in").warnings, ElementsAre(HasSubstr("frames[0]: has no depth file")));
 }
 
 TEST(LostDepth, folders_without_depth_give_no_warning) {
