@@ -13,12 +13,13 @@
 namespace lippmann {
 namespace {
 
-/// One of this many pixels is traced again. This adds 2 x kPathsPerSample / kPixelsPerHeldOut = 1.6 % of the frame's paths.
+/// One of this many pixels is traced again: twice, each time with kPathsPerSample times its paths. This adds 2 * 4 / 500 = 1.6 %
+/// to the frame's paths.
 constexpr std::size_t kPixelsPerHeldOut = 500;
-/// Lowest number of pixels that are traced again. With fewer, the interval would be wider than 6 dB.
+/// Lowest number of pixels that are traced again. With fewer, the confidence interval of the PSNR would be wider than 6 dB.
 constexpr std::size_t kLeastHeldOut = 64;
-/// Paths in each of the two new images of a pixel, per path of the frame. Eight times the frame's paths in total can measure a
-/// denoised frame as accurate as one with eight times its paths.
+/// Each of a pixel's two new images has this many times the paths of the frame. Together they have 8 times the paths. This is
+/// enough to measure a denoised frame that is as accurate as a frame without denoising and with 8 times the paths.
 constexpr int kPathsPerSample = 4;
 /// Lowest number of paths of a retraced pixel. The sRGB code of a mean of few paths is biased, because the transfer curve is
 /// not linear.

@@ -16,13 +16,14 @@
 namespace lippmann {
 namespace {
 
-/// Number of key frame intervals per segment. The first interval of a segment decides whether all its frames are predicted.
+/// A segment consists of this many key frame intervals. A trial in its first interval decides whether the segment's frames are
+/// predicted.
 constexpr int kSegmentIntervals = 8;
 /// Highest cost of predicting a frame, relative to tracing it.
 constexpr double kMostPredictionCost = 1.0 / 3.0;
 /// Lowest saving for which an interval is predicted, relative to tracing the interval with its key frame.
 constexpr double kLeastIntervalSaving = 0.05;
-/// Expected saving if key frames are twice as close, relative to tracing a frame.
+/// The cost of predicting a frame, relative to tracing it, is assumed to fall by this much if the interval is halved.
 constexpr double kHalvingGains = 0.1;
 
 void add_spent(const FrameReport& spent, FrameReport& report) {
@@ -35,7 +36,7 @@ float position(int frame, const FrameInterval& interval) {
   return static_cast<float>(frame - interval.first) / static_cast<float>(interval.last - interval.first);
 }
 
-/// If all held-out pixels have an error of 0, returns the PSNR of the upper bound.
+/// Returns the PSNR of the estimated error, or of its upper bound if all held-out pixels have an error of 0.
 double estimated_psnr(const ErrorEstimate& error) { return psnr_db(error.mse > 0.0 ? error.mse : error.bound); }
 
 class ErrorBoundedFrames final : public FrameMaker {

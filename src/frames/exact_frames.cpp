@@ -12,8 +12,8 @@
 namespace lippmann {
 namespace {
 
-// If copying blocks saves less than kLeastSpanSaving of the time, some frames are traced without it. Their number doubles each
-// time, up to kLongestRest.
+// If copying blocks saves less than kLeastSpanSaving of the time, the next frames are traced without copying: first 16 frames,
+// then twice as many each time, and at most kLongestRest.
 constexpr double kLeastSpanSaving = 0.02;
 constexpr int kLongestRest = 256;
 

@@ -29,7 +29,7 @@ class ForwardFrames final : public FrameMaker {
   using Source = ForwardSource;
 
   Source between(int frame, const FrameInterval& interval, bool as_source);
-  /// Returns the intervals that lead to a frame; the frame is made from the ends of the last one.
+  /// Returns nested intervals, from the one between two key frames to the one from whose ends `frame` is made.
   std::vector<FrameInterval> path_to(int frame) const;
   void keep_only_sources_of(int frame);
   const Source& key(int frame);

@@ -18,7 +18,7 @@ inline int key_frame_interval(const Interpolate& reuse) { return reuse.keyframes
 /// Traces a key frame with its points and prepares it for `maker`. Incomplete if the context is cancelled.
 ForwardSource trace_source(const MakerParts& parts, const Interpolate& reuse, int frame, const InBetweenMaker& maker);
 
-/// Returns the report, still without times, of a frame that was made from others.
+/// Returns the report of a frame that was made from other frames. Its times are not set.
 FrameReport in_between_report(int frame, const InBetweenCounts& counts, const RayCounts& rays, Vec2i film);
 
 }  // namespace lippmann

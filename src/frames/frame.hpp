@@ -68,7 +68,7 @@ void set_provenance(Provenance all, Vec2i film_size, FrameAovs& aovs);
 /// `of_pixels` has one Provenance per pixel, or is empty if all pixels were traced.
 void set_provenance(std::span<const std::uint8_t> of_pixels, Vec2i film_size, FrameAovs& aovs);
 
-/// Quilts for displays use beams as wide as a view, unless `sampling` selects another angular filter.
+/// Unless `sampling` selects an angular filter, the pixels of a display's quilt average rays over the angle of a view.
 TraceParams trace_params(const Sampling& sampling, const Stage& stage);
 
 void add_first_hits(const Stage& stage, const Sampling& sampling, const Moment& moment, int frame, const ThreadPool& pool,

@@ -38,8 +38,8 @@ std::unique_ptr<FrameMaker> make_frame_maker(Stage& stage, const FrameParams& pa
 /// Returns the working memory in bytes per pixel, without film and layers.
 double working_bytes_per_pixel(const FrameParams& params, int frames);
 
-/// Returns the number of frames of which an animation's parts should be a multiple, so that a part needs at most one earlier
-/// key frame.
+/// Returns the number of frames in a segment, which are made together. If an animation is divided at multiples of this number,
+/// each part needs at most one earlier key frame.
 int frames_per_segment(const FrameParams& params);
 
 }  // namespace lippmann

@@ -20,7 +20,7 @@ constexpr int kRaysAcross = 128;
 constexpr double kLeastShare = 0.001;
 constexpr float kLeastOpacity = 1.0f / 256.0f;
 
-/// Returns a single view from the viewer's eye through the frame of the display.
+/// Returns optics with a single view, from the viewer's eye through the rectangle of the display.
 Optics through_the_frame(const Optics& optics) {
   const Vec2f window = window_size_mm(optics);
   const float across = std::min(window.x, window.y) / static_cast<float>(kRaysAcross);

@@ -17,7 +17,7 @@ struct SeenShare {
 /// Moves the stage's device scene to the frame's time.
 SeenShare look_at_frame(Stage& stage, int frame, const ThreadPool& pool);
 
-/// Returns a sentence for the user, or an empty string if the film shows something. `film` is the whole frame.
+/// Returns a warning for the user, or an empty string if the film shows something. `film` is the whole frame.
 std::string doubt_about_picture(const Stage& stage, int frame, const SeenShare& seen, const Image& film);
 
 }  // namespace lippmann

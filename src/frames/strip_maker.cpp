@@ -23,8 +23,8 @@ FrameParams made_alone(FrameParams params) {
   return params;
 }
 
-/// Combines the error intervals of independent strips, as in frames/audit.hpp: log(high / mean) times the mean is proportional
-/// to the standard error.
+/// Combines the error intervals of independent strips by adding squared standard errors. In the intervals of frames/audit.hpp,
+/// the standard error is proportional to mean * log(high / mean).
 void combine_estimates(const std::vector<FrameReport>& strips, const std::vector<int>& rows, FrameReport& frame) {
   const double all_rows = std::accumulate(rows.begin(), rows.end(), 0.0);
   double mean = 0.0, squared_width = 0.0;

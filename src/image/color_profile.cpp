@@ -50,7 +50,7 @@ class IccProfile {
   static double fixed(FileBytes bytes, std::size_t at) { return static_cast<std::int32_t>(whole(bytes, at)) / 65536.0; }
   static std::string_view text(FileBytes bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
 
-  /// Returns the description in ASCII. Of the UTF-16 in profiles of version 4, this is the low byte of each character.
+  /// Returns the description in ASCII. Profiles of version 4 store UTF-16; the low byte of each character is taken.
   std::string name() const {
     const FileBytes tag = this->tag("desc");
     if (tag.size() < 12) return "";

@@ -1,9 +1,9 @@
-// Encodes 8-bit sRGB by a table instead of pow(), with exactly the same codes:
+// Encodes 8-bit sRGB by a table instead of pow(). The codes are exactly those of pow().
 // 1. The exact formula gives the 255 floats at which the code increases (steps).
-// 2. A float's exponent and top 7 mantissa bits select a bucket of 2^16 floats, which contains at most one step.
-// 3. The table entry of a bucket is 2^16 (code at its start), plus 2^16 - (position of the step in the bucket) if it contains a
-//    step.
-// 4. The code is (entry + lower 16 bits of the float) / 2^16, rounded down. The sum carries into the code exactly if the float
+// 2. A float's exponent and top 7 mantissa bits select a bucket of 65536 floats, which contains at most one step.
+// 3. The table entry of a bucket is 65536 * (code at the start of the bucket). If the bucket contains a step, the entry is
+//    increased by 65536 - (position of the step in the bucket).
+// 4. The code is (entry + lower 16 bits of the float) / 65536, rounded down. The sum carries into the code exactly if the float
 //    is at or beyond the step.
 #include "lippmann/image/encode.hpp"
 

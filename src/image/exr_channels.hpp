@@ -19,9 +19,9 @@ struct ExrColors {
   std::vector<std::string> channels;  ///< names of R, G, B, or of grey, or of Y, RY, BY; empty if the file has no colours
   std::string alpha;
   bool luma_chroma = false;
-  /// False for the only channel of a file, taken as grey although its name does not mean grey (rule 4).
+  /// False if the only channel of a file is taken as grey although its name does not mean grey.
   bool by_name = true;
-  std::vector<std::string> others;  ///< other layers with colours, if rule 3 chose the first layer
+  std::vector<std::string> others;  ///< other layers with colours, if the first such layer was taken
 };
 
 /// `names` must be in the file's order.

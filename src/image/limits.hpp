@@ -17,7 +17,7 @@ void check_image_size(const std::string& where, std::int64_t width, std::int64_t
 /// compression ratio, `ratio`. Call this before allocating memory.
 void check_file_holds(const std::string& where, std::uint64_t file_bytes, std::uint64_t picture_bytes, std::uint64_t ratio);
 
-/// deflate: 258 equal bytes take 2 bits, 258 * 8 / 2 = 1032
+/// Largest compression ratio of deflate: 258 equal bytes (2064 bits) take 2 bits.
 inline constexpr std::uint64_t kDeflateRatio = 1032;
 
 }  // namespace lippmann

@@ -14,7 +14,7 @@
 namespace lippmann {
 namespace {
 
-/// The sums are exact: 255^2 2^28 for 2^28 pixels fits into 64 bits.
+/// The sums are exact: 2^28 pixels, the limit, add up to at most 2^28 * 255^2, which fits into 64 bits.
 std::array<std::uint64_t, 3> squared_differences(const Image8& a, const Image8& b) {
   std::array<std::uint64_t, 3> sums{};
   for (std::size_t i = 0; i < a.rgb.size(); i += 3)

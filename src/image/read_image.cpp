@@ -55,7 +55,7 @@ std::vector<std::byte> bytes_in(const fs::path& path) { return read_recorded_byt
 
 PictureHeader read_header(const fs::path& path) { return picture_header(bytes_in(path), path.string()); }
 
-/// Reads the header of a PNG or JPEG file from its first 256 KiB. Returns nothing if it is longer or damaged, and for other
+/// Reads the header of a PNG or JPEG file from its first 256 KiB. Returns nothing for longer or damaged headers, and for other
 /// formats, whose headers may refer to later parts of the file.
 std::optional<PictureHeader> begun_header(const fs::path& path) {
   constexpr std::size_t kBeginBytes = std::size_t{256} << 10;

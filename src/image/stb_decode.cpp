@@ -205,7 +205,8 @@ PictureHeader gif_header(FileBytes file, const std::string& where) {
   constexpr std::size_t kGifHeaderBytes = 13;
   if (file.size() < kGifHeaderBytes) throw unreadable_picture(where, "the file is truncated");
   const Shape shape = shape_of(file, where);
-  // LZW has at most 4096 codes of 12 bits, each for at most as many pixels as there are codes.
+  // An LZW code of n bits stands for at most 2^n pixels. The codes of GIF have at most 12 bits, so a byte stands for fewer than
+  // 4096 pixels.
   constexpr std::uint64_t kMaxGifPixelsPerByte = 4096;
   check_file_holds(where, file.size(), pixels_of(shape), kMaxGifPixelsPerByte);
   const GifContent content = GifBlocks(file).content();

@@ -70,8 +70,8 @@ class TiffDecoder {
     return header;
   }
 
-  /// Converts CMYK to RGB and removes its profile from the header. Adds a notice if the profile cannot be used, or throws Error
-  /// for 16-bit CMYK.
+  /// Converts CMYK to RGB and removes its profile from the header. If the profile cannot be used, adds a notice (8 bits per
+  /// sample) or throws Error (16 bits).
   Samples samples(PictureHeader& header) {
     if (layout_.direct) return direct_samples();
     if (layout_.inks && !header.profile.empty()) {

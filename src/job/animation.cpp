@@ -67,7 +67,7 @@ void make_parts(const RenderSetup& setup, const std::vector<int>& parts, FrameLo
   loop.take(frames_of_parts(parts, setup.parts.strips));
 }
 
-/// The ranks (processes of an MPI job) claim one unit after another.
+/// The ranks (processes of an MPI job) claim one unit after another. A unit is a set of frames or strips.
 void share_parts(const Run& run, FrameLoop& loop, StrippedFrames* strips) {
   // Starting a unit costs time. With fewer units per rank, some ranks would end much later than others.
   constexpr int kUnitsPerRank = 8;
@@ -95,7 +95,7 @@ void report_strips(const RenderSetup& setup, const StrippedFrames& strips, Rende
 void make_run(const Run& run, FrameMaker& maker, StrippedFrames* strips) {
   const RenderSetup& setup = run.setup;
   RenderReport& report = run.report;
-  // With ranks, the frames of other processes would arrive too late to encode videos along with the frames.
+  // In an MPI job, the frames of other processes arrive too late to encode videos during the render.
   const bool writes_videos = !setup.run.ranks;
   FrameLoop loop(run, maker, writes_videos ? setup.videos : std::vector<VideoFile>());
   run.progress.planned(setup.plan(kept_parts(setup, run.folder)));

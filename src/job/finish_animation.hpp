@@ -29,8 +29,9 @@ struct FinishedAnimation {
 FinishedAnimation finish_animation(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& join,
                                    const Context& context, const RenderObserver& observer = {});
 
-/// Like finish_animation(), but calls `complete` to write the files of a complete folder.
 using CompleteFolder = std::function<RenderReport(const RenderParams&)>;
+
+/// Like finish_animation(), but if all frames exist, `complete` writes the remaining files and returns the report.
 FinishedAnimation finish_folder(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& join,
                                 const CompleteFolder& complete);
 

@@ -86,7 +86,7 @@ bool is_readable_job(const std::filesystem::path& job) try {
   return false;
 }
 
-/// Returns whether a job file that differs from the journal is damaged. It is not if the user edited it: then it can be
+/// Returns whether a job file that differs from the journal is damaged. A file that the user has edited is not damaged: it can be
 /// read, and has the settings of the resumed run. Users do not edit the job file in kSingleFolder.
 bool is_damaged_job(const std::filesystem::path& file, const ResolvedJob& job, const RenderFolder& folder) {
   if (!job.params().resume || !folder.now().files.contains(kJobFile)) return false;

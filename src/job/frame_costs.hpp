@@ -1,5 +1,5 @@
-// Estimates the cost of a job's frames from a few rendered frames. A job is divided into units, which different runs
-// render. Frames that are made together form a segment; units begin at segments.
+// Estimates the cost of a job's frames from a few rendered frames. A job is divided into units, which different runs render.
+// Frames that are made together form a segment. The frames of a segment are always in one unit.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ struct JobCosts {
   /// one.
   std::map<int, double> at;
   double write_cpu_seconds = 0.0;  ///< writing the files of one frame
-  /// Source frames, which a unit renders only because its own frames are made from them.
+  /// For a unit's source frames: frames outside the unit from which its frames are made.
   double source_cpu_seconds = 0.0;
   std::uint64_t peak_memory_bytes = 0;  ///< of the measuring process
   std::vector<int> frames;              ///< measured frames; of some of them, only some strips were rendered

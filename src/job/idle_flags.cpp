@@ -58,7 +58,7 @@ bool has_surroundings_to_turn(const RenderParams& params) {
   return has_surroundings(params) && !is_colour;
 }
 
-/// If a display is given without a kind of optics, the display decides, so the result is true.
+/// If a display is given without a kind of optics, the display may have microlenses, so the result is true.
 bool has_microlenses(const RenderParams& params) {
   return optics_kind(params).info().takes_param("packing") || (!params.optics.kind && !params.optics.display.empty());
 }

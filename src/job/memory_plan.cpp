@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kFilm = 3 * sizeof(float);
 
-/// An encoded file is a vector that grows by doubling.
+/// An encoded file is a vector that doubles its capacity when it is full, so it takes up to twice its size.
 constexpr double kGrowth = 2.0;
 
 /// Fraction of the available memory that a plan may use. The rest allows for errors of the estimate and for other

@@ -63,7 +63,7 @@ struct ReuseParams {
   MissedFill fill = MissedFill::kInterpolate;  ///< only kInterpolate and kRetrace are allowed
   bool halving = false;
   bool no_z_buffer = false;
-  DebugPicture debug = DebugPicture::kNone;  ///< kMissed leaves missed pixels black
+  DebugPicture debug = DebugPicture::kNone;  ///< kMissed leaves pixels black that no projected point covers
 };
 
 enum class Companion { kSingle };  ///< render of a single view beside a light field (job/single_clip.hpp)

@@ -38,7 +38,7 @@ struct RunParams {
 /// strips + strip.
 struct RunParts {
   int strips = 1;
-  /// Units begin at frames that are multiples of this number (frames_per_segment).
+  /// Frames per segment (frames_per_segment()). The frames of a segment are always in one unit.
   int segment = 1;
   std::vector<int> of_job;
   std::vector<int> parts;   ///< of this run, in ascending order

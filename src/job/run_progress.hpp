@@ -28,7 +28,7 @@ class RunProgress {
   /// `ranks` is null for a single process. Both arguments must outlive this object.
   RunProgress(const RenderObserver& observer, Ranks* ranks) : observer_(observer), ranks_(ranks) {}
 
-  /// The first rank begins to forward the progress of the others. Call this before Ranks::begin().
+  /// Makes the first rank forward the progress of the other ranks. Call this before Ranks::begin().
   void listen();
 
   void planned(const RenderPlan& plan) const;

@@ -19,8 +19,7 @@ struct Screen {
   /// the array's viewer.
   std::function<Optics(const FittedArray&)> optics;
 
-  /// Optics that are a camera: the viewer stays where it was fitted, and the optics decide how much of the scene is
-  /// visible.
+  /// True for camera optics: the viewer stays at the fitted distance, and the optics decide how much of the scene is visible.
   bool keeps_viewer = false;
 };
 

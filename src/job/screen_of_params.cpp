@@ -15,7 +15,7 @@ namespace lippmann {
 namespace {
 
 constexpr float kLensWidthMm = 1.0f;  ///< width of a lens's cell on the panel
-/// Width of a view without lenses: 64 cells.
+/// Width of a single view, which has no lenses: as wide as 64 lenses.
 constexpr float kSingleWidthMm = 64.0f;
 /// Viewing distance in window heights, usual for a picture on a wall.
 constexpr float kViewerHeights = 3.0f;

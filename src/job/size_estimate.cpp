@@ -48,7 +48,8 @@ double light_field_bytes_per_sample(const RenderParams& params, PictureFormat fo
   return format == PictureFormat::kPng ? 1.0 : 2.0;
 }
 
-/// Returns the bytes of COLMAP's points, of which there is one in each square of whole pixels (layout/posed_folder.hpp).
+/// Returns the bytes of COLMAP's points. One pixel of each square of step x step pixels becomes a point
+/// (layout/posed_folder.hpp).
 double colmap_point_bytes(double pixels) {
   constexpr double kMostPoints = 100000.0, kBytesPerPoint = 60.0;
   const double step = std::max(1.0, std::ceil(std::sqrt(pixels / kMostPoints)));

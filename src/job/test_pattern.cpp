@@ -37,7 +37,7 @@ bool on_grid(Vec2f place) {
   return near_line(off(place.x)) || near_line(off(place.y));
 }
 
-/// From 0 (left) to 1; 0.5 for a single view.
+/// Returns where a ray arrives in the viewing zone, from 0 (left) to 1 (right); 0.5 for a single view.
 float place_in_zone(const Ray& ray, Vec3f at_plane, float distance_mm, float zone) {
   if (!(zone > 0.0f)) return 0.5f;
   const float slope = ray.direction.x / ray.direction.z + (std::isinf(distance_mm) ? 0.0f : at_plane.x / distance_mm);

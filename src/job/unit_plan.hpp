@@ -19,7 +19,7 @@ struct PlannedUnit {
 };
 
 struct UnitPlan {
-  /// Units begin at frames that are multiples of this number (frames_per_segment).
+  /// Frames per segment (frames_per_segment()). The frames of a segment are always in one unit.
   int segment = 1;
   std::vector<PlannedUnit> units;
   std::optional<JobCosts> costs = {};

@@ -41,11 +41,11 @@ std::vector<Vec2d> scaled_eyes(const std::vector<Vec2d>& positions, ViewGrid gri
   return eyes;
 }
 
-/// Returns the number of each eye's place along an axis, in steps of the least distance from the lowest place. Returns none if
-/// distances are not multiples of the least distance.
+/// Returns the distance of each eye from the lowest eye along an axis, divided by the least distance between eyes. Returns none
+/// if these quotients are not whole numbers.
 std::optional<std::vector<int>> places_along(int axis, const std::vector<Vec2d>& eyes, double extent) {
-  // Largest deviation of the eyes of a row or column from each other, as a share of the extent, and of the steps from whole
-  // numbers. Calibrated cameras are not exactly regular.
+  // kSamePlace: eyes count as one place if they are nearer than this share of the extent. kRegular: allowed deviation of a
+  // quotient from a whole number, because calibrated cameras are not exactly regular.
   constexpr double kSamePlace = 1e-3, kRegular = 0.05, kMostSteps = 4096.0;
   std::vector<double> sorted;
   for (const Vec2d& eye : eyes) sorted.push_back(eye[axis]);
@@ -62,7 +62,8 @@ std::optional<std::vector<int>> places_along(int axis, const std::vector<Vec2d>&
   return places;
 }
 
-/// Returns how a camera differs from the first one such that the two share no plane and window; empty if it does not.
+/// Returns a difference from the first camera that ViewCameras cannot express, such as "is rotated against that of view 0"; empty
+/// if there is none.
 std::string difference(const PosedCamera& camera, const PosedCamera& first) {
   constexpr double kSameRotation = 1e-6, kSameFocal = 1e-6, kSameHeight = 1e-4;
   double turn = 0.0;

@@ -84,8 +84,8 @@ void fill(const Image& frame, const auto& samples, const SlantedPanel& panel, in
         }
       }
     };
-    // If the view has more rows than the panel, no panel row may have its centre in this row of samples. Then the panel
-    // row that contains it is taken.
+    // `first` becomes the first panel row whose centre is not above this row of samples. If the view has more rows than the
+    // panel, the centre may lie below this row.
     int first = static_cast<int>(static_cast<std::int64_t>(y) * pixels.y / size.y);
     while (first > 0 && sample_at(first - 1, pixels.y, size.y) >= y) --first;
     while (first + 1 < pixels.y && sample_at(first, pixels.y, size.y) < y) ++first;

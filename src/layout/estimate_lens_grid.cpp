@@ -178,7 +178,7 @@ std::pair<Vec2d, Vec2d> lattice_basis(const Image& white, const std::string& whe
   throw no_lens_grid(where, "the picture is periodic in only one direction");
 }
 
-/// The direction that is closest to the axis, reversed if needed so that it points along it.
+/// Returns the direction that is closest to the axis. The direction is reversed if it points against the axis.
 Vec2d nearest_to_axis(std::array<Vec2d, 3> directions, int axis) {
   Vec2d nearest(0.0);
   double most = -1.0;

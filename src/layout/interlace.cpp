@@ -35,7 +35,7 @@ struct Views {
   }
 };
 
-/// For linear interpolation: `at`, `next` (at most the last sample), and the weight of `next`.
+/// Linear interpolation between two samples. `next` is at + 1, but at most the last sample; `share` is the weight of `next`.
 struct Between {
   int at, next;
   float share;

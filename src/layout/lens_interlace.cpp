@@ -39,7 +39,7 @@ struct EyeGrid {
   int nearest(Vec2d place) const { return up.nearest(place.y) * across.count + across.nearest(place.x); }
 };
 
-/// Two neighbouring samples along one axis, and the weight of the second.
+/// Two neighbouring samples along one axis. `share` is the weight of `next`.
 struct SamplePair {
   int at, next;
   double share;

@@ -11,9 +11,9 @@
 
 namespace lippmann {
 
-/// Returns optics with views for a lenticular sheet or a microlens array, spread evenly over the display's viewing zone
-/// at its viewing distance, with one sample per lens. `views`: none: as many as there are pixels below a lens, rounded
-/// up. Throws a usage Error naming `views` if there are more rows or columns of views than pixels on the panel.
+/// Returns optics with views for a lenticular sheet or a microlens array, spread evenly over the display's viewing zone at its
+/// viewing distance, with one sample per lens. If `views` is none, there are as many views as pixels below a lens, rounded up.
+/// Throws a usage Error naming `views` if there are more rows or columns of views than pixels on the panel.
 Optics lens_views(const Display& display, const std::optional<ViewGrid>& views);
 
 /// Returns the display's picture with the sample type of `field`, which holds the views of lens_views() with their

@@ -47,10 +47,13 @@ bool is_light_field_folder(const std::filesystem::path& folder);
 /// `folder` itself.
 std::filesystem::path folder_of_pictures(const std::filesystem::path& folder);
 
-/// Returns the frames of an animation in a folder; empty: the folder holds one light field, or nothing. Frames are the
-/// folders frame_* if `from` is a folder format, otherwise the pictures frame_*, or else, if `from` is empty, the
-/// folders frame_*. Without such names, and if the folder is not a light field, they are the pictures of the format
-/// `from`, or all whose names or side files imply a format.
+/// Returns the frames of an animation in a folder; empty if the folder holds one light field, or nothing. The frames are the
+/// first of these that exist:
+/// 1. the folders frame_*, if `from` is a folder format (the other rules then do not apply);
+/// 2. the pictures frame_*;
+/// 3. the folders frame_*, if `from` is empty;
+/// 4. unless the folder is a light field: the pictures of the format `from`, or, if `from` is empty, all pictures whose names or
+///    side files imply a format.
 std::vector<std::filesystem::path> light_field_frames(const std::filesystem::path& folder, const std::string& from);
 
 }  // namespace lippmann

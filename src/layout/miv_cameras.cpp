@@ -148,8 +148,8 @@ std::vector<MivCamera> miv_cameras(const ViewCameras& cameras, Vec2i view_size, 
 
 std::optional<ViewCameras> cameras_of_miv(const std::vector<MivCamera>& cameras) {
   const MivCamera& first = cameras.front();
-  // When the eye moves by m mm, the principal point shifts by p pixels. The plane with zero disparity is at the distance
-  // focal_px m / p.
+  // If the eye moves by m mm and the principal point shifts by p pixels, the plane with zero disparity is at the distance
+  // focal_px * m / p.
   double distance = 0.0;
   for (const MivCamera& c : cameras) {
     const Vec2d by_mm = eye_of(c) - eye_of(first), by_px = (c.principal_point_px - first.principal_point_px) * Vec2d(1.0, -1.0);

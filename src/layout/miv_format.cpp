@@ -24,7 +24,7 @@ constexpr const char* kDepthEnding = "_depth.png";
 constexpr double kHighest = 65535.0;
 /// Code of the farthest point. TMIV rounds codes to 10 bits: a smaller code might become 0, which means no surface.
 constexpr double kFarthestCode = 64.0;
-constexpr double kLeastRange = 1.001;  // least farthest depth / nearest depth; codes need a range
+constexpr double kLeastRange = 1.001;  // lowest ratio of the farthest to the nearest depth, which must differ
 
 std::vector<MivCamera> read_cameras(const fs::path& path) {
   constexpr std::uintmax_t kMaxBytes = std::uintmax_t{16} << 20;

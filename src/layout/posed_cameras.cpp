@@ -32,8 +32,8 @@ std::optional<ViewCameras> shared_plane(const std::vector<PosedCamera>& cameras)
   const auto from_first = [&](const PosedCamera& c) {
     return glm::transpose(first.rotation) * (c.position_mm - first.position_mm);
   };
-  // When the eye moves by m mm, the principal point shifts by focal_px m / distance, with `distance` from the eyes to
-  // the plane with zero disparity. The longest shift gives the distance.
+  // If the eye moves by m mm, the principal point shifts by focal_px * m / distance, with `distance` from the eyes to the plane
+  // with zero disparity. The longest shift gives the distance.
   double distance = 0.0, longest = 0.0, extent = 0.0;
   for (const PosedCamera& c : cameras) {
     const Vec3d by_mm = from_first(c);

@@ -17,8 +17,8 @@ inline constexpr double kMmPerUnit = 1000.0;  ///< the files store metres
 struct PosedPicture {
   std::string entry;           ///< the file and the position of the entry in it, for messages: "transforms.json: frames[3]"
   std::string picture, depth;  ///< paths relative to the folder; `depth` is empty if there is no depth file
-  /// Values that the file does not state are 0, or NaN for the principal point. Then the picture's size applies, its middle,
-  /// the focal length that `angle_x` determines, and the same focal length for x and y.
+  /// Values that the file does not state are 0, or NaN for the principal point. read_posed_pictures() then takes the size of the
+  /// picture, its middle as principal point, the focal length for `angle_x`, and the same focal length for y as for x.
   PosedCamera camera;
   double angle_x = 0.0;                       ///< horizontal field of view; 0: not stated
   std::optional<Vec2d> depth_bounds_mm = {};  ///< nearest and farthest depth
@@ -74,7 +74,7 @@ std::vector<std::filesystem::path> write_posed_depth(const LightField& field, in
                                                      const std::filesystem::path& folder, const std::string& name,
                                                      double scale = 1.0);
 
-/// A light field with a single view as a part of a larger set of views.
+/// The place of a light field with a single view in a larger set: view `number` of `count` views.
 struct ViewOfSet {
   int number = 0, count = 1;
   double depth_scale = 1.0;  ///< depths are multiplied by this in the files

@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// Tiles across and down, as in file names of quilts.
+/// Largest number of tiles across or down, as in file names of quilts.
 constexpr int kMaxTiles = 9999;
 
 constexpr std::string_view kOwnTable = "quilt_settings", kGrid = "grid";
@@ -33,8 +33,8 @@ struct TileKeys {
   std::string_view columns, rows;
 };
 
-/// Returns the keys of the numbers of tiles. Without such a pair, returns none, or the first pair if the table must
-/// describe a quilt.
+/// Returns the two keys that state the numbers of tiles. If there are none, returns viewX and viewY if the table must describe a
+/// quilt, otherwise none.
 std::optional<TileKeys> tile_keys(const JsonFields& settings, bool is_quilt) {
   constexpr TileKeys kOwn{"viewX", "viewY"};
   for (const TileKeys keys : {kOwn, TileKeys{"columns", "rows"}, TileKeys{"quiltCols", "quiltRows"}})

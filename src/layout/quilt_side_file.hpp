@@ -14,7 +14,7 @@ namespace lippmann {
 
 struct QuiltSideFile {
   QuiltName quilt;
-  /// The views are in the first tiles.
+  /// Number of views, which fill the first tiles.
   int views = 0;
   bool inverted = false;              ///< true: the first view of each row is the rightmost
   std::optional<ViewGrid> grid = {};  ///< none: the views are one row

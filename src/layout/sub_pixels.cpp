@@ -3,7 +3,7 @@
 namespace lippmann {
 namespace {
 
-/// Channel c of a pixel is taken from the pixel's sub-pixel `first` + c `step`.
+/// Channel c of a pixel is taken from the pixel's sub-pixel first + c * step.
 Image pick(const Image& film, int first, int step) {
   Image picture(film.width / 3, film.height, film.channels);
   for (int y = 0; y < picture.height; ++y)

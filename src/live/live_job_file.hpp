@@ -13,7 +13,7 @@ class LiveJobFile {
   /// If the file `wanted` exists, stem-2.toml, stem-3.toml, ... is written instead.
   explicit LiveJobFile(std::filesystem::path wanted) : wanted_(std::move(wanted)) {}
 
-  /// Overwrites the file that it wrote last, unless someone changed it. Throws Error naming the file.
+  /// Overwrites the file of the last save(), unless someone has changed it. Throws Error naming the file.
   std::filesystem::path save(const ResolvedJob& job);
 
  private:

@@ -18,12 +18,12 @@
 namespace lippmann {
 namespace {
 
-/// One core traces a coarse image of so many pixels in a fraction of a second.
+/// One core traces a coarse image of this many pixels in a fraction of a second.
 constexpr double kCoarsePixels = 48e3;
 /// Samples per pixel of coarse, path-traced images. Few pixels with little noise show more than many noisy ones.
 constexpr int kCoarsePaths = 4;
 
-/// Only images whose sub-pixels are traced individually must be rearranged.
+/// A film of sub-pixels must be converted to pixels, which the native layout does.
 PictureParams layout_of_panel(const Optics& optics) {
   PictureParams as_shown;
   if (sub_pixels_per_pixel(optics) > 1) as_shown.layout = PictureLayout::kNative;

@@ -278,7 +278,7 @@ void LiveScene::render(bool all_frames) {
     if (!all_frames) params.output.frames = FrameRanges{{frame, frame}};
   }
   render_.start(ResolvedJob(params), [this] { notify_pages(); });
-  // Finer images are made again after the render of the job.
+  // Stops making finer images. They are made after the render of the job.
   context_.cancelled = true;
   notify_pages();
 }
