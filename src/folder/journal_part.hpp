@@ -18,7 +18,7 @@ class JournalPart {
   /// removed. All later calls then throw too, so that an incomplete line remains the last one.
   void add(const std::string& line);
 
-  /// Renews the lease of the run, as is_held() requires. Thread-safe.
+  /// Renews the lease of the run: for kLeaseSeconds from now, is_held() considers the run active. Thread-safe.
   void renew() const;
 
   /// Call this only if no frame or file has been recorded.
@@ -29,7 +29,7 @@ class JournalPart {
  private:
   std::filesystem::path path_;
   platform::OpenFile file_;
-  std::error_code problem_;  ///< of the first failed write
+  std::error_code problem_;  ///< error of the first failed write
 };
 
 }  // namespace lippmann

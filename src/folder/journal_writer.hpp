@@ -23,8 +23,7 @@ std::optional<JournalWriter> writer_of(const std::filesystem::path& part);
 /// Returns whether a process of this machine writes the file. Processes of other users may not be detected.
 bool is_being_written(const std::filesystem::path& part);
 
-/// Duration of a run's lease after its last renewal (JournalPart::renew). It only matters if the process of the run
-/// cannot be inspected.
+/// A run whose process cannot be inspected counts as active for this time after its last JournalPart::renew().
 inline constexpr double kLeaseSeconds = 600.0;
 
 /// Returns whether the run that writes the file may be active. A run on this machine is active while its process writes

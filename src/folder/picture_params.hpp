@@ -26,7 +26,7 @@ struct DepthParams {
 };
 
 struct PictureParams {
-  /// EXR files store linear light unchanged.
+  /// Exposure in stops. EXR files store linear light without it.
   float exposure_ev = 0.0f;
   ToneCurve tone = ToneCurve::kNone;    ///< tone curve of encoded pictures and videos
   std::optional<PictureLayout> layout;  ///< nullopt: the native layout of the optics
@@ -36,7 +36,7 @@ struct PictureParams {
   bool pseudoscopic = false;
   /// Only for kPrint: exchanges left and right, for a print on the back of a sheet.
   bool mirror = false;
-  /// Tiles of kQuilt; 0: the number of the native layout, or a nearly square arrangement.
+  /// Tiles of kQuilt; 0: those of the native layout, or a nearly square arrangement.
   Extent<int> quilt;
   StereoLayout stereo;  ///< only used by kStereo
   DepthParams depth;    ///< only used by kRgbd

@@ -47,8 +47,8 @@ class RenderFolder {
     part_.add(asked_line(frames, companions));
   }
 
-  /// Records a frame whose files are complete. find() does not return it. May be called in parallel with find(), but
-  /// not with other functions that record.
+  /// Records a frame whose files are complete. find() does not return frames of this run. May be called in parallel with
+  /// find(), but not with other functions that record.
   void add(const FrameReport& frame, const FileRecords& files) { part_.add(frame_line(frame, files)); }
 
   /// Records a strip whose file is complete. May be called in parallel with find(), but not with other functions that

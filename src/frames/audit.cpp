@@ -13,8 +13,8 @@
 namespace lippmann {
 namespace {
 
-/// One of this many pixels is traced again: twice, each time with kPathsPerSample times its paths. This adds 2 * 4 / 500 = 1.6 %
-/// to the frame's paths.
+/// One of this many pixels is traced again: twice, each time with kPathsPerSample times its paths. This adds 2 * 4 / 500 = 1.6
+/// % to the frame's paths.
 constexpr std::size_t kPixelsPerHeldOut = 500;
 /// Lowest number of pixels that are traced again. With fewer, the confidence interval of the PSNR would be wider than 6 dB.
 constexpr std::size_t kLeastHeldOut = 64;

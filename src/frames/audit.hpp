@@ -16,8 +16,8 @@ struct ErrorInterval {
   double mean = 0.0, low = 0.0, high = 0.0;
 };
 
-/// Returns the interval of the mean of at least 2 independent estimates. It is symmetric in the logarithm, because a few pixels
-/// cause most of the error. If the mean is not positive, `mean` and `low` are 0.
+/// Returns the interval of the mean of at least 2 independent estimates. The interval is symmetric on a logarithmic scale,
+/// because a few pixels cause most of the error. If the mean is not positive, `mean` and `low` are 0.
 ErrorInterval error_interval(std::span<const double> samples);
 
 /// Adds the PSNR, its interval, and the rays and time of the audit to `report`. `film` is the finished frame, whose pixels

@@ -8,7 +8,7 @@
 
 namespace lippmann {
 
-/// `film` is the size of a whole frame. `wanted` holds the layers of a frame. `context` must outlive the result.
+/// `film` is the size of a whole frame. `wanted` selects the layers of a frame. `context` must outlive the result.
 std::unique_ptr<FrameMaker> make_banded_frames(StripMaker bands, Vec2i film, const FrameAovs& wanted, const Context& context);
 
 }  // namespace lippmann

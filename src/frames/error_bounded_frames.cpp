@@ -19,11 +19,12 @@ namespace {
 /// A segment consists of this many key frame intervals. A trial in its first interval decides whether the segment's frames are
 /// predicted.
 constexpr int kSegmentIntervals = 8;
-/// Highest cost of predicting a frame, relative to tracing it.
+/// If predicting a frame costs more than this, relative to tracing the frame, all frames of the segment are traced.
 constexpr double kMostPredictionCost = 1.0 / 3.0;
-/// Lowest saving for which an interval is predicted, relative to tracing the interval with its key frame.
+/// Lowest saving for which frames are predicted, as a fraction of the cost of tracing all frames of an interval.
 constexpr double kLeastIntervalSaving = 0.05;
-/// The cost of predicting a frame, relative to tracing it, is assumed to fall by this much if the interval is halved.
+/// If the interval is halved, the cost of tracing a predicted frame's uncertain pixels is assumed to fall by this fraction of
+/// the cost of tracing a whole frame.
 constexpr double kHalvingGains = 0.1;
 
 void add_spent(const FrameReport& spent, FrameReport& report) {

@@ -5,7 +5,7 @@
 //   1. The animation is divided into segments of kSegmentIntervals intervals. An interval has kDefaultKeyframes frames, or the
 //      requested number.
 //   2. In the first interval of a segment, the middle frame is both predicted and completely traced. The errors of the
-//      prediction calibrate the uncertainty, and the cost of the other frames.
+//      prediction calibrate the estimated uncertainty of pixels, from which the expected cost of the other frames follows.
 //   3. If prediction pays off, the whole segment uses intervals of this length.
 //   4. If not, step 2 is repeated with half the interval length, unless a length was requested.
 //   5. If no length pays off, all frames of the segment are traced. No further trials are made.

@@ -1,5 +1,6 @@
 // Makes interpolated frames, based on Eljdid, Aggoun and Youssef (README.md). Key frames are traced. A frame between two key
-// frames is made from the points of both, or, with halving, from two nearer frames that were made before (reuse/frame_plan.hpp).
+// frames is made from the points of both, or, with halving, from two nearer frames that were made before
+// (reuse/frame_plan.hpp).
 #pragma once
 
 #include <memory>

@@ -31,7 +31,7 @@ void combine_estimates(const std::vector<FrameReport>& strips, const std::vector
   frame.estimated_psnr_db = frame.psnr_at_least_db = frame.psnr_at_most_db = std::nullopt;
   for (std::size_t i = 0; i < strips.size(); ++i) {
     const FrameReport& strip = strips[i];
-    // All pixels of the strip are exact, such as background.
+    // A strip without an estimate has only exact pixels, such as background.
     if (!strip.psnr_at_least_db) continue;
     const double share = rows[i] / all_rows, high = std::pow(10.0, -0.1 * *strip.psnr_at_least_db);
     double width = high;

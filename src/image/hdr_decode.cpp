@@ -202,7 +202,8 @@ class HdrLines {
     }
   }
 
-  /// Reads pixels with runs 1, 1, 1, n. The n of consecutive runs are base-256 digits of one length, the lowest first.
+  /// Reads pixels with runs 1, 1, 1, n. If several runs follow each other, their values n are the base-256 digits of one
+  /// length, the lowest digit first.
   void read_pixels(std::vector<Rgbe>& line) {
     int shift = 0;
     for (std::size_t at = 0; at < line.size();) {

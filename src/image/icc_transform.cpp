@@ -40,8 +40,8 @@ OpenProfile open_profile(cmsContext context, FileBytes icc) {
   return OpenProfile(cmsOpenProfileFromMemTHR(context, icc.data(), static_cast<cmsUInt32Number>(icc.size())));
 }
 
-/// Returns a transform to sRGB, or null if the profile is not for the colour space `space`. The transform copies `extra` channels
-/// that follow the colours. `bytes` is the size of a sample.
+/// Returns a transform to sRGB, or null if the profile is not for the colour space `space`. The transform copies `extra`
+/// channels that follow the colours. `bytes` is the size of a sample.
 OpenTransform transform_of(cmsContext context, FileBytes icc, cmsColorSpaceSignature space, unsigned extra, unsigned bytes) {
   const OpenProfile from = open_profile(context, icc);
   if (!from || cmsGetColorSpace(from.get()) != space) return nullptr;

@@ -42,7 +42,7 @@ class Header {
     return value;
   }
 
-  /// Returns the offset of the samples, which exactly one space or line end separates from the header.
+  /// Returns the offset of the samples. Exactly one space or line end precedes them.
   std::size_t samples_begin() {
     if (at_ >= text_.size() || !is_space(text_[at_])) throw Error(where_, "is truncated");
     return at_ + 1;

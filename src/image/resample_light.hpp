@@ -7,8 +7,8 @@
 
 namespace lippmann {
 
-/// Output sample i covers the interval from first + i * step to first + (i + 1) * step. Input sample k covers the interval from k
-/// to k + 1.
+/// Output sample i covers the interval from first + i * step to first + (i + 1) * step. Input sample k covers the interval from
+/// k to k + 1.
 struct AxisSamples {
   double first = 0.0, step = 1.0;
   int count = 1;

@@ -86,8 +86,8 @@ bool is_readable_job(const std::filesystem::path& job) try {
   return false;
 }
 
-/// Returns whether a job file that differs from the journal is damaged. A file that the user has edited is not damaged: it can be
-/// read, and has the settings of the resumed run. Users do not edit the job file in kSingleFolder.
+/// Returns whether a job file that differs from the journal is damaged. A file that the user has edited is not damaged: it can
+/// be read, and has the settings of the resumed run. Users do not edit the job file in kSingleFolder.
 bool is_damaged_job(const std::filesystem::path& file, const ResolvedJob& job, const RenderFolder& folder) {
   if (!job.params().resume || !folder.now().files.contains(kJobFile)) return false;
   const bool is_of_single = folder.path().filename() == kSingleFolder && has_journal(folder.path().parent_path());

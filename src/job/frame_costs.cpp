@@ -10,8 +10,8 @@ namespace lippmann {
 namespace {
 
 /// Assumed number of frames per key frame, if the renderer chooses the key frames itself (frames/exact_frames.cpp). A key frame
-/// from which blocks are copied serves about 16 frames. If copying does not pay off, no key frame follows for at least 16 frames.
-/// Trial renders cannot measure this number, because their first frame is always a key frame.
+/// from which blocks are copied serves about 16 frames. If copying does not pay off, no key frame follows for at least 16
+/// frames. Trial renders cannot measure this number, because their first frame is always a key frame.
 constexpr double kFramesPerFreeKey = 16.0;
 
 double mean_cost(const std::vector<double>& costs) {
@@ -53,8 +53,8 @@ std::set<int> segments_of(const std::vector<FrameReport>& frames, int segment) {
   return segments;
 }
 
-/// Returns the mean CPU time per unit for source frames: frames outside the unit from which its frames are made. Source frames in
-/// measured segments are not counted, because units render them as their own frames.
+/// Returns the mean CPU time per unit for source frames: frames outside the unit from which its frames are made. Source frames
+/// in measured segments are not counted, because units render them as their own frames.
 double source_cost(const MeasuredRun& run, const std::vector<int>& of_job, int segment) {
   const std::set<int> measured = segments_of(run.frames, segment);
   double sum = 0.0;

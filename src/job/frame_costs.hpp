@@ -12,10 +12,9 @@ namespace lippmann {
 
 /// CPU times are sums over all threads.
 struct JobCosts {
-  /// Loading the scene and building its acceleration structures, for every unit.
+  /// For loading the scene and building its acceleration structures, once per unit.
   double setup_cpu_seconds = 0.0;
-  /// Cost of a frame by its position in its segment. A position without an entry costs as much as the nearest lower
-  /// one.
+  /// CPU time of a frame by its position in its segment. If a position is missing, the nearest lower position applies.
   std::map<int, double> at;
   double write_cpu_seconds = 0.0;  ///< writing the files of one frame
   /// For a unit's source frames: frames outside the unit from which its frames are made.

@@ -21,8 +21,8 @@ struct JobStage : Stage {
   /// The scene keeps its light, even if the job names another environment. Throws Error.
   JobStage(JobScene loaded, const ResolvedJob& job, const ThreadPool& pool);
 
-  /// Replaces the optics by those of `job`, which must have the same scene, light and integrator. If it throws Error,
-  /// the stage is unchanged.
+  /// Replaces the optics by those of `job`, which must have the same scene, light and integrator. If place() throws Error, the
+  /// stage is unchanged.
   void place(const ResolvedJob& job);
 
  private:

@@ -41,8 +41,8 @@ double frame_held(const MemoryFacts& facts) {
   return bytes;
 }
 
-/// Bytes per pixel for encoding a picture: its integer or half-float samples, and a file as large as for a noisy
-/// picture.
+/// Bytes per pixel for encoding a picture: its integer or half-float samples, and the encoded file, which is assumed to be as
+/// large as that of a noisy picture.
 double picture_written(const MemoryFacts& facts) {
   constexpr double kPngFile = 3 * 0.6, kPng16File = 3 * 1.7, kHalfFile = 3 * 1.3, kFloatFile = 3 * 2.9;
   constexpr double kCodes = 3.0, kCodes16 = 6.0, kHalves = 6.0;
@@ -122,7 +122,7 @@ double writing(const MemoryFacts& facts) {
          videos_written(facts);
 }
 
-/// Bytes per pixel of the table that maps pixels of the layout to film pixels, which all frames share.
+/// Bytes per pixel of the table from pixels of the layout to pixels of the film. All frames share one table.
 double layout_tables(const MemoryFacts& facts) { return facts.layout.moves() ? sizeof(std::uint32_t) : 0.0; }
 
 double working(const MemoryFacts& facts) { return working_bytes_per_pixel(facts.frame_settings, facts.frames); }

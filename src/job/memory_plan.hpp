@@ -27,7 +27,7 @@ struct MemoryFacts {
 struct MemoryPlan {
   int bands = 1;               ///< bands of rows per frame, which are traced one after another
   bool one_at_a_time = false;  ///< each frame is written before the next frame is traced
-  double bytes = 0.0;          ///< estimated memory, if at most two frames are in memory
+  double bytes = 0.0;          ///< estimated memory of at most two frames at a time
 };
 
 /// Estimated memory of `frames_at_a_time` frames, each traced in `bands` bands.

@@ -16,7 +16,7 @@ inline constexpr std::int64_t kMaxPixels = (std::int64_t{1} << 31) - 1;
 /// Maximum number of pixels per side, a limit of picture files and libraries.
 inline constexpr int kMaxSide = 65536;
 
-/// `scene_resolution` is the resolution in the scene's file, the default of a single view, or {0, 0}. Throws a usage
+/// `scene_resolution`: resolution in the scene's file, which is the default for a single view; {0, 0}: none. Throws a usage
 /// Error that names contradicting flags and accepted values.
 PanelSize panel_size(const RenderParams& params, Vec2i scene_resolution);
 

@@ -22,7 +22,7 @@ std::string describe_copied(const RenderReport& report) {
   return fmt::format("{:.1f} % of all pixels are unchanged and were copied from key frames", 100.0 * reused / all);
 }
 
-/// States the numbers of traced and interpolated frames, and the shares of missed pixels.
+/// States the numbers of traced and interpolated frames, and the shares of missed pixels (which no projected point covers).
 std::string describe_interpolated(const RenderReport& report) {
   std::uint64_t keys = report.run.sources.size(), made = 0, missed = 0, newly_visible = 0, retraced = 0;
   for (const FrameReport& frame : report.frames) {

@@ -17,9 +17,9 @@ struct RunParams {
   bool force = false;
   /// Units of the job to render; nullopt: all frames. finish_animation() makes the videos of a job in units.
   std::optional<Units> units = {};
-  /// Frames to render among those of the job or of `units`; nullopt: all.
+  /// Renders only these frames of the job or of `units`; nullopt: all frames.
   std::optional<FrameRanges> only_frames = {};
-  /// Parts to render (see RunParts), in place of those that `units` and `only_frames` select.
+  /// Renders these parts (see RunParts), instead of the parts that `units` and `only_frames` select.
   std::optional<std::vector<int>> parts = {};
   /// The processes that share the frames; null: this process renders all frames.
   Ranks* ranks = nullptr;

@@ -39,7 +39,7 @@ Display with_params(const RenderParams& params, Display display, bool is_quilt) 
   return display;
 }
 
-/// Missing values are those of the display's quilt.
+/// Takes values that `params` lacks from the display's quilt.
 Optics wanted_quilt(const RenderParams& params, Display display) {
   refuse(!display.quilt && params.optics.views.x == 0, "--optics multiview", "the display has no quilt",
          "--views CxR and --size WxH");

@@ -14,10 +14,10 @@
 namespace lippmann {
 namespace {
 
-constexpr float kLensWidthMm = 1.0f;  ///< width of a lens's cell on the panel
+constexpr float kLensWidthMm = 1.0f;  ///< width of the panel behind one lens
 /// Width of a single view, which has no lenses: as wide as 64 lenses.
 constexpr float kSingleWidthMm = 64.0f;
-/// Viewing distance in window heights, usual for a picture on a wall.
+/// Default viewing distance in heights of the picture, usual for a picture on a wall.
 constexpr float kViewerHeights = 3.0f;
 
 bool has_lenses(const PanelSize& size) { return size.lens_pixels > 0.0f; }

@@ -60,15 +60,15 @@ double colmap_point_bytes(double pixels) {
 double light_field_layer_bytes(const RenderParams& params, double pixels, double views, double frames) {
   constexpr double kFloat = 4.0, kCompressedCodes = 0.75;  // bytes per pixel
   const std::string& format = params.output.pictures.to;
-  const bool is_set = params.scene.cameras.has_value();  // one data set of all frames, with depth and ray lengths
+  const bool is_set = params.scene.cameras.has_value();  // all frames form one data set, with depth and ray lengths
   const double all = pixels * views;
   double bytes = 0.0;
   if (format == "nerf" || is_set) bytes = 2.0 * kFloat * all;
-  if (format == "hci") bytes = 2.0 * kFloat * (all + pixels);  // depth and disparity, and those of the middle view again
+  if (format == "hci") bytes = 2.0 * kFloat * (all + pixels);  // depth and disparity of all views and, again, the middle view
   if (format == "cvkit") bytes = kFloat * all;
   if (format == "miv") bytes = kCompressedCodes * all;
   if (format == "colmap" && !is_set) bytes += colmap_point_bytes(all);
-  constexpr double kSubjectShare = 0.25;  // assumed share of the pixels around a subject that have a point
+  constexpr double kSubjectShare = 0.25;  // assumed fraction of pixels that show a surface, and so have a point
   return frames * bytes + (format == "colmap" && is_set ? kSubjectShare * colmap_point_bytes(frames * all) : 0.0);
 }
 

@@ -1,6 +1,6 @@
-// Estimates the size of a render's files before rendering, from measured bytes per pixel. The estimate is accurate to a factor of
-// about two if the scene fills the picture. For a small object in front of a plain background, files have about a fifth of the
-// estimated size.
+// Estimates the size of a render's files before rendering, from measured bytes per pixel. The estimate is accurate to a factor
+// of about two if the scene fills the picture. For a small object in front of a plain background, files have about a fifth of
+// the estimated size.
 #pragma once
 
 #include <string>

@@ -28,8 +28,9 @@ std::optional<double> common_baseline_mm(const ViewCameras& cameras, ViewGrid gr
 double mean_step(const std::vector<Vec2d>& eyes, ViewGrid grid);
 
 /// Returns cameras with the stated baseline. If the light field has positions, the eyes are at these positions, scaled so that
-/// their mean step equals the baseline. Otherwise they form a regular grid. The mean of the eyes is on the display's axis. Throws
-/// a usage Error naming the parameter for lengths that are not positive, and Error naming `where` if all positions coincide.
+/// their mean step equals the baseline. Otherwise they form a regular grid. The mean of the eyes is on the display's axis.
+/// Throws a usage Error naming the parameter for lengths that are not positive, and Error naming `where` if all positions
+/// coincide.
 ViewCameras cameras_as_stated(const StatedCameras& stated, const LightField& field, const std::string& where);
 
 /// Sets the cameras of a light field to cameras_as_stated(). Throws a usage Error naming "baseline" if its files state cameras.

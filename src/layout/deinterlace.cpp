@@ -20,8 +20,8 @@ class SampleRow {
   SampleRow(int views, int width)
       : width_(width), best_(3 * static_cast<std::size_t>(views) * static_cast<std::size_t>(width), Found{kNone, {}}) {}
 
-  /// `distance`: squared distance between the sub-pixel and the centre of the sample; its components are x and y in
-  /// samples, and the view.
+  /// `distance`: squared distance between the sub-pixel and the centre of the sample in three dimensions: x and y, in samples,
+  /// and the number of the view.
   void offer(int view, int x, int color, float distance, Sample value) {
     Found& best = best_[at(view, x, color)];
     if (distance < best.distance) best = {distance, value};

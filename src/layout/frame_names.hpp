@@ -28,7 +28,7 @@ std::vector<std::filesystem::path> picture_paths(const std::filesystem::path& fo
 /// whole frame.
 std::filesystem::path layers_path(const std::filesystem::path& folder, int frame, int view = -1);
 
-/// Strips per frame: a film of 65536 rows in strips of 16 rows.
+/// Largest number of strips per frame: 65536 rows, the limit of a film, in strips of 16 rows.
 inline constexpr int kMostStrips = 4096;
 
 /// Returns, for example, strip_0000_003.exr, the file of some rows of a frame.

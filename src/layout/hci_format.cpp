@@ -101,8 +101,7 @@ DepthMaps depth_maps(const LightField& field, int view, const HciParameters& par
   return maps;
 }
 
-/// Writes the depth and disparity maps, and sets the range of disparities in `parameters`; 0 to 0 if there are no
-/// surfaces.
+/// Writes the depth and disparity maps. Sets the range of disparities in `parameters`, from 0 to 0 if there are no surfaces.
 void write_depth(const LightField& field, const fs::path& folder, HciParameters& parameters, std::vector<fs::path>& written) {
   // File names number the views from the top left.
   const int middle = field.grid.rows / 2 * field.grid.columns + field.grid.columns / 2;

@@ -52,8 +52,8 @@ std::filesystem::path folder_of_pictures(const std::filesystem::path& folder);
 /// 1. the folders frame_*, if `from` is a folder format (the other rules then do not apply);
 /// 2. the pictures frame_*;
 /// 3. the folders frame_*, if `from` is empty;
-/// 4. unless the folder is a light field: the pictures of the format `from`, or, if `from` is empty, all pictures whose names or
-///    side files imply a format.
+/// 4. unless the folder is a light field: the pictures of the format `from`, or, if `from` is empty, all pictures whose
+///    names or side files imply a format.
 std::vector<std::filesystem::path> light_field_frames(const std::filesystem::path& folder, const std::string& from);
 
 }  // namespace lippmann

@@ -19,7 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The files of NeRF's data sets with a split.
 constexpr std::pair<const char*, Split> kSplitFiles[] = {{"transforms_train.json", Split::kTraining},
                                                          {"transforms_val.json", Split::kValidation},
                                                          {"transforms_test.json", Split::kTest}};

@@ -1,8 +1,10 @@
 // The cameras of the views that plenoptic_views() extracts from a rendered raw picture.
 //
-// With the symbols of optics/plenoptic.hpp, the rays of all pixels at the same offset o from the centres of their cells meet at
-// the point A = o m t/b of the main lens: the eye of their view. The ray through the microlens l has the slope
-// l/t - A (1/f - 1/t), so a view is a pinhole camera with the focal length t. Its principal point lies at l = A (t/f - 1).
+// Let f be the focal length of the main lens, t its distance from the microlenses, b the gap between the microlenses and the
+// sensor, and m the pixel pitch (optics/plenoptic.hpp). A view consists of the pixels that have the same offset o (in pixels)
+// from the centres of their microlens images. The rays of these pixels meet at the point A = o m t/b of the main lens, the eye
+// of the view. The ray through a microlens at the position l has the slope l/t - A (1/f - 1/t), so the view is a pinhole camera
+// with the focal length t. Its principal point lies at l = A (t/f - 1).
 #pragma once
 
 #include <vector>
@@ -19,7 +21,7 @@ struct SampledLenses {
 };
 
 /// Returns one camera per view, in the display frame. optics.model must be a PlenopticCamera. `offsets_px`: for each view, the
-/// offset of its samples from the centres of their cells, right and down.
+/// offset of its pixels from the centres of the microlens images, right and down.
 std::vector<PosedCamera> plenoptic_cameras(const Optics& optics, const SampledLenses& lenses, Vec2i view_size,
                                            const std::vector<Vec2d>& offsets_px);
 

@@ -68,8 +68,7 @@ std::optional<std::vector<T>> values_of(const std::vector<PosedPicture>& picture
   return values;
 }
 
-/// Converts points from the world to the display frame of `cameras`. `first`: the camera in the world whose eye is the first
-/// one of `cameras`.
+/// Converts points from the world to the display frame of `cameras`. `first`: the first of these cameras, in the world.
 void move_to_display(const PosedCamera& first, const ViewCameras& cameras, std::vector<CloudPoint>& points) {
   const Vec3d eye(cameras.eyes_mm.front(), cameras.distance_mm);
   for (CloudPoint& point : points)

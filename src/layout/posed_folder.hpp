@@ -17,8 +17,8 @@ inline constexpr double kMmPerUnit = 1000.0;  ///< the files store metres
 struct PosedPicture {
   std::string entry;           ///< the file and the position of the entry in it, for messages: "transforms.json: frames[3]"
   std::string picture, depth;  ///< paths relative to the folder; `depth` is empty if there is no depth file
-  /// Values that the file does not state are 0, or NaN for the principal point. read_posed_pictures() then takes the size of the
-  /// picture, its middle as principal point, the focal length for `angle_x`, and the same focal length for y as for x.
+  /// Values that the file does not state are 0, or NaN for the principal point. read_posed_pictures() then takes the size of
+  /// the picture, its middle as principal point, the focal length for `angle_x`, and the same focal length for y as for x.
   PosedCamera camera;
   double angle_x = 0.0;                       ///< horizontal field of view; 0: not stated
   std::optional<Vec2d> depth_bounds_mm = {};  ///< nearest and farthest depth
@@ -55,7 +55,7 @@ std::vector<PosedPicture> listed_pictures(const LightField& field, const std::fi
 /// Writes images/000.png, ... and returns their paths, one per view.
 std::vector<std::filesystem::path> write_posed_pictures(const LightField& field, const std::filesystem::path& folder);
 
-/// Returns the pictures of one part of the data set, without their `split`.
+/// Returns the pictures of one part of the data set, such as those for training. Their `split` is reset.
 std::vector<PosedPicture> pictures_of_split(const std::vector<PosedPicture>& pictures, Split split);
 
 /// The file test.txt beside COLMAP's and LLFF's cameras lists the names of the pictures that are not for training, one per

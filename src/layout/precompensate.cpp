@@ -1,10 +1,13 @@
-// Solves A v' = v (precompensate.hpp). A row of A holds weights divided by the sum of those inside the line of samples.
-// Multiplying by the sums gives W v' = sums v, where W holds the undivided weights and is symmetric and positive
-// definite. With bounds, this is a linear complementarity problem, solved by projected Gauss-Seidel: Cryer, "The
-// solution of a quadratic programming problem using systematic overrelaxation", SIAM J. Control 9, 1971.
+// Solves A v' = v: the display shows v', the crosstalk matrix A mixes its samples, and an eye sees v (precompensate.hpp).
 //
-// Microlenses and camera grids have crosstalk along two axes, A = Ax Ay: first Ay is inverted without bounds, then Ax
-// with bounds.
+// Each row of A has the sum 1: it holds crosstalk weights, divided by the sum of the weights that lie inside the line of
+// samples. Multiplying every row by its sum of weights gives an equation whose matrix is symmetric and positive definite.
+// Samples are limited to what the display can show, so this is a linear complementarity problem. It is solved by projected
+// Gauss-Seidel: Cryer, "The solution of a quadratic programming problem using systematic overrelaxation", SIAM J. Control 9,
+// 1971.
+//
+// Microlenses and camera grids have crosstalk along two axes: A = Ax Ay. Ay is inverted first, without limits, then Ax with
+// limits.
 #include "lippmann/layout/precompensate.hpp"
 
 #include <fmt/format.h>
@@ -26,9 +29,9 @@ namespace {
 constexpr double kExact = 1e-7;  ///< accuracy of the solution in linear light; far below a 16-bit step
 constexpr int kMaxSweeps = 2000;
 
-/// Parallel lines of samples in a picture. `sample`: offset of each sample from the line's first one. Each of `rows`
-/// rows contains the first samples of `across` lines, which are consecutive. `row_stride`: distance between these rows.
-/// All offsets and distances are in floats.
+/// Parallel lines of samples in a picture. Their first samples are arranged in `rows` rows of `across` neighbouring samples.
+/// `sample`: offsets of a line's samples from its first sample. `row_stride`: distance from a row of first samples to the next
+/// row. All offsets and distances are in floats.
 struct Lines {
   std::vector<std::size_t> sample;
   std::size_t across = 0, rows = 0, row_stride = 0;
@@ -39,7 +42,7 @@ struct Bounds {
 };
 constexpr Bounds kLight{0.0, 1.0}, kNoBounds{-INFINITY, INFINITY};
 
-/// kLanes lines are processed together. A Lane holds the same sample of each.
+/// kLanes lines are processed together. A Lane holds one sample of each of these lines.
 constexpr std::size_t kLanes = 8;
 using Lane = std::array<double, kLanes>;
 

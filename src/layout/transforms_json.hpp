@@ -19,7 +19,7 @@ std::vector<PosedPicture> parse_transforms(const std::string& text, const std::s
 
 /// Returns the contents of a transforms.json for pictures with complete cameras. Depth files hold planar depth in thousandths
 /// of the unit of the matrices; ray lengths are in depth/NNN_ray.npy. If the pictures have splits, lists of their names are
-/// written. Pictures for testing are then also listed for validation if there are no others.
+/// written. If no picture is for validation, the pictures for testing are also listed for validation.
 std::string transforms_text(const std::vector<PosedPicture>& pictures);
 
 }  // namespace lippmann

@@ -85,8 +85,8 @@ Vec2d ViewFitter::window_of(Vec2i view, double aspect) const {
   return {view.x, view.y * excess};
 }
 
-/// Returns the part of window_of() that all views contain after each is shifted by view_shift_px_ relative to its neighbour. With
-/// kPad, returns the whole window_of().
+/// Returns the part of window_of() that all views contain after each is shifted by view_shift_px_ relative to its neighbour.
+/// With kPad, returns the whole window_of().
 Vec2d ViewFitter::window_in_all(Vec2i view, double aspect, ViewGrid grid) const {
   Vec2d window = window_of(view, aspect);
   const Vec2d left = Vec2d(view) - std::abs(view_shift_px_) * Vec2d(grid.columns - 1, grid.rows - 1);
@@ -109,8 +109,8 @@ Picture ViewFitter::fitted(const Picture& view, double aspect, int number, ViewG
                 "views of one size");
   original_ = from, window_ = window_in_all(from, aspect, grid);
   const bool is_whole = window_ == Vec2d(from) && view_shift_px_ == 0.0;
-  // Interlacing accepts views of any size. For a native frame, a whole view therefore keeps its size if it is not larger than the
-  // display, or if views are stretched.
+  // Interlacing accepts views of any size. For a native frame, a whole view therefore keeps its size if it is not larger than
+  // the display, or if views are stretched.
   const bool is_small = from.x <= display_.pixels.x && from.y <= display_.pixels.y;
   if (target_ == DisplayTarget::kNative && is_whole && (is_small || fit_ == AspectFit::kStretch)) {
     size_ = from;

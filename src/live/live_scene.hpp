@@ -103,8 +103,8 @@ class LiveScene {
   LiveSettings settings_;
   LiveJobFile job_file_;
   LiveRender render_;
-  // State of the latest settings that the render thread has begun to render. distance_: from the viewer to the display plane, in
-  // world units. world_per_shown_mm_: world units per mm of shown depth.
+  // State of the latest settings that the render thread has begun to render. distance_: from the viewer to the display plane,
+  // in world units. world_per_shown_mm_: world units per mm of shown depth.
   PageFacts facts_;
   nlohmann::ordered_json facts_json_, placement_;
   double distance_ = 0.0, world_per_shown_mm_ = 0.0;
