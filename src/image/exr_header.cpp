@@ -111,7 +111,7 @@ bool is_preview(HeaderInput value) {
   return value.empty();
 }
 
-/// Compares the size with the size that OpenEXR reads for the type. `type` must be followed by a zero byte in memory.
+/// Returns whether `value` has the size that OpenEXR reads for this type. `type` must be followed by a zero byte in memory.
 bool fits_type(std::string_view type, FileBytes value, const std::string& where) {
   const auto fixed = std::find_if(kSizes.begin(), kSizes.end(), [&](const auto& known) { return known.first == type; });
   if (fixed != kSizes.end()) return value.size() == fixed->second;

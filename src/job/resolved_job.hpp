@@ -27,7 +27,7 @@ class ResolvedJob {
 
   bool is_in_strips() const { return params_.strips > 1; }
 
-  /// The requested number, or the default of `context`.
+  /// Returns the requested number of threads, or the default of `context`.
   int threads(const Context& context) const;
 
   /// The requested rate, or the rate of the scene.

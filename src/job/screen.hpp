@@ -1,5 +1,5 @@
-// The screen that shows a job's images. The lens array is fitted to the scene with the aspect of the screen, and then
-// the optics are made from it.
+// The screen that shows a job's images. The lens array is fitted to the scene with the aspect of the screen. Then the optics
+// are made from the fitted array.
 #pragma once
 
 #include <functional>

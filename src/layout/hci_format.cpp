@@ -27,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The grid of the options, else of parameters.cfg, else a square.
+/// Returns the grid that the options state, else the grid in parameters.cfg, else a square grid.
 ViewGrid grid_of(const fs::path& folder, int count, const FormatOptions& options,
                  const std::optional<HciParameters>& parameters) {
   const int side = static_cast<int>(std::lround(std::sqrt(static_cast<double>(count))));
