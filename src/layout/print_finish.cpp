@@ -46,8 +46,8 @@ PixelBox grown(const PixelBox& box, int by) { return {box.from - by, box.to + by
 /// Draws the marks of a print, whose cut edges are `trim`, into a picture with white margins.
 class PrintMarks {
  public:
-  /// `picture` is a part of the display's picture that begins at the pixel `origin`. `picture` and `display` must outlive this
-  /// object.
+  /// `origin`: position of the first pixel of `picture` in the display's picture; negative in a margin. `picture` and `display`
+  /// must outlive this object.
   PrintMarks(Picture& picture, const PixelBox& trim, const PixelBox& bleed, const Display& display, Vec2i origin)
       : picture_(picture), trim_(trim), bleed_(bleed), display_(display), origin_(origin) {}
 
