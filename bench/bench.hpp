@@ -29,7 +29,7 @@ struct Report {
 struct Request {
   std::vector<std::string> scenes;
   int frames = 0;
-  /// columns and rows of views as CxR; if empty, the default of each row of the table, or 3x1 if view_pixels is set
+  /// Number of columns and rows of views, as CxR. If empty: 3x1 if view_pixels is set, otherwise the default of each scene.
   std::string views;
   int view_pixels = 0;
   bool large = false;  ///< also measure 3840 x 2160 pixels

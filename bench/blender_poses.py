@@ -1,6 +1,5 @@
 #!/usr/bin/python3
-"""Compares posed vertices of glTF files with Blender's: skinned meshes, and meshes with morph
-targets.
+"""Compares the vertices of skinned and morphed meshes in glTF files with those that Blender computes.
 
   bench/blender_poses.py FILE.glb ... [--times N] [--bar FRACTION] [--tool PATH] [--json]
 

@@ -31,7 +31,7 @@ HERE = pathlib.Path(__file__).parent
 VERTICES = 8
 COLUMNS, ROWS, CONE_DEG = 8, 6, 40.0
 VIEWS = COLUMNS * ROWS
-FAN = VIEWS // 3  # views in a row that uses the eyes of every third view
+FAN = VIEWS // 3  # number of eyes if only every third view is used
 LIKENESS_DB = 30.0
 BAR = 20.0
 
@@ -89,8 +89,8 @@ def their_view(folder, samples, frame, view):
 
 
 def cycles(field, folder, levels, reference_spp):
-    """Returns CPU seconds per render for each number of samples, as pairs: renders that start a new frame, and the
-    others."""
+    """Returns, for each number of samples, the mean CPU seconds of the first view of a frame and of its further
+    views."""
     options = field.options
     renders = [{"frame": f, "view": v, "samples": s, "seed": 99 if s == reference_spp else 7, "out": str(their_view(folder, s, f, v))}
                for s in (*levels, reference_spp) for f, v in field.compared()]

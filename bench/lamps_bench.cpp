@@ -22,8 +22,8 @@ constexpr int kLampsSamples = 64, kLampsReferenceSamples = 1024, kQuickLampsRefe
 constexpr std::uint32_t kLampsReferenceSeed = 77;
 constexpr float kLampsPower = 12.0f;
 
-// The eye looks slightly down at this point, from five times the height of the picture. Objects more than kLampsFront units in
-// front of it are invisible.
+// The eye looks slightly down at this point. Its distance is kLampsEyeMm / kLampsPanelMm = 5 times the height of the picture.
+// Objects more than kLampsFront in front of this point are invisible.
 constexpr Vec3f kLampsMiddle{0.0f, 0.95f, -0.2f};
 constexpr float kLampsPitch = radians(8.0f), kLampsPictureHeight = 2.1f, kLampsPanelMm = 100.0f, kLampsEyeMm = 500.0f,
                 kLampsFront = 3.6f;
@@ -76,8 +76,8 @@ Vec3f lamps_eye() {
          kLampsPictureHeight * kLampsEyeMm / kLampsPanelMm * Vec3f(0.0f, std::sin(kLampsPitch), std::cos(kLampsPitch));
 }
 
-/// Adds square lamps of the same total area, in one mesh for each hue. The eye lies in the plane of each square and sees none
-/// of them, because the noise at their edges would hide the result.
+/// Adds square lamps of the same total area, in one mesh for each hue. The plane of each square passes through the eye, so that
+/// the lamps are invisible. Noise at visible edges would hide the result.
 void add_square_lamps(Scene& scene, int count, LampPlaces& places) {
   Mesh meshes[4];
   const float half = std::min(0.05f, 0.4f / std::sqrt(static_cast<float>(count)));

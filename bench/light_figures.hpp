@@ -1,8 +1,8 @@
 // Measures the error of path-traced frames against converged frames in 8-bit codes, and the flicker between views and between
 // frames.
 //
-// A frame is a vertical stack of views (layout/light_field.hpp). Each view is divided into blocks of 8 x 8 pixels. In the mean
-// of a block, independent noise is reduced to 1/8, but errors that neighbouring pixels share are not.
+// A frame is a vertical stack of views (layout/light_field.hpp). Each view is divided into blocks of 8 x 8 pixels. The mean
+// over the 64 pixels of a block reduces independent noise to 1/8, but does not reduce errors that neighbouring pixels share.
 #pragma once
 
 #include <array>

@@ -17,14 +17,15 @@ std::filesystem::path reference_folder(const std::string& requested);
 
 class LightReferences {
  public:
-  /// `sampling` must select path tracing. Its samples per pixel are those of both halves together. The first half uses its seed
-  /// and the second half the next seed; both must differ from the seeds of the compared frames. `say` is called with a line for
-  /// each rendered half, and may be empty. `stage`, `pool` and `context` must outlive this object.
+  /// `sampling` must select path tracing. A reference consists of two halves, each with half of the samples per pixel. The
+  /// first half uses the seed of `sampling`, and the second half the next seed. Both seeds must differ from those of the
+  /// compared frames. `say` is called with a line for each rendered half, and may be empty. `stage`, `pool` and `context` must
+  /// outlive this object.
   LightReferences(Stage& stage, Sampling sampling, std::filesystem::path folder, const ThreadPool& pool, const Context& context,
                   std::function<void(std::string_view)> say);
 
-  /// A kept half is reused if rendering one sample per pixel still gives the same bits as when it was rendered. Throws Error if
-  /// a half cannot be written, or if the context is cancelled.
+  /// Returns the reference of a frame. Reads a half from the folder if a render with one sample per pixel has the same bits as
+  /// when this half was stored. Throws Error if a half cannot be written, or if the context is cancelled.
   Reference frame(const std::string& name, int frame);
 
   int rendered() const { return rendered_; }

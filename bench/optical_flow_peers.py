@@ -23,7 +23,7 @@ import cv2
 import numpy as np
 
 LENS_PIXELS = 8
-BEYOND = 4  # more key frames, because minterpolate needs later frames and ends early
+BEYOND = 4  # extra frames at the end, because minterpolate stops before its last input
 
 
 def run(*command, cwd=None):

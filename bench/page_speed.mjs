@@ -38,7 +38,7 @@ async function firstPreview(address) {
   return found;
 }
 
-/** Moves the eye in every frame of the screen. Prints the divisor if pictures are coarser than at rest. */
+/** Moves the eye in every frame of the screen. Returns the frame rate, and the divisor if the resolution is lowered. */
 async function eyesASecond(page, seconds) {
   const [rate, divisor] = await page.evaluate(async (seconds) => {
     const [x, y, z] = window.lippmann.fields[0].eye_mm;

@@ -15,7 +15,7 @@ Reproduced figures_of(const ReuseRun& run) {
 }
 
 /// Returns whether `b` reproduces the paper better than `a`. A run that saves as much as the paper is better than one that does
-/// not. Among such runs, the shorter key frame interval is better; among the others, the larger saving.
+/// not. If both runs do, the shorter key frame interval is better. If neither does, the larger saving is better.
 bool is_better(const Reproduced& b, const Reproduced& a) {
   const auto saves_enough = [](const Reproduced& r) { return r.paper_saving && r.saving >= *r.paper_saving; };
   if (saves_enough(a) != saves_enough(b)) return saves_enough(b);

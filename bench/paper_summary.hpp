@@ -8,8 +8,8 @@
 
 namespace lippmann::bench {
 
-/// The paper does not state the interval between its key frames. We use the shortest interval that saves as much as the paper,
-/// or else the one that saves most.
+/// The paper does not state the interval between its key frames. We use the shortest interval that saves as much as the paper.
+/// If no interval does, we use the interval that saves most.
 struct Reproduced {
   std::string scene;
   int keyframes = 0;

@@ -72,7 +72,8 @@ class ReplayBench {
     return eye_view(panel, view, pool_);
   }
 
-  /// If a lens has an even number of pixels, its centre is between two pixels, so the samples are moved there.
+  /// Returns the pinhole view with one sample at the centre of each lens. If a lens has an even number of pixels, its centre is
+  /// between two pixels, so the samples are moved by half a pixel.
   DirectView direct(Vec3d eye_mm) const {
     const int per_lens =
         std::max(1, static_cast<int>(std::lround(static_cast<double>(grid_.y) / grid_.x * display_window(optics()).size.x /

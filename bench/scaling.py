@@ -2,8 +2,9 @@
 """Models the rendering of a film on many nodes with measured constants.
 
 python3 bench/scaling.py prints the table of docs/lab/scaling.md. --help lists the parameters
-for other films and machines. All times are wall times in seconds. All nodes are equally fast,
-and render one unit of frames at a time.
+for other films and machines. All times are wall times in seconds. The film is divided into
+units, which are groups of frames. All nodes are equally fast, and each renders one unit at a
+time.
 """
 
 import argparse
@@ -37,7 +38,7 @@ def segments_of(film):
 
 
 def unit_sizes(film, units):
-    """Returns the number of frames of every unit. Units consist of whole segments, as in src/distribute/units.cpp."""
+    """Returns the number of frames of every unit. A segment is never split between units (src/distribute/units.cpp)."""
     segments = segments_of(film)
     parts = min(units, segments)
     sizes = [0] * parts

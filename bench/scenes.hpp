@@ -21,7 +21,7 @@ struct BenchScene {
 
 std::vector<BenchScene> bench_scenes(const Request& request, const Context& context);
 
-/// The first frame is a key frame for every interval of 2, 4 or 8 frames.
+/// `first` is a multiple of 8, so that it is a key frame if the distance between key frames is 2, 4 or 8.
 struct BenchAnimation {
   std::string name;
   RenderParams params;  ///< the same optics as in BenchScene
@@ -29,7 +29,7 @@ struct BenchAnimation {
 };
 
 /// Returns the requested animations: built-in scenes and, if Tachyon's files are found, its three scenes with camera paths.
-/// --large adds the teapot with 384 lenses of 10 pixels. Throws Error.
+/// --large adds the teapot with 384 lenses of 10 pixels. Throws Error for an unknown or missing animation.
 std::vector<BenchAnimation> bench_animations(const Request& request, const Context& context);
 
 std::vector<BenchScene> tachyon_scenes(const Request& request);

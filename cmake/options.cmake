@@ -20,7 +20,8 @@ target_compile_options(lippmann_options INTERFACE
 # floating-point traps, the compiler vectorises floor, sqrt and selects.
 target_compile_options(lippmann_options INTERFACE -ffp-contract=off -fno-math-errno -fno-trapping-math)
 
-# Parts are also linked into a shared library (library.cmake). Functions still call each other directly.
+# Parts are also linked into a shared library (library.cmake), which requires -fPIC. With -fno-semantic-interposition,
+# functions of the library still call each other directly.
 target_compile_options(lippmann_options INTERFACE -fPIC $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>)
 
 if(LIPPMANN_WERROR)

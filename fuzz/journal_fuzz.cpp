@@ -1,5 +1,5 @@
-// Every file in a journal that was read must be inside its folder, and every number in its range. Writing it again must be
-// possible.
+// Reads the input as a journal. Every file that the journal names must be inside the folder, every number must be in its range,
+// and each entry must be writable again.
 //
 // fuzz/journal_seeds SEEDS && fuzz_journal -dict=fuzz/journal.dict CORPUS SEEDS; or scripts/fuzz journal.
 #include <cstdlib>

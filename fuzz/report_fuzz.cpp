@@ -1,4 +1,4 @@
-// The bytes are a report.json, and the result of a benchmark. Making an HTML page of it must throw Error, or give a page into
+// The input is a report.json or the result of a benchmark. make_report_page() must throw Error, or return an HTML page into
 // which the input has injected no script, picture or link.
 //
 // fuzz/report_seeds SEEDS && fuzz_report -dict=fuzz/report.dict CORPUS SEEDS; or scripts/fuzz report.

@@ -28,7 +28,7 @@ class CommandLine;
 /// Runs the chosen command. Returns the exit code of the process.
 using Action = std::function<int(Context& context)>;
 
-/// program: the name by which the tool was called, for commands that it prints.
+/// program: the name by which the user called the tool. The commands that the tool prints begin with this name.
 void add_render_command(const Command& root, Action& chosen, const std::string& program);
 void add_plan_command(const Command& root, Action& chosen);
 void add_submit_command(const Command& root, Action& chosen, const std::string& program);

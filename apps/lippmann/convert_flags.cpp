@@ -242,7 +242,7 @@ bool makes_views_of_depth(const ConvertOptions& options, const Conversion& c) {
   return c.from->name == "rgbd" && (!options.depth.map.empty() || c.to->name != "rgbd");
 }
 
-/// Returns whether to compute views from a stereo picture. It has two views, so --views requests new ones.
+/// Returns whether to compute new views from a stereo picture. The flag --views requests them.
 bool makes_views_of_pair(const ConvertOptions& options, const Conversion& c) {
   return c.from->name == "stereo" && c.to->name != "stereo" && c.to->name != "rgbd" && !options.views.empty();
 }

@@ -17,8 +17,8 @@ struct CrosstalkFlags {
 
 void add_crosstalk_flags(const Command& command, CrosstalkFlags& flags);
 
-/// Runs `convert --precompensate` and prints the remaining error. display: for which the pictures were made; empty: as in the
-/// report.json beside the pictures.
+/// Runs `convert --precompensate` and prints the remaining error. `display` is the display for which the pictures were made. If
+/// `display` is empty, the report.json beside the pictures states it.
 int run_precompensate(const CrosstalkFlags& flags, const std::string& display, const std::string& in, const std::string& out,
                       const ResultFlags& result, const Context& context);
 

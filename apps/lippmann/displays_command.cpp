@@ -87,7 +87,7 @@ void print_found(const std::string& file) try {
   fmt::print("{}\n", with_flags(error.what()));
 }
 
-/// Without --json, throws Error if there are none.
+/// Throws Error if no device is found, unless --json is given.
 int find_devices(const DisplaysOptions& options) {
   if (!options.display.empty()) throw usage_error("--find", "cannot be combined with the name of a display", "one of the two");
   const std::vector<std::filesystem::path> mounts =

@@ -46,8 +46,8 @@ std::vector<std::string_view> given(const ParamFlags& flags) {
   return names;
 }
 
-/// Makes the parameter `display` describe the sheet. Includes the viewing angle and the viewing distance, because the pitch of
-/// the print depends on them.
+/// Sets the parameter `display` to a description of the lenticular sheet. The description includes the viewing angle and the
+/// viewing distance, because the pitch of the print depends on them.
 void set_sheet(const ParamFlags& flags, RenderParams& params) {
   const auto text_of = [&](std::string_view name) {
     const auto found = flags.values.find(name);

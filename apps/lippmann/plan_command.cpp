@@ -37,7 +37,7 @@ std::string most_units_text(const UnitPlan& plan) {
   return "All frames must be rendered together, so the job is one unit.";
 }
 
-/// Describes the parts of a unit, as "frames 0-3" or "strips 0-1 of frame 0, 0-7 of frame 1".
+/// Describes what one unit of a job renders, as "frames 0-3" or "strips 0-1 of frame 0, 0-7 of frame 1".
 std::string parts_text(const PlannedUnit& unit) {
   if (unit.strips.empty()) return "frames " + write_frames(ranges_of(unit.frames));
   std::string text;

@@ -18,7 +18,7 @@ struct PlenopticFlags {
 
 void add_plenoptic_flags(const Command& command, PlenopticFlags& flags);
 
-/// Reads the flags, and the white picture as read_plenoptic_settings() does. Throws Error naming the flag or the file.
+/// Reads the flags and the white picture that they name. Throws Error naming the flag or the file.
 ReadPlenopticSettings read_plenoptic_flags(const PlenopticFlags& flags);
 
 }  // namespace lippmann::app

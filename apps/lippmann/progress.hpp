@@ -16,13 +16,13 @@ enum class ProgressStyle {
   kEveryLine  ///< prints a line after every step, and within long steps
 };
 
-/// Limits the lines in logs of long work: one after the first and the last step, and one whenever 30 s and a tenth of the
-/// elapsed time have passed since the last.
+/// Limits the number of lines in logs of long work. A line is due after the first step and after the last step. Any other line
+/// is due if at least 30 s, and at least a tenth of the elapsed time, have passed since the previous line.
 class LineSchedule {
  public:
   /// Returns whether the line for step `done`, counted from 1, is due. If so, counts it as printed.
   bool is_due(int done, int total, double elapsed_s);
-  /// Like is_due, within a step, because the first step may take an hour.
+  /// Like is_due(), but for calls during a step. A single step may take an hour.
   bool is_due_within(double elapsed_s);
 
  private:

@@ -35,7 +35,7 @@ bool is_in_reference(const CLI::Option& option) {
   return !option.check_lname("help") && !option.check_lname("help-all") && !option.get_group().empty();
 }
 
-/// The options below one heading. An option of an earlier command is listed by its name only.
+/// The options below one heading. An option that an earlier command has already described is listed by its name only.
 class ReferenceGroup {
  public:
   ReferenceGroup(std::string heading, std::string command) : heading_(std::move(heading)), command_(std::move(command)) {}

@@ -44,7 +44,7 @@ std::string describe(const RenderPlan& plan, int wanted, double bytes) {
   return fmt::format("{} of {}{} to {}; all files: about {} (an estimate)", what, each, size, folder, bytes_text(bytes));
 }
 
-/// Prints the depth before a long render if the optics cannot show the full depth of the scene.
+/// Prints how much of the depth will be shown if the optics cannot show the full depth of the scene.
 void print_fitted_depth(const RenderPlan& plan, const RenderParams& params) {
   const PlacedOptics& placed = plan.stage.placed;
   if (placed.depth_scale >= 1.0f) return;

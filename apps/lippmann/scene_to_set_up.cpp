@@ -14,8 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Number of views and side of a view in pixels when a scene is opened. The default view size of renders is for lenses, and is
-/// too coarse for views shown one at a time.
+/// Initial number of views, and width and height of a view in pixels. The default view size of renders suits lens arrays, but
+/// is too coarse for views shown one at a time.
 constexpr int kFirstViews = 8, kFirstViewSide = 360;
 
 void refuse_light_field_flags(const LightFieldFlags& field) {

@@ -33,8 +33,8 @@ void refuse_scene_flags(const std::string& in, const SceneToSetUpFlags& flags);
 /// `threads` = 0 keeps the number in the job.
 RenderParams scene_params(const std::string& in, const SceneToSetUpFlags& flags, const LightFieldFlags& field, int threads);
 
-/// Returns the initial settings of the page. Without a display, optics or a layout, they show a row of views, which a plain
-/// screen can show.
+/// Returns the initial settings of the page. If `params` states no display, optics or layout, the settings select a row of
+/// views, which a plain screen can show.
 LiveSettings first_settings(const RenderParams& params, const std::string& in);
 
 /// Returns the job file that the page saves: the value of --save-job, or SCENE.toml in the working folder.

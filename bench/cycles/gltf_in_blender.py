@@ -3,7 +3,7 @@ Blender.
 
 Blender's own importer makes the textures and the vertex colours. Its Principled surface is
 replaced, because its diffuse part in Blender 3.4 is Disney's model instead of glTF's. Materials
-with layers that are not built here (LAYERS, GLOSS) keep it.
+that use a feature in LAYERS or GLOSS keep the Principled surface.
 """
 
 import math
@@ -26,7 +26,7 @@ if not hasattr(np, "bool"):
 LAYERS = {"KHR_materials_sheen", "KHR_materials_anisotropy", "KHR_materials_iridescence", "KHR_materials_diffuse_transmission",
           "KHR_materials_dispersion", "KHR_materials_pbrSpecularGlossiness", "KHR_materials_unlit"}
 GLOSS = {"specularTexture", "specularColorFactor", "specularColorTexture"}  # features of KHR_materials_specular
-ROUGHNESSES = (0.0, 0.25, 0.5, 0.75, 1.0)  # roughnesses for which the light below a gloss is tabulated, if the roughness is textured
+ROUGHNESSES = (0.0, 0.25, 0.5, 0.75, 1.0)  # for textured roughness: the roughnesses at which below_gloss() is tabulated
 COAT_IOR = 1.5
 LATER = {"Specular": "Specular IOR Level", "Transmission": "Transmission Weight", "Clearcoat": "Coat Weight", "Clearcoat Roughness": "Coat Roughness",
          "Clearcoat Normal": "Coat Normal"}  # names of inputs of the Principled surface since Blender 4.0
@@ -107,7 +107,7 @@ class Surface:
         return self.node("ShaderNodeMixRGB", {0: 1.0, 1: color, 2: factor}, blend_type="MULTIPLY")
 
     def mixed(self, shader, make_other, share):
-        """share: weight of the second shader, which is made only if its weight is not 0."""
+        """share: weight of the shader that make_other() returns. make_other() is not called if the weight is 0."""
         if share == 0.0:
             return shader
         other = make_other()
@@ -128,8 +128,8 @@ class Surface:
     def plastic(self):
         """Returns the shader for plastic: the gloss of a black Principled surface plus the diffuse light below it."""
         f0 = self.specular * ((self.ior - 1) / (self.ior + 1))**2
-        # The input "Specular" sets the reflectance f0. An input of 1 means 0.08 before Blender 4.0; since then, 0.5
-        # means the reflectance of the index of refraction.
+        # The input "Specular" sets the reflectance f0. Before Blender 4.0, an input of 1 gives f0 = 0.08. Since then,
+        # an input of 0.5 gives the f0 of the index of refraction.
         of_ior = LATER["Specular"] in self.principled.inputs
         gloss = self.gloss(Base_Color=[0, 0, 0], Specular=0.5 * self.specular if of_ior else f0 / 0.08)
         return self.node("ShaderNodeAddShader", {0: gloss, 1: self.diffuse(self.times(self.input("Base Color"), self.left(f0)))})
@@ -191,8 +191,8 @@ class Surface:
         return self.node("ShaderNodeMixShader", {0: coverage, 1: self.node("ShaderNodeBsdfTransparent", {}), 2: shader})
 
     def absorb(self, volume):
-        """Sets absorption by the logarithm of the colour (KHR_materials_volume). Cycles absorbs density (1 - colour) per
-        unit of length."""
+        """Sets the absorption coefficient to -ln(attenuation colour) / distance (KHR_materials_volume). In Cycles, the
+        coefficient is density (1 - colour)."""
         node = next((n for n in self.tree.nodes if n.type == "VOLUME_ABSORPTION"), None)
         distance = volume.get("attenuationDistance", math.inf)
         if node is None:

@@ -94,8 +94,8 @@ def glb(doc, blob):
 
 
 def fitted(array, yaw_deg, pitch_deg):
-    """Returns the position, the rotation and the vertical angle of a camera that sees the rectangle of the array that
-    `lippmann info` prints."""
+    """Returns the position, the rotation and the vertical field of view of a camera whose picture is the rectangle
+    `array`, as `lippmann info` prints it."""
     y, p = math.radians(yaw_deg), math.radians(pitch_deg)
     away = (math.sin(y) * math.cos(p), math.sin(p), math.cos(y) * math.cos(p))
     place = [c + array["viewing_distance"] * a for c, a in zip(array["center"], away)]

@@ -13,7 +13,7 @@ import one_file
 
 HERE = pathlib.Path(__file__).resolve().parent
 PATH = "/usr/bin:/bin"
-BLENDER = os.environ.get("BLENDER", "blender")  # this environment variable names another version of Blender
+BLENDER = os.environ.get("BLENDER", "blender")  # path of the Blender to run
 
 
 class Failed(SystemExit):
@@ -52,8 +52,8 @@ def info(tool, scene, *flags):
 
 
 def with_camera(tool, asset, view, work):
-    """Returns the file, or a copy in the folder `work` with a camera that looks at the scene's centre if the file has
-    none. view: its yaw and pitch in degrees."""
+    """Returns the file if it has a camera. Otherwise, returns a copy in the folder `work` with a camera that looks at
+    the scene's centre. view: yaw and pitch of this camera in degrees."""
     found = info(tool, asset)
     if found["cameras"]:
         return asset

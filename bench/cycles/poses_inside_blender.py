@@ -118,7 +118,7 @@ def errors(ours, theirs, diagonal):
 
 
 def measure(index, name, end):
-    # At the times of keys, rounding would decide the side of a step interpolation.
+    # These times avoid the keys. At a key, rounding would decide which of two values a step interpolation has.
     times = [end * (k + 0.618034) / int(count) for k in range(int(count))]
     unchanged = [pose_by_blender(t) for t in times]
     slerp_rotations(times)

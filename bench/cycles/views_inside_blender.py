@@ -25,7 +25,7 @@ import gltf_in_blender as gltf  # noqa: E402
 
 
 class Views:
-    """Off-axis cameras that look through one rectangle, beside the camera of the file."""
+    """Off-axis cameras to the left and right of the file's camera. All of them show the same rectangle."""
 
     def __init__(self, job):
         self.job = job

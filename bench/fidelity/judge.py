@@ -46,8 +46,8 @@ def counted_pixels(named):
 
 
 def among_others(named, own):
-    """Returns the PSNR in dB among the pictures of all renderers except `own`, each against the median of the others, or
-    None for fewer than two pictures."""
+    """Compares the pictures of all renderers except `own`: each picture with the median of the rest. Returns the PSNR
+    of the mean error in dB, or None for fewer than two pictures."""
     counted = counted_pixels(named)
     flat = [pictures.before_grey(p) for name, p in named.items() if name != own]
     if len(flat) < 2:

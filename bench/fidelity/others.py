@@ -38,7 +38,8 @@ def key_of(job, shot, programs):
 
 
 def kept(shot, name, job, programs, render):
-    """Returns the stored result of an earlier run with the same inputs, or stores and returns that of render()."""
+    """Returns the stored result of an earlier run with the same inputs. Without one, calls render(), stores its result
+    and returns it."""
     file, key = shot.folder / f"{name}.json", key_of(job, shot, programs)
     if file.exists() and json.loads(file.read_text())["key"] == key:
         return json.loads(file.read_text())["renders"]
@@ -50,8 +51,8 @@ def kept(shot, name, job, programs, render):
 
 
 def in_blender(name):
-    """Returns a function that renders with Cycles, with glTF's surfaces or, if the name is "importer", those of
-    Blender's own import."""
+    """Returns a function that renders with Cycles. The surfaces follow the glTF specification, or Blender's own
+    importer if the name is "importer"."""
 
     def pictures_of(shot, options):
         renders = [{"samples": n, "seed": n, "out": str(shot.folder / f"{name}-{n}.png")} for n in (few(options.spp), options.spp)]

@@ -9,7 +9,7 @@ import imbuf
 from . import job as jobs
 from . import look, progress, saving, tool
 
-_animation = None        # Blender requests the frames of the current animation one by one
+_animation = None        # the job of the current animation, kept because Blender requests one frame per call
 _terminal = progress.Terminal()
 last_warnings = []       # of the last render, shown in the panel
 last_folder = ""

@@ -77,7 +77,7 @@ def render_flags(scene, still):
     optics = {"quilt": ["--layout", "quilt", *(size if display.get("quilt") else [])], "native": ["--layout", "native"], "views": ["--layout", "views"],
               "single": ["--optics", "single", *size]}[settings.output]
     if settings.output == "native" and display["kind"] != "slanted-panel":
-        optics = []  # the tool's default for lens arrays, an integral image, is their native frame
+        optics = []  # for lens arrays, the tool's default optics already render the native frame
     depth = ["--full-depth"] if settings.full_depth and settings.output != "single" else []
     return ["--display", displays.argument(scene), *optics, *flags_of_sampling(scene), *depth, *more_flags(scene, still)]
 

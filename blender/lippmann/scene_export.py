@@ -348,8 +348,8 @@ def show(scene, frame):
 
 
 def frames_of(request, is_blurred):
-    """Returns the frames that get keys. The last is extra, because the glTF exporter leaves it out. With motion blur the first
-    is extra, because the shutter opens before the first frame."""
+    """Returns the frames that get keys. One frame is added at the end, because the glTF exporter leaves out the last frame.
+    With motion blur, one frame is added at the beginning, because the shutter opens before the first frame."""
     first, last = request["frames"]
     if request["still"]:
         return list(range(first, last + 1))

@@ -1,11 +1,12 @@
 // Makes training data: light fields of random scenes with depth, disparity, normals, motion and ids, as NumPy arrays.
 //
-// FOLDER/dataset.json      the parameters; a run with other parameters is refused FOLDER/sample_000000/    views.npy, one array
-// per layer, and sample.json (the cameras, and the sizes and checksums of the files) FOLDER/manifest.json     the contents of
-// all sample.json files, written when every sample exists
+// The folder contains:
+//   dataset.json      the parameters; a run with other parameters is refused
+//   sample_000000/    a sample: views.npy, one array per layer, and sample.json with the cameras, file sizes and checksums
+//   manifest.json     the contents of all sample.json files, written when every sample exists
 //
 // A sample's folder appears when the sample is complete, so an interrupted run continues with the next sample. Samples can be
-// divided into units for different runs.
+// divided into units, which different runs render.
 #pragma once
 
 #include <cstdint>

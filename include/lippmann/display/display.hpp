@@ -130,8 +130,8 @@ double tilt_of(const Display& display);
 /// Returns the number of pixels (not sub-pixels) across one lens, which may be fractional.
 double pixels_below_lens(const Display& display);
 
-/// Returns the display's crosstalk in pixels of the picture of `optics`, which are the display's quilt or its own pixels. In a
-/// quilt, these pixels are views. None: unknown.
+/// Returns the sigma of the display's crosstalk for a picture with `optics`, which are native_optics() or quilt_optics(). The
+/// unit is a panel pixel, or the distance between neighbouring views of a quilt. None: unknown.
 std::optional<double> crosstalk_of_picture(const Display& display, const Optics& optics);
 
 /// Division of the print of a lenticular sheet into strips, one below each lens. Strip k contains the points (x, y) of the
@@ -145,8 +145,8 @@ struct LensStrips {
 };
 LensStrips lens_strips(const Display& display);
 
-/// Returns the number of views of the quilt, or, without a quilt, of pixels (slanted panels: sub-pixels) across a lens, rounded
-/// down. For microlens arrays, the number is squared.
+/// Returns the number of views: the number of tiles if the display has a quilt. Otherwise, it is the number of pixels across a
+/// lens, rounded down. Slanted panels count sub-pixels instead of pixels, and microlens arrays have the square of this number.
 int views_of(const Display& display);
 
 const char* to_string(DisplayKind kind);

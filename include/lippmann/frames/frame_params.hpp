@@ -29,8 +29,8 @@ struct Sampling {
   RayOrder order = RayOrder::kViewTiles;
   /// Samples per pixel. 0: chosen by completed() or the integrator.
   int spp = 0;
-  /// Filter over the angles of a view. Empty: kBox for quilts with several samples per pixel for displays, none for other
-  /// pictures.
+  /// Filter over the angles of a view. Empty: kBox if a picture is for a display and has 2 or more samples per pixel, otherwise
+  /// none. Only quilts are filtered.
   std::optional<AngularFilter> angular_filter{};
   /// Depth of field. Needs 2 or more samples per pixel.
   ViewLens lens{};
@@ -72,8 +72,8 @@ inline bool is_denoised(const Sampling& sampling) {
   return sampling.denoise == Denoise::kAuto && facts_of(sampling).is_stochastic && samples_per_pixel(sampling) > 1;
 }
 
-/// Returns whether CopySettled can be used: with Whitted shading, without motion blur, transparency and extra layers other than
-/// provenance.
+/// Returns whether CopySettled can be used. It requires Whitted shading, and supports neither motion blur nor transparency nor
+/// extra layers other than provenance.
 bool can_copy_settled(const Sampling& sampling);
 
 /// Returns params.reuse. Replaces AutoReuse by CopySettled if the sampling allows it, otherwise by TraceAll.

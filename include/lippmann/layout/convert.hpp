@@ -33,12 +33,12 @@ struct Converted {
   ViewGrid views{};
   Vec2i view_size{0, 0};
   bool drops_positions = false;            ///< the output format cannot store the input's camera positions
-  bool drops_poses = false;                ///< the output does not state the input's cameras, which share no plane and window
+  bool drops_poses = false;                ///< the output format cannot store the input's LightField::poses
   std::vector<std::string> left_out = {};  ///< data that the output format cannot store, such as "12 points"
   std::string fitted = {};                 ///< how views were resampled for a display; empty: not resampled
   std::string too_coarse = {};             ///< ViewFitter::coarseness()
   double lost_pixel_aspect = 1.0;  ///< width / height of the pixels, if the output format assumes square pixels; otherwise 1
-  /// The format can store cameras or depth, but no view of the input has them.
+  /// True: the output format can store cameras (depth), but no view of the input has them.
   bool lacks_cameras = false, lacks_depth = false;
 };
 

@@ -19,7 +19,7 @@ namespace lippmann {
 
 /// Parallel cameras in a regular grid, for files without camera data.
 struct StatedCameras {
-  double baseline_mm = 0.0;  ///< distance between neighbouring cameras of the file, dropped views included
+  double baseline_mm = 0.0;  ///< distance between neighbouring cameras in the file, before views are dropped
   double focal_length_mm = 0.0;
   double sensor_width_mm = 35.0;   ///< width of the part of the sensor that an uncropped view covers
   double focus_distance_mm = 0.0;  ///< distance from the cameras to the plane with zero disparity
@@ -69,7 +69,7 @@ struct LightFieldFormat {
   bool is_folder = false;              ///< a folder with one or more files per view; otherwise one picture
   bool uses_cameras = false;           ///< the writer stores cameras and depth if the light field has them
   bool keeps_positions = false;        ///< the files can hold camera positions without a unit
-  bool keeps_poses = false;            ///< the files can hold cameras that share no plane and window
+  bool keeps_poses = false;            ///< the files can hold LightField::poses
   bool keeps_points = false;           ///< the files can hold LightField::points
   bool keeps_depth_bounds = false;     ///< the files can hold LightField::depth_bounds_mm
   bool keeps_splits = false;           ///< the files can hold LightField::splits

@@ -19,7 +19,7 @@ struct QuiltName {
   double aspect = 1.0;
 };
 
-/// Quilt of the display.
+/// Returns the tiles and the aspect of a display's quilt.
 QuiltName quilt_name_of(const DisplayQuilt& quilt);
 
 /// Returns none if the name has no quilt part. Throws Error for zero tiles or aspect.

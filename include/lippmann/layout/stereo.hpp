@@ -45,12 +45,12 @@ Vec2i stereo_picture_size(StereoPacking packing, Vec2i stored);
 /// The inverse of stereo_picture_size(). Throws Error naming `where` if a side cannot be halved.
 Vec2i stored_view_size(StereoPacking packing, Vec2i picture, const std::string& where);
 
-/// For writing: pixel i of the picture takes pixel map[i] of a stack of the left view above the right view, each of size
-/// `stored`.
+/// For writing: returns for each pixel of the picture the index of its source in a stack, where the left view is above the
+/// right view. Each view has the size `stored`.
 std::vector<std::uint32_t> stereo_pixels(const StereoLayout& layout, Vec2i stored);
 
-/// For reading: pixel i of the stack takes pixel map[i] of the picture, which holds two views of size `stored`. Views in the
-/// stack have half this height for kRows.
+/// For reading: returns for each pixel of the stack the index of its source in the picture, which holds two views of size
+/// `stored`. For kRows, views in the stack have half the height of `stored`.
 std::vector<std::uint32_t> pixels_of_stereo(const StereoLayout& layout, Vec2i stored);
 
 /// Returns the stereo part of a file name: _2x1 or _half_2x1 (side by side, as in Leia's programs), _ou or _half_ou

@@ -30,8 +30,8 @@ Crop read_crop(const std::string& text, const std::string& flag);
 /// Error naming `flag`.
 KeptViews read_kept_views(const std::string& text, const std::string& flag);
 
-/// kept_number() is the new number of a view of `grid`, or none if it is dropped. Both throw a usage Error naming `flag` if the
-/// selection exceeds the grid.
+/// Return the grid of the kept views, and the new number of a view of `grid` (none if the view is dropped). Throw a usage Error
+/// naming `flag` if the selection exceeds the grid.
 ViewGrid kept_grid(ViewGrid grid, const KeptViews& kept, const std::string& flag);
 std::optional<int> kept_number(int view, ViewGrid grid, const KeptViews& kept, const std::string& flag);
 
