@@ -18,7 +18,7 @@ namespace {
 constexpr int kSeeds = 5, kQuickSeeds = 2, kFramesPerSeed = 4;
 
 struct Intervals {
-  /// frames whose interval contains the true PSNR (`contain`), is below it (`too_low`) or above it (`too_high`)
+  /// numbers of all frames, and of frames whose interval contains, is below or is above the true PSNR
   int frames = 0, contain = 0, too_low = 0, too_high = 0;
   int bounded = 0;  ///< frames with an estimate and an interval; other frames have only a lower bound
   /// sums over the bounded frames of the estimate minus the true PSNR, and of the width of the interval

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Compares eye views through lenses of 2 to 10 pixels with one through lenses of 1 pixel.
+"""Compares eye views through lenses of 2 to 10 pixels with an eye view through lenses of 1 pixel.
 
 Prints PSNR and SSIM. All pictures are 360x360 pixels from the middle of the viewing zone, where the eye sees one pixel of each lens.
   bench/lens_width.py LIPPMANN [FOLDER]     FOLDER keeps the pictures, FOLDER/SCENE-WIDTH-eye/eye_0000.png

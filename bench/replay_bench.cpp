@@ -1,6 +1,7 @@
-// Compares, for each of 25 eyes inside the viewing zone, what the eye sees through a lens array that shows the built-in
-// room with a pinhole view rendered for the eye. PSNR is computed for all pixels and for four ranges of depth, relative
-// to the depth budget: the gap times the number of pixels per lens, beyond which a pixel is wider than a lens.
+// Compares two pictures for each of 25 eyes inside the viewing zone: what the eye sees of the built-in room through a lens
+// array, and a pinhole view rendered for this eye. PSNR is computed for all pixels and for four ranges of depth. The ranges are
+// fractions of the depth budget, which is the gap times the number of pixels per lens. Beyond this depth, a pixel is wider than
+// a lens.
 #include <fmt/core.h>
 
 #include <algorithm>

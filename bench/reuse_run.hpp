@@ -46,11 +46,11 @@ struct ReuseRun {
 
 struct ReuseMethod {
   std::string name;
-  RenderParams params;  ///< includes the kind of reuse; for interpolation, a key frame interval of 2, 4 or 8, or none
+  RenderParams params;  ///< with the kind of reuse; for interpolation, its key frame interval is 2, 4, 8 or empty
 };
 
-/// Returns one run for each method. Throws Error if a fully traced frame, or a frame made by exact reuse, differs from the
-/// traced frame in any bit.
+/// Returns one run for each method. Throws Error if a frame of an exact method (full tracing or copying) differs in any bit
+/// from the frame that the benchmark traced as the reference.
 std::vector<ReuseRun> run_reuse(const BenchAnimation& animation, const std::vector<ReuseMethod>& methods,
                                 const Request& request, const Context& context, int rounds = 1);
 

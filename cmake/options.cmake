@@ -48,7 +48,7 @@ function(lippmann_may_join target)
   if(LIPPMANN_UNITY)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-      # GCC warns of members with types of unnamed namespaces in included files, and takes joined sources for included files.
+      # GCC warns of members with types of unnamed namespaces in included files, and treats joined sources like included files.
       target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
     endif()
   endif()
@@ -112,7 +112,7 @@ function(lippmann_test name)
     set_tests_properties(${name} PROPERTIES LABELS quick TIMEOUT ${LIPPMANN_TEST_TIMEOUT})
   else()
     # DISCOVERY_TIMEOUT: on a loaded machine, listing the tests of a program may take far longer than CMake's default of 5 s.
-    # NO_PRETTY_VALUES: structs would be printed as bytes and include pointers.
+    # NO_PRETTY_VALUES: otherwise, test names would contain the bytes of parameters, which include pointers.
     gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 120 NO_PRETTY_VALUES
       PROPERTIES TIMEOUT ${LIPPMANN_TEST_TIMEOUT})
   endif()

@@ -29,7 +29,7 @@ std::string suggestion(const std::string& word, const CLI::App& command) {
       names.push_back(sub->get_name());
   }
   const std::vector<std::string_view> candidates(names.begin(), names.end());
-  // Leading dashes would make any two short flags similar.
+  // Compare names without dashes, because leading dashes would make any two short flags similar.
   const std::string_view dashes = word.starts_with("-") ? "--" : "";
   const std::string name = word.substr(std::min(word.find_first_not_of('-'), word.size()));
   const std::string nearest = nearest_name(name.substr(0, name.find('=')), candidates);

@@ -28,8 +28,8 @@ namespace {
 
 constexpr int kFailed = 1;  ///< exit code
 
-/// Returns the path by which the tool was called, or "lippmann" if it was called without a path. The tool prints it in
-/// commands, so that these can be run.
+/// Returns the path by which the tool was called, or "lippmann" if it was called without a path. Commands that the tool prints
+/// begin with this name, so that the user can run them.
 std::string program_name(int argc, char** argv) {
   const std::string_view word = argc > 0 ? argv[0] : "";
   return word.find('/') == std::string_view::npos ? "lippmann" : shell_word(word);

@@ -1,4 +1,4 @@
-// Prints text. If the reader of a pipe has gone, nothing throws; main() reports it at the end.
+// Prints text. Does not throw if the reader of a pipe has gone; main() reports the failure at the end.
 #pragma once
 
 #include <fmt/core.h>

@@ -18,7 +18,7 @@ struct SheetFlags {
 
   /// Returns the name of the first flag that is given, or an empty string.
   std::string first_given() const;
-  /// Returns whether --view-angle affects the pitch of the print. It does not if the pitch was measured, as --visual-lpi.
+  /// Returns whether --view-angle affects the pitch of the print. It does not if --visual-lpi states a measured pitch.
   bool pitch_depends_on_angle(bool has_viewing_distance) const {
     return are_given() && visual_lpi.empty() && has_viewing_distance;
   }

@@ -33,7 +33,7 @@ LATER = {"Specular": "Specular IOR Level", "Transmission": "Transmission Weight"
 
 
 def socket(node, key):
-    """Returns the input of a node with the number or name `key`, or with its later name (LATER)."""
+    """Returns an input of a node. key: its number, or its name before Blender 4.0."""
     later = LATER.get(key)
     return node.inputs[later if later and later in node.inputs else key]
 
@@ -172,7 +172,7 @@ class Surface:
         return self.node("ShaderNodeMixShader", {0: share, 1: shader, 2: coat})
 
     def glowing(self, shader, source):
-        """The importer drops the emission texture if the factor is not grey."""
+        """Adds the emission with its texture, which the importer drops if the factor is not grey."""
         factor = source.get("emissiveFactor", [0.0, 0.0, 0.0])
         if not any(factor):
             return shader

@@ -1,5 +1,5 @@
-"""Compares each renderer's picture of a scenario with the median of the others', in front of plain
-grey.
+"""Compares each renderer's picture of a scenario with the median of the other renderers' pictures.
+All pictures are placed in front of plain grey.
 
 Only pixels that are covered in at least one picture count, because all renderers agree about an
 empty background.
@@ -23,7 +23,7 @@ def psnr(a, b, counted):
 
 def noise(few, many, times):
     """Returns the mean squared noise of the picture `many`, from its difference to `few`, which has independent noise
-    and 1 / `times` of the samples. For stratified samples, it is an upper bound."""
+    and 1 / `times` of the samples. For stratified samples, the result is an upper bound."""
     counted = (few[..., 3] > 0) | (many[..., 3] > 0)
     a, b = pictures.before_grey(few).astype(float), pictures.before_grey(many)
     return float(np.mean((a[counted] - b[counted])**2) / (times + 1)) if counted.any() else 0.0

@@ -29,7 +29,7 @@ class Zone:
     width: float
     height: float
     distance: float    # from the plane to the viewer
-    budget: float      # depth that is sharp, in front of the plane and the same behind it
+    budget: float      # depth that is sharp on each side of the plane
     cone: float        # full angle of the viewing zone, in radians
     per_mm: float      # length of a millimetre of the display
     near: float = 0.0  # walls nearer to the viewer than this may be cut; 0: none are cut

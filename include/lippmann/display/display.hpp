@@ -115,9 +115,9 @@ double viewing_distance_mm(const Display& display);
 /// Returns the optics model of a slanted panel for a viewer at `distance_mm`.
 SlantedPanel slanted_panel(const Display& display, double distance_mm);
 
-/// Returns the optics of the display's own pixels for a viewer at its viewing distance. The cells of a lenticular sheet or a
-/// microlens array converge to the viewer. A cell boundary lies at the panel's centre unless phase_px is set. The result passes
-/// validate().
+/// Returns the optics of the display's own pixels for a viewer at its viewing distance. The panel areas below the lenses
+/// (cells) of a lenticular sheet or a microlens array converge to the viewer. A cell boundary lies at the panel's centre unless
+/// phase_px is set. The result passes validate().
 Optics native_optics(const Display& display);
 
 /// Returns the optics of the display's quilt (a MultiView), or nothing if the display has no quilt. Each tile of the quilt,

@@ -30,9 +30,9 @@ void require_own_frame(const Display& display);
 /// Throws a usage Error if the display is not a slanted panel, or if the views form more than one row.
 Picture interlace(const LightField& field, const Display& display, const InterlaceParams& params, const ThreadPool& pool);
 
-/// Extracts `count` views of `view_size` pixels from a frame. Each sample takes the nearest sub-pixel that lies within it and
-/// shows its view, or else the value of the nearest sample in its row. Throws Error naming `where` if the picture does not have
-/// the panel's size.
+/// Extracts `count` views of `view_size` pixels from a frame. A pixel of a view takes the value of the nearest sub-pixel that
+/// lies inside the pixel and shows the view. Without such a sub-pixel, it takes the value of the nearest pixel in its row.
+/// Throws Error naming `where` if the picture does not have the panel's size.
 LightField deinterlace(const Picture& frame, const Display& display, int count, Vec2i view_size, const std::string& where,
                        const ThreadPool& pool);
 

@@ -51,7 +51,7 @@ struct LightField {
 /// the cameras are unknown.
 std::vector<PosedCamera> posed_cameras(const LightField& field, const std::string& where);
 
-/// Returns width / height of a view's pixels. Results near 1 are exactly 1, because the sides of views are rounded.
+/// Returns width / height of a view's pixels. Rounds results near 1 to 1, because the view size is rounded to whole pixels.
 double pixel_aspect(const LightField& field);
 
 inline Vec2i stack_size(const LightField& field) { return {field.view_size.x, field.view_size.y * field.grid.count()}; }

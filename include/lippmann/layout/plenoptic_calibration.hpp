@@ -11,8 +11,8 @@ namespace lippmann {
 
 inline constexpr double kLeastLensPitchPx = 2.0, kMostLensPitchPx = 4096.0;
 
-/// The lens grid as a user states it, in pixels from the top left of the picture. Without pitch_px, `white` gives the grid. All
-/// members that describe a grid need pitch_px.
+/// The lens grid as a user states it, in pixels from the top left of the picture. Without pitch_px, the grid is fitted to
+/// `white`, and the other members that describe the grid must be empty.
 struct PlenopticSettings {
   std::filesystem::path white = {};         ///< picture of uniform white light by the same camera; empty: none
   std::optional<double> pitch_px = {};      ///< from kLeastLensPitchPx to kMostLensPitchPx, as row_pitch_px

@@ -36,7 +36,8 @@ struct LenticularSheet {
   float gap_mm = 2.0f;
   float slant = 0.0f;      ///< angle between the lenses and the vertical in radians, |slant| < pi/2
   float offset_mm = 0.5f;  ///< xi coordinate of the centre of lens 0
-  /// Distance at which the cells converge. If infinite, each cell lies straight below its lens.
+  /// Distance at which the cells converge. A cell is the panel area below one lens. If the distance is infinite, each cell lies
+  /// straight below its lens.
   float viewing_distance_mm = kInfinity;
   /// Y of the point to which the rays of all pixel rows converge, if viewing_distance_mm is finite.
   float eye_height_mm = 0.0f;
