@@ -9,8 +9,8 @@
 namespace lippmann::bench {
 namespace {
 
-/// The mean squared error is the mean product of the differences from the two halves of the reference, which have independent
-/// noise.
+/// Estimates the mean squared error as the mean of (test - first) (test - second). The noise of the two references `first` and
+/// `second` is independent, and averages to 0 in the product.
 struct SquaredError {
   double sum = 0.0;
   std::size_t count = 0;

@@ -25,8 +25,8 @@ struct ViewStack {
 
 using Frames = std::vector<Image8>;
 
-/// A converged frame that is rendered twice with independent random numbers. In the product of a frame's differences from both
-/// halves, the noise of the reference averages to 0.
+/// Two converged renders (halves) of one frame with independent random numbers. In the product of a test frame's differences
+/// from both halves, the noise of the halves averages to 0.
 using Reference = std::array<Image8, 2>;
 using References = std::vector<Reference>;
 

@@ -117,7 +117,7 @@ class ReplayBench {
   double eye_z_mm_ = 0.0;
 };
 
-/// Returns the PSNR of codes over the pixels selected by `wanted`, or infinity if there are none.
+/// Returns the PSNR of codes over the pixels selected by `wanted`, or infinity if no pixel is selected.
 template <class Wanted>
 double psnr_where(const Image8& a, const Image8& b, const Wanted& wanted) {
   double sum = 0.0;

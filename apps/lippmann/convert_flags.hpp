@@ -34,7 +34,7 @@ struct ConvertOptions {
   PlenopticFlags plenoptic;
 
   bool has_display() const { return !display.empty() || sheet.are_given(); }
-  /// Requires has_display(). Throws a usage Error naming the flag.
+  /// Requires has_display(). Throws a usage Error naming an invalid flag.
   Display read_display() const;
 };
 

@@ -16,7 +16,7 @@ struct DisplayPictureFlags {
   std::optional<int> turn_deg;
   std::optional<double> blend, bleed_mm, view_shift_px;
 
-  /// Throws a usage Error naming the flag.
+  /// Throws a usage Error naming an invalid flag.
   DisplayPictureParams read(const InterlaceParams& interlace) const;
 };
 

@@ -20,7 +20,7 @@ struct LightFieldFlags {
   /// Returns the display that --display or the sheet flags describe, or an empty string. Throws a usage Error if both are
   /// given.
   std::string named_display() const;
-  /// Throws a usage Error naming the flag.
+  /// Throws a usage Error naming an invalid flag.
   LightFieldHints read() const;
 };
 

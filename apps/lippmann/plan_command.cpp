@@ -1,4 +1,4 @@
-// `lippmann plan SCENE --units N`: cuts a job into units and estimates their cost.
+// `lippmann plan SCENE --units N`: divides a job into N parts (units), and estimates their cost.
 #include <fmt/core.h>
 
 #include <algorithm>

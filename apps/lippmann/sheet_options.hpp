@@ -27,7 +27,7 @@ struct SheetOptions {
   PitchStep pitch_step() const;
   BarDirection bar_direction() const;
   LensSpec lens_spec() const;
-  /// Returns the sheet. Test prints have the paper size A4 by default. Throws a usage Error naming the flag.
+  /// Returns the sheet. Test prints have the paper size A4 by default. Throws a usage Error naming an invalid flag.
   Display read_sheet() const;
 };
 

@@ -1,4 +1,4 @@
-// `lippmann submit JOB`: cuts a job into units and writes them for Slurm, a render farm or a shell.
+// `lippmann submit JOB`: divides a job into parts, and writes tasks for Slurm, a render farm or a shell that render the parts.
 #include <fmt/core.h>
 
 #include <algorithm>

@@ -83,7 +83,7 @@ Reuse resolved_reuse(const FrameParams& params);
 /// parameter as in job files (min-psnr for min_psnr_db) and the accepted values.
 void check(const FrameParams& params, const Optics& optics);
 
-/// Checks that need no optics. Throws a usage Error.
+/// Like the function above, but only for the checks that need no optics. Throws a usage Error.
 void check(const FrameParams& params);
 
 }  // namespace lippmann

@@ -36,7 +36,7 @@ struct Converted {
   bool drops_poses = false;                ///< the output format cannot store the input's LightField::poses
   std::vector<std::string> left_out = {};  ///< data that the output format cannot store, such as "12 points"
   std::string fitted = {};                 ///< how views were resampled for a display; empty: not resampled
-  std::string too_coarse = {};             ///< ViewFitter::coarseness()
+  std::string too_coarse = {};             ///< result of ViewFitter::coarseness()
   double lost_pixel_aspect = 1.0;  ///< width / height of the pixels, if the output format assumes square pixels; otherwise 1
   /// True: the output format can store cameras (depth), but no view of the input has them.
   bool lacks_cameras = false, lacks_depth = false;

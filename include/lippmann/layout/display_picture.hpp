@@ -50,16 +50,17 @@ struct DisplayPictureParams {
   PrintFinish finish = {};              ///< only for lenticular sheets and microlens arrays
 };
 
-/// Named like the formats in layout/formats.hpp.
+/// The picture to make. layout/formats.hpp has formats with the same names.
 enum class DisplayTarget { kIntegral, kQuilt, kNative };
 
 /// Throws a usage Error naming `display` if `format` is not integral, quilt or native, or if the display has no such picture.
 DisplayTarget display_target(const Display& display, std::string_view format);
 
-/// kStretch for native frames, because players of such panels sample views of any size; kCrop for other pictures.
+/// Returns kStretch for native frames, because players for slanted panels accept views of any size, and kCrop for other
+/// pictures.
 AspectFit default_fit(DisplayTarget target);
 
-/// "native" for slanted panels, "integral" for other displays.
+/// Returns "native" for slanted panels, and "integral" for other displays.
 std::string_view own_format(const Display& display);
 
 class ViewFitter {
@@ -72,8 +73,7 @@ class ViewFitter {
   /// wider than the picture.
   ViewFitter(const Display& display, DisplayTarget target, AspectFit fit, const ThreadPool& pool, double view_shift_px = 0.0);
 
-  /// `aspect` is width / height of the scene area that the view shows. `number` is the view's number in `grid`, which
-  /// determines its shift. Throws Error if the view's size differs from the first view's, and a usage Error naming `view-shift`
+  /// `aspect` is width / height of the scene area that the view shows. `number` is the view's number in `grid` and determines the shift of the view. Throws Error if the view's size differs from the first view's, and a usage Error naming `view-shift`
   /// if the shifts leave less than half of the view.
   Picture fitted(const Picture& view, double aspect, int number = 0, ViewGrid grid = {1, 1});
   /// Fits all views of a light field in place.

@@ -24,7 +24,8 @@ Image views_of_layer(const Image& layer, const Optics& optics);
 /// picture. Throws Error if the film's size differs from film_size().
 Image picture_of_film(const Image& film, const Optics& optics);
 
-/// For a slanted panel, each pixel takes the value of its middle sub-pixel.
+/// Like picture_of_film(), but for an extra layer such as depth. For a slanted panel, each pixel takes the value of its middle
+/// sub-pixel.
 Image picture_of_layer(const Image& layer, const Optics& optics);
 
 }  // namespace lippmann

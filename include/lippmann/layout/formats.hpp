@@ -31,7 +31,7 @@ struct FormatOptions {
   std::optional<ViewGrid> views = {};
   /// A quilt's tiles across and up. None: from its name, or the arrangement closest to a square.
   std::optional<ViewGrid> tiles = {};
-  /// Width / height of the display, for a quilt's file name. None: of the light field.
+  /// Width / height of the display, for a quilt's file name. None: LightField::aspect.
   std::optional<double> aspect = {};
   bool with_depth = false;                ///< also reads a rendered picture's depth layer, if it exists
   std::optional<int> bits = {};           ///< bits per sample of PPM files, 1 ... 16; none: as in the source
@@ -105,7 +105,7 @@ LightFieldFormat rgbd_format();
 LightFieldFormat cvkit_format();
 LightFieldFormat lytro_format();
 
-/// in the order of --help
+/// Returns all formats, in the order of --help.
 const std::vector<LightFieldFormat>& light_field_formats();
 
 /// Returns the names of the formats that can be written, in the order of --help.

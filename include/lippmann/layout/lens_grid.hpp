@@ -31,16 +31,17 @@ struct LensGrid {
   bool operator==(const LensGrid&) const = default;
 };
 
-/// Equally spaced lenses: the row pitch is pitch_px for a square grid, pitch_px sqrt(3) / 2 for a hexagonal one.
+/// Returns a grid of equally spaced lenses. The row pitch is pitch_px for a square grid, and pitch_px sqrt(3) / 2 for a
+/// hexagonal grid.
 LensGrid lens_grid(double pitch_px, double rotation, Vec2d offset_px, LensArrangement arrangement);
 
-/// None for optics other than a plenoptic camera.
+/// Returns the lens grid of a plenoptic camera, or none for other optics.
 std::optional<LensGrid> lens_grid_of(const Optics& optics);
 
-/// The same lenses in the picture with x and y exchanged.
+/// Returns the same lenses for a picture with x and y exchanged.
 LensGrid transposed(const LensGrid& grid);
 
-/// For kHexagonalColumns, call transposed() first.
+/// Returns the centre of a lens in pixels. For kHexagonalColumns, call transposed() first.
 Vec2d lens_centre(const LensGrid& grid, int column, int row);
 
 /// Settings for turning a raw picture into views.

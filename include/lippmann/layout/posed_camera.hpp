@@ -18,13 +18,13 @@ struct PosedCamera {
   Vec3d position_mm{0.0};
 };
 
-/// Meaningless for points behind the camera.
+/// Returns the pixel that shows a point. The result is meaningless for points behind the camera.
 inline Vec2d projected(const PosedCamera& camera, Vec3d point_mm) {
   const Vec3d c = glm::transpose(camera.rotation) * (point_mm - camera.position_mm);
   return camera.principal_px + camera.focal_px * Vec2d(c.x, -c.y) / -c.z;
 }
 
-/// The depth is measured along the camera's axis.
+/// Returns the point that a pixel shows at a depth. The depth is measured along the camera's axis.
 inline Vec3d unprojected(const PosedCamera& camera, Vec2d pixel, double depth_mm) {
   const Vec2d slope = (pixel - camera.principal_px) / camera.focal_px * Vec2d(1.0, -1.0);
   return camera.position_mm + camera.rotation * (depth_mm * Vec3d(slope, -1.0));

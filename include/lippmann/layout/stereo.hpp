@@ -57,7 +57,7 @@ std::vector<std::uint32_t> pixels_of_stereo(const StereoLayout& layout, Vec2i st
 /// (over-under, as in headset players), or _rows. If the right eye is first, _rl follows.
 std::string stereo_ending(const StereoLayout& layout);
 
-/// None if the name has no stereo part.
+/// Returns the layout that a file name states, or none if the name has no stereo part.
 std::optional<StereoLayout> parse_stereo_name(const std::filesystem::path& path);
 
 /// Remove the stereo part of a name, or replace it by stereo_ending(layout).

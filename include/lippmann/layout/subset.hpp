@@ -8,7 +8,7 @@
 
 namespace lippmann {
 
-/// in pixels from the top left corner of a view
+/// A rectangle in a view, in pixels. `offset` is the distance from the top left corner of the view.
 struct Crop {
   Vec2i size{0, 0}, offset{0, 0};
 };
@@ -18,7 +18,7 @@ struct ViewRange {
   int first = 0, last = -1, step = 1;
 };
 
-/// Columns of views from the left, and rows from the lowest.
+/// Views to keep. Columns count from the left, and rows from the lowest.
 struct KeptViews {
   ViewRange columns{}, rows{};
 };

@@ -59,8 +59,7 @@ struct Parallax {
 };
 Parallax parallax_of(const Optics& optics);
 
-/// Returns the number of distinct views across and up: the number of pixels below a lens, rounded up, or the number of the
-/// optics' views.
+/// Returns the number of distinct views across and up. For lenses, it is the number of pixels below a lens, rounded up.
 Vec2i view_counts(const Optics& optics);
 
 /// Returns the size of a picture with square pixels that has at least as many samples as lens_grid().
