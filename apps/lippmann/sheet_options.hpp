@@ -33,7 +33,7 @@ struct SheetOptions {
 
 void add_sheet_options(const Command& command, SheetOptions& options);
 
-/// Throws a usage Error for a flag that has no effect on this kind.
+/// Throws a usage Error for a flag that has no effect on this kind of sheet.
 void refuse_idle_flags(const SheetOptions& options);
 
 }  // namespace lippmann::app

@@ -34,7 +34,7 @@ struct DatasetParams {
 };
 
 struct DatasetReport {
-  int wanted = 0;  ///< number of samples of this run's units
+  int wanted = 0;  ///< number of samples that DatasetParams::unit selects
   /// kept: samples that were complete before. made: rendered samples.
   int kept = 0, made = 0;
   double seconds = 0.0;  ///< time of rendering and writing

@@ -73,8 +73,9 @@ class ViewFitter {
   /// wider than the picture.
   ViewFitter(const Display& display, DisplayTarget target, AspectFit fit, const ThreadPool& pool, double view_shift_px = 0.0);
 
-  /// `aspect` is width / height of the scene area that the view shows. `number` is the view's number in `grid` and determines the shift of the view. Throws Error if the view's size differs from the first view's, and a usage Error naming `view-shift`
-  /// if the shifts leave less than half of the view.
+  /// `aspect` is width / height of the scene area that the view shows. `number` is the view's number in `grid` and determines
+  /// the shift of the view. Throws Error if the view's size differs from the first view's, and a usage Error naming
+  /// `view-shift` if the shifts leave less than half of the view.
   Picture fitted(const Picture& view, double aspect, int number = 0, ViewGrid grid = {1, 1});
   /// Fits all views of a light field in place.
   void fit(LightField& field);

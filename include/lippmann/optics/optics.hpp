@@ -47,7 +47,8 @@ struct LenticularSheet {
 enum class LensPacking { kSquare, kHexagonal };
 
 /// Spherical lenslets, with parallax in both directions. In hexagonal packing, rows are lens_pitch * sqrt(3)/2 apart, and odd
-/// rows are shifted by half a pitch. A pixel belongs to the lens with the nearest cell centre.
+/// rows are shifted by half a pitch. The cell of a lens is the panel area below it. A pixel belongs to the lens with the
+/// nearest cell centre.
 struct MicrolensArray {
   LensPacking packing = LensPacking::kSquare;
   float lens_pitch_mm = 1.0f;
@@ -258,8 +259,8 @@ Vec2i film_size(const Optics& optics);
 /// Returns the design viewing distance, or infinity if the cells of the lenses do not converge.
 float viewing_distance_mm(const Optics& optics);
 
-/// Returns the full horizontal angle of the viewing zone: 2 atan(cell / 2 gap) for lens arrays, the view cone for multi-view
-/// and slanted panels, and 0 for a single view.
+/// Returns the full horizontal angle of the viewing zone. For lens arrays, it is 2 atan(cell / (2 gap)), where the cell is the
+/// width of the panel area below one lens. It is the view cone for multi-view and slanted panels, and 0 for a single view.
 float viewing_zone(const Optics& optics);
 
 /// Returns the |z| beyond which views alias, with the pixel pitch m, the lens pitch p, the gap g and the eye distance D:
