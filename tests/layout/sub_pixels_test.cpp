@@ -16,7 +16,8 @@ Image counting_film() {
 TEST(SubPixels, joins_colours_of_sub_pixels) {
   const Image frame = join_sub_pixels(counting_film());
   EXPECT_EQ(Vec2i(frame.width, frame.height), Vec2i(2, 2));
-  // Colour c of pixel i in row j comes from film pixel (3 i + c, j), whose value here is 18 j + 3 (3 i + c) + c.
+  // The film is 6 pixels wide, and channel c of its pixel (x, y) has the value 18 y + 3 x + c. Colour c of frame pixel
+  // (i, j) is channel c of film pixel (3 i + c, j).
   EXPECT_EQ(frame.data, (std::vector<float>{0, 4, 8, 9, 13, 17, 18, 22, 26, 27, 31, 35}));
 }
 

@@ -68,7 +68,7 @@ TEST(ViewLayout, lenticular_views_run_left_to_right) {
   for (std::size_t view = 0; view < 8; ++view) {
     const std::uint32_t pixel = pixels[12 * view];
     const Ray ray = ray_of_pixel(optics, {static_cast<float>(pixel % 24) + 0.5f, static_cast<float>(pixel / 24) + 0.5f});
-    // rays run away from the eye, towards -z
+    // A ray from an eye further right runs further left and towards -z, so its x / z is larger.
     const float eye_x = ray.direction.x / ray.direction.z;
     EXPECT_GT(eye_x, last) << "view " << view;
     last = eye_x;

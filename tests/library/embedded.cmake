@@ -25,6 +25,6 @@ execute_process(COMMAND ${CMAKE_COMMAND} -G Ninja -S ${WORK} -B ${WORK}/build -D
 
 # A dry run (-n) checks that the build has rules for everything, without compiling the library again.
 execute_process(COMMAND ${CMAKE_COMMAND} --build ${WORK}/build --target program -- -n COMMAND_ERROR_IS_FATAL ANY)
-# Compiles with the include directories and options that the library exports.
+# Compiles one example with the include directories and options that the library exports.
 execute_process(COMMAND ${CMAKE_COMMAND} --build ${WORK}/build --target CMakeFiles/program.dir${SOURCE}/examples/library/look.cpp.o
   COMMAND_ERROR_IS_FATAL ANY)

@@ -17,7 +17,8 @@ using Json = nlohmann::ordered_json;
 using test::TempDir;
 using testing::HasSubstr;
 
-/// 270 million paths take long, but a change can interrupt them between two tiles.
+/// A slow render: 1024 x 256 pixels with 1024 samples are 270 million paths. A change can interrupt it between two
+/// tiles.
 RenderParams slow_room() {
   RenderParams params = test::small_room();
   params.optics.size = {1024, 256};

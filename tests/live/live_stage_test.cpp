@@ -18,7 +18,7 @@ RenderParams room_of_paths() {
   return params;
 }
 
-/// Counts the frames that begin: each time when the reported progress does not increase.
+/// Counts the frames that begin. A frame begins when the reported progress does not increase.
 class BegunFrames {
  public:
   explicit BegunFrames(Context& context) {

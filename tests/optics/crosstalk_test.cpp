@@ -29,8 +29,8 @@ TEST(Crosstalk, parses_a_share_as_sigma) {
   EXPECT_EQ(read_crosstalk("0%", "x"), 0.0);
   for (const double percent : {0.5, 10.0, 23.0})
     EXPECT_NEAR(neighbour_share(read_crosstalk(std::to_string(percent) + "%", "x")), 0.01 * percent, 1e-9) << percent;
-  // 10 % of the light is beyond half a pixel on each side, so 0.5 / sigma = 1.2816. 1e-4 of the light is beyond the
-  // neighbours.
+  // If 10 % of a Gaussian lies beyond half a pixel on each side, tables give 0.5 / sigma = 1.2816. The tolerance covers
+  // the 1e-4 of the light that falls beyond the neighbours.
   EXPECT_NEAR(read_crosstalk("10%", "x"), 0.5 / 1.2816, 2e-4);
 }
 

@@ -35,7 +35,8 @@ TEST(Lenticular, cell_centres_converge_to_the_eye) {
   sheet.viewing_distance_mm = 500.0f, sheet.eye_height_mm = 20.0f;
   const Optics optics{.panel = {}, .model = sheet};
   EXPECT_EQ(whole_pixels_per_lens(optics), Vec2i(8, 1));
-  // The ray of the edge between pixels 3 and 4 of a lens meets the eye at (0, 20, 500).
+  // Eight pixels lie below a lens. The ray from the middle, between pixels 3 and 4, passes through the eye at (0, 20,
+  // 500).
   for (int lens : {0, 7, 31, 32, 63})
     for (float row : {0.5f, 100.5f, 511.5f})
       expect_near(at_depth(ray_of_pixel(optics, {8 * lens + 4.0f, row}), 500.0f), {0.0f, 20.0f, 500.0f}, kPositionMm);
@@ -97,7 +98,7 @@ TEST(Lenticular, one_lens_is_two_pinholes) {
     for (int sample = 0; sample < 50; ++sample) {
       const Vec2f pixel(random.uniform(0, 80), random.uniform(0, 60));
       const Ray ray = ray_of_pixel(optics, pixel);
-      // Through a lens, a ray has the slope of a ray from the single view's eye through its picture plane.
+      // Horizontally, the ray has the slope of a pinhole at the lens; vertically, the slope of a pinhole at the viewer.
       EXPECT_NEAR(slope(ray).x, slope(ray_of_pixel(across, pixel)).x, kSlope);
       EXPECT_NEAR(slope(ray).y, slope(ray_of_pixel(along, pixel)).y, kSlope);
       EXPECT_NEAR(at_depth(ray, 0.0f).x, 0.0f, kPositionMm);
@@ -130,7 +131,7 @@ TEST(Microlens, one_near_lens_is_a_pinhole) {
     const Vec2f pixel(random.uniform(0, 64), random.uniform(0, 64));
     const Ray lens = ray_of_pixel(optics, pixel), eye = ray_of_pixel(pinhole, pixel);
     expect_near(lens.direction, eye.direction, kSlope);
-    // The single view's pinhole is `gap` in front of the plane z = 0, but the lens is in that plane.
+    // The pinhole is at z = `gap`, and the lens at z = 0, so the comparison shifts points by `gap`.
     expect_near(at_depth(lens, -20.0f), at_depth(eye, gap - 20.0f) - Vec3f(0, 0, gap), kPositionMm);
   }
 }
@@ -156,7 +157,7 @@ TEST(Microlens, hexagonal_rows_are_shifted_and_closer) {
 
 TEST(Microlens, hexagonal_offset_shifts_the_lattice) {
   MicrolensArray array{.packing = LensPacking::kHexagonal, .lens_pitch_mm = 1.0f, .gap_mm = 2.0f, .offset_mm = {0.0f, 0.0f}};
-  // Row 0 moves up by an odd number of rows, so the row at y = 0 becomes odd.
+  // The offset moves row 0 up by 3 rows, so the row at y = 0 becomes an odd row, which is shifted by half a pitch.
   array.offset_mm = {0.0f, 3.0f * std::sqrt(0.75f)};
   const Optics optics{.panel = {128, 128, 0.0625f}, .model = array};
   expect_near(at_depth(ray_of_pixel(optics, {64 + 0.4f / 0.0625f, 64.0f}), 0.0f), {0.5f, 0.0f, 0.0f}, kPositionMm);
@@ -301,8 +302,8 @@ TEST(SlantedPanel, sub_pixel_table_by_hand) {
     double v;
   } table[] = {{0, 0, 0, 25 / 48.0}, {0, 0, 1, 21 / 48.0}, {0, 0, 2, 17 / 48.0}, {3, 0, 1, 33 / 48.0},
                {1, 3, 0, 43 / 48.0}, {1, 3, 1, 39 / 48.0}, {1, 3, 2, 35 / 48.0}, {7, 2, 2, 17 / 48.0}};
-  // The eye is up to 130 mm from the middle, with an error of 1e-5 mm in single precision, and the cone is 240 mm wide
-  // there.
+  // Rounding in single precision moves the eye by about 1e-5 mm. The view cone is 240 mm wide at the eyes, so the view
+  // changes by less than 1e-6.
   constexpr double kView = 1e-6;
   for (const auto& [i, j, color, v] : table) {
     const Vec2f centre(3 * i + color + 0.5f, j + 0.5f);

@@ -69,9 +69,9 @@ TEST(Derived, default_sheet_has_28_degrees_and_16mm) {
 }
 
 TEST(Derived, slanted_panel_with_20_sub_pixels) {
-  // A lens is 20 sub-pixels of 0.1 mm wide. The cone of 2 atan(1/2) has 20 directions, 1/20 mm per mm of depth apart,
-  // so the depth budget is 2 mm / (1/20) = 40 mm. A sub-pixel covers 1 mm at a depth of 20 mm, and less than a pixel of
-  // 0.3 mm at 4 mm, both seen in perspective from 500 mm.
+  // A lens is 20 sub-pixels of 0.1 mm, or 2 mm, wide. The cone of 2 atan(1/2) contains 20 views, 1/20 mm apart per mm
+  // of depth, so the depth budget is 2 / (1/20) = 40 mm. At a depth of 20 mm, a view covers 20 / 20 = 1 mm. At 4 mm, a
+  // pixel of 0.3 mm is larger. From 500 mm, perspective scales pixels by 1 - z / 500.
   const Optics panel = with(SlantedPanel{.periods = 30.0, .view_cone = 2.0f * std::atan(0.5f)}, {200, 100, 0.3f});
   EXPECT_NEAR(depth_budget_mm(panel), 40.0f, 1e-4f);
   EXPECT_EQ(viewing_zone(panel), 2.0f * std::atan(0.5f));

@@ -27,8 +27,8 @@ Vec2f pixel_step(const Optics& optics, const Ray& ray, Vec3f wanted) {
   if (const auto* a = std::get_if<MicrolensArray>(&optics.model))
     return Vec2f(-miss.x, miss.y) * (a->gap_mm / (a->parallax * z * m));
   if (const auto* p = std::get_if<SlantedPanel>(&optics.model)) {
-    // A step `dy` along the column corrects y and moves the eye. Then a step `dx` along the row corrects x, with the
-    // effect of `dy`.
+    // A step `dy` along the column corrects y, but also moves the eye. The step `dx` along the row corrects x and this
+    // movement.
     const float shrink = 1.0f - z / p->distance_mm, pitch = film_size(optics).x / static_cast<float>(p->periods) * m;
     // x(z) = x(0) (1 - z / D) + eye z / D, with the viewing distance D
     const float eye = (passed.x - at_z0.x * shrink) * p->distance_mm / z;
@@ -53,8 +53,8 @@ bool on_panel(const Optics& optics, Vec2f p) {
   return p.x >= 0 && p.x < right && p.y >= top && p.y < optics.panel.height;
 }
 
-/// Returns all points of the panel whose rays pass through `point`. Starts at 9 points per pixel, because a cell at the
-/// panel's edge may contain no pixel centre.
+/// Returns all points of the panel whose rays pass through `point`. Starts at 9 points per pixel, because the part of a
+/// lens at the panel's edge may contain no pixel centre.
 std::vector<Vec2f> search(const Optics& optics, const RayGenerator& generator, Vec3f point) {
   std::vector<Vec2f> found;
   for (int j = 0; j < 3 * optics.panel.height; ++j)
@@ -67,7 +67,7 @@ std::vector<Vec2f> search(const Optics& optics, const RayGenerator& generator, V
       // On a slanted panel, the ray does not depend linearly on the pixel, so a second step corrects the first.
       if (glm::length(left) < 0.2f && on_panel(optics, there + left))
         there += left, left = pixel_step(optics, generator.ray(there), point);
-      if (glm::length(left) > 0.02f) continue;  // another lens or view
+      if (glm::length(left) > 0.02f) continue;  // the point lies below another lens or in another view
       const auto same = [&](Vec2f p) { return glm::distance(p, there) < 0.05f; };
       if (std::none_of(found.begin(), found.end(), same)) found.push_back(there);
     }
@@ -78,8 +78,8 @@ bool contains(const std::vector<Vec2f>& pixels, Vec2f p) {
   return std::any_of(pixels.begin(), pixels.end(), [p](Vec2f q) { return glm::distance(p, q) < 0.03f; });
 }
 
-/// Points nearer than this to the edge of a cell, a tile or the panel are not compared, because rounding decides their
-/// side.
+/// Distance in pixels from the edge of a lens's pixels, a tile or the panel. Points within this distance are not
+/// compared, because rounding decides on which side of the edge they lie.
 float edge_px(const Optics& optics) { return std::holds_alternative<SlantedPanel>(optics.model) ? 0.05f : 0.02f; }
 
 bool near_an_edge(const Optics& optics, const RayGenerator& generator, Vec2f p, Vec3f point) {
@@ -193,7 +193,7 @@ TEST(PixelsSeeingOrder, lenses_come_in_ascending_order) {
   ASSERT_EQ(n, Vec2i(8, 8));
   std::vector<int> lenses;
   for (const Vec2f& p : seeing) lenses.push_back(static_cast<int>(p.y) / n.y * 12 + static_cast<int>(p.x) / n.x);
-  // Lenses in each direction: |Z| / g = 6 mm / 2 mm = 3, for the depth Z and the gap g.
+  // With the depth Z and the gap g, |Z| / g = 6 mm / 2 mm = 3 lenses in each direction show the point.
   EXPECT_EQ(lenses.size(), 9u);
   EXPECT_TRUE(std::is_sorted(lenses.begin(), lenses.end()));
 }

@@ -97,8 +97,8 @@ TEST(Plenoptic, parallax_is_that_of_thin_lenses) {
   }
 }
 
-/// In a focused plenoptic camera, the plane z = 0 is imaged e = 3 mm in front of the array. The image I of a point
-/// appears below a lens at l at l + (l - I) b / e on the sensor, with the gap b = 1.5 mm.
+/// The main lens of a focused plenoptic camera forms the image I of a point in the plane z = 0, e = 3 mm in front of
+/// the array. The lens at l projects I to the sensor position l + (l - I) b / e, with the gap b = 1.5 mm.
 TEST(Plenoptic, focused_camera_repeats_points_below_lenses) {
   PlenopticCamera camera = some_camera();
   camera.array_shift_mm = 3.0f;
@@ -208,8 +208,8 @@ TEST(Plenoptic, parameters_without_a_camera_are_refused) {
   params = {};
   params.gap_mm = 60.0f;
   EXPECT_THAT(test::error_message([&] { camera_of(params); }), HasSubstr("gap"));
-  // With a gap of 0.1 mm, the array is 49.9 mm behind the main lens of 47.5 mm. At f/8, the aperture's image below a
-  // microlens is 47.5 / 8 * 0.1 / 49.9 mm wide: an eighth of a pixel.
+  // With a gap of 0.1 mm, the array is 49.9 mm behind the main lens, whose focal length is 47.5 mm. At f/8, the
+  // aperture's image below a microlens is 47.5 / 8 * 0.1 / 49.9 = 0.012 mm wide: an eighth of a pixel.
   params.gap_mm = 0.1f;
   EXPECT_THAT(test::error_message([&] { camera_of(params, 8.0f); }), HasSubstr("f-number: is 8: the image below each"));
 }

@@ -129,8 +129,8 @@ inline const char* name_of_kind(int kind) {
 
 inline std::string name_of_param(const testing::TestParamInfo<int>& kind) { return name_of_kind(kind.param); }
 
-/// A depth in mm from which tests derive depths: the gap, or for a slanted panel a multiple of the depth at which a
-/// lens shows one point over its full width.
+/// Scale of the depths in tests, in mm. For lens arrays, this is the gap; for slanted panels, a multiple of the depth
+/// at which a lens shows one point over its full width.
 inline float gap_of(const Optics& optics) {
   if (const auto* s = std::get_if<LenticularSheet>(&optics.model)) return s->gap_mm / s->parallax;
   if (const auto* a = std::get_if<MicrolensArray>(&optics.model)) return a->gap_mm / a->parallax;

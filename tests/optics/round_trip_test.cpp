@@ -1,4 +1,4 @@
-// From a pixel to its ray, to a point on this ray, and by pixels_seeing() back to the pixel.
+// Follows a pixel to its ray and to a point on this ray. pixels_seeing() must map the point back to the pixel.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -26,7 +26,7 @@ float rounding_px(const Optics& optics, const Ray& ray, float z) {
   if (const auto* s = std::get_if<LenticularSheet>(&optics.model)) per_mm += s->gap_mm / (std::abs(z) * m);
   if (const auto* a = std::get_if<MicrolensArray>(&optics.model)) per_mm += a->gap_mm / (std::abs(z) * m);
   // The error grows near the depth at which a lens of a slanted panel shows one point over its full width. The test
-  // depths differ from it by at least half.
+  // depths differ from this depth by at least half of it, so the error at most doubles.
   if (std::holds_alternative<SlantedPanel>(optics.model)) per_mm *= 2.0f;
   return 6e-8f * size * per_mm;
 }
@@ -107,7 +107,8 @@ TEST_P(RoundTrip, z_front_does_not_change_the_line) {
       const Vec2f pixel(random.uniform(0.0f, film_size(near).x), random.uniform(0.0f, near.panel.height));
       const Ray a = ray_of_pixel(near, pixel), b = ray_of_pixel(far, pixel);
       EXPECT_EQ(a.direction, b.direction);
-      // Positions are up to 1000 mm, and an error of the direction acts over 140 mm, both with relative errors of 6e-8.
+      // The tolerance covers relative rounding errors of 6e-8 in positions of up to 1000 mm, and in a direction over a
+      // distance of 140 mm.
       EXPECT_LT(glm::distance(test::at_depth(b, 10.0f), a.origin), 5e-4f);
     }
   }

@@ -35,7 +35,7 @@ TEST(ViewPlace, all_points_of_a_ray_coincide) {
       const Vec2f at = own_place(optics, pixel);
       for (const float z : {-40.0f, -3.0f, 5.0f, 50.0f}) {
         const Vec2f there = place(optics, pixel, at_depth(ray, z));
-        // Rays in single precision begin up to 1000 mm away.
+        // The tolerance covers rounding in single precision of rays that begin up to 1000 mm away.
         EXPECT_NEAR(there.x, at.x, 2e-2f) << seed << ": " << optics.model.index() << " at " << z;
         EXPECT_NEAR(there.y, at.y, 2e-2f) << seed << ": " << optics.model.index() << " at " << z;
       }

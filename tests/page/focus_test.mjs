@@ -45,7 +45,7 @@ test("a click focuses, with and without depth", async () => {
     }
     console.log(`${name}: at ${depth.toFixed(1)} mm`);
   }
-  // Without depth, the page compares views.
+  // Without stored depth, the page finds the depth by comparing views.
   const { lippmann, inFolder } = await import("./support.mjs");
   const { rmSync } = await import("node:fs");
   await page.evaluate((place) => window.lippmann.focusAt(...place), places.clock);

@@ -115,7 +115,7 @@ test("a render shows progress and can be cancelled", async () => {
   assert.equal(made.suggestedFilename(), "room.html");
   assert.ok(existsSync(inFolder("out/room/frame_0002.png")));
   await atRest();
-  // slow, because a finished render cannot be cancelled
+  // 512 samples make the render so slow that it can be cancelled before it ends.
   await page.evaluate(() => window.lippmann.setUp({ integrator: "path", spp: "512" }));
   await page.waitForFunction(() => window.lippmann.scene.settings.spp === "512");
   await page.getByRole("button", { name: "Render all frames" }).click();
@@ -161,7 +161,6 @@ test("the keyboard reaches controls and moves the plane", async () => {
   await page.keyboard.press("ArrowRight");
   await renderedAfter(before.version);
   assert.ok((await scene()).plane.distance > before.plane.distance);
-  // The console also shows refused settings (422) and closed idle connections.
 });
 
 // A tilted square before an infinitely distant background. From any eye, each row shows it as one connected part.

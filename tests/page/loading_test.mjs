@@ -34,7 +34,7 @@ test("a preview precedes the full picture", async () => {
   await page.evaluate(() => window.lippmann.set({ eye: [20, 0, window.lippmann.fields[0].eye_mm[2]] }));
   await page.waitForFunction((small) => document.querySelector("canvas").toDataURL() !== small, small);
   assert.equal(await page.getAttribute("#stage", "data-drawn"), "false");
-  // The browser may have dropped the body of the first response.
+  // The browser may have dropped the body of the first response, so the preview is requested again.
   const bytes = (await (await page.request.get((await preview).url())).body()).length;
   assert.ok(bytes > 1000 && bytes < 64e3, `${bytes} bytes`);
   release();

@@ -50,7 +50,7 @@ test("a coarse picture shows the same scene", async () => {
       return context.getImageData(0, 0, width, height).data;
     };
   });
-  // A pause would draw a picture at full resolution.
+  // Moves without a pause, because the page draws at full resolution as soon as the view rests.
   const divisor = await page.evaluate(async () => {
     const [x, y, z] = window.lippmann.fields[0].eye_mm;
     for (let i = 1; i <= 30; i++) {

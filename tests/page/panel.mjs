@@ -1,8 +1,8 @@
 // Shared helpers for tests of panels: compare the page's panel with a picture file, and drop files on the page.
 import { codesOf, inFolder, only } from "./support.mjs";
 
-/** Returns the greatest difference of a channel in codes, and the share of channels that differ, between the page's panel and
- *  a file. */
+/** Compares the page's panel with a file. Returns the greatest difference of a channel in codes, and the share of
+ *  channels that differ. */
 export async function differenceFrom(page, file) {
   return page.evaluate(({ width, height, data: wanted }) => {
     const shown = window.lippmann.panel();
@@ -28,9 +28,9 @@ export const drop = (page, name, text) =>
     [name, text],
   );
 
-/** Compares the panel beside the eye's view with its file, pixel by pixel, in the columns of the file from `from` to `to` (shares). Finds
- *  the panel by its caption, which is centred below it. shift: the distance of the panel's middle from the caption, in widths of the
- *  panel. */
+/** Compares the panel that is shown beside the eye's view with its file, pixel by pixel. from, to: range of columns, as
+ *  shares of the file's width. Finds the panel by its caption, which is centred below the panel. shift: offset of the
+ *  panel's middle from the caption, in widths of the panel. */
 export const besidePanel = async (page, folder, { from = 0, to = 1, shift = 0 } = {}) =>
   page.evaluate(
     ([{ width, height, data }, from, to, shift]) => {

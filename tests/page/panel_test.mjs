@@ -41,7 +41,7 @@ test("filtered views", async () => {
   await compare("gaussian", quilts[0], display, ["--filter", "gaussian", "--sigma", "0.8"]);
 });
 
-// In single precision, hundreds of sub-pixels would show a wrong view.
+// If the page computed in single precision, hundreds of sub-pixels would show a wrong view.
 test("a preset at full size", () => compare("portrait", quilts[0], "portrait"));
 
 test("a render behind a lenticular sheet", async () => {

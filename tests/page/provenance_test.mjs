@@ -57,7 +57,7 @@ test("the legend has the frame's shares", async () => {
   await set(page, { overlay: "provenance" });
   assert.deepEqual(await legend(page), ["traced 100.0\u2009%"]);
   await page.getByLabel("Overlay").selectOption("none");
-  // Only set() waits until changes of a select box are shown.
+  // Unlike set(), selectOption() does not wait until the page shows the change.
   await page.locator("#legend").waitFor({ state: "hidden" });
 });
 

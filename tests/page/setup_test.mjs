@@ -1,5 +1,5 @@
-// The layout of a scene that is set up: few lenses are shown as in a finished render, and the main controls are reached without scrolling
-// far.
+// Tests the page while a scene is set up. Panels of few lenses look as in a finished render, and the main controls need
+// little scrolling.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { besidePanel } from "./panel.mjs";

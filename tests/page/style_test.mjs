@@ -22,7 +22,7 @@ function contrast(a, b) {
   return (light + 0.05) / (dark + 0.05);
 }
 
-/** The colour of unfinished frames on the time line, a name of a variable. */
+/** Name of the CSS variable with the colour of unfinished frames on the time line. */
 const [, pending] = /\.marks \.pending \{\s*fill: var\(--(\w+)\);/.exec(style);
 
 test("black on white has a contrast of 21", () => assert.equal(contrast([0, 0, 0], [255, 255, 255]), 21));

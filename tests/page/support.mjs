@@ -110,7 +110,7 @@ async function serve(...words) {
   server.stderr.on("data", (text) => (errors += text));
   return new Promise((resolve, reject) => {
     server.stdout.once("data", (text) => resolve(String(text).trim()));
-    // Output may still arrive after "exit".
+    // "close" comes after all output, but "exit" may come before the last output.
     server.once("close", () => reject(new Error(errors)));
   });
 }

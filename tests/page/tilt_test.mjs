@@ -1,4 +1,4 @@
-// Tilting a device moves the eye, if it reports its orientation.
+// A tilt of the device moves the eye if the device reports its orientation.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { closeAfterEach, lenslets, open, view } from "./support.mjs";

@@ -29,7 +29,7 @@ class Files(Case):
                 if name == "hci":
                     # 9 views with depth and disparity, two more maps of the middle view, and parameters.cfg
                     self.assertEqual(len(files), 30)
-                    # float32 depths in metres, from cameras 500 mm away
+                    # The file stores depths from cameras 500 mm away, in metres, as float32, which rounds them.
                     np.testing.assert_allclose(again.depth, field.depth, atol=1e-3)
                     np.testing.assert_allclose(again.disparity, field.disparity, atol=1e-4)
                     np.testing.assert_allclose(again.eyes_mm, field.eyes_mm, atol=1e-4)
@@ -146,7 +146,7 @@ class Files(Case):
             self.assertSame(lippmann.open(self.folder / "stanford").views, views)
             shutil.rmtree(self.folder / "stanford")
         os.remove(side)
-        self.assertEqual(lippmann.open(quilt).shape, (1, 20, 8, 12, 3))  # the name states only the tiles
+        self.assertEqual(lippmann.open(quilt).shape, (1, 20, 8, 12, 3))  # the file name states only the tiles
 
     def test_pictures_of_arrays_are_quilts(self):
         views = np.random.default_rng(1).integers(0, 256, (1, 3, 8, 8, 3), dtype=np.uint8)

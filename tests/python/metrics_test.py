@@ -57,8 +57,8 @@ def luma(picture):
 
 
 def ssim(a, b):
-    """Returns the mean of Wang's equation 13. Each window is compared directly: variances and covariances are weighted means of
-    products of deviations from the window's mean."""
+    """Returns the mean SSIM (Wang et al. 2004, equation 13). In each window, variances and covariances
+    are weighted means of products of deviations from the window's mean."""
     weights = gaussian_window()
     a, b = (sliding_window_view(luma(p), weights.shape) for p in (a, b))
     mean_a, mean_b = (np.sum(weights * p, axis=(2, 3), keepdims=True) for p in (a, b))
@@ -193,8 +193,8 @@ def moving_pictures(count):
 
 
 def flicker(before, frame):
-    """Returns the flicker of a frame. The frame before is interpolated at p - motion(p): each of its pixels has the weight
-    max(0, 1 - |x|) max(0, 1 - |y|), where x and y are its distances from this place."""
+    """Returns the flicker of a frame. The frame before is interpolated bilinearly at p - motion(p) for
+    each pixel p."""
     (a0, b0, _), (a1, b1, motion) = before, frame
     height, width = motion.shape[:2]
     y, x = np.mgrid[:height, :width]

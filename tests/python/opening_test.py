@@ -1,4 +1,5 @@
-"""Tests what lippmann.open is told about files that do not state it: lenses of raw pictures, and cameras."""
+"""Tests arguments of lippmann.open that state what files leave out: lens grids of raw pictures, and
+cameras."""
 
 import warnings
 
@@ -37,7 +38,8 @@ class RawPictures(Case):
         return path
 
     def assertSlopes(self, views, tolerance):
-        """Expects that red grows by 0.5 / pitch per view to the right, and green per view upwards."""
+        """Expects that red grows by 0.5 / pitch per view to the right, and green by as much per view
+        upwards."""
         middle = views[:, :, 4:-4, 4:-4].mean(axis=(2, 3))
         np.testing.assert_allclose(np.diff(middle[..., 0], axis=1), 0.5 / PITCH, atol=tolerance)
         np.testing.assert_allclose(np.diff(middle[..., 1], axis=0), 0.5 / PITCH, atol=tolerance)

@@ -7,7 +7,7 @@
 namespace lippmann {
 namespace {
 
-/// Each of the four pixels around a position has a weight of at least 1e-6.
+/// Tolerance of positions. Interpolation gives each of the four pixels around a position a weight of at least 1e-6.
 constexpr double kWeights = 1e-5;
 
 /// A plane at the depth `z` mm, with a bright column at x = `lit`. The screen has 40 x 4 pixels of 1 mm, and is seen
@@ -127,8 +127,8 @@ TEST(DepthViews, other_pictures_fill_hidden_parts) {
   const DepthViews made = views_from_depths(std::vector{left, right}, three_eyes(), 1.0, pool);
   EXPECT_EQ(made.filled_share, 0.0);
   const Image middle = std::get<Image>(view_of(made.field, 1));
-  // From the left picture to the middle view, the wall moves by 4 pixels, so 4 columns at the edge and 4 beside the
-  // board come from the other picture.
+  // From the left picture to the middle view, the wall moves by 4 pixels. Therefore, 4 columns at the edge and 4
+  // columns beside the board come from the right picture.
   for (int x = 0; x < 40; ++x) EXPECT_EQ(middle.pixel(x, 2)[1], x < 4 || (x >= 25 && x < 29) ? 1.0f : 0.0f) << x;
   EXPECT_EQ(std::get<Image>(view_of(made.field, 0)).pixel(26, 2)[1], 0.0f);
   EXPECT_EQ(std::get<Image>(view_of(made.field, 2)).pixel(26, 2)[1], 1.0f);

@@ -49,7 +49,7 @@ double psnr_of_plane(const Image& picture) {
   return -10.0 * std::log10(squares / (picture.width * picture.height));
 }
 
-// focal length / pixel * baseline / distance
+// Disparity in pixels: focal length / pixel pitch * baseline / distance.
 constexpr double kTrialPx = 8.0 / 0.0024 * 6.25 / 130.0;
 
 TEST(Disparity, near_plane_is_refocused) {

@@ -21,8 +21,7 @@ TEST(EpipolarImage, row_of_whole_pixels_is_exact) {
   const Image epi = epipolar_row(panel, 4, SampleFilter::kNearest);
   ASSERT_EQ(Vec2i(epi.width, epi.height), Vec2i(30, 7));
   for (int eye = 0; eye < 7; ++eye)
-    // The eyes are on the line that pixel row 3 below the lenses of row 4 shows. The leftmost eye sees the rightmost
-    // pixel of each lens.
+    // All eyes see pixel row 3 of the pixels below lens row 4. The leftmost eye sees the rightmost pixel of each lens.
     for (int lens = 0; lens < 30; ++lens)
       ASSERT_EQ(epi.pixel(lens, eye)[1], panel.picture.pixel(7 * lens + 6 - eye, 7 * 4 + 3)[1]) << lens << " " << eye;
 }

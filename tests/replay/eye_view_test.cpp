@@ -58,7 +58,8 @@ TEST(EyeView, slanted_and_hexagonal_lenses_equal_direct_view) {
       const Vec2d at =
           s ? Vec2d(((k + 0.5) * pitch - 1.3 * std::sin(0.3)) / std::cos(0.3), 1.3) : Vec2d((k + 0.5) * pitch, 0.5 * pitch);
       const Vec3f seen = sampler.color(viewer_at(eye), at), direct = waves(at);
-      // interpolation between the pixels of a slanted sheet: (0.95 / 9)^2 / 8 = 1.4e-3
+      // The tolerance covers linear interpolation of a wave of 0.95 rad/mm between 9 pixels per mm: (0.95 / 9)^2 / 8 =
+      // 1.4e-3.
       EXPECT_NEAR(seen.x, direct.x, 2e-3f) << k;
       EXPECT_NEAR(seen.y, direct.y, 2e-3f) << k;
     }
@@ -74,7 +75,8 @@ TEST(EyeView, error_grows_with_depth_within_magnified_pixel) {
                  far = psnr_of_plane(optics, eye, -14.0);
     EXPECT_GT(near, mid);
     EXPECT_GT(mid, far);
-    // half of a magnified pixel: 2 mm * (1/7) / 2 = 0.14 mm; error: 0.14^2 / 8 = 2.5e-3, which is 52 dB
+    // At z = -2 mm, with 7 pixels per mm and a gap of 2 mm, w = 2 * (1/7) / 2 = 0.14 mm. The error w^2 / 8 = 2.5e-3 is
+    // 52 dB.
     EXPECT_GT(near, 45.0);
     EXPECT_GT(psnr_of_plane(optics, eye, 6.0), 30.0);
   }

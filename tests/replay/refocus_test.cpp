@@ -25,8 +25,8 @@ double depth_of_peak(const RenderedPanel& panel, double step, int count) {
   return depth;
 }
 
-// Depth step dz in mm. With N pixels of width m below a lens of pitch p = N m and the gap g, dz changes the shift of
-// the outermost views by (p / 2) dz / g, which is half a lens for dz = g = 2 mm.
+// Depth step dz in mm. A step shifts the outermost views by (p / 2) dz / g, with the lens pitch p and the gap g. For dz
+// = g = 2 mm, this is half a lens.
 constexpr double kStep = 2.0;
 
 /// Tests depths on both sides of the display. Points nearer than 2 kStep are seen through a single lens, and one ray
@@ -75,8 +75,8 @@ TEST(Refocus, blob_keeps_the_design_viewers_position) {
       const double w = std::max(0.0f, picture.pixel(x, y)[0] - half);
       sum += w * Vec2d(x + 0.5, y + 0.5), weight += w;
     }
-  // The position is on the line from the point to the viewer at 150 mm: (3.2, -4.1) * 150 / 161. Lenses and pixels of
-  // 0.8 mm locate a spot with a sigma of 1 mm to 0.1 mm.
+  // The line from the point at z = -11 mm to the viewer at z = 150 mm meets the display at (3.2, -4.1) * 150 / 161.
+  // Lenses and pixels of 0.8 mm show a spot with a sigma of 1 mm, whose centre is exact to 0.1 mm.
   const Vec2d at = display_window(optics).point_at(sum / weight, size);
   EXPECT_NEAR(at.x, 3.2 * 150 / 161, 0.1);
   EXPECT_NEAR(at.y, -4.1 * 150 / 161, 0.1);

@@ -51,7 +51,7 @@ TEST(EpipolarSampler, linear_colours_are_interpolated_exactly) {
         float color[3];
         sampler.colors(image, motion.motion, {&p, 1}, color);
         const float x = at_depth(ray_of_pixel(optics, centre_of(optics, *target)), z).x;
-        // Coordinates of up to 50 pixels are in single precision, and the colour changes by 0.02 per mm.
+        // The tolerance covers rounding of coordinates of up to 50 pixels, with colours that change by 0.02 per mm.
         EXPECT_NEAR(color[0], 0.1f * ramp(x - 0.3f), 1e-5f) << "z " << z << ", pixel " << p;
       }
     }

@@ -30,7 +30,8 @@ TEST(HeldOut, every_run_of_a_level_gives_one_patch) {
   for (std::size_t i = 0; i < held_out.patches.size(); ++i) {
     const std::uint32_t patch = held_out.patches[i], odd = patch % 2;
     EXPECT_EQ(held_out.levels[i], level_of(uncertainty[patch]));
-    // Every second patch has this level, so one of 60 patches in a row is drawn.
+    // One of 30 patches of a level is drawn. Every second patch has this level, so each 60 consecutive patches contain
+    // one drawn patch.
     EXPECT_EQ(patch / 60, drawn[odd]++);
   }
   EXPECT_EQ(held_out.population[0], 6000u);
@@ -65,17 +66,17 @@ Evidence evidence_of(const HeldOut& held_out, std::span<const double> squared_er
 TEST(HeldOut, errors_are_weighted_by_untraced_patches) {
   const HeldOut held_out = drawn_by_hand();
   const auto errors = estimate_errors(held_out, evidence_of(held_out, std::vector<double>{0.0, 0.0, 0.0, 5.0, 200.0, 400.0}));
-  // 150 patches: 96 of level 0 are not traced, with a mean error of 5/4, and 48 of level 2, with a mean error of
-  // 300.
+  // Of 150 patches, 96 of level 0 and 48 of level 2 are not traced. Samples of level 0 have a mean error of (0 + 0 + 0
+  // + 5) / 4 = 5/4, samples of level 2 a mean error of (200 + 400) / 2 = 300.
   EXPECT_NEAR(errors[0].mse, 96.0 / 150.0 * 1.25, 1e-12);
   EXPECT_NEAR(errors[1].mse, errors[0].mse, 1e-12);
   EXPECT_NEAR(errors[2].mse, errors[0].mse + 48.0 / 150.0 * 300.0, 1e-12);
   // Upper bound of level 0, at 2.326 standard deviations. Each of 4 samples has the weight w = 96 / (150 * 4) = 0.16;
-  // their squared deviations sum to 25 - 4 (5/4)^2 = 18.75. The smallest squared error that is assumed for a sample
-  // outside the draw is 12^2 = 144.
+  // their squared deviations sum to 25 - 4 (5/4)^2 = 18.75. The bound adds one sample that was not drawn, with a
+  // squared error of at least 12^2 = 144.
   const double w = 0.16, not_drawn = w * 144.0;
   EXPECT_NEAR(errors[0].bound, 0.8 + not_drawn + 2.326 * std::sqrt(w * w * 18.75 + not_drawn * not_drawn), 1e-9);
-  // For levels 0 and 2, the sample that was not drawn has the largest known squared error, 400.
+  // For levels 0 and 2 together, the added sample has the largest known squared error, 400.
   const double both = w * 400.0;
   EXPECT_NEAR(errors[2].bound, errors[2].mse + both + 2.326 * std::sqrt(w * w * (18.75 + 20000.0) + both * both), 1e-9);
 }
@@ -86,8 +87,8 @@ TEST(HeldOut, learned_errors_count_like_own_samples) {
   learned.levels[0] = {36.0, 36.0, 72.0, 2.0};  // of 36 patches, 18 have an error of 2: the sum is 36, the sum of squares 72
   evidence.add(learned);
   const auto errors = estimate_errors(held_out, evidence);
-  // 96 of 150 patches are of level 0 and not traced. Its 4 + 36 = 40 samples have the sum 4 + 36 = 40 and the sum of
-  // squares 16 + 72 = 88.
+  // 96 of 150 patches are of level 0 and not traced. With 4 own and 36 learned samples, level 0 has 40 samples. Their
+  // errors sum to 4 + 36 = 40, and the squares of the errors to 16 + 72 = 88.
   EXPECT_NEAR(errors[0].mse, 96.0 / 150.0, 1e-12);
   const double w = 96.0 / (150.0 * 40.0), not_drawn = w * 144.0;
   EXPECT_NEAR(errors[0].bound, 0.64 + not_drawn + 2.326 * std::sqrt(w * w * 48.0 + not_drawn * not_drawn), 1e-9);
@@ -101,7 +102,7 @@ TEST(HeldOut, level_without_samples_uses_its_uncertainty) {
   held_out.population[3] = 50;
   const auto errors = estimate_errors(held_out, evidence_of(held_out, std::vector<double>(6, 0.0)));
   EXPECT_EQ(errors[2].mse, 0.0);
-  // without samples, the error is the level's uncertainty of 3 codes
+  // Without samples, the error is assumed to be the level's uncertainty of 3 codes, squared.
   EXPECT_NEAR(errors[3].mse, 50.0 / 200.0 * 9.0, 1e-12);
 }
 

@@ -91,8 +91,8 @@ ForwardParams with_sampling(SplatSampling sampling) {
 
 constexpr Vec3f kWall(0.5f, 0.25f, 0.125f), kSquare(0.75f);
 
-/// A square of 8 x 8 pixels in front of a wall, both near the plane z = 0. It is in the middle at times 0 and 1, and
-/// `x` pixels further right at time 0.5.
+/// A square of 8 x 8 pixels in front of a wall, both near the plane z = 0. The square is in the middle at times 0 and
+/// 1, and `x` pixels further right at time 0.5.
 SmallScene square_that_leaves_and_returns(float x) {
   SmallScene s;
   s.add(square(200, -0.001f), s.material(glowing(kWall)));
@@ -131,7 +131,7 @@ TEST(InBetween, previous_film_content_is_overwritten) {
 
 TEST(InBetween, square_does_not_bleed_into_its_hole) {
   SmallScene s = square_that_leaves_and_returns(8.0f);
-  // so far behind the square that colours are not interpolated between them
+  // The wall is so far behind the square that no colour is interpolated between wall and square.
   std::get<Mesh>(s.scene.shapes[0]) = square(200, -30.0f);
   Animation animation(s.scene, view32(), with_fill(MissedFill::kInterpolate));
   const PointImage frame = animation.middle();
@@ -160,8 +160,8 @@ TEST(InBetween, colours_are_weighted_by_nearness_in_time) {
   const PointImage a = animation.traced(0.0), b = animation.traced(1.0);
   for (const float time : {0.25f, 0.5f}) {
     const PointImage frame = animation.made(a, b, time);
-    // At time 0.25, the following frame has the weight 0.5 + 0.7 (0.25 - 0.5) = 0.325, because the preference for
-    // nearness in time is 0.7.
+    // At time 0.25, the following frame has the weight 0.5 + 0.7 (0.25 - 0.5) = 0.325. The factor 0.7 is the preference
+    // for the frame that is nearer in time.
     const float weight = time == 0.5f ? 0.5f : 0.325f;
     for (std::size_t k = 0; k < frame.film.data.size(); ++k)
       ASSERT_FLOAT_EQ(frame.film.data[k], (1 - weight) * a.film.data[k] + weight * b.film.data[k]);

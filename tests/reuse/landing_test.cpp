@@ -45,7 +45,8 @@ bool same_lens(const Optics& optics, Vec2f a, Vec2f b) {
 }
 
 Place seen_below_lens(const Optics& optics, Vec2f from, Vec3f point) {
-  // If the panel's edge cuts a cell, the image of the point may lie outside the panel.
+  // If the panel's edge cuts the area below a lens, the image of the point may lie outside the panel. The panel is
+  // enlarged by this margin in pixels.
   constexpr float kMargin = 8.0f;
   Optics wide = optics;
   wide.z_front_mm = resolved_z_front_mm(optics);
@@ -107,7 +108,8 @@ glm::dvec2 nearest_lens(const Lattice& lattice, glm::dvec2 p) {
   return best;
 }
 
-/// Returns the position whose ray passes nearest to the point, among those with the offset of `from` in their cells.
+/// Considers only positions with the same offset from the centre of their lens's cell as `from`. Returns the one whose
+/// ray passes nearest to the point.
 Place seen_in_lens_view(const Optics& optics, Vec2f from, Vec3f point) {
   const Lattice lattice = lattice_of(optics);
   const double m = optics.panel.pixel_pitch_mm, w = optics.panel.width, h = optics.panel.height;
@@ -123,7 +125,7 @@ Place seen_in_lens_view(const Optics& optics, Vec2f from, Vec3f point) {
     p = {p.x * cosine + p.y * sine, 0.0};
   }
   const auto cell_centre = [&](glm::dvec2 lens) { return lens + (lens - lattice.eye) * (lattice.spread - 1.0); };
-  // The lens above the pixel is the one with the nearest cell centre. At offset o from it, the ray has the slope
+  // The lens above the pixel has the nearest cell centre. At the offset o from this centre, the ray has the slope
   // -parallax o / gap - (l - e) / V, with the lens position l, the viewing distance V, and the point e to which the
   // cells converge.
   const glm::dvec2 own = nearest_lens(lattice, (panel_mm + lattice.eye * (lattice.spread - 1.0)) / lattice.spread);
@@ -131,7 +133,7 @@ Place seen_in_lens_view(const Optics& optics, Vec2f from, Vec3f point) {
   const glm::dvec2 through = (p + (parallax * o / gap - lattice.eye * vergence) * double{point.z}) / from_eye;
   const glm::dvec2 landed = cell_centre(nearest_lens(lattice, through)) + o;
   if (!sheet) return glm::dvec2(landed.x / m + w / 2, h / 2 - landed.y / m);
-  // The row of pixels that shows the point. Parallel to the lenses, its rays run towards the eye.
+  // Computes the row of pixels that shows the point. Along the lenses of a sheet, all rays run towards the eye.
   const double y_eye = sheet->eye_height_mm, v = sheet->viewing_distance_mm;
   const double y = std::isinf(v) ? point.y : (point.y * (v + gap) - y_eye * (point.z + gap)) / (v - point.z);
   const double row = std::floor(h / 2 - y / m);
@@ -194,8 +196,8 @@ bool is_close_call(const Optics& optics, SplatMode mode, Vec2f from, Vec3f point
   return false;
 }
 
-/// At the edge of a cell, the position may lie in a pixel whose centre belongs to the neighbouring cell. Acceptable
-/// results are then none, or a pixel of the lens's own cell at most 1.5 pixels away.
+/// At the edge of the area below a lens, the position may lie in a pixel whose centre is below the neighbouring lens.
+/// The point may then land nowhere, or on a pixel below its own lens, at most 1.5 pixels away.
 bool is_own_neighbour(const Optics& optics, glm::dvec2 place, glm::dvec2 lens, std::optional<std::uint32_t> landed) {
   if (!landed) return true;
   const Vec2f centre = centre_of(optics, *landed);
@@ -226,7 +228,8 @@ void check(const Optics& optics, SplatMode mode, OpticsSampler& random) {
          << ", landed on " << (landed ? std::to_string(*landed) : "nothing") << ", expected ";
     (place ? what << place->x << " " << place->y : what << "nothing");
     ASSERT_TRUE(place && lenses) << what.str();
-    // The point must land below the lens above the original pixel (kLens), or above the expected position (kView).
+    // With kLens, the point must land below the same lens as the original pixel. With kView, it must land below the
+    // lens above the expected position.
     const Vec2f floor_centre(std::floor(place->x) + 0.5, std::floor(place->y) + 0.5);
     const glm::dvec2 lens = mode == SplatMode::kLens ? lens_above(optics, from) : lens_above(optics, Vec2f(*place));
     EXPECT_TRUE(glm::distance(lens_above(optics, floor_centre), lens) > 0.25 * lens_pitch(optics) || !on_panel(optics, *place))
@@ -275,7 +278,8 @@ TEST(Landing, slanted_panels_keep_the_direction) {
     const Optics optics = slanted_panel(random);
     const auto& slanted = std::get<SlantedPanel>(optics.model);
     const Splatter splatter(optics, {SplatMode::kView, true});
-    // The eye's angle as a fraction of the view cone, which has 1 / (sub-pixels per lens) from sub-pixel to sub-pixel.
+    // Returns the eye's angle as a fraction of the view cone. Neighbouring sub-pixels differ by 1 / (sub-pixels per
+    // lens).
     const auto view_of = [&](Vec2f pixel) {
       const Vec3f eye = at_depth(ray_of_pixel(optics, pixel), slanted.distance_mm);
       return std::atan(eye.x / (slanted.parallax * slanted.distance_mm)) / slanted.view_cone;

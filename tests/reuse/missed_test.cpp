@@ -57,7 +57,8 @@ TEST(Missed, neighbours_are_weighted_by_inverse_distance) {
   test::set_point(row.previous, 2, 0.0f);
   test::set_point(row.previous, 5, 0.0f);
   row.fill(3, kStill, kStill);
-  // A pixel's colour is its number. Pixel 2 is one pixel away (weight 1), pixel 5 two pixels away (weight 1/2).
+  // A pixel's colour is its number. From pixel 3, pixel 2 is one pixel away (weight 1), and pixel 5 two pixels (weight
+  // 1/2).
   EXPECT_FLOAT_EQ(row.shown(3), (2.0f + 0.5f * 5.0f) / 1.5f);
 }
 

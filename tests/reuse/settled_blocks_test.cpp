@@ -17,8 +17,8 @@ SettledBlocks planner(std::optional<int> every = {}) {
   return {nothing, -1, every};
 }
 
-/// Blocks of one ray each. Horizon h is 2^(h+1) frames long. `lowest_horizon` is the first h in which something moving
-/// meets a block, which must be traced from frame 2^h on.
+/// Returns blocks of one ray each. Horizon h covers 2^(h+1) frames. A moving object first meets block i in horizon h =
+/// lowest_horizon[i], so block i must be traced from frame 2^h on.
 TouchedBlocks blocks_with(const std::vector<std::uint8_t>& lowest_horizon) {
   return {{}, lowest_horizon, std::vector<std::uint32_t>(lowest_horizon.size(), 1)};
 }
@@ -57,8 +57,8 @@ TEST(SettledBlocks, given_interval_is_kept) {
   EXPECT_EQ(planner(5).choose_span(blocks_with({0, 0}), 0, 2), 3);
 }
 
-/// Adds two deforming squares: a skin moves two corners of the first one with a joint to `to`, and a morph target moves
-/// one corner of the second one there.
+/// Adds two deforming squares. A skin moves two corners of the first square with a joint, which moves towards `to`. A
+/// morph target moves one corner of the second square in the same direction.
 void add_deforming(SmallScene& s, Vec3f to, int material) {
   Mesh skinned = test::square(0.5f, 0), morphing = test::square(0.4f, 1);
   skinned.skin = {1, {0, 0, 1, 1}, {1, 1, 1, 1}};
@@ -141,7 +141,8 @@ void expect_settled_blocks_as_traced(const Optics& optics) {
       ASSERT_EQ(made.data, traced.data) << "scene " << seed << ", frame " << frame;
     }
   }
-  // The number differs between compilers, because the evaluation order of arguments changes random scenes.
+  // The number of settled blocks differs between compilers, because the evaluation order of arguments changes random
+  // scenes.
   EXPECT_GT(settled_blocks, 0u);
 }
 

@@ -9,8 +9,8 @@ namespace {
 
 using test::SmallScene;
 
-// Boxes around everything that moves until frame 2 or 4, at one frame per second. Nodes of moving_node() move from
-// frame 0 to frame 1 and then stay.
+// Tests boxes around all moving objects until frame 2 and until frame 4, at one frame per second. Nodes of
+// moving_node() move from frame 0 to frame 1 and then stay.
 constexpr int kHorizons[] = {2, 4};
 
 SmallScene one_frame_a_second() {

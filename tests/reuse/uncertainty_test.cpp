@@ -40,10 +40,11 @@ TEST(Uncertainty, disagreement_spreads_to_neighbours) {
   Case c;
   Case::paint(c.following, pixel(5, 3), 40.0f / 255.0f);
   const auto uncertainty = c.uncertainty();
-  // 40 is the pixel's own difference, and 20 half of the largest difference in its neighbourhood, which includes
-  // itself.
+  // The pixel's own difference is 40. Half of the largest difference in its neighbourhood, which includes the pixel, is
+  // 20.
   EXPECT_EQ(uncertainty[pixel(5, 3)], 40 + 20);
-  EXPECT_EQ(uncertainty[pixel(6, 3)], 20 + 20);  // 20 as a neighbour in the view, and 20 as an adjacent pixel of the panel
+  // 40 / 2 as a neighbour in the view, and 40 / 2 as an adjacent pixel of the panel.
+  EXPECT_EQ(uncertainty[pixel(6, 3)], 20 + 20);
   EXPECT_EQ(uncertainty[pixel(5, 4)], 20);
   EXPECT_EQ(uncertainty[pixel(4, 2)], 20);
   EXPECT_EQ(uncertainty[pixel(7, 3)], 0);

@@ -146,9 +146,8 @@ TEST(MorphWeights, step_and_linear_keys_have_all_weights) {
 TEST(MorphWeights, cubic_keys_have_tangents_and_values) {
   Scene scene = morphing(0, 0);
   // Each key lists the in-tangents of both targets, their values, and their out-tangents. The first weight goes from 1
-  // (out-tangent 3) to 5 (in-tangent -2) in 2 s. At 0.5 s, u = 1/4, and the Hermite spline gives (2/64 - 3/16 + 1) * 1
-  // + 2 * (1/64 - 2/16 + 1/4) * 3 + (3/16 - 2/64) * 5 + 2 * (1/64 - 1/16) * (-2) = 85/32. The second weight is half as
-  // large.
+  // (out-tangent 3) to 5 (in-tangent -2) in 2 s. At 0.5 s, the cubic Hermite spline has the value 85/32. All numbers of
+  // the second weight are half as large.
   scene.timeline.animations = {weights(Interpolation::kCubicSpline, {9, 9, 1, 0.5f, 3, 1.5f, -2, -1, 5, 2.5f, 9, 9})};
   validate(scene, "test");
   const std::vector<float> at = evaluate(scene, 0.5).morph_weights.at(0);

@@ -16,7 +16,8 @@ namespace {
 using test::error_message;
 using testing::HasSubstr;
 
-/// `counts` has the numbers of vertical and horizontal angles. `rest` follows the ballast line.
+/// Returns the text of an IES file. `counts` are the numbers of vertical and horizontal angles; `rest` is the text
+/// after the ballast line.
 std::string ies(int type, const std::string& counts, const std::string& rest, const std::string& multiplier = "1") {
   return fmt::format("IESNA:LM-63-2002\n[TEST] 1\nTILT=NONE\n1 1000 {} {} {} 2 0 0 0\n1 1 50\n{}\n", multiplier, counts, type,
                      rest);

@@ -41,7 +41,7 @@ TEST(Nff, spheres_of_one_fill_are_one_shape) {
       nff_scene("f 1 0 0 1 0 1 0 1\ns 0 0 0 1\ns 1 2 3 -4\nf 0 1 0 1 0 1 0 1\ns 5 5 5 1\nf 1 0 0 1 0 1 0 1\ns 9 9 9 1");
   ASSERT_EQ(scene.instances.size(), 2u);
   const Spheres& red = shape<Spheres>(scene, 0);
-  ASSERT_EQ(red.size(), 3u);  // the statement before the third sphere repeats its fill
+  ASSERT_EQ(red.size(), 3u);  // the fill statement before the third sphere repeats the current fill
   EXPECT_EQ(red[1].center, Vec3f(1, 2, 3));
   EXPECT_EQ(red[1].radius, 4.0f);  // -4 in the file, for a sphere seen from inside
   EXPECT_EQ(shape<Spheres>(scene, 1).size(), 1u);

@@ -47,8 +47,9 @@ TEST(StudioLight, is_grey) {
   }
 }
 
-// White that faces the viewer must have a radiance above 0.5, and the brightest white one below 1. At 0.5, greys with
-// reflectances 0.18 and 0.5 have sRGB codes 85 and 137; at 1, they have 118 and 188.
+// White surfaces must have a radiance above 0.5 where they face the viewer, and below 1 everywhere. If white has a
+// radiance of 0.5, greys with the reflectances 0.18 and 0.5 have the sRGB codes 85 and 137; if white has 1, they have
+// 118 and 188.
 TEST(StudioLight, grey_and_white_are_well_exposed) {
   const EnvironmentMap map = studio_environment(kStraight);
   float most = 0.0f, least = 1e9f;

@@ -212,7 +212,7 @@ TEST_F(Tachyon, smallest_landscape_has_two_triangles) {
   std::uint32_t x = 4;
   std::vector<float> heights;
   for (int i = 0; i < 4; ++i) heights.push_back(2.0f + static_cast<float>((x *= 1099087573u) / 4294967296.0));
-  // in the order in which triangles use them: grid points (0, 0), (1, 1), (1, 0), (0, 1)
+  // The mesh stores grid points in the order in which its triangles use them: (0, 0), (1, 1), (1, 0), (0, 1).
   EXPECT_EQ(xyz(mesh.positions[0]), (std::array{-1.0f, heights[0], 0.0f}));
   EXPECT_EQ(xyz(mesh.positions[1]), (std::array{3.0f, heights[3], -6.0f}));
   EXPECT_EQ(xyz(mesh.positions[2]), (std::array{3.0f, heights[1], 0.0f}));

@@ -136,8 +136,8 @@ TEST(Evaluate, equal_rotation_keys_are_constant) {
 
 TEST(Evaluate, cubic_spline_weighs_tangents_by_the_interval) {
   NodeAnimation move;
-  // x goes from 1 (out-tangent 3) to 5 (in-tangent -2) in 2 s. At u = 1/4, the Hermite spline gives 0.84375 * 1 + 2 *
-  // 0.140625 * 3 + 0.15625 * 5 + 2 * (-0.046875) * (-2) = 2.65625.
+  // x goes from 1 (out-tangent 3) to 5 (in-tangent -2) in 2 s. After a quarter of this time, the cubic Hermite spline
+  // has the value 85/32 = 2.65625.
   move.translation = {{1, 3}, {Vec3f(77), {1, 0, 0}, {3, 0, 0}, {-2, 0, 0}, {5, 0, 0}, Vec3f(77)}, Interpolation::kCubicSpline};
   const Scene scene = one_node(move);
   expect_near(moved(scene, 1.5, Vec3f(0)), {2.65625, 0, 0});

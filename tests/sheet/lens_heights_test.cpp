@@ -20,7 +20,7 @@ LensSpec thickness(double mm) {
   return spec;
 }
 
-/// Lenses of 24 pixels. From so far away, the printed strips are as wide as the lenses.
+/// A sheet with lenses of 24 pixels. The viewer is so far away that the printed strips are as wide as the lenses.
 Display sheet_of_whole_pixels() { return load_display("lpi=60 dpi=1440 paper=240x6px viewing-distance=10000000"); }
 
 TEST(LensShapes, radius_follows_from_thickness_and_index) {

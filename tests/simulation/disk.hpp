@@ -40,7 +40,7 @@ class Disk {
   void lose_machine(int machine, Random& random);
 
  private:
-  struct Change {  ///< of a folder's entries, not yet synced
+  struct Change {  ///< a change of a folder's entries that is not yet synced
     int folder;
     std::string removed, added;
     int inode;

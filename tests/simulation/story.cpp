@@ -284,8 +284,8 @@ class Teller {
                        [&](const std::string& name) { return world_.disk.find((of.first / name).string()) == inode; });
   }
 
-  /// Returns whether a byte of the file may be damaged, which removes the file from the finished ones. Damage to a file
-  /// that is being written cannot be detected. A file may have two names, so inodes are compared.
+  /// Returns whether the simulation may damage a byte of the file, and then no longer counts the file as finished.
+  /// Damage to a file that is being written cannot be detected. A file may have two names, so inodes are compared.
   bool forget(const std::string& path) {
     const int inode = world_.disk.find(path);
     for (const FolderFrame& made : being_made_) {
@@ -460,7 +460,7 @@ class Teller {
   fs::path folder_ = "/sim/film";
   std::deque<Work> queue_;
   std::map<FolderFrame, std::uint64_t> finished_;
-  /// Finished strips of unfinished frames, with the step of the simulation.
+  /// Finished strips of unfinished frames, each with the simulation step at which it was finished.
   std::map<FolderPart, std::uint64_t> finished_parts_;
   std::multiset<FolderFrame> being_made_;
   std::string problem_;

@@ -27,7 +27,7 @@ inline Files all_files(const std::filesystem::path& folder) {
   return files;
 }
 
-/// Leaves out journals, report.json and job.toml, which differ from run to run.
+/// Returns the files below the folder without journals, report.json and job.toml, which differ from run to run.
 inline Files pictures_below(const std::filesystem::path& folder) {
   Files files = all_files(folder);
   std::erase_if(files, [](const auto& file) {

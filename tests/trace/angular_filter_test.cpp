@@ -54,9 +54,8 @@ TEST(AngularFilter, far_edges_become_ramps) {
   const Picture ramp = trace(edge_at(-20.0f), camera_row(), filtered(spp));
   for (int view = 0; view < kViews; ++view) {
     const double eye = kBaseline * (view - 2), place = 0.5 * kWidth + (0.5 * eye + 0.5 * 0.03) / kPitch;
-    // 256 samples resolve a pixel's area to 2/256. Place: the ramp has six pixels, so the error is at most 12/256 =
-    // 0.047. Variance: a pixel at distance d from the middle counts d times, so the error is at most 2 (2.5 + 1.5 +
-    // 0.5) * 2/256 = 0.07.
+    // 256 samples resolve the covered area of a pixel to 2/256, which limits the precision of the place and of the
+    // variance.
     EXPECT_NEAR(edge_in(sharp, view * kWidth, kWidth).place_px, place, 0.01) << view;
     EXPECT_NEAR(edge_in(ramp, view * kWidth, kWidth).place_px, place, 0.02) << view;
     EXPECT_LE(edge_in(sharp, view * kWidth, kWidth).variance_px2, 0.25 + 0.01)

@@ -30,9 +30,8 @@ SmallScene edge() {
 }
 
 TEST(BeamFootprint, many_samples_average_a_pixel) {
-  // The last eighth of the pixel has a mean of 1/4, so the pixel has 1/32. The samples are in 64 columns, shifted by an
-  // unknown part u < 1/64 of a pixel. The eight columns in the last eighth have the sum (32 u + 7/4) / 64, which is
-  // 1/32 +- 1/256.
+  // Grey rises from 0 to 1/2 over the last eighth of the pixel, so the pixel's mean is 1/32. The 64 samples lie in 64
+  // columns with a random shift of less than a column, which changes the mean by at most 1/256.
   TraceParams params;
   params.spp = 64;
   for (const Integrator integrator : {Integrator::kWhitted, Integrator::kPath}) {
@@ -68,8 +67,8 @@ TEST(BeamFootprint, scattered_rays_are_as_wide_as_a_pixel) {
   const ThreadPool pool(1);
   DeviceScene device(s.scene, pool, Integrator::kPath);
   device.update(evaluate(s.scene, 0.0), pool);
-  // A quarter of a pixel left of the edge is black in the finest level, and 1/4 of the way to white in the level with
-  // texels as large as pixels.
+  // The rays hit a point a quarter of a pixel left of the edge. The point is black in the finest level, and has the
+  // value 1/4 in the level whose texels are as large as pixels.
   RayHitPacket packet;
   LaneMask active, spread;
   for (int i = 0; i < kLanes; ++i) {

@@ -141,8 +141,8 @@ SmallScene below_small_cube(float half) {
   return s;
 }
 
-// Shadow rays end slightly before the light, so near an edge they may reach the far side of a small lamp. It is sampled
-// so rarely that each such ray would leave a white dot.
+// Shadow rays end slightly before the light, so near an edge they may reach the far side of a small lamp. The far side
+// is sampled so rarely that each such ray would leave a white dot.
 TEST(ClosedMesh, small_lamps_do_not_leak_at_edges) {
   const Image film = trace_paths(below_small_cube(0.001f).scene, single_view(64), 4, {}, 1, kEye).film;
   const float brightest = *std::max_element(film.data.begin(), film.data.end());

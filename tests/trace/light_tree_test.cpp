@@ -191,8 +191,8 @@ TEST(LightTree, draws_lights_with_the_stated_probability) {
           EXPECT_NEAR(choice->probability, tree.probability(choice->light, at), 1e-5f * choice->probability);
           ++drawn[choice->light];
         }
-      // Each light is chosen by the evenly spaced numbers in one interval. At each of its ends, the count is off by less
-      // than 1.
+      // Evenly spaced numbers choose the lights, and each light has an interval of these numbers. At each end of the
+      // interval, the count is off by less than 1.
       for (std::uint32_t l = 0; l < 100; ++l)
         EXPECT_NEAR(drawn[l], tree.probability(l, at) * kDraws, 2.0f) << static_cast<int>(kind) << ' ' << l;
     }
@@ -232,7 +232,7 @@ TEST(LightTree, never_omits_a_contributing_light) {
   }
 }
 
-// At most half of the second moment of sampling by power alone.
+// The tree must have at most half of the second moment of sampling by power alone.
 TEST(LightTree, has_less_noise_than_drawing_by_power) {
   const std::vector<TreeLight> lights = random_lights(Kind::kPoints, 1000, 1);
   const LightTree tree(lights);

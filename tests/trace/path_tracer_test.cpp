@@ -1,5 +1,5 @@
-// Path-traced light, compared with theory. The camera at (0, 0, 10) sees the square from -2 to 2 in x and y at z = 0. kNearby
-// scales both by 1/10.
+// Compares path-traced light with theory. The camera at (0, 0, 10) sees the square from -2 to 2 in x and y at z = 0.
+// kNearby scales camera and square by 1/10.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -37,7 +37,7 @@ TEST(PathTracer, white_spheres_vanish_in_a_white_furnace) {
       SmallScene s;
       surround(s, Vec3f(1.0f));
       s.add(Spheres{{{0, 0, 0}, 3.0f}}, s.material(rough(Vec3f(1.0f), metallic, 0.1f * static_cast<float>(r))));
-      // the error of the tables of multiple scattering
+      // The tolerance covers the error of the tables of multiple scattering.
       EXPECT_NEAR(mean(trace_paths(s.scene, single_view(8), 256).film), 1.0, 0.005)
           << "metallic " << metallic << ", roughness 0." << r;
     }
@@ -66,8 +66,8 @@ TEST(PathTracer, rough_glass_vanishes_in_a_white_furnace) {
     s.scene.max_depth = 64;
     surround(s, Vec3f(1.0f));
     s.add(Spheres{{{0, 0, 0}, 3.0f}}, s.material(glass));
-    // The error of the tables of multiple scattering. Single scattering alone would lose 37 % at roughness 0.7, and 66
-    // % at roughness 1.
+    // The tolerance covers the error of the tables of multiple scattering. Single scattering alone would lose 37 % at
+    // roughness 0.7, and 66 % at roughness 1.
     EXPECT_NEAR(mean(trace_paths(s.scene, single_view(8), 1024).film), 1.0, 0.01) << "roughness " << roughness;
   }
 }

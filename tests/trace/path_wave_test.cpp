@@ -19,7 +19,8 @@ SmallScene two_squares() {
   return s;
 }
 
-/// The ray points down from z = 5. Rays hit in turn the left square, the right square, and nothing.
+/// Returns ray `r`, which points down from z = 5. Successive rays hit the left square, the right square, nothing, and
+/// so on.
 PathRay ray_down(std::uint32_t r) {
   PathRay ray;
   ray.origin = {static_cast<float>(r % 3) - 0.5f, 0.1f, 5.0f};

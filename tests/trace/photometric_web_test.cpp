@@ -38,7 +38,7 @@ MetallicRoughness white_floor() {
   return m;
 }
 
-/// `color` is the lamp's radiant intensity. It points down, tilted towards +x.
+/// `color` is the lamp's radiant intensity. The lamp points down, tilted by `tilt` radians towards +x.
 SmallScene below_lamp(Vec3f color, float tilt) {
   SmallScene s;
   s.add(square(2, 0), s.material(white_floor()));

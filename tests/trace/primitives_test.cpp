@@ -98,7 +98,7 @@ TEST(Distances, random_rays_agree_with_marching) {
     const float expected_sphere =
         march([](glm::dvec3 p) { return glm::length(p - glm::dvec3(0.1, -0.2, 0.3)) - 0.6; }, o, d, 6.0f);
     const float got_sphere = distance(sphere, ray(o, d));
-    // A step is 3e-4 long, so shorter chords may be missed.
+    // march() has steps of 3e-4, so it may miss shorter chords.
     if (expected_sphere < kInfinity) {
       EXPECT_NEAR(got_sphere, expected_sphere, 4e-4f);
     }

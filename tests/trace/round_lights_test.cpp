@@ -1,5 +1,5 @@
-// Lamps with a size, compared with the geometry of their light and shadows. The camera at (0, 0, 10) sees the square from -2 to
-// 2 in x and y at z = 0. kNearby scales both by 1/10.
+// Compares lamps that have a size with the geometry of their light and shadows. The camera at (0, 0, 10) sees the
+// square from -2 to 2 in x and y at z = 0. kNearby scales camera and square by 1/10.
 #include "shading/round_lights.hpp"
 
 #include <gtest/gtest.h>

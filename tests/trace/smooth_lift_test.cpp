@@ -9,8 +9,8 @@ namespace {
 using namespace test;
 
 // The corners are the ends of a quarter of the unit circle, with normals away from its centre. The point half-way
-// between them lies 1/2 below the tangent plane of each. Each plane moves it by this distance along its normal with the
-// weight 1/2, so the lift is 1/4 along x and y.
+// between them lies 1/2 below the tangent plane of each corner. Each plane lifts the point along its normal by half of
+// this distance, so the lift is 1/4 along x and 1/4 along y.
 TEST(SmoothLift, half_way_along_chords_matches_by_hand) {
   const SmoothTriangle chord{{{{1, 0, 0}, {0, 1, 0}, {0, 1, 0}}}, {{{1, 0, 0}, {0, 3, 0}, {0, 1, 0}}}, {0.5f, 0.5f, 0.0f}};
   expect_color(smooth_lift(chord, 1.0f), {0.25f, 0.25f, 0.0f});

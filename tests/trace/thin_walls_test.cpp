@@ -13,9 +13,8 @@ using namespace test;
 
 const Integrator kIntegrators[] = {Integrator::kWhitted, Integrator::kPath};
 const Affine3f kCloseUp{Mat3f(0.1f), Vec3f(0.0f)};
-// Transmittance of a thin wall with index n = 1.5. At normal incidence: 1 - ((n - 1) / (n + 1))^2 = 0.96. At 60 degrees, the
-// cosine inside is sqrt(1 - 0.75 / 2.25) = 0.81650. The reflectances s, ((0.5 - 1.22474) / 1.72474)^2 = 0.17657, and p, ((0.75
-// - 0.81650) / 1.56650)^2 = 0.00180, have the mean 0.0891866.
+// Transmittance of a thin wall with the index n = 1.5. At normal incidence: 1 - ((n - 1) / (n + 1))^2 = 0.96. At 60
+// degrees, the Fresnel reflectances for s and p polarisation are 0.17657 and 0.00180, with the mean 0.0891866.
 constexpr float kAtNormal = 0.96f, kAtSixty = 1.0f - 0.0891866f;
 const Vec3f kGreenish(0.5f, 0.9f, 0.25f);
 
@@ -270,7 +269,8 @@ Estimate estimate(const Scene& scene) {
   return {of_mean, (squares / kSeeds - of_mean * of_mean) / (kSeeds - 1)};
 }
 
-// 4.5 standard errors: with 11 degrees of freedom, one of 1,000 correct pairs exceeds them. The seeds are fixed.
+// The limit is 4.5 standard errors. With 11 degrees of freedom, one of 1,000 correct pairs exceeds this limit. The
+// seeds are fixed.
 TEST(ThinWalls, light_matches_random_paths) {
   MetallicRoughness plain = pane(kGreenish), layered = pane(kGreenish);
   layered.clearcoat = 0.8f, layered.clearcoat_roughness = 0.3f, layered.transmission = 0.7f;

@@ -25,7 +25,7 @@ float clearance(int teeth, float gear_angle, Vec2f p) {
   return radius * (std::abs(from_tooth(teeth, gear_angle, p)) - tooth_half_angle(teeth, radius));
 }
 
-/// Clearance for the inner teeth of a ring, whose angle is the centre of one of its gaps.
+/// Clearance for the inner teeth of a ring. `ring_angle` is the direction of the centre of a gap between teeth.
 float ring_clearance(int teeth, float ring_angle, Vec2f p) {
   const float radius = glm::length(p);
   if (radius < pitch_radius(teeth) - kAddendum) return kInfinity;
@@ -34,8 +34,8 @@ float ring_clearance(int teeth, float ring_angle, Vec2f p) {
   return radius * (std::abs(from_tooth(teeth, tooth_angle, p)) - ring_tooth_half_angle(teeth, radius));
 }
 
-/// Angle of a ring that meshes with a gear inside it. The gear is rotated by `gear_angle`, and its centre is in the
-/// direction `direction` from the ring's.
+/// Angle of a ring that meshes with a gear inside it. The gear is rotated by `gear_angle`, and its centre lies in the
+/// direction `direction` from the ring's centre.
 float ring_meshing_angle(int gear_teeth, float gear_angle, int ring_teeth, float direction) {
   // Both rotate in the same direction. A tooth of the gear at angle d from the line of centres fills a gap of the ring
   // at d * gear_teeth / ring_teeth.
@@ -86,8 +86,8 @@ TEST(MeshingAngle, gears_mesh_without_touching_or_slack) {
         const Vec2f center = along(direction, pitch_radius(driver) + pitch_radius(teeth));
         float least = kInfinity;
         for (const Vec2f& p : flank_points(teeth, angle)) least = std::min(least, clearance(driver, driver_angle, center + p));
-        // The clearance on either side is half of the backlash, if measured perpendicular to the flanks instead of
-        // along circles.
+        // Perpendicular to the flanks, the clearance on each side is half of the backlash. Here it is measured along
+        // circles, so the limits are wider.
         EXPECT_GT(least, 0.25f * kBacklash) << driver << " drives " << teeth;
         EXPECT_LT(least, 1.0f * kBacklash) << driver << " drives " << teeth;
       }

@@ -28,7 +28,7 @@ inline int count_normals_not_unit(const Mesh& mesh) {
   return count;
 }
 
-/// Triangles that do not face the sum of their vertex normals; 0 without normals.
+/// Counts triangles that do not face the sum of their vertex normals. Returns 0 for meshes without normals.
 inline int count_facing_wrong(const Mesh& mesh) {
   int count = 0;
   if (mesh.normals.empty()) return count;
@@ -51,7 +51,7 @@ struct BoundaryEdge {
   Vec3f from, to;
 };
 
-/// Edges of only one triangle. Vertices closer than about `grid` count as one.
+/// Returns the edges that belong to only one triangle. Vertices closer than about `grid` are treated as one vertex.
 inline std::vector<BoundaryEdge> boundary_edges(const Mesh& mesh, float grid = 1e-4f) {
   using Cell = std::tuple<std::int64_t, std::int64_t, std::int64_t>;
   std::map<Cell, std::uint32_t> cells;

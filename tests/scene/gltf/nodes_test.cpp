@@ -387,8 +387,8 @@ TEST(GltfAnimation, linear_goes_straight_and_holds_the_ends) {
 }
 
 TEST(GltfAnimation, cubic_spline_reads_tangents_around_each_value) {
-  // The keys, at 0 s and 2 s, have an in-tangent, a value and an out-tangent. At 0.5 s, u = 1/4, and the Hermite spline
-  // gives (2/64 - 3/16 + 1) * 1 + 2 * (1/64 - 2/16 + 1/4) * 3 + (3/16 - 2/64) * 5 + 2 * (1/64 - 1/16) * (-2) = 85/32.
+  // Each key has an in-tangent, a value and an out-tangent. x goes from 1 (out-tangent 3) at 0 s to 5 (in-tangent -2)
+  // at 2 s. At 0.5 s, the cubic Hermite spline has the value 85/32.
   const Scene scene = parse(animated<Vec3f>("translation", "CUBICSPLINE", {0, 2},
                                             {{9, 0, 0}, {1, 0, 0}, {3, 0, 0}, {-2, 0, 0}, {5, 0, 0}, {9, 0, 0}}));
   expect_near(position_at(scene, 0.5), {85.0f / 32.0f, 0, 0}, 4 * kFloatRounding);
