@@ -14,7 +14,7 @@ namespace {
 using testing::ElementsAre;
 
 TEST(ViewLayout, pixels_below_a_lens_are_turned_round) {
-  // A lens has 3 x 2 pixels. View 0, of the leftmost and lowest eye, is its top right pixel.
+  // 3 x 2 pixels lie below each lens. The leftmost, lowest eye, of view 0, sees the top right pixel.
   const ViewLayout layout{LayoutKind::kIntegral, {3, 2}, {}};
   EXPECT_THAT(pixels_of_views(layout, {1, 1}, {3, 2}), ElementsAre(2, 1, 0, 5, 4, 3));
 }

@@ -96,7 +96,7 @@ TEST_F(LivePages, only_the_latest_pictures_are_served) {
   EXPECT_EQ(ask("GET", "/secret/live/depth/" + id).status, 200);
   EXPECT_EQ(ask("GET", "/secret/live/panel/" + id).status, 200);
   EXPECT_EQ(ask("GET", "/secret/live/views/999").status, 404);
-  EXPECT_EQ(ask("GET", "/secret/live/views/1").status, 204);  // picture 1, the coarse one, has been replaced
+  EXPECT_EQ(ask("GET", "/secret/live/views/1").status, 204);  // a finer picture has replaced the coarse picture 1
   EXPECT_EQ(ask("GET", "/secret/live/secrets/" + id).status, 404);
 }
 

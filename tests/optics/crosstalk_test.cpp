@@ -9,7 +9,8 @@ namespace {
 
 using testing::HasSubstr;
 
-// The weight of a Gaussian between 1 and 3 sigma, because sigma is 1/2 and the neighbour reaches from 1/2 to 3/2.
+// The neighbouring pixel reaches from 1/2 to 3/2 pixels, which is 1 to 3 sigma for sigma = 1/2. Its share is the weight
+// of a Gaussian in this interval.
 TEST(Crosstalk, neighbour_share_matches_tables) {
   EXPECT_NEAR(neighbour_share(0.5), 0.99865 - 0.84134, 1e-5);
   EXPECT_EQ(neighbour_share(0.0), 0.0);
@@ -21,7 +22,7 @@ TEST(Crosstalk, neighbour_share_matches_tables) {
       EXPECT_DOUBLE_EQ(tap.weight, neighbour_share(0.5));
     }
   }
-  EXPECT_NEAR(sum, 1.0, 1e-4);  // the filter ends at 4 sigma
+  EXPECT_NEAR(sum, 1.0, 1e-4);  // the filter ends at 4 sigma, so the sum is slightly below 1
 }
 
 TEST(Crosstalk, parses_a_share_as_sigma) {

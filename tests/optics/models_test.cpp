@@ -12,7 +12,8 @@ namespace {
 using test::at_depth;
 using test::OpticsSampler;
 
-// In single precision, positions of a few hundred mm are exact to 1e-5 mm, and slopes of about 1 to 1e-6.
+// Tolerances. Single precision gives positions of a few hundred mm errors of about 1e-5 mm, and slopes near 1 errors of
+// about 1e-6.
 constexpr float kPositionMm = 1e-4f, kSlope = 2e-6f;
 
 Vec2f slope(const Ray& ray) { return {ray.direction.x / ray.direction.z, ray.direction.y / ray.direction.z}; }
@@ -20,8 +21,9 @@ Vec2f slope(const Ray& ray) { return {ray.direction.x / ray.direction.z, ray.dir
 using test::expect_near;
 
 TEST(Lenticular, first_pixel_of_a_lens_goes_right) {
-  // 8 pixels of 0.125 mm per lens of 1 mm, gap 2 mm. Pixel (256, 256) is at x = 0.0625, y = -0.0625, below the lens at
-  // x = 0.5. Its slope is (0.5 - 0.0625) / 2 = 0.21875. At 8 mm, x = 0.5 + 8 * 0.21875 = 2.25.
+  // 8 pixels of 0.125 mm lie below a lens of 1 mm, with a gap of 2 mm. Pixel (256, 256) of 512 x 512 is at x = 0.0625,
+  // y = -0.0625, below the lens at x = 0.5. Its slope is (0.5 - 0.0625) / 2 = 0.21875. At 8 mm, x = 0.5 + 8 * 0.21875 =
+  // 2.25.
   const Optics optics{.panel = {}, .model = LenticularSheet{}, .z_front_mm = 8.0f};
   const Ray ray = ray_of_pixel(optics, {256.5f, 256.5f});
   EXPECT_EQ(ray.origin, Vec3f(2.25f, -0.0625f, 8.0f));
@@ -53,13 +55,14 @@ TEST(Lenticular, slanted_rows_converge_to_eye_height) {
     // Lens axes are a whole number of pitches apart.
     const Vec3f p = at_depth(ray_of_pixel(optics, pixel), 0.0f);
     const float lens = (p.x * std::cos(sheet.slant) + p.y * std::sin(sheet.slant) - sheet.offset_mm) / sheet.lens_pitch_mm;
-    // kPositionMm, 1e-4 mm, divided by the smallest pitch of 0.1 mm
+    // The tolerance is kPositionMm = 1e-4 mm divided by the smallest pitch, 0.1 mm.
     EXPECT_NEAR(lens, std::round(lens), 1e-3f);
   }
 }
 
 TEST(Lenticular, rays_of_one_view_are_parallel) {
-  // The pitch is no binary fraction. In spite of rounding, cells must be 5 whole pixels wide.
+  // Floats cannot represent the pixel width of 0.1 mm exactly. In spite of rounding, the cell below each lens must be 5
+  // whole pixels wide.
   const Optics optics{.panel = {1000, 4, 0.1f},
                       .model = LenticularSheet{.lens_pitch_mm = 0.5f, .gap_mm = 1.0f, .offset_mm = 0.25f}};
   ASSERT_EQ(whole_pixels_per_lens(optics), Vec2i(5, 1));
@@ -269,7 +272,7 @@ TEST(MultiView, odd_sizes_leave_padding) {
 }
 
 TEST(MultiView, eyes_are_exact_over_the_widest_cone) {
-  // The tangent is exact to 2e-8. Towards 90 degrees, an error of the angle is multiplied by 1 / cos^2(angle).
+  // The tangent multiplies an error of the angle by 1 / cos^2(angle), so the tolerance grows by this factor.
   for (const float cone : {0.1f, 1.0f, 2.0f, 3.0f}) {
     const Optics quilt{.panel = {400, 1, 1.0f}, .model = MultiView{400, 1, cone, true, 1.0f}};
     for (int v = 0; v < 400; ++v) {
@@ -329,8 +332,8 @@ TEST(SlantedPanel, blue_first_swaps_red_and_blue) {
 }
 
 TEST(SlantedPanel, cells_repeat_by_2_columns_4_rows) {
-  // Blue sub-pixels in odd columns of rows 1, 5, 9 from the bottom are half a pixel right of the pixel's centre and a
-  // quarter up. Of 10 rows, row 4 from the top is row 5 from the bottom. With pixels of 0.3 mm, x = (7.5 + 0.5 - 10) *
+  // Only blue sub-pixels in odd columns of rows 1, 5 and 9 from the bottom are shifted: half a pixel to the right and a
+  // quarter up. Row 4 from the top is row 5 from the bottom of 10 rows. With pixels of 0.3 mm, x = (7.5 + 0.5 - 10) *
   // 0.3 = -0.6 mm and y = (5.5 + 0.25 - 5) * 0.3 = 0.225 mm.
   SlantedPanel slanted{.periods = 8.0};
   slanted.sub_pixels[1][1][2] = {0.5f, 0.25f};
@@ -365,7 +368,7 @@ TEST(RayGenerator, similarity_gives_the_transformed_ray) {
     const Vec2f pixel(random.uniform(0, film_size(optics).x), random.uniform(0, optics.panel.height));
     const Ray local = ray_of_pixel(optics, pixel), ray = generator.ray(pixel);
     const float size = scale * (glm::length(local.origin) + 10.0f);
-    // a rounding error is 6e-8
+    // The tolerances cover several rounding errors of 6e-8.
     expect_near(ray.origin, transform_point(world, local.origin), 1e-6f * size);
     expect_near(ray.direction, glm::normalize(transform_vector(world, local.direction)), 1e-6f);
     EXPECT_NEAR(glm::length(ray.direction), 1.0f, 1e-6f);

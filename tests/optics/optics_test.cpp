@@ -46,8 +46,8 @@ TEST(WholePixels, converging_cells_count_by_their_own_width) {
 }
 
 TEST(WholePixels, lens_and_view_follow_the_pixel_grid) {
-  // The pitch is no binary fraction. In spite of rounding, pixel i must lie below lens floor(i / N), with N pixels per
-  // lens.
+  // Floats cannot represent the pitch of 0.7 mm exactly. In spite of rounding, pixel i must lie below lens floor(i /
+  // N), with N pixels per lens.
   const Optics optics = with(LenticularSheet{.lens_pitch_mm = 0.7f, .gap_mm = 1.3f, .offset_mm = 0.35f}, {7000, 2, 0.1f});
   ASSERT_EQ(whole_pixels_per_lens(optics), Vec2i(7, 1));
   Optics at_lenses = optics;
@@ -71,7 +71,8 @@ TEST(Derived, default_sheet_has_28_degrees_and_16mm) {
 TEST(Derived, slanted_panel_with_20_sub_pixels) {
   // A lens is 20 sub-pixels of 0.1 mm, or 2 mm, wide. The cone of 2 atan(1/2) contains 20 views, 1/20 mm apart per mm
   // of depth, so the depth budget is 2 / (1/20) = 40 mm. At a depth of 20 mm, a view covers 20 / 20 = 1 mm. At 4 mm, a
-  // pixel of 0.3 mm is larger. From 500 mm, perspective scales pixels by 1 - z / 500.
+  // view covers less than a pixel, so the footprint is a pixel. Seen from 500 mm, pixels at depth z are scaled by 1 - z
+  // / 500.
   const Optics panel = with(SlantedPanel{.periods = 30.0, .view_cone = 2.0f * std::atan(0.5f)}, {200, 100, 0.3f});
   EXPECT_NEAR(depth_budget_mm(panel), 40.0f, 1e-4f);
   EXPECT_EQ(viewing_zone(panel), 2.0f * std::atan(0.5f));

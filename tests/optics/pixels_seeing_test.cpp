@@ -53,8 +53,8 @@ bool on_panel(const Optics& optics, Vec2f p) {
   return p.x >= 0 && p.x < right && p.y >= top && p.y < optics.panel.height;
 }
 
-/// Returns all points of the panel whose rays pass through `point`. Starts at 9 points per pixel, because the part of a
-/// lens at the panel's edge may contain no pixel centre.
+/// Returns all points of the panel whose rays pass through `point`. Starts at 9 points per pixel, because the panel's
+/// edge may cut the area below a lens so that it contains no pixel centre.
 std::vector<Vec2f> search(const Optics& optics, const RayGenerator& generator, Vec3f point) {
   std::vector<Vec2f> found;
   for (int j = 0; j < 3 * optics.panel.height; ++j)

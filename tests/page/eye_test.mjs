@@ -1,4 +1,4 @@
-// The picture for an eye matches `lippmann replay` with 40 dB at the eye of a view, and 30 dB between views.
+// The picture for an eye matches `lippmann replay` with a PSNR of 40 dB at the eye of a view, and 30 dB between views.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { closeAfterEach, eyeOfView, fractional, grid, lenslets, open, psnrBeside, quilt, replay, set, sheet, view } from "./support.mjs";

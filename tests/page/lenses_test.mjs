@@ -1,5 +1,5 @@
-// Views with light that leaks between pixels match `lippmann replay --crosstalk` with 40 dB, and 30 dB outside the
-// viewing zone.
+// Views with light that leaks between pixels match `lippmann replay --crosstalk` with a PSNR of 40 dB, and 30 dB
+// outside the viewing zone.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { besidePanel } from "./panel.mjs";
@@ -94,7 +94,7 @@ test("few lenses show their panel pixel for pixel", async () => {
   assert.equal(await page.locator(".caption:visible").count(), 0);
 });
 
-// The lenses are 3 CSS pixels wide.
+// In the small window, lenses are 3 CSS pixels wide at any density, so the page shows no panel beside the eye's view.
 test("dense screens judge lenses by CSS pixels", async () => {
   lenslets();
   const address = await view("lenslets");

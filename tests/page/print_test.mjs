@@ -1,5 +1,5 @@
-// The saved print equals that of `lippmann convert`, and the view through the sheet matches `lippmann replay` with 40
-// dB.
+// The saved print equals that of `lippmann convert`. The view through the sheet matches `lippmann replay` with a PSNR
+// of 40 dB.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";

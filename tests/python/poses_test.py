@@ -123,7 +123,7 @@ class CameraSets(Case):
     def test_cameras_look_at_one_point_from_one_distance(self):
         poses = np.array([field.world_from_camera[0, 0] for field in self.frames()])
         positions, backwards = poses[:, :3, 3], poses[:, :3, 2]
-        # The point with the least squared distance from all axes.
+        # Computes the point with the smallest sum of squared distances from the cameras' axes.
         across = np.eye(3) - backwards[:, :, None] * backwards[:, None, :]
         middle = np.linalg.solve(across.sum(axis=0), (across @ positions[..., None]).sum(axis=0)[:, 0])
         distances = np.linalg.norm(positions - middle, axis=1)

@@ -51,8 +51,8 @@ TEST(EyeView, slanted_and_hexagonal_lenses_equal_direct_view) {
     const ThreadPool pool(1);
     const EyeSampler sampler(panel, SampleFilter::kLinear);
     for (int k = -8; k <= 8; ++k) {
-      // Compares points on lens axes: at y = 1.3 mm on the axes (k + 1/2) pitch of the slanted sheet, or the centres of
-      // hexagonal lenses in the row of lens (0, 0).
+      // Compares points on the axes of lenses. On the slanted sheet, these are points at y = 1.3 mm on the axes at (k +
+      // 1/2) pitch; in the hexagonal array, the centres of lenses in the row of lens (0, 0).
       const auto* s = std::get_if<LenticularSheet>(&optics.model);
       const float pitch = s ? s->lens_pitch_mm : std::get<MicrolensArray>(optics.model).lens_pitch_mm;
       const Vec2d at =
@@ -168,8 +168,8 @@ TEST(EyeView, single_view_is_the_same_from_everywhere) {
 }
 
 TEST(EyeView, crosstalk_is_a_gaussian_below_the_lens) {
-  // Only one column below the lens is bright. The weights that nine eyes, one per column, see sum to 1. Their second
-  // moment is sigma^2 of the Gaussian plus 1/12 for the width of a pixel.
+  // Only one column below the lens is bright. Nine eyes, one per column, see this column with weights that sum to 1.
+  // The second moment of the weights is sigma^2 of the Gaussian plus 1/12 for the width of a pixel.
   const Optics optics = test::sheet(100.0f);
   RenderedPanel panel{optics, Image(360, 120, 3)};
   for (int y = 0; y < 120; ++y) panel.picture.pixel(9 * 20 + 4, y)[0] = 1.0f;

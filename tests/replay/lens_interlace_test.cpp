@@ -26,8 +26,8 @@ Display sheet_of_ten() {
   return sheet;
 }
 
-/// Gap g in mm. The viewer at 1000 mm sees a strip of 8 (1 + g / 1000) mm through a lens of 8 mm. The strip spans 30
-/// degrees, so it is also 2 g tan(15 degrees) wide.
+/// Gap g in mm. For a viewer at 1000 mm, the strip below a lens of 8 mm is 8 (1 + g / 1000) mm wide. Seen from the
+/// lens, the strip spans 30 degrees, so its width is also 2 g tan(15 degrees).
 double gap_mm() { return 8.0 / (2.0 * std::tan(15.0 * std::numbers::pi / 180.0) - 8.0 / 1000.0); }
 
 double cell_mm() { return 8.0 * (1.0 + gap_mm() / 1000.0); }

@@ -91,8 +91,8 @@ TEST(Refocus, plane_is_sharp_only_at_its_depth) {
     const double z = -5.0;
     const RenderedPanel panel = record(optics, z, waves);
     const Image truth = seen_directly(optics, size, eye, z, waves);
-    // Interpolation over a lens of 1 mm reduces a wave of 0.95 rad/mm by (0.95 * 1)^2 / 12 = 8 %. Error: 0.4 * 0.08 /
-    // sqrt(2), which is 33 dB.
+    // Interpolation over a lens of 1 mm reduces a wave of 0.95 rad/mm by (0.95 * 1)^2 / 12 = 8 %. For the amplitude
+    // 0.4, the RMS error is 0.4 * 0.08 / sqrt(2) = 0.023, which is 33 dB.
     EXPECT_GE(linear_psnr(refocus(panel, z, size, pool), truth, 4), 30.0);
     EXPECT_LT(linear_psnr(refocus(panel, 12.0, size, pool), truth, 4), 22.0);
   }

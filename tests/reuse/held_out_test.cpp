@@ -66,8 +66,8 @@ Evidence evidence_of(const HeldOut& held_out, std::span<const double> squared_er
 TEST(HeldOut, errors_are_weighted_by_untraced_patches) {
   const HeldOut held_out = drawn_by_hand();
   const auto errors = estimate_errors(held_out, evidence_of(held_out, std::vector<double>{0.0, 0.0, 0.0, 5.0, 200.0, 400.0}));
-  // Of 150 patches, 96 of level 0 and 48 of level 2 are not traced. Samples of level 0 have a mean error of (0 + 0 + 0
-  // + 5) / 4 = 5/4, samples of level 2 a mean error of (200 + 400) / 2 = 300.
+  // The draw has 150 patches, of which 96 of level 0 and 48 of level 2 are not traced. Samples of level 0 have a mean
+  // error of (0 + 0 + 0 + 5) / 4 = 5/4, samples of level 2 a mean error of (200 + 400) / 2 = 300.
   EXPECT_NEAR(errors[0].mse, 96.0 / 150.0 * 1.25, 1e-12);
   EXPECT_NEAR(errors[1].mse, errors[0].mse, 1e-12);
   EXPECT_NEAR(errors[2].mse, errors[0].mse + 48.0 / 150.0 * 300.0, 1e-12);

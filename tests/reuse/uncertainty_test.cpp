@@ -5,7 +5,7 @@
 namespace lippmann {
 namespace {
 
-/// A view of 16 x 8 pixels whose neighbours are also neighbours on the panel.
+/// A single view of 16 x 8 pixels. Neighbours in the view are therefore also neighbours on the panel.
 Optics small_view() {
   Optics optics;
   optics.panel = {16, 8, 1.0f};

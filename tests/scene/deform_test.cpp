@@ -9,7 +9,7 @@
 namespace lippmann {
 namespace {
 
-/// rounding of floats of about 10
+/// Tolerance for rounding of floats near 10.
 constexpr float kRounding = 1e-5f;
 
 void expect_near(Vec3f actual, Vec3f expected) {

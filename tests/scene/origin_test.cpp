@@ -17,7 +17,7 @@
 namespace lippmann {
 namespace {
 
-/// floats of this size have a spacing of half a unit
+/// A place so far from the origin that floats have a spacing of half a unit.
 const Vec3d kPlace(4512345.125, 320.5, -5400000.25);
 
 std::string text_of(Vec3d p) { return fmt::format("{} {} {}", p.x, p.y, p.z); }

@@ -9,7 +9,7 @@
 namespace lippmann {
 namespace {
 
-// rounding of floats of about 1
+// Tolerance for rounding of floats near 1.
 constexpr float kRounding = 2e-6f;
 
 void expect_near(Vec3f a, Vec3f b, float tolerance = kRounding) {

@@ -13,7 +13,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// rounding of lengths up to 100
+// Tolerance for rounding of lengths up to 100.
 constexpr float kRounding = 2e-5f;
 
 void expect_near(Vec3f a, Vec3f b) {
@@ -150,7 +150,7 @@ TEST(FitArray, orthographic_height_ignores_position_and_focus) {
 }
 
 // The subject is 2 units wide, the camera's volume 6 wide and 3 high. With a margin of a twentieth, the picture is 2.1
-// units wide, and twice as high.
+// units wide. With an aspect of 0.5, it is 4.2 units high.
 TEST(FitArray, narrow_orthographic_pictures_keep_the_subject) {
   Scene scene;
   add_box(scene, Vec3f(-1), Vec3f(1));

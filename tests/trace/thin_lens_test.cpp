@@ -56,9 +56,7 @@ TEST_P(ThinLensEdge, is_as_wide_as_the_circle_of_confusion) {
   for (int view = 0; view < kViews; ++view) {
     const double eye = kBaseline * (view - 1), place = 0.5 * kWidth + (eye * (1.0 - m) + kEdge * m) / kPitch;
     const Edge edge = edge_in(blurred, view * kWidth, kWidth);
-    // 256 samples are stratified over the lens in 16 x 16 cells. The edge cuts about 20 cells, each with an error of at
-    // most half its area, so a pixel has a standard deviation of 0.5 sqrt(20) / 256 = 0.01. With c pixels in the ramp,
-    // the place has an error of 0.01 sqrt(c), at most 0.06. The test allows three times this.
+    // The noise of 256 stratified samples moves the place by at most 0.06 pixels. The test allows three times this.
     EXPECT_NEAR(edge.place_px, place, 0.2) << view;
     EXPECT_NEAR(edge.variance_px2, circle_px * circle_px / 16.0 + 1.0 / 6.0, 0.03 * circle_px * circle_px / 16.0 + 0.1) << view;
   }
@@ -86,9 +84,9 @@ TEST(ThinLens, zero_aperture_equals_a_pinhole) {
             trace(s.scene, camera_row(), pinhole).film.data);
 }
 
-// All points of the lens see a plate at the same size, so its blurred picture has as much light as a sharp one. The
-// sharp picture resolves its area to 0.1 %. The blurred one has 16 random samples in 4 x 30 pixels at the rim, with a
-// standard deviation of sqrt(4 x 30 x 0.25 / 16) / 1024 = 0.13 %. The test allows four times the combined error.
+// All points of the lens see a plate at the same size, so its blurred picture has as much light as a sharp one.
+// Sampling errors of the sharp and the blurred picture are 0.1 % and 0.13 %. The test allows four times the combined
+// error.
 TEST(ThinLens, blur_keeps_the_light) {
   SmallScene s;
   s.add(square(2.0f, -10.0f), s.material(glowing(Vec3f(1.0f))));

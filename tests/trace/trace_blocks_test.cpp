@@ -182,7 +182,8 @@ TEST(TouchProbe, mirror_rays_touch_reflected_boxes) {
   s.scene.max_depth = 2;
   s.add(square(3, 0), s.material(mirror(0.5f)));
   s.add(square(3, 30), s.material(glowing(Vec3f(1.0f))));
-  // A mirror ray that leaves (y, 0) is at 3 y at z = 20, three times as far from the eye's mirror image at z = -10.
+  // A mirror ray seems to start at the eye's mirror image at z = -10. A ray through the height y at z = 0 is at 3 y at
+  // z = 20, three times as far from the mirror image.
   expect_met(blocks_that_meet(s, {{-9, 3 * 0.3f, 19.99f}, {9, 3 * 0.45f, 20.0f}}), {6});
 }
 

@@ -123,8 +123,8 @@ TEST(Whitted, transparent_blockers_attenuate_by_opacity) {
 }
 
 TEST(Whitted, rays_along_shared_edges_hit) {
-  // The square is larger than the view, and its diagonal passes the centres of pixels. Opposite rotations of mesh and
-  // node round crossings of the diagonal in both directions.
+  // The square is larger than the view, and its diagonal passes the centres of pixels. The node's rotation undoes that
+  // of the mesh, so rounding moves points of the diagonal to both sides.
   constexpr int kPixels = 200;
   int holes = 0;
   for (int n = 1; n <= 100; ++n) {
@@ -257,7 +257,7 @@ TEST(Whitted, mirrors_show_objects_behind_the_viewer) {
 }
 
 TEST(Whitted, facing_mirrors_end_at_the_depth_limit) {
-  // The vertices alternate between front and back mirror, and each adds its emission of 1. At the depth limit, the
+  // The vertices of a path alternate between the two mirrors, and each adds its emission of 1. At the depth limit, the
   // background is visible.
   SmallScene s;
   s.scene.background.horizon = s.scene.background.zenith = Vec3f(8.0f);

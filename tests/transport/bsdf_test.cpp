@@ -90,7 +90,7 @@ TEST(MetalRoughBsdf, white_furnace_conserves_energy) {
         MetalRoughSurface white;
         white.metallic = metallic, white.roughness = 0.1f * static_cast<float>(r);
         const auto [mean, squares] = mean_weight(bsdf_of(white, angle), 16'384);
-        // 0.5 % for the tables, and three standard errors
+        // The tolerance is 0.5 % for the tables of multiple scattering, plus three standard errors of the mean.
         EXPECT_NEAR(mean, 1.0, 0.005 + 3.0 * std::sqrt(std::max(0.0, squares - mean * mean) / 16'384))
             << "metallic " << metallic << ", roughness 0." << r << ", " << angle << " degrees";
       }
@@ -102,7 +102,7 @@ TEST(MetalRoughBsdf, smooth_glass_loses_nothing) {
   for (const bool entering : {true, false}) EXPECT_NEAR(mean_weight(bsdf_of(glass, 50.0f, entering), 4096).first, 1.0, 1e-4);
 }
 
-// 1 % covers interpolation in the tables and noise.
+// The tolerance of 1 % covers interpolation in the tables and noise.
 TEST(MetalRoughBsdf, rough_glass_conserves_energy) {
   for (const float ior : {1.33f, 1.5f, 2.0f})
     for (int r = 1; r <= 10; ++r)

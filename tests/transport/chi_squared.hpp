@@ -22,8 +22,8 @@ struct ChiSquared {
   }
 };
 
-/// `draw` returns direction i of `count`, or nothing. `density` is per steradian. Cells with fewer than 8 expected samples are
-/// merged.
+/// Tests directions against a density per steradian. `draw(i)` returns the i-th of `count` directions, or nothing.
+/// Cells with fewer than 8 expected samples are merged.
 inline ChiSquared chi_squared(int count, const std::function<std::optional<Vec3f>(int)>& draw,
                               const std::function<double(Vec3f)>& density) {
   // Number of cells, and number of quadrature points along each side of a cell.

@@ -159,9 +159,9 @@ TEST(Environment, one_texel_suns_are_found_anywhere) {
   for (const Vec2i at : {Vec2i(100, 40), Vec2i(0, 64), Vec2i(255, 64), Vec2i(30, 0), Vec2i(255, 0), Vec2i(0, 127)}) {
     const Background b = sunny(at.x, at.y);
     const Environment e(b);
-    // The sun, one texel, has as much light as all other texels. At a pole, interpolation makes its light constant up
-    // to the middle of its row, 1/4 of the row's solid angle. From there to the middle of the next row (2 times the
-    // row's solid angle), it falls to 0, with a mean of 1/2. So its light is 1/4 + 2/2 = 1.25, of 1.25 + 1.
+    // The sun, one texel, has as much light as all other texels together, so its share is 1/2. In a row at a pole,
+    // interpolation spreads the sun over a larger solid angle. It then has 1.25 times the light of the other texels, a
+    // share of 1.25 / 2.25.
     EXPECT_NEAR(e.sun_share(), at.y % 127 == 0 ? 1.25f / 2.25f : 0.5f, 0.002f) << at.x << ", " << at.y;
     double solid_angle = 0.0;
     for_each_direction(b, 3, [&](Vec3f d, double steradian) {

@@ -30,8 +30,8 @@ double brute_force(float cosine, float alpha) {
   return sum;
 }
 
-// 2 % covers the fit's error of 1.2 % and the noise of the walks. With the mean reflectance for every reflection after
-// the first, metals of roughness 0.3 to 0.6 would be 4 to 6 % too dark at cosines of 0.1 and 0.2.
+// The tolerance of 2 % covers the fit's error of 1.2 % and the noise of the random walks. If every reflection after the
+// first had the mean reflectance, metals of roughness 0.3 to 0.6 would be 4 to 6 % too dark at cosines of 0.1 and 0.2.
 TEST(GgxAlbedo, of_coloured_metals_matches_facet_walks) {
   const Vec3f f0(0.2f, 0.5f, 0.8f);
   for (const float roughness : {0.3f, 0.45f, 0.6f, 0.8f, 1.0f})
@@ -53,7 +53,7 @@ TEST(GgxAlbedo, agrees_with_quadrature) {
   for (const float roughness : {0.5f, 0.75f, 1.0f})
     for (const float cosine : {0.15f, 0.5f, 0.97f}) {
       const Vec3f single = albedo().single(cosine, roughness * roughness);
-      // the table is interpolated linearly
+      // The tolerance covers linear interpolation in the table.
       EXPECT_NEAR(single.x + single.y, brute_force(cosine, roughness * roughness), 0.004)
           << "roughness " << roughness << ", cosine " << cosine;
     }
@@ -82,7 +82,7 @@ TEST(GgxAlbedo, mean_equals_the_directions_mean) {
     sum += 2.0f * cosine / kPoints * GgxAlbedo::directional(albedo().single(cosine, 0.36f), f0, f90);
   }
   const Vec3f mean = albedo().mean(0.36f, f0, f90);
-  // roughness 0.6 is between two entries of the table
+  // The tolerance covers interpolation, because roughness 0.6 is between two entries of the table.
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(mean[c], sum[c], 2e-3f) << "channel " << c;
 }
 

@@ -23,8 +23,8 @@ LayeredBsdf bsdf_of(const LayeredSurface& surface, Vec3f view, bool entering = t
   return {surface, albedo(), {kNormal, kNormal, kNormal}, kTangent, view, entering};
 }
 
-/// Normals of diffuse part, gloss and coat, each at less than 90 degrees from any view of up to 50 degrees from
-/// kNormal.
+/// Different normals of the diffuse part, the gloss and the coat. From each view of up to 50 degrees from kNormal, all
+/// three normals are less than 90 degrees away.
 const MetalRoughBsdf::Normals kApart{kNormal, direction(30.0f, 20.0f), direction(35.0f, 200.0f)};
 
 LayeredSurface dielectric(float roughness) {
@@ -144,7 +144,8 @@ TEST(LayeredBsdf, sample_agrees_with_evaluate) {
   }
 }
 
-// The film's compensation for multiple scattering depends only on the viewer's side, by a few thousandths.
+// The film's compensation for multiple scattering depends only on the direction to the viewer, which changes results by
+// a few thousandths.
 TEST(LayeredBsdf, sheen_film_and_diffuse_transmission_are_reciprocal) {
   for (LayeredSurface s : {sheen(0.3f), sheen(1.0f), filmed(0.0f), leaf()}) {
     s.base.specular = 0.0f;
@@ -159,8 +160,8 @@ TEST(LayeredBsdf, sheen_film_and_diffuse_transmission_are_reciprocal) {
   }
 }
 
-// The compensation for multiple scattering depends only on the direction to the viewer. Smooth metal needs little of
-// it.
+// The compensation for multiple scattering depends only on the direction to the viewer. Smooth metal needs little
+// compensation.
 TEST(LayeredBsdf, smooth_brushed_metal_is_reciprocal) {
   const LayeredSurface s = brushed(0.15f, 0.2f);
   const Vec3f a = direction(25.0f, 10.0f), b = direction(30.0f, 185.0f);
@@ -194,7 +195,7 @@ TEST(LayeredBsdf, without_layers_equals_the_base_surface) {
     }
 }
 
-// 3 % covers interpolation in the table.
+// The tolerance of 3 % covers interpolation in the table.
 TEST(LayeredBsdf, white_brushed_metal_conserves_energy) {
   for (const float roughness : {0.1f, 0.3f, 0.6f, 0.9f})
     for (const float anisotropy : {0.3f, 0.6f, 1.0f})
@@ -208,8 +209,8 @@ TEST(LayeredBsdf, white_brushed_metal_conserves_energy) {
         }
 }
 
-// 7 % covers interpolation in the table, and the assumption that all facets after the first have the roughness that the
-// viewer sees.
+// The tolerance of 7 % covers interpolation in the table, and the assumption that all facets after the first have the
+// roughness that the viewer sees.
 TEST(LayeredBsdf, coloured_brushed_metal_matches_facet_walks) {
   for (const float roughness : {0.2f, 0.4f})
     for (const float cosine : {0.1f, 0.3f})
@@ -287,7 +288,7 @@ TEST(LayeredBsdf, brushed_metal_is_wider_along_the_tangent) {
   EXPECT_FLOAT_EQ(leaning(kTangent), leaning(-kTangent));
 }
 
-// A film of thickness 0 has no front boundary. 0.02 covers the Gaussian fit for white.
+// A film of thickness 0 has no front boundary. The tolerance of 0.02 covers the Gaussian fit for white.
 TEST(ThinFilm, of_zero_thickness_has_no_effect) {
   for (const float cosine : {1.0f, 0.7f, 0.5f, 0.2f}) {
     const float bare = 0.04f + 0.96f * schlick_weight(cosine);
@@ -329,7 +330,8 @@ TEST(LayeredBsdf, thin_walls_pass_the_remaining_light) {
   EXPECT_EQ(bsdf_of(leaf(), view).straight(), Vec3f(0.0f));
 }
 
-// Compares straight() with the mean over 65,536 evenly spaced numbers. 4e-4 is the weight of two numbers at the ends of a lobe.
+// Compares straight() with the mean over 65,536 evenly spaced numbers. The tolerance of 4e-4 is the weight of two
+// numbers at the ends of a lobe.
 TEST(LayeredBsdf, samples_pass_thin_walls_with_that_mean) {
   LayeredSurface wall = pane(0.0f);
   wall.base.transmission = 0.7f, wall.base.clearcoat = 0.5f, wall.sheen_color = Vec3f(0.3f), wall.sheen_roughness = 0.5f;

@@ -49,7 +49,7 @@ TEST(Ggx, facets_follow_their_density) {
 }
 
 TEST(Fresnel, of_glass_is_known_at_three_angles) {
-  // ((1.5 - 1) / (1.5 + 1))^2 = 0.04
+  // At normal incidence, the reflectance is ((1.5 - 1) / (1.5 + 1))^2 = 0.04.
   EXPECT_NEAR(fresnel_dielectric(1.0f, 1.5f), 0.04f, 1e-6f);
   // At Brewster's angle, whose tangent is 1.5, no parallel light is reflected. The reflectance is half of the
   // perpendicular part, ((1.5^2 - 1) / (1.5^2 + 1))^2 = 0.147929.

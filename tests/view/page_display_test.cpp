@@ -21,8 +21,8 @@ Display small_panel() {
 }
 
 // Lens periods: P = pitch * width / dpi * cos(atan(1 / slope)) = 10 * 300 / 100 * cos(atan(1/2)). Tilt: T = height /
-// (width * slope) = 200 / (300 * -2). The page measures x at the middle of a sub-pixel, a third of a pixel left of the
-// calibration, so its centre is P / (3 * 300) lower.
+// (width * slope) = 200 / (300 * -2). The page measures x at the middles of sub-pixels, a third of a pixel further left
+// than the calibration. Therefore, the page's centre is lower by P / (3 * 300).
 TEST(PageDisplay, phases_follow_the_calibration) {
   const nlohmann::ordered_json json = page_display_json({small_panel(), {ViewFilter::kGaussian, 0.75}});
   const double periods = 30.0 * 2.0 / std::sqrt(5.0);

@@ -10,8 +10,8 @@
 namespace lippmann {
 namespace {
 
-// At the viewing distance V, the eye at -o V / g sees the pixel with the offset o from the centre of its cell, with the gap g.
-// Its slope is -o / g. View 0 is the rightmost pixel.
+// Let o be a pixel's offset from the middle of the pixels below its lens, g the gap and V the viewing distance. The eye
+// at -o V / g, with the slope -o / g, sees this pixel. View 0 is the rightmost pixel.
 TEST(ViewAxes, slopes_are_those_of_lens_rays) {
   const ViewAxes axes = view_axes(test::small_sheet(), {4, 1});
   EXPECT_EQ(axes.across.count, 4);

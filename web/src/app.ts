@@ -365,7 +365,7 @@ export class App {
     return before !== width || above !== height;
   }
 
-  /** divisor: reduces the width and the height of the picture, compared with the screen. */
+  /** divisor: the factor by which the picture has fewer columns and rows than the screen. */
   private draw(divisor = 1): void {
     const state = this.seen;
     this.frames.pin(this.shown(), state.frame);
@@ -596,19 +596,19 @@ export class App {
     setPlaneDistance(this.live, Math.min(Math.max(from + share * (farthest - nearest), nearest), farthest));
   }
 
-  /** share: a point of the picture, whose depth the plane takes. */
+  /** Moves the display's plane to the depth of a point. share: the point, as shares of the picture's size. */
   putPlaneAt(share: [number, number]): void {
     const depth = this.renderer.depthAt(this.seen, share);
     if (depth !== null && Number.isFinite(depth)) this.live?.setPlane(depth);
   }
 
-  /** share: a point of the picture, whose depth becomes the zero plane of the print. */
+  /** Sets the print's zero plane to the depth of a point. share: the point, as shares of the picture's size. */
   putZeroPlaneAt(share: [number, number]): void {
     const depth = this.renderer.depthAt(this.seen, share);
     if (depth !== null && Number.isFinite(depth)) this.print?.setPlane(depth);
   }
 
-  /** share: a point of the picture. Opens the aperture if it is closed. */
+  /** Focuses on a point, and opens the aperture if it is closed. share: the point, as shares of the picture's size. */
   focusAt(share: [number, number]): void {
     const { state } = this.store;
     const depth = this.renderer.depthAt(this.seen, share);

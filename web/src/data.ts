@@ -19,7 +19,7 @@ type Source = "server" | "scripts" | "within";
 const source = (): Source => (document.querySelector('meta[name="lippmann-data"]')?.getAttribute("content") ?? "server") as Source;
 const isSaved = (): boolean => source() !== "server";
 
-/** The server saves the page as one file. */
+/** Whether the page can be saved as one file, which needs a server. */
 export const canSavePage = (): boolean => !isSaved();
 
 /** Returns whether the page's address works on this machine only. */

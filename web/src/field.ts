@@ -102,7 +102,7 @@ export function readFields(json: unknown): Field[] {
   return fields;
 }
 
-/** Views are evenly spaced in slope or in angle, seen from the display's middle. */
+/** Converts a slope to the axis's own quantity, slope or angle, in which its views are evenly spaced. */
 const placed = (axis: Axis, slope: number): number => (axis.by === "angle" ? Math.atan(slope) : slope);
 const slopeOf = (axis: Axis, place: number): number => (axis.by === "angle" ? Math.tan(place) : place);
 
@@ -146,7 +146,7 @@ export function shareOutOfZone(field: Field, eye: readonly number[]): number {
   return 1 - (1 - across) * (1 - up);
 }
 
-/** The size has square pixels and at least the samples of a view. */
+/** Returns a picture size with square pixels and at least the resolution of a view. */
 export function naturalSize(field: Field): [number, number] {
   const [width, height] = field.window_mm.size;
   const pixel = Math.min(width / field.view_size[0], height / field.view_size[1]);

@@ -1,4 +1,4 @@
-// Keeps frames on the GPU. Frees the least recently used ones if all exceed a bound of memory.
+// Keeps frames on the GPU. If they exceed a memory limit, the least recently used frames are freed.
 import { asksForCrosstalk, canSavePage, loadPicture, type Progress } from "./data";
 import { Refusal, type Field } from "./field";
 import { samePanel } from "./display";
@@ -67,7 +67,7 @@ const crosstalkOf = (use: Use): string => (use.startsWith("eye/") ? use.slice(3)
 
 const kWhole: [number, number] = [1, 1];
 
-/** The frame may have been rendered since the last request failed. */
+/** A failed request is repeated after this time, because the frame may have been rendered meanwhile. */
 const kRetryMs = 3000;
 
 export class Frames {
@@ -186,7 +186,8 @@ export class Frames {
     this.changed();
   }
 
-  /** Returns the native picture if the scene was rendered for this panel and it is finished; otherwise interlaces the views. */
+  /** Returns the picture for the calibrated panel: the native picture if the scene was rendered for this panel and the
+   *  render is finished, otherwise the interlaced views. */
   private playedLive(facts: Field, views: ImageBitmap, panel: ImageBitmap | null): LoadedFrame | null {
     if (!this.isPlayed || !this.interlacer || facts.up.views > 1) return null;
     return this.played(facts, panel && this.isOwnPicture(facts) ? null : views, panel);
@@ -306,7 +307,8 @@ export class Frames {
     return !!display && samePanel(facts.panel.panel, display.panel) && facts.panel.size.join() === display.pixels.join();
   }
 
-  /** Loads and interlaces a frame at once, which takes less memory than its views and no time while it is played. */
+  /** Loads a frame and interlaces it immediately. The result takes less memory than the views, and playing it needs no
+   *  further computation. */
   private async makePlayed(field: number, frame: number): Promise<LoadedFrame> {
     const facts = this.fields[field];
     const label = facts.frames[frame].label;
@@ -359,7 +361,7 @@ export class Frames {
     return made;
   }
 
-  /** Views are blended until the depth has loaded. */
+  /** Loads the depth of a frame. Until then, views are blended without depth. */
   private async addDepth(made: LoadedFrame, field: number, frame: number): Promise<void> {
     const facts = this.fields[field];
     try {

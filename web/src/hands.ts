@@ -325,7 +325,8 @@ export class Hands {
     return actions[key.length === 1 ? key.toLowerCase() : key];
   }
 
-  /** Arrow keys move the eye, the loupe of a shown panel, or in a scene that is set up what dragging moves. */
+  /** Arrow keys move the eye. While the panel is shown, they move the loupe; while a scene is set up, they move what
+   *  dragging moves. */
   private arrow(x: number, y: number, by: number): void {
     const { app } = this;
     const { live } = app;

@@ -1,6 +1,6 @@
-// Interlaces views for a panel, as `lippmann convert --to native` does. The phase of a sub-pixel, its position below
-// its lens, determines its view: the fraction of a sum of two terms, for the row and for the column. Both terms are
-// tables of 64-bit fractions, because single precision is too coarse for hundreds of lenses.
+// Interlaces views for a panel, as `lippmann convert --to native` does. The view of a sub-pixel depends on its phase,
+// the position below its lens. The phase is the fraction of the sum of a term for the row and a term for the column.
+// Both terms are tables of 64-bit fractions, because single precision is too coarse for hundreds of lenses.
 import type { PanelDisplay } from "./display";
 import { Refusal, type Field } from "./field";
 import { bind, CodeTarget, Program, wordTexture, type Gl, type Uniform } from "./gl";

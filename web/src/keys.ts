@@ -32,6 +32,6 @@ export function toggleKeyList(isLive: boolean): void {
   document.body.append(dialog);
   shown = dialog;
   dialog.showModal();
-  // Focusing the button at the bottom of the dialog has scrolled down.
+  // showModal() focuses the button at the bottom of the dialog, which scrolls the dialog down.
   dialog.scrollTop = 0;
 }

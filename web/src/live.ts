@@ -103,7 +103,7 @@ export class Live {
     return this.states <= 1;
   }
 
-  /** Null while this page requests changes itself. */
+  /** The frame that another page chose; null while this page requests changes itself. */
   get othersFrame(): number | null {
     const { state } = this;
     return !state || this.sending || this.waiting || state.version < this.confirmed ? null : state.frame;
@@ -206,7 +206,7 @@ export class Live {
       picture.depth ? loadPicture(`live/depth/${id}`) : null,
       picture.panel && field.panel.is === "own" ? loadPicture(`live/panel/${id}`) : null,
     ]);
-    // The server sends an empty file if a newer picture has replaced this one, which is requested next.
+    // The server sends an empty file if a newer picture has replaced this one. The newer picture is requested next.
     if ([views, depth, panel].some((one) => one?.size === 0)) return;
     await this.frames.showLive({ ...this.field, ...field }, { views, depth, panel });
     Object.assign(this.field, field);

@@ -21,7 +21,7 @@ interface Handle {
   pause(): void;
   panel(): Uint8ClampedArray;
   valueAt(x: number, y: number): number[];
-  /** Settings have the names of flags. */
+  /** Settings have the names of flags of `lippmann render`. */
   readonly scene: LiveState | null;
   setUp(settings: Record<string, string | null>): void;
   /** null: there is no print */

@@ -7,7 +7,8 @@ const kGoal = 33;
 const kSlow = 45;
 const kFast = 20;
 const kCoarsest = 4;
-/** Frames of the screen without motion after which the view rests. A video has a few between its own frames. */
+/** Frames of the screen without motion after which the view rests. While a video plays, a few frames of the screen show
+ *  no new picture. */
 const kRest = 8;
 /** fast pictures after which a finer resolution is tried */
 const kProof = 20;

@@ -27,8 +27,8 @@ export interface Pair {
   scale: number;
 }
 
-/** Width of a lens in CSS pixels. An eye's view of wider lenses looks stretched by mistake, so the panel is shown beside it. Two lenses are
- *  a cycle; at 0.0213 degrees a CSS pixel, wider lenses lose the frequencies that people see best, 3 to 5 cycles per degree (decision 0088). */
+/** Lenses above this width in CSS pixels are wide. An eye's view through wide lenses looks stretched, so the panel is
+ *  shown beside it. Decision 0088 derives the value. */
 const kWideLens = 4;
 /** In CSS pixels: the space between the two pictures, and the space below a picture for its caption. */
 const kGap = 16;

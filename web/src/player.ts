@@ -13,7 +13,7 @@ function playedBudget(): number {
   return Math.min(Math.max(gigabytes * 256, 512), 2048) * 1024 * 1024;
 }
 
-/** Calibration files are small. */
+/** Largest accepted size of a calibration file. */
 const kMostCalibrationBytes = 1 << 20;
 
 const sizeText = ([width, height]: readonly number[]): string => `${width}\u00d7${height}`;
@@ -108,7 +108,7 @@ export class Player {
     }
   }
 
-  /** Opens a second window to set up the scene, which shows the view of an eye. */
+  /** Opens a second window, which shows the view of an eye, to set up the scene. */
   openSetUp(): void {
     window.open(`${location.href.split("#")[0]}#show=eye`, "_blank", "popup,width=1200,height=800");
   }

@@ -37,7 +37,7 @@ export class Print {
   readonly settings: PrintSettings;
   file: { name: string; text: string } | null = null;
   made: Made | null = null;
-  /** Whether the user wants to see through the sheet. */
+  /** Whether the user wants to see the print through the lens sheet. */
   isWanted = false;
   isSeen = false;
   /** Whether the next click on the picture sets the zero plane. */
@@ -129,7 +129,7 @@ export class Print {
     this.enqueue(() => this.show());
   }
 
-  /** Shows the views without the sheet while it waits. */
+  /** Shows the views without the sheet while the page waits for the click. */
   awaitClick(on: boolean): void {
     this.see(false);
     this.awaitsClick = on;

@@ -13,7 +13,7 @@ export interface Work {
 
 /** Work shorter than this is not shown. */
 const kPatienceMs = 250;
-/** Earlier estimates of the time left are inaccurate. */
+/** The time left is shown after this time, because earlier estimates are inaccurate. */
 const kGuessMs = 800;
 
 const megabytes = (bytes: number): string => (bytes < 1e6 ? `${Math.max(1, Math.round(bytes / 1e3))}\u2009kB` : `${(bytes / 1e6).toFixed(bytes < 1e7 ? 1 : 0)}\u2009MB`);

@@ -22,7 +22,7 @@ const isShown = (origin: Origin | undefined, overlay: State["overlay"]): boolean
 export const tints = (field: Field, overlay: State["overlay"]): number[] =>
   kColours.flatMap((colour, code) => [...linearColour(colour), isShown(field.provenance?.[code], overlay) ? kStrength[overlay] : 0]);
 
-/** Share of pixels with each code. A few rows at a time limit the memory. */
+/** Returns the share of pixels with each code. Reads a few rows at a time to limit the memory. */
 export function sharesOf(picture: ImageBitmap, origins: number): number[] {
   const rows = Math.max(1, Math.min(picture.height, Math.floor((1 << 20) / picture.width)));
   const context = new OffscreenCanvas(picture.width, rows).getContext("2d", { willReadFrequently: true }) as OffscreenCanvasRenderingContext2D;

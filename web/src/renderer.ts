@@ -27,7 +27,8 @@ const kPanelKinds = { integral: 0, quilt: 1, own: 2 };
 const kStereoModes = { off: "first", anaglyph: "anaglyph", "side-by-side": "beside", "top-bottom": "above" } as const;
 const kCompareModes = { first: "first", second: "first", wipe: "wipe", difference: "difference", "side-by-side": "beside" } as const;
 const kLoupeRadius = 92;
-/** Views with fewer samples are upsampled, so that edges of lenses and of depth look smooth. */
+/** Least length of a picture's longer side in pixels. Smaller views are upsampled, so that edges of lenses and of depth
+ *  look smooth. */
 const kLeastLongSide = 800;
 /** Upper bound of the longer side of a magnified picture, in pixels. */
 const kMostPlace = 8192;
@@ -66,7 +67,7 @@ export class Renderer {
   private frameProgram: Program | null = null;
   private windowProgram: Program | null = null;
   private readonly screenPrograms = new Map<ScreenMode, Program>();
-  /** Without a GPU, drawing directly to the canvas halves the time. */
+  /** Whether pictures are drawn directly to the canvas, which halves the time without a GPU. */
   private direct = false;
   /** Rectangle of the panel shown in the last picture. */
   private panelPart: Rectangle = this.place;
@@ -226,7 +227,7 @@ export class Renderer {
     });
   }
 
-  /** The page stretches the canvas over the same rectangle of the screen. */
+  /** Divides the canvas's size by `divisor`. The page stretches the canvas over the same rectangle of the screen. */
   private resize(divisor: number): void {
     const { canvas } = this.gl, scaled = (length: number) => Math.round(length / divisor);
     const [width, height] = this.screen.map((side) => Math.max(1, scaled(side)));
@@ -346,8 +347,8 @@ export class Renderer {
     this.clip(null);
   }
 
-  /** Draws the panel beside the eye's view, or compares two panels as their eye's views. Magnifying first enlarges the eye's view to the
-   *  scale of the panel, and then both. */
+  /** Draws the panel beside the eye's view, or compares two panels as their eye's views. Magnification first enlarges
+   *  only the eye's view, up to the scale of the panel, and then both pictures. */
   private drawBeside({ eye, panel }: Pair, fields: Field[], frames: LoadedFrame[], state: State): void {
     const by = this.place.width / eye.width;
     const place = (this.besidePlace = magnified(panel, by > 1 ? Math.max(1, this.place.width / panel.width) : by, state.pan));

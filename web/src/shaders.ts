@@ -27,7 +27,7 @@ uniform vec4 u_tints[8];         // colour and opacity for each code
 
 vec2 slope_at(vec2 s) { return u_eye.xy / u_eye.z - s * (1.0 / u_eye.z - u_vergence); }
 
-// Returns the position of a slope among the views of an axis. View v is at v.
+// Returns the position of a slope among the views of an axis. View v has the position v.
 float view_place(vec4 axis, float slope) {
 #if BY_ANGLE
   if (axis.z > 0.5) slope = atan(slope);
@@ -135,8 +135,8 @@ export const eyeShader = (variant: Variant): string => `${preamble(variant)}${kC
 uniform vec2 u_output_size, u_offset;  // size of the picture, and its offset in the target, in pixels
 uniform float u_exposure;
 uniform bvec2 u_snap;           // snap to the centres of lenses
-uniform vec2 u_disparities;     // lowest and highest
-uniform float u_aperture, u_focus;  // share of the zone; disparity
+uniform vec2 u_disparities; // lowest and highest disparity
+uniform float u_aperture, u_focus; // aperture: share of the viewing zone; focus: disparity
 uniform float u_line;           // 0 ... 1 from the top: line of an epipolar-plane image, whose rows are eyes
 uniform vec2 u_point;           // point that the focus finder examines, mm
 uniform float u_sigma;          // sigma of the crosstalk, views
@@ -193,8 +193,9 @@ vec3 tinted(ivec2 view, vec2 pixel, float disparity) {
 #endif
 
 #if DEPTH
-// Interpolates a view without texels that are nearer than the sample, because they belong to another surface. per_disparity: motion in
-// pixels per unit of disparity. A texel has no weight if its disparity moves it by 3/4 pixel or more relative to the sample.
+// Interpolates a view. Leaves out texels that are nearer than the sample, because they belong to another surface.
+// per_disparity: motion in pixels per unit of disparity. A texel has no weight if its disparity moves it by 3/4 pixel
+// or more relative to the sample.
 vec3 in_view_behind(ivec2 view, vec2 pixel, vec2 per_disparity) {
   vec3 tile = tile_of(view);
   vec2 last = u_view_size - 1.0, at = clamp(pixel, vec2(0.5), u_view_size - 0.5) - 0.5, first = floor(at), share = at - first;
@@ -202,7 +203,7 @@ vec3 in_view_behind(ivec2 view, vec2 pixel, vec2 per_disparity) {
   vec4 disparities = vec4(disparity_in_tile(tile, first), disparity_in_tile(tile, vec2(next.x, first.y)), disparity_in_tile(tile, vec2(first.x, next.y)), disparity_in_tile(tile, next));
   vec2 row = share.y < 0.5 ? disparities.xy : disparities.zw;
   float own = share.x < 0.5 ? row.x : row.y;
-  // Very large where the sample's own texel has no surface and a neighbour has one.
+  // `moved` is very large where a neighbour has a surface but the sample's own texel has none.
   vec4 moved = max(abs(per_disparity.x), abs(per_disparity.y)) * (disparities - own);
   if (all(lessThan(moved, vec4(0.25)))) return in_view(view, pixel);
   vec2 rest = 1.0 - share;
@@ -252,7 +253,8 @@ vec3 between_views(vec2 s, vec2 slope, vec2 place) {
 #endif
 }
 
-// Returns the position among the views that an eye beyond the zone sees. count: views. turns: number of zones that the eye is away.
+// Returns the position among the views that an eye beyond the zone sees. count: number of views. turns: number of zones
+// between the eye and its own zone.
 float wrapped(float place, float count, float beyond, out float turns) {
   turns = beyond > 0.5 ? floor((place + 0.5) / count) : 0.0;
   return place - turns * count;
@@ -340,8 +342,8 @@ vec3 refocused(vec2 s) {
   return weights > 0.0 ? sum / weights : vec3(0.0);
 }
 
-// Returns the variance of the views around u_point for an assumed disparity, which is lowest at the disparity of the surface.
-// share: 0 is the lowest disparity, 1 the highest.
+// Returns the variance of the views around u_point for an assumed disparity. The variance is lowest at the disparity of
+// the surface. share: 0 is the lowest disparity, 1 the highest.
 float disagreement(float share) {
   float w = mix(u_disparities.x, u_disparities.y, share);
   float sum = 0.0;
@@ -418,7 +420,8 @@ vec3 panel_pixel(ivec2 p) {
 #endif
     return seen;
   }
-  // A lens turns its cell by 180 degrees: its rightmost pixel is seen from the left, its topmost pixel from below.
+  // A lens rotates the pixels below it by 180 degrees: its rightmost pixel is seen from the left, its topmost pixel
+  // from below.
   ivec2 cell = p / u_grid, in_cell = p - cell * u_grid;
   ivec2 view = ivec2(u_grid.x - 1 - in_cell.x, in_cell.y);
   if (u_grid.y == 1) view.y = 0;

@@ -63,8 +63,8 @@ TEST(ToothHalfAngle, quarter_pitch_less_backlash_at_pitch_circle) {
 }
 
 TEST(ToothHalfAngle, is_largest_at_the_base_circle) {
-  // Half angle of a tooth at the base circle of radius 10 cos(25 degrees) = 9.06308: pi / 40 + inv(25 degrees), minus a
-  // quarter of the backlash / the pitch radius 10. The involute function inv(a) = tan a - a is 0.466308 - 0.436332 =
+  // Half angle of a tooth at the base circle of radius 10 cos(25 degrees) = 9.06308: pi / 40 + inv(25 degrees) -
+  // backlash / (4 * 10), with the pitch radius 10. The involute function inv(a) = tan a - a is 0.466308 - 0.436332 =
   // 0.029975.
   EXPECT_NEAR(tooth_half_angle(20, 9.06308f), kPi / 40.0f + 0.029975f - kBacklash / 40.0f, 3e-4f);
   EXPECT_FLOAT_EQ(tooth_half_angle(20, 8.8f), tooth_half_angle(20, 9.0f));

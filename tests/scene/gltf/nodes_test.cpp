@@ -23,7 +23,7 @@ using testing::HasSubstr;
 
 const float kHalfRoot = std::sqrt(0.5f);
 
-/// rounding of floats of about 1
+/// Tolerance for rounding of floats near 1.
 constexpr float kFloatRounding = 1e-6f;
 
 void expect_near(Vec3f actual, Vec3f expected, float tolerance = kFloatRounding) {

@@ -14,7 +14,7 @@ using test::GltfBuilder;
 using test::Json;
 using test::parse;
 
-/// floats have a spacing of half a unit here
+/// A place so far from the origin that floats have a spacing of half a unit.
 const Vec3d kPlace(4512345.123, 320.57, -5400000.71);
 /// rounding errors of coordinates below 16, and of the 17 digits in the file
 constexpr double kRounding = 2e-6;
