@@ -22,7 +22,7 @@ nlohmann::ordered_json wait_for_rest(const LiveScene& scene);
 
 Image8 shown_picture(const LiveScene& scene, const std::string& kind);
 
-/// Renders as `lippmann render` does, and returns a frame's views in the page's layout.
+/// Renders a frame as `lippmann render` does. Returns its views in the layout that the page requests.
 Image8 views_of_render(RenderParams params, const std::filesystem::path& folder, int frame);
 
 }  // namespace lippmann::test

@@ -39,7 +39,8 @@ TEST(WholePixels, fractions_slant_and_misaligned_cells_have_none) {
 }
 
 TEST(WholePixels, converging_cells_count_by_their_own_width) {
-  // Cells of 1 mm lenses that converge to a viewer at 500 mm are 1 + 2 / 500 = 1.004 mm or 8.032 pixels wide.
+  // For a viewer at 500 mm and a gap of 2 mm, the cell of pixels below a 1 mm lens is 1 + 2 / 500 = 1.004 mm or 8.032
+  // pixels wide.
   EXPECT_EQ(whole_pixels_per_lens(with(LenticularSheet{.viewing_distance_mm = 500.0f})), Vec2i(0, 0));
   const LenticularSheet matched{.lens_pitch_mm = 1.0f / 1.004f, .offset_mm = 0.5f / 1.004f, .viewing_distance_mm = 500.0f};
   EXPECT_EQ(whole_pixels_per_lens(with(matched)), Vec2i(8, 1));

@@ -175,7 +175,7 @@ PlenopticCamera camera_of(const OpticsParams& params, float f_number = 0.0f) {
   return std::get<PlenopticCamera>(plenoptic_kind.make_model({params, panel, {360, 240, 10.0f}, 1000.0f, {}, 50.0f, f_number}));
 }
 
-/// The field of view is that of the scene's camera, a pinhole 50 mm in front of the sensor.
+/// The camera has the field of view of the scene's camera, a pinhole 50 mm in front of the sensor.
 TEST(Plenoptic, parameters_make_a_camera) {
   OpticsParams params;
   const PlenopticCamera matched = camera_of(params);

@@ -6,7 +6,8 @@ namespace lippmann {
 namespace {
 
 // The view is 360 mm wide at 500 mm, so the focal length for a sensor of 36 mm is 36 * 500 / 360 = 50 mm. At f/2, the
-// lens is 25 mm wide in the scene, or 12.5 mm of a display on which 1 mm is 2 mm of the scene.
+// lens is 25 mm wide in the scene. A millimetre of the display is 2 mm of the scene, so the lens is 12.5 mm wide on the
+// display.
 TEST(ViewLens, f_number_is_converted_in_metric_scenes) {
   Optics view;
   view.panel = {720, 400, 0.5f};

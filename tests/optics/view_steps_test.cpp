@@ -77,7 +77,7 @@ TEST(ViewSteps, quilt_views_end_at_their_tile) {
 
 TEST(ViewSteps, padding_belongs_to_the_adjacent_tile) {
   Optics optics;
-  optics.panel = {9, 7, 1.0f};  // tiles of 4 x 3 pixels leave a column at the right and a row at the top
+  optics.panel = {9, 7, 1.0f};  // the four tiles of 4 x 3 pixels leave a column at the right and a row at the top
   optics.model = MultiView{.columns = 2, .rows = 2};
   const ViewSteps steps(optics, StepsWithin::kView);
   EXPECT_EQ(walked(steps, 1 * 9 + 7, StepDirection::kRight), (Pixels{1 * 9 + 8}));

@@ -28,7 +28,7 @@ test("damaged descriptions are refused with a message", async () => {
   assert.match(await failureOf("null", (write) => write("fields.js", "lippmann_fields(null)")), /lists no light field/);
 });
 
-/** Returns whether the page stops drawing: 30 consecutive frames of the screen without a new picture, within 600. */
+/** Returns whether the page stops drawing: within 600 frames of the screen, 30 frames in a row show no new picture. */
 const settles = (page) =>
   page.evaluate(async () => {
     let quiet = 0;

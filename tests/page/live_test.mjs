@@ -163,7 +163,8 @@ test("the keyboard reaches controls and moves the plane", async () => {
   assert.ok((await scene()).plane.distance > before.plane.distance);
 });
 
-// A tilted square before an infinitely distant background. From any eye, each row shows it as one connected part.
+// A tilted square is in front of an infinitely distant background. From any eye, each row shows the square as one
+// connected part.
 test("edges before a far background stay in place", async () => {
   writeFileSync(inFolder("sheet.obj"), "v 0 1 0\nv 1 0.1 0\nv 0 -1 0\nv -1 -0.1 0\nf 1 4 3 2\n");
   const page = await open(await view("sheet.obj", "--spp", "8", "--environment", "#ffffff", "--size", "512x128"));

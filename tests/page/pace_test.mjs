@@ -7,8 +7,7 @@ closeAfterEach();
 quilt();
 const address = await view("quilt");
 
-/** Returns a script that simulates a slow screen: it multiplies the time stamp of every frame of the screen by `times`.
- *  */
+/** Returns a script that simulates a slow screen: it multiplies the time stamp of every frame of the screen by `times`. */
 const slowed = (times) => `
   const inTime = window.requestAnimationFrame.bind(window);
   window.requestAnimationFrame = (then) => inTime((now) => then(${times} * now));`;

@@ -22,7 +22,7 @@ test("few lenses show their panel pixel for pixel", async () => {
   assert.deepEqual(await besidePanel(page, "rendered"), { scale: 2, most: 0, isBelow: false });
 });
 
-/** Returns the lowest edge of the controls in the list's own coordinates, and the height of its visible part. */
+/** Returns the lowest edge of the controls in the list's own coordinates, and the height of the list's visible part. */
 const reach = (page) =>
   page.evaluate((names) => {
     const list = document.querySelector(".groups");

@@ -1,4 +1,4 @@
-// Figures of the page's files: its size, and the contrast of its colours in both schemes. Needs no browser.
+// Checks the size of the page's files, and the contrast of its colours in both schemes. Needs no browser.
 import assert from "node:assert/strict";
 import { readFileSync, statSync } from "node:fs";
 import { join } from "node:path";

@@ -61,7 +61,8 @@ function watch(page) {
   page.on("pageerror", (error) => complaints.push(error.stack || String(error)));
 }
 
-/** Closes all pages after each test, because open pages slow down others. Not for files whose tests share a page. */
+/** Closes all pages after each test, because open pages slow down others. Files whose tests share a page must not use
+ *  this. */
 export const closeAfterEach = () => afterEach(() => Promise.all(opened.splice(0).map(release)));
 
 /** Reusing a page takes a third of the CPU time of opening a new one. */
@@ -194,7 +195,7 @@ export function replay(input, name, ...flags) {
   return join(inFolder(`replayed-${name}`), file);
 }
 
-/** Position of the eye that sees view (across, up) from the display's intended distance. Fractions are between views. */
+/** Position of the eye that sees view (across, up) from the display's intended distance. Both numbers may be fractions. */
 export const eyeOfView = (page, across, up) =>
   page.evaluate(
     ([across, up]) => {

@@ -112,8 +112,8 @@ TEST(DepthViews, disoccluded_pixels_are_filled_from_behind) {
     EXPECT_EQ(right.pixel(x, 2)[0], front ? 1.0f : 0.0f) << x;
     EXPECT_EQ(right.pixel(x, 2)[2], front ? 0.0f : 1.0f) << x << ": the wall, also where it was hidden";
   }
-  // In the right view, 4 columns right of the board are newly visible, and 4 at the edge are outside the picture. The
-  // left view is symmetric: 8 of 40 columns are filled in two of three views.
+  // In the right view, 4 columns right of the board are newly visible, and 4 columns at the edge lie outside the source
+  // picture. The left view is symmetric. Therefore, 8 of 40 columns are filled in two of three views.
   EXPECT_NEAR(made.filled_share, 16.0 / 120.0, 1e-9);
 }
 

@@ -88,8 +88,9 @@ RenderedPanel numbered_lenses(const Optics& optics) {
 }
 
 TEST(EyeView, neighbour_pixels_are_seen_beyond_the_zone) {
-  // Gap 2 mm, lenses 1 mm wide. An eye at infinity with slope 0.2 sees l - 2 * 0.2 = l - 0.4 below the lens at l, in
-  // its own cell. With slope 0.3 it sees l - 0.6, in the cell of the left neighbour.
+  // With a gap of 2 mm, an eye at infinity with slope 0.2 sees the panel at l - 2 * 0.2 = l - 0.4 through the lens at
+  // l. This place is below the same lens, which is 1 mm wide. With slope 0.3, the eye sees l - 0.6, below the left
+  // neighbour.
   const RenderedPanel panel = numbered_lenses(test::sheet());
   const EyeSampler sampler(panel, SampleFilter::kLinear);
   const Vec2d at(3.5, 0.0);

@@ -68,7 +68,8 @@ TEST(LensInterlace, pixel_shows_the_view_opposite_to_it) {
   const double cell = cell_mm();
   int compared = 0;
   for (int i = 0; i < 80; ++i) {
-    // A cell edge is at x = 0, the middle of the panel. The pixel at the right end of a cell is seen from the left.
+    // The cells are the areas below the lenses. An edge of a cell is at x = 0, the middle of the panel. The pixel at
+    // the right end of a cell is seen from the left.
     const double x = i + 0.5 - 40.0, share = 1.0 - (x / cell - std::floor(x / cell)), view = 9.0 * share;
     if (std::abs(view - std::round(view)) < 1e-3) continue;  // rounding decides between two views
     EXPECT_EQ(code_at(picture, i, 3), static_cast<int>(view)) << i;

@@ -124,7 +124,7 @@ TEST(Spoc, other_lenses_keep_the_point_in_place) {
 TEST(Spoc, index_worked_out_by_hand) {
   // 40 lenses of 1 mm have 9 pixels each and a gap of 2 mm. The middle pixel of lens 20, 184 at x = 0.5 mm, has a
   // perpendicular ray, so its source is the same pixel. Pixel 187 is 3/9 mm to the right, so its ray has the slope
-  // -1/6. It meets the recording array (z = 12 mm) at 0.5 - 12/6 = -1.5 mm, the centre of lens 18, and the reference
+  // -1/6. This ray meets the recording array (z = 12 mm) at 0.5 - 12/6 = -1.5 mm, the centre of lens 18, and the reference
   // plane (z = 6 mm) at 0.5 - 6/6 = -0.5 mm. Lens 18 records this point at -(-0.5 + 1.5) * 2 / 6 = -1/3 mm from its
   // centre, or -3 pixels. The source is pixel 18 * 9 + 4 - 3 = 163.
   const PixelMap map = spoc(test::sheet(), test::sheet(), {12.0, 6.0});

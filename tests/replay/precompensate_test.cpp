@@ -36,7 +36,7 @@ TEST(Precompensate, replayed_with_crosstalk_is_the_original_without) {
     RenderedPanel shown = wanted;
     const Precompensation done = precompensate(optics, 0.4, "test", shown.picture);
     EXPECT_EQ(done.clipped_share, 0.0);
-    // Rounding in the optics shifts the centres of views by 1e-4 of a pixel.
+    // The tolerance covers rounding in the optics, which shifts the centres of views by 1e-4 of a pixel.
     EXPECT_LE(worst_difference(shown, 0.4, wanted, 0.0), 1e-3);
     EXPECT_GE(worst_difference(wanted, 0.4, wanted, 0.0), 0.02);  // without precompensation
   }

@@ -1,4 +1,4 @@
-// One row of 9 pixels, 1 mm wide and seen from far away.
+// Tests a row of 9 pixels, each 1 mm wide and seen from far away.
 #include "reuse/missed.hpp"
 
 #include <gtest/gtest.h>

@@ -43,7 +43,7 @@ TEST(Nff, spheres_of_one_fill_are_one_shape) {
   const Spheres& red = shape<Spheres>(scene, 0);
   ASSERT_EQ(red.size(), 3u);  // the fill statement before the third sphere repeats the current fill
   EXPECT_EQ(red[1].center, Vec3f(1, 2, 3));
-  EXPECT_EQ(red[1].radius, 4.0f);  // -4 in the file, for a sphere seen from inside
+  EXPECT_EQ(red[1].radius, 4.0f);  // the file has the radius -4, for a sphere seen from inside
   EXPECT_EQ(shape<Spheres>(scene, 1).size(), 1u);
 }
 
@@ -116,7 +116,7 @@ TEST(Nff, patch_is_flipped_to_match_normals) {
 TEST(Nff, lights_share_their_intensity) {
   const Scene scene = nff_scene("l 1 2 3\nl 4 5 6 0.5 0.25 1 # comment\nl 0 0 0\nl 0 0 1\ns 0 0 0 1");
   ASSERT_EQ(scene.lights.size(), 4u);
-  EXPECT_EQ(scene.lights[0].color, Vec3f(0.5f));  // no colour in the file: 1 / sqrt(number of lights)
+  EXPECT_EQ(scene.lights[0].color, Vec3f(0.5f));  // the file states no colour, so it is 1 / sqrt(number of lights)
   EXPECT_EQ(scene.lights[1].color, Vec3f(0.5f, 0.25f, 1.0f));
   EXPECT_FALSE(scene.lights[0].inverse_square);
   EXPECT_EQ(evaluate(scene, 0.0).of(scene.lights[1].node).translation, Vec3f(4, 5, 6));

@@ -31,7 +31,7 @@ TEST(Polygon, convex_ones_become_fans) {
 }
 
 TEST(Polygon, notch_stays_open) {
-  // 4 x 4 minus the triangle (0, 4), (2, 1), (4, 4) of area 6
+  // The area is 4 x 4 minus the triangle (0, 4), (2, 1), (4, 4) of area 6.
   expect_fills({{0, 0, 5}, {4, 0, 5}, {4, 4, 5}, {2, 1, 5}, {0, 4, 5}}, 10.0);
 }
 
@@ -46,7 +46,7 @@ TEST(Polygon, comb_is_filled_from_any_corner) {
 }
 
 TEST(Polygon, hole_may_use_coincident_edges) {
-  // 6 x 6 minus a hole of 2 x 2. A cut from (0, 0) to (2, 2) connects both outlines.
+  // The area is 6 x 6 minus a hole of 2 x 2. A cut from (0, 0) to (2, 2) connects both outlines.
   expect_fills({{0, 0, 0}, {6, 0, 0}, {6, 6, 0}, {0, 6, 0}, {0, 0, 0}, {2, 2, 0}, {2, 4, 0}, {4, 4, 0}, {4, 2, 0}, {2, 2, 0}},
                32.0);
 }

@@ -35,7 +35,7 @@ TEST(LensShapes, radius_follows_from_thickness_and_index) {
 
 TEST(LensShapes, height_and_radius_give_the_same_cap) {
   LensSpec by_height, by_radius;
-  // radius: (half width^2 + height^2) / (2 height) = (0.2^2 + 0.1^2) / 0.2
+  // The radius is (half width^2 + height^2) / (2 height) = (0.2^2 + 0.1^2) / 0.2 = 0.25 mm.
   by_height.height_mm = 0.1, by_radius.radius_mm = 0.25;
   EXPECT_NEAR(lens_shape(0.4, by_height).radius_mm, 0.25, 1e-12);
   EXPECT_NEAR(lens_shape(0.4, by_radius).height_mm, 0.1, 1e-12);

@@ -14,7 +14,8 @@ TEST(ViewingZone, views_lie_mirrored_below_each_lens) {
   const ViewingZoneTest test = viewing_zone_test(sheet, 5, pool);
   const auto& image = std::get<Image8>(test.picture);
   ASSERT_EQ(image.width, 600);
-  // The first row of pixels contains no numbers. Below each lens, the last view, which is blue, is leftmost.
+  // The first row of pixels contains no printed numbers. Below each lens, the pixels of the last view, which is blue,
+  // are leftmost.
   for (std::size_t x = 0; x < 600; ++x) {
     const bool is_red = image.rgb[3 * x] > image.rgb[3 * x + 2], is_blue = image.rgb[3 * x] < image.rgb[3 * x + 2];
     EXPECT_EQ(is_blue, x % 5 < 2) << x;

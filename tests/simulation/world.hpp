@@ -19,7 +19,7 @@
 
 namespace lippmann::test {
 
-/// Each failure happens once in this many system calls, or never if 0.
+/// A number n lets its failure happen once in n system calls on average, or never if n is 0.
 struct Faults {
   std::size_t kill = 0, machine_loss = 0, power_loss = 0;
   std::size_t disk_full = 0;

@@ -1,4 +1,4 @@
-// Views whose samples are seen from several eye positions.
+// Tests views whose samples are seen from several eye positions.
 #include "lippmann/optics/angular_filter.hpp"
 
 #include <gtest/gtest.h>

@@ -57,8 +57,8 @@ TEST(Aovs, motion_of_static_objects_opposes_the_displays) {
   expect_motion(step(sliding(0.0f, Vec3f(0.0f)), single_view(kAovSize), 0.0, 1.0, {}, moved), 16, 16, {-3, 0});
 }
 
-// Pixel (8, 16) sees the point (-0.9375, -0.0625, 0). At z = -1, it appeared at 10/11 of these coordinates. In pixels
-// of 1/8, it has moved by (-7.5, 0.5) (1 - 10/11).
+// Pixel (8, 16) sees the point (-0.9375, -0.0625, 0). Before, at z = -1, the point appeared at 10/11 of these
+// coordinates. In pixels of 1/8, the point has moved by (-7.5, 0.5) (1 - 10/11).
 TEST(Aovs, motion_towards_the_viewer_points_outwards) {
   const FrameAovs aovs = step(sliding(-1.0f, {0.0f, 0.0f, 1.0f}), single_view(kAovSize), 0.0, 1.0);
   expect_motion(aovs, 8, 16, {-7.5f / 11.0f, 0.5f / 11.0f});

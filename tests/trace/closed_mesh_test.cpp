@@ -118,7 +118,8 @@ double squared_error(const Image& film, const Image& truth) {
   return sum;
 }
 
-// About half of a cube's faces point away from a point of the floor. A closed lamp rarely samples these.
+// About half of a cube's faces point away from a point of the floor. Shadow rays rarely sample these faces of a closed
+// lamp.
 TEST(ClosedMesh, closed_lamps_have_less_noise) {
   const Image truth = floor_below(below_cube(false), 4096);
   for (const bool is_mirrored : {false, true}) {

@@ -159,7 +159,8 @@ std::vector<double> floor_reference(int size) {
   return reference;
 }
 
-// With equal probabilities, 15 of 16 shadow rays would go to black triangles, and the error would be 0.18.
+// If all triangles had equal probabilities, 15 of 16 shadow rays would go to black triangles, and the relative error
+// would be 0.18.
 TEST(Emitters, shadow_rays_prefer_bright_triangles) {
   const Picture picture = trace_paths(below_bright_corner(), single_view(16), 64, {}, 1, kEyeBelowGrid);
   const std::vector<double> reference = floor_reference(16);

@@ -1,4 +1,4 @@
-// Normals whose mirror direction would point below the facet.
+// Tests normals whose mirror direction would point below the facet.
 #include "shading/lifted_normal.hpp"
 
 #include <numbers>

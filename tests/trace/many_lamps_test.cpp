@@ -67,7 +67,8 @@ TEST(ManyLamps, light_is_the_sum_over_lamps) {
     }
 }
 
-// A mirror shows a lamp with a size only if a reflected ray hits it. Each ray searches the tree for such lamps.
+// A mirror shows a lamp that has a size only if a reflected ray hits the lamp. Each ray searches the tree for such
+// lamps.
 TEST(ManyLamps, a_mirror_shows_each_ball_once) {
   const MetallicRoughness mirror = floor_of(1.0f, 0.0f);
   Image sum;

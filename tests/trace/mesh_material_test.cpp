@@ -26,7 +26,7 @@ MetallicRoughness unlit() {
   return s;
 }
 
-/// The middle of the left and right half of a square that fills the picture. The background is 1.
+/// Radiance in the middle of the left and of the right half of a square that fills the picture. The background is 1.
 struct Halves {
   float left, right;
 };
@@ -199,7 +199,7 @@ TEST(MeshMaterial, coat_and_base_use_separate_normal_maps) {
 }
 
 // The lamp is below the horizon of the base's bent normal, but in front of the facet and of the coat's normal. A black
-// base must not hide it from the coat.
+// base must not hide the lamp from the coat.
 TEST(MeshMaterial, rough_coats_show_lamps_behind_the_base) {
   for (const bool layered : {false, true}) {
     MetallicRoughness m = coated(layered);
@@ -211,7 +211,8 @@ TEST(MeshMaterial, rough_coats_show_lamps_behind_the_base) {
   }
 }
 
-// The base is black, so only the coat reflects light. Bending the base's normal must not change it, up to noise of 1 %.
+// The base is black, so only the coat reflects light. Bending the base's normal must not change the albedo by more than
+// the noise of 1 %.
 TEST(MeshMaterial, rough_coats_keep_their_albedo) {
   const auto in_white_furnace = [](const MetallicRoughness& m, float base_degrees) {
     SmallScene s;

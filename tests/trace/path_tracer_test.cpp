@@ -92,7 +92,7 @@ TEST(PathTracer, lambert_matches_whitted) {
   s.add(square(2, 0), s.material(matte({0.5f, 0.25f, 1.0f})));
   s.point_light({3, 0, 4}, {1.0f, 0.5f, 0.25f});
   const Vec3f whitted = trace(s.scene, single_view(33)).at(16, 16), path = trace_paths(s.scene, single_view(33), 4).at(16, 16);
-  // the path tracer's samples are spread over the pixel
+  // The tolerance covers the positions of the path tracer's samples, which are spread over the pixel.
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(path[c], whitted[c], 0.01f * whitted[c]);
 }
 
@@ -142,7 +142,7 @@ TEST(PathTracer, lamps_and_sky_add_up) {
 TEST(PathTracer, panorama_spots_act_as_distant_lamps) {
   SmallScene s;
   s.scene.background.map.emplace().radiance = Image(64, 32, 3);
-  // One texel around +x, 30 degrees above the horizon, is bright. The square faces +x.
+  // One texel, in the direction +x and 30 degrees above the horizon, is bright. The square faces +x.
   const int row = 10;  // polar angles from 56.25 to 61.875 degrees
   std::fill_n(s.scene.background.map->radiance.pixel(32, row), 3, 1000.0f);
   const Mat3f towards_x(Vec3f(0, 0, -1), Vec3f(0, 1, 0), Vec3f(1, 0, 0));

@@ -15,7 +15,8 @@ using namespace test;
 const Affine3f kEyeBelowWeb{Mat3f(0.1f), Vec3f(0.0f)};
 constexpr float kWebHeight = 2.0f;
 
-/// Intensity cos^n a divided by its mean, where a is the angle to -z, and 0 for a > 90 degrees.
+/// Returns the intensity cos^n a, divided by its mean over the sphere. a is the angle to -z. Beyond 90 degrees, the
+/// intensity is 0.
 PhotometricWeb cosine_web(double n) {
   PhotometricWeb web;
   for (int step = 0; step <= 180; ++step) {

@@ -241,8 +241,8 @@ TEST(Splat, layers_use_the_median_depth) {
   const int id = add_splats(s, splats);
   const int back = s.add(square(2, -1.5f), s.material(matte(Vec3f(0.5f))));
   const Picture p = trace(s.scene, single_view(33));
-  // One splat transmits 0.6 of the light, two transmit 0.36, which is less than half, so the depth is that of the
-  // second.
+  // One splat transmits 0.6 of the light. Two splats transmit 0.36, which is less than half, so the depth is that of
+  // the second splat.
   EXPECT_NEAR(p.aovs[Aov::kDepth].pixel(16, 16)[0], 0.0f, 1e-4f);
   EXPECT_EQ(p.aovs[Aov::kId].pixel(16, 16)[0], static_cast<float>(id));
   EXPECT_NEAR(p.aovs[Aov::kDepth].pixel(2, 2)[0], -1.5f, 1e-4f);

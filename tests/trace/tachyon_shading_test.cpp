@@ -28,7 +28,7 @@ PhongSurface highlighted(Highlight kind) {
   surface.highlight_size = 2.0f;
   return surface;
 }
-// Highlight x (N.H)^2 for a light at 45 degrees from the normal, seen along the normal.
+// Radiance of the highlight, 0.5 (N.H)^2, for a light at 45 degrees from the normal and a view along the normal.
 const float kLobe = 0.5f * std::cos(kPi / 8) * std::cos(kPi / 8);
 
 TEST(TachyonShading, metal_highlight_has_the_surfaces_colour) {

@@ -121,7 +121,7 @@ std::vector<Vec3f> below_stripes(const MetallicRoughness& wall, Integrator integ
   return shares;
 }
 
-// texels at the ends of stripes mix with their neighbours
+// The tolerances cover texels at the ends of stripes, which mix with their neighbours.
 TEST(ThinWalls, colours_come_from_their_textures) {
   MetallicRoughness wall = pane();
   wall.base_color_map.texture = 0;
@@ -159,7 +159,7 @@ TEST(ThinWalls, films_pass_the_remaining_light) {
   expect_color(share, Vec3f(1.0f - std::max({mirrored.x, mirrored.y, mirrored.z})), 1e-3f);
 }
 
-// A rough wall scatters light. Shadow rays do not pass it, but paths of two vertices find the light.
+// A rough wall scatters light, so shadow rays end at the wall. Paths of two vertices find the light.
 TEST(ThinWalls, rough_walls_stop_shadow_rays) {
   expect_color(share_left(floor_scene(), kAbove, Integrator::kPath, {pane(Vec3f(1.0f), 0.03f)}), Vec3f(kAtNormal), 1e-4f);
   EXPECT_EQ(share_left(floor_scene(), kAbove, Integrator::kPath, {pane(Vec3f(1.0f), 0.04f)}).x, 0.0f);
@@ -220,7 +220,7 @@ float left_below_foil(const SmallScene& lit, int spp) {
   return middle_of(s.scene, Integrator::kPath, spp).x / free;
 }
 
-// Shadow rays and scattered rays both find each light. Their weights must add up to one also behind a wall.
+// Both shadow rays and scattered rays find each light. Also behind a wall, the weights of both rays must add up to one.
 TEST(ThinWalls, split_light_between_rays_without_loss) {
   for (const MetallicRoughness& surface : {plaster(), brushed_steel()}) {
     SmallScene ball = floor_scene(surface), sun = ball, lamp = ball, sky = ball;

@@ -131,7 +131,8 @@ TEST(Whitted, rays_along_shared_edges_hit) {
     SmallScene s;
     const Mat3f turn = glm::mat3_cast(glm::angleAxis(0.37f * static_cast<float>(n), glm::normalize(Vec3f(0.3f, 0.4f, 0.8f))));
     Mesh mesh = square(2.5f, 0);
-    // The shared edge is a different side of each triangle, so that their tests round differently.
+    // The shared edge is a different side of each triangle, so that the intersection tests of the triangles round
+    // differently.
     mesh.triangles = {{3, 2, 0}, {2, 1, 0}};
     for (Vec3f& p : mesh.positions) p = glm::transpose(turn) * p;
     s.add(mesh, s.material(glowing(Vec3f(1.0f))), s.node({turn, Vec3f(0.0f)}));

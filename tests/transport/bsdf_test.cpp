@@ -133,8 +133,8 @@ TEST(MetalRoughBsdf, is_reciprocal_as_documented) {
   const Vec3f a = view_at(20.0f), b = view_at(65.0f);
   const Vec3f ab = MetalRoughBsdf(diffuse, albedo(), kNormal, kNormal, a, true).evaluate(b).cosine_f / glm::dot(b, kNormal);
   const Vec3f ba = MetalRoughBsdf(diffuse, albedo(), kNormal, kNormal, b, true).evaluate(a).cosine_f / glm::dot(a, kNormal);
-  // The compensation for multiple scattering depends only on the direction to the viewer. Exchanging both directions
-  // changes it by a few thousandths for a reflectance of 0.04.
+  // The compensation for multiple scattering depends only on the direction to the viewer. For a reflectance of 0.04,
+  // exchanging both directions changes the result by a few thousandths.
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(ab[c], ba[c], 3e-3f * ab[c]);
 }
 

@@ -242,8 +242,9 @@ TEST(LayeredBsdf, white_panes_and_leaves_conserve_energy) {
     }
 }
 
-// Sheen and films transmit the smaller of two shares of light, so they may lose light but never add any. A film's
-// reflectance is computed at one angle for the whole surface, which needs 1 %.
+// Sheen and films transmit the smaller of the shares for the viewer's and the light's direction, so they may lose light
+// but never add any. A film's reflectance is computed at one angle for the whole surface, for which the test allows 1
+// %.
 TEST(LayeredBsdf, white_sheen_and_films_add_no_light) {
   for (int r = 1; r <= 10; ++r)
     for (const float angle : {0.0f, 30.0f, 60.0f, 80.0f})

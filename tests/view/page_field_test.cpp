@@ -89,7 +89,7 @@ TEST(PageField, provenance_is_arranged_like_the_views) {
   EXPECT_THAT(test::error_message([&] { fields[0]->provenance(1); }), HasSubstr("has no provenance"));
 }
 
-// With 5.3 pixels per lens, views are not whole pixels, so the page shows what eyes see.
+// With 5.3 pixels per lens, views do not consist of whole pixels, so the page shows the views of eyes.
 TEST(PageField, fractional_lenses_have_one_eye_per_direction) {
   const TempDir dir;
   Optics optics;

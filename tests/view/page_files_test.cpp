@@ -1,4 +1,4 @@
-// The page in the library must be the page that web/ builds, and small.
+// The library must contain the page that web/ builds, and the page must be small.
 #include "view/page_files.hpp"
 
 #include <gmock/gmock.h>

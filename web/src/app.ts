@@ -254,7 +254,7 @@ export class App {
     this.noticeOfAssumption();
   }
 
-  /** Tells the user if camera positions are assumed. Lenses of prints are known. */
+  /** Tells the user if camera positions are assumed. Prints need no such notice, because their lenses are known. */
   private noticeOfAssumption(): void {
     const isAssumed = this.fields.some((field) => field.assumption) && !this.print?.isSeen;
     this.notify("assumption", isAssumed ? "The positions of the cameras are unknown: angles and depths are assumed." : "");

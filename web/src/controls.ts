@@ -208,7 +208,7 @@ function onlyIf(applies: () => boolean, made: HTMLElement, shown: Shown[]): HTML
   return made;
 }
 
-/** Visible if there are views, or if a calibration was dropped on the page. */
+/** Makes a row that is visible if there are views, or if a calibration was dropped on the page. */
 function showChoice(store: Store, hasViews: () => boolean, shown: Shown[]): HTMLElement {
   const row = choice("Show", "show", [["eye", "What an eye sees"], ["panel", "Panel without lenses"], ["display", "On a calibrated panel"]], store, shown, () => hasViews() || store.plays);
   const played = row.querySelector<HTMLOptionElement>('option[value="display"]') as HTMLOptionElement;

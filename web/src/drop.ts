@@ -27,12 +27,12 @@ function entriesOf(folder: FileSystemDirectoryEntry): Promise<FileSystemEntry[]>
 
 const fileOf = (entry: FileSystemFileEntry): Promise<File> => new Promise((resolve, reject) => entry.file(resolve, reject));
 
-/** Ignores hidden files, and files that file managers and cameras write beside pictures. */
+/** Whether to ignore a file: a hidden file, or a file that file managers and cameras write beside pictures. */
 const isLeft = (name: string): boolean => name.startsWith(".") || /^(thumbs\.db|desktop\.ini)$/i.test(name) || /\.(txt|md|pdf|xmp)$/i.test(name);
 
 const inFolder = (files: File[]): File[] => files.filter((file) => !isLeft(file.name));
 
-/** Several files, a folder or one picture are pictures. Other data may be a calibration. */
+/** Returns whether dropped data are pictures: several files, a folder, or one picture. Other data may be a calibration. */
 export function isOfPictures(data: DataTransfer): boolean {
   const entries = [...data.items].map((item) => item.webkitGetAsEntry());
   return entries.length > 1 || entries.some((entry) => entry?.isDirectory) || [...data.files].some((file) => file.type.startsWith("image/"));
@@ -49,7 +49,7 @@ export async function pictures(data: DataTransfer): Promise<Dropped> {
   return { title: folder.name, files: inFolder(inside) };
 }
 
-/** progress: is called with the share that was sent. */
+/** Sends the files in pieces. progress: called with the share of all bytes that was sent. */
 export async function send({ title, files }: Dropped, progress: (share: number) => void): Promise<void> {
   await postText("drop/begin", JSON.stringify({ title, names: files.map((file) => file.name) }));
   const all = files.reduce((sum, file) => sum + file.size, 0);
@@ -66,7 +66,7 @@ export async function send({ title, files }: Dropped, progress: (share: number) 
   location.reload();
 }
 
-/** The page while it has no light field, where pictures can be dropped. */
+/** The page without a light field, on which pictures can be dropped. */
 export class DropPage {
   private readonly status = element("p", { role: "status" });
   private isBusy = false;

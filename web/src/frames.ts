@@ -396,7 +396,8 @@ export class Frames {
     this.changed();
   }
 
-  /** Range of disparities for views without depth: twice the depth budget on either side. */
+  /** Returns the range of disparities for views without depth, from twice the depth budget on either side of the
+   *  display. */
   private guessedRange(facts: Field): [number, number] {
     const budget = facts.depth_budget_mm ?? 0.2 * facts.window_mm.size[1];
     return [-2 * budget, 2 * budget].map((z) => z / Math.max(1 - z * facts.vergence_per_mm, 0.2)) as [number, number];

@@ -49,7 +49,7 @@ interface Drag extends Place {
   wiped: Rectangle;
 }
 
-/** The distance between two fingers and the point midway, as of the last event. */
+/** The distance between two fingers and the point midway between them, at the last event. */
 interface Pinch {
   apart: number;
   middle: Place;

@@ -18,7 +18,8 @@ precision highp sampler2D;
 precision highp usampler2D;
 ${kQuiltPlaces}
 uniform QUILT u_views;            // codes: the quilt, or the panel's own picture
-// Terms of the phase as 64-bit fractions. A row (from the bottom) has six: red, green, blue of even pixels, then of odd pixels.
+// Terms of the phase as 64-bit fractions. Each row, counted from the bottom, has six terms: red, green and blue of even
+// pixels, then of odd pixels.
 uniform usampler2D u_rows;
 uniform usampler2D u_columns;
 uniform ivec2 u_view_size, u_tiles, u_panel_size;
@@ -27,7 +28,7 @@ uniform bool u_inverted;
 uniform float u_sigma;
 out vec4 color;
 
-// Returns a 64-bit fraction multiplied by the number of views, as its integer part and its 32-bit fraction.
+// Multiplies a 64-bit fraction by the number of views. Returns the integer part, and 32 bits of the fraction.
 uvec2 view_place(uvec2 fraction) {
   uint count = uint(u_count);
   uint lower = ((fraction.y >> 16u) * count + (((fraction.y & 0xffffu) * count) >> 16u)) >> 16u;
@@ -36,8 +37,8 @@ uvec2 view_place(uvec2 fraction) {
   return uvec2(upper >> 16u, (upper << 16u) | (middle & 0xffffu));
 }
 
-// Returns v N for a sub-pixel, as its integer part and its fraction, for N views. v is the phase, or 1 minus the phase on inverted
-// panels. v = 1 belongs to the last view.
+// For N views, returns the integer part and the fraction of v N for a sub-pixel. v is the phase, or 1 minus the phase
+// on inverted panels. v = 1 belongs to the last view.
 uvec2 view_of(ivec2 pixel, int channel) {
   uvec2 row = texelFetch(u_rows, ivec2(3 * (pixel.x & 1) + channel, pixel.y), 0).xy;
   uvec2 column = texelFetch(u_columns, ivec2(pixel.x, 0), 0).xy;

@@ -43,9 +43,9 @@ const hasWideLenses = (field: Field, scale: number, ratio: number): boolean =>
 export const trueScale = (field: Field, scale: number, ratio: number, isPanel: boolean): number =>
   scale >= 1 && (isPanel || (field.panel.is === "integral" && hasWideLenses(field, scale, ratio))) ? Math.floor(scale) : scale;
 
-/** Returns the layout on a canvas of this size. fields: the light fields shown. isApart: they are shown side by side. ratio: pixels of the
- *  canvas per CSS pixel. Returns null if the panels have many lenses or different sizes, or if too little would be visible: less than half
- *  of the panel, or an eye's view of less than half its scale. */
+/** Returns the layout on a canvas of this size. fields: the light fields shown. isApart: they are shown side by side.
+ *  ratio: pixels of the canvas per CSS pixel. Returns null if the panels have many lenses or different sizes, if less
+ *  than half of the panel would be visible, or if the eye's view would have less than half of its usual scale. */
 export function pairOf(fields: Field[], isApart: boolean, [width, height]: Two, ratio: number): Pair | null {
   const [w, h] = [fields[0].panel.size[0] * (isApart ? fields.length : 1), fields[0].panel.size[1]];
   const [gap, caption] = [kGap, kCaption].map((length) => Math.round(length * ratio));

@@ -16,9 +16,9 @@ interface Made {
   field: Field;
 }
 
-/** a lens sheet on paper, which the page's controls describe */
+/** The display is a lens sheet on paper, with the settings of the page's controls. */
 export const kSheet = "sheet";
-/** a file that the user has chosen */
+/** The display is in a file that the user has chosen. */
 export const kFile = "file";
 
 export interface PrintSettings {

@@ -18,7 +18,7 @@ type Eye = [number, number, number];
 
 interface Beside {
   target: Target;
-  /** What the target holds, or null if it is empty. */
+  /** The frame and the settings of the picture in the target, or null if the target is empty. */
   shows: { frame: LoadedFrame; key: string } | null;
 }
 
@@ -509,7 +509,8 @@ export class Renderer {
     gl.viewport(0, 0, width, height);
   }
 
-  /** Returns the point of the display at a point of the canvas, as shares from the top left; null beside the picture. */
+  /** Converts a point of the canvas to a point of the display, as shares from the top left. Returns null beside the
+   *  picture. */
   shareAt(state: State, x: number, y: number): [number, number] | null {
     const room = this.pair?.eye.room;
     if (room && (x < room.left || y < room.top || x > room.left + room.width || y > room.top + room.height)) return null;
@@ -522,7 +523,8 @@ export class Renderer {
     return share;
   }
 
-  /** Linear light at a point of the last picture. which: the light field or the eye. share: shares from the top left. */
+  /** Linear light at a point of the last picture. which: index of the light field or of the eye. share: shares from the
+   *  top left. */
   valueAt(which: 0 | 1, share: [number, number]): number[] {
     if (this.last && (this.direct || (this.overlays(this.last.frame, this.last.state) && this.last.state.show === "eye"))) return this.valueOfEye(share);
     const target = this.targets[which];

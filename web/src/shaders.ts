@@ -1,4 +1,4 @@
-// The shaders. All points of the display see view v under the same slope S_v. An eye E sees the point s of the
+// The shaders. At every point of the display, view v belongs to the same slope S_v. An eye E sees the point s of the
 // display's plane under the slope S(s) = E.xy / E.z - s (1 / E.z - vergence). A scene point on this line of sight with
 // the disparity w (a length; see src/view/disparity_codes.hpp) is at s + (S - S_v) w in view v.
 
@@ -91,7 +91,8 @@ float disparity_in_tile(vec3 tile, vec2 pixel) {
 float disparity_in_view(ivec2 view, vec2 pixel) { return disparity_in_tile(tile_of(view), pixel); }
 `;
 
-/** Features are compiled in, because without a GPU every branch of a shader takes time. */
+/** Features of the shader. They are selected at compile time, because every branch of a shader takes time without a
+ *  GPU. */
 export interface Variant {
   byAngle: boolean;
   rows: boolean;
@@ -103,7 +104,7 @@ export interface Variant {
   snap: boolean;
   /** Adds the light of neighbouring pixels. */
   crosstalk: boolean;
-  /** Tints depths that the display shows sharply green, and depths that it blurs red. */
+  /** Green tint for depths that the display shows sharply, red tint for depths that it blurs. */
   budget: boolean;
   overlay: boolean;
   layered: boolean;

@@ -45,7 +45,7 @@ export function slopesAfter(from: Turn, to: Turn, slopes: [number, number], scre
 
 type WithPermission = { requestPermission?: () => Promise<"granted" | "denied"> };
 
-/** isThere: whether there is a sensor, or the browser may be asked for one. */
+/** isThere: whether there is a sensor, or the browser may be asked for permission to use one. */
 export class Tilt {
   isThere = false;
   isOn = false;

@@ -37,8 +37,8 @@ float ring_clearance(int teeth, float ring_angle, Vec2f p) {
 /// Angle of a ring that meshes with a gear inside it. The gear is rotated by `gear_angle`, and its centre lies in the
 /// direction `direction` from the ring's centre.
 float ring_meshing_angle(int gear_teeth, float gear_angle, int ring_teeth, float direction) {
-  // Both rotate in the same direction. A tooth of the gear at angle d from the line of centres fills a gap of the ring
-  // at d * gear_teeth / ring_teeth.
+  // Gear and ring rotate in the same direction. A tooth of the gear at angle d from the line of centres fills a gap of
+  // the ring at d * gear_teeth / ring_teeth.
   return direction + static_cast<float>(gear_teeth) / static_cast<float>(ring_teeth) * (gear_angle - direction);
 }
 
@@ -71,8 +71,8 @@ TEST(ToothHalfAngle, is_largest_at_the_base_circle) {
 }
 
 TEST(MeshingAngle, tooth_meets_gap_on_line_of_centres) {
-  // A tooth of the driver is on +x, and the gear to the right of it. A gap of the gear points to -x, so its next tooth
-  // is at pi + pi / 24.
+  // The gear is to the right of the driver, and a tooth of the driver points to +x. There, a gap of the gear points to
+  // -x, so the gear's next tooth is at pi + pi / 24.
   const float angle = meshing_angle(12, 0.0f, 24, 0.0f);
   EXPECT_NEAR(std::remainder(angle - kPi - kPi / 24.0f, 2.0f * kPi / 24.0f), 0.0f, 1e-5f);
 }
@@ -118,8 +118,8 @@ TEST(GearMesh, is_a_closed_solid_with_unit_normals) {
 }
 
 TEST(GearMesh, volume_is_about_the_pitch_disc) {
-  // Teeth fill a little less than half of the area between root and tip circle. 3 % also covers bevels and the
-  // polygonal bore.
+  // Teeth fill a little less than half of the area between root and tip circle. The tolerance of 3 % covers this, the
+  // bevels and the polygonal bore.
   const double expected = M_PI * (10.0 * 10.0 - 1.0) * 4.0;
   EXPECT_NEAR(test::signed_volume(gear_mesh(20, kBlank)) / expected, 1.0, 0.03);
 }

@@ -43,7 +43,8 @@ TEST(Cone, is_closed_and_has_its_volume) {
   const Mesh mesh = cone(1.0f, 3.0f, 64);
   expect_sane(mesh);
   EXPECT_TRUE(boundary_edges(mesh).empty());
-  // height / 3 * base area, for a height of 3 and a base with 64 corners of area 32 * sin(2 pi / 64)
+  // The volume is height / 3 * base area. The height is 3, and the base, with 64 corners, has the area 32 * sin(2 pi /
+  // 64).
   EXPECT_NEAR(test::signed_volume(mesh), 32.0 * std::sin(2.0 * M_PI / 64.0), 1e-4);
 }
 

@@ -39,7 +39,8 @@ GltfBuilder good_document() {
   return b;
 }
 
-/// Returns the error after the value at `pointer` is replaced, or removed if it is null.
+/// Returns the error message of a document in which `value` replaces the value at `pointer`. A null removes the old
+/// value.
 std::string message_with(const std::string& pointer, const Json& value) {
   GltfBuilder b = good_document();
   Json root = b.document();

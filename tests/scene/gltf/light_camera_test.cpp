@@ -139,7 +139,8 @@ float scale_by(const std::string& generator, const std::string& type) {
   return parse(b).lights.at(0).color.x / 100.0f;
 }
 
-// The factors are 1 / 683 = 0.001464 and 1 / (4 pi) = 0.079577.
+// Old exporters store watts, so the factor is 1 / (4 pi) = 0.079577. New exporters store candela, so the factor is 1 /
+// 683 = 0.001464.
 TEST(GltfLight, old_blender_exporters_use_watts) {
   const std::string name = "Khronos glTF Blender I/O v";
   EXPECT_NEAR(scale_by(name + "3.4.39", "point"), 0.001464f, 1e-6f);

@@ -113,7 +113,7 @@ TEST(GltfAccessor, reads_interleaved_data) {
 
 TEST(GltfAccessor, last_strided_element_needs_no_padding) {
   GltfBuilder b;
-  // 44 bytes: two strides of 16, and 12 for the last element
+  // The buffer view has 44 bytes: two strides of 16 bytes, and 12 bytes for the last element.
   const int view = b.add_view(std::vector<float>{0, 0, 0, 9, 1, 0, 0, 9, 0, 1, 0});
   b.root["bufferViews"][0]["byteStride"] = 16;
   const int positions =
