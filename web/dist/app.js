@@ -205,8 +205,8 @@ return mix(12.92 * v, 1.055 * pow(v, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, v
 uniform vec2 u_output_size, u_offset; 
 uniform float u_exposure;
 uniform bvec2 u_snap;          
-uniform vec2 u_disparities;    
-uniform float u_aperture, u_focus; 
+uniform vec2 u_disparities;
+uniform float u_aperture, u_focus;
 uniform float u_line;          
 uniform vec2 u_point;          
 uniform float u_sigma;         

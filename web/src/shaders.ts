@@ -204,7 +204,7 @@ vec3 in_view_behind(ivec2 view, vec2 pixel, vec2 per_disparity) {
   vec4 disparities = vec4(disparity_in_tile(tile, first), disparity_in_tile(tile, vec2(next.x, first.y)), disparity_in_tile(tile, vec2(first.x, next.y)), disparity_in_tile(tile, next));
   vec2 row = share.y < 0.5 ? disparities.xy : disparities.zw;
   float own = share.x < 0.5 ? row.x : row.y;
-  // `moved` is very large where a neighbour has a surface but the sample's own texel has none.
+  // The difference is very large where a neighbour has a surface but the sample's own texel has none.
   vec4 moved = max(abs(per_disparity.x), abs(per_disparity.y)) * (disparities - own);
   if (all(lessThan(moved, vec4(0.25)))) return in_view(view, pixel);
   vec2 rest = 1.0 - share;
