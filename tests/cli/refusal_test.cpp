@@ -106,7 +106,7 @@ INSTANTIATE_TEST_SUITE_P(
         render({"--lens-pixels", "0"}, "--lens-pixels"), render({"--size", "40000x25000"}, "accepted: up to 268435456 pixels"),
         render({"-q", "--verbose"}, "--quiet"), render({"-q", "--progress", "json"}, "--quiet"),
         render({"--verbose", "--progress", "json"}, "--verbose"), Refusal{{"bench", "rays", "--json"}, "lippmann-bench NAME"},
-        Refusal{{"help", "bench"}, "lippmann-bench NAME"}, Refusal{{}, "--help"}, Refusal{{"rendre"}, "did you mean 'render'?"},
+        Refusal{{"help", "bench"}, "lippmann-bench NAME"}, Refusal{{"rendre"}, "did you mean 'render'?"},
         Refusal{{"help", "rendre"}, "did you mean 'render'?"},
         Refusal{{"render", "teapot", "--frames", "470-500"}, "frames from 0 to 479"}));
 

@@ -214,7 +214,7 @@ TEST(Renderer, refuses_invalid_placements) {
     EXPECT_THAT(message([&](Placement& p) { p.array.node = node; }), testing::HasSubstr("the array moves with node")) << node;
   for (const float size : {0.0f, -1.0f, std::nanf(""), kInfinity}) {
     EXPECT_THAT(message([&](Placement& p) { p.placed.units_per_mm = size; }), testing::HasSubstr("units per mm")) << size;
-    EXPECT_THAT(message([&](Placement& p) { p.array.plane_height = size; }), testing::HasSubstr("units high")) << size;
+    EXPECT_THAT(message([&](Placement& p) { p.array.plane_height = size; }), testing::HasSubstr("height of the array")) << size;
   }
   EXPECT_THAT(message([](Placement& p) { p.placed.optics.panel.width = -5; }), testing::HasSubstr("panel.width"));
   EXPECT_THAT(message([](Placement& p) { p.placed.optics.model = RayTable{}; }), testing::HasSubstr("rays"));
