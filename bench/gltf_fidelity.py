@@ -114,7 +114,7 @@ def million_samples_per_second(shot, spp, seconds, few_seconds):
 
 def few_and_all(shot, name, options):
     """Returns two pairs (file, CPU seconds): the picture with few samples, and the picture with all samples. The
-    seconds are None if they do not measure the renderer."""
+    seconds are None if they include more than rendering."""
     if name != "lippmann":
         return [(pathlib.Path(r["out"]), r["cpu_seconds"]) for r in others.RENDERERS[name](shot, options)]
     return [ours(shot, spp, options) for spp in (others.few(options.spp), options.spp)]

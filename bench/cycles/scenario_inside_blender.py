@@ -7,7 +7,7 @@ Members of JOB.json:
   file, panorama (or null), width, height, threads
   vertices: vertices per path
   skybox: whether the panorama is visible
-  own_surfaces: whether Blender's own import is kept
+  own_surfaces: whether to keep the materials that Blender's importer makes
   camera: its name in the file
   renders: a list of objects with samples, seed and out
 

@@ -31,7 +31,7 @@ class Zone:
     distance: float    # from the plane to the viewer
     budget: float      # depth that is sharp on each side of the plane
     cone: float        # full angle of the viewing zone, in radians
-    per_mm: float      # length of a millimetre of the display
+    per_mm: float      # Blender's units per millimetre of the display
     near: float = 0.0  # walls nearer to the viewer than this may be cut; 0: none are cut
     shift: tuple = (0.0, 0.0)  # shift of the picture to the right and up, divided by its height
     is_beam: bool = False      # whether the viewer is an orthographic camera

@@ -88,7 +88,7 @@ Json parse_json(std::string_view text, const std::string& where) {
   } catch (const Json::parse_error& error) {
     throw Error(fmt::format("{}:{}", where, line_of(text, error.byte)), "is not valid JSON", "a calibration");
   } catch (const Json::exception&) {
-    throw Error(where, "has a number that is too large", "a calibration");
+    throw Error(where, "has a number that is too large", "numbers up to 1.8e308");
   }
 }
 

@@ -99,7 +99,7 @@ FrameLayout::FrameLayout(const PictureParams& wanted, const Optics& optics, cons
   names_.ending = ending_of(format_);
   refuse_without(layout == PictureLayout::kQuilt, params.quilt.x > 0, "quilt", "`layout` quilt");
   refuse_without(is_print, params.mirror, "mirror", "`layout` print");
-  refuse_without(display != nullptr, layout == PictureLayout::kNative || is_print, "`layout` native or print", "`display`");
+  refuse_without(display != nullptr, layout == PictureLayout::kNative || is_print, "`layout` native or print", "a `display`");
   const bool is_stereo = layout == PictureLayout::kStereo;
   refuse_without(is_stereo, params.stereo.packing != StereoPacking::kSideBySide, "stereo", "`layout` stereo");
   refuse_without(is_stereo, params.stereo.right_first, "right-first", "`layout` stereo");

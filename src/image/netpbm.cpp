@@ -98,7 +98,7 @@ PpmCodes parse_ppm(std::span<const std::byte> file, const std::string& where) {
     const auto first = std::to_integer<unsigned>(from[i]);
     const unsigned code = bytes_per_code == 2 ? first << 8 | std::to_integer<unsigned>(from[i + 1]) : first;
     if (code > static_cast<unsigned>(picture.highest))
-      throw Error(where, fmt::format("has a code of {}, above its highest of {}", code, picture.highest));
+      throw Error(where, fmt::format("has a sample of {}, above the maximum of {} in its header", code, picture.highest));
     picture.codes.rgb.insert(picture.codes.rgb.end(), 3 / channels, static_cast<std::uint16_t>(code));
   }
   return picture;

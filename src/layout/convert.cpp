@@ -1,5 +1,7 @@
 #include "lippmann/layout/convert.hpp"
 
+#include <fmt/format.h>
+
 #include <memory>
 #include <optional>
 #include <utility>
@@ -7,6 +9,7 @@
 #include "core/folder.hpp"
 #include "image/print_file.hpp"
 #include "layout/cameras.hpp"
+#include "layout/frame_names.hpp"
 #include "layout/light_field_source.hpp"
 #include "layout/quad_name.hpp"
 #include "layout/quilt_side_file.hpp"
@@ -166,6 +169,13 @@ Converted convert(const fs::path& in, const fs::path& out, const ConvertParams& 
   if (frames.empty() && !may_be_one) throw Error(in.string(), "contains no frames", "frame_0000.png, frame_0001.png, ...");
   if (frames.empty()) {
     conversion.convert_one(in, out, false, result);
+    return result;
+  }
+  if (is_picture_name(out)) {
+    if (frames.size() > 1)
+      throw Error(out.string(), fmt::format("is the name of one picture, but {} has {} frames", in.string(), frames.size()),
+                  fmt::format("the name of a folder, or one frame, such as {}", frames.front().string()));
+    conversion.convert_one(frames.front(), out, false, result);
     return result;
   }
   const NewFolder folder(out);

@@ -25,7 +25,7 @@ struct LytroRaw {
 /// pictures) by a .txt beside it.
 bool is_lytro_raw(const std::filesystem::path& path);
 
-/// Throws Error naming the file and the key.
+/// Throws Error naming the file and the key of its metadata that is missing or invalid.
 LytroRaw read_lytro(const std::filesystem::path& path);
 
 /// parse_lfr() parses a container file, and parse_lytro() packed samples with their metadata.

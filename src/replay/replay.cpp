@@ -190,10 +190,10 @@ class Replay {
       const double share = share_out_of_zone(frames_.optics, viewer_at(eye));
       most = std::max(most, share);
       if (share > 0.0)
-        context_.warning(
-            fmt::format("The eye at ({:.4g}, {:.4g}, {:.4g}) mm is outside the viewing zone of {:.3g} % of the "
-                        "display and sees {} there.",
-                        eye.x, eye.y, eye.z, 100.0 * share, view_out_of_zone()));
+        context_.warning(fmt::format(
+            "For {3:.3g} % of the display, the eye at ({0:.4g}, {1:.4g}, {2:.4g}) mm is outside the viewing zone and "
+            "sees {4}.",
+            eye.x, eye.y, eye.z, 100.0 * share, view_out_of_zone()));
     }
     return most;
   }

@@ -1,15 +1,14 @@
 // Finds the sub-pixel of a slanted panel on which a moved point lands. No two rows of a slanted panel share their ray
 // directions.
 //
-// A sub-pixel's ray comes from the eye position (e, h, D) of its view. (X, Y, Z) is the moved point. The phase of a sub-pixel
-// is its position below its lens, in lenses.
+// A sub-pixel saw a point that has moved to (X, Y, Z). Its ray comes from the eye position (e, h, D) of its view. The phase of
+// a sub-pixel is its position below its lens, in lenses.
 // 1. Seen from the eye, the point appears in the plane z = 0 at
 //      s = (X - e Z / D) / (1 - Z / D),   y = (Y - h Z / D) / (1 - Z / D).
 // 2. The row of the result is the row that contains y.
-// 3. In that row, each lens covers one sub-pixel with the phase of the original sub-pixel. The result is the sub-pixel nearest
-//    to s. Let d be the phase at s minus the phase of the original sub-pixel. The result lies at s - (d - round(d)) lenses.
-// The ray of the result has the direction of the original ray to within half the distance between two sub-pixels. It is at most
-// half a lens away from s.
+// 3. In that row, each lens covers one sub-pixel with the same phase. The result is the one nearest to s. If the phase at s
+//    exceeds that phase by d, the result lies d - round(d) lenses to the left of s, so at most half a lens away.
+// The ray of the result has the direction of the first ray to within half the distance between two sub-pixels.
 //
 // Only striped sub-pixels are supported, because for other layouts the position of a sub-pixel does not follow from its number.
 //

@@ -32,7 +32,7 @@ TEST(Replay, warnings_go_to_stderr) {
   render_for_replay(dir);
   const RunResult result = run_tool(dir, {"replay", "out", "--eye", "1000,0,300"});
   EXPECT_EQ(result.exit_code, 0);
-  EXPECT_THAT(result.err, HasSubstr("outside the viewing zone of 100 %"));
+  EXPECT_THAT(result.err, HasSubstr("For 100 % of the display, the eye"));
 }
 
 TEST(Replay, impossible_values_name_their_flag) {

@@ -63,8 +63,8 @@ double mean_squared_error(const Image& film, float truth) {
   return sum / static_cast<double>(film.data.size());
 }
 
-// A pixel has the squared error 0.5^2 / 2 = 0.125, and the mean of n pixels has 0.125 / n. The filter averages up to 17 x 16
-// pixels; the test requires the effect of n = 50.
+// A pixel has the squared error 0.5^2 / 2 = 0.125, and the mean of n pixels has 0.125 / n. The test requires
+// the effect of n = 50; the filter averages up to 17 x 16 pixels.
 TEST(Denoiser, noise_decreases_and_the_mean_stays) {
   const Made made = noisy(1);
   EXPECT_NEAR(mean_squared_error(made.film, 1.0f), 0.125, 0.02);

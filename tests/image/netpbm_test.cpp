@@ -68,7 +68,7 @@ TEST(Netpbm, wrong_headers_are_refused) {
   for (const char* text : {"P6 0 1 255\n", "P6 -1 1 255\n", "P6 65537 1 255\n", "P6 65536 65536 255\n"})
     EXPECT_THAT(ppm(text), HasSubstr("a picture of"));
   EXPECT_THAT(ppm("P6 1 1 70000\nabc"), HasSubstr("highest code is 70000"));
-  EXPECT_THAT(ppm("P6 1 1 100\nabz"), HasSubstr("above its highest"));
+  EXPECT_THAT(ppm("P6 1 1 100\nabz"), HasSubstr("above the maximum of 100"));
   EXPECT_THAT(ppm("P6 16384 16384 255\nabc"), HasSubstr("truncated"));
   EXPECT_THAT(ppm("P6 1 1 255"), HasSubstr("truncated"));
   EXPECT_THAT(pfm("Pf 1 1 0\nabcd"), HasSubstr("its scale is 0"));

@@ -161,7 +161,7 @@ TEST_F(ReplayedRenders, spoc_makes_pictures_for_other_lenses) {
 TEST_F(ReplayedRenders, eye_outside_the_zone_gives_a_warning) {
   render_teapot();
   seen({.eye_mm = Vec3d(1000.0, 0.0, 300.0)}, "out", "eye");
-  EXPECT_THAT(warnings_, HasSubstr("outside the viewing zone of 100 %"));
+  EXPECT_THAT(warnings_, HasSubstr("For 100 % of the display, the eye"));
   render(job("teapot", "grid", kCameraGrid));
   seen({.eye_mm = Vec3d(5000.0, 0.0, 300.0)}, "grid", "eye");
   EXPECT_THAT(warnings_, HasSubstr("the outermost cameras' pictures"));

@@ -16,6 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using test::TempDir;
+using testing::AllOf;
 using testing::HasSubstr;
 
 /// Returns a picture in which neighbouring samples and rows differ.
@@ -133,6 +134,19 @@ TEST(Convert, every_frame_of_a_folder_is_converted) {
   EXPECT_TRUE(fs::exists(dir / "views/frame_0001/view_001.png"));
   convert(dir / "in", dir / "quilts", params(kIntegral, kQuilt, ViewGrid{2, 1}));
   EXPECT_TRUE(fs::exists(dir / "quilts/frame_0001_qs2x1a2.png"));
+}
+
+TEST(Convert, one_frame_of_a_folder_becomes_a_picture) {
+  const TempDir dir;
+  fs::create_directories(dir / "in");
+  write_png(dir / "in/frame_0003.png", picture8(4, 2));
+  convert(dir / "in", dir / "quilt.png", params(kIntegral, kQuilt, ViewGrid{2, 1}));
+  EXPECT_TRUE(fs::is_regular_file(dir / "quilt_qs2x1a2.png"));
+  write_png(dir / "in/frame_0004.png", picture8(4, 2));
+  EXPECT_THAT(test::error_message([&] {
+                convert(dir / "in", dir / "two.png", params(kIntegral, kQuilt, ViewGrid{2, 1}));
+              }),
+              AllOf(HasSubstr("two.png: is the name of one picture"), HasSubstr("has 2 frames"), HasSubstr("frame_0003.png")));
 }
 
 void expect_refusal(const fs::path& in, const fs::path& out, const ConvertParams& how, const std::string& where,

@@ -99,7 +99,7 @@ TEST(SlantedSight, refocused_colours_are_sharp_at_their_depth) {
       };
       const double sharp = test::linear_psnr(only(refocus(panel, z, size, pool)), only(truth), 16);
       EXPECT_GE(sharp, 35.0) << z << " " << c;
-      if (c == 1) continue;  // green waves run along the rows, where parallax does not blur them
+      if (c == 1) continue;  // the green stripes are horizontal, so horizontal parallax does not blur them
       EXPECT_LE(test::linear_psnr(only(refocus(panel, -z, size, pool)), only(truth), 16), sharp - 10.0) << z << " " << c;
     }
   }

@@ -56,7 +56,7 @@ TEST(Uncertainty, contrast_of_the_prediction_counts_an_eighth) {
   for (std::size_t y = 0; y < 8; ++y)
     for (std::size_t x = 8; x < 16; ++x) Case::paint(c.film, pixel(x, y), 80.0f / 255.0f);
   const auto uncertainty = c.uncertainty();
-  // 80 / 8 as a neighbour in the view, and 80 / 8 as an adjacent pixel of the panel
+  // A step of 80 codes counts by 1/8 between neighbours in a view, and by 1/8 between neighbours on the panel.
   EXPECT_EQ(uncertainty[pixel(7, 3)], 80 / 8 + 80 / 8);
   EXPECT_EQ(uncertainty[pixel(8, 3)], 80 / 8 + 80 / 8);
   EXPECT_EQ(uncertainty[pixel(6, 3)], 0);

@@ -81,7 +81,7 @@ export class Frames {
   /** Whether a scene is set up. Its newest picture is then shown for every frame. */
   isLive = false;
   private live: LoadedFrame | null = null;
-  /** Picture of a set-up scene for the calibrated panel; null while the panel is not shown. */
+  /** Picture of the scene for the calibrated panel; null while the panel is not shown. */
   private livePlayed: LoadedFrame | null = null;
   private livePictures: { facts: Field; pictures: LivePictures } | null = null;
   private isPlayed = false;

@@ -146,7 +146,7 @@ export class Renderer {
     return state.overlay !== "none" && !this.showsDifference(state) && !!frame.provenance;
   }
 
-  /** Share of each origin in the first shown light field; null while the provenance is not loaded. */
+  /** For each origin of pixels, its share of the first shown light field; null while the provenance is not loaded. */
   originShares(state: State): number[] | null {
     const field = this.shownFields(state)[0];
     return this.frames.peek(field, this.frameOf(field, state.frame), useOf(state))?.provenance?.shares ?? null;

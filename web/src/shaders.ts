@@ -497,7 +497,7 @@ precision highp float;
 precision highp int;
 precision highp sampler2D;
 uniform sampler2D u_first, u_second;
-uniform vec4 u_place;    // rectangle of the picture on the canvas: left, bottom, width, height, pixels
+uniform vec4 u_place;    // rectangle of the picture on the canvas: left, bottom, width and height, in pixels
 uniform float u_wipe, u_exposure, u_scale;
 uniform vec3 u_ground;
 out vec4 color;

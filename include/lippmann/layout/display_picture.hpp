@@ -50,7 +50,7 @@ struct DisplayPictureParams {
   PrintFinish finish = {};              ///< only for lenticular sheets and microlens arrays
 };
 
-/// The picture to make. layout/formats.hpp has formats with the same names.
+/// Picture to make for a display, named after the format (layout/formats.hpp) that stores it.
 enum class DisplayTarget { kIntegral, kQuilt, kNative };
 
 /// Throws a usage Error naming `display` if `format` is not integral, quilt or native, or if the display has no such picture.

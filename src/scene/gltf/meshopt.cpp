@@ -27,7 +27,7 @@ void check_shape(const PackedView& view, const std::string& where, const Report&
   const auto fail = [&](std::string_view what, const std::string& accepted) {
     report.fail(where, fmt::format("{} cannot have elements of {} bytes", what, view.byte_stride), accepted);
   };
-  if (attributes && !whole_words) fail("ATTRIBUTES", "a byteStride of 4, 8, ... 256");
+  if (attributes && !whole_words) fail("mode ATTRIBUTES", "a byteStride of 4, 8, ... 256");
   if (!attributes && view.byte_stride != 2 && view.byte_stride != 4) fail(view.mode, "2, 4");
   if (!attributes && view.filter != "NONE") report.fail(where, "has a filter for " + view.mode, "filters for ATTRIBUTES only");
   if (view.filter == "OCTAHEDRAL" && view.byte_stride != 4 && view.byte_stride != 8) fail(view.filter, "4, 8");
