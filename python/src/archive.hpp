@@ -246,7 +246,7 @@ class ArchiveReader {
   void length(auto& values) {
     std::size_t size = 0;
     raw(&size, sizeof size);
-    require(size);  // throws if fewer bytes than elements are left, as an element takes at least one byte
+    require(size);  // throws if fewer than `size` bytes are left, because each element takes at least one byte
     values.resize(size);
   }
   template <class T>

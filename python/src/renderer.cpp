@@ -51,7 +51,8 @@ auto with_picture(const Film& film, Use use) {
 
 bool is_transparent(const Film& film) { return film.frame.pictures.aovs.wants(Aov::kAlpha); }
 
-/// How `lippmann render` develops a picture: tone, and the crosstalk (a sigma in pixels) to correct.
+/// Settings that turn light into a picture, as in `lippmann render`: the tone, and the crosstalk to correct, as a standard
+/// deviation in pixels.
 struct Development {
   Tone tone;
   std::optional<double> crosstalk_px;
@@ -63,7 +64,7 @@ Image8 developed_codes(const Film& film, const Development& development) {
   const FramePictures& pictures = film.frame.pictures;
   Image light = pictures.film;
   if (is_transparent(film)) divide_by_alpha(pictures.aovs[Aov::kAlpha], light);
-  apply_tone(development.tone, light);  // before sub-pixels of different rays are joined
+  apply_tone(development.tone, light);  // before sub-pixels, which see different rays, are joined to pixels
   Image picture = picture_of_film(light, film.optics);
   if (development.crosstalk_px)
     precompensate_encoded(film.optics, *development.crosstalk_px, film.encoding, "precompensate", picture);

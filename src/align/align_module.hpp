@@ -33,12 +33,12 @@ class AlignModule {
   /// Returns pairs of features with similar descriptors: each is the other's nearest neighbour and clearly nearer than the
   /// second nearest one. Pairs are in the order of the first image's features.
   virtual std::vector<FeatureMatch> matches(const Features& first, const Features& second) const = 0;
-  /// Returns the disparity of each pixel of `first`: its x minus the x of the same point in `second`, in pixels. Searches from
-  /// `least` to `most` pixels by semiglobal matching. -inf means unknown. 1 channel.
+  /// Returns the disparity of each pixel of `first`: its x minus the x of the same point in `second`, in pixels. The image has
+  /// one channel; -inf means unknown. Semiglobal matching searches disparities from `least` to `most` pixels.
   virtual Image disparity(const GreyPicture& first, const GreyPicture& second, int least, int most) const = 0;
 };
 
-/// Increase with every change of this header. A module of another version is refused.
+/// Increase this number with every change of this header. A module of another version is refused.
 inline constexpr int kAlignModuleVersion = 1;
 
 /// Loads the module on the first call. Thread-safe. Throws Error naming the module and what is missing.

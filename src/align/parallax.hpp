@@ -26,7 +26,7 @@ struct ShownParallax {
   double mm_per_px = 0.0;
   double lens_mm = 0.0;
   int views = 0;                 ///< number of views that the display can distinguish, at most one per image
-  double resolved_lenses = 0.0;  ///< largest motion without visible tearing: one lens from a view to the next
+  double resolved_lenses = 0.0;  ///< largest total motion without tearing: one lens from each view to the next
 };
 
 ShownParallax shown_parallax(const Display& display, Vec2i picture_size, std::size_t count);

@@ -27,10 +27,11 @@ namespace {
 
 constexpr int kMatchedPx = 1600, kMatchedFeatures = 3000;
 constexpr std::size_t kMinShared = 20;
-/// A warning is given if the heights of shared points differ by more than this (median), in pixels of the images as reduced to
-/// kMatchedPx.
+/// Largest median difference of the heights of shared points without a warning, in pixels of the reduced images (at most
+/// kMatchedPx per side).
 constexpr double kMaxRowError = 1.0;
-/// Largest difference between the disparities that both images give a point, in pixels of the images as reduced to kMatchedPx.
+/// Largest accepted difference between a point's disparities in the left and in the right image, in pixels of the reduced
+/// images (at most kMatchedPx per side).
 constexpr double kMaxContradiction = 1.5;
 constexpr float kUnknown = -std::numeric_limits<float>::infinity();
 

@@ -18,8 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Throws Error if a frame of `other` is missing in `path`. `a` has the names of the frames in `other`, and `b` of those in
-/// `path`.
+/// Throws Error if a frame of `other` is missing in `path`. `b` has the names of the frames in `path`, and `a` has the names of
+/// the frames in `other`.
 void check_has_all(const fs::path& path, const std::vector<std::string>& b, const fs::path& other,
                    const std::vector<std::string>& a) {
   const std::set<std::string> known(b.begin(), b.end());

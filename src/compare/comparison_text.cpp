@@ -32,8 +32,8 @@ std::string quoted(const std::string& name) {
 
 std::string csv_number(std::optional<double> value) { return value ? fmt::format("{}", *value) : ""; }
 
-/// Returns whether JSON and CSV have a column for the metric. The metric must always be computed, or some frame must have a
-/// value.
+/// Returns whether JSON and CSV have a column for the metric. They have one for each metric that is always computed, and for
+/// each metric that has a value in some frame.
 bool is_written(const MetricColumn& column, const Comparison& comparison) {
   return column.is_chosen({}) || column.key == "psnr_y_db" || column.key == "psnr_yuv_db" ||
          std::any_of(comparison.frames.begin(), comparison.frames.end(), [&](const FrameComparison& frame) {

@@ -21,7 +21,7 @@ struct MetricColumn {
 
 std::span<const MetricColumn> metric_columns();
 
-/// Mean and worst value over the frames that have one, or nullopt.
+/// Return the mean and the worst value over the frames that have a value, or nullopt if no frame has a value.
 std::optional<double> mean_of(const MetricColumn& column, const Comparison& comparison);
 std::optional<double> worst_of(const MetricColumn& column, const Comparison& comparison);
 

@@ -9,10 +9,10 @@ namespace lippmann {
 namespace {
 
 constexpr int kFilterSteps[] = {1, 2, 4};
-/// Added to the albedo before light is divided by it. Highlights do not scale with the albedo, so on dark surfaces the quotient
-/// would otherwise become very large.
+/// Light is divided by the sum of the albedo and this constant. Highlights do not scale with the albedo, so on dark surfaces, a
+/// division by the albedo alone would give very large values.
 constexpr float kLeastFactor = 0.04f;
-/// Sums of squares of brighter light would overflow.
+/// Light is clamped to this value, because sums of squares of brighter light would overflow.
 constexpr float kMostLight = 1e15f;
 
 template <class Fn>
@@ -32,7 +32,8 @@ void set_rgb(Vec3f color, float* image, std::size_t p) {
 
 Vec3f limited(Vec3f light) { return glm::clamp(light, Vec3f(-kMostLight), Vec3f(kMostLight)); }
 
-/// Returns the factor from Texels::light of pixel p to light in the film. Texels::albedo must already be divided by `met`.
+/// Returns the factor from Texels::light of pixel p to light in the film. Texels::albedo must already be divided by
+/// Texels::met, the fraction of the pixel that the surface covers.
 Vec3f factor_of(const Texels& texels, std::size_t p) { return texels.met[p] * (rgb(texels.albedo, p) + Vec3f(kLeastFactor)); }
 
 }  // namespace

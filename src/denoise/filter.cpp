@@ -158,7 +158,8 @@ void for_each_pixel(const SortedViews& views, const Piece& piece, int y, const f
     if (pixels[i] != SortedViews::kNoPixel && met[pixels[i]] > 0.0f) fn(pixels[i], i);
 }
 
-/// Rounds a number of columns up to whole vectors. Results for the added columns are not used.
+/// Rounds a number of columns up to a multiple of 16, the number of floats in an AVX-512 vector. Results for the added columns
+/// are not used.
 int whole_lanes(int columns) { return (columns + 15) / 16 * 16; }
 
 #define LIPPMANN_FOR_COLUMNS(i, count) _Pragma("GCC ivdep") for (int i = 0; i < (count); ++i)
@@ -198,7 +199,7 @@ LIPPMANN_INLINE float weight_of(float difference) {
 }
 
 /// Scaled normals of the points of a row. The dot product of a normal with the offset to another point is the distance of that
-/// point from the plane, in units of kPlaneSpread sample distances.
+/// point from the surface's tangent plane, in units of kPlaneSpread sample distances.
 struct alignas(64) PlaneRow {
   float x[kColumns], y[kColumns], z[kColumns];
 };
@@ -325,12 +326,12 @@ struct alignas(64) PlaceRow {
 
 LIPPMANN_INLINE float perspective(float z, float vergence) { return 1.0f / most(1.0f - z * vergence, 1e-3f); }
 
-/// Finds the positions of a row's points in another view. A point lies between four pixels. `below` selects the upper two
-/// pixels (0) or the lower two (1).
+/// Finds the positions of a row's points in another view. A point lies between four pixels. `below` selects the upper two of
+/// these pixels (0) or the lower two (1).
 LIPPMANN_MULTIVERSION
 void find_places(const SurfaceRow& a, const SortedViews& views, const SortedViews::Sight& sight, int below, int count,
                  PlaceRow& places) {
-  // Smallest bilinear weight of a pixel that is used.
+  // Pixels with a smaller bilinear weight are skipped.
   constexpr float kLeastShare = 1.0f / 64;
   const Vec2f samples_per_mm = views.samples_per_mm(), size(views.size());
   const float vergence = views.vergence(), first_row = static_cast<float>(views.first_row());

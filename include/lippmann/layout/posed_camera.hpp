@@ -30,8 +30,8 @@ inline Vec3d unprojected(const PosedCamera& camera, Vec2d pixel, double depth_mm
   return camera.position_mm + camera.rotation * (depth_mm * Vec3d(slope, -1.0));
 }
 
-/// Returns a rotation matrix whose elements are given row by row. Throws Error naming `where` if its columns deviate from
-/// orthonormal vectors by more than 1e-3, or if it mirrors.
+/// Returns a rotation matrix whose elements are given row by row. Throws Error naming `where` if the columns of the matrix
+/// deviate from orthonormal vectors by more than 1e-3, or if the matrix contains a reflection.
 glm::dmat3 checked_rotation(const double (&rows)[9], const std::string& where);
 
 }  // namespace lippmann

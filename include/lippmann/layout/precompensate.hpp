@@ -1,6 +1,6 @@
-// Precompensates pictures for a display's crosstalk (optics/crosstalk.hpp). If the display shows v', an eye sees A v',
-// where the matrix A holds the crosstalk weights. v' is computed such that A v' is the intended picture v, or as close
-// to it as light from 0 to 1, the display's white, allows. struct Precompensation measures the loss of contrast.
+// Precompensates pictures for a display's crosstalk (optics/crosstalk.hpp). If the display shows v', an eye sees A v', where
+// the matrix A holds the crosstalk weights. precompensate() computes v' such that A v' is the intended picture v, or as close
+// to v as possible with light from 0 (black) to 1 (white). struct Precompensation measures the loss of contrast.
 #pragma once
 
 #include "lippmann/image/encoding.hpp"
@@ -10,13 +10,14 @@
 
 namespace lippmann {
 
-/// With a larger sigma, less than 8 % of the difference between neighbouring pixels remains, too little to restore it.
+/// Largest standard deviation of a lens's blur, in pixels, that can be precompensated. A stronger blur leaves less than 8 % of
+/// the difference between neighbouring pixels.
 inline constexpr double kMaxPrecompensatedPx = 0.75;
 
-/// Replaces a picture by one that makes an eye see the original. `picture`: the panel's picture, 3 channels of linear
-/// light, clamped to 1, with one pixel per panel pixel also for a slanted panel. 0 <= sigma_px <= kMaxPrecompensatedPx.
-/// Throws a usage Error naming `where` for a larger sigma, and for optics in which pixels have no neighbours (a single
-/// view).
+/// Replaces a picture by one that makes an eye see the original. `picture`: the panel's picture, 3 channels of linear light,
+/// clamped to 1, with one pixel per panel pixel also for a slanted panel. `sigma_px`: the standard deviation of a lens's blur,
+/// from 0 to kMaxPrecompensatedPx. Throws a usage Error naming `where` for a larger sigma, and for optics in which pixels have
+/// no neighbours (a single view).
 Precompensation precompensate(const Optics& optics, double sigma_px, const char* where, Image& picture);
 
 /// Precompensates a film of any encoding. Display-referred values are converted to linear light and back.

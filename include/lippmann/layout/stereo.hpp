@@ -3,9 +3,10 @@
 // The packings are side by side, over-under, and row by row. The `half` packings squeeze each view to half its width or
 // height, so that the picture is as large as one view.
 //
-// Views are off-axis through the display's rectangle, without toe-in. A point at distance d behind the display (z = -d) has
-// the disparity ipd d / (distance + d): its position on the display for the right eye minus that for the left eye. The
-// disparity is 0 in the display plane and negative in front of it.
+// Views are off-axis through the display's rectangle, without toe-in. A point at distance d behind the display (z = -d) has the
+// disparity ipd d / (distance + d), where ipd is the distance between the eyes and `distance` is their distance from the
+// display. The disparity is the point's position on the display for the right eye minus that for the left eye. The disparity is
+// 0 in the display plane and negative in front of it.
 #pragma once
 
 #include <array>
@@ -39,18 +40,20 @@ inline Vec2i stereo_squeeze(StereoPacking packing) {
   return {packing == StereoPacking::kHalfSideBySide ? 2 : 1, packing == StereoPacking::kHalfOverUnder ? 2 : 1};
 }
 
-/// Returns the size of the picture. `stored` is the size of a squeezed view, or for kRows of a whole view.
+/// Returns the size of the picture that packs two views. `stored` is the size of a squeezed view; for kRows, it is the size of
+/// a whole view.
 Vec2i stereo_picture_size(StereoPacking packing, Vec2i stored);
 
-/// The inverse of stereo_picture_size(). Throws Error naming `where` if a side cannot be halved.
+/// The inverse of stereo_picture_size(). Throws Error naming `where` if the packing must halve an odd side of the picture.
 Vec2i stored_view_size(StereoPacking packing, Vec2i picture, const std::string& where);
 
-/// For writing: returns for each pixel of the picture the index of its source in a stack, where the left view is above the
-/// right view. Each view has the size `stored`.
+/// For writing: returns, for each pixel of the stereo picture, the index of its source pixel in a stack of two views of size
+/// `stored`. The left view is above the right view.
 std::vector<std::uint32_t> stereo_pixels(const StereoLayout& layout, Vec2i stored);
 
 /// For reading: returns for each pixel of the stack the index of its source in the picture, which holds two views of size
-/// `stored`. For kRows, views in the stack have half the height of `stored`.
+/// `stored`. For kRows, views in the stack have half the height of `stored`, because the picture holds only every second row of
+/// each view.
 std::vector<std::uint32_t> pixels_of_stereo(const StereoLayout& layout, Vec2i stored);
 
 /// Returns the stereo part of a file name: _2x1 or _half_2x1 (side by side, as in Leia's programs), _ou or _half_ou

@@ -30,13 +30,13 @@ Crop read_crop(const std::string& text, const std::string& flag);
 /// Error naming `flag`.
 KeptViews read_kept_views(const std::string& text, const std::string& flag);
 
-/// Return the grid of the kept views, and the new number of a view of `grid` (none if the view is dropped). Throw a usage Error
-/// naming `flag` if the selection exceeds the grid.
+/// kept_grid() returns the grid of the kept views. kept_number() returns the new number of a view of `grid`, or none if the
+/// view is dropped. These functions throw a usage Error naming `flag` if the selection exceeds the grid.
 ViewGrid kept_grid(ViewGrid grid, const KeptViews& kept, const std::string& flag);
 std::optional<int> kept_number(int view, ViewGrid grid, const KeptViews& kept, const std::string& flag);
 
-/// Crop all views, or drop views, with their depth and cameras. Throw a usage Error naming `flag` if the selection exceeds the
-/// light field.
+/// crop() reduces every view to the window `window`. keep() drops all other views. Depth and cameras change with the views.
+/// These functions throw a usage Error naming `flag` if the selection exceeds the light field.
 void crop(LightField& field, const Crop& window, const std::string& flag);
 void keep(LightField& field, const KeptViews& kept, const std::string& flag);
 

@@ -49,10 +49,10 @@ struct ViewPlace {
 
 ViewPlace place_of_view(const ViewLayout& layout, Vec2i view_size, Vec2i picture, int view);
 
-/// The arrangement closest to a square, wider rather than higher: 8 x 6 for 48 views.
+/// Returns the columns and rows that are closest to a square, with at least as many columns as rows: 8 x 6 for 48 views.
 ViewGrid squarest_tiles(int views);
 
-/// For each pixel of the stack: the row-major index of the same pixel in the picture.
+/// Returns, for each pixel of the vertically stacked views, the row-major index of the same pixel in the picture.
 std::vector<std::uint32_t> pixels_of_views(const ViewLayout& layout, Vec2i view_size, Vec2i picture);
 
 }  // namespace lippmann

@@ -1,5 +1,5 @@
-// Models crosstalk: through a lens, an eye sees light of one pixel and some light of the neighbouring pixels. For quilts, views
-// take the place of pixels.
+// Models crosstalk: through a lens, an eye sees light of one pixel and some light of the neighbouring pixels. For quilts, the
+// eye sees light of one view and some light of the neighbouring views.
 //
 // The blur of a lens is a Gaussian on the panel, whose sigma is given in pixels. The weight of a pixel is the integral of the
 // Gaussian over the pixel.

@@ -7,8 +7,8 @@
 // - y_px) m.
 //
 // Lens arrays are modelled as one pinhole per lens. Light from a panel point q leaves lens centre l along l - q towards the
-// viewer. We trace the same line from the viewer's side: it starts at z = z_front and runs towards -z. Thus one ray covers the
-// space in front of the array and behind it.
+// viewer. We trace the same line from the viewer's side: the line starts at z = z_front_mm (in struct Optics) and runs towards
+// -z. Thus one ray covers the space in front of the array and behind it.
 #pragma once
 
 #include <array>
@@ -25,7 +25,7 @@ namespace lippmann {
 /// the pixels of the panel, or, for a slanted panel, its sub-pixels side by side.
 struct Panel {
   int width = 512, height = 512;
-  float pixel_pitch_mm = 0.125f;  ///< the default makes a lens of 8 pixels 1 mm wide
+  float pixel_pitch_mm = 0.125f;  ///< by default, 8 pixels are as wide as a lens of 1 mm
 };
 
 /// Cylindrical lenses, with parallax only across the lenses. The coordinate across the lenses is xi = x cos(slant) + y
@@ -36,10 +36,10 @@ struct LenticularSheet {
   float gap_mm = 2.0f;
   float slant = 0.0f;      ///< angle between the lenses and the vertical in radians, |slant| < pi/2
   float offset_mm = 0.5f;  ///< xi coordinate of the centre of lens 0
-  /// Distance at which the cells converge. A cell is the panel area below one lens. If the distance is infinite, each cell lies
-  /// straight below its lens.
+  /// Viewing distance that the panel is made for. A cell is the panel area that belongs to one lens. Lines from the cells'
+  /// centres through their lenses meet at this distance. If it is infinite, each cell lies straight below its lens.
   float viewing_distance_mm = kInfinity;
-  /// Y of the point to which the rays of all pixel rows converge, if viewing_distance_mm is finite.
+  /// Y coordinate of the intended viewer, if viewing_distance_mm is finite. The rays of all pixel rows converge to this height.
   float eye_height_mm = 0.0f;
   float parallax = 1.0f;
 };
@@ -98,7 +98,8 @@ SubPixelOffsets striped_sub_pixels(bool blue_first = false);
 struct SlantedPanel {
   double periods = 244.041;  ///< P: number of lenses across the panel, along a row
   double tilt = -0.190476;   ///< T: horizontal shift of a lens from the bottom to the top of the panel, in panel widths
-  /// Subtracted from the phase. For striped panels of W pixels, this is the center in the calibration file minus P / (3 W).
+  /// Offset that is subtracted from the phase of every sub-pixel (formula in slanted_panel.hpp). For striped panels of W
+  /// pixels, it is `center` of the calibration file minus P / (3 W), the phase between neighbouring sub-pixels.
   double center = 0.447;
   bool inverted = true;              ///< true: view v = 1 - fract(phase); false: v = fract(phase)
   float view_cone = radians(40.0f);  ///< full angle between the views v = 0 and v = 1
@@ -130,7 +131,8 @@ struct Ray {
 };
 
 /// Optics defined only by a table of rays: a simulated lens, a measured display, or any function from pixel to ray
-/// (make_ray_table()). They do not support interpolation, view layouts and replay, which need an inverse mapping or views.
+/// (make_ray_table()). Such optics do not support interpolation, view layouts and replay, because these need an inverse mapping
+/// or views.
 struct RayTable {
   /// Row by row from the top left: panel.height * samples_per_side rows of panel.width * samples_per_side rays. A sample of a
   /// pixel uses the ray of the part of the pixel that contains the sample. Every ray starts at its own origin. Copies of the
@@ -172,9 +174,9 @@ RayTable make_ray_table(const Panel& panel, int samples_per_side, const RayOfPoi
 /// Throws Error naming the field and its accepted range if sizes, pitches, gaps, angles or distances are invalid.
 void validate(const Optics& optics);
 
-/// Returns the z where rays start: z_front_mm if it is finite, otherwise the viewing distance, otherwise 4 panel diagonals.
-/// Rays of views and slanted panels start no farther away than their eye. For a table of rays, returns the largest z of their
-/// origins.
+/// Returns the z where rays start: z_front_mm if it is finite, else the viewing distance if it is finite, else 4 panel
+/// diagonals. Rays of views and slanted panels start no farther away than their eye. For a table of rays, returns the largest z
+/// of their origins.
 float resolved_z_front_mm(const Optics& optics);
 
 /// Returns the ray of a point of the film in continuous pixel coordinates (pixel (i, j) has its centre at (i + 0.5, j + 0.5)).
@@ -213,7 +215,7 @@ struct LensArray {
   double pitch_mm = 0.0;      ///< distance between lenses along a row of pixels, for any slant
   double row_pitch_mm = 0.0;  ///< distance between rows of lenses; 0: cylindrical lenses
   double gap_mm = 0.0;
-  double viewing_distance_mm = 0.0;  ///< distance at which the cells converge, or infinity
+  double viewing_distance_mm = 0.0;  ///< intended distance of the viewer, or infinity
   double eye_height_mm = 0.0;
   double cell_mm = 0.0;        ///< width of the panel area below one lens
   double slant_cosine = 1.0;   ///< cosine of a sheet's slant: lens_pitch_mm = pitch_mm * slant_cosine
@@ -256,7 +258,7 @@ int sub_pixels_per_pixel(const Optics& optics);
 /// Returns the width and height of the film in pixels: the panel's pixels, or their sub-pixels side by side.
 Vec2i film_size(const Optics& optics);
 
-/// Returns the design viewing distance, or infinity if the cells of the lenses do not converge.
+/// Returns the viewing distance that the display is made for, which may be infinite.
 float viewing_distance_mm(const Optics& optics);
 
 /// Returns the full horizontal angle of the viewing zone. For lens arrays, it is 2 atan(cell / (2 gap)), where the cell is the

@@ -41,8 +41,8 @@ Viewer viewer_in_zone_vertically(const Optics& optics, double share);
 /// Returns the x in mm of an eye at `share` of the viewing zone (0 to 1) and at the distance z_mm from the display.
 double zone_x_mm(const Optics& optics, double share, double z_mm);
 
-/// Returns the default eye position: the design viewer's, or 3 window heights in front if the design viewer is infinitely far
-/// away.
+/// Returns the default eye position: the design viewer's, or 3 window heights in front of the display if the design viewer is
+/// infinitely far away.
 Vec3d default_eye_mm(const Optics& optics);
 
 /// Returns the number of samples of one view in the plane z = 0, across and down: one sample per lens along axes with lens

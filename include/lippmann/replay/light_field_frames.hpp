@@ -30,8 +30,8 @@ struct LightFieldHints {
   /// Whether the outermost views are at the two ends of view_angle_deg. If not, they are half a view step inside.
   bool cone_ends = false;
   std::function<void(std::string_view)> warn = {};  ///< called with each warning
-  /// The display that the images were made for. If it is set, images whose format is `native` or unknown are frames of its
-  /// panel, and a row of views without cameras is a quilt for it.
+  /// The display that the images were made for. If this is set, images of the format `native` or of an unknown format are read
+  /// as frames of the display's panel, and a row of views without cameras is read as a quilt for the display.
   std::optional<Display> display = {};
   bool is_other_display = false;  ///< no error if the images are for another display
 };
@@ -53,14 +53,15 @@ struct LightFieldFrames {
   std::function<RenderedPanel(std::size_t)> read{};
 };
 
-/// Throws Error naming the file, a flag that is needed because the input lacks the information, or a flag that has no effect.
+/// Throws Error naming an unreadable file, a flag that the input requires, or a flag that has no effect on the input.
 LightFieldFrames find_light_field_frames(const std::filesystem::path& in, const LightFieldHints& hints);
 
 /// Arranges the views on the panel of `optics`, in linear light. Throws Error naming `where` if the grid or the size of the
 /// views differs from that of the optics, or if the views of the optics do not consist of whole pixels.
 RenderedPanel panel_of(const LightField& field, const Optics& optics, const std::string& where);
 
-/// Throws Error naming `where` unless the cameras form a regular grid centred on the display's axis.
+/// Returns optics with the cameras of the views. Throws Error naming `where` unless the cameras form a regular grid centred on
+/// the display's axis.
 Optics optics_of_cameras(const LightField& field, const std::string& where);
 
 /// For views with unknown cameras: a display 100 mm high, seen from 300 mm. A row of views spreads over view_angle_deg

@@ -18,7 +18,7 @@ struct RenderedFrames {
 
 /// Finds the frames of `in`: an image, or a folder with frame_0000.png (.exr, .tif), ... An empty `report` means report.json
 /// beside the images. Throws Error naming the file if there are no images or no report, if the report has no optics, or if the
-/// images are rearranged views.
+/// images have another layout than the panel.
 RenderedFrames find_rendered_frames(const std::filesystem::path& in, const std::filesystem::path& report = {});
 
 /// Returns the images in the folder `in`, or `in` itself. Throws Error naming a folder without images.
@@ -31,7 +31,7 @@ Picture read_panel_picture(const RenderedFrames& frames, const std::filesystem::
 /// Error as read_panel_picture().
 RenderedPanel read_rendered_panel(const RenderedFrames& frames, std::size_t index);
 
-/// Returns the frame's number in the file name, or the whole name.
+/// Returns the frame's number in the file name, or the whole name if it has no number.
 std::string frame_label(const std::filesystem::path& file);
 
 }  // namespace lippmann

@@ -10,7 +10,8 @@ enum class SampleFilter {
   kLinear,   ///< the two pixels with the nearest centres, weighted by distance
 };
 
-/// Pixel i covers i ... i + 1. Indices may lie outside the image.
+/// Returns the weights of the pixels at a position in continuous pixel coordinates, where pixel i covers [i, i + 1). Indices of
+/// pixels may lie outside the image.
 Taps taps_at(double position_px, SampleFilter filter);
 
 }  // namespace lippmann

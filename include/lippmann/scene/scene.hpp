@@ -190,7 +190,7 @@ struct Iridescence {
   TextureMap map{};    ///< channel R multiplies share
   float ior = 1.3f;
   float least_thickness_nm = 100.0f, most_thickness_nm = 400.0f;
-  /// Channel G interpolates from the least to the most thickness. Without a texture, the film has the most thickness.
+  /// Channel G interpolates from the smallest to the largest thickness. Without a texture, the film has the largest thickness.
   TextureMap thickness_map{};
 };
 
@@ -405,7 +405,7 @@ struct Instance {
   int skin = -1;
   /// Meshes only: camera rays pass through the instance, but mirrors show it, and it still emits light.
   bool hidden_from_cameras = false;
-  /// If any instance of the scene casts shadows, only meshes may set this.
+  /// True: the instance casts no shadow. Shapes other than meshes may set this only if no instance of the scene casts shadows.
   bool casts_no_shadow = false;
 };
 

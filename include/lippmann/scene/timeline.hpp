@@ -33,7 +33,7 @@ bool keys_fall_on_frames(const Timeline& timeline, double frames_per_second);
 std::vector<bool> morphing_nodes(const Scene& scene);
 
 /// Returns the bounds of all shapes except planes at one time, in the coordinates that frame_from_world maps to. Returns empty
-/// bounds if there are none. Ignores outlying splats (bulk_bounds() in scene/splats.hpp).
+/// bounds if there are no such shapes. Ignores outlying splats (bulk_bounds() in scene/splats.hpp).
 Bounds3f finite_bounds(const Scene& scene, const ResolvedScene& resolved, const Affine3f& frame_from_world = {});
 
 /// Returns the exact bounds of one instance in the coordinates that frame_from_world maps to.

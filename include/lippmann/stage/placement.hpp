@@ -48,8 +48,8 @@ enum class DisplayPicture {
 };
 
 /// Returns whether the depth of a scene is reduced to the range that the optics resolve. Returns `wish` if it is set. Otherwise
-/// returns false only for optics with separate views and without a screen. `is_for_screen`: the optics belong to a display or
-/// to a stereo image.
+/// returns false for separate views that are not for a screen, and true for all other optics. `is_for_screen`: the optics
+/// belong to a display or to a stereo image.
 bool fits_depth(std::optional<bool> wish, const Optics& optics, bool is_for_screen);
 
 /// Scales optics to the fitted array. `fit_depth` reduces depth to the range that the optics resolve. Rays begin at the viewer,
