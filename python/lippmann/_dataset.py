@@ -17,9 +17,9 @@ class DatasetReport(NamedTuple):
     """The result of lippmann.dataset."""
 
     samples: int
-    """Number of samples in the requested unit."""
+    """Number of samples in the requested part of the data set (argument `unit`)."""
     kept: int
-    """Number of samples that were complete before."""
+    """Number of samples that were complete before the call."""
     made: int
     """Number of samples rendered."""
     seconds: float
@@ -27,7 +27,7 @@ class DatasetReport(NamedTuple):
     bytes: int
     """Number of bytes written."""
     complete: bool
-    """Whether all samples of all units and manifest.json exist."""
+    """Whether manifest.json and all samples of the whole data set exist."""
 
 
 def dataset(

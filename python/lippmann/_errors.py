@@ -82,7 +82,7 @@ class Error(ValueError):
 
 
 class UnknownError(Error, AttributeError):
-    """Raised by an attribute that only other objects of this type have. hasattr() then returns False."""
+    """Raised if an object lacks an attribute that other objects of its type have. hasattr() then returns False."""
 
 
 class MissingFileError(Error, FileNotFoundError):

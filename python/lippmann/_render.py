@@ -30,8 +30,8 @@ class Animation:
         progress: Optional[Progress],
         tests: Optional[Tuple[int, ...]],
     ) -> None:
-        """core: a _core.Frames. settings: the last three arguments of its constructor: sampling, reuse and threads. tests: see
-        `test_frames`, or None without `cameras`.
+        """core: the _core.Frames that renders. settings: the sampling, the reuse and the number of threads of `core`.
+        tests: the numbers of the frames for testing, or None without `cameras`.
         """
         self._core, self._settings, self._frames, self._display, self._progress = core, settings, frames, display, progress
         self._tests = tests
@@ -292,7 +292,7 @@ def render(
 
 
 class _Frame(List[int]):
-    """A list of the one frame that lippmann.render renders. Errors then name the argument `frame`, not `frames`."""
+    """A list with the single frame of lippmann.render. Its type makes errors name the argument `frame` instead of `frames`."""
 
 
 def _which(frames: Optional[Iterable[int]], count: int) -> Sequence[int]:

@@ -48,8 +48,8 @@ class FocusSearch {
   bool has_texture() const { return wanted_.contrast >= kMinContrast; }
 
   /// Returns the x of the focus point in `picture` minus its x in the middle image, in pixels. `from` is the neighbouring image
-  /// nearer to the middle, and `known` its result. Sets `guess` to an estimate from the motion of shared points. Returns
-  /// nullopt if no patch matches.
+  /// nearer to the middle, and `known` is the result for `from`. Sets `guess` to an estimate from the motion of shared points.
+  /// Returns nullopt if no patch matches.
   std::optional<double> find(std::size_t picture, std::size_t from, double known, double& guess) const {
     const std::vector<double> steps = near_steps(picture, from, known);
     guess = known + steps[steps.size() / 2];

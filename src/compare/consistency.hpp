@@ -30,7 +30,7 @@ struct FlickerSums {
 /// weights.
 FlickerSums flicker_of_view(const ViewChange& change);
 
-/// Returns the root of the weighted mean, in 8-bit codes. Returns NaN if the weights sum to 0.
+/// Returns the root of the weighted mean of the squared changes, in 8-bit codes. Returns NaN if the weights sum to 0.
 double flicker_of(const FlickerSums& sums);
 
 }  // namespace lippmann

@@ -22,7 +22,7 @@ class FrameSource {
   struct Item {
     /// File name without folder and extension; frame_0000, frame_0001, ... for videos.
     std::string name;
-    /// Thread-safe while the source exists. Throws Error.
+    /// Reads the image. Thread-safe while the source exists. Throws Error.
     std::function<Image8()> load;
   };
 

@@ -33,7 +33,7 @@ struct FrameViews {
 FrameViews read_views_of_frame(const std::filesystem::path& path, const ViewsHints& hints, bool with_motion,
                                const std::function<void(std::string_view)>& warn);
 
-/// Reads a frame to compare with `reference`. If neither the file name nor a report gives its layout, assumes that of the
+/// Reads a frame to compare with `reference`. If neither the file name nor a report gives its layout, assumes the layout of the
 /// reference.
 FrameViews read_views_like(const FrameViews& reference, const std::filesystem::path& path, const ViewsHints& hints,
                            const std::function<void(std::string_view)>& warn);

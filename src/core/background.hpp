@@ -13,8 +13,9 @@ namespace lippmann {
 /// rethrows the exception once.
 class BackgroundQueue {
  public:
-  /// At most `capacity` pieces wait or run at a time; submit() waits until one is free. The destructor drops the pieces that
-  /// have not started, and waits for the running ones. Throws std::system_error if the system has no more threads.
+  /// At most `capacity` pieces wait or run at a time; with this many pieces, submit() waits until one has ended. The destructor
+  /// drops the pieces that have not started, and waits for the running ones. Throws std::system_error if the system has no more
+  /// threads.
   BackgroundQueue(int threads, int capacity);
   ~BackgroundQueue();
   BackgroundQueue(const BackgroundQueue&) = delete;

@@ -109,9 +109,9 @@ class OpenFile {
   int descriptor_ = -1;
 };
 
-/// sync_file() waits until the bytes of a file are on the disk, and sync_folder() until the names of a folder's files are; an
-/// empty path means the working folder. Throw Error that names the path on failure. Have no effect on file systems without this
-/// operation and on unreadable files or folders.
+/// sync_file() waits until the bytes of a file are on the disk. sync_folder() waits until the names of a folder's files are on
+/// the disk; an empty path means the working folder. On failure, these functions throw Error that names the path. They have no
+/// effect on file systems without this operation and on unreadable files or folders.
 void sync_file(const std::filesystem::path& file);
 void sync_folder(const std::filesystem::path& folder);
 

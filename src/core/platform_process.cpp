@@ -40,8 +40,8 @@ bool send_signal([[maybe_unused]] int descriptor, [[maybe_unused]] int signal) {
 
 std::string open_files_of(int process) { return fmt::format("/proc/{}/fd", process); }
 
-/// Returns whether `link`, an entry of /proc/PID/fd, refers to `file` and is open for writing. Linux then sets the link's write
-/// permission.
+/// Returns whether `link`, an entry of /proc/PID/fd, refers to `file` and is open for writing. Linux sets the write permission
+/// of links to files that are open for writing.
 bool is_open_for_writing(const fs::path& link, const struct stat& file) {
   struct stat opened {
   }, itself{};

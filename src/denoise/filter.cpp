@@ -87,8 +87,8 @@ void for_each_piece(const SortedViews& views, int stride, const ThreadPool& pool
   const int in_class = (size.y + stride - 1) / stride, parts = (in_class + kRowsPerPiece - 1) / kRowsPerPiece;
   const auto pieces = static_cast<std::size_t>(views.views()) * static_cast<std::size_t>(across * stride * parts);
   pool.for_each(pieces, [&](std::size_t index) {
-    // Consecutive pieces belong to different views, because the film of a lens array stores pixels of different views side by
-    // side.
+    // Consecutive pieces belong to different views. The film of a lens array stores pixels of different views side by side, so
+    // these pieces read neighbouring memory.
     const int view = static_cast<int>(index % static_cast<std::size_t>(views.views()));
     const int in_view = static_cast<int>(index / static_cast<std::size_t>(views.views()));
     const int column = in_view % across * kColumns, part = in_view / across;
@@ -186,7 +186,8 @@ LIPPMANN_INLINE float light_difference(const LightRow& a, int i, const LightRow&
   return most(difference, 0.0f) / (variance + visible);
 }
 
-/// Returns a factor from 0 to 1 for the weight of a neighbour, below 1 if it is much noisier (see kInfluence).
+/// Returns a factor from 0 to 1 for the weight of a neighbour, below 1 if the neighbour is much noisier than the pixel (see
+/// kInfluence).
 LIPPMANN_INLINE float influence(float variance, float of_other) {
   return least(1.0f, kInfluence * (variance + kNoNoise) / (of_other + kNoNoise));
 }

@@ -29,7 +29,7 @@ inline constexpr std::array<std::string_view, 5> kStereoPackingNames{"sbs", "hal
 
 struct StereoLayout {
   StereoPacking packing = StereoPacking::kSideBySide;
-  bool right_first = false;  ///< the right eye's view is at the left, on top, or in the first row
+  bool right_first = false;  ///< true: the right eye's view is at the left, on top, or in the first row
   bool operator==(const StereoLayout&) const = default;
 };
 

@@ -13,12 +13,12 @@ struct Crop {
   Vec2i size{0, 0}, offset{0, 0};
 };
 
-/// Every step-th index from `first` to `last`, both included. last < 0: to the end.
+/// Every step-th index from `first` to `last`, both included. last < 0: up to the last index.
 struct ViewRange {
   int first = 0, last = -1, step = 1;
 };
 
-/// Views to keep. Columns count from the left, and rows from the lowest.
+/// Views to keep. Columns are counted from the left, and rows from the bottom.
 struct KeptViews {
   ViewRange columns{}, rows{};
 };
@@ -35,8 +35,8 @@ KeptViews read_kept_views(const std::string& text, const std::string& flag);
 ViewGrid kept_grid(ViewGrid grid, const KeptViews& kept, const std::string& flag);
 std::optional<int> kept_number(int view, ViewGrid grid, const KeptViews& kept, const std::string& flag);
 
-/// crop() reduces every view to the window `window`. keep() drops all other views. Depth and cameras change with the views.
-/// These functions throw a usage Error naming `flag` if the selection exceeds the light field.
+/// crop() reduces every view to the window `window`. keep() drops all views that are not in `kept`. Depth and cameras change
+/// with the views. These functions throw a usage Error naming `flag` if the selection exceeds the light field.
 void crop(LightField& field, const Crop& window, const std::string& flag);
 void keep(LightField& field, const KeptViews& kept, const std::string& flag);
 

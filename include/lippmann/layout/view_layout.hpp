@@ -32,7 +32,7 @@ enum class LayoutKind { kIntegral, kQuilt, kStack, kEslf };
 struct ViewLayout {
   LayoutKind kind = LayoutKind::kStack;
   ViewGrid grid{};
-  ViewGrid tiles{};  ///< tiles of a quilt across and up, as many as views
+  ViewGrid tiles{};  ///< columns and rows of a quilt's tiles; their product is the number of views
 };
 
 /// Size of the whole picture for views of `view_size`.

@@ -16,7 +16,7 @@ namespace lippmann {
 
 enum class AngularFilter {
   kNone,
-  kBox,  ///< a box as wide as the view spacing: across for a cone of views; across and up for a camera grid
+  kBox,  ///< a box as wide as the view spacing, along each axis with several eyes
 };
 
 /// Returns the eye shift of each sample of a pixel, in units of the view spacing (MultiView::eye_shift). Along each axis, the

@@ -36,8 +36,8 @@ struct Taps {
 Taps gaussian_taps(double position_px, double sigma_px);
 
 /// Returns the sigma of the blur along x and y, in pixels of the panel; 0 if the lenses have no power along the axis. For
-/// quilts, the unit is columns and rows of views. For slanted panels, each colour is blurred separately. `sigma_px` is measured
-/// perpendicular to the lenses.
+/// quilts, the unit is one view instead of one pixel. For slanted panels, each colour is blurred separately. `sigma_px` is
+/// measured perpendicular to the lenses.
 Vec2d crosstalk_sigmas(const Optics& optics, double sigma_px);
 
 /// Returns the weight of each of the two neighbouring pixels, for an eye that sees the middle of a pixel.

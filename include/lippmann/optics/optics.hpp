@@ -29,8 +29,8 @@ struct Panel {
 };
 
 /// Cylindrical lenses, with parallax only across the lenses. The coordinate across the lenses is xi = x cos(slant) + y
-/// sin(slant). Lens k has its centre at xi = offset_mm + k lens_pitch_mm, for all integers k. By default, a lens boundary lies
-/// at x = 0.
+/// sin(slant). Lens k has its centre at xi = offset_mm + k lens_pitch_mm, for all integers k. By default, the boundary between
+/// two lenses lies at x = 0.
 struct LenticularSheet {
   float lens_pitch_mm = 1.0f;
   float gap_mm = 2.0f;
@@ -85,8 +85,8 @@ struct SingleView {
   float eye_height_mm = 0.0f;
 };
 
-/// Positions of the sub-pixels relative to the centre of their panel pixel, in panel pixels, x right, y up. The indices are
-/// [row from the bottom, modulo 4][column modulo 2][red, green, blue].
+/// Positions of sub-pixels relative to the centre of their panel pixel, in units of a panel pixel, x right, y up. The indices
+/// are [row from the bottom, modulo 4][column modulo 2][red, green, blue].
 using SubPixelOffsets = std::array<std::array<std::array<Vec2f, 3>, 2>, 4>;
 
 /// Returns vertical stripes a third of a pixel apart, as on most panels. Red is on the left, or blue if `blue_first`.
@@ -94,7 +94,7 @@ SubPixelOffsets striped_sub_pixels(bool blue_first = false);
 
 /// A calibrated panel below slanted lenses, where every sub-pixel has its own ray (formula in slanted_panel.hpp). The film of a
 /// panel of W x H pixels has 3 W x H pixels: film pixel (3 i + c, j) is the sub-pixel of colour c of panel pixel (i, j). Phases
-/// are doubles because they count thousands of lenses.
+/// are doubles, because their integer parts count up to thousands of lenses.
 struct SlantedPanel {
   double periods = 244.041;  ///< P: number of lenses across the panel, along a row
   double tilt = -0.190476;   ///< T: horizontal shift of a lens from the bottom to the top of the panel, in panel widths

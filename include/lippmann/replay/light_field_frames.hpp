@@ -33,7 +33,7 @@ struct LightFieldHints {
   /// The display that the images were made for. If this is set, images of the format `native` or of an unknown format are read
   /// as frames of the display's panel, and a row of views without cameras is read as a quilt for the display.
   std::optional<Display> display = {};
-  bool is_other_display = false;  ///< no error if the images are for another display
+  bool is_other_display = false;  ///< true: accept images that were made for another display
 };
 
 /// Returns the hints, with `warn` set to the `warn` of the context.
@@ -45,7 +45,7 @@ inline LightFieldHints with_warnings(LightFieldHints hints, const Context& conte
 struct LightFieldFrames {
   Optics optics{};
   std::vector<std::filesystem::path> files{};  ///< images or folders of views, in the order of frames
-  std::filesystem::path folder{};  ///< default folder for results: the input folder, or the one that contains the input
+  std::filesystem::path folder{};  ///< default folder for results: the input folder, or the folder of the input file
   double frames_per_second = 25.0;
   bool is_panel = false;        ///< the images have no report and are frames of the panel of `optics`
   std::string assumption = {};  ///< sentence about assumed cameras, or empty
@@ -65,8 +65,8 @@ RenderedPanel panel_of(const LightField& field, const Optics& optics, const std:
 Optics optics_of_cameras(const LightField& field, const std::string& where);
 
 /// For views with unknown cameras: a display 100 mm high, seen from 300 mm. A row of views spreads over view_angle_deg
-/// (default: 40 degrees), with the outermost views at its ends if `cone_ends`, otherwise half a step inside. A grid of cameras
-/// spans 10 degrees across by default.
+/// (default: 40 degrees), with the outermost views at the ends of this angle if `cone_ends`, otherwise half a view step inside.
+/// A grid of cameras spans 10 degrees across by default.
 Optics assumed_optics(const LightField& field, std::optional<double> view_angle_deg, bool cone_ends = false);
 
 /// Returns the parameters of the cameras that assumed_optics() assumes.

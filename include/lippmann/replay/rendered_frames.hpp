@@ -24,11 +24,11 @@ RenderedFrames find_rendered_frames(const std::filesystem::path& in, const std::
 /// Returns the images in the folder `in`, or `in` itself. Throws Error naming a folder without images.
 std::vector<std::filesystem::path> pictures_of(const std::filesystem::path& in);
 
-/// Reads a file without conversion. Throws Error naming it, for example if its size is not the panel's.
+/// Reads a file without conversion. Throws Error naming the file, for example if its size is not the panel's.
 Picture read_panel_picture(const RenderedFrames& frames, const std::filesystem::path& file);
 
 /// Reads frames.files[index] into linear light: integer samples are sRGB codes, and values that are not finite become 0. Throws
-/// Error as read_panel_picture().
+/// Error as read_panel_picture() does.
 RenderedPanel read_rendered_panel(const RenderedFrames& frames, std::size_t index);
 
 /// Returns the frame's number in the file name, or the whole name if it has no number.

@@ -295,8 +295,8 @@ struct Light {
   /// points without shadow. Mirrors show the emitter, but cameras do not.
   float radius = 0.0f;            ///< point and spot lights: radius in world units; needs inverse_square
   float angular_diameter = 0.0f;  ///< directional lights: angular diameter of the disc in radians, at most pi
-  /// Spot lights: falloff between the cones, where t is linear in the cosine of the angle, 1 at the inner cone and 0 at the
-  /// outer cone. true: 3 t^2 - 2 t^3, as in Blender. false: t^2.
+  /// Spot lights: the factor of the light between the two cones. true: 3 t^2 - 2 t^3, as in Blender. false: t^2. t is linear in
+  /// the cosine of the angle, 1 at the inner cone and 0 at the outer cone.
   bool smooth_edge = false;
   /// Point lights: index into Scene::webs. The intensity of the web multiplies the colour. -1: the light is the same in all
   /// directions.

@@ -38,8 +38,8 @@ std::vector<Vec3d> camera_directions(const CameraSet& set);
 /// Marks a random eighth of the cameras as test cameras, but at least one if there are two or more cameras.
 std::vector<bool> test_cameras(int count, std::uint32_t seed);
 
-/// The cameras have the vertical field of view of the scene's first camera, or 45 degrees. Throws Error if the scene has no
-/// finite shapes.
+/// Replaces the scene's cameras by `set`. The new cameras have the vertical field of view of the scene's first camera, or 45
+/// degrees. Throws Error if the scene has no finite shapes.
 void surround_with_cameras(Scene& scene, const CameraSet& set);
 
 }  // namespace lippmann

@@ -11,7 +11,7 @@ namespace lippmann {
 
 enum class UpAxis { kY, kX, kZ, kMinusX, kMinusY, kMinusZ };
 
-/// Returns an empty string for a camera without a name.
+/// Returns the names of all cameras. The name of a camera without one is empty.
 std::vector<std::string> camera_names(const Scene& scene);
 
 /// Returns for example "Front (0), Side (1)".

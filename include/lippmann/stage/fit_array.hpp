@@ -6,7 +6,7 @@
 //   distance, it lies half way through the visible part of the subject.
 // - The plane is as high as the camera's view at this distance, and the viewer is at the camera's position. The central
 //   directional view therefore equals the camera's own image.
-// - An image that is narrower than the camera's image shows more above and below, so that the visible subject still fits.
+// - An image with a narrower aspect than the camera's shows more above and below, so that the visible subject still fits.
 // - An orthographic camera shows the same height at every distance. Its viewer is far enough away that this height covers at
 //   most 45 degrees.
 //
@@ -15,7 +15,8 @@
 //   from the right.
 // - The viewer is as near as possible such that the subject fits into the image in every frame.
 // - The plane goes through the middle of the subject.
-// - Parts are left out, with a warning, if they are so far away that an image of everything would show nothing.
+// - Parts are left out, with a warning, if they are so far away that everything would be too small to see in an image of all
+// parts.
 //
 // stage/subject.hpp defines the subject. stage/view_wish.hpp has the user's options.
 //
@@ -37,8 +38,8 @@ namespace lippmann {
 
 struct FittedArray {
   enum class Origin { kPlaced, kFocus, kSceneCenter, kBounds };
-  /// kPlaced: placed by the author. kFocus: at the camera's focus. kSceneCenter: half way through the visible part. kBounds:
-  /// fitted to the bounds of the subject.
+  /// kPlaced: placed by the author. kFocus: at the camera's focus. kSceneCenter: half way through the visible part of the
+  /// subject. kBounds: fitted to the bounds of the subject.
   Origin origin = Origin::kPlaced;
   /// Node that the array moves with, or -1.
   int node = -1;
