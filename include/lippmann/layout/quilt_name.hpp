@@ -28,7 +28,7 @@ std::optional<QuiltName> parse_quilt_name(const std::filesystem::path& path);
 /// Returns the tiles in qs{columns}x{rows}, even if the rest of the name cannot be parsed.
 std::optional<ViewGrid> tiles_in_name(const std::filesystem::path& path);
 
-/// Returns for example _qs8x6a0.75.
+/// Returns the quilt part of a file name, for example _qs8x6a0.75.
 std::string quilt_ending(const QuiltName& quilt);
 
 /// Removes the quilt part of the name. If nothing else is left, the name becomes "quilt".

@@ -63,7 +63,8 @@ std::string stereo_ending(const StereoLayout& layout);
 /// Returns the layout that a file name states, or none if the name has no stereo part.
 std::optional<StereoLayout> parse_stereo_name(const std::filesystem::path& path);
 
-/// Remove the stereo part of a name, or replace it by stereo_ending(layout).
+/// without_stereo_name() removes the stereo part of a file name. with_stereo_name() replaces that part by
+/// stereo_ending(layout), or adds stereo_ending(layout) to a name without one.
 std::filesystem::path without_stereo_name(const std::filesystem::path& path);
 std::filesystem::path with_stereo_name(const std::filesystem::path& path, const StereoLayout& layout);
 

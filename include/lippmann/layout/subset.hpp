@@ -13,7 +13,7 @@ struct Crop {
   Vec2i size{0, 0}, offset{0, 0};
 };
 
-/// Every step-th index from `first` to `last`, both included. last < 0: up to the last index.
+/// Every step-th index from `first` to `last`. Both limits are included. last < 0: up to the last index.
 struct ViewRange {
   int first = 0, last = -1, step = 1;
 };

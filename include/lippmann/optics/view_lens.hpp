@@ -14,7 +14,7 @@ namespace lippmann {
 /// The opening of the lens, by default a pinhole. At most one of aperture_mm and f_number may be non-zero.
 struct ViewLens {
   float aperture_mm = 0.0f;  ///< diameter of the lens in mm of the display frame; 0: f_number determines it
-  /// F-number for a sensor of width kSensorWidthMm and a scene in metres; 0: aperture_mm determines the aperture.
+  /// F-number of a camera with a sensor of width kSensorWidthMm, for a scene in metres. 0: aperture_mm determines the aperture.
   float f_number = 0.0f;
   float focal_plane_mm = 0.0f;  ///< z of the plane in focus; the display plane is z = 0
 

@@ -289,7 +289,7 @@ struct Light {
   float range = kInfinity;     ///< the light does not reach beyond this distance
   float inner_cone = 0.0f;     ///< spot lights: half angle in radians of the cone with full strength
   float outer_cone = kPi / 4;  ///< spot lights: half angle in radians of the cone that contains all light
-  /// If > 0, rays see the light as a sphere of this radius in the light's colour. The sphere casts no shadow.
+  /// If > 0, the light is visible as a sphere of this radius in the light's colour. The sphere casts no shadow.
   float visible_radius = 0.0f;
   /// The size of the emitter, by which path tracing softens shadows. It changes neither the power of a lamp nor the light at
   /// points without shadow. Mirrors show the emitter, but cameras do not.

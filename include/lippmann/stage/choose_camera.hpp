@@ -14,7 +14,7 @@ enum class UpAxis { kY, kX, kZ, kMinusX, kMinusY, kMinusZ };
 /// Returns the names of all cameras. The name of a camera without one is empty.
 std::vector<std::string> camera_names(const Scene& scene);
 
-/// Returns for example "Front (0), Side (1)".
+/// Returns the names with their indices as one text, for example "Front (0), Side (1)".
 std::string list_cameras(const std::vector<std::string>& names);
 
 /// Moves the camera whose name or index is `wanted` to the front of the list, because the first camera defines the view. An
