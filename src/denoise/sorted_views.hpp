@@ -29,8 +29,8 @@ class SortedViews {
  public:
   static constexpr std::uint32_t kNoPixel = 0xffffffff;
 
-  /// `rows` are the rows of the film that a frame holds. Pixel indices count from the first pixel of these rows. A view has all
-  /// columns of the whole film's view, but only the rows with a pixel in the frame.
+  /// `rows` are the rows of the film that a frame holds. Pixel indices count from the first pixel of these rows. A view always
+  /// has all its columns, but only the rows with a pixel in the frame.
   SortedViews(const Optics& optics, RowRange rows);
 
   Vec2i size() const { return size_; }
@@ -62,7 +62,8 @@ class SortedViews {
  private:
   void sort_by_tiles(const Optics& optics, RowRange rows);
   void sort_by_lenses(const Optics& optics, const LensCells& cells, RowRange rows);
-  /// Searches row at.y of the grid for views without a pixel at (x, y). Returns the view that is nearest to column at.x, or -1.
+  /// Searches row at.y of the grid of views for views that have no pixel at (x, y) yet. Returns the one nearest to column at.x,
+  /// or -1.
   int free_view(Vec2i at, int x, int y) const;
   std::size_t slot(int view, int y) const {
     return (static_cast<std::size_t>(view) * static_cast<std::size_t>(size_.y) + static_cast<std::size_t>(y)) *

@@ -41,7 +41,7 @@ struct RayScene::Embree {
   std::vector<EmbreeGeometry> posed;
 };
 
-/// The data that are built and moved: the scene's geometry and Embree's scenes.
+/// References to the scene's geometry and to Embree's scenes, which are built once and updated for each frame.
 struct BuiltScene {
   SceneGeometry& geometry;
   RayScene::Embree& embree;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kFlattenTriangles = 200'000;
 
-/// Rays may reach coordinates of this many times the scene's size, however strongly instances magnify coordinates.
+/// Rays can reach at least this multiple of the scene's size. An instance that would require a lower limit is hidden.
 constexpr float kLeastReach = 1000.0f;
 
 /// Uses Embree's robust triangle test. The faster test rounds the common edge of two triangles differently for each, so that
@@ -41,7 +41,7 @@ bool is_singular(const Mat3f& m) {
   return !(volume > 1e-12f * glm::length(m[0]) * glm::length(m[1]) * glm::length(m[2]));
 }
 
-/// Returns the largest world coordinate of a ray for which its coordinates in a node's space stay below kLargestReach.
+/// Returns the limit of a ray's world coordinates that keeps its coordinates in mesh space below kLargestReach.
 float reach_of(const Affine3f& mesh_from_world) {
   const Mat3f& m = mesh_from_world.linear;
   const Vec3f sums = glm::abs(m[0]) + glm::abs(m[1]) + glm::abs(m[2]), moved = glm::abs(mesh_from_world.translation);

@@ -16,7 +16,7 @@ std::vector<std::string> foreign_files(const std::filesystem::path& folder, cons
 
 struct FolderCheck {
   int frames = 0;
-  /// Recorded files: those of finished frames, strips of unfinished frames, job.toml, report.json, videos, and the
+  /// Number of recorded files: files of finished frames, strips of unfinished frames, job.toml, report.json, videos, and the
   /// files in the companion folders (FolderJournal::companions).
   std::size_t files = 0;
   std::vector<int> unfinished;  ///< requested frames that have not been rendered

@@ -45,8 +45,8 @@ class FrameSink {
     int threads = 1;
     /// Called with the film of every written frame, on any thread. May be empty.
     std::function<void(Image)> done_with = {};
-    /// Called when the files of a frame are written, with their total size in bytes: in the order of frames and one at
-    /// a time, but on any thread. May be empty.
+    /// Called when the files of a frame are written, with their total size in bytes. The calls come one at a time and in the
+    /// order of frames, but on any thread. May be empty.
     std::function<void(int frame, std::uintmax_t bytes)> written = {};
     std::optional<OneSet> one_set = {};  ///< all frames are views of a single data set
   };
@@ -63,7 +63,7 @@ class FrameSink {
   /// throws its Error once.
   void add(RenderedFrame rendered);
 
-  /// Adds the frame of an earlier run to the videos, whose picture is read from its file. Blocks and throws like add().
+  /// Adds a frame of an earlier run to the videos. Reads the frame's picture from its file. Blocks and throws like add().
   void add_kept(int frame);
 
   /// Waits until all frames are written. Throws the same Errors as add().

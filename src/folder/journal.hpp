@@ -153,7 +153,7 @@ void sync_render(const std::filesystem::path& folder, const FolderJournal& journ
 /// Throws Error if the journal has a problem.
 void require_sound(const std::filesystem::path& folder, const FolderJournal& journal);
 
-/// Lines of a journal, each with a newline at the end.
+/// These functions return lines of a journal, each with a newline at the end.
 std::string job_line(const std::string& job);
 std::string asked_line(const std::vector<int>& frames, const std::set<std::string>& companions = {});
 std::string frame_line(const FrameReport& frame, const FileRecords& files);

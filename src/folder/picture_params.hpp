@@ -36,7 +36,7 @@ struct PictureParams {
   bool pseudoscopic = false;
   /// Only for kPrint: exchanges left and right, for a print on the back of a sheet.
   bool mirror = false;
-  /// Tiles of kQuilt; 0: those of the native layout, or a nearly square arrangement.
+  /// Number of tiles of kQuilt; 0: as in the native layout, or a nearly square arrangement if that has no tiles.
   Extent<int> quilt;
   StereoLayout stereo;  ///< only used by kStereo
   DepthParams depth;    ///< only used by kRgbd

@@ -55,8 +55,8 @@ std::vector<fs::path> other_runs(const fs::path& folder, const std::string& job)
   return runs;
 }
 
-/// Waits until runs of other jobs that began at the same time have stopped. The run whose journal file comes first by
-/// name stays; the others stop before they record their frames.
+/// Waits until runs of other jobs that began at the same time have stopped. The run whose journal file comes first by name
+/// continues. All other runs stop before they record frames.
 void wait_for_others_to_give_way(const fs::path& folder, const std::string& job, const fs::path& own) {
   constexpr int kTries = 40;
   constexpr std::chrono::milliseconds kBetween(50);

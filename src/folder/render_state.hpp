@@ -30,7 +30,7 @@ struct RenderState {
   std::optional<double> seconds_left;  ///< at the current speed; nullopt if unknown
 };
 
-/// In seconds since 1970.
+/// Times of a run, in seconds since 1970.
 struct RunPace {
   double began = 0.0, last = 0.0;  ///< start of the run, and time of its last recorded frame
   int frames = 0;

@@ -18,14 +18,14 @@ namespace {
 constexpr std::size_t kPixelsPerHeldOut = 500;
 /// Lowest number of pixels that are traced again. With fewer, the confidence interval of the PSNR would be wider than 6 dB.
 constexpr std::size_t kLeastHeldOut = 64;
-/// Each of a pixel's two new images has this many times the paths of the frame. Together they have 8 times the paths. This is
-/// enough to measure a denoised frame that is as accurate as a frame without denoising and with 8 times the paths.
+/// Each of a pixel's two new images has this many times the paths of the frame. Together they have 8 times the paths. Their error
+/// is therefore not larger than that of a denoised frame, which may be as accurate as an image with 8 times the paths.
 constexpr int kPathsPerSample = 4;
 /// Lowest number of paths of a retraced pixel. The sRGB code of a mean of few paths is biased, because the transfer curve is
 /// not linear.
 constexpr int kLeastPaths = 32;
-/// Half the width of the 90 % interval, in standard errors. A normal distribution would need 1.645. A few pixels with most of
-/// the error make the standard error too small. `lippmann-bench estimates` measures the coverage.
+/// Half the width of the 90 % interval, in standard errors. A normal distribution would need only 1.645, but the standard error
+/// is underestimated if a few pixels cause most of the error. `lippmann-bench estimates` measures the coverage of the interval.
 constexpr double kDeviations = 2.0;
 
 constexpr std::uint32_t kPlacesSalt = 0x61756469u, kFirstSalt = 0x61756431u, kSecondSalt = 0x61756432u;

@@ -29,7 +29,7 @@ class ForwardFrames final : public FrameMaker {
   using Source = ForwardSource;
 
   Source between(int frame, const FrameInterval& interval, bool as_source);
-  /// Returns nested intervals, from the one between two key frames to the one from whose ends `frame` is made.
+  /// Returns nested intervals. The first lies between two key frames. `frame` is made from the two end frames of the last.
   std::vector<FrameInterval> path_to(int frame) const;
   void keep_only_sources_of(int frame);
   const Source& key(int frame);

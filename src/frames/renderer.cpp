@@ -16,7 +16,7 @@
 namespace lippmann {
 namespace {
 
-/// The placement of another scene may refer to a node that does not exist.
+/// A placement that was made for another scene may refer to a node that does not exist.
 void check(const Placement& placement, const Scene& scene) {
   const FittedArray& array = placement.array;
   const int nodes = static_cast<int>(scene.nodes.size());

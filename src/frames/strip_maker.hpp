@@ -16,7 +16,7 @@ class StripMaker {
 
   FilmRows rows_of(int strip) const;
 
-  /// Renders one strip, in any order. The result is incomplete if the context is cancelled.
+  /// Renders one strip. Strips may be rendered in any order. The result is incomplete if the context is cancelled.
   RenderedFrame make(int frame, int strip);
 
  private:

@@ -108,7 +108,7 @@ PictureHeader plain_header(int width, int height, int channels, SampleKind kind)
 /// Adds a notice if `aspect`, the width / height of a pixel, is not 1.
 void add_aspect_notice(PictureHeader& header, double aspect);
 
-/// Returns Y, (Y, A), (R, G, B) or (R, G, B, A), followed by channel4, channel5, ...
+/// Returns names for `count` channels: Y, (Y, A), (R, G, B) or (R, G, B, A), followed by channel4, channel5, ...
 std::vector<std::string> default_channels(int count);
 
 }  // namespace lippmann

@@ -1,5 +1,6 @@
 // Based on: CIPA DC-008, "Exif 2.32", 2019, section 4.6. EXIF data begin with a TIFF header: byte order, the number 42, and the
-// offset of a directory. A directory is the number of its entries and the entries of 12 bytes: tag, type, count and value.
+// offset of a directory. A directory is the number of its entries, followed by the entries. An entry has 12 bytes: tag, type,
+// count and value.
 #include "image/exif.hpp"
 
 #include <cstring>

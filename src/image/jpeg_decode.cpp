@@ -109,7 +109,7 @@ class JpegDecoder {
     header.profile = profile_to_apply(icc);
     if (jpeg_.saw_JFIF_marker && jpeg_.X_density > 0 && jpeg_.Y_density > 0) {
       const double ratio = static_cast<double>(jpeg_.X_density) / jpeg_.Y_density;
-      // With unit 0, X_density / Y_density is the aspect ratio of a pixel; with other units, its inverse is.
+      // The aspect ratio of a pixel is X_density / Y_density if density_unit is 0, otherwise Y_density / X_density.
       add_aspect_notice(header, jpeg_.density_unit == 0 ? ratio : 1.0 / ratio);
     }
   }

@@ -12,7 +12,7 @@
 
 namespace lippmann {
 
-/// More pixels than in other formats. Sides are at most 65,536 pixels.
+/// Largest number of pixels of a TIFF file. Files of other formats have a lower limit. Sides are at most 65,536 pixels.
 inline constexpr std::int64_t kMaxTiffPixels = (std::int64_t{1} << 31) - 1;
 
 enum class TiffKind {

@@ -17,10 +17,10 @@ struct JobCosts {
   /// CPU time of a frame by its position in its segment. If a position is missing, the nearest lower position applies.
   std::map<int, double> at;
   double write_cpu_seconds = 0.0;  ///< writing the files of one frame
-  /// For a unit's source frames: frames outside the unit from which its frames are made.
+  /// CPU time of a unit's source frames. The unit renders these frames of other units because its own frames are made from them.
   double source_cpu_seconds = 0.0;
   std::uint64_t peak_memory_bytes = 0;  ///< of the measuring process
-  std::vector<int> frames;              ///< measured frames; of some of them, only some strips were rendered
+  std::vector<int> frames;              ///< measured frames, including frames of which only some strips were rendered
 };
 
 struct MeasuredRun {

@@ -45,7 +45,7 @@ bool makes_codes(const RenderParams& params) { return !makes_exr(params) || make
 
 bool is_file(const RenderParams& params) { return !is_builtin_scene(params.scene.name); }
 
-/// Built-in scenes have their own light. With Whitted shading, files have surroundings only if they are requested.
+/// Built-in scenes have their own light. With Whitted shading, scenes from files have surroundings only if these are requested.
 bool has_surroundings(const RenderParams& params) {
   if (!params.scene.environment.empty()) return params.scene.environment != "none";
   return is_file(params) && facts_of(params.sampling).is_lit_by_surroundings;
