@@ -54,6 +54,6 @@ void find_blur(const SortedViews& views, const Texels& texels, const ThreadPool&
 
 inline constexpr int kOutlierReach = 3, kGuideReach = 2, kBlurReach = 3;
 inline constexpr int kNeighbours = 5;
-inline constexpr int kMostRowsAway = 8;  ///< largest distance, in rows, of the pixels that gather() reads
+inline constexpr int kMostRowsAway = 8;  ///< gather() averages a pixel with pixels at most this number of rows away
 
 }  // namespace lippmann

@@ -5,9 +5,9 @@
 // with y up.
 //
 // The views of a quilt are its tiles. Optics with lenses have views with one pixel below each lens. If lenses cover a whole
-// number of pixels, a view has the same pixel below every lens. Otherwise it has the pixel whose ray is nearest to the view's
-// direction, to within half a pixel. The grid of a view has gaps at the panel's edge, for hexagonal lenses, and for lenses of a
-// fractional width. All other optics have a single view, which is the film.
+// number of pixels, a view has the same pixel below every lens. Otherwise it has, below each lens, the pixel whose direction is
+// nearest to the view's direction. The directions differ by at most half a pixel. The grid of a view has gaps at the panel's
+// edge, for hexagonal lenses, and for lenses of a fractional width. All other optics have a single view, which is the film.
 #pragma once
 
 #include <cstdint>

@@ -42,8 +42,8 @@ LIPPMANN_INLINE void hide(const LaneMask& of_cameras, RayPacket& rays) {
   LIPPMANN_FOR_LANES(i) rays.mask[i] = of_cameras.lane[i] != 0 ? kCameraRay : ~0u;
 }
 
-/// Returns whether the line of any ray touches a visible light. The test is much cheaper than an intersection, and most packets
-/// miss all lights.
+/// Returns whether the line of any ray touches `ball`, the sphere of a visible light. This test is much cheaper than an
+/// intersection, and most packets miss all lights.
 LIPPMANN_INLINE int points_at(const WorldSphere ball, const RayPacket& rays) {
   int any = 0;
   LIPPMANN_FOR_LANES(i) any |= discriminant(ball, lane_ray(rays, i)) >= 0.0f ? -1 : 0;

@@ -28,13 +28,13 @@ class RayScene : public SceneGeometry {
   void update(const ResolvedScene& resolved, const ThreadPool& pool);
 
   /// Finds the nearest hit of each active lane, and sets tfar to its distance. Without a hit, tfar is unchanged. `of_cameras`
-  /// marks camera rays that have only passed surfaces made transparent by alpha; these ignore objects that are hidden from
-  /// cameras.
+  /// marks camera rays that have not been scattered; they may have passed surfaces made transparent by alpha. Marked rays ignore
+  /// objects that are hidden from cameras.
   void trace(const LaneMask& active, RayHitPacket& packet, Coherence coherence, const LaneMask* of_cameras = nullptr) const;
 
   /// Sets tfar to -inf for active lanes that an opaque surface occludes between tnear and tfar. In the other active lanes,
-  /// multiplies transmittance.white by the transmittance of the surfaces. An earlier tint is discarded. Removes lanes with
-  /// invalid rays from `active`, so that they receive no light.
+  /// multiplies transmittance.white by the transmittance of the surfaces. Earlier values of transmittance.tint are discarded.
+  /// Removes lanes with invalid rays from `active`, so that they receive no light.
   void trace_shadows(LaneMask& active, RayPacket& rays, Transmittance& transmittance) const;
 
   bool has_splats() const { return !splats.splats.empty(); }

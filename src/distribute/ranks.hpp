@@ -34,7 +34,7 @@ class Ranks {
   virtual void begin() = 0;
   virtual bool has_begun() const = 0;
 
-  /// Returns 0, 1, 2, ... in turn. Each number is returned to a single rank, in ascending order.
+  /// Returns the next of the numbers 0, 1, 2, ... Each number is returned to only one rank.
   virtual int next() = 0;
 
   /// Reports finished work to rank 0. Does nothing on rank 0.

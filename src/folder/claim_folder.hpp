@@ -31,10 +31,9 @@ struct NewRender {
   std::filesystem::path own = {};
 };
 
-/// Removes the files of other jobs whose runs finished nothing. With `force`, also removes the files of another render,
-/// and foreign files of frames. Does not follow symbolic links. Warns about foreign files that remain. Throws Error if
-/// a file cannot be removed, if a run of another job is active, or if the folder holds another render and `force` is
-/// false.
+/// Removes the files of runs of other jobs that have finished no frame or strip. With `force`, also removes the files of another
+/// render, and foreign files of frames. Does not follow symbolic links. Warns about foreign files that remain. Throws Error if a
+/// file cannot be removed, if a run of another job is active, or if the folder holds another render and `force` is false.
 void clear_folder(const std::filesystem::path& folder, const NewRender& render, const Context& context);
 
 /// For outputs other than renders: throws Error if `out` is a finished file of a render, or the folder of a render.

@@ -35,9 +35,9 @@ struct FrameFiles {
 /// Returns "png", "tif" or "exr".
 const char* ending_of(PictureFormat format);
 
-/// Each file appears atomically. If names.views > 0, `pictures` holds views that are stacked vertically. EXR pictures
-/// include the extra layers; other pictures have a separate file for them (layers_path()). Returns the paths of the
-/// written files. Throws Error that names the file.
+/// Writes the pictures and layers of a frame. Each file appears atomically. If names.views > 0, `pictures` holds views that are
+/// stacked vertically. EXR pictures include the extra layers; other pictures have a separate file for them (layers_path()).
+/// Returns the paths of the written files. Throws Error that names the file.
 std::vector<std::filesystem::path> write_frame_files(const FrameFiles& files, int frame, const FramePictures& pictures);
 
 /// Writes the views of a film in a light-field format, as a folder or as one picture. `pictures` holds 8- or 16-bit

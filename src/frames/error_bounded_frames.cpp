@@ -23,7 +23,7 @@ constexpr int kSegmentIntervals = 8;
 constexpr double kMostPredictionCost = 1.0 / 3.0;
 /// Lowest saving for which frames are predicted, as a fraction of the cost of tracing all frames of an interval.
 constexpr double kLeastIntervalSaving = 0.05;
-/// If the interval is halved, the cost of tracing a predicted frame's uncertain pixels is assumed to fall by this fraction of
+/// Assumed saving if an interval is halved: the cost of tracing a predicted frame's uncertain pixels falls by this fraction of
 /// the cost of tracing a whole frame.
 constexpr double kHalvingGains = 0.1;
 
@@ -37,7 +37,8 @@ float position(int frame, const FrameInterval& interval) {
   return static_cast<float>(frame - interval.first) / static_cast<float>(interval.last - interval.first);
 }
 
-/// Returns the PSNR of the estimated error, or of its upper bound if all held-out pixels have an error of 0.
+/// Returns the PSNR of the estimated error. If all pixels that were traced to measure the error have an error of 0, returns the
+/// PSNR of the upper bound.
 double estimated_psnr(const ErrorEstimate& error) { return psnr_db(error.mse > 0.0 ? error.mse : error.bound); }
 
 class ErrorBoundedFrames final : public FrameMaker {

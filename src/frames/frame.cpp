@@ -102,7 +102,7 @@ RenderedFrame render_with(Stage& stage, const Sampling& sampling, int frame, con
   if (sampling.shutter > 0.0f) {
     const std::vector<ExposureTime> times = exposure_times(sampling, stage.scene.timeline, frame);
     rendered.report.rays = trace_exposure(stage, times, params, workers, trace, rendered.pictures);
-    // First-hit layers show the frame's own time.
+    // Layers of first hits are not blurred. They show the scene at the frame's own time.
     stage.device.update(moment.resolved, workers.pool);
   } else {
     rendered.report.rays = trace(stage.shot(moment), params, {}, rendered.pictures);

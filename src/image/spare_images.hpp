@@ -9,7 +9,7 @@
 
 namespace lippmann {
 
-/// At most two images. Thread-safe.
+/// Keeps at most two images. Thread-safe.
 class SpareImages {
  public:
   /// Returns an image with its old content, or an empty image.

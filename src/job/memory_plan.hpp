@@ -19,7 +19,7 @@ struct MemoryFacts {
   int frames = 1;
   int frames_at_a_time = 1;    ///< frames in memory that are being traced, queued or written
   bool writes_videos = false;  ///< videos are written along with the frames
-  /// bands per frame; 1 if frames cannot be rendered in bands
+  /// Highest number of bands per frame; 1 if frames cannot be rendered in bands.
   int most_bands = 1;
   int rows_around = 0;  ///< extra rows traced above and below a band (frames/traced_frames.hpp)
 };
@@ -27,7 +27,7 @@ struct MemoryFacts {
 struct MemoryPlan {
   int bands = 1;               ///< bands of rows per frame, which are traced one after another
   bool one_at_a_time = false;  ///< each frame is written before the next frame is traced
-  double bytes = 0.0;          ///< estimated memory of at most two frames at a time
+  double bytes = 0.0;          ///< estimated memory of one frame, or of two frames if several are in memory
 };
 
 /// Estimated memory of `frames_at_a_time` frames, each traced in `bands` bands.

@@ -78,7 +78,7 @@ struct OutputParams {
   std::optional<VideoCodec> video_codec;
   /// Quality (CRF) of all lossy videos; nullopt: the default of the codec.
   std::optional<int> crf;
-  std::optional<Companion> also;  ///< made after the frames, into a subfolder
+  std::optional<Companion> also;  ///< additional render into a subfolder, made after the frames
   bool page = false;              ///< writes a web page that shows the light field, after all frames
 };
 

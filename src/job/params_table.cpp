@@ -41,7 +41,7 @@ constexpr std::array<std::string_view, 7> kLayoutNames{"integral", "quilt", "vie
 constexpr std::array<std::string_view, 1> kCompanionNames{"single"};
 constexpr std::array<std::string_view, 2> kExrPixelNames{"half", "float"};
 constexpr std::array<std::string_view, 2> kDepthScaleNames{"disparity", "depth"};
-/// All layers except alpha, the last one, which the parameter `transparent` selects.
+/// All layers except alpha. Alpha is the last layer, and is selected by the parameter `transparent`.
 const std::span<const std::string_view> kWantedAovNames(kAovNames.data(), kAovs - 1);
 
 /// Maximum number of pixels or lenses along one side. panel_size() limits the size of the whole panel.

@@ -27,7 +27,7 @@ struct ParamInfo {
 
   /// `where` is the location that messages show, such as "--spp" or "job.toml:3: spp".
   std::function<void(RenderParams&, const std::vector<std::string>& values, const std::string& where)> set;
-  /// Returns an empty list if the parameter was not given, so that its value is derived from others. Passing the result
+  /// Returns an empty list if the parameter was not given, so that its value is derived from other parameters. Passing the result
   /// to set() changes nothing.
   std::function<std::vector<std::string>(const RenderParams&)> get;
 
@@ -36,7 +36,7 @@ struct ParamInfo {
   /// Only for kFlag: the flag and key that sets the value to false.
   std::string_view opposite = {};
   std::string_view opposite_doc = {};  ///< documentation of `opposite`, in one line
-  /// Value of a flag that is given without one; empty: a value is required.
+  /// Value of the parameter if the command line has the flag without a value; empty: the flag needs a value.
   std::string_view bare_value = {};
 };
 

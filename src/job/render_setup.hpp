@@ -39,11 +39,11 @@ struct RenderSetup {
   /// for a quilt.
   std::optional<double> crosstalk;
   FormatOptions writing;
-  /// Empty if other runs render some of the frames.
+  /// Videos that this run writes; empty if other runs render some of the frames.
   std::vector<VideoFile> videos;
   std::string fingerprint;
   std::filesystem::path folder;
-  /// The default output folder if it holds another render, in which case `folder` is a different one.
+  /// Default output folder, if it holds another render and `folder` is therefore a different folder; otherwise empty.
   std::filesystem::path crowded_folder;
 
   /// Loads the scene unless `loaded` is given. Throws Error if the job cannot be rendered, or if the folder holds

@@ -30,7 +30,7 @@ class ResolvedJob {
   /// Returns the requested number of threads, or the default of `context`.
   int threads(const Context& context) const;
 
-  /// The requested rate, or the rate of the scene.
+  /// Returns the requested frame rate, or that of the scene.
   double frames_per_second(const Timeline& timeline) const;
 
   /// The same job with its files in another folder.

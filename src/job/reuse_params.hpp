@@ -12,7 +12,7 @@ inline constexpr double kMinPsnr = 20.0, kMaxPsnr = 90.0;  ///< range of --min-p
 /// resulting kind does not use, and for everything that check() rejects.
 FrameParams frame_params(const ResolvedJob& job);
 
-/// A minimum PSNR cannot be combined with exposure or tone mapping; throws a usage Error.
+/// Throws a usage Error if a minimum PSNR is combined with exposure or tone mapping.
 void check_floor(const RenderParams& params);
 
 }  // namespace lippmann

@@ -15,7 +15,7 @@ namespace lippmann {
 struct RunParams {
   /// Replaces another render in the folder, and existing videos (folder/claim_folder.hpp).
   bool force = false;
-  /// Units of the job to render; nullopt: all frames. finish_animation() makes the videos of a job in units.
+  /// Units of the job to render; nullopt: all frames. If a job is rendered in units, finish_animation() makes its videos.
   std::optional<Units> units = {};
   /// Renders only these frames of the job or of `units`; nullopt: all frames.
   std::optional<FrameRanges> only_frames = {};
@@ -41,7 +41,7 @@ struct RunParts {
   /// Frames per segment (frames_per_segment()). The frames of a segment are always in one unit.
   int segment = 1;
   std::vector<int> of_job;
-  std::vector<int> parts;   ///< of this run, in ascending order
+  std::vector<int> parts;   ///< parts of this run, in ascending order
   std::vector<int> frames;  ///< frames of `parts`, in ascending order
 
   /// Throws a usage Error for frames outside the animation, and if `run` selects no frame.

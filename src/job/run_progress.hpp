@@ -18,8 +18,8 @@ struct RenderObserver {
   std::function<void(const RenderPlan&)> planned;
   /// Called for each traced frame or strip, in order, before its files are written.
   std::function<void(const FrameReport&)> traced;
-  /// Called when the files of a frame or strip are on disk, with their total size: in order and one at a time, but on
-  /// any thread. Not called for kept frames and for frames that are joined from strips.
+  /// Called when the files of a frame or strip are on disk, with their total size in bytes. The calls come one at a time and in
+  /// order, but on any thread. Not called for kept frames and for frames that are joined from strips.
   std::function<void(int frame, std::uintmax_t bytes)> written;
 };
 

@@ -55,7 +55,7 @@ Bounds3f bounds_over_animation(const Scene& scene) {
   return bounds;
 }
 
-/// In the coordinates of the file.
+/// Returns the position in the coordinates of the file.
 Json place_json(const SceneInfo& info, Vec3f p) {
   const Vec3d place = info.origin + Vec3d(p);
   return {place.x, place.y, place.z};

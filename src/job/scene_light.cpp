@@ -61,7 +61,7 @@ std::optional<Vec3f> read_color(std::string_view value, const std::string& where
 
 Surrounding surrounding_of(const SceneParams& params) { return {params.environment_strength, params.environment_rotation_deg}; }
 
-/// A name with an extension is a missing file; another name may be a misspelt word.
+/// A name with an extension is treated as a missing file. A name without an extension may be a misspelt word.
 Error no_such_environment(const std::string& value) {
   const std::filesystem::path path(value);
   if (path.has_extension()) return Error(value, "there is no such file", kAccepted);

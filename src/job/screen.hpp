@@ -9,7 +9,7 @@
 
 namespace lippmann {
 
-/// Made from parameters (screen_of_params.hpp), from a display (screen_of_display.hpp), or for two eyes
+/// A Screen is made from parameters (screen_of_params.hpp), from a display (screen_of_display.hpp), or for two eyes
 /// (screen_for_stereo.hpp).
 struct Screen {
   /// Width / height of the panel, or of one view of a quilt.

@@ -1,5 +1,5 @@
-// The plain picture beside a light field: the same frames as one eye in the middle sees them, for screens without
-// lenses.
+// Renders the frames of a light field again with a single view, for screens without lenses. The view is that of an eye in front
+// of the middle of the display.
 #pragma once
 
 #include "job/params.hpp"

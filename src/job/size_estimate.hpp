@@ -16,10 +16,10 @@ struct FileSizes {
   double all() const { return pictures + layers + videos; }
 };
 
-/// Includes kept frames.
+/// Returns the sizes for all frames of the plan, including frames kept from earlier runs.
 FileSizes estimated_file_sizes(const RenderPlan& plan, const RenderParams& params);
 
-/// Returns two significant digits, such as "0.35 MB", "12 MB" or "4.1 GB".
+/// Returns the size with two significant digits, such as "0.35 MB", "12 MB" or "4.1 GB".
 std::string bytes_text(double bytes);
 
 }  // namespace lippmann

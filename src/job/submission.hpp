@@ -24,18 +24,19 @@ struct Submission {
   std::string partition = {};  ///< empty for the default of Slurm
 };
 
-/// Time limit in minutes for a unit: three times the estimate plus five minutes, for busy or slower machines.
+/// Returns the time limit of a unit in minutes: 5 minutes plus 3 times the estimate cpu_seconds / threads. The margin is for busy
+/// or slow machines.
 int minutes_for(double cpu_seconds, int threads);
 
-/// Memory limit in bytes: one and a half times the estimate.
+/// Returns the memory limit of a unit in bytes: 1.5 times the estimated peak.
 std::uint64_t memory_for(std::uint64_t peak_memory_bytes);
 
 /// Returns a script that submits an array job over the units, and a job that finishes the folder after all units have
 /// succeeded. A requeued task keeps its finished frames.
 std::string slurm_script(const Submission& submission);
 
-/// Returns an Open Job Description template (jobtemplate-2023-09) as JSON, with one step over the units, and a second
-/// one that finishes the folder. If chunk > 1, the tasks are of type CHUNK[INT] (extension TASK_CHUNKING).
+/// Returns an Open Job Description template (jobtemplate-2023-09) as JSON, with one step that renders the units, and a second
+/// step that finishes the folder. If chunk > 1, the tasks are of type CHUNK[INT] (extension TASK_CHUNKING).
 std::string openjd_template(const Submission& submission);
 
 /// Returns one command per line. The commands of the units come first and may run in any order and on any machines; the
