@@ -34,8 +34,8 @@ struct Texels {
 void find_outliers(const SortedViews& views, const Texels& texels, const ThreadPool& pool, std::vector<Estimate>& estimates);
 
 /// Averages light and variance over 5 x 5 neighbours on the same surface, because the variance of a single pixel is estimated
-/// from only two values, one for each half of its samples. Sets `guides` to the averages, and Texels::place to the averaged
-/// variance.
+/// from only two values, one for each half of its samples. Sets `guides` to the averages, and the third number of Texels::place
+/// to the averaged variance.
 void make_guides(const SortedViews& views, const Texels& texels, const ThreadPool& pool, const std::vector<Estimate>& estimates,
                  std::vector<Estimate>& guides);
 

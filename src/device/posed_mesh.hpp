@@ -12,7 +12,7 @@ std::vector<UvGradient> make_uv_gradients(const Mesh& mesh, const std::vector<Ve
 
 void pose_vertices(const MeshPose& pose, PosedMesh& posed, const ThreadPool& pool);
 
-/// The caller must commit the scene afterwards.
+/// Copies the mesh's vertices into the geometry. The caller must commit the scene afterwards.
 void store_vertices(const Mesh& mesh, const EmbreeGeometry& geometry);
 
 }  // namespace lippmann

@@ -87,7 +87,7 @@ Vec3f normal_at(const WorldBox& b, Vec3f p) {
   const Vec3f q(b.m[0] * p.x + b.m[3] * p.y + b.m[6] * p.z + b.t[0], b.m[1] * p.x + b.m[4] * p.y + b.m[7] * p.z + b.t[1],
                 b.m[2] * p.x + b.m[5] * p.y + b.m[8] * p.z + b.t[2]);
   const int axis = largest_component(q);
-  // A face's normal is a column of the inverse transpose of world_from_box, which is a row of box_from_world.
+  // A face's normal is a column of the inverse transpose of world_from_box. This column is a row of box_from_world.
   const Vec3f n(b.m[axis], b.m[axis + 3], b.m[axis + 6]);
   return q[axis] < 0.0f ? -n : n;
 }

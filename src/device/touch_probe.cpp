@@ -25,8 +25,9 @@ LIPPMANN_INLINE Slab cross(float lower, float upper, float origin, float directi
 LIPPMANN_INLINE float larger(float a, float b) { return a > b ? a : b; }
 LIPPMANN_INLINE float smaller(float a, float b) { return a < b ? a : b; }
 
-/// Intersects n rays in Embree's layout (arrays of n words) with a box. `lowest` holds, for each ray, the lowest horizon
-/// (HorizonBox) of the boxes that it has hit. Rays that hit a box with horizon 0 end, because no horizon is lower.
+/// Intersects n rays in Embree's layout (arrays of n words) with a box. `horizon` is a number that the caller assigned to the
+/// box. `lowest` holds, for each ray, the lowest horizon of the boxes that the ray has hit. Rays that hit a box with horizon 0
+/// end, because no horizon is lower.
 LIPPMANN_INLINE void meet_lanes(const Vec3f lower, const Vec3f upper, float horizon, const int* valid, float* words, unsigned n,
                                 float* lowest) {
   const auto* id = reinterpret_cast<const unsigned*>(words + 10 * n);

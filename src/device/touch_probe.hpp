@@ -27,7 +27,7 @@ class TouchProbe {
   std::uint8_t everything_ = TouchedBlocks::kNever;  ///< lowest horizon of the infinite boxes, which all rays hit
 };
 
-/// Collects the lowest horizon (see TouchedBlocks) that the rays of one block have met.
+/// Collects the lowest horizon (HorizonBox::horizon) of the boxes that the rays of one block hit.
 class BlockProbe {
  public:
   explicit BlockProbe(const TouchProbe& probe) : probe_(probe) {}

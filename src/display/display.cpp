@@ -91,8 +91,8 @@ SlantedPanel slanted_panel(const Display& display, double distance_mm) {
   const Calibration& c = display.calibration;
   SlantedPanel panel;
   panel.periods = periods_of(display), panel.tilt = tilt_of(display);
-  // For a pixel centred at x, panel.sub_pixels places the sub-pixel of colour c = 0, 1, 2 at x + (c - 1) s, but the formula of
-  // Calibration at x + c s. The center corrects this difference of s.
+  // For a pixel centred at x, panel.sub_pixels places the sub-pixel of colour c = 0, 1, 2 at x + (c - 1) s. The formula of
+  // Calibration places it at x + c s. panel.center makes up for this difference of s.
   const double step = c.cells.empty() ? (flips_step(c) ? -1.0 : 1.0) / (3.0 * display.pixels.x) : 0.0;
   const bool flips_center = c.flip_image_x && c.flip == Calibration::Flip::kSlopeStepAndCenter;
   panel.center = c.center + (flips_center ? 0.5 : 0.0) - panel.periods * step;

@@ -16,8 +16,8 @@ namespace lippmann {
 /// files.
 std::filesystem::path free_folder(const std::filesystem::path& wanted, const std::string& job);
 
-/// Throws Error if `folder` holds another render, a running job, a damaged journal or foreign files, or if one of
-/// `videos` exists and is not by this render or shows frames that are not in `frames`. Changes nothing. `differences`
+/// Throws Error if `folder` holds another render, a running job, a damaged journal or foreign files. Also throws Error if one of
+/// `videos` exists, unless this render made the video and the video shows only frames in `frames`. Changes nothing. `differences`
 /// returns the parameters in which a job file differs from this job, for the message.
 using JobDifferences = std::function<std::vector<std::string>(const std::filesystem::path& job_file)>;
 void require_free_folder(const std::filesystem::path& folder, const std::string& job, const JobDifferences& differences,

@@ -12,14 +12,14 @@ namespace lippmann {
 
 /// CPU times are sums over all threads.
 struct JobCosts {
-  /// For loading the scene and building its acceleration structures, once per unit.
+  /// CPU time for loading the scene and building its acceleration structures, which each unit does once.
   double setup_cpu_seconds = 0.0;
   /// CPU time of a frame by its position in its segment. If a position is missing, the nearest lower position applies.
   std::map<int, double> at;
   double write_cpu_seconds = 0.0;  ///< writing the files of one frame
   /// CPU time of a unit's source frames. The unit renders these frames of other units because its own frames are made from them.
   double source_cpu_seconds = 0.0;
-  std::uint64_t peak_memory_bytes = 0;  ///< of the measuring process
+  std::uint64_t peak_memory_bytes = 0;  ///< peak memory of the process that measured the costs
   std::vector<int> frames;              ///< measured frames, including frames of which only some strips were rendered
 };
 

@@ -42,7 +42,7 @@ double frame_held(const MemoryFacts& facts) {
 }
 
 /// Bytes per pixel for encoding a picture: its integer or half-float samples, and the encoded file, which is assumed to be as
-/// large as that of a noisy picture.
+/// large as the file of a noisy picture.
 double picture_written(const MemoryFacts& facts) {
   constexpr double kPngFile = 3 * 0.6, kPng16File = 3 * 1.7, kHalfFile = 3 * 1.3, kFloatFile = 3 * 2.9;
   constexpr double kCodes = 3.0, kCodes16 = 6.0, kHalves = 6.0;

@@ -1,6 +1,6 @@
-// The table of all render parameters, which command-line flags, keys of job files, --help, --dump-job and the settings
-// in report.json use. A value is a list of texts, of which most parameters have one. Setting an invalid text throws a
-// usage Error that names the location and the accepted values.
+// The table of all render parameters, which command-line flags, keys of job files, --help, --dump-job and the settings in
+// report.json use. The value of a parameter is a list of texts. For most parameters, the list has a single text. Setting an
+// invalid text throws a usage Error that names the location and the accepted values.
 #pragma once
 
 #include <functional>
