@@ -27,10 +27,10 @@ struct Texels {
   float* met;  ///< fraction of the pixel that the surface covers
 };
 
-/// Finds fireflies: pixels that get most of their light from one half of their samples, and are much brighter than all but one of
-/// the surrounding pixels of the same material. `estimates` holds the variance of every pixel on entry. The pass sets light.x of
-/// each pixel to a factor for its light. The factor reduces a firefly to the brightness of its second-brightest neighbour. For
-/// all other pixels it is 1.
+/// Finds fireflies: pixels that get most of their light from one half of their samples, and are much brighter than all but one
+/// of the surrounding pixels of the same material. `estimates` holds the variance of every pixel on entry. The pass sets
+/// light.x of each pixel to a factor for its light. The factor reduces a firefly to the brightness of its second-brightest
+/// neighbour. For all other pixels it is 1.
 void find_outliers(const SortedViews& views, const Texels& texels, const ThreadPool& pool, std::vector<Estimate>& estimates);
 
 /// Averages light and variance over 5 x 5 neighbours on the same surface, because the variance of a single pixel is estimated

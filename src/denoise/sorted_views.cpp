@@ -36,8 +36,8 @@ void for_each_line(const Optics& optics, double vergence, const Fn& fn) {
   }
 }
 
-/// Returns the pixel of the cell that contains the position. Many positions lie exactly on the boundary of two pixels. The offset
-/// of 0.0137 pixels moves them off the boundary, so that rounding errors do not choose the pixel.
+/// Returns the pixel of the cell that contains the position. Many positions lie exactly on the boundary of two pixels. The
+/// offset of 0.0137 pixels moves them off the boundary, so that rounding errors do not choose the pixel.
 Vec2i in_cell_px(const LensCells::Cell& cell) { return Vec2i(glm::floor(cell.in_cell + 0.0137)); }
 
 struct LensBounds {

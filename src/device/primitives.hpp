@@ -56,8 +56,8 @@ LIPPMANN_INLINE bool crosses(const Primitive& primitive, const LaneRay& r) {
   return distance(primitive, r) < kInfinity;
 }
 
-/// Half the chord is sqrt(squared). To avoid the square root, the condition b - sqrt(squared) > t_near is tested by comparing (b
-/// - t_near)^2 with `squared`.
+/// Half the chord is sqrt(squared). The condition b - sqrt(squared) > t_near is tested without the square root, by comparing
+/// the square of b - t_near with `squared`.
 LIPPMANN_INLINE bool crosses(const WorldSphere& s, const LaneRay& r) {
   const auto [b, squared] = crossing(s, r);
   const float past_near = b - r.t_near, past_far = b - r.t_far;

@@ -28,8 +28,8 @@ class RayScene : public SceneGeometry {
   void update(const ResolvedScene& resolved, const ThreadPool& pool);
 
   /// Finds the nearest hit of each active lane, and sets tfar to its distance. Without a hit, tfar is unchanged. `of_cameras`
-  /// marks camera rays that have not been scattered; they may have passed surfaces made transparent by alpha. Marked rays ignore
-  /// objects that are hidden from cameras.
+  /// marks camera rays that have not been scattered; they may have passed surfaces made transparent by alpha. Marked rays
+  /// ignore objects that are hidden from cameras.
   void trace(const LaneMask& active, RayHitPacket& packet, Coherence coherence, const LaneMask* of_cameras = nullptr) const;
 
   /// Sets tfar to -inf for active lanes that an opaque surface occludes between tnear and tfar. In the other active lanes,

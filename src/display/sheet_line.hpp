@@ -13,8 +13,8 @@
 //   slant              angle between the lenses and the vertical, in degrees; default 0
 //   phase              left edge of a lens, in pixels from the left edge of the print; default 0
 //
-// The lenses have the pitch p and are a gap g in front of the print. The eye is at distance D from the lenses. Rays from the eye
-// through two neighbouring lens centres meet the print at a distance of p (D + g) / D. This distance is the pitch of the print.
+// The lenses have the pitch p and are a gap g in front of the print. The eye is at distance D from the lenses. Rays from the
+// eye through two neighbouring lens centres meet the print at a distance of p (D + g) / D. This is the pitch of the print.
 #pragma once
 
 #include <string>

@@ -17,11 +17,11 @@ struct Units {
 Units read_units(std::string_view text, const std::string& where);
 std::string write_units(const Units& units);
 
-/// Divides `frames` (ascending) into at most `count` units of nearly equal size. Frames from i * segment to (i + 1) * segment - 1
-/// stay in one unit, because they are rendered together. The result depends only on the arguments.
+/// Divides `frames` (ascending) into at most `count` units of nearly equal size. The frames i * segment to (i + 1) * segment -
+/// 1 stay in one unit, because they are rendered together. The result depends only on the arguments.
 std::vector<std::vector<int>> units_of(const std::vector<int>& frames, int segment, int count);
 
-/// Returns the frames of the given units. If there are more units than groups of `segment` frames, the last units have no frames.
+/// Returns the frames of the given units. If there are more units than groups of `segment` frames, the last units are empty.
 std::vector<int> frames_of(const Units& units, const std::vector<int>& frames, int segment);
 
 }  // namespace lippmann

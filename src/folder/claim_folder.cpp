@@ -206,8 +206,8 @@ void remove_render(const fs::path& folder, const FolderJournal& journal, const f
   remove_parts(folder, journal.parts, own);
 }
 
-/// Removes the files of runs of other jobs that have finished no frame or strip. With `force`, also removes the files of another
-/// render.
+/// Removes the files of runs of other jobs that have finished no frame or strip. With `force`, also removes the files of
+/// another render.
 void remove_others(const fs::path& folder, const Contents& contents, const NewRender& render) {
   if (!contents.journal) return;
   for (const fs::path& claim : contents.journal->claims)

@@ -76,8 +76,8 @@ struct FrameSink::Impl {
 
   bool keeps_light() const { return files.format == PictureFormat::kExr; }
 
-  /// Videos are made from 8-bit samples, so that their bytes do not depend on whether a frame was just rendered or was read from
-  /// the file of an earlier run.
+  /// Videos are made from 8-bit samples, so that their bytes do not depend on whether a frame was just rendered or was read
+  /// from the file of an earlier run.
   bool needs_codes() const {
     // Light-field formats convert pictures to 8 bits themselves. Videos read these samples from the files.
     if (settings.layout.light_field()) return false;

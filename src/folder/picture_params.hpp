@@ -36,8 +36,8 @@ struct PictureParams {
   bool pseudoscopic = false;
   /// Only for kPrint: exchanges left and right, for a print on the back of a sheet.
   bool mirror = false;
-  /// Number of tiles of kQuilt; 0: the tiles of a native quilt, otherwise the grid of views, or a nearly square arrangement for a
-  /// single row of views.
+  /// Number of tiles of kQuilt; 0: the tiles of a native quilt, otherwise the grid of views, or a nearly square arrangement for
+  /// a single row of views.
   Extent<int> quilt;
   StereoLayout stereo;  ///< only used by kStereo
   DepthParams depth;    ///< only used by kRgbd

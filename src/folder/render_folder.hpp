@@ -57,8 +57,8 @@ class RenderFolder {
     part_.add(strip_line(strip, report, files));
   }
 
-  /// Writes job.toml or report.json with the text that `text_of` makes from the journal, and writes the file again if the journal
-  /// has changed meanwhile. Thus, if several runs end at the same time, the last file includes the records of all runs.
+  /// Writes job.toml or report.json with the text that `text_of` makes from the journal, and writes the file again if the
+  /// journal has changed meanwhile. Thus, if several runs end at the same time, the last file includes the records of all runs.
   void write(const std::string& name, const std::function<std::string(const FolderJournal&)>& text_of);
 
   /// Records that a video of `frames` is about to be written, so that it belongs to this render.

@@ -18,8 +18,8 @@ namespace {
 constexpr std::size_t kPixelsPerHeldOut = 500;
 /// Lowest number of pixels that are traced again. With fewer, the confidence interval of the PSNR would be wider than 6 dB.
 constexpr std::size_t kLeastHeldOut = 64;
-/// Each of a pixel's two new images has this many times the paths of the frame. Together they have 8 times the paths. Their error
-/// is therefore not larger than that of a denoised frame, which may be as accurate as an image with 8 times the paths.
+/// Each of a pixel's two new images has this many times the paths of the frame. Together they have 8 times the paths. Their
+/// error is therefore not larger than that of a denoised frame, which may be as accurate as an image with 8 times the paths.
 constexpr int kPathsPerSample = 4;
 /// Lowest number of paths of a retraced pixel. The sRGB code of a mean of few paths is biased, because the transfer curve is
 /// not linear.

@@ -12,8 +12,8 @@
 namespace lippmann {
 namespace {
 
-// If copying blocks saves less than kLeastSpanSaving of the time, the next 16 frames are traced without copying. If this happens
-// again, the number doubles, up to kLongestRest.
+// If copying blocks saves less than kLeastSpanSaving of the time, the next 16 frames are traced without copying. If this
+// happens again, the number doubles, up to kLongestRest.
 constexpr double kLeastSpanSaving = 0.02;
 constexpr int kLongestRest = 256;
 

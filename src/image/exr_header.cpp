@@ -4,8 +4,8 @@
 // 3. the offsets of the chunks, 8 bytes each, part by part;
 // 4. the chunks.
 //
-// A header is a list of attributes (name, type, size, value), ended by an empty name. A chunk consists of the number of its part
-// (only in files with several parts), its row (4 bytes) or its tile and level (16 bytes), its size and its samples.
+// A header is a list of attributes (name, type, size, value), ended by an empty name. A chunk consists of the number of its
+// part (only in files with several parts), its row (4 bytes) or its tile and level (16 bytes), its size and its samples.
 //
 // OpenEXR reads most values by their type and ignores the stored size, so a size that does not match the type is an error here.
 #include "image/exr_header.hpp"

@@ -54,7 +54,7 @@ TapWeights taps_of(const AxisSamples& axis, int i, int size) {
     for (int k = first; k + 0.5 < centre + kLobes; ++k) weights.push_back(lanczos(k + 0.5 - centre));
     return within(first, weights, size);
   }
-  // If the output sample ends exactly between two input samples, rounding must not add the next input sample with a tiny weight.
+  // If the output sample ends exactly between two input samples, rounding must not add a tiny part of the next input sample.
   constexpr double kRounding = 1e-9;
   const int first = static_cast<int>(std::floor(begin + kRounding));
   for (int k = first; k < end - kRounding; ++k) weights.push_back(std::min(k + 1.0, end) - std::max<double>(k, begin));

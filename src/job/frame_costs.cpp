@@ -53,8 +53,8 @@ std::set<int> segments_of(const std::vector<FrameReport>& frames, int segment) {
   return segments;
 }
 
-/// Returns the mean CPU time that a unit spends on source frames. These are frames of other units, from which frames of the unit
-/// are made. Source frames in measured segments are not counted, because units render them as their own frames.
+/// Returns the mean CPU time that a unit spends on source frames. These are frames of other units, from which frames of the
+/// unit are made. Source frames in measured segments are not counted, because units render them as their own frames.
 double source_cost(const MeasuredRun& run, const std::vector<int>& of_job, int segment) {
   const std::set<int> measured = segments_of(run.frames, segment);
   double sum = 0.0;

@@ -17,7 +17,7 @@ struct JobCosts {
   /// CPU time of a frame by its position in its segment. If a position is missing, the nearest lower position applies.
   std::map<int, double> at;
   double write_cpu_seconds = 0.0;  ///< writing the files of one frame
-  /// CPU time of a unit's source frames. The unit renders these frames of other units because its own frames are made from them.
+  /// CPU time of a unit's source frames. The unit renders these frames of other units to make its own frames from them.
   double source_cpu_seconds = 0.0;
   std::uint64_t peak_memory_bytes = 0;  ///< peak memory of the process that measured the costs
   std::vector<int> frames;              ///< measured frames, including frames of which only some strips were rendered

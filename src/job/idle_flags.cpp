@@ -65,8 +65,8 @@ bool has_microlenses(const RenderParams& params) {
 
 bool has_parallax(const RenderParams& params) { return optics_kind(params).info().has_parallax; }
 
-/// Built-in scenes with one sample per pixel use no random numbers. A scene file may hold splats, which are rendered with several
-/// samples per pixel. A set of cameras is split into training and test views at random.
+/// Built-in scenes with one sample per pixel use no random numbers. A scene file may hold splats, which are rendered with
+/// several samples per pixel. A set of cameras is split into training and test views at random.
 bool has_random_numbers(const RenderParams& params) {
   return is_file(params) || samples_per_pixel(params.sampling) > 1 || params.scene.cameras;
 }

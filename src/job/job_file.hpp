@@ -1,6 +1,6 @@
-// Reads and writes job files: TOML with the keys of params_table.hpp, which reproduces a render. Paths in a job file are relative
-// to its folder; paths in RenderParams are relative to the working folder. If a job file lies in the output folder of its own
-// render, paths inside this folder are stored relative to the file, so that a copy of the folder renders into the copy.
+// Reads and writes job files: TOML with the keys of params_table.hpp, which reproduces a render. Paths in a job file are
+// relative to its folder; paths in RenderParams are relative to the working folder. If a job file lies in the output folder of
+// its own render, paths inside this folder are stored relative to the file, so that a copy of the folder renders into the copy.
 #pragma once
 
 #include <filesystem>

@@ -27,8 +27,8 @@ struct ParamInfo {
 
   /// `where` is the location that messages show, such as "--spp" or "job.toml:3: spp".
   std::function<void(RenderParams&, const std::vector<std::string>& values, const std::string& where)> set;
-  /// Returns an empty list if the parameter was not given, so that its value is derived from other parameters. Passing the result
-  /// to set() changes nothing.
+  /// Returns an empty list if the parameter was not given, so that its value is derived from other parameters. Passing the
+  /// result to set() changes nothing.
   std::function<std::vector<std::string>(const RenderParams&)> get;
 
   /// Accepted words; empty: the value is not one of a list of words.

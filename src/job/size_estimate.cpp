@@ -22,9 +22,9 @@ double of(Texture texture, double clean, double denoised, double noisy) {
   return texture == Texture::kClean ? clean : texture == Texture::kDenoised ? denoised : noisy;
 }
 
-// All factors in this file are measured means, except the factors of uncompressed files. The measured pictures show the built-in
-// room, teapot and tree behind 64 lenses of 8 pixels, path-traced with 16 samples per pixel. The sizes of the layers of direct
-// and indirect light are not measured; all three channels are assumed to be noisy.
+// All factors in this file are measured means, except the factors of uncompressed files. The measured pictures show the
+// built-in room, teapot and tree behind 64 lenses of 8 pixels, path-traced with 16 samples per pixel. The sizes of the layers
+// of direct and indirect light are not measured; all three channels are assumed to be noisy.
 
 /// A pixel has three samples.
 double picture_bytes_per_sample(const RenderParams& params, PictureFormat format) {

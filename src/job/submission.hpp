@@ -24,8 +24,8 @@ struct Submission {
   std::string partition = {};  ///< empty for the default of Slurm
 };
 
-/// Returns the time limit of a unit in minutes: 5 minutes plus 3 times the estimate cpu_seconds / threads. The margin is for busy
-/// or slow machines.
+/// Returns the time limit of a unit in minutes: 5 minutes plus 3 times the estimate cpu_seconds / threads. The margin is for
+/// busy or slow machines.
 int minutes_for(double cpu_seconds, int threads);
 
 /// Returns the memory limit of a unit in bytes: 1.5 times the estimated peak.
