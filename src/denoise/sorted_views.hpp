@@ -41,9 +41,9 @@ class SortedViews {
   const std::uint32_t* row(int view, int y) const { return pixels_.data() + slot(view, y); }
 
   /// How a view maps points to pixels. k is the direction of the view's rays (see the top of this file). A position `place` in
-  /// the plane z = 0 belongs to column samples_per_mm.x place.x - first.x - shifts()[row], and to row first.y -
-  /// samples_per_mm.y place.y - first_row(). If lenses do not cover a whole number of pixels, the direction of a ray may differ
-  /// from k by half a pixel.
+  /// the plane z = 0 belongs to column samples_per_mm.x * place.x - first.x - shifts()[row], and to row first.y -
+  /// samples_per_mm.y * place.y - first_row(). If lenses do not cover a whole number of pixels, the direction of a ray may
+  /// differ from k by half a pixel.
   struct Sight {
     Vec2f k{0.0f}, first{0.0f};
   };

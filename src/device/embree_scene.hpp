@@ -21,7 +21,7 @@
 
 namespace lippmann {
 
-/// The geometries of analytic primitives in `fixed` or in `moving`.
+/// The geometries of analytic primitives in one of the two Embree scenes, `fixed` or `moving`.
 struct PrimitiveGeometries {
   EmbreeGeometry spheres, cylinders, rings, boxes;
 };

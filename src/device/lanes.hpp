@@ -10,8 +10,8 @@ namespace lippmann {
 
 inline constexpr int kLanes = 16;
 constexpr std::size_t packets_of(std::size_t rays) { return (rays + kLanes - 1) / kLanes; }
-/// The iterations are independent. Without the pragma, the compiler must assume that the arrays of a packet overlap, and does
-/// not vectorise the loop.
+/// Loops over the lanes of a packet. The iterations must be independent. Without the pragma, the compiler would have to assume
+/// that the arrays of a packet overlap, and would not vectorise the loop.
 #define LIPPMANN_FOR_LANES(i) _Pragma("GCC ivdep") for (int i = 0; i < kLanes; ++i)
 
 /// Active lanes are -1, and inactive lanes 0.

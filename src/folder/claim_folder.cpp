@@ -144,7 +144,7 @@ void remove_files_of(const fs::path& folder, const FolderJournal& journal) {
     if (is_as_written(journal, folder, name)) remove_file(folder, name);
 }
 
-/// Removes the files of a page, and folders that become empty. Does not follow symbolic links.
+/// Removes the files of a web page (kPageFolder), and folders that become empty. Does not follow symbolic links.
 void remove_page(const fs::path& folder, const FileRecords& files) {
   std::set<fs::path, std::greater<>> folders;  // inner folders first
   for (const auto& [name, sum] : files) {

@@ -27,7 +27,7 @@ bool is_of_frame(const FolderJournal& journal, int frame, const std::string& nam
   return found != journal.frames.end() && found->second.files.contains(name);
 }
 
-/// Adds the foreign files in the subfolder `below` of `folder`, and in folders of views in it.
+/// Adds the foreign files in the subfolder `below` of `folder`, and in its folders of views.
 void add_foreign(const fs::path& folder, const fs::path& below, const FolderJournal& journal,
                  std::vector<std::string>& foreign) {
   for (const fs::directory_entry& entry : entries_of(folder / below)) {

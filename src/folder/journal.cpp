@@ -211,7 +211,8 @@ void read_line(const Json& json, bool is_first, FolderJournal& journal) {
     read_frame(json, journal);
 }
 
-// Maximum total size of the journal files. A frame of 48 views takes about 5000 bytes.
+// Maximum total size of the journal files. A frame of 48 views takes about 5000 bytes, so the limit is enough for 800,000 such
+// frames.
 constexpr std::uintmax_t kMaxJournalBytes = std::uintmax_t{4} << 30;
 
 std::string problem_of(const Json& json, bool is_first, FolderJournal& journal) try {

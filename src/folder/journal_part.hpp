@@ -14,8 +14,8 @@ class JournalPart {
   /// Creates the run's journal file, whose first line names the job. Throws Error if the file cannot be written.
   JournalPart(const std::filesystem::path& folder, const std::string& job);
 
-  /// Appends a line and waits until it is on the disk. Throws Error if the line cannot be written or the file was
-  /// removed. All later calls then throw too, so that an incomplete line remains the last one.
+  /// Appends a line and waits until it is on the disk. Throws Error if the line cannot be written or the file was removed. All
+  /// later calls then throw too, so that an incomplete line stays the last line of the file.
   void add(const std::string& line);
 
   /// Renews the lease of the run: for kLeaseSeconds from now, is_held() considers the run active. Thread-safe.

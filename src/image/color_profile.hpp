@@ -12,7 +12,7 @@ namespace lippmann {
 /// if it looks like sRGB.
 std::string color_profile_notice(FileBytes icc);
 
-/// Returns nothing if there is no profile or if it looks like sRGB.
+/// Returns the profile, or nothing if there is none or if it looks like sRGB.
 std::vector<std::byte> profile_to_apply(FileBytes icc);
 
 inline constexpr const char* kInksNotice =

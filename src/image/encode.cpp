@@ -21,7 +21,7 @@ int srgb_code(float value, int max_code) {
   return static_cast<int>(std::floor(max_code * srgb_from_linear(std::min(value, 1.0f)) + 0.5));
 }
 
-/// Returns the smallest float with an 8-bit code of 1 ... 255.
+/// Returns the smallest float whose 8-bit code is `code`, from 1 to 255.
 float first_value_of(int code) {
   float value = static_cast<float>(linear_from_srgb((code - 0.5) / 255.0));
   while (srgb_code(value, 255) >= code) value = std::nextafter(value, 0.0f);

@@ -27,7 +27,7 @@ struct MemoryFacts {
 struct MemoryPlan {
   int bands = 1;               ///< bands of rows per frame, which are traced one after another
   bool one_at_a_time = false;  ///< each frame is written before the next frame is traced
-  double bytes = 0.0;          ///< estimated memory of one frame, or of two frames if several are in memory
+  double bytes = 0.0;          ///< estimated memory, for which at most two frames are counted
 };
 
 /// Estimated memory of `frames_at_a_time` frames, each traced in `bands` bands.
@@ -44,7 +44,7 @@ MemoryPlan plan_memory(const MemoryFacts& facts, double available);
 /// from their strips.
 MemoryPlan plan_strips_memory(const MemoryFacts& facts, int strips, bool joins, double available);
 
-/// Describes the plan in a sentence; empty for the usual plan.
+/// Describes the plan in a sentence; empty if the plan uses no measures against short memory.
 std::string sentence_of(const MemoryPlan& plan, const MemoryFacts& facts, double available);
 
 }  // namespace lippmann

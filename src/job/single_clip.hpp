@@ -1,5 +1,5 @@
-// Renders the frames of a light field again with a single view, for screens without lenses. The view is that of an eye in front
-// of the middle of the display.
+// Derives a second render from that of a light field: the same frames with a single view, for screens without lenses. The view
+// is that of an eye in front of the middle of the display.
 #pragma once
 
 #include "job/params.hpp"
