@@ -41,7 +41,7 @@ bool is_singular(const Mat3f& m) {
   return !(volume > 1e-12f * glm::length(m[0]) * glm::length(m[1]) * glm::length(m[2]));
 }
 
-/// Returns the limit of a ray's world coordinates that keeps its coordinates in mesh space below kLargestReach.
+/// Returns the largest r such that points with world coordinates from -r to r have mesh coordinates below kLargestReach.
 float reach_of(const Affine3f& mesh_from_world) {
   const Mat3f& m = mesh_from_world.linear;
   const Vec3f sums = glm::abs(m[0]) + glm::abs(m[1]) + glm::abs(m[2]), moved = glm::abs(mesh_from_world.translation);
