@@ -1,10 +1,10 @@
 // Traces as much of a predicted frame as necessary so that its PSNR reaches a lower limit (the floor).
 //
-//   1. Measure errors of patches for every level of uncertainty. They come from a nearby frame that was both predicted and
-//      completely traced (learn_floor), and from held-out patches of this frame, which are traced. held_out.hpp computes an
-//      upper bound of the error with 95 % confidence.
-//   2. Keep the predictions of as many of the lowest levels as possible. Both the upper bound and the estimate from this
-//      frame's own sample must stay within the mean squared error that the floor allows. Trace all other patches.
+//   1. Measure the error for every level of uncertainty, in a nearby frame that was both predicted and completely traced
+//      (learn_floor), and in a sample of this frame's patches, which are traced. held_out.hpp computes an upper bound of the
+//      error with 95 % confidence.
+//   2. Trace the patches with the highest uncertainty, and keep the predictions of all others. Trace as few patches as possible
+//      such that the upper bound and the error estimated from the sample are both within the error that the floor allows.
 //   3. If step 2 would cost about as much as the whole frame, stop. The caller then traces the whole frame.
 // The choice depends only on the predictions, the ray counts of the key frames, the seed and the frame's number.
 #pragma once
@@ -20,18 +20,18 @@
 namespace lippmann {
 
 struct FloorParams {
-  double min_psnr_db = 0.0;  ///< lowest accepted PSNR of each frame, in 8-bit display codes; finite
+  double min_psnr_db = 0.0;  ///< lowest accepted PSNR of each frame, computed from 8-bit display codes; must be finite
   std::uint32_t seed = 0;
 };
 
-/// Highest cost of tracing part of a frame, relative to the whole frame. Above it, the whole frame is traced.
+/// If tracing a part of a frame costs more than this fraction of the cost of the whole frame, the whole frame is traced.
 inline constexpr double kMostCost = 0.9;
 
 struct Predicted {
   int number;
   std::span<const std::uint8_t> uncertainty;
   const Patches& patches;
-  std::span<const float> costs;  ///< one entry per patch (Patches::costs)
+  std::span<const float> costs;  ///< cost of tracing each patch (Patches::costs)
   Encoding encoding;
 };
 
@@ -51,7 +51,7 @@ struct FloorOutcome {
 };
 
 /// Traces part of a frame so that it reaches the floor. `film` holds the prediction, and on return the result. `learned` must
-/// come from a frame whose sources are at least as far apart in time as the sources of this frame.
+/// come from a frame whose two key frames are at least as far apart in time as the key frames of this frame.
 FloorOutcome hold_floor(const FloorParams& params, const Predicted& frame, const Evidence& learned, const TracePackets& trace,
                         const ThreadPool& pool, Image& film);
 

@@ -5,8 +5,8 @@
 namespace lippmann {
 namespace {
 
-// kKeyCost is the cost of tracing a key frame and testing its rays against boxes, kCopyCost the cost of copying a frame. Both
-// are relative to the cost of tracing a frame without these tests.
+// kKeyCost is the cost of tracing a key frame, including the test of its rays against boxes. kCopyCost is the cost of copying a
+// frame. Both are relative to the cost of tracing a frame without the test.
 constexpr double kKeyCost = 1.2, kCopyCost = 0.01;
 
 }  // namespace

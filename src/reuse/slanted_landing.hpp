@@ -1,14 +1,14 @@
 // Finds the sub-pixel of a slanted panel on which a moved point lands. No two rows of a slanted panel share their ray
 // directions.
 //
-// A sub-pixel saw a point that has moved to (X, Y, Z). Its ray comes from the eye position (e, h, D) of its view. The phase of
-// a sub-pixel is its position below its lens, in lenses.
+// The original sub-pixel saw a point that has moved to (X, Y, Z). The original ray comes from the eye at (e, h, D). The phase
+// of a sub-pixel is its position below its lens, as a fraction of the lens pitch.
 // 1. Seen from the eye, the point appears in the plane z = 0 at
 //      s = (X - e Z / D) / (1 - Z / D),   y = (Y - h Z / D) / (1 - Z / D).
 // 2. The row of the result is the row that contains y.
-// 3. In that row, each lens covers one sub-pixel with the same phase. The result is the one nearest to s. If the phase at s
-//    exceeds that phase by d, the result lies d - round(d) lenses to the left of s, so at most half a lens away.
-// The ray of the result has the direction of the first ray to within half the distance between two sub-pixels.
+// 3. In that row, the phase of the original sub-pixel recurs once per lens. The result is the recurrence nearest to s, which is
+//    at most half a lens away. If the phase at s exceeds the original phase by d, the result is d - round(d) lenses left of s.
+// Rounding to whole sub-pixels changes the phase by at most half a sub-pixel.
 //
 // Only striped sub-pixels are supported, because for other layouts the position of a sub-pixel does not follow from its number.
 //

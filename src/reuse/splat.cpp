@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kSplatBlock = 64;
 constexpr int kRowsPerStrip = 64;
-// A point within this distance of a sample, in samples, uses the colour of the sample unchanged.
+// If a point lands within this distance of a sample, in units of the sample spacing, the sample's colour is not interpolated.
 constexpr float kNearEnough = 0.1f;
 constexpr int kLeftBit = 1;
 static_assert(kRightDiffers == 1 && kLeftDiffers == 1 << kLeftBit);
@@ -37,7 +37,7 @@ struct RowOfPoints {
 
 struct Limits {
   int width;
-  float front, back;  ///< range of z of the rays, mm
+  float front, back;  ///< points with z (mm) outside this range are dropped
 };
 
 /// Maps depths to integers above kBackgroundOrder. Greater depths have greater integers.

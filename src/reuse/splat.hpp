@@ -26,7 +26,8 @@ inline constexpr std::uint32_t kNoSource = 0x7fffffffu;
 /// - Bits 32 to 63: the depth. 0 means no point and 1 means background. Otherwise the bits encode z at the new moment; larger
 ///   values are nearer to the viewer.
 /// - Bits 1 to 31: the inverted index of the source pixel.
-/// - Bit 0: set if the next sample on the side of the target pixel's centre has another colour (PointImage::contrast).
+/// - Bit 0: set if the colour changes from the source sample to its neighbour on the side of the target pixel's centre
+///   (PointImage::contrast).
 struct SplatBuffer {
   static constexpr std::uint32_t kBackgroundOrder = 1;
 

@@ -17,9 +17,9 @@ class SweptBoxes {
   /// `display_node` is the node that carries the lens array, or -1. `scene` must outlive this object.
   SweptBoxes(const Scene& scene, int display_node);
 
-  /// Returns boxes around everything that moves during n frames from frame `first` on, up to last_frame, for each n in
-  /// `horizons`. Horizons ascend and are at least 2. A box states the shortest horizon for which it is needed. It is needed for
-  /// all longer horizons too. A change of the display, a light or an infinite plane gives an infinite box.
+  /// Returns boxes around everything that moves during the n frames from `first` on, but not after last_frame, for each n in
+  /// `horizons`. Horizons ascend and are at least 2. HorizonBox::horizon is the index of the shortest horizon that needs the box.
+  /// All longer horizons need the box too. A change of the display, a light or an infinite plane gives an infinite box.
   std::vector<HorizonBox> around(int first, std::span<const int> horizons, int last_frame) const;
 
  private:

@@ -50,7 +50,7 @@ LIPPMANN_MULTIVERSION void take_contrast(const Byte* here, const Byte* there, in
   for (int x = 0; x < width; ++x) largest[x] = larger(largest[x], difference(here[x], there[x]));
 }
 
-/// For each pixel of a row: the terms A, a', g and g' of the formula in the header.
+/// For each pixel of a row: the terms A, a', g and g' of the formula in uncertainty.hpp.
 struct Signals {
   std::vector<Byte> around, beside, contrast, contrast_beside;
 

@@ -9,7 +9,7 @@
 //       rarely at all its neighbours.
 //   a'  Largest a of the two adjacent pixels, which belong to other views.
 //   g   Contrast of the predicted image: the largest difference between the pixel and its 8 neighbours in the same view.
-//       A point lands up to half a step beside the pixel's centre, so its colour is wrong by part of the contrast.
+//       A point may land up to half way between two of these pixels, so its colour is wrong by part of the contrast.
 //   g'  Largest difference between the pixel and the two adjacent pixels.
 //
 // If points of only one key frame land on a pixel, its uncertainty is at least kOneKeyUncertainty. If no point lands, it is at
@@ -31,7 +31,8 @@ namespace lippmann {
 
 inline constexpr std::uint8_t kOneKeyUncertainty = 48, kMissedUncertainty = 96;
 
-/// Prediction from one key frame. A pixel without a point has the colour of the other key frame's prediction.
+/// Prediction from one key frame. Where no point of this key frame lands, the pixel has the colour predicted from the other key
+/// frame.
 struct Prediction {
   const Image& colors;
   const SplatBuffer& landed;

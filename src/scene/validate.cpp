@@ -232,7 +232,7 @@ class Validator {
     require(
         finite(left) && glm::all(glm::greaterThanEqual(left, Vec3f(0.0f))) && glm::all(glm::lessThanEqual(left, Vec3f(1.0f))),
         element, "the attenuation colour is not between 0 and 1");
-    // The distance may be infinite.
+    // An infinite distance is valid: the volume then absorbs nothing.
     require(s.volume->attenuation_distance > 0.0f, element, "the attenuation distance is not above 0");
   }
 

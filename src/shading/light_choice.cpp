@@ -71,7 +71,7 @@ float LightChoice::chance_of_sun(const LightReceiver& at) const {
   return near * near_.of_sun + (1.0f - near) * far_.of_sun;
 }
 
-/// A light is chosen either by its own entry or through the tree of its group. The probability of the other way is 0.
+/// A light is chosen either by its own entry in near_ or far_, or through the tree of its group, never by both ways.
 float LightChoice::chance_of(Part group, std::size_t light, const LightReceiver& at) const {
   const Tree& by_tree = trees_[group];
   const float near = near_share(at);

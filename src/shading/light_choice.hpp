@@ -28,7 +28,7 @@ struct LightGroup {
   /// near: the flux of a near light, or 0 for a far light. far: the irradiance that a far light gives a surface facing it, or 0
   /// for a near light.
   std::vector<float> near, far;
-  std::vector<TreeLight> lights;  ///< each near light in the form of the tree
+  std::vector<TreeLight> lights;  ///< the near lights, described as the light tree needs them
   float irradiance = 0.0f;
   std::size_t most_by_power = 0;  ///< groups with more near lights than this are sampled by a tree instead of by power
 };

@@ -77,7 +77,7 @@ class LightTable {
   ShiningTriangles triangles_;
   std::vector<std::size_t> rounds_;
   std::vector<std::uint32_t> suns_;
-  LightChoice choice_;  ///< the last member, because its initializer uses the others
+  LightChoice choice_;  ///< the last member, because its initializer uses the other members
 };
 
 }  // namespace lippmann

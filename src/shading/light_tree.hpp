@@ -2,8 +2,8 @@
 //
 // Based on: A. Conty Estevez, C. Kulla, "Importance Sampling of Many Lights with Adaptive Tree Splitting", HPG 2018 (importance
 // of a cluster for a point; one descent samples a light and its probability).
-// 1. Building: the lights are split recursively, at the cut that gives the least scatter of power on both sides. Up to sixteen
-//    parts become the children of a node.
+// 1. Building: the lights are split recursively. A cut minimises power * variance of position, summed over both sides. Up to
+//    sixteen parts become the children of a node.
 // 2. Sampling: each node chooses a child in proportion to importance.
 // 3. Probability of a light: the product of the probabilities of the choices from the root to the light.
 //
@@ -88,7 +88,7 @@ struct LightBeams {
   Lanes xx, yy, xy, xz, yz;  ///< elements of Q; zz = -xx - yy
   Lanes inverse_ramp;  ///< 1 / (inner - outer cosine) if the child is a single lamp that fades within its cone; otherwise 0
 };
-/// For each child, a box that contains the balls of its lights.
+/// For each child, a box around its spherical lamps.
 struct LightBoxes {
   Lanes3 lower, upper;
 };
@@ -117,7 +117,7 @@ class LightTree {
   /// Returns the estimated irradiance at the point without shadows, divided by the irradiance of all lights at distance 1.
   float importance(const LightReceiver& at) const;
 
-  /// Calls visit(light) for each light whose ball a ray may touch within the distance `reach`. `direction` has unit length.
+  /// Calls visit(light) for each spherical lamp that a ray may hit within the distance `reach`. `direction` has unit length.
   /// Lights with radius 0 are skipped.
   template <class Visit>
   void meet(Vec3f origin, Vec3f direction, float reach, const Visit& visit) const {

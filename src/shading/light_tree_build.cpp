@@ -235,7 +235,7 @@ class LightTreeBuilder {
   void describe_box(Members part, LightBoxes& boxes, int lane) const {
     Bounds3f box;
     for (const std::uint32_t l : part) {
-      // The ray test of balls in round_lights.cpp rounds differently, so the boxes are slightly enlarged.
+      // The ray test of spherical lamps in round_lights.cpp rounds differently, so the boxes are slightly enlarged.
       const float radius = lights_[l].radius * 1.0001f;
       box.add(lights_[l].middle - radius), box.add(lights_[l].middle + radius);
     }

@@ -61,8 +61,8 @@ WhittedMaterial from(const MetallicRoughness& s, Vec3f surroundings) {
   m.mirror = smooth * glm::mix(dielectric_f0, 1.0f, s.metallic);
   m.mirror_tint = s.metallic;
   m.diffuse = (1.0f - s.metallic) * (1.0f - s.transmission) / kPi;
-  // Ambient light replaces the light of the background. It is the irradiance / pi on the diffuse part. On metal, the mean
-  // radiance of the background replaces the part of the mirror image that is not traced.
+  // Ambient light approximates the light of the background, which is not traced. Diffuse surfaces receive its mean radiance. On
+  // metal, the mean radiance replaces the part of the mirror image that `mirror` leaves out.
   m.ambient = surroundings * ((1.0f - s.metallic) * (1.0f - s.transmission) + s.metallic * (1.0f - smooth));
   const float alpha = std::max(s.roughness * s.roughness, 0.01f);
   m.highlight_size = std::max(1.0f, 2.0f / (alpha * alpha) - 2.0f);

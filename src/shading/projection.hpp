@@ -5,7 +5,7 @@
 //   plane     U = q.u_axis       V = q.v_axis                                       L = path
 //   cylinder  U = angle(q)       V = q.v_axis                                       L = path / (8 |q|)
 //   sphere    U = angle(q)       V = angle between q and -v_axis, in half turns     L = path / (8 |q|)
-//   u = fraction of U scale.x + rotate.x,  v = fraction of V scale.y + rotate.y,  each in [0, 1)
+//   u = frac(U scale.x + rotate.x),  v = frac(V scale.y + rotate.y),  where frac(x) = x - floor(x)
 //   blur = min(1, 0.05 L max(|scale.x|, |scale.y|))
 // Blur 0 stands for the full texture, and 1 for its mean.
 #pragma once

@@ -89,7 +89,7 @@ MetalRoughPoint metal_rough_point(const MetallicRoughness& material, Vec3f color
 Bsdf metal_rough_bsdf(const MetallicRoughness& material, Vec3f color, const Maps& maps, const GgxAlbedo& albedo,
                       const SeenPoint& point, int channel);
 
-/// Returns whether transmitted light passes a thin wall, which does not refract.
+/// Returns whether the material is a thin wall, which transmits light without refraction.
 bool is_thin_wall(const MetallicRoughness& material);
 
 }  // namespace lippmann

@@ -42,7 +42,7 @@ struct Subject {
   bool contains(std::size_t instance) const { return roles[instance] == InstanceRole::kSubject; }
 };
 
-/// Returns the frames at which the animation is sampled: frame 0 and every n-th frame, at most 63 frames.
+/// Returns the frames at which the animation is sampled: at most 63 frames at regular intervals, starting with frame 0.
 std::vector<int> sampled_frames(const Timeline& timeline);
 
 Subject whole_scene(const Scene& scene);

@@ -193,8 +193,8 @@ void PathIntegrator::shine(int i, const LightSample& light, const BsdfValue& val
   shadow_rays_.push(point, light, clamped(radiance, ray.depth + 1), ray.pixel, ray.depth + 1);
 }
 
-/// Weights the light of an area light by multiple importance sampling. A light behind the facet gets the full weight, because
-/// the BSDF never samples its direction; only its diffuse reflection counts.
+/// Weights the light of an area light by multiple importance sampling. If the light is behind the facet, only the diffuse
+/// reflection counts, with full weight, because the BSDF never samples this direction.
 Vec3f PathIntegrator::from_wide_light(int i, const LightSample& light, const BsdfValue& value) const {
   const Vec3f per_density = light.radiance / light.density;
   Vec3f f = value.cosine_f * power_heuristic(light.density, value.density);

@@ -1,5 +1,5 @@
-// Adds the light that path rays hit. The power heuristic weights light that the last vertex could also have sampled by a shadow
-// ray.
+// Adds the light of the emitters that path rays hit. The power heuristic weights light that the last vertex could also have
+// sampled by a shadow ray.
 #include "trace/path_integrator.hpp"
 
 namespace lippmann {

@@ -34,7 +34,7 @@ LIPPMANN_INLINE void gather(const Word* from, const std::int32_t* place, Word* t
   LIPPMANN_FOR_LANES(i) to[i] = from[place[i]];
 }
 
-/// Gathers a packet from the packets at `met`. Lane i of each field is the float that is place[i] floats behind lane 0 of this
+/// Gathers a packet from an array of packets. For each field, lane i is the float at the distance place[i] from lane 0 of the
 /// field in met[0].
 LIPPMANN_MULTIVERSION void gather_packet(const RayHitPacket* met, const std::int32_t* place, RayHitPacket& to) {
   gather(met->ray.org_x, place, to.ray.org_x);

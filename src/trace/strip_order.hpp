@@ -13,8 +13,8 @@
 
 namespace lippmann {
 
-/// Number of packets of a block. All packets of a block are shaded before their mirror rays are traced. This size fills the
-/// packets of mirror rays, and still fits into the cache.
+/// Number of packets of a block. All packets of a block are shaded before their mirror rays are traced. A block yields enough
+/// mirror rays to fill packets, and fits into the cache.
 inline constexpr int kPacketsPerBlock = 16;
 
 struct StripPixel {

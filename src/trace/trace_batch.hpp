@@ -17,7 +17,8 @@
 
 namespace lippmann {
 
-/// For each sample number, all packets are shaded before their secondary rays are traced.
+/// The packets and sample numbers to trace. For each sample number, all packets are shaded before their secondary rays are
+/// traced.
 struct Batch {
   std::span<const int> packets;
   int first_sample = 0, end_sample = 1, step = 1;

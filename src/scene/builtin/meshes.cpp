@@ -64,7 +64,7 @@ std::vector<Vec3f> transported_normals(const std::vector<Vec3f>& tangents) {
   return normals;
 }
 
-/// Returns the angle that undoes the rotation of a normal by parallel transport once around a closed curve.
+/// Parallel transport once around a closed curve rotates a normal. Returns the angle that undoes this rotation.
 float closing_twist(const std::vector<Vec3f>& tangents, const std::vector<Vec3f>& normals) {
   const Vec3f arrived = perpendicular_part(normals.back(), tangents[0]);
   return std::atan2(glm::dot(glm::cross(arrived, normals[0]), tangents[0]), glm::dot(arrived, normals[0]));

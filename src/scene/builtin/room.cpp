@@ -213,7 +213,7 @@ void add_orrery(SceneBuilder& scene, const Materials& m) {
   }
 }
 
-/// The radius of the ball's path is eight times its own radius, so it makes eight turns per round.
+/// The radius of the ball's path is eight times the ball's radius, so the ball makes eight turns per round.
 void add_ball(SceneBuilder& scene) {
   constexpr float kRadius = 0.14f, kDistance = 8.0f * kRadius;
   const int around = scene.add_node("ball's way", -1, at(kTable));

@@ -55,8 +55,8 @@ class SceneBuilder {
   /// Adds a backdrop far behind the array and parallel to it. Call set_display() first.
   void add_backdrop(Vec3f glow, Vec3f edge);
 
-  /// Places the array at `center`, and adds a camera at the viewer whose picture covers the array. The array faces +z before it
-  /// is turned by `yaw` to the right and by `pitch` upwards, in radians. Returns the array's node.
+  /// Places the array at `center`, and adds a camera at the viewer's position that shows the whole array. The array faces +z
+  /// before it is turned by `yaw` to the right and by `pitch` upwards, in radians. Returns the array's node.
   int set_display(Vec3f center, float yaw, float pitch, float plane_height, float viewing_distance);
 
   Scene take() { return std::move(scene_); }

@@ -160,8 +160,8 @@ class PrimitiveUnpacker {
     return *mesh;
   }
 
-  /// Returns whether the accessor still has to be filled from the given buffer view and attribute. Throws Error if it does not
-  /// have `count` elements, or if it was filled from other data.
+  /// Returns whether the accessor still has to be filled from the given buffer view and attribute. Throws Error if the accessor
+  /// does not have `count` elements, or if it was filled from other data.
   bool begin(int accessor, int view, int unique_id, std::uint64_t count, const std::string& where) {
     const auto [known, is_new] = filled_.try_emplace(accessor, std::pair(view, unique_id));
     if (!is_new && known->second == std::pair(view, unique_id)) return false;

@@ -27,8 +27,7 @@ namespace {
 
 constexpr const char* kImageBased = "EXT_lights_image_based";
 
-/// The directions from the cube's centre to the middle of a face (ahead), and from there to the upper edge of the face's image
-/// (up).
+/// `ahead` points from the cube's centre to the middle of a face. `up` points from there to the upper edge of the face's image.
 struct FaceAxes {
   Vec3f ahead, up;
 };
@@ -49,7 +48,7 @@ std::array<float, 256> linear_codes() {
   return values;
 }
 
-/// Returns a face as linear light. RGBD cannot represent an alpha of 0, so it counts as 1/255.
+/// Returns a face as linear light. RGBD cannot represent an alpha of 0, so 0 is replaced by 1/255.
 Image linear_light(const Texture& picture) {
   const std::array<float, 256> linear = linear_codes();
   Image light(picture.width, picture.height, 3);

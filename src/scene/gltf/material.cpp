@@ -181,8 +181,9 @@ class MaterialReader {
     transmission.color_map = color(extension["diffuseTransmissionColorTexture"]);
   }
 
-  /// Converts KHR_materials_pbrSpecularGlossiness to a dielectric with full reflection, whose specular colour is the
-  /// reflectance of the old model. The file's metallic-roughness properties are only meant for readers without this extension.
+  /// Converts KHR_materials_pbrSpecularGlossiness to a dielectric with a very high index of refraction, so that the specular
+  /// colour alone determines the reflectance. The file's metallic-roughness properties are only meant for readers without this
+  /// extension.
   void read_specular_glossiness(Value old, MetallicRoughness& surface) {
     surface.metallic = 0.0f;
     surface.ior = ior_of(0.0);

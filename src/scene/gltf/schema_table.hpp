@@ -21,7 +21,7 @@ enum class Kind {
   kInteger,
   kIndex,
   kIndices,
-  kIndexLists,  ///< an array of arrays of indices; each has the length `length`
+  kIndexLists,  ///< an array of arrays of indices; each inner array has `length` elements
   kIndexMap,
   kIntegerMap,
   kIndexMaps,

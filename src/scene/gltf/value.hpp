@@ -28,11 +28,12 @@ class Value {
   int integer(int otherwise) const;
   std::size_t count() const;
   int index() const { return integer(-1); }
-  /// Returns a boolean, or whether a number is not zero. `otherwise` is returned for an absent value.
+  /// Returns a boolean value; for a number, returns whether it is not zero. `otherwise` is returned for an absent value.
   bool flag(bool otherwise) const;
   const std::string& text() const;
 
-  /// The elements of an array, or the properties of an object. Empty if the value is absent.
+  /// These functions return the elements of an array or, for index_map(), the properties of an object. The result is empty if the
+  /// value is absent.
   std::vector<double> numbers() const;
   std::vector<int> indices() const;
   std::map<std::string, int> index_map() const;

@@ -22,7 +22,7 @@ struct CameraPose {
 };
 
 struct CameraRecord {
-  /// the image height is 1 / zoom, for perspective cameras at distance 1
+  /// The image height is 1 / zoom. Perspective cameras measure the height in the plane at distance 1.
   float zoom = 1.0f;
   bool is_orthographic = false;
   float aspect_ratio = 1.0f;
