@@ -9,7 +9,8 @@
 namespace lippmann {
 namespace {
 
-constexpr int kPartsPerAxis = 12;  // grid cells along each axis of a large mesh; smaller meshes have 4
+// grid cells along each axis of a mesh; 4 if the mesh has fewer than kTrianglesToPart triangles
+constexpr int kPartsPerAxis = 12;
 constexpr std::size_t kTrianglesToPart = 2000;
 
 const Bounds3f kEverything{Vec3f(-kInfinity), Vec3f(kInfinity)};
@@ -77,7 +78,7 @@ bool contains(const Bounds3f& outer, const Bounds3f& inner) {
   return glm::all(glm::lessThanEqual(outer.lower, inner.lower)) && glm::all(glm::greaterThanEqual(outer.upper, inner.upper));
 }
 
-/// Adds the boxes of one part of a mesh. The part does not change during its first `rests_for` frames.
+/// Adds the boxes of one part of a mesh, at most one per horizon. The part does not move during the first `rests_for` frames.
 template <class BoxAt>
 void add_boxes(std::size_t frames, std::size_t rests_for, std::span<const int> horizons, std::vector<HorizonBox>& boxes,
                const BoxAt& box_at) {

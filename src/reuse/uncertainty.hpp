@@ -1,6 +1,6 @@
 // Estimates the error of each predicted pixel of an in-between frame before any part of the frame is traced.
 //
-// Uncertainty is in display codes, 0 ... 255. It ranks pixels; held_out.hpp measures the error that it corresponds to.
+// Uncertainty is in display codes, 0 ... 255. It only ranks pixels; held_out.hpp measures the actual errors.
 //
 //   uncertainty = a + A/2 + a'/2 + g/8 + g'/8
 //   a   Difference between the predictions of the pixel from the two key frames. Predictions differ for lights, shadows,

@@ -50,8 +50,8 @@ std::vector<std::uint32_t> places_of(const Mesh& mesh, const Extent& extent) {
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
-/// The directed edges of all triangles. `up` holds edges from the lower to the higher position index, and `down` the others.
-/// Both store the lower index first.
+/// The directed edges of all triangles. `up` holds edges from the lower to the higher position index, `down` edges from
+/// the higher to the lower index. In both lists, the first index of an edge is the lower one.
 struct Edges {
   std::vector<Edge> up, down;
 

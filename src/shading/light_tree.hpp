@@ -22,8 +22,8 @@
 //    w = p facing shining / (d^2 + v)
 //    facing = 1/16 + 15/16 (n.d + sqrt((n.d)^2 + v / 3)) / (2 sqrt(d^2 + v))
 // facing is 1 if light may come from either side. The factor `shining` of lamps is 0 if the point lies outside all cones.
-// Otherwise, a single lamp has the fading of its cone. A cluster has the mean over its lamps, as a polynomial of second degree
-// in -d / sqrt(d^2 + v), fitted over all directions. The factor `shining` of faces is
+// Inside a cone, the factor of a single lamp is the fading of its cone. The factor of a cluster is the mean emission of its
+// lamps in the direction -d / sqrt(d^2 + v), approximated by a polynomial of second degree. The factor `shining` of faces is
 //    shining = sqrt((d.M d + v / 16) / (d^2 + v) + 1e-6) - F.d / sqrt(d^2 + v)
 // Each face has two coefficients, a and b. M is the mean of a * m m^T over the cluster's faces, and F is the mean of b * m.
 // Faces of closed bodies have a = ((1 + 1/16) / 2)^2 and b = (1 - 1/16) / 2, and their m points outward. All other faces have a
@@ -88,7 +88,7 @@ struct LightBeams {
   Lanes xx, yy, xy, xz, yz;  ///< elements of Q; zz = -xx - yy
   Lanes inverse_ramp;  ///< 1 / (inner - outer cosine) if the child is a single lamp that fades within its cone; otherwise 0
 };
-/// For each child, a box around its spherical lamps.
+/// For each child, a box around the bounding spheres of its lights.
 struct LightBoxes {
   Lanes3 lower, upper;
 };
@@ -117,8 +117,8 @@ class LightTree {
   /// Returns the estimated irradiance at the point without shadows, divided by the irradiance of all lights at distance 1.
   float importance(const LightReceiver& at) const;
 
-  /// Calls visit(light) for each spherical lamp that a ray may hit within the distance `reach`. `direction` has unit length.
-  /// Lights with radius 0 are skipped.
+  /// Calls visit(light) for each light whose bounding sphere a ray may hit within the distance `reach`. `direction` has unit
+  /// length. Lights with radius 0 are skipped.
   template <class Visit>
   void meet(Vec3f origin, Vec3f direction, float reach, const Visit& visit) const {
     if (!boxes_.empty()) meet(0, {origin, direction, reach}, visit);

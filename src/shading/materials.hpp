@@ -74,7 +74,7 @@ struct WhittedLight {
   bool attenuates = false;
   Vec3f attenuation{1.0f, 0.0f, 0.0f};  ///< if `attenuates` is set, the light is divided by x + y d + z d^2 at distance d
   float visible_radius = 0.0f;
-  float has_smooth_edge = 0.0f;  ///< 1: with t in [0, 1] across the cone's edge, the light fades by 3 t^2 - 2 t^3; 0: by t^2
+  float has_smooth_edge = 0.0f;  ///< factor across the edge of the cone, for t in [0, 1]: 3 t^2 - 2 t^3 if 1, t^2 if 0
   float radius = 0.0f;           ///< radius of a spherical lamp, for path tracing; 0: point lamp
   float half_angle = 0.0f;       ///< half the angular diameter of a sun's disc; 0: no disc
   const PhotometricWeb* web = nullptr;

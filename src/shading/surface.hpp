@@ -46,8 +46,8 @@ Vec3f smooth_lift(const SurfacePacket& surface, int i);
 
 /// Width of a ray's beam at its hit, for texture filtering: the sample_footprint_mm of the optics, in world units, as a
 /// function of the path length from the plane where rays start. Paths are treated as straight along the display's -z axis, with
-/// mirrors unfolded. The width is exact for the central view. For other views, it is wrong by at most a factor of the cosine of
-/// half the viewing zone.
+/// mirrors unfolded. The width is exact for the central view. For other views, the error is at most the factor cos a, where 2 a
+/// is the angle of the viewing zone.
 ///
 /// With n samples per pixel, the beam of a sample covers 1 / n of the pixel's area, but at least 1 / 8 of its width. After: M.
 /// Pharr et al., "Physically Based Rendering", 4th ed., section 10.1.

@@ -15,7 +15,7 @@ namespace lippmann {
 /// Shape of a lens. Exactly one of radius_mm, height_mm and thickness_mm must be given.
 struct LensSpec {
   std::optional<double> radius_mm, height_mm;
-  std::optional<double> thickness_mm;  ///< from the top of a lens to the print, on which it focuses
+  std::optional<double> thickness_mm;  ///< distance from the top of a lens to the print, where the lens focuses
   double refractive_index = 1.5;       ///< about 1.5 for UV inks
 };
 

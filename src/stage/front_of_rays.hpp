@@ -16,7 +16,7 @@
 namespace lippmann {
 
 struct FrontOfRays {
-  /// z at which rays start, in the frame of the array's plane and in units of its node.
+  /// z at which rays start, in the frame of the array's plane and in units of the array's node.
   float z = kInfinity;
   /// Sentence for the user that names the walls between the start of rays and the eye, or empty.
   std::string cut;

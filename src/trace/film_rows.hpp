@@ -1,7 +1,7 @@
 // The rows of a film to render. The range begins and ends at strip boundaries (strip_order.hpp).
 //
 // Rays, samples and random numbers do not depend on the range. Images hold only these rows, and pixel indices count from the
-// first of them.
+// first of these rows.
 #pragma once
 
 #include <algorithm>

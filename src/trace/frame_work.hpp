@@ -54,8 +54,8 @@ void for_each_batch(const FrameWork& work, std::size_t strip, int packets_per_st
   }
 }
 
-/// Calls trace(strip) for all strips in parallel, until cancellation. Returns the sum of the ray counts. `share` is the subset
-/// of samples that is traced, which scales the reported progress.
+/// Calls trace(strip) for all strips in parallel, until cancellation. Returns the sum of the ray counts. If the samples are
+/// traced in several passes, `share` states which pass this is, so that the reported progress covers all passes.
 template <class Trace>
 RayCounts trace_strips(std::size_t strips, const Workers& workers, const Trace& trace, SampleShare share = {}) {
   std::vector<RayCounts> counts(strips);

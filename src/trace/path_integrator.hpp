@@ -24,12 +24,12 @@ namespace lippmann {
 struct PathParams {
   int max_depth = 6;
   std::uint32_t seed = 0;       ///< different in each frame, so that the noise of frames is independent
-  float clamp_indirect = 0.0f;  ///< upper limit of one path's indirect light, which darkens images; 0: no limit
+  float clamp_indirect = 0.0f;  ///< each path's indirect light is clamped to this value, which darkens images; 0: not clamped
   int spp = 1;
 };
 
 /// Traces the paths of one thread. path_lights.cpp defines the functions for lights that rays hit, and path_integrator.cpp all
-/// others.
+/// other functions.
 class PathIntegrator final : public FrameIntegrator {
  public:
   /// `scene` must be built for Integrator::kPath. film.all must not be null. The arguments must outlive this object.

@@ -13,7 +13,7 @@ struct PathRay {
   Vec3f lit_side{0.0f};
   float near_share = -1.0f;
   float t_near = 0.0f, path_length = 0.0f;
-  float scattered_at = 0.0f;  ///< path length at the last change of direction; 0 before the first
+  float scattered_at = 0.0f;  ///< path length at the last change of direction; 0 if there was no change yet
   float density = kInfinity;  ///< probability density of `direction`; kInfinity for Dirac lobes and camera rays
   std::uint32_t pixel = 0;
   std::uint32_t seed = 0, index = 0;

@@ -38,7 +38,8 @@ LIPPMANN_INLINE Register picked_of(const Register& first, const Register& second
 LIPPMANN_INLINE Register picked_of(const Register& source, const Indices& index) { return __builtin_shuffle(source, index); }
 #endif
 
-/// Sets to[k] = from[index[k]] for 16 words. It compiles to one AVX-512 instruction, while a loop would become sixteen loads.
+/// Sets to[k] = from[index[k]] for 16 words. This code compiles to one AVX-512 instruction, while a loop would become sixteen
+/// loads.
 LIPPMANN_INLINE void pick(const void* from, const Indices& index, void* to) {
   Register source;
   std::memcpy(&source, from, sizeof(source));

@@ -9,7 +9,7 @@ namespace lippmann {
 
 /// The state of the paths of a packet, one path per lane.
 struct Bundle {
-  Lanes3 weight;      ///< factor on a lane's radiance when it is added to its pixel
+  Lanes3 weight;      ///< factor on the radiance that the ray of a lane adds to its pixel
   Lanes path_length;  ///< path length at the origin of the lane's ray
   Lanes open;         ///< transmittance of a camera ray that has passed only surfaces made transparent by alpha; otherwise 0
   alignas(64) std::uint32_t pixel[kLanes];

@@ -18,7 +18,7 @@ struct ShadowRay {
 
 class ShadowQueue {
  public:
-  /// Queues a ray from a point to a light. If it is unoccluded, `pixel` receives `radiance`, which `depth` vertices have
+  /// Queues a ray from a point to a light. If the ray is unoccluded, `pixel` receives `radiance`, which `depth` vertices have
   /// scattered.
   void push(const ShadingPoint& point, const LightSample& light, const Vec3f& radiance, std::uint32_t pixel, int depth) {
     // Fill the ray in place: copying a struct that was just written would stall on store forwarding.

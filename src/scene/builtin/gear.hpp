@@ -1,8 +1,8 @@
 // Involute gears: tooth shapes, solid meshes, and the rotation angles at which gears mesh.
 //
-// A gear lies in the x-y plane and rotates about z. A tooth is centred on +x; in an internal ring, a gap. The unit of
-// length is the module: the pitch diameter divided by the number of teeth. Two gears mesh if the distance between their centres
-// is half the sum of their tooth counts.
+// A gear lies in the x-y plane and rotates about z. A tooth is centred on +x. In an internal ring, a gap is centred
+// on +x. The unit of length is the module: the pitch diameter divided by the number of teeth. Two gears mesh if the distance
+// between their centres is half the sum of their tooth counts.
 #pragma once
 
 #include "scene/builtin/planar_region.hpp"

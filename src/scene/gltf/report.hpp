@@ -23,8 +23,8 @@ class Report {
 
   [[noreturn]] void fail(std::string_view element, const std::string& problem, const std::string& accepted = {}) const;
 
-  /// Warns about the whole file. Each text is reported once. After 50 different texts, one last warning says that the others
-  /// are left out.
+  /// Warns about the whole file. Each text is reported once. After 50 different texts, one last warning says that further
+  /// warnings are left out.
   void warn(const std::string& text);
 
   /// Warns about a problem that may occur in many elements. Only the first call with a given `text` has an effect; it names the

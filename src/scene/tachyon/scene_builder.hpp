@@ -29,7 +29,7 @@ class SceneBuilder {
   /// Returns the index of a copy of the material that is white and has no image, so that vertex colours replace its colour.
   int whitened(int material);
 
-  /// A vertex of a smooth triangle. The normal may have any length. If its length is 0, the triangle's normal replaces it.
+  /// A vertex of a smooth triangle. The normal may have any length. If the length is 0, the triangle's normal is used instead.
   struct Vertex {
     Vec3f position{0.0f}, normal{0.0f}, color{1.0f};
   };
