@@ -1,8 +1,8 @@
 // Finds blocks of pixels that following frames can copy from a key frame, because their pixels provably do not change.
 //
 // A block of a key frame is settled as long as none of its rays, shadow rays and mirror rays included, hits a box around a
-// moving object. Tracing the block again would give the same bits. Blocks are tested for several horizons. A horizon is a number of
-// frames, counted from the key frame.
+// moving object. Tracing the block again would give the same bits. Blocks are tested for several horizons. A horizon is a
+// number of frames, counted from the key frame.
 #pragma once
 
 #include <cstdint>

@@ -18,8 +18,8 @@ class SweptBoxes {
   SweptBoxes(const Scene& scene, int display_node);
 
   /// Returns boxes around everything that moves during the n frames from `first` on, but not after last_frame, for each n in
-  /// `horizons`. Horizons ascend and are at least 2. HorizonBox::horizon is the index of the shortest horizon that needs the box.
-  /// All longer horizons need the box too. A change of the display, a light or an infinite plane gives an infinite box.
+  /// `horizons`. Horizons ascend and are at least 2. HorizonBox::horizon is the index of the shortest horizon that needs the
+  /// box. All longer horizons need the box too. A change of the display, a light or an infinite plane gives an infinite box.
   std::vector<HorizonBox> around(int first, std::span<const int> horizons, int last_frame) const;
 
  private:

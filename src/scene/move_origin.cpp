@@ -78,8 +78,8 @@ class OriginMover {
   OriginMover(Scene& scene, Vec3d origin, const std::vector<Affine3d>& parent_from_node)
       : scene_(scene), origin_(origin), local_(parent_from_node) {
     for (std::size_t i = local_.size(); i < scene.nodes.size(); ++i) local_.push_back(affine_of(scene.nodes[i]));
-    // The origin moves only if its distance exceeds kFarthest diagonals, so a diagonal is at most length(origin) / kFarthest. The
-    // factor 2 leaves room for animated motion.
+    // The origin moves only if its distance exceeds kFarthest diagonals, so a diagonal is at most length(origin) / kFarthest.
+    // The factor 2 leaves room for animated motion.
     reach_ = 2.0 * glm::length(origin) / kFarthest;
   }
 

@@ -30,8 +30,8 @@ float strength(const WhittedLight& light, Vec3f direction, float distance) {
 /// scene.
 bool is_near(const WhittedLight& light) { return light.falls_off > 0.0f; }
 
-/// Returns the flux of a near light, or the irradiance that a far light gives a surface facing it. `unit` converts light colours
-/// to irradiance: pi if the scene has Phong surfaces, otherwise 1.
+/// Returns the flux of a near light, or the irradiance that a far light gives a surface facing it. `unit` converts light
+/// colours to irradiance: pi if the scene has Phong surfaces, otherwise 1.
 float power(const WhittedLight& light, float unit) {
   const float color = unit * luminance(light.color);
   return finite_power(is_near(light) ? 4.0f * kPi * color : color);

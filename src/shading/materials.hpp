@@ -48,7 +48,8 @@ struct MaterialTable {
 };
 
 /// Builds the table. `surroundings` is the mean radiance of the scene's background. MaterialUse::kPaths makes these changes:
-/// - The opacity of metallic-roughness surfaces is their alpha if they blend, otherwise 1. For Phong surfaces, 1 - opacity still
+/// - The opacity of metallic-roughness surfaces is their alpha if they blend, otherwise 1. For Phong surfaces, 1 - opacity
+/// still
 ///   includes the transmittance.
 /// - Glass is left to the BSDF, and all refracting surfaces block shadow rays.
 /// - is_whole is set for Phong surfaces and for purely diffuse metallic-roughness surfaces.

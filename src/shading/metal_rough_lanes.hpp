@@ -55,8 +55,8 @@ class MetalRoughLanes {
   bool scatters_through(int i) const { return glass_[i] > 0.0f; }
 
  private:
-  /// kGloss adds a glossy lobe to the diffuse lobe of kLambert, and kGlass adds glass. most_ is the largest Kind of all lanes and
-  /// selects the kernels.
+  /// kGloss adds a glossy lobe to the diffuse lobe of kLambert, and kGlass adds glass. most_ is the largest Kind of all lanes
+  /// and selects the kernels.
   enum class Kind { kLambert, kGloss, kGlass };
 
   struct GlassLanes {

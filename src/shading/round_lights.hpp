@@ -26,9 +26,9 @@ bool is_round(const WhittedLight& light, float scene_size);
 
 bool is_pointed_at(const WhittedLight& light, const RayPacket& rays);
 
-/// Samples a direction to the lamp by `u`. The density does not include the choice of the lamp. `unit` converts the lamp's colour
-/// to irradiance: pi if the scene has Phong surfaces, otherwise 1. Returns nothing if the point is out of range or the lamp does
-/// not emit towards the point.
+/// Samples a direction to the lamp by `u`. The density does not include the choice of the lamp. `unit` converts the lamp's
+/// colour to irradiance: pi if the scene has Phong surfaces, otherwise 1. Returns nothing if the point is out of range or the
+/// lamp does not emit towards the point.
 std::optional<LightSample> sample_round(const WhittedLight& light, float unit, Vec3f from, Vec2f u);
 
 /// Returns the light along a ray of unit direction from `from`, or nothing if the ray misses the lamp or no light arrives.

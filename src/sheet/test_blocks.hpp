@@ -40,9 +40,9 @@ struct BlockTest {
   std::vector<TestBlock> blocks;
 };
 
-/// Returns a pitch test. `sheet` states the nominal pitch and the size of the image. Throws a usage Error that names `step` if a
-/// block would have fewer than 2 pixels per lens or be narrower than a lens, or `blocks` if the blocks do not fit on the paper.
-/// The result does not depend on the number of threads.
+/// Returns a pitch test. `sheet` states the nominal pitch and the size of the image. Throws a usage Error that names `step` if
+/// a block would have fewer than 2 pixels per lens or be narrower than a lens, or `blocks` if the blocks do not fit on the
+/// paper. The result does not depend on the number of threads.
 BlockTest pitch_test(const Display& sheet, int blocks, const PitchStep& step, BarDirection bars, const ThreadPool& pool);
 
 /// Returns a phase test. Throws as pitch_test() does, but names `lpi` in errors about the pitch.

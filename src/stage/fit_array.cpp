@@ -141,8 +141,8 @@ float width_of_subject(const Setting& setting, const Camera& camera, const Camer
   return half;
 }
 
-/// Returns the view of the image, which is as high as the camera's view. If the scene file states no resolution (glTF), enlarges
-/// the view where it would cut off the sides of the subject.
+/// Returns the view of the image, which is as high as the camera's view. If the scene file states no resolution (glTF),
+/// enlarges the view where it would cut off the sides of the subject.
 CameraView view_for(const Setting& setting, const Camera& camera) {
   const CameraView own = view_of(camera);
   float height = own.half.y;

@@ -15,8 +15,8 @@
 namespace lippmann {
 namespace {
 
-/// The lamp has no falloff, so it lights rooms of any size. A white diffuse surface that faces the lamp has half the radiance of
-/// display white.
+/// The lamp has no falloff, so it lights rooms of any size. A white diffuse surface that faces the lamp has half the radiance
+/// of display white.
 void add_lamp_at_viewer(Scene& scene, const FittedArray& array) {
   constexpr float kAtViewer = 0.5f * kPi;
   Node node;

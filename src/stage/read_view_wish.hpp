@@ -10,8 +10,8 @@
 
 namespace lippmann {
 
-/// Returns for each instance whether `name`, the name of a node or an instance, selects it. Throws a usage Error naming `flag` if
-/// nothing has this name, or if no shape is below the node.
+/// Returns for each instance whether `name`, the name of a node or an instance, selects it. Throws a usage Error naming `flag`
+/// if nothing has this name, or if no shape is below the node.
 std::vector<bool> instances_named(const Scene& scene, const std::string& name, const char* flag);
 
 bool is_name_of_node(const Scene& scene, std::string_view name);

@@ -21,8 +21,8 @@ inline Vec2i film_size(const Shot& shot) { return film_size(shot.optics, shot.ro
 
 enum class Progress { kSilent, kReported };
 
-/// The threads that perform a task, and the context that can cancel the task. `progress` states whether to report the progress of
-/// the task as progress of the frame.
+/// The threads that perform a task, and the context that can cancel the task. `progress` states whether to report the progress
+/// of the task as progress of the frame.
 struct Workers {
   const ThreadPool& pool;
   const Context& context;

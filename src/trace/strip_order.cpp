@@ -35,8 +35,8 @@ void append_lens_groups(std::vector<StripPixel>& out, int n, int width, int heig
     for (int u = 0; u < n; ++u) append_down(out, x0 + u, std::min(width, x0 + group), n, 0, height, 1);
 }
 
-/// Appends groups of 2 x 8 sub-pixels. Rows are shifted along the slant of the lenses, because ray directions differ least along
-/// the slant.
+/// Appends groups of 2 x 8 sub-pixels. Rows are shifted along the slant of the lenses, because ray directions differ least
+/// along the slant.
 void append_along_slant(std::vector<StripPixel>& out, double columns_per_row, int width, int height) {
   constexpr int kColumns = 2, kRows = 8;
   for (int x0 = 0; x0 < width; x0 += kColumns)

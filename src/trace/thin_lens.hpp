@@ -12,8 +12,8 @@ struct LensLanes {
 
 class ThinLens {
  public:
-  /// `lens` must specify its aperture in mm instead of an f-number (see lens_by_aperture). If the aperture is above 0, the optics
-  /// must be a set of views, and the focal plane must be in front of their eyes.
+  /// `lens` must specify its aperture in mm instead of an f-number (see lens_by_aperture). If the aperture is above 0, the
+  /// optics must be a set of views, and the focal plane must be in front of their eyes.
   ThinLens(const Optics& optics, const Affine3f& world_from_display, const ViewLens& lens, std::uint32_t seed);
 
   bool is_open() const { return radius_ > 0.0f; }

@@ -23,8 +23,8 @@ struct Container {
 /// Throws Error if a .glb is shorter than its header states.
 Container split_container(Bytes contents, Report& report);
 
-/// Returns the contents of a regular file of at most `limit` bytes. Error messages name `element`, the element of the scene that
-/// refers to the file. `element` is empty if the file is the scene itself. Throws Error.
+/// Returns the contents of a regular file of at most `limit` bytes. Error messages name `element`, the element of the scene
+/// that refers to the file. `element` is empty if the file is the scene itself. Throws Error.
 std::vector<std::byte> read_file(const std::filesystem::path& path, std::uint64_t limit, std::string_view element,
                                  const Report& report);
 

@@ -32,8 +32,8 @@ class Value {
   bool flag(bool otherwise) const;
   const std::string& text() const;
 
-  /// These functions return the elements of an array or, for index_map(), the properties of an object. The result is empty if the
-  /// value is absent.
+  /// These functions return the elements of an array or, for index_map(), the properties of an object. The result is empty if
+  /// the value is absent.
   std::vector<double> numbers() const;
   std::vector<int> indices() const;
   std::map<std::string, int> index_map() const;

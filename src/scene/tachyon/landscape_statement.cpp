@@ -59,7 +59,7 @@ void add_landscape(SceneBuilder& builder, int material, const LandscapeSize& siz
 void parse_scape(Lexer& lexer, ParserState& state) {
   constexpr int kLargestSide = 2048;
   constexpr std::int64_t kMostSteps =
-      std::int64_t{2} * kLargestSide * kLargestSide;  // for all landscapes of a scene, so that a small file cannot take very long
+      std::int64_t{2} * kLargestSide * kLargestSide;  // for one scene, so that a tiny file cannot take very long
   LandscapeSize size;
   lexer.expect("RES");
   size.columns = lexer.integer("RES", 2, kLargestSide);
