@@ -49,8 +49,7 @@ struct MaterialTable {
 
 /// Builds the table. `surroundings` is the mean radiance of the scene's background. MaterialUse::kPaths makes these changes:
 /// - The opacity of metallic-roughness surfaces is their alpha if they blend, otherwise 1. For Phong surfaces, 1 - opacity
-/// still
-///   includes the transmittance.
+///   includes the transmittance, as for Whitted shading.
 /// - Glass is left to the BSDF, and all refracting surfaces block shadow rays.
 /// - is_whole is set for Phong surfaces and for purely diffuse metallic-roughness surfaces.
 MaterialTable make_material_table(const Scene& scene, Vec3f surroundings, MaterialUse use);
@@ -75,9 +74,10 @@ struct WhittedLight {
   bool attenuates = false;
   Vec3f attenuation{1.0f, 0.0f, 0.0f};  ///< if `attenuates` is set, the light is divided by x + y d + z d^2 at distance d
   float visible_radius = 0.0f;
-  float has_smooth_edge = 0.0f;  ///< factor across the edge of the cone, for t in [0, 1]: 3 t^2 - 2 t^3 if 1, t^2 if 0
-  float radius = 0.0f;           ///< radius of a spherical lamp, for path tracing; 0: point lamp
-  float half_angle = 0.0f;       ///< half the angular diameter of a sun's disc; 0: no disc
+  /// for t in [0, 1] across the edge of the cone, light is multiplied by 3 t^2 - 2 t^3 if 1, by t^2 if 0
+  float has_smooth_edge = 0.0f;
+  float radius = 0.0f;      ///< radius of a spherical lamp, for path tracing; 0: point lamp
+  float half_angle = 0.0f;  ///< half the angular diameter of a sun's disc; 0: no disc
   const PhotometricWeb* web = nullptr;
   Mat3f light_from_world{1.0f};  ///< rotates world directions into the space of the web
 

@@ -76,8 +76,8 @@ HeightMap lens_heights(const Display& sheet, const LensShape& shape, const Threa
   const Vec2i size = sheet.pixels;
   check_image_size("paper", size.x, size.y, 1);
   const LensStrips strips = lens_strips(sheet);
-  // The printed strips are wider than the lenses above them. Lenses and strips are aligned at the centre of the print.
-  // Multiplying its distance from the centre by `stretch` maps a position on the lenses to the same position within a strip.
+  // The printed strips are wider than the lenses above them. Lenses and strips are aligned at the centre of the print. Scaling
+  // a position on the lenses about the centre by `stretch` gives the corresponding position on the strips.
   const double stretch = strips.cell_px / (shape.pitch_mm / sheet.pixel_mm());
   const Vec2d centre = 0.5 * Vec2d(size);
   const auto code_at = [&](int x, int y) {

@@ -9,7 +9,7 @@
 namespace lippmann {
 namespace {
 
-/// Describes how a depth appears that exceeds the depth budget by the factor `times`.
+/// Describes the appearance of a depth that exceeds the depth budget by the factor `times`.
 std::string beyond(float times, const Optics& optics) {
   if (view_tiles(optics)) return fmt::format("neighbouring views are {:.1f} pixels apart and seen as steps", times);
   return fmt::format("a pixel is as wide as {:.1f} lenses", times);
