@@ -48,7 +48,7 @@ class FrameTracer {
   }
 
  private:
-  /// Tests for cancellation within the strip, because a strip with many samples may take minutes.
+  /// Checks for cancellation before each batch, because a strip with many samples may take minutes.
   RayCounts trace_strip(const FrameWork& work, std::size_t strip, const Context& context) const {
     const std::unique_ptr<FrameIntegrator> integrator = integrator_.make({scene_, beam_, params_, film_});
     std::optional<BlockProbe> probe;

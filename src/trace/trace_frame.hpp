@@ -26,26 +26,26 @@ struct TraceParams {
   int max_depth = 6;  ///< maximum number of vertices of a path; 1: no mirrors
   /// Filter of a view's pixels over directions; needs more than 1 sample per pixel.
   AngularFilter angular_filter = AngularFilter::kNone;
-  ViewLens lens{};  ///< must specify its aperture (lens_by_aperture)
+  ViewLens lens{};  ///< the aperture must be set; see lens_by_aperture()
   /// Seed of sample positions; constant over frames, so that static parts do not flicker.
   std::uint32_t seed = 0;
   std::uint32_t frame = 0;  ///< path tracing only: number of the frame, which makes the noise of frames different
-  /// Path tracing only: upper limit of one path's indirect light, which darkens images; 0: no limit.
+  /// Path tracing only: upper limit of one path's indirect light; 0: no limit. A limit reduces noise, but darkens images.
   float clamp_indirect = 0.0f;
 };
 
 struct TraceTargets {
   Image& film;  ///< resized to film_size(shot), with 3 linear channels
-  /// Layers of light (path tracing only). find_first_hits() fills the other layers.
+  /// Receives direct light, indirect light and alpha (path tracing only). find_first_hits() fills the other layers.
   FrameAovs* aovs = nullptr;
-  /// Receives the first hits behind the pixels' centres; may be null.
+  /// Receives the first hit of the ray through each pixel's centre; may be null.
   PrimaryPoints* points = nullptr;
   TouchedBlocks* touched = nullptr;
 };
 
 /// Traces a frame. After cancellation, returns early with an unfinished film. `share` selects a subset of the samples: the
-/// first subset clears the film, and the following ones must come in order and add to it. `points` and `touched` need all
-/// samples in one call.
+/// first subset clears the film, and the following ones must come in order and add to it. If `into.points` or `into.touched`
+/// is set, one call must take all samples.
 RayCounts trace_frame(const Shot& shot, const TraceParams& params, const Workers& workers, const TraceTargets& into,
                       SampleShare share = {});
 

@@ -35,7 +35,7 @@ LIPPMANN_MULTIVERSION void local_radiance(const SurfacePacket& s, const DirectLi
   radiance_channel<&Lanes3::z>(s, direct, whole, out);
 }
 
-/// Computes directions and weights of mirrored rays and transmitted rays, which continue straight on.
+/// Computes directions and weights of mirrored and transmitted rays. Transmitted rays continue straight on.
 LIPPMANN_MULTIVERSION void branch_off(const RayPacket& rays, const SurfacePacket& s, Branches& branches) {
   LIPPMANN_FOR_LANES(i) {
     const float dx = rays.dir_x[i], dy = rays.dir_y[i], dz = rays.dir_z[i];

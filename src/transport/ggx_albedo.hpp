@@ -64,7 +64,7 @@ class GgxAlbedo {
   /// Returns the mean of directional() over the hemisphere, weighted by the cosine.
   LIPPMANN_INLINE Vec3f mean(float alpha, Vec3f f0, Vec3f f90) const {
     const TablePlace r(std::sqrt(alpha), kSize);
-    const float edge = edge_of_later_facets(0.65f, alpha);  // light is lost mostly at about this cosine
+    const float edge = edge_of_later_facets(0.65f, alpha);  // most light is lost at cosines near 0.65
     const auto mixed = [&](int k) LIPPMANN_INLINE_LAMBDA {
       const float(&column)[kSize] = mean_[k];
       return column[r.index] * (1.0f - r.share) + column[r.index + 1] * r.share;
@@ -80,7 +80,7 @@ class GgxAlbedo {
  private:
   static constexpr int kSize = 32;
 
-  /// Dielectrics are nearly always grey, so one channel saves two thirds of the divisions.
+  /// Grey surfaces, such as most dielectrics, need the divisions of directional_of() for one channel only.
   static bool are_grey(Vec3f f0, Vec3f f90) { return f0.x == f0.y && f0.x == f0.z && f90.x == f90.y && f90.x == f90.z; }
 
   /// Returns F e / (1 - F (1 - e)), the fraction of light that leaves after further bounces between facets. F is the facets'

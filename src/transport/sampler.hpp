@@ -18,7 +18,7 @@ Vec2f scrambled_sobol(std::uint32_t index, std::uint32_t seed);
 struct PathPairs {
   static constexpr int kPaths = 16;
   alignas(64) std::uint32_t seed[kPaths], index[kPaths];
-  alignas(64) std::uint32_t first[kPaths];  ///< sample_pairs() adds this number to `pair`, for each path
+  alignas(64) std::uint32_t first[kPaths];  ///< number of the path's first pair of dimensions; sample_pairs() adds `pair`
 };
 
 /// Computes two random numbers per path, stratified over the paths of a pixel. The sum first + pair selects a pair of

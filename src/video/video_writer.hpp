@@ -34,7 +34,7 @@ struct VideoOptions {
   std::optional<VideoCodec> codec = {};     ///< empty: choose_codec() chooses by the file ending and the frame size
   std::optional<int> crf = {};              ///< constant rate factor, 0 (best) ... 51 or 63; empty: the codec's default
   std::optional<StereoLayout> stereo = {};  ///< layout of stereo frames, written as metadata
-  int threads = 1;  ///< encoder threads; the bytes of H.264 depend on it, so it must not depend on the machine
+  int threads = 1;  ///< encoder threads; H.264's output depends on this number, so do not derive it from the machine
 };
 
 /// Warns if row-interleaved stereo is written with chroma subsampling, which mixes the colours of both eyes.
@@ -61,8 +61,8 @@ class VideoWriter {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Throws the Error of a VideoWriter for this file and frame size without writing. A size of 0 means unknown. Call this before
-/// a long render.
+/// Throws the Error that a VideoWriter would throw for this file and frame size, but writes nothing. A size of 0 means
+/// unknown. Call this before a long render.
 void check_video_path(const std::filesystem::path& path, const VideoOptions& options = {}, int width = 0, int height = 0);
 
 }  // namespace lippmann

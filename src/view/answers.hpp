@@ -114,8 +114,8 @@ class PageAnswers {
 struct PagePicture {
   std::string bytes, type;
 };
-/// Encodes an image as WebP, or as PNG if it is too large for WebP. effort: 0 (fast) to 9 (small). `kind` is "views",
-/// "preview", "depth", "provenance" or "panel". Throw Error.
+/// encoded_picture() and page_picture() return an image as WebP, or as PNG if the image is too large for WebP. effort: 0
+/// (fast) to 9 (small). kind: "views", "preview", "depth", "provenance" or "panel". Both functions throw Error.
 PagePicture encoded_picture(const Image8& picture, int effort);
 PagePicture page_picture(const PageField& field, std::string_view kind, std::size_t frame, int effort);
 

@@ -11,7 +11,7 @@
 namespace lippmann {
 namespace {
 
-/// Largest number of pixels of all views of a frame together. Computing so many takes a second or two.
+/// Largest number of pixels of all views of a frame together. Computing 6 million pixels takes one to two seconds.
 constexpr double kMaxEyePixels = 6e6;
 constexpr int kMaxEyesAcross = 48, kMaxEyesUp = 9;
 

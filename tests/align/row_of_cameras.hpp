@@ -16,7 +16,7 @@ namespace lippmann::test {
 inline constexpr Vec2i kSceneSize{640, 480};
 /// centre of the middle disc in camera 0's picture
 inline constexpr Vec2d kSceneFocus{320.0, 240.0};
-/// shift to the right in pixels from one camera to the next
+/// Shifts to the right in pixels, from one camera to the next, of the near discs, the middle disc and the wall.
 inline constexpr double kNearMove = -6.0, kFocusMove = -2.0, kFarMove = 3.0;
 
 /// Returns smooth noise from 0 to 1, interpolated between random values at multiples of `cell`.

@@ -123,7 +123,6 @@ class Pictures(unittest.TestCase):
 class Judge(unittest.TestCase):
     def test_outliers_are_far_from_the_median(self):
         judged = judge.judged({"a": plain((100, 100, 100)), "b": plain((102, 102, 102)), "c": plain((101, 101, 101)), "odd": plain((200, 100, 100))})
-        # the three grey pictures have the codes 100, 101 and 102
         self.assertGreater(judged["a"]["psnr_db"], 44)
         self.assertLess(judged["odd"]["psnr_db"], 14)
         self.assertGreater(judged["odd"]["flip"], 10 * judged["a"]["flip"])

@@ -18,8 +18,8 @@ Scene scene_named(const std::string& name) {
   return std::find_if(all.begin(), all.end(), [&](const HostileScene& scene) { return scene.name == name; })->build();
 }
 
-/// Returns the longest distance that a shape or light moves since the previous frame, relative to the height of the display
-/// plane. Points beside the shapes are moved too, so that rotations count.
+/// Returns the longest distance that a shape or light moves since the previous frame, relative to the height of the
+/// display plane. The distance is measured at points beside the shapes too, so that rotations count.
 float largest_step(const Scene& scene, int frame) {
   const ResolvedScene before = evaluate(scene, scene.timeline.time(frame - 1)),
                       after = evaluate(scene, scene.timeline.time(frame));
@@ -66,7 +66,7 @@ TEST(HostileScenes, move_in_every_frame) {
     const Scene scene = hostile.build();
     EXPECT_EQ(scene.timeline.frames_per_second, 25.0) << hostile.name;
     for (int frame = 1; frame < hostile.frames; ++frame) {
-      // one pixel of 120 rows; for the scene "thin", a fifth of a pixel
+      // at least one pixel of a picture with 120 rows; for the scene "thin", a fifth of a pixel
       const float least = hostile.name == "thin" ? 0.2f / 120.0f : 1.0f / 120.0f;
       EXPECT_GT(largest_step(scene, frame), least) << hostile.name << ", frame " << frame;
     }

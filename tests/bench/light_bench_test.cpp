@@ -35,7 +35,7 @@ TEST(BenchLight, json_has_a_row_per_scene_with_all_figures) {
       EXPECT_TRUE(row[key].is_number()) << key;
       EXPECT_TRUE(row[std::string("full_") + key].is_number()) << key;
     }
-    // null if the noise of the small reference pictures hides the error
+    // The values are null if the noise of the small reference pictures hides the error.
     for (const char* key : {"block_psnr_db", "edge_psnr_db"})
       EXPECT_TRUE(row.contains(key) && row.contains(std::string("full_") + key)) << key;
     EXPECT_EQ(row["frame_flicker"].is_number(), frames[r] >= 3);

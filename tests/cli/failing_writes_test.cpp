@@ -102,7 +102,7 @@ TEST(FailingWrites, folder_errors_are_reported) {
   expect_error_and_whole_files({"--layout", "views"}, Fails::kOneWrite, "mkdir");
 }
 
-/// Returns the step from one tested allocation to the next, because a render makes tens of thousands.
+/// Returns n, so that every n-th allocation is tested, because a render makes tens of thousands.
 /// LIPPMANN_ALLOCATION_STEP=1 tests all of them.
 int allocation_step(bool has_folder) {
   const char* step = std::getenv("LIPPMANN_ALLOCATION_STEP");
@@ -116,8 +116,8 @@ struct Ends {
   int ended = 0;        ///< were ended by a signal
 };
 
-/// A failed allocation causes a reported error, no error, or an abort. Destructors that allocate abort because they must not
-/// throw, and Embree's threads because they do not check for missing memory.
+/// A failed allocation causes a reported error, no error, or an abort. Aborts come from destructors that allocate, and
+/// from Embree's threads, which do not check for missing memory.
 void expect_error_or_whole_files(const RunResult& result, const Files& files, const Files& whole, int number, Ends& ends) {
   constexpr int kSignals = 128;
   if (result.exit_code > kSignals) {

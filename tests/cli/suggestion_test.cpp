@@ -30,7 +30,7 @@ void expect_suggestions_run(const Words& flags, std::size_t count) {
   const auto commands = commands_in(result.out);
   EXPECT_THAT(commands, SizeIs(count)) << result.out;
   for (const auto& [label, command] : commands) {
-    // This command serves a page until it is stopped. --save ends it.
+    // The command labelled "in 3D" serves a page until it is stopped. With --save, the command saves the page and ends.
     const bool serves = label == "in 3D";
     const RunResult suggested = run({"sh", "-c", command + (serves ? " --save page" : "")}, {dir.path().string(), 0});
     EXPECT_EQ(suggested.exit_code, 0) << label << ": " << command << "\n" << suggested.err;

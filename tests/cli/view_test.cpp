@@ -72,7 +72,7 @@ TEST(View, unfinished_render_has_a_token) {
 
 TEST(View, scene_and_light_field_flags_differ) {
   const TempDir dir;
-  fs::create_directory(dir / "room");  // also if its name is the name of a built-in scene
+  fs::create_directory(dir / "room");  // a folder is shown even if a built-in scene has the same name
   expect_refusal(run_tool(dir, {"view", "room"}), 1, "is an empty folder");
   expect_refusal(run_tool(dir, {"view", "room", "--zoom", "2"}), 2, "--zoom");
   expect_refusal(run_tool(dir, {"view", "room", "--save-job", "x.toml"}), 2, "--save-job");

@@ -48,7 +48,7 @@ TEST(BackgroundQueue, never_more_pieces_than_its_capacity_exist) {
   BackgroundQueue queue(2, 3);
   for (int i = 0; i < 50; ++i) {
     auto held = std::make_shared<Counted>(alive, most);
-    // Tasks must collect in the queue.
+    // The pause lets tasks collect in the queue.
     queue.submit([held] { std::this_thread::sleep_for(std::chrono::microseconds(100)); });
   }
   queue.finish();
@@ -86,7 +86,7 @@ TEST(BackgroundQueue, destroyed_drops_waiting_pieces) {
     begun.get_future().wait();
     for (int i = 0; i < 5; ++i) queue.submit([&] { ++ran; });
     releaser = std::thread([&] {
-      // Nothing reports when the queue's destructor begins.
+      // The pause lets the queue's destructor begin, because nothing reports its begin.
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
       go.set_value();
     });
