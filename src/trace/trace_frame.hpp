@@ -26,7 +26,7 @@ struct TraceParams {
   int max_depth = 6;  ///< maximum number of vertices of a path; 1: no mirrors
   /// Filter of a view's pixels over directions; needs more than 1 sample per pixel.
   AngularFilter angular_filter = AngularFilter::kNone;
-  ViewLens lens{};  ///< the aperture must be set; see lens_by_aperture()
+  ViewLens lens{};  ///< needs an aperture in mm instead of an f-number; see lens_by_aperture()
   /// Seed of sample positions; constant over frames, so that static parts do not flicker.
   std::uint32_t seed = 0;
   std::uint32_t frame = 0;  ///< path tracing only: number of the frame, which makes the noise of frames different

@@ -32,7 +32,7 @@ struct LayeredSurface {
   float diffuse_transmission = 0.0f;
   Vec3f diffuse_transmission_color{1.0f};
   bool is_thin = false;
-  bool shadow_rays_pass = false;  ///< shadow rays pass the thin wall, so passing it straight is not a path vertex
+  bool shadow_rays_pass = false;  ///< whether shadow rays pass the thin wall; if so, passing straight through is no path vertex
 };
 
 class LayeredBsdf {

@@ -62,8 +62,8 @@ LIPPMANN_INLINE MetalRoughBase metal_rough_base(const MetalRoughSurface& s, cons
   b.gloss_f0 = dielectric * b.dielectric_f0 + s.metallic * s.base_color;
   b.gloss_f90 = dielectric * b.dielectric_f90 + s.metallic;
 
-  // One lobe reflects for the dielectric and the metal. Its factor for multiple scattering is the mean of the two materials'
-  // factors, weighted by the light that each material reflects.
+  // The dielectric and the metal share one reflecting lobe. Its factor for multiple scattering is the mean of the two
+  // materials' factors, weighted by the light that each material reflects.
   const Vec3f single = single_albedo(albedo, view.z, b.alpha);
   const Vec3f of_dielectric = GgxAlbedo::directional_of(single, b.dielectric_f0, Vec3f(b.dielectric_f90));
   b.gloss_albedo = dielectric * of_dielectric + s.metallic * GgxAlbedo::directional_of(single, s.base_color, Vec3f(1.0f));

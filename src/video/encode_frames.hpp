@@ -32,8 +32,8 @@ std::filesystem::path video_path(const std::filesystem::path& out, const std::ve
 
 std::optional<StereoLayout> stereo_of(const std::vector<NumberedFrame>& frames);
 
-/// Copies the side file of RGB-D frames, which states their depth range, for the video `out`. Warns and copies nothing if a
-/// side file is missing or if they differ.
+/// Copies the side file of RGB-D frames, which states their depth range, for the video `out`. If a side file is missing or the
+/// side files differ, warns and copies nothing.
 void describe_depth_of(const std::vector<NumberedFrame>& frames, const std::filesystem::path& out, const Context& context);
 
 /// Reads the frames on background threads and rotates them clockwise by `turn_deg` (0, 90, 180 or 270). Calls `encoded` on a

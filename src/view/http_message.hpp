@@ -29,7 +29,7 @@ struct RequestHead {
   bool awaits_continue = false;  ///< the client sends the body only after "100 Continue"
 };
 
-/// `head` lacks the empty line at its end. Returns an answer with status 400 or 505 if it is malformed.
+/// Parses a head without the empty line at its end. Returns an answer with status 400 or 505 if the head is malformed.
 std::variant<RequestHead, PageAnswer> read_head(std::string_view head);
 
 PageAnswer refusal_of(int status);

@@ -18,7 +18,7 @@
 namespace lippmann {
 
 enum class PanelPicture {
-  kIntegral,  ///< one cell per lens, with one pixel of each view
+  kIntegral,  ///< one cell of pixels per lens; a cell has one pixel of each view
   kQuilt,     ///< the image is the quilt of the views
   kOwn,       ///< the page cannot derive the image, and loads it
 };

@@ -12,7 +12,7 @@ namespace lippmann {
 
 /// The views that an eye beyond the outermost views sees.
 enum class BeyondZone {
-  kRepeats,   ///< the views of the next cone
+  kRepeats,   ///< the views of the next viewing cone, which has the same views
   kNextLens,  ///< the views of the neighbouring lens
   kStays,     ///< the outermost view
 };
@@ -31,7 +31,8 @@ struct ViewAxes {
   double vergence = 0.0;
 };
 
-/// If the pixels of views are not whole pixels of the panel, returns eyes in all directions that the panel distinguishes.
+/// Returns the eyes of the views. If the pixels of views are not whole pixels of the panel, returns eyes in all directions
+/// that the panel distinguishes.
 ViewAxes view_axes(const Optics& optics, ViewGrid grid);
 
 }  // namespace lippmann

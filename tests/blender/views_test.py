@@ -83,7 +83,8 @@ class Views(unittest.TestCase):
         scene = self.new_scene(size=(80, 40))
         scene.cycles.samples, scene.render.use_persistent_data = 1, False
         steps = views.Views(scene, "CYCLES").steps([1])
-        # one step compares the scene with the last one, and three steps render views; the last view is not saved
+        # The first of the four steps compares the scene with the last rendered one. The others render views, of which
+        # the last is not saved.
         for _ in range(4):
             if next(steps).renders:
                 bpy.ops.render.render(write_still=True)

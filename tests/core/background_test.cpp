@@ -86,7 +86,7 @@ TEST(BackgroundQueue, destroyed_drops_waiting_pieces) {
     begun.get_future().wait();
     for (int i = 0; i < 5; ++i) queue.submit([&] { ++ran; });
     releaser = std::thread([&] {
-      // The pause lets the queue's destructor begin, because nothing reports its begin.
+      // The pause gives the queue's destructor time to begin. Nothing reports when it does.
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
       go.set_value();
     });

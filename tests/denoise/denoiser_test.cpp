@@ -63,8 +63,8 @@ double mean_squared_error(const Image& film, float truth) {
   return sum / static_cast<double>(film.data.size());
 }
 
-// A pixel has the squared error 0.5^2 / 2 = 0.125, and the mean of n pixels has 0.125 / n. The test requires
-// the effect of n = 50; the filter averages up to 17 x 16 pixels.
+// A pixel has the squared error 0.5^2 / 2 = 0.125, and the mean of n pixels has 0.125 / n. The filter averages up to 17
+// x 16 = 272 pixels. The limit is the error for n = 50, which leaves a margin.
 TEST(Denoiser, noise_decreases_and_the_mean_stays) {
   const Made made = noisy(1);
   EXPECT_NEAR(mean_squared_error(made.film, 1.0f), 0.125, 0.02);
@@ -84,7 +84,7 @@ TEST(Denoiser, noise_free_light_keeps_its_shadows) {
   for (std::size_t i = 0; i < film.data.size(); ++i) ASSERT_NEAR(film.data[i], made.film.data[i], 1e-3f) << i;
 }
 
-// The values differ by 2 %, about kRelativeSpread, so the filter averages them. find_blur() must undo this blur.
+// A difference of 2 % is so small that the filter averages the values. find_blur() must undo this blur.
 TEST(Denoiser, slight_differences_without_noise_are_not_blurred) {
   Made made;
   for (int y = 0; y < kHeight; ++y)

@@ -11,7 +11,7 @@
 namespace lippmann {
 namespace {
 
-constexpr float kRounding = 2e-3f;  ///< in pixels; single precision at distances of up to 60 mm
+constexpr float kRounding = 2e-3f;  ///< in pixels: error of single precision at distances of up to 60 mm
 
 Ray ray_of(const Optics& optics, std::uint32_t pixel) {
   const auto width = static_cast<std::uint32_t>(film_size(optics).x);
@@ -28,7 +28,8 @@ void for_each_pixel(const SortedViews& views, const Fn& fn) {
         if (const std::uint32_t p = views.row(view, y)[x]; p != SortedViews::kNoPixel) fn(view, x, y, p);
 }
 
-/// Returns how many film pixels belong to no view and to one view. Throws std::out_of_range if one belongs to several.
+/// Returns the number of film pixels in no view and the number in one view. Throws std::out_of_range if a pixel is in
+/// several views.
 std::array<int, 2> pixels_by_places(const Optics& optics) {
   const Vec2i film = film_size(optics);
   std::vector<std::size_t> places(static_cast<std::size_t>(film.x * film.y));
@@ -84,8 +85,8 @@ TEST(SortedViews, sights_find_points_at_their_pixels) {
   }
 }
 
-// The directions of a view's pixels differ by less than a pixel's angle, so a point at half the depth budget is mapped to
-// within one pixel. If pixels are diamond-shaped, a few points are mapped to a neighbouring view.
+// Points up to half the depth budget from the display must be mapped to the right pixel or a neighbouring one. If
+// pixels are diamond-shaped, a few points are mapped to a neighbouring view.
 TEST(SortedViews, sights_are_accurate_to_one_pixel) {
   for (const OpticsCase& kind : optics_cases()) {
     const SortedViews views = all_views(kind.optics);

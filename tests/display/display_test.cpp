@@ -10,8 +10,8 @@ namespace lippmann {
 namespace {
 
 TEST(Display, viewer_stands_where_the_panel_spans_14_degrees) {
-  // The Portrait is 2048 pixels / 324 dpi = 160.55 mm high. Without a stated viewing distance, the height appears under
-  // 14 degrees, from 80.277 mm / tan(7 degrees) = 653.80 mm.
+  // The Portrait is 2048 pixels / 324 dpi = 160.55 mm high. Without a stated viewing distance, the viewer sees this
+  // height under 14 degrees: distance = (160.55 mm / 2) / tan(7 degrees) = 653.80 mm.
   EXPECT_NEAR(viewing_distance_mm(load_display("portrait")), 653.80, 0.01);
   Display display;
   display.viewing_distance_mm = 400.0;

@@ -48,8 +48,9 @@ struct Agreement {
   double psnr_db = 0.0, visible = 0.0;
 };
 
-/// Warps view B to view A by the disparity of A. across, up: distances of the eyes, in baselines. Returns the PSNR in dB and
-/// the fraction of visible pixels, at which the disparities of both views differ by less than 0.1 pixel.
+/// Warps view B to view A by the disparity of A. across, up: distances of the eyes, in baselines. Returns the PSNR in
+/// dB of the visible pixels, and their fraction of all pixels. A pixel is visible if the disparities of both views
+/// differ by less than 0.1 pixel.
 Agreement warp(const View& a, const View& b, int across, int up) {
   double sum = 0.0;
   int count = 0;

@@ -33,8 +33,8 @@ MadeFrames reference_of(RenderParams params, int frame) {
   return make_frames(params, {frame});
 }
 
-/// Denoising removes much more than half of the squared error. Means over more than 10,000 values have errors of a few
-/// per cent, and the reference has 1/128 of the noise.
+/// Expects that denoising halves the squared error. The limit leaves a margin for the noise of the reference and of the
+/// measured errors.
 void expect_less_noise(const RenderParams& params, int frame) {
   RenderParams noisy = params;
   noisy.sampling.denoise = Denoise::kNone;

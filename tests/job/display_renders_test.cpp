@@ -120,7 +120,7 @@ TEST_F(DisplayRenders, unsupported_parameters_are_refused) {
   EXPECT_THAT(refusal(teapot("out", "0", {{"layout", "native"}})), HasSubstr("display"));
 }
 
-// An odd number of pixels below a lens puts the centre of a pixel in the middle.
+// With 9 pixels below each lens, the centre of a pixel is in the middle below the lens.
 TEST_F(DisplayRenders, precompensated_picture_looks_plain_through_crosstalk) {
   const Settings sheet{{"lenses", "24"}, {"lens-pixels", "9"}, {"format", "exr"}};
   render(teapot("plain", "3", sheet));

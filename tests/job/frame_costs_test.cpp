@@ -47,7 +47,7 @@ TEST(JobCosts, first_frames_files_and_set_up_count) {
 TEST(JobCosts, keys_of_copies_count_for_sixteen_frames) {
   const MeasuredRun run{
       {made(0, 1.0), made(1, 9.0, "key"), made(30, 9.0, "key"), made(31, 1.0, "in-between")}, {}, 0.0, 20.0, 0};
-  // A frame takes 1 s. A key frame takes 8 s more, shared by 16 frames.
+  // A frame takes 1 s. A key frame takes 8 s more, which count as 8 / 16 s for each frame.
   EXPECT_DOUBLE_EQ(frame_costs(run, frames_from(0, 60), 1).at.at(0), 1.5);
   const MeasuredRun only_a_key{{made(0, 9.0, "key")}, {}, 0.0, 9.0, 0};
   EXPECT_DOUBLE_EQ(frame_costs(only_a_key, {0}, 1).at.at(0), 9.0);

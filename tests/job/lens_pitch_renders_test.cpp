@@ -1,5 +1,6 @@
-// Tests views of a picture that is rendered through lenses of 10.135 pixels. Read with this pitch, they show each object in the
-// right place in all corners of the picture. Read with a pitch of 10 pixels, objects drift by a lens every 74 lenses.
+// Tests views of a picture that is rendered through lenses of 10.135 pixels. Read with this pitch, the views show each
+// object in the right place in all corners of the picture. Read with a pitch of 10 pixels, objects drift by one lens
+// every 10 / 0.135 = 74 lenses.
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 

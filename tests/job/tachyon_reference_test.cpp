@@ -55,7 +55,8 @@ void PrintTo(const Example& example, std::ostream* out) { *out << example.name; 
 
 class TachyonReference : public testing::TestWithParam<Example> {};
 
-/// Rounding moves silhouettes by a pixel, is amplified by chains of mirrors, and affects images on huge spheres.
+/// The tolerances allow for rounding, which moves silhouettes by a pixel, grows in chains of mirrors, and affects
+/// images on huge spheres.
 TEST_P(TachyonReference, picture_agrees) {
   if (tachyon_is_missing()) GTEST_SKIP() << "the program tachyon is not installed";
   const fs::path scene = kScenes / (std::string(GetParam().name) + ".dat");

@@ -28,7 +28,8 @@ class UnitRenders : public Renders {
   }
 };
 
-/// Jobs of 24 frames. Each kind of reuse may divide the animation at different frames.
+/// Returns settings of jobs with 24 frames. Each kind of reuse may divide the animation among processes at different
+/// frames.
 const std::vector<Settings>& kinds() {
   static const std::vector<Settings> all{{{"reuse", "copy"}, {"keyframes", "5"}},
                                          {{"reuse", "interpolate"}, {"keyframes", "4"}},

@@ -65,7 +65,8 @@ TEST(Interlace, quilt_positions_match_hand_calculation) {
 }
 
 TEST(Interlace, nearest_round_trip_is_exact) {
-  // A sample of a view covers 6 x 5 pixels, 18 sub-pixels in a row. This is more than a lens, so every sample is shown.
+  // A sample of a view covers 6 x 5 pixels, so 18 sub-pixels in a row. A lens is only 11.4 sub-pixels wide, so every
+  // sample is shown.
   for (const bool words : {false, true}) {
     const LightField field = test::numbered_field({2, 1}, {10, 8}, words);
     const Picture frame = interlace(field, small_display(), {}, threads());
@@ -74,7 +75,8 @@ TEST(Interlace, nearest_round_trip_is_exact) {
 }
 
 TEST(Interlace, deinterlaced_frame_interlaces_to_itself) {
-  // With 11 views, no sub-pixel shows most samples. Interlacing the extracted views must still restore the frame.
+  // With 11 views, the frame has too few sub-pixels to show all samples. Interlacing the extracted views must still
+  // restore the frame.
   const LightField field = test::numbered_field({11, 1}, {31, 29});
   for (const Vec2i size : {Vec2i(31, 29), Vec2i(60, 41), Vec2i(90, 77)}) {
     const LightField same = test::numbered_field({11, 1}, size);

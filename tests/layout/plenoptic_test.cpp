@@ -78,7 +78,8 @@ double grid_distance(const LensGrid& estimate, const LensGrid& truth, Vec2i size
   return most;
 }
 
-/// Each of 2,000 lens centres is found to a tenth of a pixel, which makes the grid exact to a twentieth.
+/// Expects that the grid is found to a twentieth of a pixel. The residuals of single lens centres may be a tenth of a
+/// pixel.
 void expect_grid_found(const LensGrid& truth, Vec2i size) {
   const LensGridFit fit = estimate_lens_grid(raw_picture(truth, size, white_light(truth.pitch_px), 1), "white");
   EXPECT_EQ(fit.grid.arrangement, truth.arrangement);
@@ -197,7 +198,7 @@ TEST(PlenopticViews, turned_square_lenses_give_known_views) {
   for (const bool lanczos : {false, true}) {
     const LightField field = views_of(raw_picture(grid, {420, 330}, known_light), {.grid = grid, .lanczos = lanczos}, {7, 5});
     ASSERT_EQ(field.grid, (ViewGrid{7, 5}));
-    // The views cover the largest rectangle of lenses in the picture, from this top left lens.
+    // The views cover the largest rectangle of lenses in the picture. Its top left lens is (first_column, first_row).
     int first_column = 0, first_row = 0;
     for (; lens_centre(grid, first_column, field.view_size.y - 1).x < 3.25; ++first_column) {
     }
@@ -239,7 +240,7 @@ TEST(PlenopticViews, vignetting_is_divided_out) {
   divide_by_white(light, white_shares(raw_picture(grid, {300, 260}, white)), "raw");
   const LightField field = views_of(light, {.grid = grid}, {5, 5});
   for (const Vec2i at : {Vec2i(3, 3), Vec2i(14, 12)})
-    // the corners of the aperture have half of the light
+    // These views are at the corners of the aperture, where the raw picture has half of the light.
     for (const int view : {0, 4, 20, 24})
       EXPECT_NEAR(view_sample(field, view, at.x, at.y) / view_sample(field, 12, at.x, at.y), 1.0, 0.01);
 }
@@ -331,7 +332,7 @@ TEST(PlenopticViews, simulated_camera_has_parallax_of_the_thin_lens) {
       for (const int steps : {-2, 1, 3}) {
         const Vec2d across = centroid_of_view(views, 40 + steps) - centroid_of_view(views, 40),
                     up = centroid_of_view(views, 40 + 9 * steps) - centroid_of_view(views, 40);
-        // for other pitches, light is interpolated between pixels
+        // For pitches other than 9 pixels, light is interpolated between pixels.
         const double tolerance = pixels == 9.0 ? 1e-3 : 2e-2;
         EXPECT_NEAR(across.x, steps * disparity, tolerance) << z;
         EXPECT_NEAR(across.y, 0.0, tolerance) << z;

@@ -358,7 +358,8 @@ TEST(ColmapFormat, clouds_lie_where_depth_is) {
   EXPECT_LE(point_cloud(field, posed_cameras(field, "a"), 100).size(), 100u);
 }
 
-/// Returns parallel views of a grid whose file has points: one 250 mm behind the plane of the eyes' shared window.
+/// Returns parallel views of a grid with two points: one is 250 mm behind the display plane, the other 100 mm in front
+/// of it.
 LightField views_with_points() {
   LightField field = six_views();
   field.depth.reset();

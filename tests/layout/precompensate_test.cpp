@@ -10,8 +10,8 @@ namespace {
 
 using testing::HasSubstr;
 
-/// An eye sees 10 % of each neighbouring view. The Gaussian's weight of 6e-5 for second neighbours is neglected, so
-/// kNextButOne is the tolerance.
+/// An eye sees 10 % of each neighbouring view. The tests neglect the weight of second neighbours, 6e-5. The tolerance
+/// kNextButOne covers it.
 const double kTenPercent = read_crosstalk("10%", "test");
 constexpr float kNextButOne = 2e-4f;
 

@@ -9,8 +9,8 @@ namespace {
 
 using testing::HasSubstr;
 
-// The neighbouring pixel reaches from 1/2 to 3/2 pixels, which is 1 to 3 sigma for sigma = 1/2. Its share is the weight
-// of a Gaussian in this interval.
+// The neighbouring pixel is 1/2 to 3/2 pixels from the centre of a pixel, which is 1 to 3 sigma for sigma = 1/2. Its
+// share is the weight of a Gaussian in this interval.
 TEST(Crosstalk, neighbour_share_matches_tables) {
   EXPECT_NEAR(neighbour_share(0.5), 0.99865 - 0.84134, 1e-5);
   EXPECT_EQ(neighbour_share(0.0), 0.0);

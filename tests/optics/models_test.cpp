@@ -12,8 +12,8 @@ namespace {
 using test::at_depth;
 using test::OpticsSampler;
 
-// Tolerances. Single precision gives positions of a few hundred mm errors of about 1e-5 mm, and slopes near 1 errors of
-// about 1e-6.
+// Tolerances. In single precision, positions of a few hundred mm have errors of about 1e-5 mm, and slopes near 1 have
+// errors of about 1e-6.
 constexpr float kPositionMm = 1e-4f, kSlope = 2e-6f;
 
 Vec2f slope(const Ray& ray) { return {ray.direction.x / ray.direction.z, ray.direction.y / ray.direction.z}; }
@@ -52,7 +52,7 @@ TEST(Lenticular, slanted_rows_converge_to_eye_height) {
     sheet.viewing_distance_mm = 400.0f;
     const Vec2f pixel(random.uniform(0, film_size(optics).x), random.uniform(0, optics.panel.height));
     EXPECT_NEAR(at_depth(ray_of_pixel(optics, pixel), 400.0f).y, sheet.eye_height_mm, kPositionMm);
-    // Lens axes are a whole number of pitches apart.
+    // The ray passes through a lens axis, so `lens` must be a whole number.
     const Vec3f p = at_depth(ray_of_pixel(optics, pixel), 0.0f);
     const float lens = (p.x * std::cos(sheet.slant) + p.y * std::sin(sheet.slant) - sheet.offset_mm) / sheet.lens_pitch_mm;
     // The tolerance is kPositionMm = 1e-4 mm divided by the smallest pitch, 0.1 mm.

@@ -33,7 +33,7 @@ const legend = async (figure, frame) => {
   await figure.locator(".u-series", { hasText: new RegExp(`^Frame${frame}$`) }).waitFor();
   return figure.locator(".u-series").evaluateAll((rows) => Object.fromEntries(rows.map((row) => [row.querySelector(".u-label").textContent, row.querySelector(".u-value").textContent])));
 };
-/** Waits until these are the most frequent opaque colours of the canvas. */
+/** Waits until the colours in `wanted` are the most frequent opaque colours of the canvas. */
 const hasColors = async (page, figure, wanted) => page.waitForFunction(([canvas, wanted]) => {
   const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext("2d", { willReadFrequently: true });
   copy.drawImage(canvas, 0, 0);

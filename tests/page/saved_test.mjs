@@ -20,7 +20,7 @@ async function check(address) {
   assert.ok(psnr >= 38, `${psnr} dB`);
 }
 
-/** An embedding page can control the saved page by messages, and receives its state. */
+/** Checks that an embedding page can control the saved page by messages, and receives its state. */
 async function checkEmbedded(address) {
   writeFileSync(inFolder("saved/around.html"), '<link rel="icon" href="data:," /><iframe src="index.html"></iframe>');
   const page = await open(`${address}around.html`, { ready: false });
