@@ -49,8 +49,8 @@ struct TraceTargets {
 RayCounts trace_frame(const Shot& shot, const TraceParams& params, const Workers& workers, const TraceTargets& into,
                       SampleShare share = {});
 
-/// Traces only the blocks with a nonzero entry in `wanted` (see TouchedBlocks), bit-identical to trace_frame(). `film` must
-/// have the size of the shot. Other blocks keep their content.
+/// Traces only the blocks with a nonzero entry in `wanted`; TouchedBlocks explains blocks. Their pixels are bit-identical to
+/// those of trace_frame(). `film` must have the size of the shot. Other blocks keep their content.
 RayCounts trace_blocks(const Shot& shot, const TraceParams& params, std::span<const std::uint8_t> wanted,
                        const Workers& workers, Image& film);
 

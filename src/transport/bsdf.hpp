@@ -6,7 +6,7 @@
 namespace lippmann {
 
 struct BsdfValue {
-  Vec3f cosine_f{0.0f};  ///< BSDF times |cosine| to the shading normal
+  Vec3f cosine_f{0.0f};  ///< BSDF times |cosine of the angle to the shading normal|
   float density = 0.0f;
   bool transmitted = false;
 };

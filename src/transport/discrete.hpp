@@ -22,7 +22,7 @@ class DiscreteDistribution {
   /// Returns an index with a positive weight, for u in [0, 1). Sets `rest` to a new random number in [0, 1), made from the
   /// unused digits of u. The distribution must not be empty.
   std::size_t sample(float u, float& rest) const {
-    // The product may be rounded up into the next part.
+    // u * count may be rounded up, which selects the next part.
     const auto count = static_cast<float>(cumulative_.size());
     auto part = std::min(static_cast<std::size_t>(u * count), cumulative_.size() - 1);
     while (part > 0 && start_of(part) > u) --part;

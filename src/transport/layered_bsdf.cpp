@@ -88,8 +88,8 @@ Vec3f LayeredBsdf::fresnel_of(Vec3f f0, Vec3f f90, float cosine) const {
   return glm::mix(bare, film_reflectance(surface_.film, f0, cosine), surface_.film_share);
 }
 
-/// A thin film's reflectance depends too irregularly on the angle for a table, so its value for `direction` is used at all
-/// angles.
+/// A thin film's reflectance depends too irregularly on the angle for a table. This function uses the film's reflectance for
+/// `direction` at all angles.
 Vec3f LayeredBsdf::albedo_of(Vec3f f0, Vec3f f90, Vec3f direction) const {
   const Vec3f single = single_albedo(direction);
   const Vec3f bare = GgxAlbedo::directional(single, f0, f90);

@@ -8,7 +8,7 @@
 //
 // We deviate:
 // 1. Sheen and films transmit one fraction for the light's direction and one for the view. The layers below are scaled by the
-//    smaller one, so that they stay reciprocal.
+//    smaller fraction, so that the layers stay reciprocal.
 // 2. The compensation for multiple scattering in anisotropic glass uses the isotropic roughness that the viewer sees
 //    (alpha_towards).
 #pragma once

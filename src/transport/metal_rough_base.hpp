@@ -21,7 +21,7 @@ struct MetalRoughSurface {
 };
 
 /// The surface at one point, for one viewing direction. Directions of diffuse light are relative to the diffuse part's normal,
-/// and all others to the gloss's normal.
+/// and all other directions to the gloss's normal.
 struct MetalRoughBase {
   Vec3f view;
   float alpha;

@@ -4,9 +4,9 @@
 //   .mov   H.264, HEVC; the index is at the start of the file
 //   .webm  VP9, AV1
 //   .mkv   FFV1 version 3 (lossless RGB) and all other codecs
-// All codecs except FFV1 use yuv420p in BT.709 limited range. It halves the chroma resolution, so pixels of neighbouring views
-// in an integral image share their colour. An odd width or height is padded by repeating the last column or row. Equal frames
-// and options give equal bytes.
+// All codecs except FFV1 use yuv420p in BT.709 limited range. yuv420p halves the chroma resolution, so pixels of neighbouring
+// views in an integral image share their colour. An odd width or height is padded by repeating the last column or row. Equal
+// frames and options give equal bytes.
 #pragma once
 
 #include <filesystem>

@@ -150,7 +150,8 @@ PageAnswer PageAnswers::answer(const PageRequest& request) {
   return request.method == "POST" ? answer_text(request, path) : answer_path(path);
 }
 
-/// Answers POSTs of dropped images, and GET fields.json. The PageAnswers of the images shown answer all other requests.
+/// Answers POSTs of dropped images, and GET fields.json. The PageAnswers object of the shown images answers all other
+/// requests.
 PageAnswer PageAnswers::answer_drop(const PageRequest& request, std::string_view path) {
   const bool is_text = request.method == "POST";
   const std::shared_ptr<PageAnswers> shown = dropped_->shown();

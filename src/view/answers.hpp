@@ -82,8 +82,8 @@ class PageAnswers {
 
   PageAnswer answer(const PageRequest& request);
 
-  /// Refuses a request before its body is read: for a wrong origin, host or token, or for a POST to a path that accepts none.
-  /// Returns nullopt for other requests.
+  /// Refuses a request before its body is read: for a wrong origin, host or token, or for a POST to a path that accepts no
+  /// POST. Returns nullopt for other requests.
   std::optional<PageAnswer> refusal(const PageRequest& request) const;
 
  private:

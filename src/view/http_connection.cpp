@@ -72,7 +72,7 @@ void HttpConnection::read_request() {
 void HttpConnection::begin_body(const RequestHead& head) {
   head_ = head;
   if (const std::optional<PageAnswer> refusal = terms_.refusal(head_.page)) {
-    // the start of the next request cannot be found in a body that is not read
+    // The connection must close, because the next request begins after the body, which is not read.
     if (head_.body_bytes > 0 || head_.body_refusal != 0) head_.keeps_alive = false;
     begin_answer(*refusal);
     return;

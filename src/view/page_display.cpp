@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Indices: [row from the bottom, modulo 4][column modulo 2][red, green, blue][x, y].
+/// Returns an array with the indices [row from the bottom, modulo 4][column modulo 2][red, green, blue][x, y].
 Json offsets_json(const SubPixelOffsets& offsets) {
   Json rows = Json::array();
   for (const auto& row : offsets) {

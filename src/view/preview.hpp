@@ -9,7 +9,7 @@
 
 namespace lippmann {
 
-/// nullopt if the quilt is so small that it needs no preview.
+/// Returns the size of each view in the preview, or nullopt if the quilt is so small that it needs no preview.
 std::optional<Vec2i> preview_view_size(const PageFacts& facts);
 
 /// Shrinks a quilt: each pixel of the preview is the mean of a block of pixels. Call this only if preview_view_size(facts) has

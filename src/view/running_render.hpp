@@ -35,7 +35,7 @@ class RunningRender {
   /// Returns the frames that were requested when this object was made, in ascending order; at least one.
   const std::vector<int>& frames() const { return frames_; }
 
-  /// nullopt until the frame frames()[index] is finished.
+  /// Returns the file of the frame frames()[index], or nullopt until this frame is finished.
   std::optional<std::filesystem::path> file(std::size_t index) const;
 
   /// Returns the state for the page: finished frames in the order in which they were found, without the first `known`.

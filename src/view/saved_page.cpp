@@ -87,7 +87,7 @@ std::string within_script(std::string_view text) {
   return safe;
 }
 
-/// The panel's image is needed only if the page cannot derive it from the views.
+/// Returns whether the page needs this image. The page needs the panel's image only if it cannot derive it from the views.
 bool needs(const PageFacts& facts, std::string_view kind, std::size_t frame) {
   if (kind == "preview") return frame == 0 && preview_view_size(facts);
   if (kind == "depth") return facts.has_depth;

@@ -25,10 +25,11 @@ class ToolProcess {
 
   bool is_running();
 
-  /// Like Ctrl-C. Further calls have no effect.
+  /// Interrupts the process as Ctrl-C does. Further calls have no effect.
   void interrupt();
 
-  /// The end of stderr if the process failed. Empty while it runs, after success, and after interrupt().
+  /// Returns the end of stderr if the process failed. Returns an empty string while the process runs, after success, and after
+  /// interrupt().
   std::string failure();
 
  private:

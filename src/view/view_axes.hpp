@@ -12,7 +12,7 @@ namespace lippmann {
 
 /// The views that an eye beyond the outermost views sees.
 enum class BeyondZone {
-  kRepeats,   ///< the views of the next viewing cone, which has the same views
+  kRepeats,   ///< the same views again, in the next viewing cone
   kNextLens,  ///< the views of the neighbouring lens
   kStays,     ///< the outermost view
 };

@@ -34,7 +34,7 @@ inline double texture_at(Vec2d place, std::uint32_t seed) {
   return (noise_at(place, 37.0, seed) + noise_at(place, 13.0, seed + 1) + noise_at(place, 6.0, seed + 2)) / 3.0;
 }
 
-/// Brightness of the aligned picture of camera `k`. Camera 0 is in the middle of the row.
+/// Returns the brightness of the aligned picture of camera `k` at `place`. Camera 0 is in the middle of the row.
 inline double scene_at(Vec2d place, int k) {
   const Vec2d near = place - Vec2d(kNearMove * k, 0.0), middle = place - Vec2d(kFocusMove * k, 0.0);
   for (const Vec2d centre : {Vec2d(120.0, 110.0), Vec2d(520.0, 370.0), Vec2d(140.0, 380.0)})

@@ -217,7 +217,7 @@ class AddOn(unittest.TestCase):
             return -(camera.matrix_world.inverted() @ frame.zone(scene).world_from_frame.translation).z
 
         camera.data.dof.focus_distance = 0.0  # files of old Blender versions contain 0
-        self.assertAlmostEqual(plane(), (camera.location - cube.location).length, delta=1.8)  # anywhere on the cube
+        self.assertAlmostEqual(plane(), (camera.location - cube.location).length, delta=1.8)  # may be anywhere on the cube
         camera.location = 3.0 * camera.location
         self.assertAlmostEqual(plane(), (camera.location - cube.location).length, delta=1.8)
         camera.data.type, camera.data.ortho_scale = "ORTHO", 4.0
@@ -417,7 +417,7 @@ class AddOn(unittest.TestCase):
         portrait = next(one for one in displays.known() if one["name"] == "looking-glass-portrait")
         per_unit = portrait["size_mm"][1] / 2.0
         self.assertAlmostEqual(job["focal-plane"], 2.0 * per_unit, delta=1e-3 * per_unit)  # the camera focuses at 8 units; the display's plane is at 10 units
-        # the aperture f / N = 0.04 / 0.5 units, converted to mm: 10 units are the viewing distance
+        # The aperture is f / N = 0.04 / 0.5 units. The viewing distance is 10 units, which converts units to mm.
         self.assertAlmostEqual(job["aperture"], 0.04 / 0.5 * portrait["viewing_distance_mm"] / 10.0, delta=1e-3)
         self.assertEqual(job["shutter"], 0.25)
         scene.render.motion_blur_shutter, scene.lippmann.resume = 1.5, False

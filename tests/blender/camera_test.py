@@ -83,7 +83,7 @@ class Camera(unittest.TestCase):
         return tool.pictures(self.folder / "still", 0)[0]
 
     def set_up(self, case, size, output="camera"):
-        """case: {attribute of the camera: value}."""
+        """Makes a scene whose camera has the attributes in `case`, a dict of names and values."""
         scene = new_scene(self.folder, output, size)
         for name, value in case.items():
             setattr(scene.camera.data, name, value)

@@ -99,7 +99,7 @@ TEST(Interruption, ctrl_c_ends_a_replay_quickly) {
        {Words{"--pupil", "30"}, Words{"--ipd", "60", "--pupil", "30"}, Words{"--sweep", "3", "--pupil", "30"}}) {
     Subprocess running(tool_command(Words{"replay", "room", "-o", "eye", "--size", "4000x4000"} + what),
                        {dir.path().string(), 0});
-    // Nothing reports that rendering has begun. A picture takes a minute.
+    // The pause lets rendering begin, because nothing reports when it does. A picture takes a minute.
     std::this_thread::sleep_for(std::chrono::milliseconds(500));
     running.signal(SIGINT);
     EXPECT_EQ(running.wait().exit_code, 128 + SIGINT) << what.front();

@@ -63,8 +63,8 @@ TEST_F(Prints, frames_of_a_video_are_views) {
 TEST_F(Prints, flip_print_starts_on_the_left) {
   expect_done(dir_, Words{"convert", "in", "out.png", "--flip", "--shares", "2,1,0.4,0.6"} + sheet_);
   const Image8 print = picture("out.png");
-  // Frame of each of the four pixels below a lens. Frame 2 covers 0.75 to 0.85 of the lens, where no pixel has its
-  // centre.
+  // Frame that each of the four pixels below a lens shows. Frame 2 covers 0.75 to 0.85 of the lens, which is between
+  // the pixel centres at 5/8 and 7/8.
   constexpr std::array<int, 4> kFrames{0, 0, 1, 3};
   for (std::size_t x = 0; x < 200; ++x) EXPECT_EQ(print.rgb[3 * x], 60 * kFrames[x % 4]) << x;
 }

@@ -108,7 +108,8 @@ TEST(DryRun, estimates_of_light_fields_count_their_depth_files) {
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(dir / "r/frame_0000"))
       if (entry.is_regular_file()) bytes += static_cast<double>(entry.file_size());
     const double ratio = bytes / plan["estimated_bytes"].get<double>();
-    // estimates are means over three scenes, from which file sizes were found to differ by a factor of at most 1.3
+    // Estimates are means over three scenes. The measured file sizes of these scenes differ from the estimates by a
+    // factor of at most 1.3.
     EXPECT_GT(ratio, 1.0 / 1.5) << format;
     EXPECT_LT(ratio, 1.5) << format;
   }

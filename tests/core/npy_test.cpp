@@ -55,7 +55,7 @@ TEST(Npy, written_arrays_are_read_again) {
   const NpyArray again = parse_npy(file, "a");
   EXPECT_EQ(again.shape, (std::vector<std::size_t>{2, 3}));
   EXPECT_TRUE(std::ranges::equal(again.values, kSixNumbers));
-  // NumPy maps files whose data, here the last 24 bytes, begin at a multiple of 64 bytes.
+  // NumPy can map a file into memory if its data begin at a multiple of 64 bytes. Here, the data are the last 24 bytes.
   EXPECT_EQ((file.size() - 24) % 64, 0U);
 }
 

@@ -146,7 +146,7 @@ TEST(RenderFolder, runs_keep_the_files_of_others) {
   EXPECT_EQ(other.now().parts.size(), 2u);
 }
 
-// `other` records a frame while `one` writes the report, so `one` must write it again with both frames.
+// `other` records a frame while `one` writes the report, so `one` must write the report again with both frames.
 TEST(RenderFolder, shared_file_is_rewritten_after_concurrent_records) {
   const test::TempDir dir;
   for (const int frame : {1, 2}) make_picture(dir, frame);

@@ -53,8 +53,8 @@ TEST(Audit, does_not_depend_on_threads_or_range) {
   EXPECT_LT(one.estimated_psnr_db, one.psnr_at_most_db);
 }
 
-// References have 128 times as many samples. If intervals contain the truth with probability 0.9, fewer than 12 of 20
-// contain it with probability 7e-5.
+// References have 128 times as many samples. If each interval contains the truth with probability 0.9, the probability
+// that fewer than 12 of 20 intervals contain it is 7e-5.
 TEST(Audit, intervals_mostly_contain_the_truth) {
   constexpr int kSeeds = 20, kLeastHeld = 12;
   RenderParams params = noisy_paths();

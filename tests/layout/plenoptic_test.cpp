@@ -113,8 +113,8 @@ LensGridFit fit_of_lenses(const LensGrid& grid, double across) {
   return fit;
 }
 
-/// 10 lenses with a pitch of 10.4 pixels also have the period 10.4 / sqrt(2) = 7.35 along the diagonals, which is not
-/// the pitch.
+/// Ten lenses with a pitch of 10.4 pixels also repeat every 10.4 / sqrt(2) = 7.35 pixels along the diagonals. This
+/// period must not be taken for the pitch.
 TEST(LensGridEstimate, six_to_forty_lenses_are_enough) {
   struct Case {
     double across, pitch, rotation_deg;
@@ -136,8 +136,8 @@ TEST(LensGridEstimate, six_to_forty_lenses_are_enough) {
                 turn_deg * std::numbers::pi / 180.0, 5e-3);
 }
 
-/// With two or three lenses across, the lowest frequency of the grid looks like vignetting. Only its harmonics are
-/// found, which belong to a finer grid.
+/// With two or three lenses across, the lowest frequency of the grid looks like vignetting. The estimate would find
+/// only its harmonics, which are those of a finer grid.
 TEST(LensGridEstimate, too_few_lenses_are_refused) {
   const LensGrid grid = lens_grid(40.0, 0.03, {7.0, 11.0}, LensArrangement::kSquare);
   for (const double across : {2.0, 3.0})

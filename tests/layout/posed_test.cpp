@@ -392,8 +392,8 @@ TEST(ColmapFormat, points_come_back_as_text_and_binary) {
 }
 
 TEST(ColmapFormat, points_keep_their_pixels_in_grids) {
-  // The cameras are 20 mm apart. Cameras and point are turned by 90 degrees about z. Both cameras see the same window of the
-  // plane at a distance of 500 mm, so the views become a grid, with other coordinates.
+  // Two cameras 20 mm apart and a point, all turned by 90 degrees about z. Both cameras see the same window at a
+  // distance of 500 mm, so they are read as a grid. The grid has its own coordinates.
   const TempDir dir;
   LightField field = numbered_field({2, 1}, {40, 30});
   const glm::dmat3 turn(Vec3d(0.0, 1.0, 0.0), Vec3d(-1.0, 0.0, 0.0), Vec3d(0.0, 0.0, 1.0));

@@ -111,7 +111,8 @@ TEST(Lenticular, one_lens_is_two_pinholes) {
 }
 
 TEST(Microlens, corner_pixel_goes_through_lens_centre) {
-  // Pixel (256, 255) is at x = y = 0.0625, below the lens at (0.5, 0.5), so both slopes are 0.21875.
+  // Pixel (256, 255) is at x = y = 0.0625, below the lens at (0.5, 0.5). With a gap of 2 mm, both slopes are (0.5 -
+  // 0.0625) / 2 = 0.21875.
   const Optics optics{.panel = {}, .model = MicrolensArray{}, .z_front_mm = 8.0f};
   const Ray ray = ray_of_pixel(optics, {256.5f, 255.5f});
   EXPECT_EQ(ray.origin, Vec3f(2.25f, 2.25f, 8.0f));

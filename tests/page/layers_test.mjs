@@ -20,7 +20,8 @@ const limitedTo = (side) => `{
   };
 }`;
 
-/** Least PSNR in dB. Layers have other texture coordinates, and GPUs round coordinates to 1/256 of a texel. */
+/** Lowest accepted PSNR in dB. Layers have other texture coordinates than one texture, and GPUs round coordinates to
+ *  1/256 of a texel. */
 const kLeastDb = 50;
 const psnr = (a, b) => -10 * Math.log10(a.reduce((sum, x, i) => sum + ((x - b[i]) / 255) ** 2, 0) / a.length);
 const most = (a, b) => a.reduce((greatest, x, i) => Math.max(greatest, Math.abs(x - b[i])), 0);
