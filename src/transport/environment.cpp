@@ -8,7 +8,7 @@
 namespace lippmann {
 namespace {
 
-/// Resolution of the grid that replaces a gradient for sampling.
+/// Size of the grid of texels that replaces a background gradient for sampling.
 constexpr int kGradientWidth = 64, kGradientHeight = 32;
 
 /// Computes the panorama coordinates of a direction, each in [0, 1]. `rotation` is in radians.

@@ -132,7 +132,7 @@ Vec3f LayeredBsdf::passes_gloss(Vec3f direction) const {
   return Vec3f(std::max(0.0f, 1.0f - most(reflected)));
 }
 
-/// Returns the gloss's factor on diffuse light from `light`, which is on the viewer's side.
+/// Returns the factor by which the gloss reduces diffuse light from the direction `light`, which is on the viewer's side.
 Vec3f LayeredBsdf::below_gloss(Vec3f light) const {
   const Vec3f in = passes_gloss(light);
   return surface_.film_share == 0.0f ? in * gloss_passes_ / diffuse_passes_ : glm::min(in, gloss_passes_);
@@ -203,7 +203,8 @@ void LayeredBsdf::add_gloss(Vec3f light, BsdfValue& value) const {
   value.density += shares_.gloss * ggx_.visible_density(view_, h) / (4.0f * cosine);
 }
 
-/// A thin wall transmits into the mirror image of its reflected lobe, on the other side.
+/// Adds the reflected or transmitted light of rough glass. The transmitted lobe of a thin wall is the reflected lobe, mirrored
+/// to the other side of the wall.
 void LayeredBsdf::add_glass(Vec3f light, BsdfValue& value) const {
   const bool reflected = light.z > 0.0f, bends = !reflected && !surface_.is_thin;
   Vec3f h = glm::normalize(bends ? view_ + eta_ * light : view_ + above(light));

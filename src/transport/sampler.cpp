@@ -35,7 +35,7 @@ struct Point {
   float x, y;
 };
 
-/// Computes a point. Scrambling works on reversed bits, so most reversals cancel.
+/// Computes a point from its bit-reversed index. Scrambling works on reversed bits, so most reversals cancel.
 LIPPMANN_INLINE Point point_of(std::uint32_t reversed_index, std::uint32_t seed) {
   // Owen scrambling of the index shuffles the points, but keeps each aligned block of 2^k indices together.
   const std::uint32_t shuffled = reversed_bits(scrambled_upwards(reversed_index, seed));

@@ -45,8 +45,8 @@ bool is_read_with(const fs::path& picture, const std::string& name) {
   return name.starts_with(stem + ".") || name.starts_with(stem + "_") || name.starts_with("aov_" + number);
 }
 
-/// Reports are also read from the two folders above the file, which may be outside `root`. A report may be a link to a file in
-/// its own folder.
+/// Checks the reports that are read with `file`, also those in the two folders above it, which may be outside `root`. A report
+/// may be a link to a file in its own folder.
 void require_reports_within(const fs::path& root, const fs::path& file) {
   const fs::path parent = file.parent_path();
   for (const fs::path& folder : {file, parent, parent.parent_path()}) {
@@ -57,7 +57,7 @@ void require_reports_within(const fs::path& root, const fs::path& file) {
   }
 }
 
-/// The frames of a folder are checked when they are read.
+/// Checks reports, job files and other descriptions of `in`. The frames of a folder are checked when they are read.
 void require_descriptions_within(const fs::path& root, const fs::path& in) {
   require_reports_within(root, in);
   std::error_code ignored;

@@ -66,8 +66,8 @@ TEST(Sheet, left_eye_sees_a_red_zone) {
     const std::size_t corner = 3 * (4 * static_cast<std::size_t>(seen.width) + static_cast<std::size_t>(seen.width) / 2);
     return std::array<int, 3>{seen.rgb[corner], seen.rgb[corner + 1], seen.rgb[corner + 2]};
   };
-  // The five views cover 50 degrees, so at 400 mm the outer views are centred at x = -+4/5 * 400 mm * tan(25 degrees) =
-  // -+149 mm.
+  // The five views divide the slopes from -tan(25 degrees) to tan(25 degrees) into equal parts. The centres of the
+  // outer views are at -+4/5 of the largest slope, at 400 mm thus at x = -+4/5 * 400 mm * tan(25 degrees) = -+149 mm.
   const auto left = colours_from("-149,0,400"), right = colours_from("149,0,400"), middle = colours_from("0,0,400");
   EXPECT_GT(left[0], left[2] + 100);
   EXPECT_GT(right[2], right[0] + 100);

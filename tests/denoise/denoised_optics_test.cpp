@@ -17,8 +17,8 @@ struct Frame {
   Image film, noise, seen, albedo, normal, z, met, truth;
 };
 
-/// The two halves of a pixel's samples have a standard deviation of 0.5 times the light. set() in denoiser_test.cpp
-/// explains the factor 0.7 of `noise`.
+/// The two halves of a pixel's samples have a standard deviation of 0.5 times the light. `noise` is 0.7 times their
+/// difference, for the reason given at set() in denoiser_test.cpp.
 Frame noisy_frame(const Optics& optics, const std::function<Plane(Vec2f place)>& plane_at) {
   const Vec2i size = film_size(optics);
   const Image three(size.x, size.y, 3), one(size.x, size.y, 1);

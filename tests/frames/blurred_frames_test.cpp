@@ -58,9 +58,9 @@ struct MovingEdge {
   Placement placement;
 };
 
-// The edge moves 10 pixels per frame, and the shutter is open for half a frame, so the edge becomes a ramp 5 pixels wide around
-// pixel 10. The ramp has the variance 5^2 / 12, to which the width of pixels adds 1/6. `steps` are differences of neighbouring
-// pixels. Between two of the 32 exposure times, the edge moves by 5 / 32 = 0.16 pixels.
+// The edge moves 10 pixels per frame, and the shutter is open for half a frame, so the edge becomes a ramp 5 pixels
+// wide around pixel 10. The ramp has the variance 5^2 / 12. The width of the pixels and the differences of neighbouring
+// pixels, `steps`, add 1/12 each. Between two of the 32 exposure times, the edge moves by 5 / 32 = 0.16 pixels.
 TEST(Exposure, a_moving_edge_becomes_a_ramp) {
   const Image film = MovingEdge().frame({.spp = 64, .shutter = 0.5f}).pictures.film;
   double place = 0.0, variance = 0.0;

@@ -31,7 +31,7 @@ TEST_F(DisplayFrames, of_native_pixels_are_copied_exactly) {
   EXPECT_EQ(copied.films(), traced.films());
 }
 
-// Interpolated frames have 30.9 dB; copies of the key frame would have 27.9 dB.
+// Interpolated frames have a PSNR of 30.9 dB. Copies of the key frame would have 27.9 dB.
 TEST_F(DisplayFrames, of_native_pixels_interpolate_accurately) {
   const MadeFrames traced = make_frames(on_panel("teapot", PictureLayout::kNative, {.choice = ReuseChoice::kNone}), {1, 2, 3});
   const MadeFrames made =

@@ -37,7 +37,7 @@ TEST(ViewRays, full_views_have_the_panels_rays) {
 }
 
 // Hexagonal lenses do not cover whole pixels, so each view is rendered for an eye. The ray through a point of the plane
-// z = 0 comes from this eye. A parallax of 0.5 halves the slope of the eye.
+// z = 0 must come from the eye of its view. A parallax of 0.5 halves the slope of the eye.
 TEST(ViewRays, other_optics_use_rays_of_eyes) {
   MicrolensArray array;
   array.packing = LensPacking::kHexagonal;

@@ -18,7 +18,7 @@ float distance_to_nearest(const std::vector<Vec2f>& pixels, Vec2f wanted) {
 }
 
 /// Rounding error of pixels_seeing() in pixels. Near a lens array, an error in mm is multiplied by g / (|Z| m), with
-/// the depth Z, the gap g and the pixel width m; far from it and for pinholes, by about 1 / m.
+/// the depth Z, the gap g and the pixel width m; far from the array and for pinholes, by about 1 / m.
 float rounding_px(const Optics& optics, const Ray& ray, float z) {
   const float m = optics.panel.pixel_pitch_mm;
   const float size = std::abs(ray.origin.x) + std::abs(ray.origin.y) + std::abs(z);
