@@ -132,7 +132,7 @@ Vec3f LayeredBsdf::passes_gloss(Vec3f direction) const {
   return Vec3f(std::max(0.0f, 1.0f - most(reflected)));
 }
 
-/// Returns the factor by which the gloss reduces diffuse light from the direction `light`, which is on the viewer's side.
+/// Returns the factor by which the gloss scales diffuse light from the direction `light`, which is on the viewer's side.
 Vec3f LayeredBsdf::below_gloss(Vec3f light) const {
   const Vec3f in = passes_gloss(light);
   return surface_.film_share == 0.0f ? in * gloss_passes_ / diffuse_passes_ : glm::min(in, gloss_passes_);
