@@ -11,7 +11,7 @@ const kDegree = Math.PI / 180;
 
 const hold = (page, alpha, beta, gamma) => page.evaluate(([alpha, beta, gamma]) => window.dispatchEvent(new DeviceOrientationEvent("deviceorientation", { alpha, beta, gamma })), [alpha, beta, gamma]);
 const button = (page) => page.getByRole("button", { name: "Tilt moves the eye" });
-/** The browser may first ask for permission. */
+/** Clicks the button and waits until it is pressed. The browser may first ask for permission. */
 async function press(page) {
   await button(page).click();
   await page.waitForSelector('button[aria-pressed="true"]:not(.icon)');
@@ -35,10 +35,10 @@ test("the eye stays fixed while the device turns", async () => {
   await press(page);
   await hold(page, 10, 40, 0);
   near(await slopes(page), [0, 0]);
-  // The right edge moves away from the eye, which is then at the left.
+  // The right edge of the display moves away from the eye, so the eye is left of the middle.
   await hold(page, 10, 40, 5);
   near(await slopes(page), [-Math.tan(5 * kDegree), 0]);
-  // The upper edge moves towards the eye, which is then above the middle.
+  // The upper edge of the display moves towards the eye, so the eye is above the middle.
   await hold(page, 10, 46, 0);
   near(await slopes(page), [0, Math.tan(6 * kDegree)]);
   await hold(page, 10, 40, 0);
@@ -48,7 +48,7 @@ test("the eye stays fixed while the device turns", async () => {
   near(await slopes(page), [0, 0]);
 });
 
-// Upright, a rotation about the vertical changes only alpha; gamma is undefined.
+// A device at beta = 90 degrees is upright. Turning it about the vertical axis changes only alpha; gamma is undefined.
 test("an upright device can turn sideways", async () => {
   const page = await open(address);
   await hold(page, 0, 90, 0);
@@ -79,7 +79,7 @@ for (const [answer, isOn] of [["granted", "true"], ["denied", "false"]])
     if (answer === "denied") await page.waitForFunction(() => /does not let this page read the device's orientation/.test(document.querySelector("#notice").textContent));
     else await page.waitForSelector(`button[aria-pressed="true"]:not(.icon)`);
     assert.equal(await button(page).getAttribute("aria-pressed"), isOn);
-    // After a granted permission, the page waits for the sensor, which is silent here.
+    // The browser grants the permission, but this test sends no sensor events.
     if (answer === "granted") await page.waitForFunction(() => /does not report its orientation/.test(document.querySelector("#notice").textContent));
     if (answer === "granted") assert.equal(await button(page).isVisible(), false);
   });

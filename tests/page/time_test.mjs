@@ -43,7 +43,7 @@ test("buttons and keys step and play", async () => {
   await page.getByRole("button", { name: "Pause" }).click();
 });
 
-// The screen's first time stamp after a click may be before the click.
+// The first animation frame after a click may have a time stamp from before the click.
 test("a lagging clock plays from the shown frame", async () => {
   const ahead = "const now = performance.now.bind(performance); performance.now = () => now() + 200;";
   const page = await open(address, { script: ahead });

@@ -36,7 +36,7 @@ class Arrays(Case):
         x = np.array([[np.argwhere(ball[r, c])[:, 1].mean() for c in range(3)] for r in range(3)])
         y = np.array([[np.argwhere(ball[r, c])[:, 0].mean() for c in range(3)] for r in range(3)])
         self.assertTrue((np.diff(x, axis=1) < -1).all(), x)
-        # rows are counted from the top, so a higher eye sees the ball at a larger y
+        # y is counted from the top. A higher eye sees the ball lower on the display.
         self.assertTrue((np.diff(y, axis=0) > 1).all(), y)
         eyes = field.eyes_mm
         np.testing.assert_allclose(eyes[0, :, 0], [-10, 0, 10])
@@ -59,7 +59,7 @@ class Arrays(Case):
         scene.place_display(height=10, viewing_distance=10)
         grid = small_grid(2, 2, (32, 32), baseline_mm=5, distance_mm=100, pixel_mm=100 / 32)
         field = lippmann.render(scene, grid, layers=["disparity"], spp=1, fit_depth=False)
-        # the wall is 2 units in front of the display, which is 10 units = 100 mm high
+        # The display is 10 units or 100 mm high, so a unit is 10 mm. The wall is 2 units in front of the display.
         np.testing.assert_allclose(field.depth, 20, rtol=1e-4)
         # The eye moves by 5 mm. By similar triangles, a point at depth z = 20 mm, seen from 100 mm, moves by 5 z / (100
         # - z) mm in the plane of the display. A pixel is 100 / 32 = 3.125 mm wide.
@@ -99,7 +99,7 @@ class Arrays(Case):
         del field
         gc.collect()
         self.assertIsNone(gone())
-        others = [np.zeros_like(views) for _ in range(20)]  # these arrays would reuse freed memory and change it
+        others = [np.zeros_like(views) for _ in range(20)]  # would overwrite `views` if its memory were freed
         self.assertEqual((views.sum(), picture.sum()), sums)
         self.assertEqual(len(others), 20)
         self.assertEqual(depth.shape, views.shape[:4])
@@ -139,7 +139,7 @@ class Arrays(Case):
         for column in range(5):
             views[0, column, :, 20 - (column - 2)] = 1
         field = lippmann.LightField(views, distance_mm=100, baseline_mm=2, pixel_mm=1)
-        z = 100 / 3  # the disparity 2 z / (100 - z) of a point at depth z is one pixel (baseline 2, distance 100)
+        z = 100 / 3  # the disparity baseline * z / (distance - z) = 2 z / (100 - z) is one pixel
         sharp = field.refocus(z)
         self.assertGreater(sharp[4].max(), 0.95)
         self.assertLess(field.refocus(0)[4].max(), 0.25)

@@ -49,7 +49,7 @@ class Transparency(Case):
         self.assertEqual(field.alpha.dtype, np.float32)
         self.assertEqual((field.alpha[0, 0, 16, 16], field.alpha[0, 0, 0, 0]), (1, 0))
         self.assertEqual(field.views[0, 0, 0, 0].max(), 0)
-        # The ball covers pi * 0.5^2 / 4 of the view, a square with sides of 2.
+        # The ball with the radius 0.5 covers the area pi * 0.5^2. The view covers 2 * 2 = 4.
         self.assertAlmostEqual(float(field.alpha.mean()), np.pi * 0.5**2 / 4, delta=0.01)
 
     def test_alpha_one_half_covers_one_half(self):
@@ -71,7 +71,7 @@ class Transparency(Case):
     def test_rgba_has_straight_colours(self):
         field = self.rendered()
         self.assertEqual(field.rgba.shape, (1, 2, 32, 32, 4))
-        # sRGB codes of the light 0.5, 0.25 and 1
+        # The sRGB codes 188, 137 and 255 stand for the linear values 0.5, 0.25 and 1.
         self.assertEqual(field.rgba[0, 0, 16, 16].tolist(), [188, 137, 255, 255])
         edge = (field.alpha > 0.1) & (field.alpha < 0.9)
         self.assertGreater(edge.sum(), 10)

@@ -18,7 +18,7 @@ SMALL_OPTIONS = dict(rows=2, columns=3, size=32, spp=2, seed=5)
 
 
 class Samples:
-    """The PyTorch data set of docs/guide/python.md, but without PyTorch."""
+    """Imitates the PyTorch data set of docs/guide/python.md."""
 
     def __init__(self, folder):
         self.folders = sorted(pathlib.Path(folder).glob("sample_*"))
@@ -60,7 +60,7 @@ class Dataset(Case):
             there = np.round(x - disparity).astype(int)
             inside = (there >= 0) & (there < 32)
             same = ids[1][y, np.clip(there, 0, 31)] == ids[0]
-            # At silhouettes, the next view may hide the surface.
+            # At silhouettes, another object may hide the surface in the next view.
             self.assertGreater(same[inside].mean(), 0.9)
 
     def test_units_equal_one_run(self):

@@ -36,8 +36,8 @@ class Deformation(Case):
             grid = lippmann.camera_grid(1, 1, (8, 8))
             return float(lippmann.render(scene, grid, light="none", integrator="path", spp=1, max_depth=2).views.mean())
 
-        # The vertex normal (0, 0, 1) and the morph target 2 (0, 1, 0) add up to (0, 2, 1). Its cosine to the direction
-        # of the lamp, (0, 0, 1), is 1 / sqrt(5).
+        # The vertex normal (0, 0, 1) plus the morph target (0, 2, 0) is (0, 2, 1). The cosine between this normal and
+        # the direction of the lamp, (0, 0, 1), is 1 / sqrt(5).
         ratio = brightness(target_normals=[[[0, 2, 0]] * 4], weights=[1]) / brightness()
         self.assertAlmostEqual(ratio, 5**-0.5, delta=0.05)
 

@@ -27,9 +27,11 @@ class Files(Case):
                 again = lippmann.open(files[0] if name == "quilt" else path, **given)
                 self.assertSame(again.views, lippmann.to_codes(field.views))
                 if name == "hci":
-                    # 9 views with depth and disparity, two more maps of the middle view, and parameters.cfg
+                    # The 30 files are 9 views, 9 depth maps, 9 disparity maps, two more maps of the middle view, and
+                    # parameters.cfg.
                     self.assertEqual(len(files), 30)
-                    # The file stores depths from cameras 500 mm away, in metres, as float32, which rounds them.
+                    # The file stores float32 distances in metres from the cameras, which are 500 mm in front of the
+                    # display.
                     np.testing.assert_allclose(again.depth, field.depth, atol=1e-3)
                     np.testing.assert_allclose(again.disparity, field.disparity, atol=1e-4)
                     np.testing.assert_allclose(again.eyes_mm, field.eyes_mm, atol=1e-4)

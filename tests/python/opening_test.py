@@ -38,8 +38,8 @@ class RawPictures(Case):
         return path
 
     def assertSlopes(self, views, tolerance):
-        """Expects that red grows by 0.5 / pitch per view to the right, and green by as much per view
-        upwards."""
+        """Expects that red grows by 0.5 / pitch from each view to its right neighbour, and green by 0.5 / pitch from
+        each view to its upper neighbour."""
         middle = views[:, :, 4:-4, 4:-4].mean(axis=(2, 3))
         np.testing.assert_allclose(np.diff(middle[..., 0], axis=1), 0.5 / PITCH, atol=tolerance)
         np.testing.assert_allclose(np.diff(middle[..., 1], axis=0), 0.5 / PITCH, atol=tolerance)
@@ -95,8 +95,8 @@ class RawPictures(Case):
 
 
 class StatedCameras(Case):
-    """Cameras with a focal length of 100 mm and a sensor of 35 mm, 512 pixels wide, 100 mm apart, focused at 8 m: points at 4 m, at 8 m
-    and at infinity have the disparities +18.2857, 0 and -18.2857 pixels.
+    """The cameras have a focal length of 100 mm, are 100 mm apart and focused at 8 m. The sensor is 35 mm or 512
+    pixels wide. Points at 4 m, 8 m and infinity have the disparities +18.2857, 0 and -18.2857 pixels.
     """
 
     CAMERAS = {"baseline_mm": 100, "focal_length_mm": 100, "sensor_width_mm": 35, "focus_distance_mm": 8000}

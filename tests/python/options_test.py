@@ -42,7 +42,7 @@ class Options(Case):
     def test_options_equal_the_tools(self):
         options = tool_options()
         self.assertLessEqual(set(GROUPS), set(options))
-        # Save has the options that convert linear light to codes.
+        # LightField.save has the options that convert linear light to codes.
         functions = (lippmann.load, lippmann.render, lippmann.frames, lippmann.LightField.save)
         has = {name for function in functions for name in inspect.signature(function).parameters}
         for group in GROUPS:

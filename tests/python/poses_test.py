@@ -64,7 +64,7 @@ class Poses(Case):
                 np.testing.assert_allclose(again.intrinsics_px, field.intrinsics_px, atol=1e-4)
 
     def test_the_file_has_the_documented_axes(self):
-        """The camera is 1 m to the right of the origin and looks to the left, so that the world's -z is at its right."""
+        """The first camera is at x = 1 m and looks in the direction -x. Its right is the world's -z."""
         matrix = np.array([[0, 0, 1, 1000], [0, 1, 0, 0], [-1, 0, 0, 0], [0, 0, 0, 1.0]])
         views = np.zeros((1, 2, *SIZE, 3), np.uint8)
         matrices, intrinsics = np.tile(matrix, (1, 2, 1, 1)), np.tile([40.0, 40, 16, 12], (1, 2, 1))
@@ -123,12 +123,12 @@ class CameraSets(Case):
     def test_cameras_look_at_one_point_from_one_distance(self):
         poses = np.array([field.world_from_camera[0, 0] for field in self.frames()])
         positions, backwards = poses[:, :3, 3], poses[:, :3, 2]
-        # Computes the point with the smallest sum of squared distances from the cameras' axes.
+        # `middle` is the point with the smallest sum of squared distances from the cameras' axes.
         across = np.eye(3) - backwards[:, :, None] * backwards[:, None, :]
         middle = np.linalg.solve(across.sum(axis=0), (across @ positions[..., None]).sum(axis=0)[:, 0])
         distances = np.linalg.norm(positions - middle, axis=1)
         np.testing.assert_allclose(positions, middle + distances[0] * backwards, atol=1e-4 * distances[0])
-        self.assertGreater(np.ptp(positions[:, 1]), distances[0])  # from above to below
+        self.assertGreater(np.ptp(positions[:, 1]), distances[0])  # some cameras are above the middle, some below
 
     def test_the_seed_chooses_test_frames(self):
         of_seeds = {lippmann.frames("teapot", cameras="circle:16", seed=seed).test_frames for seed in range(6)}

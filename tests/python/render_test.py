@@ -123,7 +123,7 @@ class Render(Case):
         self.assertEqual(scene.objects[int(field.layer("id")[middle][0])], "cube")
         np.testing.assert_allclose(field.normals[middle], (0, 0, 1), atol=1e-6)
         np.testing.assert_allclose(field.layer("albedo")[middle], (0.5, 0, 0), atol=1e-6)
-        # 1 unit in front of the display, which is 4 units = 100 mm high
+        # The display is 4 units or 100 mm high, so a unit is 25 mm. The surface is 1 unit in front of the display.
         self.assertAlmostEqual(float(field.depth[middle]), 25, places=3)
         self.assertAlmostEqual(float(field.depth[0, 0, 0, 0]), -25, places=3)
         world = field.world_from_display @ np.array([0, 0, 25, 1])

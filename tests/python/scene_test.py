@@ -93,9 +93,9 @@ class SceneTest(Case):
         self.assertLess(brightness(kind="spot", position=(0, 0, 2), target=(0, 0, 4)), 1e-6)
 
     def test_lamps_with_size_have_soft_shadows(self):
-        # A plate at z = 0.5 covers the half x < 0, and the lamp at z = 2 is a sphere of radius 0.5. From (x, 0, 0), the
-        # plate's edge hides the lamp to the left of -3 x. At the first pixel, x = 1/32, a share of 0.62 of the lamp's
-        # disc is visible; for x > 1/6, the whole disc is visible.
+        # A plate at z = 0.5 covers the half x < 0. The lamp at z = 2 is a sphere of radius 0.5. Seen from (x, 0, 0),
+        # the plate hides the part of the lamp that is left of -3 x. At the first pixel, x = 1/32, 62 % of the lamp's
+        # disc is visible. For x > 1/6, the whole disc is visible.
         def row(**size):
             scene = lippmann.Scene()
             scene.add_mesh(QUAD, FACES, material=lippmann.Material((1, 1, 1), roughness=1))

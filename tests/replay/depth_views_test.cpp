@@ -7,7 +7,8 @@
 namespace lippmann {
 namespace {
 
-/// Tolerance of positions. Interpolation gives each of the four pixels around a position a weight of at least 1e-6.
+/// Tolerance of positions in pixels. Interpolation gives each of the four pixels around a position a weight of at least
+/// 1e-6.
 constexpr double kWeights = 1e-5;
 
 /// A plane at the depth `z` mm, with a bright column at x = `lit`. The screen has 40 x 4 pixels of 1 mm, and is seen
@@ -112,8 +113,9 @@ TEST(DepthViews, disoccluded_pixels_are_filled_from_behind) {
     EXPECT_EQ(right.pixel(x, 2)[0], front ? 1.0f : 0.0f) << x;
     EXPECT_EQ(right.pixel(x, 2)[2], front ? 0.0f : 1.0f) << x << ": the wall, also where it was hidden";
   }
-  // In the right view, 4 columns right of the board are newly visible, and 4 columns at the edge lie outside the source
-  // picture. The left view is symmetric. Therefore, 8 of 40 columns are filled in two of three views.
+  // In the right view, 4 columns beside the board show parts of the wall that the source picture does not show, and 4
+  // columns at the edge lie outside the source picture. These 8 of 40 columns are filled. The left view is symmetric,
+  // so 16 of all 120 columns are filled.
   EXPECT_NEAR(made.filled_share, 16.0 / 120.0, 1e-9);
 }
 

@@ -51,8 +51,8 @@ TEST(EyeView, slanted_and_hexagonal_lenses_equal_direct_view) {
     const ThreadPool pool(1);
     const EyeSampler sampler(panel, SampleFilter::kLinear);
     for (int k = -8; k <= 8; ++k) {
-      // Compares points on the axes of lenses. On the slanted sheet, these are points at y = 1.3 mm on the axes at (k +
-      // 1/2) pitch; in the hexagonal array, the centres of lenses in the row of lens (0, 0).
+      // Compares points on the axes of lenses. For the slanted sheet, `at` is the point of lens k's axis at y = 1.3 mm.
+      // For the hexagonal array, `at` is the centre of lens k in a row.
       const auto* s = std::get_if<LenticularSheet>(&optics.model);
       const float pitch = s ? s->lens_pitch_mm : std::get<MicrolensArray>(optics.model).lens_pitch_mm;
       const Vec2d at =
@@ -246,7 +246,7 @@ TEST(EyeView, cancelling_stops_before_the_next_pixel) {
 
 TEST(EyeView, coarse_pictures_average_all_lenses) {
   const RenderedPanel panel = numbered_lenses(test::sheet());
-  EXPECT_NEAR(view_from(panel, {0, 0, 4000}, {2, 1}).pixel(1, 0)[0], 10.0, 0.01);  // the mean of lenses 0 to 20
+  EXPECT_NEAR(view_from(panel, {0, 0, 4000}, {2, 1}).pixel(1, 0)[0], 10.0, 0.01);  // the mean of 0.5, 1.5, ..., 19.5
 }
 
 TEST(EyeView, eyes_that_see_nothing_are_refused) {

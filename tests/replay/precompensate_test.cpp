@@ -8,7 +8,7 @@
 namespace lippmann {
 namespace {
 
-/// neither black nor white, so that precompensation clips no sample
+/// Values between 0.2 and 0.8, so that precompensation clips no sample.
 Vec3f soft_waves(Vec2d p) { return 0.6f * test::waves(6.0 * p) + 0.2f; }
 
 /// Returns the largest difference between two panels, seen from the centres of all views through every lens in each

@@ -82,8 +82,8 @@ TEST(SlantedSight, eye_sees_its_own_direction) {
   EXPECT_EQ(share_out_of_zone(optics, viewer_in_zone(optics, 1.1)), 1.0);
 }
 
-// A wave is 19 lenses long. The rays from both ends of the viewing zone separate by 2 tan(20 degrees) mm per mm of
-// depth. The picture is blurred where this separation is about half a wave.
+// The rays from the two ends of the viewing zone separate by 2 tan(20 degrees) mm per mm of depth. The picture is
+// blurred where this separation is about half the length of a wave, which spans 19 lenses.
 TEST(SlantedSight, refocused_colours_are_sharp_at_their_depth) {
   const Optics optics = slanted_panel();
   const ThreadPool pool(1);

@@ -12,7 +12,7 @@ namespace {
 
 using test::record;
 
-/// A bar at x = 0, with soft edges, so that sampling does not shift its centre.
+/// A bar at x = 0. Its soft edges prevent sampling from shifting its centre.
 Vec3f bar(Vec2d at) { return Vec3f(static_cast<float>(std::exp(-at.x * at.x / 8.0))); }
 
 double centre_mm(const LightField& field, int view, double width_mm) {

@@ -22,7 +22,8 @@ Optics sheet(float viewing_distance) {
   return optics;
 }
 
-/// Linear in x, so that interpolation is exact. Steps of 0.2 per lens are enough contrast to match neighbouring views.
+/// Brightness is linear in x, so that interpolation is exact. Steps of 0.2 per lens give enough contrast to match
+/// neighbouring views.
 float ramp(float x) { return 2.0f + 0.2f * x; }
 
 using test::centre_of;

@@ -76,7 +76,7 @@ TEST(HeldOut, errors_are_weighted_by_untraced_patches) {
   // squared error of at least 12^2 = 144.
   const double w = 0.16, not_drawn = w * 144.0;
   EXPECT_NEAR(errors[0].bound, 0.8 + not_drawn + 2.326 * std::sqrt(w * w * 18.75 + not_drawn * not_drawn), 1e-9);
-  // For levels 0 and 2 together, the added sample has the largest known squared error, 400.
+  // For levels 0 and 2 together, the sample that was not drawn has the largest known squared error, 400.
   const double both = w * 400.0;
   EXPECT_NEAR(errors[2].bound, errors[2].mse + both + 2.326 * std::sqrt(w * w * (18.75 + 20000.0) + both * both), 1e-9);
 }

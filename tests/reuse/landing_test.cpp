@@ -27,8 +27,8 @@ bool on_panel(const Optics& optics, glm::dvec2 p) {
   return p.x >= 0 && p.y >= 0 && p.x < film_size(optics).x && p.y < optics.panel.height;
 }
 
-/// Returns the point where the rays of a lens cross z = 0: the centre of a microlens. For a sheet, x is the distance of
-/// the lens axis from the slanted axis through the origin, and y is 0.
+/// Returns the centre of the microlens above the pixel. For a sheet, x is the distance of the lens axis from the
+/// slanted axis through the origin, and y is 0.
 glm::dvec2 lens_above(const Optics& optics, Vec2f pixel) {
   const Vec3f p = at_depth(ray_of_pixel(optics, pixel), 0.0f);
   const auto* sheet = std::get_if<LenticularSheet>(&optics.model);
@@ -69,7 +69,7 @@ Place seen_below_lens(const Optics& optics, Vec2f from, Vec3f point) {
 struct Lattice {
   double pitch, row_pitch;  ///< in mm; row_pitch is 0 for a sheet
   glm::dvec2 offset;
-  double spread;   ///< cell width / lens width = 1 + gap / viewing distance
+  double spread;  ///< width of the area below a lens / width of the lens
   glm::dvec2 eye;  ///< point to which the cells converge
   bool hexagonal = false;
 };
@@ -108,8 +108,8 @@ glm::dvec2 nearest_lens(const Lattice& lattice, glm::dvec2 p) {
   return best;
 }
 
-/// Considers only positions with the same offset from the centre of their lens's cell as `from`. Returns the one whose
-/// ray passes nearest to the point.
+/// Compares positions that have the same offset as `from` from the centre of the area below their lens. Returns the
+/// position whose ray passes nearest to the point.
 Place seen_in_lens_view(const Optics& optics, Vec2f from, Vec3f point) {
   const Lattice lattice = lattice_of(optics);
   const double m = optics.panel.pixel_pitch_mm, w = optics.panel.width, h = optics.panel.height;
@@ -125,9 +125,8 @@ Place seen_in_lens_view(const Optics& optics, Vec2f from, Vec3f point) {
     p = {p.x * cosine + p.y * sine, 0.0};
   }
   const auto cell_centre = [&](glm::dvec2 lens) { return lens + (lens - lattice.eye) * (lattice.spread - 1.0); };
-  // The lens above the pixel has the nearest cell centre. At the offset o from this centre, the ray has the slope
-  // -parallax o / gap - (l - e) / V, with the lens position l, the viewing distance V, and the point e to which the
-  // cells converge.
+  // `own` is the lens above the pixel. At the offset o from the centre of the area below this lens, the ray has the
+  // slope -parallax o / gap - (l - e) / V, with the lens position l, the viewing distance V, and e = lattice.eye.
   const glm::dvec2 own = nearest_lens(lattice, (panel_mm + lattice.eye * (lattice.spread - 1.0)) / lattice.spread);
   const glm::dvec2 o = panel_mm - cell_centre(own);
   const glm::dvec2 through = (p + (parallax * o / gap - lattice.eye * vergence) * double{point.z}) / from_eye;
@@ -140,8 +139,8 @@ Place seen_in_lens_view(const Optics& optics, Vec2f from, Vec3f point) {
   return glm::dvec2((landed.x + (row + 0.5 - h / 2) * m * sine) / cosine / m + w / 2, row + 0.5);
 }
 
-/// For quilts and single views: the pixel of the same view whose ray passes nearest to the point, which may be half a
-/// pixel beyond the edge.
+/// Returns the position in the same view whose ray passes nearest to the point, for quilts and single views. The
+/// position may be half a pixel beyond the edge.
 Place seen_in_picture(const Optics& optics, Vec2f from, Vec3f point) {
   const auto* views = std::get_if<MultiView>(&optics.model);
   const float distance = views ? views->distance_mm : std::get<SingleView>(optics.model).distance_mm;
@@ -300,8 +299,8 @@ TEST(Landing, slanted_panels_keep_the_direction) {
       ++seen;
       const Vec2f centre = centre_of(optics, *landed);
       const Vec3f place = at_depth(ray_of_pixel(optics, centre), 0.0f);
-      // Tolerances: half a row in y; half a lens and half a sub-pixel in x; half the step from sub-pixel to sub-pixel
-      // for the view. Views repeat from lens to lens.
+      // The tolerance is half a row in y, and half a lens plus half a sub-pixel in x. The tolerance of the view is half
+      // the step between neighbouring sub-pixels. Views repeat from lens to lens.
       const double pitch = optics.panel.pixel_pitch_mm / 3.0;
       EXPECT_LE(std::abs(place.y - in_plane.y), 1.51 * pitch);
       EXPECT_LE(std::abs(place.x - in_plane.x), (0.5 * sub_pixels + 0.51) * pitch);
@@ -356,7 +355,7 @@ TEST(Landing, whole_splat_equals_single_points) {
     const SplatMode mode = random.coin() ? SplatMode::kView : SplatMode::kLens;
     PointImage image = test::empty_points(optics.panel);
     const auto pixels = static_cast<std::uint32_t>(image.points.z.size());
-    // Few different depths, so that some are equal.
+    // The random depths are multiples of 0.5, so that some are equal.
     for (std::uint32_t p = 0; p < pixels; ++p)
       test::set_point(image, p, 0.5f * static_cast<float>(random.integer(-20, 20)), static_cast<std::uint32_t>(p % 3));
     const KnownMotion motion({test::shift(1.0f, 0.2f, 0), test::shift(-2.0f, 3.0f, 0), Affine3f{}});

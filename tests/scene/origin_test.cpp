@@ -53,7 +53,7 @@ std::string obj_at(Vec3d place) {
   return text + "f 1 2 3\nf 1 2 4\n";
 }
 
-/// One splat at place + kCorners[0]. In the file, z points up, or -y without `z_up`.
+/// Returns a file with one splat at place + kCorners[0]. The upward axis of the file is z if `z_up`, and -y otherwise.
 std::string splat_at(Vec3d place, bool z_up) {
   const Vec3d at = place + kCorners[0], in_file = z_up ? Vec3d(at.x, -at.z, at.y) : Vec3d(at.x, -at.y, -at.z);
   return fmt::format(

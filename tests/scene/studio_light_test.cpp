@@ -47,9 +47,8 @@ TEST(StudioLight, is_grey) {
   }
 }
 
-// White surfaces must have a radiance above 0.5 where they face the viewer, and below 1 everywhere. If white has a
-// radiance of 0.5, greys with the reflectances 0.18 and 0.5 have the sRGB codes 85 and 137; if white has 1, they have
-// 118 and 188.
+// White surfaces must have a radiance above 0.5 where they face the viewer, and below 1 everywhere. Then the sRGB code
+// of a grey with the reflectance 0.18 is between 85 and 118, and with 0.5 between 137 and 188.
 TEST(StudioLight, grey_and_white_are_well_exposed) {
   const EnvironmentMap map = studio_environment(kStraight);
   float most = 0.0f, least = 1e9f;

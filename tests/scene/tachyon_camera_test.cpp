@@ -51,8 +51,7 @@ TEST_F(Tachyon, up_is_made_orthogonal_to_view) {
   EXPECT_EQ(xyz(frame.up), (std::array{0.0f, 1.0f, 0.0f}));
 }
 
-/// Tachyon samples its leftmost column one pixel to the right of the picture's edge, half a pixel to the right of our
-/// pixel centres, and its bottom row half a pixel above ours.
+/// Tachyon's samples lie half a pixel to the right of our pixel centres, and half a pixel above them.
 TEST_F(Tachyon, pixel_offset_is_half_right_and_up) {
   const Scene scene = files.load_statements("");
   EXPECT_EQ(scene.cameras[0].pixel_offset.x, 0.5f);
@@ -194,8 +193,8 @@ TEST_F(Tachyon, depth_of_field_is_ignored) {
   EXPECT_THAT(files.warnings, ElementsAre(HasSubstr("the depth of field of PERSPECTIVE_DOF is left out")));
 }
 
-/// The gradient covers the heights -1 to 3, with the camera at 1. Both ends are half a picture height away, and the
-/// assumed viewer sees them at 22.5 degrees.
+/// The gradient reaches from the height -1 to 3, and the camera is at 1. Therefore, the gradient ends at the lower and
+/// upper edge of the picture, which the assumed viewer sees 22.5 degrees from the axis.
 TEST_F(Tachyon, orthographic_gradient_becomes_directions) {
   const Scene scene = files.load_statements(
       camera("CENTER 0 1 0 VIEWDIR 0 0 1 UPDIR 0 1 0", "PROJECTION ORTHOGRAPHIC ZOOM 0.25") +

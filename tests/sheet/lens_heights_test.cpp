@@ -64,7 +64,8 @@ TEST(LensHeights, follow_a_cylinder) {
   for (int x = 0; x < 240; ++x) {
     const double from_axis = (x % 24 - 11.5) * 25.4 / 1440.0;
     const double expected = 65535.0 * (std::sqrt(0.09 - from_axis * from_axis) - edge) / (0.3 - edge);
-    // From 10 km, strips deviate from lenses by 1e-7 of the pitch, which changes the height by at most one code.
+    // The viewer is 10 km away, so the printed strips are as wide as the lenses within 1e-7. This changes heights by at
+    // most one code.
     EXPECT_NEAR(map.codes[static_cast<std::size_t>(x)], expected, 1.0) << x;
     EXPECT_EQ(map.codes[static_cast<std::size_t>(x) + 240 * 5], map.codes[static_cast<std::size_t>(x)]);
   }

@@ -218,7 +218,7 @@ class Teller {
     if (strips_ == 1) return;
     forget_strips_of(folder, frame);
     remove_strips(folder, frame, strips_);
-    // Meanwhile, another task may have finished a strip of this frame, which is now removed too.
+    // Another task may have finished a strip of this frame in the meantime. remove_strips() has removed this strip too.
     forget_strips_of(folder, frame);
   }
 
@@ -284,8 +284,8 @@ class Teller {
                        [&](const std::string& name) { return world_.disk.find((of.first / name).string()) == inode; });
   }
 
-  /// Returns whether the simulation may damage a byte of the file, and then no longer counts the file as finished.
-  /// Damage to a file that is being written cannot be detected. A file may have two names, so inodes are compared.
+  /// Returns whether the simulation may damage a byte of the file. If so, the file no longer counts as finished. Damage
+  /// to a file that is being written cannot be detected. A file may have two names, so inodes are compared.
   bool forget(const std::string& path) {
     const int inode = world_.disk.find(path);
     for (const FolderFrame& made : being_made_) {

@@ -53,7 +53,7 @@ inline std::string exr_header(const ExrPart& part, bool several) {
     channels += name;
     channels += '\0';
     const int sampling = exr_sampling(part, name);
-    // sample type (2: float), perceptually linear (0: no), sampling in x and y
+    // The words are the sample type (2 is float), a flag for perceptually linear samples, and the sampling in x and y.
     for (const std::int32_t word : {2, 0, sampling, sampling}) channels += bytes_of_value(word);
   }
   channels += '\0';

@@ -1,5 +1,5 @@
-// Compares a picture with a reference, and saves both if they differ. For pictures without noise whose edges may move
-// by rounding: a given fraction of pixels may differ, and none may differ much.
+// Compares a picture with a reference, and saves both pictures if they differ. Rounding may move the edges of objects,
+// so a given fraction of pixels may differ by more than a tolerance, but no pixel by more than a hard limit.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -102,8 +102,8 @@ TEST(GltfMeshopt, vertices_and_triangles_round_trip) {
   }
 }
 
-/// The first view is invalid, and all views together exceed the memory limit. The error must be about the limit,
-/// because no view may be unpacked before all are counted.
+/// The first view is invalid, and all views together exceed the memory limit. The limit must be checked before any view
+/// is unpacked, so the error must be about the limit.
 TEST(GltfMeshopt, counts_all_views_before_unpacking) {
   GltfBuilder b = packed_square("TRIANGLES");
   const std::size_t from = b.root["bufferViews"][0]["extensions"]["EXT_meshopt_compression"]["byteOffset"];

@@ -208,8 +208,8 @@ TEST(GltfDocument, unpacking_beyond_the_limit_is_an_error) {
               HasSubstr("accessors[1]: the unpacked scene needs too much memory; accepted: at most 30 bytes in total"));
 }
 
-/// The first mesh is invalid. The error must be about the memory limit, because no mesh may be unpacked before all are
-/// counted.
+/// The first mesh is invalid, and all meshes together exceed the memory limit. The limit must be checked before any
+/// mesh is unpacked, so the error must be about the limit.
 TEST(GltfDocument, counts_all_meshes_before_unpacking) {
   GltfBuilder b;
   const int bad = b.add_accessor(std::vector<Vec3f>{{0, 0, 0}, {std::nanf(""), 0, 0}, {0, 1, 0}});

@@ -16,7 +16,7 @@ using test::Json;
 using test::parse;
 using testing::HasSubstr;
 
-/// One horizontal angle and the vertical angles 0 and 90 degrees: 80 candela downwards, nothing upwards.
+/// An IES file with 80 candela at the vertical angles from 0 (down) to 90 degrees, and no light upwards.
 constexpr const char* kDownlight =
     "data:application/x-ies-lm-63;base64,SUVTOkxNLTYzLTIwMTkKVElMVD1OT05FCjEgMTAwMCAxID"
     "IgMSAxIDIgMCAwIDAgMSAxIDUwCjAgOTAKMAo4MCA4MAo=";

@@ -43,7 +43,8 @@ GltfBuilder surrounded_by(GltfBuilder b, const Json& faces, const Json& more = J
   return b;
 }
 
-/// Uniform faces: x red, y green, z blue, 255 on the positive and 128 on the negative side.
+/// A cube map with uniform faces. The x faces are red, the y faces green, the z faces blue. The colour code is 255 on
+/// the positive side of each axis, and 128 on the negative side.
 GltfBuilder coloured_cube(const Json& more = Json::object()) {
   GltfBuilder b;
   Json faces;

@@ -50,7 +50,7 @@ TEST(GltfNodes, parents_come_first) {
 
 TEST(GltfNodes, world_transform_composes_levels) {
   GltfBuilder b;
-  // by 90 degrees about z, which turns x to y
+  // Node 0 rotates by 90 degrees about z, which turns x to y.
   b.add_node(
       {{"translation", {10, 0, 0}}, {"rotation", {0, 0, kHalfRoot, kHalfRoot}}, {"scale", {2, 3, 4}}, {"children", {1}}});
   b.add_node({{"translation", {1, 0, 0}}});
