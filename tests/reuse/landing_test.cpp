@@ -70,7 +70,7 @@ struct Lattice {
   double pitch, row_pitch;  ///< in mm; row_pitch is 0 for a sheet
   glm::dvec2 offset;
   double spread;  ///< width of the area below a lens / width of the lens
-  glm::dvec2 eye;  ///< point to which the cells converge
+  glm::dvec2 eye;  ///< x and y of the eye for which the lenses are designed
   bool hexagonal = false;
 };
 

@@ -77,7 +77,7 @@ TEST(Uncertainty, pixels_with_few_points_are_uncertain) {
 
 TEST(Uncertainty, linear_film_is_compared_by_square_roots) {
   Case c;
-  Case::paint(c.following, pixel(5, 3), 0.25f);  // compared by its square root, 1/2
+  Case::paint(c.following, pixel(5, 3), 0.25f);
   UncertaintyEstimator estimator(small_view(), Encoding::kSrgb);
   std::vector<std::uint8_t> uncertainty;
   estimator.estimate({c.previous, c.landed_previous}, {c.following, c.landed_following}, c.film, ThreadPool(1), uncertainty);

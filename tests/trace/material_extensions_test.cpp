@@ -78,7 +78,7 @@ TEST(MaterialExtensions, layered_white_spheres_vanish_in_furnaces) {
   }
 }
 
-// The edge of a dark square behind a prism. Red light is bent less than blue light.
+// The edge of a dark square is seen through a prism, which bends red light less than blue light.
 TEST(MaterialExtensions, dispersion_separates_colours) {
   SmallScene s;
   s.scene.max_depth = 8;

@@ -34,8 +34,8 @@ TEST(NoisyFrame, film_equals_the_frames_film) {
     EXPECT_EQ(traced(s.scene, spp).film.data, trace_paths(s.scene, single_view(kNoisySize), spp).film.data);
 }
 
-// Both halves of stratified samples fill each other's gaps. The estimate from the difference of the halves may
-// therefore exceed the error of their mean.
+// The noise is estimated from the difference between two halves of the samples. Stratified halves fill each other's
+// gaps, so the estimate may exceed the error of their mean.
 TEST(NoisyFrame, noise_matches_the_errors_without_bias) {
   const SmallScene s = busy_scene(3);
   const Image truth = trace_paths(s.scene, single_view(kNoisySize), 1024).film;

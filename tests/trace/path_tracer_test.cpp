@@ -106,8 +106,8 @@ TEST(PathTracer, a_metallic_roughness_surface_divides_by_pi) {
   EXPECT_NEAR(trace_paths(s.scene, single_view(33), 4).at(16, 16).x, 0.5f / kPi * 8.0f / 16.0f, 5e-4f);
 }
 
-/// Form factor from a point to a parallel square of half side a at height h: four times that of a square of side a with
-/// one corner above the point (Howell, configuration B-3).
+/// Returns the form factor from a point to a parallel square of side 2 a, whose centre is at height h above the point.
+/// It is four times the form factor of a square of side a with one corner above the point (Howell, configuration B-3).
 double form_factor(double a, double h) {
   const double x = a / h, r = std::sqrt(1.0 + x * x);
   return 4.0 / M_PI * x / r * std::atan(x / r);

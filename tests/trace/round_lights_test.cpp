@@ -83,8 +83,8 @@ TEST(RoundLight, suns_give_illuminance_times_cosine) {
   }
 }
 
-/// Fraction of a lamp's light that passes an edge at x = 0, 2 above a white floor, for 64 pixels at x = -1 + (i + 0.5)
-/// / 16.
+/// Returns the fraction of a lamp's light that passes an edge at (x, z) = (0, 2) and reaches the white floor at z = 0.
+/// Pixel i of 64 is at x = -1 + (i + 0.5) / 16.
 std::vector<float> past_an_edge(const SmallScene& lit) {
   constexpr int kPixels = 64;
   const Affine3f view{Mat3f(1.0f), {1.0f, 0.0f, 0.0f}};

@@ -117,7 +117,8 @@ inline int add_lamp_facing_down(SmallScene& s, float half, float z, Vec3f light)
   return s.add(square(half, 0), s.material(shining), s.node(turned));
 }
 
-/// Matte (material 0), mirroring (1) and glass (2) spheres at random positions on a long box below one light.
+/// Spheres at random positions on a long box below one light. The spheres are matte (material 0), mirrors (1) or glass
+/// (2).
 inline SmallScene busy_scene(unsigned seed) {
   SmallScene s;
   s.scene.max_depth = 4;

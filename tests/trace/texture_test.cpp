@@ -125,9 +125,9 @@ TEST(SampleProjected, coordinates_fraction_and_level_by_hand) {
   EXPECT_NEAR(sample_projected(t, m, {1 + 1 / 3.0f, 0, 0}, 0.0f).r, 0.1f, kStep);
   EXPECT_NEAR(sample_projected(t, m, {1 / 3.0f, 0, 0}, 0.0f).r, 0.4f, kStep) << "-1/3 wraps to 2/3: the third texel";
   EXPECT_NEAR(sample_projected(t, m, {1, 2 / 3.0f, 0}, 0.0f).r, 30 / 255.0f, kStep) << "v = 1/6: half-way down to 60";
-  // The level is min(1, 0.05 x path x 0.5) x (3 - 0.9999). A path of 20 gives 1.00005, which selects the 1 x 1 level
-  // alone. Level 1 has the truncated means of 2 x 2 texels 42, 119, 150 and 150. The 1 x 1 level has their truncated
-  // mean, 115.
+  // A path of 20 selects the coarsest level of 1 x 1 texel. Its code 115 is the truncated mean of the codes 42, 119,
+  // 150 and 150 of level 1, which are truncated means of 2 x 2 texels. A path of 10 gives the level min(1, 0.05 x 10 x
+  // 0.5) x (3 - 0.9999) = 0.500025.
   EXPECT_NEAR(sample_projected(t, m, {1, 0, 0}, 20.0f).r, 115 / 255.0f, kStep);
   EXPECT_NEAR(sample_projected(t, m, {1, 0, 0}, 10.0f).r, 0.500025f * 42 / 255.0f, 2 * kStep) << "half-way to level 1";
 }

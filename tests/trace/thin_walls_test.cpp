@@ -269,8 +269,8 @@ Estimate estimate(const Scene& scene) {
   return {of_mean, (squares / kSeeds - of_mean * of_mean) / (kSeeds - 1)};
 }
 
-// The limit is 4.5 standard errors. With 11 degrees of freedom, one of 1,000 correct pairs exceeds this limit. The
-// seeds are fixed.
+// The limit is 4.5 standard errors. With 11 degrees of freedom, one of 1,000 comparisons of equal pictures exceeds this
+// limit. The seeds are fixed.
 TEST(ThinWalls, light_matches_random_paths) {
   MetallicRoughness plain = pane(kGreenish), layered = pane(kGreenish);
   layered.clearcoat = 0.8f, layered.clearcoat_roughness = 0.3f, layered.transmission = 0.7f;

@@ -411,7 +411,7 @@ export class App {
     return !this.shown().every(isThere);
   }
 
-  /** Of several kinds of work, the line shows the one that began first. about: identifies the work. */
+  /** Updates the progress line, which shows the work that began first. about: identifies the work. */
   private showProgress(about: string, now: Work | null): void {
     this.progressLine.show(about, now);
   }

@@ -79,7 +79,8 @@ export async function postText(path: string, body: string): Promise<string> {
   return (await answerOf(path, { method: "POST", body, headers: { "Content-Type": "text/plain" } })).text();
 }
 
-/** The server computes views with crosstalk if they do not consist of whole pixels of the panel. */
+/** Returns whether the server must compute views with crosstalk, because the views are not made of whole pixels of the
+ *  panel. */
 export const asksForCrosstalk = (field: Field): boolean => !isSaved() && field.panel.is === "own" && field.across.views * field.up.views > 1;
 
 export const readState = async (path: string): Promise<unknown> => (await answerOf(path)).json();
@@ -183,6 +184,6 @@ export function download(blob: Blob, name: string): void {
   link.href = URL.createObjectURL(blob);
   link.download = name;
   link.click();
-  // A busy browser reads the file later than click() returns.
+  // A busy browser may read the file after click() has returned.
   window.setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
 }

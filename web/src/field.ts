@@ -102,7 +102,7 @@ export function readFields(json: unknown): Field[] {
   return fields;
 }
 
-/** Converts a slope to the axis's own quantity, slope or angle, in which its views are evenly spaced. */
+/** Converts a slope to the quantity in which the views of an axis are evenly spaced: the slope itself, or its angle. */
 const placed = (axis: Axis, slope: number): number => (axis.by === "angle" ? Math.atan(slope) : slope);
 const slopeOf = (axis: Axis, place: number): number => (axis.by === "angle" ? Math.tan(place) : place);
 
@@ -118,7 +118,8 @@ export const disparityOfDepth = (field: Field, depth: number): number => depth /
 export const depthOfDisparity = (field: Field, disparity: number): number =>
   disparity / (1 + disparity * field.vergence_per_mm);
 
-/** The page computes crosstalk if neighbouring views are neighbouring pixels of the panel, or views of a quilt. */
+/** Returns whether the page can compute crosstalk. Neighbouring views must be neighbouring pixels of the panel, or views of
+ *  a quilt. */
 export const hasCrosstalk = (field: Field): boolean => field.panel.is !== "own" && field.across.views * field.up.views > 1;
 
 /** Error function for x >= 0 with an error below 1.5e-7 (Abramowitz and Stegun, 7.1.26). */
@@ -127,7 +128,8 @@ function erf(x: number): number {
   return 1 - t * (0.254829592 + t * (-0.284496736 + t * (1.421413741 + t * (-1.453152027 + t * 1.061405429)))) * Math.exp(-x * x);
 }
 
-/** Share of light from each neighbouring pixel, at the middle of a pixel. sigma: blur of the lenses in pixels. */
+/** Share of light from each of the two neighbouring pixels, for an eye that sees the middle of a pixel. sigma: standard
+ *  deviation of the lenses' blur in pixels. */
 export const neighbourShare = (sigma: number): number =>
   sigma > 0 ? 0.5 * (erf(1.5 / (Math.SQRT2 * sigma)) - erf(0.5 / (Math.SQRT2 * sigma))) : 0;
 

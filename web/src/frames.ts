@@ -7,9 +7,9 @@ import type { Interlacer } from "./interlace";
 import { sharesOf, type Provenance } from "./provenance";
 import { layerTiles, quiltTexture, type LayerTiles } from "./quilt";
 
-/** Which pictures of a frame are loaded. "eye": the views. "panel": the panel's picture, too. "display": a picture that is
- *  interlaced for a calibrated panel. "eye/N": views with crosstalk that the server computes, with a standard deviation of N
- *  / 100 pixels. */
+/** Selects the pictures of a frame to load. "eye": the views. "panel": the views and the panel's picture. "display": a
+ *  picture that is interlaced for a calibrated panel. "eye/N": views with crosstalk that the server computes, with a
+ *  standard deviation of N / 100 pixels. */
 export type Use = "eye" | "panel" | "display" | `eye/${number}`;
 
 export interface LoadedFrame {
@@ -22,12 +22,12 @@ export interface LoadedFrame {
   viewSize: [number, number];
   disparities: [number, number];
   bytes: number;
-  /** Resolves when the depth has been loaded, too. */
+  /** Resolves when the views and the depth have been loaded. */
   whole: Promise<void>;
   givenUp?: boolean;
 }
 
-/** Range of the disparities that codes stand for; src/view/disparity_codes.hpp defines them. */
+/** Returns the least and the greatest disparity in a picture of disparity codes (src/view/disparity_codes.hpp). */
 function disparityRange(pixels: Uint8ClampedArray, scale: number): [number, number] {
   let least = Infinity;
   let greatest = -Infinity;
@@ -78,7 +78,7 @@ export class Frames {
   private asked = 0;
   private pinned: string[] = [];
   private interlacer: Interlacer | null = null;
-  /** Whether a scene is set up. Its newest picture is then shown for every frame. */
+  /** Whether the user sets up a scene. If so, the newest picture of the scene is shown for every frame. */
   isLive = false;
   private live: LoadedFrame | null = null;
   /** Picture of the scene for the calibrated panel; null while the panel is not shown. */
@@ -148,7 +148,7 @@ export class Frames {
       this.previews.set(field, { frame, made });
       this.changed();
     } catch {
-      // Errors are reported when the full picture loads.
+      // Previews fail silently. The full picture reports errors.
     }
   }
 
@@ -396,8 +396,8 @@ export class Frames {
     this.changed();
   }
 
-  /** Returns the range of disparities for views without depth, from twice the depth budget on either side of the
-   *  display. */
+  /** Returns an assumed range of disparities for views without depth. The range covers twice the depth budget on either side
+   *  of the display. */
   private guessedRange(facts: Field): [number, number] {
     const budget = facts.depth_budget_mm ?? 0.2 * facts.window_mm.size[1];
     return [-2 * budget, 2 * budget].map((z) => z / Math.max(1 - z * facts.vergence_per_mm, 0.2)) as [number, number];

@@ -83,7 +83,8 @@ export function setFilter(gl: Gl, filter: number, target: number = gl.TEXTURE_2D
   for (const key of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(target, key, gl.CLAMP_TO_EDGE);
 }
 
-/** The first row is the top row. sRGB codes are sampled as linear light, other codes unchanged. */
+/** Makes a texture whose first row is the top row of the picture. Shaders sample "srgb" codes as linear light, and other
+ *  codes unchanged. */
 export function pictureTexture(gl: Gl, picture: ImageBitmap, holds: "srgb" | "codes"): WebGLTexture {
   const texture = gl.createTexture() as WebGLTexture;
   bind(gl, 0, texture);
@@ -129,7 +130,7 @@ export class CodeTarget {
   }
 }
 
-/** A render target in linear light, if the device supports it, bottom row first. */
+/** A render target, bottom row first. Stores linear light if the device supports such targets. */
 export class Target {
   readonly texture: WebGLTexture;
   readonly framebuffer: WebGLFramebuffer;

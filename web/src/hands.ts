@@ -87,7 +87,7 @@ export class Hands {
     canvas.addEventListener("contextmenu", (event) => event.preventDefault());
     canvas.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
     window.addEventListener("keydown", (event) => this.key(event));
-    // touching any control also ends the automatic motion
+    // Touching any control also ends the automatic motion of the eye.
     window.addEventListener("pointerdown", (event) => event.target !== canvas && this.app.touched(true), { capture: true });
     // After a click with a pointer, keys apply to the picture instead of the clicked button.
     window.addEventListener("click", (event) => {
@@ -195,7 +195,7 @@ export class Hands {
     return app.live ? state.drag : "eye";
   }
 
-  /** Distance in pixels of the canvas within which a press grasps a line. */
+  /** Largest distance from a line, in pixels of the canvas, at which a press grasps the line. */
   private get near(): number {
     return 14 * (this.app.renderer.screen[0] / this.app.canvas.clientWidth);
   }
@@ -325,8 +325,8 @@ export class Hands {
     return actions[key.length === 1 ? key.toLowerCase() : key];
   }
 
-  /** Arrow keys move the eye. While the panel is shown, they move the loupe; while a scene is set up, they move what
-   *  dragging moves. */
+  /** Arrow keys move the eye. If the panel is shown, arrow keys move the loupe instead. If a scene is set up, arrow keys
+   *  move what dragging moves. */
   private arrow(x: number, y: number, by: number): void {
     const { app } = this;
     const { live } = app;

@@ -1,6 +1,6 @@
-// Interlaces views for a panel, as `lippmann convert --to native` does. The view of a sub-pixel depends on its phase,
-// the position below its lens. The phase is the fraction of the sum of a term for the row and a term for the column.
-// Both terms are tables of 64-bit fractions, because single precision is too coarse for hundreds of lenses.
+// Interlaces views for a panel, as `lippmann convert --to native` does. The position of a sub-pixel below its lens, called
+// phase, selects the view. The phase is the fractional part of a row term plus a column term. Both terms are tables of 64-bit
+// fractions, because single precision is too coarse for hundreds of lenses.
 import type { PanelDisplay } from "./display";
 import { Refusal, type Field } from "./field";
 import { bind, CodeTarget, Program, wordTexture, type Gl, type Uniform } from "./gl";
@@ -71,7 +71,7 @@ float bilinear(int view, ivec2 pixel, int channel) {
 }
 
 float between(uvec2 place, ivec2 pixel, int channel) {
-  // View n covers v from n / N to (n + 1) / N. Its centre is at (n + 1/2) / N.
+  // View n of N covers the phases from n / N to (n + 1) / N. Its centre is at the phase (n + 1/2) / N.
   int view = int(place.x) - (place.y < 0x80000000u ? 1 : 0);
   float share = float(place.y ^ 0x80000000u) / 4294967296.0;
   if (view < 0) view = 0, share = 0.0;
@@ -151,7 +151,7 @@ export class Interlacer {
     this.columns = wordTexture(gl, pixels[0], 1, fractionsOf([...Array(pixels[0]).keys()].map((i) => i * perPixel)));
   }
 
-  /** Returns codes, bottom row first. */
+  /** Returns a texture of codes, bottom row first. */
   fromViews(field: Field, views: WebGLTexture, viewSize: [number, number], layer: LayerTiles): WebGLTexture {
     return this.draw(this.display.filter, views, layer, {
       u_layer_tiles: { integers: layer ?? field.tiles },

@@ -83,7 +83,7 @@ export class Live {
     return text === "" || !Number.isFinite(number) ? otherwise : number;
   }
 
-  /** -1: there is no picture yet */
+  /** Frame number of the shown picture; -1 if there is no picture yet. */
   get shownFrame(): number {
     return this.shownId > 0 ? (this.state?.picture?.frame ?? -1) : -1;
   }

@@ -52,7 +52,8 @@ export class Motion {
     this.changed();
   }
 
-  /** Sets the position of the mouse as shares of the picture, from the bottom left; null beside the picture. */
+  /** Sets the position of the mouse as shares of the picture, from the bottom left; null if the mouse is outside the
+   *  picture. */
   hover(at: Shares | null): void {
     if (this.pointer && !at) this.began = 0;
     this.pointer = at;
@@ -74,7 +75,7 @@ export class Motion {
     return this.offset[0] !== 0 || this.offset[1] !== 0;
   }
 
-  /** Advances by one frame of the screen. Returns whether the eye has moved. may: whether it may move now. */
+  /** Advances by one frame of the screen. Returns whether the eye has moved. may: whether the eye may move now. */
   step(now: number, may: boolean): boolean {
     const past = Math.min(now - this.last, 100);
     this.last = now;

@@ -21,12 +21,12 @@ interface Handle {
   pause(): void;
   panel(): Uint8ClampedArray;
   valueAt(x: number, y: number): number[];
-  /** Settings have the names of flags of `lippmann render`. */
+  /** The scene that the user sets up, or null. Its settings have the names of flags of `lippmann render`. */
   readonly scene: LiveState | null;
   setUp(settings: Record<string, string | null>): void;
-  /** null: there is no print */
+  /** The last print; null if there is none. */
   readonly print: Print["made"];
-  /** null: no render is running or was stopped */
+  /** The render that is running or was stopped; null if there is none. */
   readonly run: RunState | null;
 }
 

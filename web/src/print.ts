@@ -107,8 +107,8 @@ export class Print {
     this.setShift(this.within(-disparityOfDepth(this.own, depth) * this.pixelsPerDisparity));
   }
 
-  /** Shows the new plane by focusing on it. from: shift at the start of the drag. across: motion to the right, as a share of
-   *  the picture. */
+  /** Moves the zero plane by a drag, and shows the plane by focusing on it. from: shift at the start of the drag. across:
+   *  motion to the right, as a share of the picture. */
   dragPlane(from: number, across: number): void {
     const [least, most] = this.shiftRange;
     this.settings.shift = this.within(from + across * (most - least));

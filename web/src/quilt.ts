@@ -25,7 +25,8 @@ export function layerTiles(gl: Gl, { width, height }: Size, tiles: readonly [num
   return [fitting(width, tiles[0]), fitting(height, tiles[1])];
 }
 
-/** The first row is the top row. sRGB codes are sampled as linear light, other numbers unchanged. */
+/** Makes a texture whose first row is the top row of the picture. Shaders sample "srgb" codes as linear light, and other
+ *  numbers unchanged. */
 export function quiltTexture(gl: Gl, picture: ImageBitmap, tiles: readonly [number, number], holds: Holds): WebGLTexture {
   const [stored, sent] = kFormats[holds](gl);
   const layer = layerTiles(gl, picture, tiles);

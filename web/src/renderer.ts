@@ -174,7 +174,8 @@ export class Renderer {
     return true;
   }
 
-  /** Draws only the background for eyes behind the display, and before the frame has loaded. */
+  /** Draws the views of a headset. Eyes behind the display see only the background, as do all eyes before the frame has
+   *  loaded. */
   drawHeadset(state: State, framebuffer: WebGLFramebuffer | null, views: HeadsetView[], ground: number[]): void {
     const gl = this.gl;
     gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
@@ -347,8 +348,8 @@ export class Renderer {
     this.clip(null);
   }
 
-  /** Draws the panel beside the eye's view, or compares two panels as their eye's views. Magnification first enlarges
-   *  only the eye's view, up to the scale of the panel, and then both pictures. */
+  /** Draws the panel beside the eye's view. Two panels are compared in the same way as two views. Magnification first
+   *  enlarges only the eye's view, up to the scale of the panel, and then both pictures. */
   private drawBeside({ eye, panel }: Pair, fields: Field[], frames: LoadedFrame[], state: State): void {
     const by = this.place.width / eye.width;
     const place = (this.besidePlace = magnified(panel, by > 1 ? Math.max(1, this.place.width / panel.width) : by, state.pan));
@@ -509,8 +510,8 @@ export class Renderer {
     gl.viewport(0, 0, width, height);
   }
 
-  /** Converts a point of the canvas to a point of the display, as shares from the top left. Returns null beside the
-   *  picture. */
+  /** Converts a point of the canvas to a point of the display, as shares from the top left. Returns null if the point is
+   *  outside the picture. */
   shareAt(state: State, x: number, y: number): [number, number] | null {
     const room = this.pair?.eye.room;
     if (room && (x < room.left || y < room.top || x > room.left + room.width || y > room.top + room.height)) return null;

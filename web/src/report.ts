@@ -87,7 +87,7 @@ function markerColor(chart: Chart, index: number): string {
   return `var(--c${chart.series[chart.stacked ? count - index : index - 1].color})`;
 }
 
-/** Stacked bars are drawn from the highest sum down, so that lower ones cover the higher. */
+/** Stacked bars are drawn from the highest sum down, so that lower bars cover higher bars. */
 function dataOf(chart: Chart): uPlot.AlignedData {
   const values = chart.stacked ? stackedTops(chart.series).reverse() : chart.series.map((series) => series.values);
   return [chart.frames, ...values, ...chart.levels.map(({ value }) => chart.frames.map(() => value))];

@@ -1,6 +1,6 @@
-// The shaders. At every point of the display, view v belongs to the same slope S_v. An eye E sees the point s of the
-// display's plane under the slope S(s) = E.xy / E.z - s (1 / E.z - vergence). A scene point on this line of sight with
-// the disparity w (a length; see src/view/disparity_codes.hpp) is at s + (S - S_v) w in view v.
+// The shaders. View v shows the scene from the same slope S_v at every point of the display. An eye at E sees the point s of
+// the display's plane at the slope S = E.xy / E.z - s (1 / E.z - vergence). A scene point on this line of sight has the
+// position s + (S - S_v) w in view v. The disparity w is a length (src/view/disparity_codes.hpp).
 
 import { kQuiltPlaces } from "./quilt";
 
@@ -254,8 +254,8 @@ vec3 between_views(vec2 s, vec2 slope, vec2 place) {
 #endif
 }
 
-// Returns the position among the views that an eye beyond the zone sees. count: number of views. turns: number of zones
-// between the eye and its own zone.
+// Returns the position among the views that an eye sees. Beyond the viewing zone, the views may repeat. count: number of views.
+// turns: number of the repeated zone in which the eye is; 0 is the viewing zone.
 float wrapped(float place, float count, float beyond, out float turns) {
   turns = beyond > 0.5 ? floor((place + 0.5) / count) : 0.0;
   return place - turns * count;

@@ -81,7 +81,7 @@ export function defaultState(fields: Field[], plays: boolean, isSetUp = false): 
   };
 }
 
-/** 63 mm, or an eighth of the viewing zone's width if that is less. */
+/** Returns the distance between the eyes in mm: 63, or an eighth of the viewing zone's width if that is less. */
 function defaultSeparation(field: Field): number {
   const zone = Math.abs(field.across.step) * field.across.views * field.eye_mm[2];
   return Math.min(63, Math.round(zone * 1.25) / 10);
@@ -113,8 +113,8 @@ export class Store {
   private readonly listeners: (() => void)[] = [];
   private addressTimer = 0;
 
-  /** plays: whether there is a calibrated panel. beginsPlaying: whether the page first shows its picture. isSetUp: whether
-   *  the page shows a scene that is set up. */
+  /** plays: whether there is a calibrated panel. beginsPlaying: whether the page first shows the picture of this panel.
+   *  isSetUp: whether the page shows a scene that is set up. */
   constructor(
     readonly fields: Field[],
     public plays = false,

@@ -1,7 +1,7 @@
-// Moves the eye when the device is tilted, as if the eye stayed in place while the display turned. R = Rz(alpha)
-// Rx(beta) Ry(gamma), with the three angles of the sensor, rotates vectors from the device's frame (x right, y up, z
-// out of the screen) to the world. R_0 is the initial rotation. If the direction to the eye was e in the initial frame,
-// it is R^T R_0 e in the current one.
+// Moves the eye when the device is tilted, as if the eye stayed in place while the display turned. R = Rz(alpha) Rx(beta)
+// Ry(gamma), with the three angles of the sensor, rotates vectors from the device's frame (x right, y up, z out of the screen)
+// to the world. R_0 is the initial rotation. A direction e to the eye in the initial frame of the device becomes R^T R_0 e in
+// the current frame.
 
 type Vector = [number, number, number];
 type Matrix = [Vector, Vector, Vector];

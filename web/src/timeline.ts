@@ -143,8 +143,8 @@ export class Timeline {
     this.startFrame = this.store.state.frame;
   }
 
-  /** Advances to the frame that is due, but not beyond frames that are not loaded. now: time stamp of the screen's frame,
-   *  which may be before the click on the button. */
+  /** Advances to the frame that is due, but not beyond frames that are not loaded. now: time stamp of the animation frame,
+   *  which may be earlier than the click on Play. */
   tick(now: number): void {
     if (!this.playing) return;
     const { state, fields } = this.store;

@@ -1,6 +1,6 @@
-// Shows the light field in a headset (WebXR), with the viewer's head at the intended viewing position of the display.
-// Displays with a viewing distance below kLeastDistanceMm are enlarged together with the distance, because near objects
-// strain the eyes. The slopes of the eyes stay the same, so they stay in the viewing zone.
+// Shows the light field in a headset (WebXR), with the viewer's head at the intended viewing position of the display. If the
+// viewing distance is below kLeastDistanceMm, display and distance are enlarged by the same factor, because near objects strain
+// the eyes. The slopes of the eyes do not change, so the eyes stay in the viewing zone.
 import { Refusal, type Field } from "./field";
 import type { Gl } from "./gl";
 
@@ -44,7 +44,7 @@ const layerMaker = (): LayerMaker | undefined => (window as { XRWebGLLayer?: Lay
 export interface HeadsetView {
   framebuffer: WebGLFramebuffer | null;
   viewport: XrViewport;
-  /** in mm of the display */
+  /** Position of the eye, in mm of the display. */
   eye: [number, number, number];
   /** Matrix (column-major) from mm of the display to the clip space of the eye's picture. */
   clipFromDisplay: number[];
