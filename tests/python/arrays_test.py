@@ -25,8 +25,8 @@ class Arrays(Case):
         self.assertEqual(field.layer("id").shape, (2, 3, 24, 32, 1))
 
     def test_row_0_is_lowest_column_0_leftmost(self):
-        # A ball is in front of the display, and a wall is in the plane of the display. A lower eye sees the ball higher
-        # on the display. An eye further to the left sees it further to the right.
+        # A ball is in front of the display. A lower eye sees the ball higher on the display. An eye further to the left
+        # sees the ball further to the right.
         scene = lippmann.Scene()
         scene.add_sphere((0, 0, 2), 0.5, material=lippmann.Material((0, 0, 0), emission=(1, 1, 1)))
         scene.place_display(height=10, viewing_distance=10)

@@ -175,8 +175,9 @@ def write_motion(path, motion):
 
 
 def moving_pictures(count):
-    """Returns `count` frames: codes of a reference picture, codes of a test picture, and the motion since the frame before. The reference
-    shows waves that move by a different vector from frame to frame. The motion differs from this vector by up to half a pixel."""
+    """Returns `count` frames, each with the codes of a reference picture, the codes of a test picture, and the
+    motion since the previous frame. The reference shows waves, which move by another vector in each frame. The
+    returned motion differs from this vector by up to half a pixel."""
     rng = np.random.default_rng(3)
     height, width = 32, 44
     y, x = np.mgrid[:height, :width].astype(float)
@@ -193,8 +194,8 @@ def moving_pictures(count):
 
 
 def flicker(before, frame):
-    """Returns the flicker of a frame. The frame before is interpolated bilinearly at p - motion(p) for
-    each pixel p."""
+    """Returns the flicker of a frame. For each pixel p, the previous frame is interpolated bilinearly at p -
+    motion(p)."""
     (a0, b0, _), (a1, b1, motion) = before, frame
     height, width = motion.shape[:2]
     y, x = np.mgrid[:height, :width]

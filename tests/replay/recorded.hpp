@@ -37,7 +37,7 @@ inline RenderedPanel record_point(const Optics& optics, Vec3f point_mm) {
   return panel;
 }
 
-/// Returns what an eye sees of the plane through the display's window, without lenses.
+/// Returns the plane at depth z as an eye sees it through the display's window, without lenses.
 template <class Color>
 Image seen_directly(const Optics& optics, Vec2i size, Vec3d eye_mm, double z, const Color& color) {
   const Window window = display_window(optics);

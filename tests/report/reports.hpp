@@ -15,9 +15,9 @@ using OrderedJson = nlohmann::ordered_json;
 
 inline constexpr double kPixels = 100.0;
 
-/// The frame took 2 CPU seconds and 400 rays.
+/// Returns a key frame that took 2 CPU seconds and 400 rays.
 FrameReport key_frame(int number);
-/// The frame took 0.5 CPU seconds. Of its 100 pixels, 80 were reused and 15 traced.
+/// Returns a frame that took 0.5 CPU seconds. Of its 100 pixels, 80 were reused and 15 traced.
 FrameReport in_between_frame(int number);
 
 OrderedJson report_of_frames(const std::string& reuse, const std::vector<FrameReport>& frames);

@@ -71,9 +71,9 @@ TEST(HeldOut, errors_are_weighted_by_untraced_patches) {
   EXPECT_NEAR(errors[0].mse, 96.0 / 150.0 * 1.25, 1e-12);
   EXPECT_NEAR(errors[1].mse, errors[0].mse, 1e-12);
   EXPECT_NEAR(errors[2].mse, errors[0].mse + 48.0 / 150.0 * 300.0, 1e-12);
-  // Upper bound of level 0, at 2.326 standard deviations. Each of 4 samples has the weight w = 96 / (150 * 4) = 0.16;
-  // their squared deviations sum to 25 - 4 (5/4)^2 = 18.75. The bound adds one sample that was not drawn, with a
-  // squared error of at least 12^2 = 144.
+  // The bound of level 0 is 2.326 standard deviations above the mean. Each of the 4 samples has the weight w = 96 /
+  // (150 * 4) = 0.16, and their squared deviations sum to 25 - 4 (5/4)^2 = 18.75. The bound includes one more sample,
+  // which was not drawn, with a squared error of 12^2 = 144.
   const double w = 0.16, not_drawn = w * 144.0;
   EXPECT_NEAR(errors[0].bound, 0.8 + not_drawn + 2.326 * std::sqrt(w * w * 18.75 + not_drawn * not_drawn), 1e-9);
   // For levels 0 and 2 together, the sample that was not drawn has the largest known squared error, 400.

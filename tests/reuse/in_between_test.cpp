@@ -279,7 +279,7 @@ TEST(InBetween, interpolating_views_beats_whole_pixels) {
   for (float x = -3.0f; x < 3.0f; x += 1.0f) s.add(Boxes{{{x, -3, -1}, {x + 0.5f, 3, -0.9f}}}, material);
   const auto error = [&](SplatSampling sampling) {
     Animation animation(s.scene, sheet(), with_sampling(sampling));
-    // From each key frame to the middle frame, the display moves by 0.7 of a lens.
+    // In the time 0.5 from a key frame to the middle frame, the display moves by 0.175 mm, which is 0.7 of a lens.
     animation.display = [](double time) { return Affine3f{Mat3f(1.0f), Vec3f(0.35 * time, 0, 0)}; };
     return squared_error(animation.middle().film, animation.traced(0.5).film);
   };

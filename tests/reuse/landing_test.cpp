@@ -69,8 +69,8 @@ Place seen_below_lens(const Optics& optics, Vec2f from, Vec3f point) {
 struct Lattice {
   double pitch, row_pitch;  ///< in mm; row_pitch is 0 for a sheet
   glm::dvec2 offset;
-  double spread;  ///< width of the area below a lens / width of the lens
-  glm::dvec2 eye;  ///< x and y of the eye for which the lenses are designed
+  double spread;   ///< width of the area below a lens / width of the lens
+  glm::dvec2 eye;  ///< position of the viewer's eye, in the coordinates of `offset`
   bool hexagonal = false;
 };
 

@@ -17,8 +17,8 @@ SettledBlocks planner(std::optional<int> every = {}) {
   return {nothing, -1, every};
 }
 
-/// Returns blocks of one ray each. Horizon h covers 2^(h+1) frames. A moving object first meets block i in horizon h =
-/// lowest_horizon[i], so block i must be traced from frame 2^h on.
+/// Returns blocks of one ray each. Horizon h covers the frames 0 to 2^(h+1) - 1. A moving object first meets block i in
+/// horizon h = lowest_horizon[i], so block i is settled in the frames before 2^h and must be traced from frame 2^h on.
 TouchedBlocks blocks_with(const std::vector<std::uint8_t>& lowest_horizon) {
   return {{}, lowest_horizon, std::vector<std::uint32_t>(lowest_horizon.size(), 1)};
 }

@@ -258,7 +258,8 @@ class Teller {
   bool is_alive() { return !world_.current() || !world_.current()->is_dead; }
   bool has_misread() { return world_.current() && world_.current()->has_misread; }
 
-  /// A run must not render what was finished before it started, unless it failed to read a file.
+  /// Complains if a run renders a frame or a strip that was finished before the run started, unless the run failed to
+  /// read a file.
   void expect_unfinished(const std::map<FolderFrame, std::uint64_t>& finished, const FolderFrame& thing, const char* kind) {
     const auto found = finished.find(thing);
     if (!is_alive() || has_misread() || found == finished.end() || found->second >= world_.current()->began) return;

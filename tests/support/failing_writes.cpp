@@ -24,7 +24,7 @@ bool is_wanted(const char* call) {
   return std::strcmp(wanted ? wanted : "write", call) == 0;
 }
 
-/// Counts calls of the selected kind. Returns whether this one must fail.
+/// Counts calls of the selected kind. Returns whether this call must fail.
 bool fails(const char* call) {
   static std::atomic<long> calls{0};
   static const long failing = std::getenv("LIPPMANN_FAIL_NUMBER") ? std::atol(std::getenv("LIPPMANN_FAIL_NUMBER")) : 0;

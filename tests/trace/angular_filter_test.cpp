@@ -45,9 +45,9 @@ TEST(AngularFilter, objects_in_the_displays_plane_stay_sharp) {
   EXPECT_EQ(trace(edge_at(0.0f), camera_row(), filtered(16)).film.data, trace(edge_at(0.0f), camera_row(), plain).film.data);
 }
 
-// With the eyes at D = 20 mm, an eye at e sees the edge (X, z) in the display plane at e (1 - m) + X m, with m = D / (D
-// - z) = 1/2 for z = -20. Eyes spread over 0.8 mm shift the edge by 0.4 mm = 4 pixels, which gives a ramp of variance
-// 4^2 / 12 = 16/12. Averages over a pixel and differences of neighbours add 1/12 each.
+// From the distance D = 20 mm, an eye at e sees the edge (X, z) in the display plane at e (1 - m) + X m. Here m = D /
+// (D - z) is 1/2. Eyes spread over 0.8 mm shift the edge by 0.8 (1 - m) = 0.4 mm or 4 pixels, so the edge becomes a
+// ramp of variance 4^2 / 12. Averages over a pixel and differences of neighbours each add 1/12 to the variance.
 TEST(AngularFilter, far_edges_become_ramps) {
   const int spp = 256;
   const Picture sharp = trace(edge_at(-20.0f), camera_row(), {.spp = spp});

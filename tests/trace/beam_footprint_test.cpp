@@ -44,8 +44,8 @@ TEST(BeamFootprint, many_samples_average_a_pixel) {
 }
 
 TEST(BeamFootprint, one_sample_covers_a_pixel) {
-  // Texels are as large as pixels, and grey grows linearly between the centres of the last black and the first white
-  // one. The map is shifted so that pixel 7 is at 1/4 of this distance.
+  // The sample uses the level whose texels are as large as pixels. There, grey grows linearly between the centres of
+  // the last black and the first white texel. The map is shifted so that pixel 7 is at 1/4 of this distance.
   SmallScene s = edge();
   std::get<MetallicRoughness>(s.scene.materials[0].surface).base_color_map.offset.x = 1.0f / (4.0f * kPixels);
   const Picture p = trace(s.scene, single_view(kPixels), {});

@@ -26,9 +26,9 @@ TEST(LiftedNormal, stays_if_its_mirror_direction_is_valid) {
 }
 
 TEST(LiftedNormal, lifts_a_normal_as_computed_by_hand) {
-  // Angles from the facet's normal: the view is at -60 degrees, and the given normal at 80. Mirror directions must be
-  // 0.01 above the facet, at acos(0.01) = 89.427 degrees. The normal half-way between this direction and the view is at
-  // (89.427 - 60) / 2 = 14.7135 degrees.
+  // Angles are measured from the facet's normal. The view is at -60 degrees, and the given normal at 80 degrees. The
+  // mirror direction must have a height of at least 0.01 above the facet, so it is at acos(0.01) = 89.427 degrees. The
+  // normal half-way between this direction and the view is at (89.427 - 60) / 2 = 14.7135 degrees.
   const auto at = [](float degrees) {
     const float a = degrees * std::numbers::pi_v<float> / 180.0f;
     return Vec3f(std::sin(a), 0.0f, std::cos(a));
@@ -75,8 +75,8 @@ MetallicRoughness of(float metallic, float roughness) {
   return surface;
 }
 
-// If the smooth normal faces away from the view, the gloss would hide all light from the paint below it. The darkest of
-// every 500 pixels would then have 0.82 of the sky's light instead of 0.91.
+// Where the smooth normal faces away from the view, a gloss without lifted normals would hide the paint below it. The
+// darkest of every 500 pixels would then show 0.82 of the sky's light instead of 0.91.
 TEST(LiftedNormal, glossy_coarse_balls_have_no_dark_rim) {
   for (const bool layered : {false, true}) {
     MetallicRoughness paint = of(0.0f, 0.3f);

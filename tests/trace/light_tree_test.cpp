@@ -169,8 +169,8 @@ TEST(LightTree, probabilities_sum_to_one_everywhere) {
         for (std::uint32_t l = 0; l < count; ++l) sum += static_cast<double>(tree.probability(l, at));
         const bool any = tree.choose(at, 0.5f).has_value();
         if (!any) continue;
-        // The sum may be below 1: the descent ends without a light if a cluster seems to be in range although none of
-        // its lights is.
+        // The sum may be below 1. The descent ends without a light if a cluster seems to be in range, but none of its
+        // lights is in range.
         EXPECT_LE(sum, 1.0 + 1e-4) << static_cast<int>(kind) << ' ' << count;
         EXPECT_GT(sum, kind == Kind::kFaces || kind == Kind::kClosedFaces ? 0.999 : 0.0)
             << static_cast<int>(kind) << ' ' << count;

@@ -108,7 +108,8 @@ auto ask(const Scene& scene, const Ask& question) {
   return question(*device.shaded().path->lights);
 }
 
-// Up to four lamps are chosen by power alone, with the same probability at both points. Five are chosen by a tree.
+// Up to four lamps are chosen by power alone, so the probability of a lamp is the same at both points. Five lamps are
+// chosen by a tree, so the probability differs.
 TEST(ManyLamps, few_lamps_are_drawn_by_power) {
   for (const int lamps : {4, 5}) {
     const SmallScene s = below(LampKind::kBall, floor_of(0.0f, 1.0f), 0, lamps);

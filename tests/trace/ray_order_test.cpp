@@ -66,9 +66,9 @@ TEST(StripOrder, view_tiles_of_microlenses_share_one_direction) {
 }
 
 TEST(StripOrder, view_tiles_of_a_slanted_panel_follow_its_lenses) {
-  // A lens is 10 sub-pixels wide and shifts by 600 x 0.25 / 100 = 1.5 sub-pixels per row, so straight columns of 8 rows
-  // would extend over two lenses. The pixels of a packet follow the slant. Their phases differ by up to 2/10 of a lens:
-  // 1/10 by rounding, and 1/10 because a packet has two columns.
+  // A lens is 10 sub-pixels wide and shifts by 600 x 0.25 / 100 = 1.5 sub-pixels per row. The pixels of a packet follow
+  // this slant. Their positions below the lens differ by up to 2/10 of a lens: 1/10 by rounding, and 1/10 because a
+  // packet has two columns.
   Optics o;
   o.panel = {200, 100, 0.3f};
   for (const double tilt : {0.25, -0.25}) {

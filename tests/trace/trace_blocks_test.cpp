@@ -153,8 +153,8 @@ std::vector<std::uint8_t> blocks_that_meet(SmallScene& s, const Bounds3f& box) {
   return touched.lowest_horizon;
 }
 
-/// Only the given blocks must have hit the box. With RayOrder::kRows, block b of 64 x 4 pixels shows 2 - b / 4 > y > 2 - (b +
-/// 1) / 4 in the plane z = 0.
+/// Expects that only rays of the given blocks hit the box. With RayOrder::kRows, block b of 64 x 4 pixels shows y from
+/// 2 - (b + 1) / 4 to 2 - b / 4 in the plane z = 0.
 void expect_met(const std::vector<std::uint8_t>& lowest_horizon, const std::set<std::size_t>& expected) {
   ASSERT_EQ(lowest_horizon.size(), 16u);
   for (std::size_t b = 0; b < 16; ++b)

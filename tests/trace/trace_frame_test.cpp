@@ -1,4 +1,5 @@
-// Settings that must not change a picture: number of threads, ray order, storage of instances, and redundant samples.
+// Tests settings that must not change a picture: the number of threads, the order of rays, and the storage of
+// instances.
 #include "trace/trace_frame.hpp"
 
 #include <gtest/gtest.h>

@@ -115,7 +115,7 @@ TEST(Whitted, transparent_blockers_attenuate_by_opacity) {
     if (analytic)
       s.add(Rings{{{0, 0, 12}, {0, 0, 1}, 0.0f, 1.0f}}, material);
     else
-      // moved so that the ray does not hit the diagonal, which two triangles share
+      // The square is moved so that the ray does not hit the diagonal, which two triangles share.
       s.add(square(1, 12), material, s.node({Mat3f(1.0f), {0.3f, 0, 0}}));
     s.point_light({0, 0, 20});
     expect_color(trace(s.scene, single_view(kSize)).at(kMiddle, kMiddle), Vec3f(0.75f), kRounding);
@@ -123,8 +123,8 @@ TEST(Whitted, transparent_blockers_attenuate_by_opacity) {
 }
 
 TEST(Whitted, rays_along_shared_edges_hit) {
-  // The square is larger than the view, and its diagonal passes the centres of pixels. The node's rotation undoes that
-  // of the mesh, so rounding moves points of the diagonal to both sides.
+  // The square is larger than the view, and its diagonal passes through the centres of pixels. The node's rotation
+  // undoes the rotation of the mesh, so rounding moves points of the diagonal to both sides.
   constexpr int kPixels = 200;
   int holes = 0;
   for (int n = 1; n <= 100; ++n) {

@@ -31,7 +31,7 @@ Environment::Density density_of(const Environment& e, Vec3f direction) {
   return e.density(rays, 0);
 }
 
-// Eight columns of 45 degrees. Column 4 begins at +x, and the next columns turn towards +z.
+// The panorama has eight columns of 45 degrees. Column 4 begins at +x, and column 6 at +z.
 TEST(Environment, a_panorama_lies_as_documented) {
   Background b = panorama(8, 4, [](int x, int y) { return Vec3f(static_cast<float>(x), static_cast<float>(y), 1.0f); });
   const Environment e(b);

@@ -23,8 +23,8 @@ LayeredBsdf bsdf_of(const LayeredSurface& surface, Vec3f view, bool entering = t
   return {surface, albedo(), {kNormal, kNormal, kNormal}, kTangent, view, entering};
 }
 
-/// Different normals of the diffuse part, the gloss and the coat. From each view of up to 50 degrees from kNormal, all
-/// three normals are less than 90 degrees away.
+/// Different normals of the diffuse part, the gloss and the coat. A view of up to 50 degrees from kNormal is less than
+/// 90 degrees from each of the three normals.
 const MetalRoughBsdf::Normals kApart{kNormal, direction(30.0f, 20.0f), direction(35.0f, 200.0f)};
 
 LayeredSurface dielectric(float roughness) {
@@ -331,8 +331,8 @@ TEST(LayeredBsdf, thin_walls_pass_the_remaining_light) {
   EXPECT_EQ(bsdf_of(leaf(), view).straight(), Vec3f(0.0f));
 }
 
-// Compares straight() with the mean over 65,536 evenly spaced numbers. The tolerance of 4e-4 is the weight of two
-// numbers at the ends of a lobe.
+// Compares straight() with the mean weight of samples for evenly spaced numbers. The tolerance covers the spacing of
+// the numbers.
 TEST(LayeredBsdf, samples_pass_thin_walls_with_that_mean) {
   LayeredSurface wall = pane(0.0f);
   wall.base.transmission = 0.7f, wall.base.clearcoat = 0.5f, wall.sheen_color = Vec3f(0.3f), wall.sheen_roughness = 0.5f;

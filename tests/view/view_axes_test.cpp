@@ -10,8 +10,8 @@
 namespace lippmann {
 namespace {
 
-// Let o be a pixel's offset from the middle of the pixels below its lens, g the gap and V the viewing distance. The eye
-// at -o V / g, with the slope -o / g, sees this pixel. View 0 is the rightmost pixel.
+// A pixel at the offset o from the middle below its lens is seen by an eye with the slope -o / g, where g is the gap.
+// View 0 shows the rightmost pixels.
 TEST(ViewAxes, slopes_are_those_of_lens_rays) {
   const ViewAxes axes = view_axes(test::small_sheet(), {4, 1});
   EXPECT_EQ(axes.across.count, 4);

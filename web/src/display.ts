@@ -1,5 +1,5 @@
-// The calibrated panel on which light fields are played. The server reads calibration files, and this file checks its
-// numbers (web/README.md lists the keys).
+// The calibrated panel on which light fields are played. The server reads calibration files, and this file checks the numbers
+// that the server sends (web/README.md lists the keys).
 import { postText } from "./data";
 import { Refusal, type SlantedPanel } from "./field";
 

@@ -10,7 +10,7 @@ const kCoarsest = 4;
 /** Frames of the screen without motion after which the view rests. While a video plays, a few frames of the screen show
  *  no new picture. */
 const kRest = 8;
-/** fast pictures after which a finer resolution is tried */
+/** Number of fast pictures after which a finer resolution is tried. */
 const kProof = 20;
 
 export class Pace {

@@ -54,7 +54,7 @@ TEST(SceneBuilder, camera_sees_exactly_the_array) {
   const Scene scene = builder.take();
   const ResolvedScene resolved = evaluate(scene, 0.0);
   const Affine3f world_from_display = resolved.of(scene.display->node), world_from_camera = resolved.of(scene.cameras[0].node);
-  // Seen from the camera, the array's top edge is half of the field of view above the axis.
+  // Seen from the camera, the top edge of the display is half of the field of view above the axis.
   const Vec3f top = transform_point(inverse(world_from_camera), transform_point(world_from_display, {0, 2, 0}));
   EXPECT_NEAR(std::atan2(top.y, -top.z), 0.5f * scene.cameras[0].vertical_fov, 1e-6f);
   EXPECT_NEAR(top.x, 0.0f, 1e-5f);

@@ -66,7 +66,8 @@ TEST(Tree, shows_about_900000_triangles) {
 TEST(Room, has_about_70000_triangles) { EXPECT_NEAR(static_cast<double>(shown_triangles(build_room())), 7e4, 2e4); }
 
 TEST(Room, ball_rolls_without_slipping) {
-  // The point that touches the carpet is at rest: in a millisecond, it moves less than 5 % as far as the centre.
+  // The point of the ball that touches the carpet is at rest. In a millisecond, this point moves by less than 5 % of
+  // the motion of the ball's centre.
   const Scene scene = build_room();
   const int ball = find_node(scene, "ball");
   const double time = 3.0, step = 1e-3;
