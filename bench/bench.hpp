@@ -1,4 +1,4 @@
-// Each benchmark checks its results, measures, and returns rows of figures. Both sides of a ratio are measured
+// Each benchmark checks its results, measures, and returns rows of figures. The two times of a ratio are measured
 // alternately within one run, because times depend on the machine's load.
 #pragma once
 

@@ -3,8 +3,8 @@
 
   bench/blender_poses.py FILE.glb ... [--times N] [--bar FRACTION] [--tool PATH] [--json]
 
-The error is the largest distance from a vertex of either program to the nearest vertex of the
-other, as a fraction of the diagonal of the bounds. The exit code is 1 if an error exceeds
+The error is the largest distance from a vertex of one program to the nearest vertex of the
+other program, as a fraction of the diagonal of the bounds. The exit code is 1 if an error exceeds
 --bar. Needs Debian's blender and python3-numpy, and the build target dump_pose.
 """
 

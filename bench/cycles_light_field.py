@@ -5,11 +5,11 @@ views together; Cycles renders view by view.
   bench/cycles_light_field.py [--asset FILE.glb] [--panorama FILE.hdr] [--view YAW PITCH] [--frames N] [--size N] [--spp N]
                               [--reference-spp N] [--levels N N N] [--output DIR] [--tool PATH] [--threads N] [--json]
 
-The converged views of both programs must agree with 30 dB. The PSNR of each program is measured
+The PSNR between the converged views of both programs must be at least 30 dB. The PSNR of each program is measured
 against its own converged views, in 8-bit sRGB codes. The CPU time that Cycles needs for our
 PSNR is interpolated between measured numbers of samples.
 
-Our time includes set-up, denoising and files. The time of Cycles is that of rendering alone,
+Our time includes set-up, denoising and files. The time of Cycles includes only rendering, and is
 measured for a few views. Needs Debian's blender and python3-numpy. A file without a camera must
 be .glb, and gets a camera that looks at its centre from YAW and PITCH degrees.
 """
@@ -89,8 +89,8 @@ def their_view(folder, samples, frame, view):
 
 
 def cycles(field, folder, levels, reference_spp):
-    """Returns, for each number of samples, the mean CPU seconds of the first view of a frame and of its further
-    views."""
+    """Returns {number of samples: (mean CPU seconds of the first view of a frame, mean CPU seconds of its other
+    views)}."""
     options = field.options
     renders = [{"frame": f, "view": v, "samples": s, "seed": 99 if s == reference_spp else 7, "out": str(their_view(folder, s, f, v))}
                for s in (*levels, reference_spp) for f, v in field.compared()]

@@ -21,7 +21,7 @@ struct Intervals {
   /// numbers of all frames, and of frames whose interval contains, is below or is above the true PSNR
   int frames = 0, contain = 0, too_low = 0, too_high = 0;
   int bounded = 0;  ///< frames with an estimate and an interval; other frames have only a lower bound
-  /// sums over the bounded frames of the estimate minus the true PSNR, and of the width of the interval
+  /// sums over the bounded frames: estimate minus true PSNR, and width of the interval
   double excess_db = 0.0, width_db = 0.0;
 
   void add(const FrameReport& report, double true_db) {

@@ -185,8 +185,8 @@ def line(row):
 
 
 def sentence(rows):
-    """States in how many scenarios our picture is as near to the median of the others as they are to one another.
-    Returns "" if no scenario has two other renderers."""
+    """States in how many scenarios the PSNR of our picture against the median of the other pictures is at least the PSNR
+    that the other pictures have among themselves. Returns "" if no scenario has two other renderers."""
     compared = [row for row in rows if row["among_others_db"] is not None and "lippmann" in row["renderers"]]
     near = sum(row["renderers"]["lippmann"]["psnr_db"] >= row["among_others_db"] for row in compared)
     return f"lippmann is as near to the median of the others as they are to one another in {near} of {len(compared)} scenarios" if compared else ""

@@ -49,7 +49,7 @@ void add_lamp(Scene& scene, Vec3f center, float half_size, Vec3f radiance, int n
 void add_ball_lamp(Scene& scene, float radius, Vec3f radiance, int node);
 void add_point_light(Scene& scene, Vec3f color, int node);
 
-// Motions. `of_frame` returns the value at frames 0 to kHostileFrames - 1.
+// Animate a node. `of_frame` returns the translation or angle of the node at frames 0 to kHostileFrames - 1.
 
 void move(Scene& scene, int node, const std::function<Vec3f(float frame)>& of_frame,
           Interpolation interpolation = Interpolation::kLinear);

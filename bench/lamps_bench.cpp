@@ -22,8 +22,8 @@ constexpr int kLampsSamples = 64, kLampsReferenceSamples = 1024, kQuickLampsRefe
 constexpr std::uint32_t kLampsReferenceSeed = 77;
 constexpr float kLampsPower = 12.0f;
 
-// The eye looks slightly down at this point. Its distance is kLampsEyeMm / kLampsPanelMm = 5 times the height of the picture.
-// Objects more than kLampsFront in front of this point are invisible.
+// The eye looks slightly down at kLampsMiddle, from kLampsEyeMm / kLampsPanelMm = 5 picture heights away. Objects more than
+// kLampsFront in front of kLampsMiddle are invisible.
 constexpr Vec3f kLampsMiddle{0.0f, 0.95f, -0.2f};
 constexpr float kLampsPitch = radians(8.0f), kLampsPictureHeight = 2.1f, kLampsPanelMm = 100.0f, kLampsEyeMm = 500.0f,
                 kLampsFront = 3.6f;

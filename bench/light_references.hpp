@@ -24,8 +24,8 @@ class LightReferences {
   LightReferences(Stage& stage, Sampling sampling, std::filesystem::path folder, const ThreadPool& pool, const Context& context,
                   std::function<void(std::string_view)> say);
 
-  /// Returns the reference of a frame. Reads a half from the folder if a render with one sample per pixel has the same bits as
-  /// when this half was stored. Throws Error if a half cannot be written, or if the context is cancelled.
+  /// Returns the reference of a frame. A stored half is used again if a render with one sample per pixel still has the
+  /// same bits as when the half was stored. Throws Error if a half cannot be written, or if the context is cancelled.
   Reference frame(const std::string& name, int frame);
 
   int rendered() const { return rendered_; }

@@ -30,7 +30,7 @@ struct LightFigures {
 
 class LightBench {
  public:
-  /// Renders the references that are not kept. `row`, `request` and `context` must outlive this object. Throws Error if the
+  /// Renders the references that are not yet stored. `row`, `request` and `context` must outlive this object. Throws Error if the
   /// scene is invalid or a reference cannot be rendered.
   LightBench(const LightCase& row, const Request& request, const Context& context);
 

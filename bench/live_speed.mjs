@@ -13,7 +13,7 @@ const server = spawn(tool, ["view", "room", "--integrator", "path", "--spp", "64
 const address = await new Promise((resolve) => server.stdout.once("data", (text) => resolve(String(text).trim())));
 const origin = new URL(address).origin;
 
-/** Seconds of the clock and of the processor. */
+/** Returns the wall time and the CPU time of the server, in seconds. */
 function now() {
   const fields = readFileSync(`/proc/${server.pid}/stat`, "utf8").split(") ")[1].split(" ");
   return { clock: performance.now() / 1000, cpu: (Number(fields[11]) + Number(fields[12])) / 100 };

@@ -38,7 +38,7 @@ async function firstPreview(address) {
   return found;
 }
 
-/** Moves the eye in every frame of the screen. Returns the frame rate, and the divisor if the resolution is lowered. */
+/** Moves the eye in every frame of the screen. Returns the frame rate, and how far the page lowers the resolution, as text. */
 async function eyesASecond(page, seconds) {
   const [rate, divisor] = await page.evaluate(async (seconds) => {
     const [x, y, z] = window.lippmann.fields[0].eye_mm;
@@ -63,7 +63,8 @@ rows.push(["first picture, 48 frames of 512x512", `${(median(firsts) / 1000).toF
 const animation = await open(await view("animation"), { width: 850, height: 680 });
 await animation.waitForTimeout(3000);
 rows.push(["eyes a second, 512x512, 8 views", await eyesASecond(animation, 3)]);
-// The page lowers its resolution if frames take long. Here, every frame appears to take no time.
+// The page lowers its resolution if frames take long. With this script, every frame appears to take no time, so the resolution
+// stays full.
 const script = "const inTime = window.requestAnimationFrame.bind(window); window.requestAnimationFrame = (then) => inTime((now) => then(1e-3 * now));";
 const fine = await open(await view("animation"), { width: 850, height: 680, script });
 await fine.waitForTimeout(3000);

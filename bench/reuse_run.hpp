@@ -46,7 +46,7 @@ struct ReuseRun {
 
 struct ReuseMethod {
   std::string name;
-  RenderParams params;  ///< with the kind of reuse; for interpolation, its key frame interval is 2, 4, 8 or empty
+  RenderParams params;  ///< select the reuse; for interpolation, the key frame interval must be 2, 4, 8 or empty
 };
 
 /// Returns one run for each method. Throws Error if a frame of an exact method (full tracing or copying) differs in any bit

@@ -12,7 +12,7 @@ import sys
 
 import bpy
 
-# Maps file endings to Blender's import operators (module, name). The first that this Blender version has is used.
+# Maps file endings to Blender's import operators (module, name). The first operator that this version of Blender has is used.
 USD, STL = [("wm", "usd_import")], [("wm", "stl_import"), ("import_mesh", "stl")]
 IMPORTERS = {".usd": USD, ".usda": USD, ".usdc": USD, ".usdz": USD, ".abc": [("wm", "alembic_import")], ".fbx": [("import_scene", "fbx")], ".dae": [("wm", "collada_import")], ".stl": STL}
 

@@ -1,5 +1,5 @@
-# Only one source file is compiled with these definitions, so that a new commit recompiles only this file. No fact is a time or a
-# path, so that equal sources give equal bytes.
+# Only one source file is compiled with these definitions, so that a new commit recompiles only this file. The
+# definitions contain no time and no path, so that equal sources give equal programs.
 
 # Packagers who build from a tarball, which has no repository, can set -DLIPPMANN_COMMIT=...
 set(LIPPMANN_COMMIT "" CACHE STRING "The commit that lippmann --version prints; default: the repository's, if there is one")

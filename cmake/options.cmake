@@ -5,11 +5,11 @@ target_compile_options(lippmann_options INTERFACE -Wall -Wextra -Wshadow -Wno-un
 target_compile_options(lippmann_options INTERFACE -Wno-missing-field-initializers)
 # The ABI of vectors passed by value depends on the instruction set, but no such vector is in the library's interface.
 target_compile_options(lippmann_options INTERFACE -Wno-psabi)
-# This warning of GCC 13 is wrong for functions that take a temporary and return a reference to something else.
+# GCC's -Wdangling-reference is wrong for functions that take a temporary and return a reference to another object.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 13 AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 14)
   target_compile_options(lippmann_options INTERFACE -Wno-dangling-reference)
 endif()
-# In loops over lanes, && and || would branch and prevent vectorisation.
+# Loops over lanes combine bools by & and |, because && and || would branch and prevent vectorisation.
 target_compile_options(lippmann_options INTERFACE $<$<CXX_COMPILER_ID:Clang>:-Wno-bitwise-instead-of-logical>)
 
 # Clang 19 and later omit constructors that only function versions (core/multiversion.hpp) call, unless this is set.

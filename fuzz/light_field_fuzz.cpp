@@ -13,11 +13,11 @@
 //   's' the JSON file of a folder of views
 //   'p' PPM
 //   'f' PFM
-//   'k' --keep
-//   'c' --crop
+//   'k' the value of --keep
+//   'c' the value of --crop
 //   'w' the JSON file of a raw plenoptic picture
 //   'L' a Lytro container
-//   'r' Lytro metadata of 16x16 packed codes
+//   'r' the metadata (JSON) of a raw Lytro picture
 //
 // fuzz/light_field_seeds SEEDS && fuzz_light_field -dict=fuzz/light_field.dict CORPUS SEEDS; or scripts/fuzz light_field.
 #include <array>

@@ -25,7 +25,7 @@ std::string plain(const std::string& text) {
   return escaped;
 }
 
-/// CLI11 adds help and version to every command; the page explains these once.
+/// CLI11 adds --help and --version to every command; the manual page explains them only once.
 bool is_own(const CLI::Option& option) {
   return !option.check_lname("help") && !option.check_lname("help-all") && !option.check_lname("version");
 }

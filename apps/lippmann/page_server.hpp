@@ -23,7 +23,7 @@ struct PageServerFlags {
 void add_page_server_flags(const Command& command, PageServerFlags& flags);
 
 // Each function prints the page's address and serves the page until interrupted. The address contains a secret token if other
-// machines can reach it or if the page changes something.
+// machines can reach it, or if requests of the page can change files or stop work.
 
 /// Serves a page that sets up a scene. The address always contains a token.
 int serve_page(std::unique_ptr<LivePage> live, const PageServerFlags& flags, const Context& context);

@@ -64,7 +64,7 @@ std::string describe_pictures(const Planned& plan) {
                      plan.picture_size.x, plan.picture_size.y);
 }
 
-/// Single views already show what an eye sees.
+/// Returns whether `lippmann replay` can show what an eye sees of the rendered pictures.
 bool can_be_replayed(const RenderReport& report) {
   return !is_single_view(report.optics) && !sensor_lenses(report.optics) && !report.params.output.pictures.mirror;
 }

@@ -37,7 +37,8 @@ struct SubmitOptions {
   ResultFlags result;
 };
 
-/// Returns the tool's absolute path, because tasks may have another working folder, or its name if it was found on PATH.
+/// Returns "lippmann" if the tool was found on PATH. Otherwise, returns its absolute path, because tasks may run in another
+/// working folder.
 fs::path program_of_tasks(const std::string& called_as) {
   if (called_as == "lippmann") return called_as;
   const fs::path self = platform::program_file();

@@ -1,4 +1,4 @@
-"""Runs inside Blender. Renders what a display shows its viewer, with Cycles and with the add-on's preview (see
+"""Runs inside Blender. Renders what the viewer of a display sees, with Cycles and with the add-on's preview (see
 bench/blender_scenes.py).
 
   blender -b FILE.blend --python blend_inside_blender.py -- JOB.json

@@ -1,9 +1,10 @@
 """Loads a glTF file as a scene for Cycles, with surfaces as in appendix B of glTF 2.0. Runs inside
 Blender.
 
-Blender's own importer makes the textures and the vertex colours. Its Principled surface is
-replaced, because its diffuse part in Blender 3.4 is Disney's model instead of glTF's. Materials
-that use a feature in LAYERS or GLOSS keep the Principled surface.
+Blender's own importer makes the textures and the vertex colours. The Principled surface that the
+importer makes is replaced, because the diffuse part of this surface follows Disney's model in
+Blender 3.4, and not glTF's. Materials that use a feature in LAYERS or GLOSS keep the Principled
+surface.
 """
 
 import math
@@ -172,7 +173,7 @@ class Surface:
         return self.node("ShaderNodeMixShader", {0: share, 1: shader, 2: coat})
 
     def glowing(self, shader, source):
-        """Adds the emission with its texture, which the importer drops if the factor is not grey."""
+        """Adds the emission. Blender's importer drops the emission's texture if the factor is not grey."""
         factor = source.get("emissiveFactor", [0.0, 0.0, 0.0])
         if not any(factor):
             return shader
@@ -242,8 +243,8 @@ def load(file, own_surfaces=False):
 
 
 def importers_extensions():
-    """Returns the glTF extensions that Blender's importer reads. The importer of Blender 3.4 also reads volumes, which
-    its own list lacks."""
+    """Returns the glTF extensions that Blender's importer reads. The importer of Blender 3.4 reads
+    KHR_materials_volume, too, although its list does not contain it."""
     from io_scene_gltf2.io.imp.gltf2_io_gltf import glTFImporter
     return set(glTFImporter("", {"import_user_extensions": []}).extensions_managed) | {"KHR_materials_volume"}
 

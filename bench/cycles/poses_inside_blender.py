@@ -4,12 +4,12 @@ those of dump_pose.
   blender -b --python-exit-code 1 -P poses_inside_blender.py -- FILE DUMP_POSE TIMES
 
 The importer may split and drop vertices, so poses are compared as sets of points: the error is
-the largest distance from a point of either set to the nearest point of the other, as a fraction
+the largest distance from a point of one set to the nearest point of the other set, as a fraction
 of the diagonal of the bounds. Prints a line "POSES {json}" for each animation.
 
 Between keys, Blender interpolates the components of a rotation separately instead of along the
-arc, so keys are added at the compared times. Its importer drops the tangents of cubic splines,
-so such animations are left out.
+arc, so keys are added at the compared times. Blender's importer drops the tangents of cubic
+splines, so such animations are left out.
 """
 
 import json
@@ -33,7 +33,7 @@ def load(index):
     animations = []
     restore = BlenderAnimation.restore_animation
 
-    # The importer would select the first animation, which changes values that the wanted one does not animate.
+    # Without this, the importer would apply the first animation, which may change values that animation `index` does not set.
     def restore_ours(gltf, _):
         for animation in gltf.data.animations:
             ends = [gltf.data.accessors[animation.samplers[channel.sampler].input].max[0] for channel in animation.channels]
@@ -68,7 +68,7 @@ def slerp_rotation(curves, frames):
     keys = np.array([[key.co for key in curve.keyframe_points] for curve in curves])
     for frame in frames:
         after = int(np.searchsorted(keys[0, :, 0], frame))
-        if after in (0, keys.shape[1]) or np.abs(keys[0, :, 0] - frame).min() < 0.02:  # Blender merges keys that are nearer than this
+        if after in (0, keys.shape[1]) or np.abs(keys[0, :, 0] - frame).min() < 0.02:  # Blender merges nearer keys
             continue
         start, end = keys[0, after - 1:after + 1, 0]
         turns = [mathutils.Quaternion(keys[:, k, 1]) for k in (after - 1, after)]

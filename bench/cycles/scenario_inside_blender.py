@@ -8,10 +8,10 @@ Members of JOB.json:
   vertices: vertices per path
   skybox: whether the panorama is visible
   own_surfaces: whether to keep the materials that Blender's importer makes
-  camera: its name in the file
+  camera: name of the camera in the file
   renders: a list of objects with samples, seed and out
 
-Prints a line "RENDER {json}" for each render. Its member "unread" lists the features of the file that are not shown.
+Prints a line "RENDER {json}" for each render. The member "unread" lists the features of the file that are not shown.
 """
 
 import json

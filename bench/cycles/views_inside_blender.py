@@ -5,7 +5,7 @@
 Members of JOB.json:
   file, panorama (or null), width, height, threads, frames_per_second
   vertices: vertices per path
-  distance, window_height: of the rectangle through which all views look, in units of the camera
+  distance, window_height: distance and height of the rectangle that all views show, in the units of the camera
   eyes: the offset of each view to the right of the camera
   renders: a list of objects with frame, view, samples, seed and out
 

@@ -1,9 +1,9 @@
 """Renders a shot with other path tracers: with Cycles in Blender, and with three-gpu-pathtracer in
 a browser.
 
-Each renderer makes two PNG files, one with an eighth of the samples and one with all samples. It
-returns a list of {"out", "cpu_seconds"}. cpu_seconds is None if the time does not measure the
-renderer. Pictures are kept in the shot's folder until their inputs change.
+Each renderer makes two PNG files, one with an eighth of the samples and one with all samples, and
+returns a list of {"out", "cpu_seconds"}. cpu_seconds is None if the time includes other work than
+rendering. Pictures are kept in the shot's folder until their inputs change.
 """
 
 import hashlib

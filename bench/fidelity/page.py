@@ -16,7 +16,7 @@ figcaption { max-width: 20em; margin-bottom: .3em } img { image-rendering: pixel
 covers. Below each picture: FLIP per pixel, black where both look equal, white at 0.5 and above. Not read: features of a file that
 Blender's importer, or the surfaces that replace its own, leave out; such rows are no measure of the others.</p>
 """
-STEEPNESS = 2.0  # factor of the difference maps; the text of the page states it
+STEEPNESS = 2.0  # FLIP is multiplied by this factor for display, so that 0.5 is white (HEAD states this value)
 
 
 def shown(codes):

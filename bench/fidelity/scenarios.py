@@ -4,7 +4,7 @@ A configuration is a JSON file as in glTF Render Fidelity, with a list "scenario
 "name" and a "model" (a path), and may have "lighting" (a panorama), "dimensions", "target",
 "orbit" (theta and phi in degrees, radius), "verticalFoV" (degrees), "renderSkybox" and
 "exclude" (renderers whose pictures do not count). Reference pictures are
-goldens/NAME/RENDERER-golden.png beside it.
+goldens/NAME/RENDERER-golden.png beside the configuration.
 
 In a folder without a configuration, each glTF file is a scenario with its own camera or the
 tool's default view.

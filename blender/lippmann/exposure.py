@@ -46,7 +46,7 @@ def lens(scene, zone):
     to_plane = -(turned.inverted() @ zone.world_from_frame.translation).z
     if to_plane <= 0.0 or camera.data.dof.aperture_fstop <= 0.0:
         return None
-    diameter = 1e-3 * camera.data.lens / camera.data.dof.aperture_fstop  # Cycles, too, takes 1 mm of focal length for 0.001 scene units
+    diameter = 1e-3 * camera.data.lens / camera.data.dof.aperture_fstop  # 1 mm of focal length is 0.001 scene units, as in Cycles
     return diameter * zone.distance / to_plane / zone.per_mm, (to_plane - frame.focus_distance(camera)) / zone.per_mm
 
 

@@ -14,7 +14,7 @@ from mathutils import Matrix, Vector
 
 from . import displays, tool
 
-LINES = 9          # rays per row and per column of the picture
+LINES = 9          # sight_lines() casts LINES x LINES rays through the picture
 MOST_HIDDEN = 16   # a ray passes through at most this many objects that are hidden in renders
 CAMERA_WIDTH_MM = 64.0  # picture width for renders without a display, as in the tool
 UNFOCUSED = 10.0   # distance of the plane, in scene units, if the camera sees nothing; Blender's default focus distance
@@ -62,7 +62,7 @@ def focus_distance(camera):
 
 
 def fitted_side(camera, distance):
-    """Returns the length, at a distance from the camera, of the picture's side to which Blender fits the sensor."""
+    """Blender fits the sensor to one side of the picture. Returns the length of this side at a distance from the camera."""
     data = camera.data
     if data.type != "PERSP":
         return data.ortho_scale
@@ -233,8 +233,8 @@ def around(objects):
 
 
 def place_at_objects(empty, objects, camera):
-    """Centres the light-field frame on the objects. It faces the camera or, without a camera, -Y. Its height is 1.2 times
-    their longest side."""
+    """Centres the light-field frame on the objects. The frame faces the camera or, without a camera, -Y. The frame's
+    height is 1.2 times the longest side of the objects."""
     middle, extent = around(objects)
     turn = camera.matrix_world.to_quaternion() if camera else Matrix.Rotation(math.pi / 2, 4, "X").to_quaternion()
     place(empty, Matrix.Translation(middle) @ turn.to_matrix().to_4x4(), max(1.2 * extent, 1e-3))

@@ -8,8 +8,8 @@ JSON_CHUNK = 0x4E4F534A  # the text "JSON" as a little-endian integer
 
 
 def rewrite(path, changes):
-    """Applies functions to the JSON of a .glb file. Each returns whether it changed the JSON. The file is written only if one
-    did."""
+    """Calls each function of `changes` with the JSON of a .glb file. A function returns whether it changed the JSON. Writes the
+    file only if the JSON has changed."""
     file = pathlib.Path(path)
     data = file.read_bytes()
     length = struct.unpack_from("<I", data, 12)[0]

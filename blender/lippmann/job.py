@@ -255,7 +255,7 @@ class Job:
             self._child = tool.Child(self._render_words(), self._log)
             self._started = True
         index = 0 if self.still else number
-        last = number == self.last  # the last frame is returned after the tool has written the video and the report, too
+        last = number == self.last  # for the last frame, wait until the tool has also written the video and the report
         self._run(f"rendering frame {number}", lambda: not last and index in self._child.finished_frames, tell, stopped)
         found = tool.pictures(self.pictures_folder, index)
         if not found:

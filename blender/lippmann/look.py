@@ -16,7 +16,7 @@ def lost(view):
 
 
 def flags(settings, more):
-    """Returns flags of `lippmann render`. more: the user's extra flags, which take precedence."""
+    """Returns the flags --tone and --exposure. more: the user's extra flags, which take precedence."""
     tone = ["--tone", settings.tone] if settings.tone != "none" and "--tone" not in more else []
     return tone + (["--exposure", f"{settings.exposure:.6g}"] if settings.exposure != 0.0 and "--exposure" not in more else [])
 

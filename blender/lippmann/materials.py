@@ -2,7 +2,7 @@
 else.
 
 A material is replaced in the exported copy of the file if it equals or resembles a Principled BSDF. losses.py warns about all
-others.
+other materials.
 """
 
 import math

@@ -134,7 +134,7 @@ class RenderViews(bpy.types.Operator):
 
 
 class RunViews(bpy.types.Operator):
-    """Renders views while Blender's window stays drawn"""
+    """Renders views while Blender's window stays responsive"""
 
     bl_idname = "lippmann.run_views"
     bl_label = "Render Views"

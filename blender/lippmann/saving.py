@@ -12,7 +12,7 @@ import bpy
 
 from . import losses
 
-QUILT = re.compile(r"_qs\d+x\d+a[0-9.]+(?=\.[a-z]+$)")  # docs/reference/formats.md
+QUILT = re.compile(r"_qs\d+x\d+a[0-9.]+(?=\.[a-z]+$)")  # end of a quilt's file name (docs/reference/formats.md)
 
 _shown = None  # (path, is_animation): the picture that Blender showed last, and whether it is a frame of an animation
 

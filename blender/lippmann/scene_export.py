@@ -246,7 +246,7 @@ class Tracks:
             if shown.hide_render or not instance.show_self or shown.type in ("EMPTY", "CAMERA", "ARMATURE", "LATTICE"):
                 continue
             if shown.type in SOLID and shown.type != "MESH":
-                continue  # Blender lists its mesh as another instance
+                continue  # Blender lists the mesh of a curve or text as another instance
             if not self.still and not instance.is_instance and deforms(original):
                 self.kept[original.name_full] = original
                 mark(original, unmet_by(instance))
@@ -481,7 +481,7 @@ def write_panorama(world, path):
     camera.type = "PANO"
     holder = camera if hasattr(camera, "panorama_type") else camera.cycles
     holder.panorama_type = "EQUIRECTANGULAR"
-    # The camera looks along +X, the middle of panoramas in glTF.
+    # The camera looks along +X, the direction in the middle of a panorama.
     eye = bpy.data.objects.new("sky", camera)
     eye.rotation_euler = (math.pi / 2, 0.0, -math.pi / 2)
     sky.collection.objects.link(eye)

@@ -24,7 +24,7 @@ from . import displays, frame, job as jobs, tool
 NAME = "lippmann-view"
 DRAWN = {"BLENDER_EEVEE", "BLENDER_EEVEE_NEXT", "BLENDER_WORKBENCH"}  # the engines that need OpenGL
 NO_OPENGL = "Eevee and Workbench need OpenGL, and this Blender without a window finds none. Use Cycles, or start it with `xvfb-run -a blender -b`."
-LINES = 8          # rays per row and column of the picture that test for walls
+LINES = 8          # hides_scene() casts LINES x LINES rays through the picture
 _items = []        # kept, because Blender does not keep the strings of dynamic lists alive
 WALL_SHARE = 0.25  # walls are cut if they hide this share of the rays, as in the tool (src/stage/front_of_rays.hpp)
 

@@ -1,7 +1,7 @@
 // The only exception type of the library: invalid input from outside (a file, a flag, a size), with enough details to correct
 // it.
 //
-// The library throws it only while it loads and sets up, never in kernels.
+// The library throws Error only outside of rendering kernels.
 #pragma once
 
 #include <stdexcept>

@@ -22,7 +22,7 @@
 namespace lippmann {
 
 struct DatasetParams {
-  /// Names of built-in scenes or scene files. Objects are made of their meshes, and of spheres and boxes.
+  /// Names of built-in scenes or scene files. The random scenes contain meshes of these scenes, spheres and boxes.
   std::vector<std::string> scenes = {};
   std::filesystem::path folder = {};
   int count = 1;

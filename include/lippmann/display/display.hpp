@@ -65,11 +65,11 @@ struct Calibration {
   ///   3        (row + 2 (column mod 2)) mod 4      (row + 2 (column mod 2)) mod 4
   ///   4        row mod 2                           column mod 2
   enum class Patterns { kColumns, kRows } patterns = Patterns::kColumns;
-  /// Meaning of invView, which differs between tools: most always invert the order of views, and older ones only if invView is
-  /// set.
+  /// Meaning of invView, which differs between tools. Most tools always invert the order of views. Older tools invert it only if
+  /// invView is set.
   enum class Inversion { kAlways, kIfFlagged } inversion = Inversion::kAlways;
-  /// Terms of the formula above that flipImageX changes. All tools negate T, newer tools also s, and the newest also add 1/2 to
-  /// the center.
+  /// Terms of the formula above that flipImageX changes. All tools negate T. Newer tools also negate s. The newest tools also
+  /// add 1/2 to `center`.
   enum class Flip { kSlope, kSlopeAndStep, kSlopeStepAndCenter } flip = Flip::kSlopeAndStep;
 };
 
@@ -115,8 +115,8 @@ double viewing_distance_mm(const Display& display);
 /// Returns the optics model of a slanted panel for a viewer at `distance_mm`.
 SlantedPanel slanted_panel(const Display& display, double distance_mm);
 
-/// Returns the optics of the display's own pixels for a viewer at its viewing distance. The panel areas below the lenses
-/// (cells) of a lenticular sheet or a microlens array converge to the viewer. A cell boundary lies at the panel's centre unless
+/// Returns the optics of the display's own pixels for a viewer at its viewing distance. For lenticular sheets and microlens
+/// arrays, a cell is the panel area that this viewer sees through one lens. A cell boundary lies at the panel's centre unless
 /// phase_px is set. The result passes validate().
 Optics native_optics(const Display& display);
 
@@ -145,8 +145,8 @@ struct LensStrips {
 };
 LensStrips lens_strips(const Display& display);
 
-/// Returns the number of views: the number of tiles if the display has a quilt. Otherwise, it is the number of pixels across a
-/// lens, rounded down. Slanted panels count sub-pixels instead of pixels, and microlens arrays have the square of this number.
+/// Returns the number of views. If the display has a quilt, this is the number of tiles. Otherwise, it is the number of pixels
+/// (for slanted panels: sub-pixels) across a lens, rounded down, and for microlens arrays the square of this number.
 int views_of(const Display& display);
 
 const char* to_string(DisplayKind kind);

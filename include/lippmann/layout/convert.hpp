@@ -20,7 +20,8 @@ struct ConvertParams {
   FormatOptions options{};
   std::optional<Crop> crop{};       ///< part of every view to keep; none: whole views
   std::optional<KeptViews> keep{};  ///< views to keep, chosen before cropping; none: all
-  /// Resamples the views for options.display, with `to` integral, quilt or native. None: pixels are moved, not resampled.
+  /// Resamples the views for options.display. `to` must then be integral, quilt or native. None: pixels are moved, not
+  /// resampled.
   std::optional<DisplayPictureParams> display_picture = {};
   /// Reads the input instead of the format's reader. Used for video (replay/video_views.hpp).
   std::function<LightField(const std::filesystem::path&, const FormatOptions&)> read_views = {};
@@ -38,12 +39,12 @@ struct Converted {
   std::string fitted = {};                 ///< how views were resampled for a display; empty: not resampled
   std::string too_coarse = {};             ///< result of ViewFitter::coarseness()
   double lost_pixel_aspect = 1.0;  ///< width / height of the pixels, if the output format assumes square pixels; otherwise 1
-  /// True: the output format can store cameras (depth), but no view of the input has them.
+  /// True: the output format can store the cameras or the depth of views, but the input has none.
   bool lacks_cameras = false, lacks_depth = false;
 };
 
 /// Converts the light field `in` to `out`. Frames frame_* of a folder (pictures or folders of views) keep their names. A
-/// report.json of `render` supplies what the options leave out.
+/// report.json of `render` supplies values that the options leave empty.
 ///
 /// A picture name without an ending gets one that suits the samples. A quilt is written with its view layout in the name
 /// (quilt_name.hpp). Throws Error naming the file or option.

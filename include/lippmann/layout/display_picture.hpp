@@ -50,7 +50,7 @@ struct DisplayPictureParams {
   PrintFinish finish = {};              ///< only for lenticular sheets and microlens arrays
 };
 
-/// Picture to make for a display, named after the format (layout/formats.hpp) that stores it.
+/// Picture to make for a display. Each value has the name of the format (layout/formats.hpp) that stores the picture.
 enum class DisplayTarget { kIntegral, kQuilt, kNative };
 
 /// Throws a usage Error naming `display` if `format` is not integral, quilt or native, or if the display has no such picture.
@@ -106,8 +106,8 @@ class ViewFitter {
   Vec2d window_{0.0};
 };
 
-/// Returns a display that is larger by bleed_mm on each side, with the lenses in the same places. Prints with a bleed pass it
-/// to ViewFitter and display_picture().
+/// Returns a display that is larger by bleed_mm on each side, with the lenses in the same places. For a print with
+/// a bleed, pass the larger display to ViewFitter and display_picture().
 Display with_bleed(const Display& display, double bleed_mm);
 
 /// Makes the picture from views that a ViewFitter has fitted. Throws a usage Error if

@@ -46,7 +46,7 @@ struct FormatOptions {
   std::optional<bool> even_in_depth = {}, near_black = {};  ///< See DepthCoding. None: from the side file.
   std::optional<StatedCameras> cameras = {};                ///< for files that state none; open_light_field() adds them
   std::optional<PlenopticCalibration> plenoptic = {};       ///< calibration of raw plenoptic pictures; none: from their files
-  /// Width / height of the pixels of views in folders; none: as a side file or the cameras state, or square.
+  /// Width / height of the pixels of views in folders. None: from a side file or the cameras, or else 1.
   std::optional<double> pixel_aspect = {};
   /// Called for each view right after its file is read, to reduce large originals before all are held in memory. `aspect`:
   /// width / height of the scene area that the picture shows. `view`: the view's number in the grid.

@@ -16,7 +16,7 @@
 
 namespace lippmann {
 
-/// A point of a data set's initial point cloud.
+/// A point of the point cloud that some formats, such as COLMAP, store with the pictures.
 struct CloudPoint {
   Vec3d position_mm{0.0};
   std::array<unsigned char, 3> rgb{};  ///< sRGB codes
@@ -61,7 +61,7 @@ Vec2i size_of(const Picture& picture);
 /// Returns a black picture with the sample type of `like`.
 Picture blank(const Picture& like, Vec2i size);
 
-/// Copies to[to_pixel[i]] = from[from_pixel[i]]. An empty list means 0, 1, 2, ... Both pictures have one sample type.
+/// Copies to[to_pixel[i]] = from[from_pixel[i]]. An empty list means 0, 1, 2, ... Both pictures must have the same sample type.
 void move_pixels(const Picture& from, const std::vector<std::uint32_t>& from_pixel, Picture& to,
                  const std::vector<std::uint32_t>& to_pixel);
 void move_pixels(const Image& from, const std::vector<std::uint32_t>& from_pixel, Image& to,
@@ -71,7 +71,7 @@ void move_pixels(const Image& from, const std::vector<std::uint32_t>& from_pixel
 Picture view_of(const LightField& field, int view);
 Image depth_of(const LightField& field, int view);
 
-/// `picture` must have the size and type of the field's views, or 1 channel of depth.
+/// Replace one view, or the depth of one view. `picture` must have the size and sample type of the views, `depth` 1 channel.
 void set_view(LightField& field, int view, const Picture& picture);
 void set_depth(LightField& field, int view, const Image& depth);
 
