@@ -76,8 +76,8 @@ Vec3f lamps_eye() {
          kLampsPictureHeight * kLampsEyeMm / kLampsPanelMm * Vec3f(0.0f, std::sin(kLampsPitch), std::cos(kLampsPitch));
 }
 
-/// Adds square lamps of the same total area, in one mesh for each hue. The plane of each square passes through the eye, so that
-/// the lamps are invisible. Noise at visible edges would hide the result.
+/// Adds square lamps, in one mesh for each hue. The plane of each square passes through the eye, so that the lamps are
+/// invisible. Noise at visible edges would hide the result.
 void add_square_lamps(Scene& scene, int count, LampPlaces& places) {
   Mesh meshes[4];
   const float half = std::min(0.05f, 0.4f / std::sqrt(static_cast<float>(count)));

@@ -22,8 +22,8 @@ struct LightCase {
   int reference_spp = 1024;
 };
 
-/// Returns the rows that the request names (rows, built-in scenes or files), or all rows if it names none. Throws a usage Error
-/// that lists the rows for any other name.
+/// Returns the rows that the request names (rows, built-in scenes or files), or all rows if it names none. For any
+/// other name, throws a usage Error that lists the rows.
 std::vector<LightCase> light_cases(const Request& request, const Context& context);
 
 std::string light_row_list();

@@ -14,8 +14,8 @@ Reproduced figures_of(const ReuseRun& run) {
   return {run.scene, run.keyframes, run.saving(), run.mean_psnr(), papers_saving(run.scene), papers_psnr_db(run.scene)};
 }
 
-/// Returns whether `b` reproduces the paper better than `a`. A run that saves as much as the paper is better than one that does
-/// not. If both runs do, the shorter key frame interval is better. If neither does, the larger saving is better.
+/// Returns whether `b` reproduces the paper better than `a`. Runs that save as much as the paper come first, the shortest
+/// key frame interval before longer ones. Runs that save less follow, the largest saving before smaller ones.
 bool is_better(const Reproduced& b, const Reproduced& a) {
   const auto saves_enough = [](const Reproduced& r) { return r.paper_saving && r.saving >= *r.paper_saving; };
   if (saves_enough(a) != saves_enough(b)) return saves_enough(b);

@@ -3,7 +3,7 @@ target_include_directories(lippmann_options INTERFACE ${PROJECT_SOURCE_DIR}/incl
 target_compile_options(lippmann_options INTERFACE -Wall -Wextra -Wshadow -Wno-unknown-pragmas)
 # Allow designated initialisers that leave other members at their defaults.
 target_compile_options(lippmann_options INTERFACE -Wno-missing-field-initializers)
-# The ABI of vectors passed by value depends on the instruction set, but no such vector is in the library's interface.
+# GCC warns that the ABI of vectors passed by value depends on the instruction set. The library's interface has no such vectors.
 target_compile_options(lippmann_options INTERFACE -Wno-psabi)
 # GCC's -Wdangling-reference is wrong for functions that take a temporary and return a reference to another object.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 13 AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 14)

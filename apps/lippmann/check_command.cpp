@@ -42,7 +42,7 @@ void print_text(const std::string& folder, const FolderCheck& check) {
              check.frames, check.frames == 1 ? "" : "s", check.damaged.size(), check.missing.size(), check.foreign.size());
 }
 
-/// Returns a JSON object with the numbers of each key (a frame or a folder) as ranges, such as {"0": "2,5-7"}.
+/// Returns a JSON object that maps each frame or folder to its numbers, written as ranges: {"0": "2,5-7"}.
 template <class Key>
 nlohmann::ordered_json numbers_json(const std::map<Key, std::vector<int>>& numbers) {
   nlohmann::ordered_json json = nlohmann::ordered_json::object();

@@ -1,4 +1,4 @@
-// `lippmann info IN`: describes a scene and how the lens array is fitted to it, or a picture.
+// `lippmann info IN`: describes a picture, or a scene and how the lens array is fitted to it.
 #include <fmt/core.h>
 
 #include <filesystem>

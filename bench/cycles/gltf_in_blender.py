@@ -34,7 +34,7 @@ LATER = {"Specular": "Specular IOR Level", "Transmission": "Transmission Weight"
 
 
 def socket(node, key):
-    """Returns an input of a node. key: its number, or its name before Blender 4.0."""
+    """Returns an input of a node. key: number of the input, or its name in Blender 3."""
     later = LATER.get(key)
     return node.inputs[later if later and later in node.inputs else key]
 

@@ -32,7 +32,7 @@ def known():
 
 
 def number(name):
-    """Returns a number for .blend files that depends only on the display's name, so that new presets do not change it. The
+    """Returns the number that .blend files store for a display. It depends only on the name, so new presets do not change it. The
     default display is 0, Blender's initial value."""
     return 0 if name == DEFAULT else zlib.crc32(name.encode()) & 0x7FFFFFFF
 

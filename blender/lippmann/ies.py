@@ -1,7 +1,7 @@
 """Exports IES profiles of point lamps by the glTF extension EXT_lights_ies (docs/reference/gltf.md), because Blender's exporter
 drops them.
 
-A profile is exported if an IES Texture without a rotation is the strength of the lamp's Emission.
+A profile is exported if an IES Texture node without a rotation is linked to the strength of the lamp's Emission node.
 
 Power: Cycles multiplies the candelas of the file by 4 pi / 177.83 and divides a lamp's power by 4 pi. A lamp of P watts therefore
 emits P / 177.83 times the candelas of the file.

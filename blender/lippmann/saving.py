@@ -1,4 +1,4 @@
-"""Replaces files that Blender saves by the tool's pictures.
+"""Overwrites the picture files that Blender saves with the tool's own pictures.
 
 Blender would apply its view transform a second time, and would omit the number of tiles, which players of quilts read from the
 file name.
@@ -44,7 +44,7 @@ def has_strips(scene):
 
 
 def is_ours(scene):
-    """Returns whether to replace the file that Blender saves: a PNG of this engine without compositing or sequencing."""
+    """Returns whether to overwrite the file that Blender saves. It must be a PNG of this engine without compositing or strips."""
     render = scene.render
     if render.engine != "LIPPMANN" or render.image_settings.file_format != "PNG" or not _shown or _shown[0].suffix != ".png":
         return False

@@ -10,7 +10,7 @@ namespace lippmann {
 /// All images are in the native layout of the optics.
 struct FramePictures {
   Image film{};      ///< linear light, RGB
-  FrameAovs aovs{};  ///< the extra layers
+  FrameAovs aovs{};  ///< extra layers, such as depth
   Image8 codes{};    ///< 8-bit codes of the film; empty if not needed
 };
 

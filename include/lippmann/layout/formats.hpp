@@ -29,7 +29,7 @@ struct StatedCameras {
 struct FormatOptions {
   /// Views across and up; required if neither the file name nor a side file states them.
   std::optional<ViewGrid> views = {};
-  /// A quilt's tiles across and up. None: from its name, or the arrangement closest to a square.
+  /// A quilt's tiles across and up. None: from the file name, or the arrangement closest to a square.
   std::optional<ViewGrid> tiles = {};
   /// Width / height of the display, for a quilt's file name. None: LightField::aspect.
   std::optional<double> aspect = {};
@@ -40,7 +40,7 @@ struct FormatOptions {
   std::optional<Display> display = {};    ///< for a native picture
   std::optional<ViewFilter> filter = {};  ///< how native frames interpolate between views; none: kNearest
   std::optional<double> sigma_views = {};
-  std::optional<StereoLayout> stereo = {};  ///< packing of two views in one picture; none: from its name, or side by side
+  std::optional<StereoLayout> stereo = {};  ///< packing of two views in a picture; none: from the file name, or side by side
   /// Depths at the ends of the grey scale. None: from the side file, or the light field's range.
   std::optional<DepthRange> depth_range = {};
   std::optional<bool> even_in_depth = {}, near_black = {};  ///< See DepthCoding. None: from the side file.

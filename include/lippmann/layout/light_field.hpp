@@ -34,7 +34,7 @@ struct LightField {
   std::optional<ViewGrid> tiles = {};       ///< tiles of the quilt that the views came from
   int bits = 0;                             ///< significant bits per sample in the source; 0: all
   std::optional<Image> depth = {};          ///< stack of z in mm, above 0 in front of the plane z = 0; -inf: no surface
-  std::optional<ViewCameras> cameras = {};  ///< none: unknown, or see `poses`
+  std::optional<ViewCameras> cameras = {};  ///< none: unknown, or stored in `poses`
   /// Position of each view's eye, x right and y up. The file states neither unit nor origin (Stanford format).
   std::optional<std::vector<Vec2d>> positions = {};
   /// One camera per view, instead of `cameras`, if the cameras are rotated or do not show the same rectangle of a plane. Depth

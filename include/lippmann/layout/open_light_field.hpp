@@ -24,8 +24,8 @@ struct OpenedLightField {
 /// Throws Error naming the file, or the option that must be set because no file states its value.
 OpenedLightField open_light_field(const std::filesystem::path& path, const std::string& from, const FormatOptions& options);
 
-/// Returns the pictures or folders frame_0000, frame_0001, ... in the folder `path`, or `path` itself. Throws Error if there is
-/// no light field.
+/// Returns the pictures or folders frame_0000, frame_0001, ... in the folder `path`, or `path` itself if it has none.
+/// Throws Error if there is no light field.
 std::vector<std::filesystem::path> light_fields_in(const std::filesystem::path& path, const std::string& from);
 
 }  // namespace lippmann
