@@ -1,5 +1,5 @@
-// The reader of the optics in report.json must throw Error, or return valid optics, with which eye views, refocusing and
-// conversions of a small panel must not fail.
+// The reader of the optics in report.json must throw Error, or return valid optics. Eye views, refocusing and
+// conversions of a small panel with these optics must not fail.
 //
 // fuzz/replay_seeds SEEDS && fuzz_replay -dict=fuzz/replay.dict CORPUS SEEDS; or scripts/fuzz replay.
 #include <cmath>

@@ -1,4 +1,4 @@
-// `lippmann manual`: prints the manual page for man(1), or with --markdown docs/reference/command-line.md.
+// `lippmann manual`: prints the manual page for man(1). With --markdown, prints docs/reference/command-line.md.
 #include <fmt/core.h>
 
 #include <memory>

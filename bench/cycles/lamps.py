@@ -1,4 +1,4 @@
-"""Scales the intensities of lamps in glTF files of Blender's exporter, as src/scene/gltf/light.cpp does."""
+"""Scales the intensities of lamps in glTF files that Blender's exporter wrote, as src/scene/gltf/light.cpp does."""
 
 import math
 import re

@@ -13,7 +13,7 @@ import one_file
 
 HERE = pathlib.Path(__file__).resolve().parent
 PATH = "/usr/bin:/bin"
-BLENDER = os.environ.get("BLENDER", "blender")  # path of the Blender to run
+BLENDER = os.environ.get("BLENDER", "blender")  # path of the program Blender
 
 
 class Failed(SystemExit):

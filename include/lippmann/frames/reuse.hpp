@@ -24,7 +24,7 @@ struct CopySettled {
 /// Interpolates frames by the method of Eljdid, Aggoun and Youssef (README.md): projects the points of key frames into the
 /// frames between them, and fills pixels without a point. Requires Whitted shading.
 struct Interpolate {
-  /// Distance between key frames. Empty: kDefaultKeyframes, or chosen automatically with min_psnr_db.
+  /// Distance between key frames. Empty: chosen automatically if min_psnr_db is set, otherwise kDefaultKeyframes.
   std::optional<int> keyframes{};
   /// Lowest PSNR of every frame, in dB, measured in 8-bit codes. Uncertain pixels are traced to reach it. Empty: no limit.
   std::optional<double> min_psnr_db{};

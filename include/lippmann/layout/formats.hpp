@@ -44,7 +44,7 @@ struct FormatOptions {
   /// Depths at the ends of the grey scale. None: from the side file, or the light field's range.
   std::optional<DepthRange> depth_range = {};
   std::optional<bool> even_in_depth = {}, near_black = {};  ///< See DepthCoding. None: from the side file.
-  std::optional<StatedCameras> cameras = {};                ///< for files that state none; open_light_field() adds them
+  std::optional<StatedCameras> cameras = {};                ///< added by open_light_field() if the files state none
   std::optional<PlenopticCalibration> plenoptic = {};       ///< calibration of raw plenoptic pictures; none: from their files
   /// Width / height of the pixels of views in folders. None: from a side file or the cameras, or else 1.
   std::optional<double> pixel_aspect = {};

@@ -15,7 +15,7 @@ inline constexpr double kLeastLensPitchPx = 2.0, kMostLensPitchPx = 4096.0;
 /// `white`, and the other members that describe the grid must be empty.
 struct PlenopticSettings {
   std::filesystem::path white = {};         ///< picture of uniform white light by the same camera; empty: none
-  std::optional<double> pitch_px = {};      ///< this and row_pitch_px: kLeastLensPitchPx ... kMostLensPitchPx
+  std::optional<double> pitch_px = {};      ///< pitches must be kLeastLensPitchPx ... kMostLensPitchPx
   std::optional<double> row_pitch_px = {};  ///< none: equally spaced lenses
   std::optional<double> rotation_deg = {};  ///< clockwise rotation of the rows; none: 0
   std::optional<Vec2d> offset_px = {};      ///< centre of any lens; none: half a pitch from the left and top edges
