@@ -30,8 +30,8 @@ struct LightFigures {
 
 class LightBench {
  public:
-  /// Renders the references that are not yet stored. `row`, `request` and `context` must outlive this object. Throws Error if the
-  /// scene is invalid or a reference cannot be rendered.
+  /// Renders the references that are not yet stored. `row`, `request` and `context` must outlive this object. Throws Error if
+  /// the scene is invalid or a reference cannot be rendered.
   LightBench(const LightCase& row, const Request& request, const Context& context);
 
   /// Returns one result for each sampling. Samplings may differ from the row's sampling only in samples, denoising and seed.

@@ -63,8 +63,8 @@ class Capture {
     return {{x, y, z}, {0.0f, 1.0f, 0.0f}, dark ? Vec3f(0.25f, 0.3f, 0.35f) : Vec3f(0.7f, 0.7f, 0.65f)};
   }
 
-  /// Adds a splat that is flat in the direction of the normal, and about as wide as the distance to the next splat. A few splats
-  /// are much larger.
+  /// Adds a splat that is flat in the direction of the normal, and about as wide as the distance to the next splat. A few
+  /// splats are much larger.
   void add(const SurfacePlace& at) {
     const float size = spacing_ * std::exp(number(-0.7f, 0.7f)) * (number(0.0f, 1.0f) < 0.01f ? 4.0f : 1.0f);
     splats_.centers.push_back(at.position + 0.1f * size * number(-1.0f, 1.0f) * at.normal);

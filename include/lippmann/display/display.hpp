@@ -65,8 +65,8 @@ struct Calibration {
   ///   3        (row + 2 (column mod 2)) mod 4      (row + 2 (column mod 2)) mod 4
   ///   4        row mod 2                           column mod 2
   enum class Patterns { kColumns, kRows } patterns = Patterns::kColumns;
-  /// Meaning of invView, which differs between tools. Most tools always invert the order of views. Older tools invert it only if
-  /// invView is set.
+  /// Meaning of invView, which differs between tools. Most tools always invert the order of views. Older tools invert it only
+  /// if invView is set.
   enum class Inversion { kAlways, kIfFlagged } inversion = Inversion::kAlways;
   /// Terms of the formula above that flipImageX changes. All tools negate T. Newer tools also negate s. The newest tools also
   /// add 1/2 to `center`.
