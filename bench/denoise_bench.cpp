@@ -1,4 +1,4 @@
-// Compares path-traced frames at 4, 16 and 64 samples per pixel, with and without denoising, with converged frames: PSNR,
+// Measures path-traced frames at 4, 16 and 64 samples per pixel, with and without denoising: PSNR against converged frames,
 // flicker between views, and CPU time.
 #include <fmt/core.h>
 

@@ -168,7 +168,8 @@ class RayBench {
     primaries_.clear();
     for (const LoggedPacket& packet : log_)
       if (!packet.shadow && packet.coherence == Coherence::kCoherent) primaries_.push_back(packet);
-    // Each side runs twice and only the second run is timed, so that caches and branch predictors are in the same state.
+    // Our code and the bare loop each run twice, and only the second run is timed, so that caches and branch predictors are
+    // warm.
     WhittedTracer timed(scene_, beam_, {max_depth_}, {.all = film_.data.data()});
     times.whitted += second_run([&] { trace_strip(scene_, packets, timed); });
     times.bare_all += second_run([&] { sink_ = sink_ + trace_bare(scene_, log_); });

@@ -1,5 +1,5 @@
 // Reads the input as a journal. Every file that the journal names must be inside the folder, every number must be in its range,
-// and each entry must be writable again.
+// and writing each entry again must not fail.
 //
 // fuzz/journal_seeds SEEDS && fuzz_journal -dict=fuzz/journal.dict CORPUS SEEDS; or scripts/fuzz journal.
 #include <cstdlib>

@@ -182,7 +182,7 @@ def shining_area(light, report):
     shader = next(node for node in material.node_tree.nodes if node.type == "BSDF_PRINCIPLED")
     shader.inputs["Base Color"].default_value = (0.0, 0.0, 0.0, 1.0)
     importlib.import_module(f"{HERE.name}.materials").input_of(shader, "Emission").default_value = (*light.color, 1.0)
-    shader.inputs["Emission Strength"].default_value = light.energy / (4.0 * area)  # Cycles, too, divides by 4, not by pi
+    shader.inputs["Emission Strength"].default_value = light.energy / (4.0 * area)  # divided by 4 instead of pi, as in Cycles
     mesh.materials.append(material)
     return mesh
 

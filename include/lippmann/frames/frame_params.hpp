@@ -72,8 +72,8 @@ inline bool is_denoised(const Sampling& sampling) {
   return sampling.denoise == Denoise::kAuto && facts_of(sampling).is_stochastic && samples_per_pixel(sampling) > 1;
 }
 
-/// Returns whether CopySettled can be used. It requires Whitted shading, and supports neither motion blur nor transparency nor
-/// extra layers other than provenance.
+/// Returns whether CopySettled can be used. It requires Whitted shading without motion blur and transparency. Provenance may be
+/// the only extra layer.
 bool can_copy_settled(const Sampling& sampling);
 
 /// Returns params.reuse. Replaces AutoReuse by CopySettled if the sampling allows it, otherwise by TraceAll.

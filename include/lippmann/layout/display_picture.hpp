@@ -39,8 +39,8 @@ struct PrintFinish {
 
 struct DisplayPictureParams {
   std::optional<AspectFit> fit = {};  ///< none: default_fit()
-  /// Interpolation between views. Native frames take any filter, other pictures all except kGaussian, and microlens arrays only
-  /// kNearest.
+  /// Interpolation between views. Native frames accept any filter. Other pictures accept all filters except kGaussian.
+  /// Microlens arrays accept only kNearest.
   ViewFilter filter = ViewFilter::kNearest;
   double sigma_views = 0.5;             ///< standard deviation for kGaussian, in views
   std::optional<FlipParams> flip = {};  ///< only for lenticular sheets; none: a print with views

@@ -17,7 +17,8 @@ LightField light_field_of(const Image& film, const Optics& optics, const Image* 
 /// similarity. Throws Error if the cameras are unknown.
 void place_in_world(LightField& field, const Affine3f& world_from_display, const Vec3d& origin);
 
-/// Returns the views of a layer (FrameAovs), with any number of channels, as a stack. Throws Error as light_field_of().
+/// Returns a vertical stack of the views of a layer (FrameAovs), with any number of channels. Throws Error for the same optics
+/// and images as light_field_of().
 Image views_of_layer(const Image& layer, const Optics& optics);
 
 /// Returns the panel's picture of a film. Three pixels of a slanted panel's film, one per sub-pixel, make one pixel of the
