@@ -115,9 +115,9 @@ double viewing_distance_mm(const Display& display);
 /// Returns the optics model of a slanted panel for a viewer at `distance_mm`.
 SlantedPanel slanted_panel(const Display& display, double distance_mm);
 
-/// Returns the optics of the display's own pixels for a viewer at its viewing distance. For lenticular sheets and microlens
-/// arrays, a cell is the panel area that this viewer sees through one lens. A cell boundary lies at the panel's centre unless
-/// phase_px is set. The result passes validate().
+/// Returns the optics of the display's own pixels for a viewer at its viewing distance. In lenticular sheets and microlens
+/// arrays, a panel area (cell) belongs to each lens, and the cells are spaced for this viewer. A cell boundary lies at the
+/// panel's centre unless phase_px is set. The result passes validate().
 Optics native_optics(const Display& display);
 
 /// Returns the optics of the display's quilt (a MultiView), or nothing if the display has no quilt. Each tile of the quilt,
