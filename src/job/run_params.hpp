@@ -38,7 +38,7 @@ struct RunParams {
 /// strips + strip.
 struct RunParts {
   int strips = 1;
-  /// Frames per segment (frames_per_segment()). The frames of a segment are always in one unit.
+  /// Number of successive frames in a segment (frames_per_segment()). The frames of a segment are always in the same unit.
   int segment = 1;
   std::vector<int> of_job;
   std::vector<int> parts;   ///< parts of this run, in ascending order

@@ -82,7 +82,7 @@ Vec3f test_pattern(Vec2f place, float aspect, float zone) {
 
 Image test_pattern_film(const Optics& optics, const ThreadPool& pool) {
   Optics parallel = optics;
-  // Rays that start 1 mm in front of the display plane cross it with small rounding errors.
+  // Rays start only 1 mm in front of the display plane, because the rounding errors of a crossing grow with the distance.
   parallel.z_front_mm = 1.0f;
   const RayGenerator generator(parallel);
   const Vec2f half = 0.5f * window_size_mm(optics);

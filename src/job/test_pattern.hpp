@@ -23,7 +23,7 @@ namespace lippmann {
 
 inline constexpr std::string_view kTestPattern = "test-pattern";
 
-/// A scene without objects and with one frame, which only defines the position of the array.
+/// Returns a scene without objects and with one frame. It only defines the position of the display.
 Scene test_pattern_scene();
 
 /// Linear RGB of a ray that crosses the display at `place`, relative to its middle (x right, y up) in units of half its

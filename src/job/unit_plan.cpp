@@ -18,7 +18,8 @@
 namespace lippmann {
 namespace {
 
-/// Divides parts (frames or strips) into units without estimating their costs. `strips`: strips per frame.
+/// Divides `parts` into `count` units without estimating their costs. A part is a frame or, if `strips` > 1, one of the
+/// `strips` strips of a frame. `segment`: number of successive frames that must be in the same unit.
 UnitPlan cut(const std::vector<int>& parts, int strips, int segment, int count) {
   UnitPlan plan;
   plan.segment = segment;
@@ -52,7 +53,7 @@ Neighbours neighbours_in(const ResolvedJob& job, const FrameParams& frame_settin
   return std::holds_alternative<CopySettled>(frame_settings.reuse) ? Neighbours::kCopied : Neighbours::kOthers;
 }
 
-/// Renders a few frames as a unit would, and estimates the costs of all units from the measured times.
+/// Divides the job into `count` units, and estimates their costs from the times that a few rendered frames take.
 UnitPlan measured_plan(const ResolvedJob& job, int count, const Context& context) {
   const double begin = platform::process_cpu_seconds();
   const FrameParams frame_settings = frame_params(job);

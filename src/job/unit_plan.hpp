@@ -19,7 +19,7 @@ struct PlannedUnit {
 };
 
 struct UnitPlan {
-  /// Frames per segment (frames_per_segment()). The frames of a segment are always in one unit.
+  /// Number of successive frames in a segment (frames_per_segment()). The frames of a segment are always in the same unit.
   int segment = 1;
   std::vector<PlannedUnit> units;
   std::optional<JobCosts> costs = {};
@@ -27,8 +27,8 @@ struct UnitPlan {
   std::optional<double> join_bytes = {};
 };
 
-/// Plans `count` units, or one per segment if the job has fewer segments. With `measure`, renders some frames into a
-/// temporary folder (core/scratch_folder.hpp). Throws Error for jobs that cannot be rendered.
+/// Plans `count` units, or one per segment (UnitPlan::segment) if the job has fewer segments. With `measure`, renders some
+/// frames into a temporary folder (core/scratch_folder.hpp) and estimates costs. Throws Error for jobs that cannot be rendered.
 UnitPlan plan_units(const ResolvedJob& job, int count, bool measure, const Context& context);
 
 }  // namespace lippmann

@@ -19,7 +19,7 @@ void require_length(double length_mm, const char* parameter) {
     throw usage_error(parameter, fmt::format("is {} mm", length_mm), fmt::format("{} to {} mm", kLeast, kMost));
 }
 
-/// Sum of the vectors from the first to the last eye of each row (`across`) or of each column.
+/// Adds the vectors from the first to the last eye of every row, or of every column if `across` is false.
 Vec2d sum_of_steps(const std::vector<Vec2d>& eyes, ViewGrid grid, bool across) {
   Vec2d sum(0.0);
   const auto eye = [&](int column, int row) { return eyes[static_cast<std::size_t>(row * grid.columns + column)]; };
@@ -30,7 +30,8 @@ Vec2d sum_of_steps(const std::vector<Vec2d>& eyes, ViewGrid grid, bool across) {
   return sum;
 }
 
-/// Scales the positions to mm, with their mean at (0, 0), x to the right and y upwards in the grid of views.
+/// Multiplies positions by `scale` and moves their mean to (0, 0). Reverses axes where necessary, so that x increases along the
+/// rows of `grid`, and y along the columns.
 std::vector<Vec2d> scaled_eyes(const std::vector<Vec2d>& positions, ViewGrid grid, double scale) {
   Vec2d middle(0.0);
   for (const Vec2d& position : positions) middle += position / static_cast<double>(positions.size());
@@ -44,8 +45,8 @@ std::vector<Vec2d> scaled_eyes(const std::vector<Vec2d>& positions, ViewGrid gri
 /// Returns the distance of each eye from the lowest eye along an axis, divided by the least distance between eyes. Returns none
 /// if these quotients are not whole numbers.
 std::optional<std::vector<int>> places_along(int axis, const std::vector<Vec2d>& eyes, double extent) {
-  // kSamePlace: eyes count as one place if they are nearer than this share of the extent. kRegular: allowed deviation of a
-  // quotient from a whole number, because calibrated cameras are not exactly regular.
+  // Eyes closer than kSamePlace * extent count as one position. kRegular: allowed deviation of a quotient from a whole number,
+  // because calibrated cameras are not exactly regular.
   constexpr double kSamePlace = 1e-3, kRegular = 0.05, kMostSteps = 4096.0;
   std::vector<double> sorted;
   for (const Vec2d& eye : eyes) sorted.push_back(eye[axis]);
@@ -86,7 +87,7 @@ std::optional<RenderedViews> rendered_views(const Optics& optics) {
 }
 
 std::optional<double> common_baseline_mm(const ViewCameras& cameras, ViewGrid grid) {
-  // Largest deviation of an eye from the grid, as a share of the baseline: 1/100 pixel at a disparity of 100 pixels.
+  // Largest deviation of an eye from the grid, relative to the baseline. It changes a disparity of 100 pixels by 1/100 pixel.
   constexpr double kShare = 1e-4;
   const auto eye = [&](int column, int row) { return cameras.eyes_mm[static_cast<std::size_t>(row * grid.columns + column)]; };
   const double baseline = grid.columns > 1 ? eye(1, 0).x - eye(0, 0).x : grid.rows > 1 ? eye(0, 1).y - eye(0, 0).y : 0.0;

@@ -13,15 +13,15 @@ namespace lippmann {
 
 struct RenderedViews {
   ViewLayout film;                          ///< layout of the views in a traced picture
-  std::optional<ViewCameras> cameras = {};  ///< none: the views are parallel projections (lenses viewed from infinity)
+  std::optional<ViewCameras> cameras = {};  ///< none: the views are parallel projections, seen from infinity
 };
 
-/// A single view counts as a grid of one view. Returns none if views do not consist of whole pixels, as for slanted or
-/// hexagonal lenses.
+/// Returns the layout and the cameras of the views that `optics` render; a single view is a grid of one view. Returns none if
+/// views do not consist of whole pixels, as for slanted or hexagonal lenses.
 std::optional<RenderedViews> rendered_views(const Optics& optics);
 
-/// Returns the distance between neighbouring eyes; 0 for a single camera, and none if distances differ by more than a
-/// relative 1e-4.
+/// Returns the distance between neighbouring eyes; 0 for a single camera, and none if the distances differ by more than
+/// 0.01 %.
 std::optional<double> common_baseline_mm(const ViewCameras& cameras, ViewGrid grid);
 
 /// Mean distance between neighbouring eyes along the rows, or along the only column; 0 for a single eye.

@@ -1,6 +1,6 @@
 // COLMAP's folders: images/000.png, ..., sparse/0/cameras, images and points3D as text (.txt) or binary files (.bin)
-// (layout/colmap_model.hpp). The points are those that were read, or an initial cloud, sampled from the depth of the light
-// field. The reader prefers binary files as COLMAP does.
+// (layout/colmap_model.hpp). The writer stores the points of the light field or, if it has none, points sampled from its depth.
+// The reader prefers binary files, as COLMAP does.
 #include <fmt/format.h>
 
 #include <functional>
@@ -34,7 +34,7 @@ fs::path model_folder(const fs::path& folder) {
   throw Error(folder.string(), "contains no COLMAP model", "sparse/0 with cameras and images, .txt or .bin");
 }
 
-/// Reads a model with `read`, which returns the contents of a file as text or bytes.
+/// Reads a COLMAP model. read(path) returns the contents of a file as text or bytes.
 template <class Read>
 PosedSet read_model(const fs::path& model, const char* ending, const Read& read,
                     const std::function<void(std::string_view)>& warn) {

@@ -23,7 +23,7 @@ constexpr double kMostPlace = 1e9;
 
 struct ColmapModel {
   std::string_view name;
-  /// The focal lengths come first in a camera's parameters, then the principal point, then distortion.
+  /// Number of all parameters, and of focal lengths. The parameters are focal lengths, principal point and distortion.
   std::size_t params, focals;
 };
 

@@ -12,10 +12,10 @@
 
 namespace lippmann {
 
-/// By COLMAP's camera id. `position_mm` and `rotation` are not set.
+/// Cameras by COLMAP's camera id. Their `position_mm` and `rotation` are not set.
 using ColmapCameras = std::map<unsigned, PosedCamera>;
 
-/// Cameras with distortion are errors. All parsers throw Error naming `where` and the line or entry.
+/// Parse cameras. Throw Error for cameras with lens distortion. The Errors of all parsers name `where` and the line or entry.
 ColmapCameras parse_colmap_cameras(const std::string& text, const std::string& where);
 ColmapCameras parse_colmap_cameras(std::span<const std::byte> binary, const std::string& where);
 

@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// 0: one per processor
+/// Replaces 0, the default, by the number of processors.
 int resolved_threads(int threads) {
   Context context;
   context.threads = threads;
@@ -38,7 +38,7 @@ Picture cropped(Picture view, const Crop& window) {
   return std::move(one.stack);
 }
 
-/// Prints include their resolution. `profile`: the printer's colour profile; null: none.
+/// Files of prints state their resolution. `profile`: the printer's colour profile; null: none.
 std::vector<fs::path> write_display_picture(const Picture& picture, const Display& display, DisplayTarget target,
                                             const fs::path& path, const OutputProfile* profile) {
   if (target == DisplayTarget::kQuilt) {
@@ -151,10 +151,10 @@ class Conversion {
   const ConvertParams& params_;
   const LightFieldFormat& to_;
   std::optional<OutputProfile> profile_;
-  std::unique_ptr<ThreadPool> pool_;  ///< only for display pictures
+  std::unique_ptr<ThreadPool> pool_;  ///< null unless pictures for a display are made
 };
 
-/// For a flip print, the folder's pictures are the frames of a single print.
+/// Returns whether a folder of pictures may be an animation. For a flip print, the pictures belong to a single print.
 bool may_have_frames(const ConvertParams& params) { return !params.display_picture || !params.display_picture->flip; }
 
 }  // namespace

@@ -107,7 +107,7 @@ CvkitCamera parse_cvkit_camera(const std::string& text, const std::string& where
   read.camera.resolution = resolution_of(properties, where);
   read.rho = properties.number_or("rho", properties.number_or("camera.rho", 0.0));
   if (!(read.rho >= 0.0)) throw Error(where, fmt::format("its rho is {}", read.rho), "0 or more");
-  properties.number_or("t", 0.0);  // checks the baseline, which follows from rho
+  properties.number_or("t", 0.0);  // throws if the baseline t is not a number
   return read;
 }
 

@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMaxCvkitCameras = 4096;
 
-/// Cameras by picture name. `rho` receives disparity * depth of every camera.
+/// Reads the cameras of a folder. Sets `rho` to disparity * depth of each camera, by picture name.
 std::vector<MivCamera> read_cvkit_cameras(const fs::path& folder, std::map<std::string, double>& rho) {
   static const TextPattern pattern("(.{1,200})_param\\.txt");
   constexpr std::uintmax_t kMaxBytes = 1 << 16;
@@ -59,7 +59,7 @@ fs::path picture_of_cvkit(const fs::path& folder, const std::string& name) {
 fs::path cvkit_camera_path(const fs::path& folder, const std::string& name) { return folder / (name + "_param.txt"); }
 fs::path cvkit_disparity_path(const fs::path& folder, const std::string& name) { return folder / (name + "_disp.pfm"); }
 
-/// If one view has no depth, field.depth stays empty.
+/// Reads the depth of all views. If any view has no depth, field.depth stays empty.
 void read_cvkit_depth(const fs::path& folder, const std::vector<MivCamera>& cameras, const std::map<std::string, double>& rho,
                       const FormatOptions& options, LightField& field) {
   std::vector<fs::path> maps;

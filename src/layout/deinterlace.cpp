@@ -1,5 +1,5 @@
-// Extracts views from the interlaced frame of a slanted panel. A row of the views' samples depends only on the panel
-// rows whose centres lie in it, so rows are processed independently.
+// Extracts views from the interlaced frame of a slanted panel. Each row of samples of the views is made from the panel rows
+// whose centres lie in that row.
 #include <fmt/format.h>
 
 #include <limits>
@@ -20,15 +20,15 @@ class SampleRow {
   SampleRow(int views, int width)
       : width_(width), best_(3 * static_cast<std::size_t>(views) * static_cast<std::size_t>(width), Found{kNone, {}}) {}
 
-  /// `distance`: squared distance between the sub-pixel and the centre of the sample in three dimensions: x and y, in samples,
-  /// and the number of the view.
+  /// Takes `value` for a sample if its sub-pixel is nearer than the sub-pixels offered before. `distance`: squared distance
+  /// between the sub-pixel and the sample in three dimensions: x and y in samples, and the number of the view.
   void offer(int view, int x, int color, float distance, Sample value) {
     Found& best = best_[at(view, x, color)];
     if (distance < best.distance) best = {distance, value};
   }
 
-  /// Samples without a sub-pixel take the nearest sample that has one, or the left one of two equally near. Returns
-  /// false if no sample of the row has a sub-pixel.
+  /// Writes the row. Samples without a sub-pixel copy the nearest sample with a sub-pixel, the left one in case of a tie.
+  /// Returns false if no sample of the row has a sub-pixel.
   bool write(int view, int color, Sample* out) const {
     int left = -1, right = next(view, 0, color);
     if (right == width_) return false;

@@ -37,8 +37,8 @@ Image depth_channels(const fs::path& path) {
 
 /// Returns the first channel. Throws Error for colours; a second or fourth channel is alpha.
 Image grey_channel(const Image& channels, const fs::path& path) {
-  // Largest mean difference of the channels, as a share of the largest value. In lossy pictures, grey pixels are
-  // slightly coloured.
+  // Pictures whose channels differ more than this, on average and relative to the largest value, are not grey. Lossy
+  // compression colours grey pixels slightly.
   constexpr double kMostColour = 0.05;
   Image grey(channels.width, channels.height, 1);
   double colour = 0.0, range = 0.0;
@@ -103,7 +103,7 @@ Image enlarged_depth(const Image& depth, Vec2i size, float edge) {
 }
 
 Image read_depth_map(const fs::path& path, Vec2i size, bool near_black) {
-  constexpr float kEdge = 1.0f / 32.0f;  // difference at an edge, as a share of the range of depths
+  constexpr float kEdge = 1.0f / 32.0f;  // pixels that differ more, relative to the whole range, are different surfaces
   Image grey = grey_channel(depth_channels(path), path);
   require_shape(grey, size, path);
   if (sample_kind(path) == SampleKind::kFloat) scale_floats(grey, path);

@@ -12,7 +12,7 @@ namespace lippmann {
 
 struct DepthMapCoding {
   bool near_black = false;  ///< true: small values are near; false: large values are near
-  /// Values are linear in depth if true, otherwise in disparity.
+  /// true: values are linear in depth; false: values are linear in disparity
   bool even_in_depth = false;
 };
 

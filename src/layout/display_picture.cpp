@@ -38,7 +38,7 @@ Picture array_picture(const LightField& field, const Display& array, const Displ
   return interlace_behind_lenses(with_eyes, array, pool);
 }
 
-/// Returns the view nearest to the tile, or a blend of the two nearest views in linear light.
+/// Returns the picture for one tile of a quilt: the nearest view, or a blend of the two nearest views in linear light.
 Picture view_of_tile(const LightField& field, int tile, int tiles, ViewFilter filter) {
   const int count = field.grid.count();
   const double place = (tile + 0.5) * count / tiles;

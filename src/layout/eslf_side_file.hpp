@@ -24,7 +24,7 @@ struct EslfSideFile {
 
 std::filesystem::path eslf_side_path(const std::filesystem::path& picture);
 
-/// Returns none if it does not exist or describes something else. Throws Error naming the file.
+/// Returns none if the side file does not exist or describes something else. Throws Error naming the file.
 std::optional<EslfSideFile> read_eslf_side_file(const std::filesystem::path& picture);
 /// Returns none for JSON without the key `eslf`. Throws Error naming `where`.
 std::optional<EslfSideFile> parse_eslf_side_file(const std::string& text, const std::string& where);

@@ -36,7 +36,7 @@ Error no_lens_grid(const std::string& where, const std::string& problem) {
       "number");
 }
 
-/// In place. The number of values must be a power of two.
+/// Computes the Fourier transform in place. The number of values must be a power of two.
 void fourier(std::vector<Complex>& values) {
   const std::size_t count = values.size();
   for (std::size_t i = 1, j = 0; i < count; ++i) {
@@ -92,7 +92,7 @@ class Autocorrelation {
     const auto side = static_cast<std::size_t>(side_);
     std::vector<Complex> values = windowed(white);
     fourier_2d(values, side);
-    // Variations with fewer periods across the crop are removed. Lenses of the largest supported size have six.
+    // Variations with fewer periods across the crop are removed. The largest supported lenses have six periods across the crop.
     constexpr double kSlow = 4.0;
     const double slow = kSlow * side_ / crop_;
     for (int y = 0; y < side_; ++y)
@@ -189,7 +189,7 @@ Vec2d nearest_to_axis(std::array<Vec2d, 3> directions, int axis) {
   return nearest;
 }
 
-/// Does not set the offset of the grid.
+/// Returns the grid whose neighbouring lenses are `a` and `b` apart. Does not set its offset.
 LensGrid grid_of_basis(Vec2d a, Vec2d b, const std::string& where) {
   const double cosine = glm::dot(a, b) / (glm::length(a) * glm::length(b)), ratio = glm::length(b) / glm::length(a);
   LensGrid grid;
@@ -251,8 +251,7 @@ class LightAtFrequencies {
 
 /// Centre of a lens near the middle, from the phase of the light at the two fundamental frequencies. Throws Error if
 /// the amplitude at a half or a third of these frequencies is more than half of the larger fundamental amplitude,
-/// because the lenses are then farther apart than those of `grid`. No wrong grid was accepted in tests of 1.5 to 40
-/// lenses across.
+/// because the lenses are then farther apart than those of `grid`.
 Vec2d lens_by_phase(const Image& white, const LensGrid& grid, const std::string& where) {
   LensGrid centred = grid;
   centred.offset_px = Vec2d(0.0);
@@ -308,7 +307,7 @@ double column_shift(const LensGrid& grid, int row) {
   return grid.arrangement == LensArrangement::kHexagonal && row % 2 != 0 ? 0.5 : 0.0;
 }
 
-/// The lenses within `reach_px` of the grid's offset that lie completely in the picture.
+/// Returns the lenses that lie completely in the picture and within `reach_px` of grid.offset_px.
 std::vector<FoundLens> find_lenses(const Image& white, const LensGrid& grid, double reach_px) {
   const double radius = 0.6 * std::min(grid.pitch_px, grid.row_pitch_px);
   const int columns = static_cast<int>(std::ceil(reach_px / grid.pitch_px)) + 1,
@@ -334,8 +333,8 @@ struct LineFit {
   double at_zero() const { return (y - slope() * x) / sum; }
 };
 
-/// Least-squares grid. Each pass fits pitches and offset along the axes of the current rotation, and then corrects the
-/// rotation by the mean skew of rows and columns, weighted by their spread.
+/// Fits a grid by least squares. Each pass fits pitches and offset along the axes of the current rotation, and then corrects
+/// the rotation by the mean skew of rows and columns, weighted by their spread.
 LensGrid fit_grid(const std::vector<FoundLens>& lenses, LensGrid grid) {
   for (int pass = 0; pass < 6; ++pass) {
     const double c = std::cos(grid.rotation), s = std::sin(grid.rotation);
@@ -378,7 +377,7 @@ bool spans_both_ways(const std::vector<FoundLens>& lenses) {
   return right->column - left->column >= 2.0 && bottom->row - top->row >= 2;
 }
 
-/// Steps 3 and 4 of the comment at the top. Does not support kHexagonalColumns.
+/// Finds lens centres and fits a grid to them, repeatedly over twice the extent. Does not support kHexagonalColumns.
 LensGridFit grown_fit(const Image& white, LensGrid grid, const std::string& where) {
   grid.offset_px = lens_by_phase(white, grid, where);
   const double whole = std::hypot(white.width, white.height);

@@ -20,15 +20,15 @@ struct FrameNames {
 /// the name of the folder, frame_0000.
 std::string frame_name(const FrameNames& names, int frame);
 
-/// Returns DIR/frame_0000.png, or DIR/frame_0000/view_000.png, ... Not for names.is_folder, where the format names the
-/// files.
+/// Returns DIR/frame_0000.png, or DIR/frame_0000/view_000.png, ... names.is_folder must be false, because otherwise a format
+/// names the files.
 std::vector<std::filesystem::path> picture_paths(const std::filesystem::path& folder, const FrameNames& names, int frame);
 
-/// Path of the separate file for layers that the picture itself does not contain. `view`: number of a view; -1: the
-/// whole frame.
+/// Returns the path of the file for layers, such as depth, that the picture itself does not contain. `view`: number of a view;
+/// -1: the whole frame.
 std::filesystem::path layers_path(const std::filesystem::path& folder, int frame, int view = -1);
 
-/// Largest number of strips per frame: 65536 rows, the limit of a film, in strips of 16 rows.
+/// Largest number of strips per frame. A film has at most 65536 rows, and a strip at least 16.
 inline constexpr int kMostStrips = 4096;
 
 /// Returns, for example, strip_0000_003.exr, the file of some rows of a frame.
@@ -36,8 +36,8 @@ std::string strip_name(int frame, int strip);
 
 bool is_strip_name(const std::string& name);
 
-/// Returns the frame of a picture, strip, layer, side file, or file in a format's folder. The name is relative to a
-/// render's folder. Returns none if no render writes such a name.
+/// Returns the number of the frame that a file of a render belongs to: a picture, strip, layer, side file, or a file in a
+/// format's folder. `name` is relative to the render's folder. Returns none if no render writes such a name.
 std::optional<int> frame_of_file(const std::string& name);
 
 /// Returns whether the name has the extension of a supported picture format, in any case.

@@ -5,8 +5,8 @@
 //   gt_disp_lowres_Cam000.pfm, ...     the disparity of every view, in pixels
 //   gt_depth_lowres.pfm, gt_disp_lowres.pfm    copies of the middle view's maps
 //
-// Without a surface, depth is inf and disparity is -inf. The disparity of a surface is finite at any distance: it
-// approaches -beta / (F s), the negative `offset` in parameters.cfg.
+// Without a surface, depth is inf and disparity is -inf. The disparity of a very distant surface approaches a finite value, the
+// negative of `offset` in parameters.cfg.
 //
 // Honauer, Johannsen, Kondermann, Goldluecke: A dataset and evaluation methodology for depth estimation on 4D light fields,
 // ACCV 2016.
@@ -46,7 +46,7 @@ fs::path per_view(const fs::path& folder, const char* kind, const ViewGrid& grid
   return folder / fmt::format("gt_{}_lowres_Cam{:03}.pfm", kind, from_top_left(grid, view));
 }
 
-/// Reads the depth of all views. If one view has no depth, field.depth stays empty.
+/// Reads the depth of all views. If any view has no depth, field.depth stays empty.
 void read_depth(const fs::path& folder, double focus_distance_mm, const FormatOptions& options, LightField& field) {
   std::vector<fs::path> maps;
   for (int view = 0; view < field.grid.count(); ++view) maps.push_back(per_view(folder, "depth", field.grid, view));
@@ -103,7 +103,7 @@ DepthMaps depth_maps(const LightField& field, int view, const HciParameters& par
 
 /// Writes the depth and disparity maps. Sets the range of disparities in `parameters`, from 0 to 0 if there are no surfaces.
 void write_depth(const LightField& field, const fs::path& folder, HciParameters& parameters, std::vector<fs::path>& written) {
-  // File names number the views from the top left.
+  // The middle view, for file names that number the views from the top left.
   const int middle = field.grid.rows / 2 * field.grid.columns + field.grid.columns / 2;
   parameters.disparity_min = INFINITY, parameters.disparity_max = -INFINITY;
   const auto put = [&](const fs::path& path, const Image& map) {

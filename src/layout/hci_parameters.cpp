@@ -24,7 +24,7 @@ std::string_view trimmed(std::string_view text) {
   return first == std::string_view::npos ? std::string_view() : text.substr(first, last - first + 1);
 }
 
-/// Sections are ignored because no key occurs in two sections.
+/// The values in parameters.cfg by key. Section headings are ignored, because no key occurs in two sections.
 class Values {
  public:
   Values(std::string_view text, const std::string& where) : where_(where) {

@@ -33,7 +33,7 @@ std::string hci_parameters_text(const HciParameters& parameters);
 
 /// Reads FOLDER/parameters.cfg; none if it does not exist. Throws Error naming the file.
 std::optional<HciParameters> read_hci_parameters(const std::filesystem::path& folder);
-/// Throws Error naming FOLDER/parameters.cfg if the picture of a view has another size than it states.
+/// Throws Error naming FOLDER/parameters.cfg if `size`, the size of a view's picture, differs from the size in `parameters`.
 void require_size(const HciParameters& parameters, const std::filesystem::path& picture, Vec2i size);
 /// Writes FOLDER/parameters.cfg and returns its path.
 std::filesystem::path write_hci_parameters(const std::filesystem::path& folder, const HciParameters& parameters);
@@ -42,10 +42,10 @@ std::filesystem::path write_hci_parameters(const std::filesystem::path& folder, 
 /// planar depth > 0; may be inf.
 double hci_disparity_px(const HciParameters& parameters, double depth_m);
 
-/// Sensors are taken to be 35 mm wide. Throws Error naming `where` if the format cannot express the cameras:
-/// non-uniform eye distances or non-square pixels.
+/// Returns the parameters of the views' cameras, with sensors 35 mm wide. Throws Error naming `where` if the format cannot
+/// express the cameras: non-uniform eye distances or non-square pixels.
 HciParameters hci_parameters(const LightField& field, const std::string& where);
-/// Parameters with the mean distance between neighbouring eyes, for formats that also store each eye's position.
+/// Returns parameters with the mean distance between neighbouring eyes, for formats that also store each eye's position.
 HciParameters mean_hci_parameters(const LightField& field, const std::string& where);
 StatedCameras stated_cameras(const HciParameters& parameters);
 /// Cameras centred on the display's axis. The pose of the middle camera in its scene is ignored.

@@ -1,5 +1,5 @@
-// The interface to a module (liblippmann_hdf5.so) with libhdf5, which is loaded when the first HDF5 file is read.
-// Private to src/layout.
+// The interface of liblippmann_hdf5.so, which contains all code that needs libhdf5. This module is loaded when the first
+// HDF5 file is read. Private to src/layout.
 #pragma once
 
 #include <cstddef>
@@ -29,8 +29,8 @@ class Hdf5File {
  public:
   virtual ~Hdf5File() = default;
   virtual const Hdf5Header& header() const = 0;
-  /// Read one view, with the array indices t and s: samples of LF in the machine's byte order, and depth of GT_DEPTH.
-  /// The span must be as large as a view. Return an error message; empty on success.
+  /// Read the view with the array indices t and s. read_codes() reads its samples from LF, in the machine's byte order, and
+  /// read_depth() its depth from GT_DEPTH. The span must be as large as a view. Return an error message; empty on success.
   virtual std::string read_codes(std::uint64_t t, std::uint64_t s, std::span<std::byte> codes) const = 0;
   virtual std::string read_depth(std::uint64_t t, std::uint64_t s, std::span<float> depth) const = 0;
 };
@@ -41,7 +41,7 @@ class Hdf5Module {
   virtual std::unique_ptr<Hdf5File> open(const std::string& path) const = 0;
 };
 
-/// Increment with every change of this header, because a module of another version is rejected.
+/// Increment this number with every change of this header. Modules with another number are rejected.
 inline constexpr int kHdf5ModuleVersion = 1;
 
 }  // namespace lippmann

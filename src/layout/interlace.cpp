@@ -35,7 +35,7 @@ struct Views {
   }
 };
 
-/// Linear interpolation between two samples. `next` is at + 1, but at most the last sample; `share` is the weight of `next`.
+/// Two samples for linear interpolation, with the indices `at` and `next` = min(`at` + 1, last index). `share`: weight of `next`.
 struct Between {
   int at, next;
   float share;

@@ -30,7 +30,7 @@ bool is_ppm_name(const fs::path& path) {
   return ending.match(path.extension().string()).has_value();
 }
 
-/// `numbers` are (row, column); in the names the order is (column, row).
+/// Returns the files row by row, with NumberedFile::numbers = (row, column). The file names state (column, row).
 std::vector<NumberedFile> files_by_row(const fs::path& folder) {
   static const TextPattern name("([0-9]{1,4})_([0-9]{1,4})\\.(?:ppm|png|tiff?|bmp|jpe?g|webp|exr)",
                                 TextPattern::Letters::kEitherCase);

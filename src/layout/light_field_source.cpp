@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the first format in `kinds` that matches a file name; none: unknown.
+/// Returns the format whose file names the folder contains; none if there is no such format.
 std::optional<std::string> format_of_folder(const fs::path& folder) {
   struct Kind {
     std::string_view format;
@@ -64,7 +64,7 @@ bool has_lytro_name(const fs::path& file) {
   return lytro.match(file.filename().string()).has_value();
 }
 
-/// Returns the pictures of the format `from`, or, if it is empty, those whose names or side files imply a format.
+/// Returns all pictures of a folder or, if `from` is empty, those whose names or side files imply a format.
 std::vector<fs::path> described_pictures_in(const fs::path& folder, const std::string& from) {
   std::vector<fs::path> pictures;
   for (const fs::directory_entry& entry : entries_of(folder))
@@ -93,8 +93,8 @@ std::string format_of(const fs::path& path, const LightFieldSource& source) {
   }
 }
 
-/// Returns whether the report describes these files. It does not describe a folder of another format beside a render,
-/// or a picture with another grid of views, which may be derived from the render's views.
+/// Returns whether the report beside a light field describes it. The report does not describe a folder of another format
+/// beside a render, or a picture with another grid of views, which may be derived from the render's views.
 bool matches_report(const fs::path& path, const LightFieldSource& source, const FormatOptions& options) {
   const LightFieldFormat& format = *source.format;
   if (format.states_cameras) return false;
@@ -190,8 +190,8 @@ bool is_light_field_folder(const fs::path& folder) { return format_of_folder(fol
 
 namespace {
 
-/// Returns whether the views have the grid and as many pixels as their report states. Views of row-interlaced stereo pictures
-/// have only half as many.
+/// Returns whether the views have the grid and the size that their report states. Views of row-interlaced stereo pictures have
+/// half the height.
 bool shows_rendered_views(const LightFieldSource& source, const LightField& field, const fs::path& path) {
   if (!source.rendered || source.rendered->film.grid != field.grid) return false;
   if (source.format->name != "stereo") return true;

@@ -13,7 +13,7 @@
 
 namespace lippmann {
 
-/// Read it by source.format->read(path, source.options).
+/// A light field that can be read by format->read(path, options).
 struct LightFieldSource {
   const LightFieldFormat* format = nullptr;
   FormatOptions options;  ///< the given options, with missing ones added from the files beside the picture
@@ -31,16 +31,17 @@ LightFieldSource light_field_source(const std::filesystem::path& path, const std
 /// malformed side file or name.
 std::optional<std::string> format_by_name(const std::filesystem::path& picture);
 
-/// Returns whether the file holds a light field and is no picture: HDF5, or Lytro's containers.
+/// Returns whether the name is that of an HDF5 file or a Lytro container, which hold light fields but are not pictures.
 bool is_light_field_file_name(const std::filesystem::path& file);
 
-/// A usage Error: the format of this picture must be given.
+/// Makes a usage Error that says that the format of this picture must be given.
 Error unknown_format(const std::filesystem::path& picture);
 
 /// Returns the format of `in`, or of its first frame. Throws Error as light_field_source() does.
 const LightFieldFormat& format_of_light_field(const std::filesystem::path& in, const std::string& from);
 
-/// Returns whether the folder holds files named like the views of a format, or only pictures, which then are the views.
+/// Returns whether the folder holds files named like the views of a format, or holds only pictures. The pictures are then
+/// taken as views.
 bool is_light_field_folder(const std::filesystem::path& folder);
 
 /// Returns the subfolder images/ if the folder has one and holds cameras of any pose (nerf, colmap, llff), otherwise

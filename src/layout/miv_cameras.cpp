@@ -45,7 +45,7 @@ double height_of(const MivCamera& camera) { return std::round(1e5 * camera.posit
 
 Vec2d eye_of(const MivCamera& camera) { return 1e3 * Vec2d(-camera.position_m[1], camera.position_m[2]); }
 
-/// Converts a vector from forward, left, up to right, up, backwards.
+/// Converts a vector from the axes (forward, left, up) to the axes (right, up, backwards).
 Vec3d right_up_back(const Vec3d& v) { return {-v.y, v.z, -v.x}; }
 
 PosedCamera posed(const MivCamera& camera, Vec2i size) {

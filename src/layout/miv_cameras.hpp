@@ -26,10 +26,10 @@ struct MivCamera {
 /// perspective, has a path as its name, or has invalid numbers.
 std::vector<MivCamera> parse_miv_cameras(const std::string& text, const std::string& where);
 
-/// `depth`: there are depth maps beside the views.
+/// Returns the contents of cameras.json. `depth`: whether there are depth maps beside the views.
 std::string miv_cameras_text(const std::vector<MivCamera>& cameras, const std::string& content, bool depth);
 
-/// Sorts row by row upwards, each row from left to right.
+/// Sorts cameras by rows from bottom to top, and from left to right within a row.
 void sort_as_views(std::vector<MivCamera>& cameras);
 
 /// Sets field.cameras if all cameras are parallel, have their eyes in one plane and show the same rectangle of another plane.
@@ -44,7 +44,7 @@ void warn_of_missing_cameras(const std::vector<MivCamera>& cameras, const std::s
 /// different number of cameras.
 ViewGrid grid_of_cameras(const std::vector<MivCamera>& cameras, std::optional<ViewGrid> views, const std::string& where);
 
-/// All eyes are in one plane. The plane with zero disparity is cameras.distance_mm in front of them.
+/// Converts ViewCameras, whose eyes are all in one plane. near_m, far_m: depth range of all cameras.
 std::vector<MivCamera> miv_cameras(const ViewCameras& cameras, Vec2i view_size, const std::vector<std::string>& names,
                                    double near_m, double far_m);
 

@@ -22,9 +22,9 @@ namespace fs = std::filesystem;
 
 constexpr const char* kDepthEnding = "_depth.png";
 constexpr double kHighest = 65535.0;
-/// Code of the farthest point. TMIV rounds codes to 10 bits: a smaller code might become 0, which means no surface.
+/// 16-bit code of the farthest point. TMIV rounds codes to 10 bits, so codes below 64 might become 0, which means no surface.
 constexpr double kFarthestCode = 64.0;
-constexpr double kLeastRange = 1.001;  // lowest ratio of the farthest to the nearest depth, which must differ
+constexpr double kLeastRange = 1.001;  // lowest ratio of the farthest to the nearest depth of a depth range
 
 std::vector<MivCamera> read_cameras(const fs::path& path) {
   constexpr std::uintmax_t kMaxBytes = std::uintmax_t{16} << 20;
@@ -53,7 +53,7 @@ Image read_depth(const fs::path& path, const MivCamera& camera, double distance_
   return depth;
 }
 
-/// Reads the depth of all views. If one view has no depth, field.depth stays empty.
+/// Reads the depth of all views. If any view has no depth, field.depth stays empty.
 void read_depth(const fs::path& folder, const std::vector<MivCamera>& cameras, const FormatOptions& options,
                 LightField& field) {
   std::vector<fs::path> maps;
@@ -108,7 +108,7 @@ struct DepthRange {
   double near_m = 0.1, far_m = 100.0;
 };
 
-/// The far end lies beyond the farthest surface, so that this surface has the code kFarthestCode if possible.
+/// Returns the depth range of the codes. It extends beyond the farthest surface, which gets the code kFarthestCode if possible.
 DepthRange depth_range(const LightField& field) {
   double nearest = INFINITY, farthest = 0.0;
   for (const float z : field.depth->data) {

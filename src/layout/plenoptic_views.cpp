@@ -45,7 +45,7 @@ SampleTaps sample_taps(double at, bool lanczos) {
   return taps;
 }
 
-/// Beyond the edges, edge pixels are repeated.
+/// Interpolates the light at `place`. Edge pixels are repeated beyond the edges.
 Vec3f sample_light(const Image& light, Vec2d place, bool lanczos) {
   const SampleTaps across = sample_taps(place.x - 0.5, lanczos), down = sample_taps(place.y - 0.5, lanczos);
   Vec3f sum(0.0f);
@@ -140,12 +140,12 @@ class ViewSampler {
 
   Vec2i size() const {
     if (grid_.arrangement == LensArrangement::kSquare) return {range_.columns(), range_.rows()};
-    // All rows of lenses cover the width from the first lens of the shifted rows to the last lens of the other rows.
+    // Use the width that all rows cover: from the first lens of the shifted rows to the last lens of the unshifted rows.
     const double span_px = (range_.columns() - 1.5) * grid_.pitch_px;
     return {static_cast<int>(std::floor(span_px / grid_.row_pitch_px + 1e-9)) + 1, range_.rows()};
   }
 
-  /// Returns the lenses of the pixels. The rows of the grid must be level.
+  /// Returns which lenses the pixels of a view sample. The rows of the grid must be level.
   SampledLenses lenses() const {
     const bool is_square = grid_.arrangement == LensArrangement::kSquare;
     const Vec2d pitch_px(grid_.pitch_px, grid_.row_pitch_px);
@@ -173,7 +173,7 @@ class ViewSampler {
     return made;
   }
 
-  /// Returns the samples of `image`, which has one channel, nearest to those of view().
+  /// Like view(), but takes the nearest pixel of `image`, which has one channel, instead of interpolating.
   Image nearest(const Image& image, Vec2d offset_px) const {
     const Vec2i extent = size(), last(image.width - 1, image.height - 1);
     Image made(extent.x, extent.y, 1);
@@ -189,7 +189,7 @@ class ViewSampler {
   }
 
  private:
-  /// Converts a pixel of a view's row to a position in lenses. Pixels are square, as wide as the row pitch.
+  /// Converts a pixel of a view's row to a position, in lenses, in that row. Pixels are square, as wide as the row pitch.
   double place_in_row(int pixel, int row) const {
     const double from_left = 0.5 + pixel * grid_.row_pitch_px / grid_.pitch_px;
     return from_left - shift_of(row);
@@ -211,7 +211,7 @@ class ViewSampler {
   const LensGrid& grid_;
   const SampledRange& range_;
   bool lanczos_;
-  Vec2d right_, down_;  // in pixels from a lens to the next one in its row and to the next row
+  Vec2d right_, down_;  // vectors in pixels, from a lens to the next lens of its row, and from a row to the next row
 };
 
 Image swap_axes(const Image& image) {

@@ -58,7 +58,7 @@ std::optional<ViewCameras> shared_plane(const std::vector<PosedCamera>& cameras)
       return std::nullopt;
     shared.eyes_mm.emplace_back(eye);
   }
-  // So far the origin is at the first eye. The display's middle must appear in the middle of the views.
+  // Moves the origin from the first eye to the point that appears in the middle of the views.
   const Vec2d middle = (0.5 * Vec2d(first.size) - shared.centre_px) * shared.pixel_mm * Vec2d(1.0, -1.0);
   for (Vec2d& eye : shared.eyes_mm) eye -= middle;
   shared.centre_px = 0.5 * Vec2d(first.size);

@@ -77,7 +77,7 @@ std::vector<std::filesystem::path> write_posed_depth(const LightField& field, in
 /// The place of a light field with a single view in a larger set: view `number` of `count` views.
 struct ViewOfSet {
   int number = 0, count = 1;
-  double depth_scale = 1.0;  ///< depths are multiplied by this in the files
+  double depth_scale = 1.0;  ///< factor by which depths in the files are multiplied
 };
 
 /// Writes images/NNN.png and, if the light field has depth, the files of write_posed_depth(). Returns the paths of the
@@ -89,10 +89,10 @@ std::vector<std::filesystem::path> write_posed_view(const LightField& field, con
 /// that there are at most about `most` points. Returns no points if there is no depth.
 std::vector<CloudPoint> point_cloud(const LightField& field, const std::vector<PosedCamera>& cameras, std::size_t most);
 
-/// The least and the greatest planar depth in mm, or 100 mm and 100 m without depth.
+/// Returns the least and the greatest planar depth in mm, or 100 mm and 100 m if the light field has no depth.
 Vec2d depth_bounds_mm(const LightField& field);
 
-/// Return the same as point_cloud() and depth_bounds_mm() for pictures of write_posed_view(), which are read one by one.
+/// Like point_cloud() and depth_bounds_mm(), for pictures that write_posed_view() wrote. Read one picture at a time.
 std::vector<CloudPoint> cloud_of_pictures(const std::filesystem::path& folder, const std::vector<PosedPicture>& pictures,
                                           std::size_t most);
 Vec2d depth_bounds_of_pictures(const std::filesystem::path& folder, const std::vector<PosedPicture>& pictures);

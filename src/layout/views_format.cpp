@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kViewNames = "a folder of view_000.png, view_001.png, ...";
 
-/// Reads the depth of all views. If one view has no depth, field.depth stays empty.
+/// Reads the depth of all views. If any view has no depth, field.depth stays empty.
 void read_depth(const std::vector<fs::path>& by_view, const FormatOptions& options, LightField& field) {
   fs::path without_depth;
   for (int view = 0; view < field.grid.count(); ++view) {

@@ -45,7 +45,7 @@ std::vector<std::uint64_t> shape_of(const Space& space) {
   return {shape.begin(), shape.end()};
 }
 
-/// A link to another file counts as missing.
+/// Opens an array of the file. An array that is a link to another file counts as missing.
 Dataset open_array(const FileHandle& file, const char* name, std::string& problem) {
   H5L_info_t link;
   if (H5Lexists(*file, name, H5P_DEFAULT) <= 0 || H5Lget_info(*file, name, &link, H5P_DEFAULT) < 0 ||
@@ -73,7 +73,7 @@ Hdf5Array described(const Dataset& array) {
   return {shape_of(space), is_number ? H5Tget_size(*type) : 0, kind == H5T_FLOAT};
 }
 
-/// Some files store a number as an array with one element.
+/// Reads a number. Some files store it as an array with one element.
 void read_attribute(const FileHandle& file, const char* name, Hdf5Header& header) {
   constexpr hssize_t kMostNumbers = 64;
   if (H5Aexists(*file, name) <= 0) return;
@@ -140,7 +140,7 @@ class Libhdf5 : public Hdf5Module {
  public:
   Libhdf5() {
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors are returned, not printed
-    H5PLset_loading_state(0);                     // loads no filter plugins from folders that the environment names
+    H5PLset_loading_state(0);                     // disables plugins from the folders in HDF5_PLUGIN_PATH
   }
   std::unique_ptr<Hdf5File> open(const std::string& path) const override { return std::make_unique<OpenedFile>(path); }
 };
