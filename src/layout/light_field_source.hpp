@@ -34,7 +34,7 @@ std::optional<std::string> format_by_name(const std::filesystem::path& picture);
 /// Returns whether the name is that of an HDF5 file or a Lytro container, which hold light fields but are not pictures.
 bool is_light_field_file_name(const std::filesystem::path& file);
 
-/// Makes a usage Error that says that the format of this picture must be given.
+/// Returns a usage Error with the message that the format of this picture must be given.
 Error unknown_format(const std::filesystem::path& picture);
 
 /// Returns the format of `in`, or of its first frame. Throws Error as light_field_source() does.

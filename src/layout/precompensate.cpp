@@ -31,7 +31,7 @@ constexpr int kMaxSweeps = 2000;
 
 /// Parallel lines of samples in a picture. Their first samples are arranged in `rows` rows of `across` neighbouring samples.
 /// `sample`: offsets of a line's samples from its first sample. `row_stride`: distance from a row of first samples to the next
-/// row. All offsets and distances are in floats.
+/// row. All offsets and distances are differences of indices into the picture's array of floats.
 struct Lines {
   std::vector<std::size_t> sample;
   std::size_t across = 0, rows = 0, row_stride = 0;
@@ -102,7 +102,7 @@ LIPPMANN_MULTIVERSION void sweep(const Leak& leak, const Lane* wanted, Bounds bo
   }
 }
 
-/// Solves a batch of lines and returns the number of clipped samples.
+/// Computes the samples that kLanes lines must show, and returns how many of them are clipped to `bounds`.
 std::size_t solve_lines(const Leak& leak, const std::vector<Lane>& wanted, Bounds bounds, std::vector<Lane>& shown) {
   shown = wanted;
   Swept swept;
@@ -114,7 +114,7 @@ std::size_t solve_lines(const Leak& leak, const std::vector<Lane>& wanted, Bound
   return static_cast<std::size_t>(std::accumulate(swept.clipped.begin(), swept.clipped.end(), 0.0));
 }
 
-/// Calls change(leak, samples of kLanes lines) for all lines. If the last batch has fewer lines, its other lanes are 0.
+/// Calls change(leak, samples) for all lines, kLanes lines at a time. If fewer lines are left, the remaining lanes are 0.
 template <class Change>
 void for_each_line(const std::vector<Lines>& all, double sigma_px, Image& picture, Change change) {
   for (const Lines& lines : all) {
@@ -229,7 +229,7 @@ Precompensation precompensate(const Optics& optics, double sigma_px, const char*
 Precompensation precompensate_encoded(const Optics& optics, double sigma_px, Encoding encoding, const char* where,
                                       Image& film) {
   if (encoding == Encoding::kSrgb) return precompensate(optics, sigma_px, where, film);
-  // Crosstalk mixes linear light.
+  // The correction needs linear values, because crosstalk mixes linear light.
   for (float& value : film.data) value = static_cast<float>(linear_from_srgb(value > 0.0f ? std::min(value, 1.0f) : 0.0f));
   const Precompensation done = precompensate(optics, sigma_px, where, film);
   for (float& value : film.data) value = static_cast<float>(srgb_from_linear(value));

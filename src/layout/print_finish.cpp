@@ -77,7 +77,7 @@ class PrintMarks {
   int px(double mm) const { return static_cast<int>(std::lround(mm / display_.pixel_mm())); }
   int thickness() const { return std::max(1, px(0.1)); }
 
-  /// Draws a line along x or y through the middle of its thickness.
+  /// Draws a horizontal or vertical line. `from` and `to` are in the middle of the line's thickness.
   void line(Vec2i from, Vec2i to) {
     const int before = thickness() / 2, after = thickness() - before;
     const Vec2i across(from.x == to.x ? 1 : 0, from.y == to.y ? 1 : 0);
@@ -127,7 +127,7 @@ Display with_bleed(const Display& display, double bleed_mm) {
   const int bleed = bleed_px(display, bleed_mm);
   if (bleed == 0) return display;
   Display bled = display;
-  bled.viewing_distance_mm = viewing_distance_mm(display);  // the default distance depends on the height, which changes
+  bled.viewing_distance_mm = viewing_distance_mm(display);  // the default depends on the display's height, which grows
   bled.pixels += 2 * bleed;
   const LensStrips strips = lens_strips(display);
   if (bled.lenses.phase_px) *bled.lenses.phase_px += bleed * (1.0 - strips.sine / strips.cosine);

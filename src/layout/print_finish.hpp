@@ -8,8 +8,9 @@
 
 namespace lippmann {
 
-/// `display` must be the result of with_bleed() for finish.bleed_mm, and `bled` the picture for this display. Throws a
-/// usage Error naming `proof` if the print is not larger than an inch, and Error if the result with marks is too large.
+/// Crops a print to a proof and adds marks, as `finish` requests. `display` must be the result of with_bleed() for
+/// finish.bleed_mm, and `bled` the picture for this display. Throws a usage Error naming `proof` if the print is not larger
+/// than an inch, and Error if the result with marks is too large.
 Picture finished(Picture bled, const Display& display, const PrintFinish& finish);
 
 }  // namespace lippmann

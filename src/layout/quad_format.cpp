@@ -1,5 +1,5 @@
-// Four views in one picture, for Leia's displays, from the leftmost view: top left, top right, bottom left, bottom
-// right. (A quilt of 2x2 tiles begins with the lower row.)
+// Four views in one picture, for Leia's displays. The leftmost view is at the top left. The next views are at the top right,
+// bottom left and bottom right. A quilt of 2x2 tiles, by contrast, begins with the lower row.
 #include <fmt/format.h>
 
 #include "layout/packed_views.hpp"

@@ -1,5 +1,5 @@
-// File names of quads, four views in one picture: name_2x2.png, as in Leia's programs, in any case and with copy marks
-// (layout/copy_mark.hpp).
+// File names of quads, four views in one picture: name_2x2.png, as in Leia's programs. Letters may be upper or lower case. A
+// suffix of copies, such as " (1)", is allowed (layout/copy_mark.hpp).
 #pragma once
 
 #include <filesystem>

@@ -33,8 +33,8 @@ struct TileKeys {
   std::string_view columns, rows;
 };
 
-/// Returns the two keys that state the numbers of tiles. If there are none, returns viewX and viewY if the table must describe
-/// a quilt, otherwise none.
+/// Returns the two keys of `settings` that state the numbers of tiles. If there are no such keys, returns viewX and viewY if
+/// `is_quilt`, otherwise none.
 std::optional<TileKeys> tile_keys(const JsonFields& settings, bool is_quilt) {
   constexpr TileKeys kOwn{"viewX", "viewY"};
   for (const TileKeys keys : {kOwn, TileKeys{"columns", "rows"}, TileKeys{"quiltCols", "quiltRows"}})

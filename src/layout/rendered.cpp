@@ -61,7 +61,7 @@ Json read_report(const fs::path& report) {
   return json;
 }
 
-/// 1 if it is missing or implausible.
+/// Returns the depth scale that a report states, or 1 if the scale is missing or implausible.
 float depth_scale_of(const Json& report) {
   const auto depth = report.find("depth");
   if (depth == report.end() || !depth->is_object()) return 1.0f;
@@ -87,7 +87,7 @@ FrameFacts frame_facts(const Json& frame) {
   return facts;
 }
 
-/// By frame number. Skips malformed entries.
+/// Returns the facts of a report's frames by frame number. Skips malformed entries.
 std::map<int, FrameFacts> frames_of(const Json& report) {
   std::map<int, FrameFacts> frames;
   const auto list = report.find("frames");
@@ -116,7 +116,7 @@ Rendering rendering_from(const Json& json, const fs::path& report) {
   return rendering;
 }
 
-/// Adds report.json and the files of frames in `folder` / `below` that are not in `recorded`.
+/// Appends to `names` the files in `folder` / `below` that are report.json or files of frames, but not in `recorded`.
 void add_unrecorded(const fs::path& folder, const fs::path& below, const std::set<std::string>& recorded,
                     std::vector<std::string>& names) {
   for (const fs::directory_entry& entry : entries_of(folder / below)) {
@@ -129,7 +129,7 @@ void add_unrecorded(const fs::path& folder, const fs::path& below, const std::se
   }
 }
 
-/// Considers only `in` and its contents.
+/// Warns about files that the journal of a render does not list. Considers only `in` and the files in `in`.
 void warn_about_unrecorded_files(const fs::path& folder, const fs::path& in, const Context& context) {
   std::vector<std::string> names;
   add_unrecorded(folder, {}, recorded_names(folder), names);

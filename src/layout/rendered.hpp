@@ -15,7 +15,7 @@ namespace lippmann {
 
 struct FrameFacts {
   std::string kind = {};  ///< "full", "key" or "in-between"; empty: the report does not state it
-  /// Estimated during rendering; none: the frame is exact or has no estimate.
+  /// PSNR that was estimated during rendering; none: the frame is exact or has no estimate.
   std::optional<double> psnr_db = {};
 };
 
@@ -31,7 +31,7 @@ struct Rendering {
   std::map<int, FrameFacts> frames = {};
 };
 
-/// None if it is missing or implausible.
+/// Returns the frame rate that a report states; none if the rate is missing or implausible.
 std::optional<double> frame_rate_of(const nlohmann::ordered_json& report);
 
 /// Throws Error naming the report if it is malformed or has no optics.
@@ -41,10 +41,10 @@ Rendering read_rendering(const std::filesystem::path& report);
 /// report. Throws Error naming the report if it is malformed.
 std::optional<Rendering> rendering_of(const std::filesystem::path& picture);
 
-/// For pictures that can also be shown without the report. Returns none if it is missing or malformed.
+/// Reads a report that is not needed to show the pictures. Returns none if the report is missing or malformed.
 std::optional<Rendering> readable_rendering(const std::filesystem::path& report);
 
-/// Files of a render that no journal lists cannot be checked for damage (core/recorded_file.hpp).
+/// Warns about files of a render that no journal lists, because they cannot be checked for damage (core/recorded_file.hpp).
 void warn_about_unchecked_files(const std::filesystem::path& in, const Context& context);
 
 /// Reads the depth layer of a picture: z in display mm, one channel, with the picture's size. It is in the EXR picture

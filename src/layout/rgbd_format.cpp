@@ -42,7 +42,7 @@ Image read_greys(const Picture& picture, Vec2i view, const std::string& where) {
           }
       },
       picture);
-  // Largest mean difference of the channels. In lossy pictures, grey pixels are slightly coloured.
+  // Pictures whose channels differ more than this on average are not grey. Lossy compression colours grey pixels slightly.
   constexpr double kMostColour = 0.05;
   if (colour > kMostColour * view.x * view.y)
     throw Error(where, "its right half has colours, so it is not depth", "colours at the left, depth as grey at the right");
@@ -54,7 +54,7 @@ void require_depth(const Image& greys, const std::string& where) {
   throw Error(where, "its depth is 0 everywhere", "colours at the left, depth as grey at the right");
 }
 
-/// Options override the side file, which overrides the defaults.
+/// Returns the description of an RGB-D picture. Options override the side file, and the side file overrides the defaults.
 RgbdSideFile described_rgbd(const fs::path& path, const FormatOptions& options, Vec2i view) {
   RgbdSideFile assumed;
   assumed.distance_mm = kAssumedDistanceMm;
@@ -103,7 +103,7 @@ RgbdSideFile side_of(const LightField& field, int view, const Image& depth, cons
   return side;
 }
 
-/// The colours are at the left, the greys at the right.
+/// Returns a picture with `colours` in the left half and `depth` as grey in the right half.
 Picture side_by_side(const Picture& colours, const Image& depth, const RgbdSideFile& side) {
   const Vec2i view = size_of(colours);
   Picture picture = blank(colours, {2 * view.x, view.y});

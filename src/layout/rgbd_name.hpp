@@ -1,5 +1,6 @@
-// File names of RGB-D pictures: name_rgbd.png, name.rgbd.png or rgbd.png, in any case and with copy marks
-// (layout/copy_mark.hpp). A name such as name_hrgbd.png means that both halves are squeezed to half their width.
+// File names of RGB-D pictures: name_rgbd.png, name.rgbd.png or rgbd.png. Letters may be upper or lower case. A suffix of
+// copies, such as " (1)", is allowed (layout/copy_mark.hpp). A name such as name_hrgbd.png means that both halves are squeezed
+// to half their width.
 #pragma once
 
 #include <filesystem>

@@ -16,7 +16,7 @@ namespace lippmann {
 struct RgbdSideFile {
   DepthCoding coding;
   double distance_mm = 300.0;   ///< from the eye to the screen
-  Vec2d size_mm{100.0, 100.0};  ///< the screen, which the picture fills
+  Vec2d size_mm{100.0, 100.0};  ///< size of the screen, which the picture fills
   Vec2d eye_mm{0.0};            ///< relative to the screen's axis, right and up
 
   bool operator==(const RgbdSideFile&) const = default;

@@ -64,7 +64,7 @@ LightField read_stanford(const fs::path& folder, const FormatOptions& options) {
   return field;
 }
 
-/// None if the cameras are unknown or the format cannot express their pixels.
+/// Returns the values for parameters.cfg; none if the cameras are unknown or parameters.cfg cannot express their pixels.
 std::optional<HciParameters> parameters_of(const LightField& field, const fs::path& folder) {
   if (!field.cameras) return std::nullopt;
   try {

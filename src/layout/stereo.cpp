@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, 5> kStereoEndings{"_2x1", "_half_2x1", "_ou", "_half_ou", "_rows"};
 
-/// Stored views that fit into the picture, across and down.
+/// Returns how often the area of a stored view fits into the picture, across and down.
 Vec2i views_in_picture(StereoPacking packing) {
   switch (packing) {
     case StereoPacking::kSideBySide:
@@ -31,7 +31,8 @@ Vec2i views_in_picture(StereoPacking packing) {
   return {1, 1};
 }
 
-/// A picture's pixel: the first or the second view (place = 0 or 1), and the position in the stored view (pixel).
+/// What a pixel of the picture shows. `place`: 0 for the first view, 1 for the second view. `pixel`: position in that view as
+/// stored.
 struct StereoPlace {
   int place;
   Vec2i pixel;

@@ -45,14 +45,14 @@ Vec2i whole_view_size(const LightField& field) {
   return {size.x, static_cast<int>(std::lround(size.y / wider))};
 }
 
-/// Size of a whole view, squeezed. A side that is halved is first rounded up to an even number.
+/// Returns the size of a view as stored: its whole size, squeezed. Rounds up a side before halving it.
 Vec2i stored_size_of(const LightField& field, StereoPacking packing) {
   const Vec2i squeeze = stereo_squeeze(packing), whole = whole_view_size(field);
   const Vec2i stored = (whole + squeeze - 1) / squeeze;
   return packing == StereoPacking::kRows ? Vec2i(stored.x, stored.y + stored.y % 2) : stored;
 }
 
-/// Returns the field's own stack, or a stack resampled in linear light.
+/// Returns the stack of views with size `stored`. Resamples the views in linear light if they have another size.
 Picture stored_views(const LightField& field, Vec2i stored) {
   if (stored == field.view_size) return field.stack;
   LightField sized = field;

@@ -38,8 +38,8 @@ void require_all_views(const std::filesystem::path& folder, const std::vector<Nu
 /// memory (infinite: no limit).
 void require_stack_fits(const std::string& where, int views, Vec2i view_size, std::size_t sample_bytes, double available_bytes);
 
-/// Reads the views in order with `read`. by_view: grid.count() files. Throws Error naming a file whose size or sample
-/// type differs from that of the first file, or the first file if the views do not fit into memory.
+/// Reads the views with `read`. by_view: one file per view, in order. Throws Error naming a file whose size or sample type
+/// differs from that of the first file. If the views do not fit into memory, throws Error naming the first file.
 LightField read_view_files(const std::vector<std::filesystem::path>& by_view, ViewGrid grid,
                            const std::function<Picture(const std::filesystem::path&)>& read);
 /// Reads the views with read_picture(). Uses options.warn and options.fit_view. `check_size`, if given, is called with the size
@@ -47,7 +47,7 @@ LightField read_view_files(const std::vector<std::filesystem::path>& by_view, Vi
 LightField read_view_files(const std::vector<std::filesystem::path>& by_view, ViewGrid grid, const FormatOptions& options,
                            const std::function<void(int view, Vec2i size)>& check_size = {});
 
-/// Returns the options with the shape of the pixels of a camera, given its focal lengths across and down in pixels.
+/// Returns the options with the aspect ratio of a camera's pixels. `focal_px`: focal lengths across and down.
 FormatOptions with_pixel_aspect(FormatOptions options, Vec2d focal_px);
 
 /// Records that the depth of all views is left out, and warns with the reason, such as "a.pfm is missing".

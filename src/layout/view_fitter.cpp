@@ -14,8 +14,8 @@ namespace {
 /// Relative difference below which aspect ratios count as equal.
 constexpr double kSameAspect = 0.01;
 
-/// Samples of a view along one row of a display's lenses: their number (count), the left edge of the first one (first)
-/// and their width (step), as fractions of the display's width.
+/// The samples of a view along one row of a display's lenses. `first`: left edge of the first sample. `step`: width of a
+/// sample. Both are fractions of the display's width.
 struct RowOfSamples {
   int count;
   double first, step;
@@ -109,8 +109,8 @@ Picture ViewFitter::fitted(const Picture& view, double aspect, int number, ViewG
                 "views of one size");
   original_ = from, window_ = window_in_all(from, aspect, grid);
   const bool is_whole = window_ == Vec2d(from) && view_shift_px_ == 0.0;
-  // Interlacing accepts views of any size. For a native frame, a whole view therefore keeps its size if it is not larger than
-  // the display, or if views are stretched.
+  // An interlaced (native) frame can be made from views of any size. Therefore a whole view is not resized if it is not larger
+  // than the display, or if views are stretched.
   const bool is_small = from.x <= display_.pixels.x && from.y <= display_.pixels.y;
   if (target_ == DisplayTarget::kNative && is_whole && (is_small || fit_ == AspectFit::kStretch)) {
     size_ = from;

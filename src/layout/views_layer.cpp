@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// rendered_provenance() or rendered_motion()
+/// A function that reads one layer, such as rendered_motion().
 using LayerReader = std::optional<Image> (*)(const fs::path& picture);
 
 bool has_size(const std::optional<Image>& layer, Vec2i size) { return layer && Vec2i(layer->width, layer->height) == size; }

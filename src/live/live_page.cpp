@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Server threads that may wait for changes. Further requests are answered without waiting.
+/// Number of requests that may wait for changes at the same time. Further requests are answered at once.
 constexpr int kMaxWaiting = 8;
 constexpr std::chrono::milliseconds kPatience{250};
 
@@ -46,7 +46,7 @@ Json choices_json() {
   return choices;
 }
 
-/// Returns whether the body is {"frames": "all"} and not {"frames": "this"}.
+/// Returns true for the body {"frames": "all"}, and false for {"frames": "this"}.
 bool wants_all(const std::string& body) {
   const Json json = json_from_text(body);
   const auto frames = json.is_object() ? json.value("frames", Json()) : Json();

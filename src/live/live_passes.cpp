@@ -18,12 +18,12 @@
 namespace lippmann {
 namespace {
 
-/// One core traces a coarse image of this many pixels in a fraction of a second.
+/// Number of pixels of a coarse image. One core traces them in a fraction of a second.
 constexpr double kCoarsePixels = 48e3;
-/// Samples per pixel of coarse, path-traced images. Few pixels with little noise show more than many noisy ones.
+/// Samples per pixel of coarse, path-traced images. An image of few pixels with little noise shows more than a larger noisy image.
 constexpr int kCoarsePaths = 4;
 
-/// A film of sub-pixels must be converted to pixels, which the native layout does.
+/// Returns the layout of a panel's image. The native layout converts a film of sub-pixels to pixels.
 PictureParams layout_of_panel(const Optics& optics) {
   PictureParams as_shown;
   if (sub_pixels_per_pixel(optics) > 1) as_shown.layout = PictureLayout::kNative;

@@ -28,7 +28,7 @@ void LiveRender::start(const ResolvedJob& job, std::function<void()> ended) {
     state_ = "running", folder_.clear(), error_.clear();
     frames_ = done_ = 0, share_ = 0.0, started_ = now_seconds();
   }
-  // Joins without the lock, which `ended` in the previous thread may need.
+  // The lock must not be held here, because the previous thread may need it in `ended`.
   if (thread_.joinable()) thread_.join();
   context_.cancelled = false;
   thread_ = std::thread([this, job, ended = std::move(ended)] {

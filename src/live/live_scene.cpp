@@ -21,13 +21,13 @@ using Json = nlohmann::ordered_json;
 
 Bytes encoded(const Image8& picture) { return std::make_shared<const std::string>(encoded_picture(picture, 0).bytes); }
 
-/// distance of the display plane from the viewer and its limits, in world units
+/// Describes the distance of the display plane from the viewer, and the limits of this distance, in world units.
 Json plane_json(double distance, double nearest, double farthest) {
   if (!std::isfinite(distance)) return nullptr;
   return {{"distance", distance}, {"nearest", nearest}, {"farthest", farthest}};
 }
 
-/// Only slanted panels interlace views.
+/// Returns null for displays other than slanted panels, because only slanted panels interlace views.
 Json panel_json(const Display* display, const InterlaceParams& interlace) {
   if (!display || display->kind != DisplayKind::kSlantedPanel) return nullptr;
   return page_display_json({*display, interlace});
@@ -77,7 +77,7 @@ std::optional<LiveScene::Order> LiveScene::next_order() {
   return Order{settings_, version_};
 }
 
-/// Publishes the facts of the light field before anything is traced. Only the render thread changes the stage.
+/// Publishes the facts of the light field before anything is traced. Called by the render thread only.
 void LiveScene::begin(const Order& order) {
   const JobStage& stage = live_.stage();
   PageFacts facts = live_.facts();
@@ -278,7 +278,7 @@ void LiveScene::render(bool all_frames) {
     if (!all_frames) params.output.frames = FrameRanges{{frame, frame}};
   }
   render_.start(ResolvedJob(params), [this] { notify_pages(); });
-  // Stops making finer images. They are made after the render of the job.
+  // Stops making finer images of the scene, until the job is rendered.
   context_.cancelled = true;
   notify_pages();
 }

@@ -113,7 +113,7 @@ class LiveScene {
   std::string pass_, error_, saved_;
   std::atomic<double> share_{0.0};
   Picture picture_;
-  std::thread worker_;  ///< the last member, because the thread uses the others
+  std::thread worker_;  ///< last member, because the thread uses all other members
 };
 
 }  // namespace lippmann

@@ -38,8 +38,8 @@ class LiveSettings {
   nlohmann::ordered_json changed() const;
 
  private:
-  /// Returns the parameters to which `changes` apply: first_, but base_ if `changes` set optics or a display or if there is no
-  /// first_.
+  /// Returns the parameters to which `changes` apply: base_ if `changes` set optics or a display, or if there is no first_.
+  /// Otherwise first_.
   const RenderParams& changed_params(const std::map<std::string, std::string>& changes) const;
   RenderParams applied(const std::map<std::string, std::string>& changes) const;
 

@@ -12,7 +12,7 @@
 namespace lippmann {
 namespace {
 
-/// If this text changes, the scene must be loaded again.
+/// Returns a text of all parameters that affect loading. If this text changes, the scene must be loaded again.
 std::string scene_key(const ResolvedJob& job) {
   RenderParams key;
   key.scene = job.scene();
@@ -21,8 +21,8 @@ std::string scene_key(const ResolvedJob& job) {
   return job_text(key, {});
 }
 
-/// Traces all pixels instead of copying unchanged pixels from other frames. The image is the same, and finding unchanged pixels
-/// takes time.
+/// Returns parameters that trace all pixels instead of copying unchanged pixels from other frames. The image is the same, but
+/// finding unchanged pixels takes time.
 FrameParams params_of_one_frame(const ResolvedJob& job) {
   FrameParams frame_settings = frame_params(job);
   if (std::holds_alternative<CopySettled>(resolved_reuse(frame_settings))) frame_settings.reuse = TraceAll{};

@@ -11,8 +11,8 @@
 namespace lippmann {
 namespace {
 
-/// Rays from the eye of a view. The parallax multiplies the difference between the slope of a ray and its slope in the middle
-/// view.
+/// Rays from the eye of a view. The parallax factor multiplies the difference between the slope of a ray and the slope of the
+/// same pixel's ray in the middle view.
 class EyeRays {
  public:
   EyeRays(const PlacedOptics& placed, const PageFacts& facts)

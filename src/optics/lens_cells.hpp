@@ -17,7 +17,7 @@ struct LensCells {
   Rows rows = Rows::kOfFilm;  ///< kOfFilm: for cylindrical lenses, where each row of the film counts as a row of lenses
   Vec2d lenses_per_mm{0.0};
   double first_lens = 0.0;
-  double rows_per_mm = 0.0, first_row_mm = 0.0;  ///< rows of lenses per mm downwards; y of row 0
+  double rows_per_mm = 0.0, first_row_mm = 0.0;  ///< rows of lenses per mm, counted downwards; y of row 0
   Vec2d cell_px{1.0};                            ///< size of a cell in film pixels, along a row and down
   Vec2d px_per_k{0.0};
   /// For slanted panels: full angle of the view cone, parallax factor, and sign (-1 if SlantedPanel::inverted, otherwise 1).

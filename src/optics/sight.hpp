@@ -13,8 +13,8 @@ namespace lippmann {
 
 struct PanelPoint {
   Vec2d pixel{0.0};
-  /// Column and row of the lens through which the eye sees the point. In odd rows of a hexagonal array, columns are k + 1/2.
-  /// For a sheet, the row is 0.
+  /// Column and row of the lens through which the eye sees the point. In odd rows of a hexagonal array, 1/2 is added to the
+  /// column. For a sheet, the row is 0.
   Vec2d lens{0.0};
 };
 

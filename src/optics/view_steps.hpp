@@ -12,7 +12,7 @@ enum class StepDirection { kLeft, kRight, kUp, kDown };
 inline constexpr StepDirection kStepDirections[] = {StepDirection::kLeft, StepDirection::kRight, StepDirection::kUp,
                                                     StepDirection::kDown};
 
-/// Iterates over the pixels of one picture in one direction.
+/// Iterates in one direction over the pixels of a view, or over the pixels below a lens.
 class ViewWalk {
  public:
   std::optional<std::uint32_t> next() {

@@ -19,8 +19,8 @@ struct PictureConversion {
   std::function<nlohmann::ordered_json()> made;
 };
 
-/// Writes integer samples as .png and floats in the format of the input. Returns the written files, with report.json last.
-/// Throws Error, also if `out` is the folder of the frames. Stops between frames if context.cancelled is set.
+/// Converts and writes all frames: integer samples as .png, floats in the format of the input. Returns the written files, with
+/// report.json last. Throws Error, also if `out` is the folder of the frames. Stops between frames if context.cancelled is set.
 std::vector<std::filesystem::path> convert_frames(const RenderedFrames& frames, const PictureConversion& conversion,
                                                   const Context& context);
 

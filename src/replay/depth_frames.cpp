@@ -109,14 +109,14 @@ std::optional<RgbdFrame> RgbdFrames::next_of_video() {
                    light_field_of_rgbd(*std::exchange(picture, {}), first(), where, params_.options)};
 }
 
-/// Returns whether the display has lenses. Slanted panels do not count, because they need a calibration.
+/// Returns whether the display's lenses are known from the display file. Those of slanted panels must be calibrated.
 bool has_lenses(const Display& display) { return display.kind != DisplayKind::kSlantedPanel; }
 
 bool is_behind_lenses(const DepthConversion& params) {
   return params.to == "integral" && params.options.display && has_lenses(*params.options.display);
 }
 
-/// Returns two eyes in front of the display, or in front of the image's own screen.
+/// Returns two eyes in front of the display or, without a display, in front of the screen that the image was made for.
 Optics eyes_optics(const LightField& source, const DepthConversion& params) {
   const ViewCameras& camera = *source.cameras;
   MultiView eyes{2, 1};
@@ -171,7 +171,7 @@ void warn_of_assumptions(const fs::path& first, const DepthConversion& params, c
                   first.string(), range.far_mm, range.near_mm));
 }
 
-/// For RGB-D output, returns the image itself as the only view.
+/// Makes the views of a frame. For RGB-D output, returns the frame's image itself as the only view.
 DepthViews shown_views(const RgbdFrame& frame, const DepthConversion& params, const ThreadPool& pool, const Context& context) {
   const LightField& source = frame.field;
   if (params.to == kRgbdFormat) return {source};

@@ -36,8 +36,8 @@ struct ConvertedDepth {
 /// Returns whether the name or side file of an image, a video or a folder's first frame states that it is RGB-D.
 bool is_rgbd(const std::filesystem::path& in);
 
-/// Integer samples keep their number of bits. Warns about a depth range that is assumed. Throws Error naming the file or
-/// parameter.
+/// Converts all frames. Integer samples keep their number of bits. Warns if the depth range is unknown and a default is used.
+/// Throws Error naming the file or parameter.
 ConvertedDepth convert_depth_frames(const DepthConversion& params, const Context& context);
 
 }  // namespace lippmann

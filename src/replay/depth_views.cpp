@@ -33,7 +33,7 @@ struct DepthPicture {
   }
 };
 
-/// Uses the nearest neighbour, because the mean of two surfaces would lie on neither.
+/// Resizes an image of depths. Takes the nearest pixel, because a mean depth of two surfaces would lie on neither of them.
 Image nearest_samples(const Image& picture, Vec2i size) {
   Image result(size.x, size.y, 1);
   for (int y = 0; y < size.y; ++y)
@@ -116,8 +116,8 @@ class ViewMaker {
                                    std::clamp(y, 0, source_.disparity.height - 1))[0];
   }
 
-  /// Interpolates between the four nearest pixel centres if they belong to one surface. Otherwise returns the disparity of
-  /// pixel (i, j).
+  /// Interpolates the disparity at `at` from the four nearest pixel centres if they belong to one surface. Otherwise returns the
+  /// disparity of pixel (i, j).
   double disparity_at(int i, int j, Vec2d at) const {
     const double own = source_disparity(i, j);
     const Vec2d from = at - 0.5;

@@ -14,7 +14,7 @@ constexpr double kPanelEdgePx = 1e-3;  ///< tolerance at the edges of the panel 
 
 struct Quality {
   SampleFilter filter;
-  Vec2d crosstalk_px;  ///< width (sigma) along x and y of the light that leaks to neighbouring pixels
+  Vec2d crosstalk_px;  ///< sigma of the crosstalk between neighbouring pixels, along x and y
 
   bool blurs() const { return crosstalk_px != Vec2d(0.0); }
 };

@@ -14,7 +14,7 @@ namespace lippmann {
 struct OrthoscopicParams {
   /// An image or a folder of frames, with a report.json beside the images.
   std::filesystem::path in;
-  /// A folder for the converted images, which keep their names, and their report.json.
+  /// Folder for report.json and the converted images, which keep their names.
   std::filesystem::path out;
   std::optional<SpocParams> spoc = {};  ///< parameters of --spoc; none for --rotate-elemental
   // Lens array of the display; none: the recording array.

@@ -13,19 +13,18 @@ namespace lippmann {
 struct PrecompensateParams {
   /// An image or a folder of frames, with a report.json beside the images.
   std::filesystem::path in;
-  std::filesystem::path out;          ///< folder for the images, which keep their names, and their report.json
-  double sigma_px = 0.0;              ///< width (sigma) of the leaked light, see optics/crosstalk.hpp
+  std::filesystem::path out;          ///< folder for report.json and the images, which keep their names
+  double sigma_px = 0.0;              ///< sigma of the crosstalk, see optics/crosstalk.hpp
   std::optional<Optics> optics = {};  ///< optics of the images; none: from the report.json beside them
 };
 
 struct Precompensated {
   std::vector<std::filesystem::path> written;
-  Precompensation bound;  ///< over all frames: the mean fraction of clipped samples and the largest
-                          ///< residual
+  Precompensation bound;  ///< mean clipped fraction and largest residual of all frames
 };
 
-/// Integer samples keep their number of bits. Throws Error naming the flag or file. Stops between frames if context.cancelled
-/// is set.
+/// Corrects and writes all frames. Integer samples keep their number of bits. Throws Error naming the flag or file. Stops
+/// between frames if context.cancelled is set.
 Precompensated precompensate_frames(const PrecompensateParams& params, const Context& context);
 
 }  // namespace lippmann

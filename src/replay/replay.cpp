@@ -143,7 +143,7 @@ class Replay {
   void make_pair(std::size_t frame, ReplayFiles& files) {
     const std::vector<Vec3d> pair = eyes();
     const Image left = view_of(frame, pair[0]), right = view_of(frame, pair[1]);
-    if (context_.cancelled) return;  // unfinished images must not enter larger ones
+    if (context_.cancelled) return;  // a pair must not contain unfinished images
     files.add("left_" + label(frame), left);
     files.add("right_" + label(frame), right);
     files.add("pair_" + label(frame), side_by_side(left, right), !params_.sweep);

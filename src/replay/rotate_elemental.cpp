@@ -27,7 +27,7 @@ PixelMap map_of(const Panel& panel, const auto& source_of) {
   return map;
 }
 
-/// Tile N - 1 - v takes the pixels of tile v. Padding stays.
+/// Exchanges tile v with tile N - 1 - v of a quilt with N tiles. Padding stays.
 PixelMap reversed_views(const Panel& panel, const ViewTiles& views) {
   const int width = panel.width / views.columns, height = panel.height / views.rows;
   const int padding = panel.height - height * views.rows;

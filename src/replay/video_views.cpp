@@ -49,7 +49,7 @@ LightField read_video_views(const fs::path& video, const FormatOptions& options)
   for (int frame = 0; view < views; ++frame) {
     std::optional<Image8> read = reader.next();
     if (!read) throw Error(video.string(), "the file changed while it was read");
-    // View i is the frame nearest to i (frames - 1) / (views - 1).
+    // Takes the frame nearest to view * (frames - 1) / (views - 1).
     if (frame != (2 * view * (frames - 1) + views - 1) / (2 * (views - 1))) continue;
     Picture picture = *std::move(read);
     const Vec2d size(size_of(picture));

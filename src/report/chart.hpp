@@ -10,7 +10,7 @@ namespace lippmann {
 
 struct ChartSeries {
   std::string name;
-  /// Index of the style's colours --c0 to --c7.
+  /// Index of one of the CSS colours --c0 to --c7.
   int color = 0;
   std::vector<std::optional<double>> values;  ///< one value per frame; nullopt if unknown
 };
@@ -27,7 +27,7 @@ struct Chart {
   std::vector<ChartSeries> series = {};
   std::vector<ChartLevel> levels = {};
   bool is_stacked = false;
-  /// Whether the value axis starts at zero. In charts with bars, it always does.
+  /// Whether the value axis of a line chart starts at zero. The value axis of stacked bars always does.
   bool starts_at_zero = true;
   /// Upper end of the value axis; nullopt: just above the largest value.
   std::optional<double> top = {};

@@ -17,7 +17,7 @@ inline constexpr double kPaperPsnrDb = 34.5;
 Chart psnr_chart(const RenderFigures& render);
 Chart origin_chart(const RenderFigures& render);
 Chart time_chart(const RenderFigures& render);
-/// CPU time saved in frames that were not fully traced, in percent of a fully traced frame.
+/// CPU time saved in frames that were not fully traced, in percent of the CPU time of a fully traced frame.
 Chart saving_chart(const RenderFigures& render);
 /// Rays per pixel by kind of ray, or millions of rays if the frame size is unknown.
 Chart ray_chart(const RenderFigures& render);

@@ -5,7 +5,7 @@
 namespace lippmann {
 namespace {
 
-/// Reports of older versions call this mode `exact`.
+/// Returns whether the render copied unchanged pixels. Reports of older versions call this mode `exact`.
 bool is_copied(const RenderFigures& render) { return render.reuse == "copy" || render.reuse == "exact"; }
 
 /// Returns the origins for a frame that was not fully traced. Pixels that are neither reused nor traced count as filled.

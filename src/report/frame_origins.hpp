@@ -21,7 +21,7 @@ using OriginShares = std::array<double, kOriginNames.size()>;
 ///   filled         pixels without a point, filled from neighbours (reuse interpolate, fill interpolate)
 std::optional<OriginShares> origins_of(const FrameReport& frame, const RenderFigures& render);
 
-/// Returns whether the kind of the frame is full or key.
+/// Returns whether all pixels of the frame were traced: its kind is full or key.
 bool is_traced_whole(const FrameReport& frame);
 
 std::optional<double> traced_cpu_seconds(const RenderFigures& render);

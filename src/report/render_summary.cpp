@@ -12,7 +12,7 @@
 namespace lippmann {
 namespace {
 
-/// for example "1 key, 7 in-between"
+/// Returns the number of frames of each kind, for example "1 key, 7 in-between".
 std::string kinds_text(const RenderFigures& render) {
   std::map<std::string, int> kinds;
   for (const FrameReport& frame : render.frames) ++kinds[frame.kind];

@@ -17,7 +17,7 @@ namespace lippmann {
 namespace {
 
 constexpr int kMostSide = 240;
-/// High effort, because thumbnails are written once and read often.
+/// Compression effort. It is high, because thumbnails are written once and read often.
 constexpr int kThumbnailEffort = 6;
 
 Image middle_view(const Image8& quilt, const PageFacts& facts) {

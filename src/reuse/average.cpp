@@ -15,8 +15,8 @@ constexpr std::size_t kStripPixels = 8192;
 // A fixed loop length lets the compiler vectorise the loops over these pixels.
 constexpr std::size_t kAveragedBlock = 64;
 
-/// Mixes one colour: out = a + weight_b (b - a). Equal inputs keep their bits. With `count` 4, which is faster, one more float
-/// after each colour is read and written.
+/// Mixes one colour: out = a + weight_b (b - a). Equal inputs keep their bits. `count`: 3, or 4 to mix also the float after the
+/// colour, which is faster.
 template <std::size_t count>
 LIPPMANN_INLINE void mix(const float* color_a, const float* color_b, float weight_b, float* out) {
   float a[count], b[count], mixed[count];

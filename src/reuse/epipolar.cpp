@@ -63,8 +63,8 @@ LIPPMANN_INLINE void offer(float cost, float column, Candidate& best, int i) {
 struct Search {
   Ints source, row_begin;
   Floats row, column;
-  /// beside: column of the next sample of the same view. Of this sample and the current one, `behind` is the column of the
-  /// sample that is farther from the viewer.
+  /// `beside`: column of the next sample of the same view. `behind`: column of the sample farther from the viewer, of the
+  /// current sample and the sample at `beside`.
   Floats beside, behind;
   Ids object, object_beside, layer;
   /// view: number of the view. place: searched position in the view, in samples. off: offset of the projected point from its

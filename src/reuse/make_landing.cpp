@@ -39,7 +39,7 @@ GridLine line_of(const LensAxis<double>& axis, int pixel, int size) {
           static_cast<float>(size - 1)};
 }
 
-/// Returns the line of pixel i of a view with one sample per pixel. `first` is the view's pixel 0.
+/// Returns the line of pixel i of the panel, in a view with one sample per pixel. The view begins at pixel `first`.
 GridLine plain_line(const GridScale& scale, double slope, int i, int first, int low, int high) {
   const double place = (i - first + 0.5 - scale.shift) / scale.samples_per_mm;
   return {static_cast<float>(place), static_cast<float>(slope), static_cast<float>(first), static_cast<float>(low),
@@ -71,7 +71,7 @@ GridLanding microlens_grid(const Panel& panel, const MicrolensConstants<double>&
   return grid;
 }
 
-/// Padding pixels belong to the adjacent view.
+/// Returns the landing rule of a quilt. Padding pixels belong to the adjacent view.
 GridLanding views_grid(const Panel& panel, const MultiView& views) {
   const MultiViewRays c = make_multi_view(panel, views, 0.0f);
   const int tile_width = panel.width / views.columns, tile_height = panel.height / views.rows;

@@ -20,8 +20,8 @@ std::vector<unsigned char> codes_of(const Image& film, const Patches& patches, I
   return to_codes(picked, encoding).rgb;
 }
 
-/// Returns one error per wanted patch: the sum of squared differences of codes, divided by the mean number of codes of a patch.
-/// The mean over all patches is thus the mean over all pixels, even with smaller patches at the panel's edge.
+/// Returns one error per patch in `wanted`: the sum of squared differences of codes, divided by the mean number of codes of a
+/// patch. The mean of these errors over all patches is the mean over all pixels, although patches at the edge are smaller.
 std::vector<double> errors_of(const Patches& patches, Indices wanted, const std::vector<unsigned char>& predicted,
                               const std::vector<unsigned char>& traced) {
   const double mean_values = 3.0 * static_cast<double>(patches.pixel_count()) / static_cast<double>(patches.count());
@@ -44,7 +44,7 @@ double share_of_rays(std::span<const float> costs, std::span<const std::uint8_t>
   return sum / static_cast<double>(costs.size());
 }
 
-/// Marks the patches at or above `level` that are not held out (held_out.hpp).
+/// Marks the patches whose uncertainty level is at least `level`, except held-out patches (held_out.hpp).
 std::vector<std::uint8_t> of_levels_from(int level, std::span<const std::uint8_t> uncertainty, Indices held_out) {
   std::vector<std::uint8_t> wanted(uncertainty.size());
   for (std::size_t p = 0; p < uncertainty.size(); ++p) wanted[p] = level_of(uncertainty[p]) >= level;

@@ -140,7 +140,7 @@ class Libhdf5 : public Hdf5Module {
  public:
   Libhdf5() {
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors are returned, not printed
-    H5PLset_loading_state(0);                     // disables plugins from the folders in HDF5_PLUGIN_PATH
+    H5PLset_loading_state(0);                     // never loads plugins
   }
   std::unique_ptr<Hdf5File> open(const std::string& path) const override { return std::make_unique<OpenedFile>(path); }
 };
